@@ -1,0 +1,41 @@
+// The energy account of a run: what came in, where it is, where it went.
+#pragma once
+
+namespace rupture {
+
+/// Energy stored in the slider and its boundaries at one instant [J].
+struct Energies {
+  double kinetic = 0;
+  double bulk = 0;      ///< springs between blocks
+  double contact = 0;   ///< elastic foundation, 1/2 k_f u_z^2 where pressed
+  double driving = 0;   ///< driving spring, 1/2 K (x_drive - u_x)^2
+  double load = 0;      ///< potential of F_N, sum of (F_N / N_x) u_z over the top row
+
+  double total() const { return kinetic + bulk + contact + driving + load; }
+};
+
+/// Power of what does not conserve energy, at one instant [W].
+struct Power {
+  double driving = 0;    ///< F_T V, into the system
+  double damping = 0;    ///< bulk damping, out of the system
+  double junctions = 0;  ///< work done against the junctions, out of the system
+};
+
+/// Work since the start of a run [J]; the same terms as Power, summed by the trapezoidal rule, which
+/// is how velocity Verlet itself adds up work.
+using Work = Power;
+
+/// What the account of a run says [J].
+struct EnergyBalance {
+  double supplied = 0;    ///< work of the driving point and of F_N
+  double stored = 0;      ///< gain of kinetic, bulk, contact and driving-spring energy
+  double dissipated = 0;  ///< bulk damping and work against the junctions
+
+  double error() const { return supplied - stored - dissipated; }
+  /// |error| relative to the largest of the three terms; 0 if nothing happened.
+  double relative_error() const;
+};
+
+EnergyBalance energy_balance(const Energies& before, const Energies& after, const Work& work);
+
+}  // namespace rupture

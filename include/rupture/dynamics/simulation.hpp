@@ -1,0 +1,85 @@
+// One slider on its interface, moved in time by velocity Verlet.
+//
+// Scheme, for a state complete at step n (u, v, f, junctions at time t_n = n dt):
+//   1. half kick and drift       v += (dt/2m) f;  u += dt v
+//   2. normal forces             p_i = -k_f u_z,i (bottom row, unilateral) at the new positions
+//   3. junctions                 break, slip, are pinned again at the new x_i, p_i and time t_{n+1}
+//   4. forces                    springs at u, damping at the half-kicked v, p, tau, F_N, F_T
+//   5. half kick                 v += (dt/2m) f
+// Afterwards the state is complete at step n+1. f is part of the state because the damping force was
+// taken at the half-kicked velocity, which is not kept.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rupture/dynamics/energy.hpp"
+#include "rupture/forces/bulk.hpp"
+#include "rupture/forces/reference_law.hpp"
+#include "rupture/model/state.hpp"
+
+namespace rupture {
+
+/// A block ruptured: its pinned fraction fell below 30 % at this step.
+struct BlockRupture {
+  std::int64_t step;
+  std::int64_t block;
+};
+
+/// Pinned fraction below which a block counts as ruptured (Fig. 2: 70 % of its junctions broken).
+inline constexpr double kRupturedFraction = 0.3;
+
+class Simulation {
+ public:
+  /// Takes over a complete state. Throws UsageError if the parameters are invalid.
+  Simulation(const Parameters& parameters, State state);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Moves the state by one step. Throws Failure (time and block) when a number stops being finite.
+  void advance();
+
+  const Parameters& parameters() const { return parameters_; }
+  const State& state() const { return state_; }
+  double time() const { return rupture::time(parameters_, state_); }
+
+  std::span<const double> p() const { return p_; }      ///< normal force per interface block [N]
+  std::span<const double> tau() const { return tau_; }  ///< friction force per block [N]
+  double F_T() const { return F_T_; }                   ///< driving force [N]
+  double x_drive() const { return drive_position(parameters_, state_.drive, state_.step); }
+  const std::vector<std::int32_t>& pinned() const { return law_.pinned(); }
+
+  /// Step at which a junction last broke; the first step of this simulation if none has.
+  std::int64_t last_break() const { return last_break_; }
+
+  /// Ruptures since the last call, in the order of time.
+  std::vector<BlockRupture> take_ruptures();
+
+  /// Energies now, and work done since the simulation was made.
+  Energies energies() const;
+  const Work& work() const { return work_; }
+
+ private:
+  ContactView contact() { return {p_.data(), k_ij_.data(), w_.data()}; }
+  void find_normal_forces();
+  void add_boundary_forces();
+  void note_ruptures();
+  void add_work(double damping_power);
+  [[noreturn]] void report_blow_up() const;
+
+  const Parameters parameters_;
+  const double half_kick_;  // dt / 2m
+  State state_;
+  Bulk bulk_;
+  ReferenceLaw law_;
+  Field elastic_x_, elastic_z_;
+  std::vector<double> p_, k_ij_, w_, tau_;
+  double F_T_ = 0;
+  std::int64_t last_break_;
+  std::vector<char> ruptured_;
+  std::vector<BlockRupture> ruptures_;
+  Work work_;
+  Power power_;
+};
+
+}  // namespace rupture

@@ -1,0 +1,18 @@
+// The two kinds of failure a user can meet; the tools map them to exit codes 2 and 1.
+#pragma once
+
+#include <stdexcept>
+
+namespace rupture {
+
+/// What was asked for makes no sense: unknown name, value out of range, missing option.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What was asked for makes sense but could not be done: damaged file, full disk, blow-up.
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace rupture

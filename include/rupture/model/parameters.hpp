@@ -1,0 +1,91 @@
+// The physical and numerical parameters of one simulation (Table S1 of the paper).
+//
+// Every parameter is declared once, in parameters.cpp, with its name, symbol, unit, default, validity
+// and help. Options, INI files, checkpoints and error messages all read that one table.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace rupture {
+
+/// Distribution T(t_R) of the time a junction spends slipping (Methods).
+enum class SlippingTimes { gaussian, exponential };
+
+/// Force f_new that a junction carries when it is pinned again: zero (reference) or f_slip, which
+/// switches slow slip off (Fig. 3B).
+enum class NewForce { zero, f_slip };
+
+struct Parameters {
+  // slider
+  double L = 0.140;               ///< length along x [m]
+  double H = 0.075;               ///< height along z [m]
+  double B = 0.006;               ///< width along y [m]
+  std::int64_t Nx = 57;           ///< blocks along x
+  std::int64_t Nz = 31;           ///< blocks along z
+  double M = 0.0756;              ///< mass [kg]
+  double E = 3e9;                 ///< Young's modulus [Pa]
+  double damping = 0.1;           ///< eta^2 / (k m), dimensionless
+  double F_N = 1920;              ///< normal load [N]
+  double foundation = 0.5;        ///< k_f / k, dimensionless
+  // driving
+  double K = 4e6;                 ///< driving spring modulus [N/m]
+  double h = 0.005;               ///< driving height above the interface [m]
+  double V = 0.4e-3;              ///< driving speed [m/s]
+  // junctions
+  std::int64_t N_s = 100;         ///< junctions per interface block
+  double mu_s = 0.4;              ///< f_thres / f_N
+  double mu_d = 0.17;             ///< f_slip / f_N
+  double kappa = 39.2e9;          ///< k_ij^2 / f_N [N/m^2]
+  double t_R = 2e-3;              ///< mean slipping time [s]
+  double delta_t_R = 0.6e-3;      ///< standard deviation of the slipping time [s]
+  SlippingTimes slipping_times = SlippingTimes::gaussian;
+  NewForce f_new = NewForce::zero;
+  // numerics
+  double dt = 2e-7;               ///< time step [s]
+  std::int64_t seed = 1;          ///< key of the random numbers
+
+  bool operator==(const Parameters&) const = default;
+};
+
+/// The member of Parameters that a table row describes.
+using ParameterMember =
+    std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
+                 NewForce Parameters::*>;
+
+/// One row of the parameter table.
+struct ParameterInfo {
+  std::string_view name;    ///< as in options, INI files and /parameters, e.g. "slider.L"
+  std::string_view symbol;  ///< as in the paper, e.g. "L"
+  std::string_view unit;    ///< SI unit, "1" for none
+  ParameterMember member;
+  double minimum;           ///< smallest valid value of a number
+  double maximum;           ///< largest valid value of a number
+  bool minimum_excluded;
+  std::string_view help;
+};
+
+/// All parameters in the order in which they are shown and stored.
+const std::vector<ParameterInfo>& parameter_table();
+
+/// The row called `name`. Throws UsageError naming the nearest existing name.
+const ParameterInfo& find_parameter(std::string_view name);
+
+/// The words that an enumerated parameter accepts; empty for a number.
+std::vector<std::string_view> choices(const ParameterInfo& info);
+
+/// Sets one parameter from text. Throws UsageError if the name is unknown, the text is no value of
+/// the right kind, or the value is outside the row's validity range.
+void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
+
+/// The value as text that set_parameter reads back to the same bits.
+std::string parameter_text(const Parameters& parameters, const ParameterInfo& info);
+
+/// Throws UsageError unless the parameters make physical sense together: equal lattice spacing in x
+/// and z, driving height on a row of blocks, mu_d <= mu_s, time step below the stability limit.
+void validate(const Parameters& parameters);
+
+}  // namespace rupture

@@ -1,0 +1,25 @@
+// Counter-based random numbers: every draw is a pure function of (seed, block, junction, purpose, n),
+// so there is no generator state to keep and no order in which draws must happen.
+#pragma once
+
+#include <cstdint>
+
+#include "rupture/model/parameters.hpp"
+
+namespace rupture {
+
+/// What a random number is used for; different purposes never share a counter.
+enum class Purpose : std::uint32_t { slipping_time = 1, force_distribution = 2 };
+
+/// Uniform number in (0, 1), never 0 or 1, with 53 random bits (Philox4x32-10).
+double uniform(std::int64_t seed, std::uint32_t block, std::uint32_t junction, Purpose purpose,
+               std::uint32_t n);
+
+/// The n-th slipping time t_R of a junction, drawn from T(t_R) (Methods) [s].
+///
+/// gaussian: |t_R + delta_t_R z| with z standard normal, the paper's folded T_G(t) + T_G(-t);
+/// exponential: -t_R ln u.
+double slipping_time(const Parameters& parameters, std::uint32_t block, std::uint32_t junction,
+                     std::uint32_t n);
+
+}  // namespace rupture

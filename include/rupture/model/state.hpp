@@ -1,0 +1,58 @@
+// Everything that changes in time. Plain data; State and Parameters together determine the future.
+#pragma once
+
+#include <cstdint>
+
+#include "rupture/model/field.hpp"
+#include "rupture/model/parameters.hpp"
+
+namespace rupture {
+
+template <class T>
+using JunctionArray = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The junctions of all interface blocks; arrays of shape [Nx][N_s].
+struct Junctions {
+  /// A repin time later than every simulation: marks a pinned junction.
+  static constexpr double never = 1e300;
+
+  /// Attachment point x_ij on the track, measured like u_x from the undeformed block position [m].
+  JunctionArray<double> attachment;
+  /// Time at which a slipping junction is pinned again [s]; `never` while it is pinned.
+  JunctionArray<double> repin_time;
+  /// How many slipping times this junction has drawn so far.
+  JunctionArray<std::uint32_t> draws;
+};
+
+/// Position of the driving point: x_drive(n) = origin_position + V (n - origin_step) dt.
+struct Drive {
+  std::int64_t origin_step = 0;
+  double origin_position = 0;  ///< [m]
+};
+
+struct State {
+  State() = default;
+  /// The undeformed slider at rest with every junction pinned and unstretched.
+  explicit State(const Parameters& parameters);
+
+  std::int64_t step = 0;  ///< time is step * dt
+  Drive drive;
+  Field u_x, u_z;  ///< displacement from the undeformed lattice [m]
+  Field v_x, v_z;  ///< velocity [m/s]
+  Field f_x, f_z;  ///< net force on each block at this step [N]
+  Junctions junctions;
+};
+
+/// Simulated time of the state [s].
+double time(const Parameters& parameters, const State& state);
+
+/// Position x_drive of the driving point at `step` [m].
+double drive_position(const Parameters& parameters, const Drive& drive, std::int64_t step);
+
+/// True where a junction is slipping, false where it is pinned.
+inline bool is_slipping(double repin_time) { return repin_time < Junctions::never; }
+
+/// Fraction of block i's junctions that are pinned.
+double pinned_fraction(const Junctions& junctions, Eigen::Index i);
+
+}  // namespace rupture

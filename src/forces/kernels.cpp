@@ -1,0 +1,61 @@
+#include "rupture/forces/kernels.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+
+#if defined(__x86_64__)
+extern const Kernels kernels_sse2;
+extern const Kernels kernels_avx2;
+extern const Kernels kernels_avx512;
+#else
+extern const Kernels kernels_baseline;
+#endif
+
+namespace {
+
+/// The variants that this processor can run, widest first.
+std::vector<const Kernels*> available() {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  std::vector<const Kernels*> found;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl")) {
+    found.push_back(&kernels_avx512);
+  }
+  if (__builtin_cpu_supports("avx2")) found.push_back(&kernels_avx2);
+  found.push_back(&kernels_sse2);
+  return found;
+#else
+  return {&kernels_baseline};
+#endif
+}
+
+const Kernels& choose() {
+  const auto variants = available();
+  const char* wanted = std::getenv("RUPTURE_ISA");
+  if (wanted == nullptr || *wanted == '\0') return *variants.front();
+  std::vector<std::string_view> names;
+  for (const auto* variant : variants) {
+    if (variant->name == wanted) return *variant;
+    names.push_back(variant->name);
+  }
+  throw UsageError(fmt::format(
+      "RUPTURE_ISA = '{}' is no instruction set of this processor and build: choose one of {}",
+      wanted, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+const Kernels& kernels() {
+  static const Kernels& chosen = choose();
+  return chosen;
+}
+
+}  // namespace rupture

@@ -1,0 +1,218 @@
+#include "rupture/model/parameters.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+namespace {
+
+using P = Parameters;
+constexpr double kNoLimit = std::numeric_limits<double>::max();
+
+const std::vector<std::string_view> kSlippingTimesNames = {"gaussian", "exponential"};
+const std::vector<std::string_view> kNewForceNames = {"zero", "f_slip"};
+
+ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
+                       ParameterMember member, double maximum, std::string_view help) {
+  return {name, symbol, unit, member, 0.0, maximum, true, help};
+}
+
+ParameterInfo at_least(double minimum, std::string_view name, std::string_view symbol,
+                       std::string_view unit, ParameterMember member, double maximum,
+                       std::string_view help) {
+  return {name, symbol, unit, member, minimum, maximum, false, help};
+}
+
+ParameterInfo choice(std::string_view name, std::string_view symbol, ParameterMember member,
+                     std::string_view help) {
+  return {name, symbol, "1", member, 0.0, 0.0, false, help};
+}
+
+template <class Enum>
+const std::vector<std::string_view>& names_of() {
+  if constexpr (std::is_same_v<Enum, SlippingTimes>) {
+    return kSlippingTimesNames;
+  } else {
+    return kNewForceNames;
+  }
+}
+
+/// Number of single-character edits that turn a into b.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, diagonal + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string_view nearest_name(std::string_view name) {
+  const auto& table = parameter_table();
+  const auto distance = [&](const ParameterInfo& info) {
+    const auto leaf = info.name.substr(info.name.find('.') + 1);
+    return std::min(edit_distance(name, info.name), edit_distance(name, leaf) + 1);
+  };
+  return std::min_element(table.begin(), table.end(),
+                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); })
+      ->name;
+}
+
+template <class Number>
+Number parse_number(const ParameterInfo& info, std::string_view text) {
+  constexpr const char* kind = std::is_integral_v<Number> ? "a whole number" : "a number";
+  Number value{};
+  const auto* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (text.empty() || result.ec != std::errc{} || result.ptr != end) {
+    throw UsageError(fmt::format("{} = '{}' is not {} (unit {})", info.name, text, kind,
+                                 info.unit));
+  }
+  const auto number = static_cast<double>(value);
+  const bool too_small =
+      info.minimum_excluded ? !(number > info.minimum) : !(number >= info.minimum);
+  if (too_small || !(number <= info.maximum)) {
+    const std::string upper =
+        info.maximum < kNoLimit ? fmt::format(" and at most {:g}", info.maximum) : "";
+    throw UsageError(fmt::format("{} = {} is out of range: give a value {} {:g}{} (unit {})",
+                                 info.name, text, info.minimum_excluded ? "above" : "of at least",
+                                 info.minimum, upper, info.unit));
+  }
+  return value;
+}
+
+template <class Enum>
+Enum parse_choice(const ParameterInfo& info, std::string_view text) {
+  const auto& names = names_of<Enum>();
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end()) {
+    throw UsageError(fmt::format("{} = '{}' is unknown: choose one of {}", info.name, text,
+                                 fmt::join(names, ", ")));
+  }
+  return static_cast<Enum>(found - names.begin());
+}
+
+}  // namespace
+
+const std::vector<ParameterInfo>& parameter_table() {
+  static const std::vector<ParameterInfo> table = {
+      positive("slider.L", "L", "m", &P::L, 1e3, "length of the slider along x"),
+      positive("slider.H", "H", "m", &P::H, 1e3, "height of the slider along z"),
+      positive("slider.B", "B", "m", &P::B, 1e3, "width of the slider along y"),
+      at_least(3, "slider.Nx", "N_x", "1", &P::Nx, 65536, "number of blocks along x"),
+      at_least(2, "slider.Nz", "N_z", "1", &P::Nz, 65536, "number of blocks along z"),
+      positive("slider.M", "M", "kg", &P::M, 1e6, "mass of the slider"),
+      positive("slider.E", "E", "Pa", &P::E, 1e13, "Young's modulus"),
+      at_least(0, "slider.damping", "eta^2/(k m)", "1", &P::damping, 10,
+               "bulk damping: eta = sqrt(damping k m) on every bond"),
+      positive("slider.F_N", "F_N", "N", &P::F_N, 1e9, "normal load on the top row"),
+      positive("slider.foundation", "k_f/k", "1", &P::foundation, 100,
+               "modulus of the elastic foundation, relative to the bulk springs"),
+      at_least(0, "driving.K", "K", "N/m", &P::K, 1e12, "modulus of the driving spring"),
+      at_least(0, "driving.h", "h", "m", &P::h, 1e3, "height at which the driving spring acts"),
+      at_least(-10, "driving.V", "V", "m/s", &P::V, 10, "speed of the driving point"),
+      at_least(1, "junctions.N_s", "N_s", "1", &P::N_s, 1e6, "junctions per interface block"),
+      positive("junctions.mu_s", "mu_s", "1", &P::mu_s, 100, "threshold coefficient f_thres/f_N"),
+      at_least(0, "junctions.mu_d", "mu_d", "1", &P::mu_d, 100, "slipping coefficient f_slip/f_N"),
+      positive("junctions.kappa", "kappa", "N/m^2", &P::kappa, 1e20,
+               "junction stiffness: k_ij = sqrt(kappa f_N)"),
+      positive("junctions.t_R", "t_R", "s", &P::t_R, 1e3, "mean slipping time"),
+      at_least(0, "junctions.delta_t_R", "delta t_R", "s", &P::delta_t_R, 1e3,
+               "standard deviation of the slipping time (Gaussian only)"),
+      choice("junctions.slipping_times", "T(t_R)", &P::slipping_times,
+             "distribution of slipping times: folded Gaussian or exponential"),
+      choice("junctions.f_new", "f_new", &P::f_new,
+             "force of a newly pinned junction; f_slip switches slow slip off"),
+      positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step"),
+      at_least(0, "numerics.seed", "seed", "1", &P::seed, 9e15, "key of the random numbers"),
+  };
+  return table;
+}
+
+const ParameterInfo& find_parameter(std::string_view name) {
+  for (const auto& info : parameter_table()) {
+    if (info.name == name) return info;
+  }
+  throw UsageError(fmt::format("unknown parameter '{}': did you mean '{}'?", name,
+                               nearest_name(name)));
+}
+
+std::vector<std::string_view> choices(const ParameterInfo& info) {
+  if (std::holds_alternative<SlippingTimes P::*>(info.member)) return kSlippingTimesNames;
+  if (std::holds_alternative<NewForce P::*>(info.member)) return kNewForceNames;
+  return {};
+}
+
+void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {
+  const ParameterInfo& info = find_parameter(name);
+  std::visit(
+      [&](auto member) {
+        using Value = std::remove_reference_t<decltype(parameters.*member)>;
+        if constexpr (std::is_enum_v<Value>) {
+          parameters.*member = parse_choice<Value>(info, text);
+        } else {
+          parameters.*member = parse_number<Value>(info, text);
+        }
+      },
+      info.member);
+}
+
+std::string parameter_text(const Parameters& parameters, const ParameterInfo& info) {
+  return std::visit(
+      [&](auto member) -> std::string {
+        const auto value = parameters.*member;
+        if constexpr (std::is_enum_v<std::remove_const_t<decltype(value)>>) {
+          return std::string(
+              names_of<std::remove_const_t<decltype(value)>>()[static_cast<std::size_t>(value)]);
+        } else {
+          return fmt::format("{}", value);
+        }
+      },
+      info.member);
+}
+
+void validate(const Parameters& p) {
+  const double l = block_spacing(p);
+  const double l_z = p.H / static_cast<double>(p.Nz - 1);
+  if (std::abs(l - l_z) > 1e-9 * l) {
+    throw UsageError(fmt::format(
+        "the lattice must be square, but L/(Nx-1) = {:g} m and H/(Nz-1) = {:g} m: change slider.L, "
+        "slider.H, slider.Nx or slider.Nz (for instance slider.H = {:.9g})",
+        l, l_z, l * static_cast<double>(p.Nz - 1)));
+  }
+  const double row = p.h / l;
+  if (std::abs(row - std::round(row)) > 1e-6 || driving_row(p) >= p.Nz) {
+    throw UsageError(fmt::format(
+        "driving.h = {:g} m is on no row of blocks: give a multiple of the spacing {:g} m below "
+        "slider.H",
+        p.h, l));
+  }
+  if (p.mu_d > p.mu_s) {
+    throw UsageError(fmt::format(
+        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a junction cannot slip at more than "
+        "its strength",
+        p.mu_d, p.mu_s));
+  }
+  if (const double limit = stable_time_step(p); !(p.dt <= limit)) {
+    throw UsageError(
+        fmt::format("numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s",
+                    p.dt, limit));
+  }
+}
+
+}  // namespace rupture

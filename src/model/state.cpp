@@ -1,0 +1,33 @@
+#include "rupture/model/state.hpp"
+
+namespace rupture {
+
+State::State(const Parameters& p)
+    : u_x(p.Nx, p.Nz),
+      u_z(p.Nx, p.Nz),
+      v_x(p.Nx, p.Nz),
+      v_z(p.Nx, p.Nz),
+      f_x(p.Nx, p.Nz),
+      f_z(p.Nx, p.Nz) {
+  junctions.attachment.setZero(p.Nx, p.N_s);
+  junctions.repin_time.setConstant(p.Nx, p.N_s, Junctions::never);
+  junctions.draws.setZero(p.Nx, p.N_s);
+}
+
+double time(const Parameters& p, const State& state) {
+  return static_cast<double>(state.step) * p.dt;
+}
+
+double drive_position(const Parameters& p, const Drive& drive, std::int64_t step) {
+  return drive.origin_position + p.V * (static_cast<double>(step - drive.origin_step) * p.dt);
+}
+
+double pinned_fraction(const Junctions& junctions, Eigen::Index i) {
+  Eigen::Index pinned = 0;
+  for (Eigen::Index j = 0; j < junctions.repin_time.cols(); ++j) {
+    pinned += is_slipping(junctions.repin_time(i, j)) ? 0 : 1;
+  }
+  return static_cast<double>(pinned) / static_cast<double>(junctions.repin_time.cols());
+}
+
+}  // namespace rupture
