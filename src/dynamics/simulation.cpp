@@ -29,6 +29,7 @@ Simulation::Simulation(const Parameters& parameters, State state)
   F_T_ = parameters_.K * (x_drive() - state_.u_x(0, driving_row(parameters_)));
   note_ruptures();
   ruptures_.clear();  // blocks that had ruptured before this simulation began
+  leading_edge_ruptured_ = false;
 }
 
 void Simulation::advance() {
@@ -74,12 +75,13 @@ void Simulation::note_ruptures() {
   const double limit = kRupturedFraction * static_cast<double>(parameters_.N_s);
   for (std::size_t i = 0; i < ruptured_.size(); ++i) {
     const bool now = law_.pinned()[i] < limit;
-    if (now && !ruptured_[i]) ruptures_.push_back({state_.step, static_cast<std::int64_t>(i)});
+    if (now && !ruptured_[i]) {
+      ruptures_.push_back({state_.step, time(), static_cast<std::int64_t>(i)});
+      leading_edge_ruptured_ |= i + 1 == ruptured_.size();
+    }
     ruptured_[i] = now;
   }
 }
-
-std::vector<BlockRupture> Simulation::take_ruptures() { return std::exchange(ruptures_, {}); }
 
 void Simulation::add_work(double damping_power) {
   Power now;

@@ -7,11 +7,10 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <utility>
 
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/nearest.hpp"
 
 namespace rupture {
 namespace {
@@ -45,32 +44,6 @@ const std::vector<std::string_view>& names_of() {
   } else {
     return kNewForceNames;
   }
-}
-
-/// Number of single-character edits that turn a into b.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({substituted, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string_view nearest_name(std::string_view name) {
-  const auto& table = parameter_table();
-  const auto distance = [&](const ParameterInfo& info) {
-    const auto leaf = info.name.substr(info.name.find('.') + 1);
-    return std::min(edit_distance(name, info.name), edit_distance(name, leaf) + 1);
-  };
-  return std::min_element(table.begin(), table.end(),
-                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); })
-      ->name;
 }
 
 template <class Number>
@@ -148,8 +121,10 @@ const ParameterInfo& find_parameter(std::string_view name) {
   for (const auto& info : parameter_table()) {
     if (info.name == name) return info;
   }
-  throw UsageError(fmt::format("unknown parameter '{}': did you mean '{}'?", name,
-                               nearest_name(name)));
+  std::vector<std::string_view> names;
+  for (const auto& info : parameter_table()) names.push_back(info.name);
+  throw UsageError(
+      fmt::format("unknown parameter '{}': did you mean '{}'?", name, nearest(name, names)));
 }
 
 std::vector<std::string_view> choices(const ParameterInfo& info) {

@@ -16,18 +16,10 @@
 #include "rupture/dynamics/energy.hpp"
 #include "rupture/forces/bulk.hpp"
 #include "rupture/forces/reference_law.hpp"
+#include "rupture/model/rupture.hpp"
 #include "rupture/model/state.hpp"
 
 namespace rupture {
-
-/// A block ruptured: its pinned fraction fell below 30 % at this step.
-struct BlockRupture {
-  std::int64_t step;
-  std::int64_t block;
-};
-
-/// Pinned fraction below which a block counts as ruptured (Fig. 2: 70 % of its junctions broken).
-inline constexpr double kRupturedFraction = 0.3;
 
 class Simulation {
  public:
@@ -52,8 +44,11 @@ class Simulation {
   /// Step at which a junction last broke; the first step of this simulation if none has.
   std::int64_t last_break() const { return last_break_; }
 
-  /// Ruptures since the last call, in the order of time.
-  std::vector<BlockRupture> take_ruptures();
+  /// Block ruptures since this simulation was made, in the order of time.
+  const std::vector<Rupture>& ruptures() const { return ruptures_; }
+
+  /// True once the block at the leading edge has ruptured since this simulation was made.
+  bool leading_edge_ruptured() const { return leading_edge_ruptured_; }
 
   /// Energies now, and work done since the simulation was made.
   Energies energies() const;
@@ -77,7 +72,8 @@ class Simulation {
   double F_T_ = 0;
   std::int64_t last_break_;
   std::vector<char> ruptured_;
-  std::vector<BlockRupture> ruptures_;
+  std::vector<Rupture> ruptures_;
+  bool leading_edge_ruptured_ = false;
   Work work_;
   Power power_;
 };

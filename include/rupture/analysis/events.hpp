@@ -1,0 +1,31 @@
+// Rupture events in a record: bursts of block ruptures separated by quiet times.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rupture/analysis/front.hpp"
+
+namespace rupture {
+
+struct Event {
+  double t_start, t_end;    ///< first and last block rupture [s]
+  double x_first, x_last;   ///< position of the first rupture, and furthest position reached [m]
+  Front front;
+  double F_T_before, F_T_after;  ///< driving force at t_start, and its minimum until the quiet time
+                                 ///< after t_end is over [N]
+};
+
+/// A time series of the driving force.
+struct LoadingCurve {
+  std::span<const double> time;  ///< [s]
+  std::span<const double> F_T;   ///< [N]
+};
+
+/// Splits the ruptures into events: a new one begins when no block has ruptured for `quiet` [s]
+/// (default elsewhere: 5 <t_R>).
+std::vector<Event> find_events(const Parameters& parameters, std::span<const Rupture> ruptures,
+                               const LoadingCurve& loading, double quiet,
+                               const FrontCriteria& criteria);
+
+}  // namespace rupture

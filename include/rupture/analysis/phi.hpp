@@ -1,0 +1,71 @@
+// The distribution phi(f_T) of the forces that a block's junctions carry (Figs. 4, S4, S5).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "rupture/model/state.hpp"
+
+namespace rupture {
+
+/// Normal force on each interface block, p_i = -k_f u_z where pressed, else 0 [N].
+std::vector<double> normal_forces(const Parameters& parameters, const State& state);
+
+/// Friction force on each interface block, sum_j k_ij (x_i - x_ij) [N].
+std::vector<double> friction_forces(const Parameters& parameters, const State& state);
+
+/// What the junctions of one block carry.
+struct BlockForces {
+  double x = 0;                ///< position of the block [m]
+  double f_thres = 0;          ///< strength of one junction [N]
+  double f_slip = 0;           ///< force of one slipping junction [N]
+  double mean = 0;             ///< mean force over all junctions [N]
+  double sigma = 0;            ///< standard deviation over all junctions [N]
+  double slipping = 0;         ///< fraction of junctions that are slipping
+  std::vector<double> forces;  ///< f_j = k_ij (x_i - x_ij) of each junction [N]
+
+  /// sigma-bar = sigma / (f_thres - f_slip).
+  double sigma_bar() const { return sigma / (f_thres - f_slip); }
+};
+
+/// All interface blocks, from the driven side.
+std::vector<BlockForces> block_forces(const Parameters& parameters, const State& state);
+
+/// Counts of `forces` in `bins` equal bins between -f_thres and f_thres.
+std::vector<std::int64_t> histogram(const BlockForces& block, int bins);
+
+/// Shapes of phi: uniform, or the bell phi(xi) = 5/(4a) (1 + 3|xi/a|) (1 - |xi/a|)^3 on [-a, a].
+enum class PhiShape { uniform, bell };
+
+/// Standard deviation of a shape of half-width 1: 1/sqrt(3) (uniform), sqrt(2/21) (bell). The half-width
+/// that gives a wanted sigma is sigma / unit_sigma(shape).
+double unit_sigma(PhiShape shape);
+
+/// The n exact quantiles (j + 1/2)/n, j = 0..n-1, of a shape of half-width 1, ascending, with mean
+/// zero to the last bit.
+std::vector<double> unit_quantiles(PhiShape shape, std::int64_t n);
+
+/// What becomes of the slipping junctions of a block whose phi is replaced.
+enum class Slipping { keep, pin };
+
+struct PhiChange {
+  PhiShape shape = PhiShape::uniform;
+  std::optional<double> sigma_bar;  ///< none: as wide as each block allows, half-width f_thres - |mean|
+  double x_from = 0, x_to = 1e300;  ///< blocks with x_from <= x <= x_to [m]
+  Slipping slipping = Slipping::keep;
+};
+
+/// A block whose junctions cannot take the requested phi without one exceeding f_thres.
+struct ImpossibleBlock {
+  double x;                  ///< [m]
+  double largest_sigma_bar;  ///< widest phi it could take
+};
+
+/// Replaces phi in a region, keeping each block's mean: the pinned junctions' (Slipping::keep), or all
+/// junctions', which are pinned (Slipping::pin). Junctions keep the order of their forces. Blocks that
+/// cannot take the new phi, or are not pressed, are left as they are and returned.
+std::vector<ImpossibleBlock> change_phi(const Parameters& parameters, State& state,
+                                        const PhiChange& change);
+
+}  // namespace rupture

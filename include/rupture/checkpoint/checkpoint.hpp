@@ -1,0 +1,50 @@
+// Checkpoints: everything that determines the rest of a run, in one file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rupture/checkpoint/content.hpp"
+#include "rupture/checkpoint/file.hpp"
+#include "rupture/checkpoint/provenance.hpp"
+#include "rupture/model/parameters.hpp"
+#include "rupture/model/state.hpp"
+
+namespace rupture {
+
+struct Checkpoint {
+  Parameters parameters;
+  State state;
+  std::vector<ProvenanceEntry> provenance;  ///< oldest first
+};
+
+/// The parameters as datasets: row "slider.L" of the table becomes /parameters/slider/L.
+Content parameters_content(const Parameters& parameters);
+
+/// Throws Failure if a parameter is missing, unknown or out of range, or if they make no sense
+/// together.
+Parameters read_parameters(const Content& content);
+
+/// The state as datasets under /state (docs/schema.md).
+Content state_content(const State& state);
+
+/// Throws Failure if a dataset is missing or does not fit the parameters, or if the junctions
+/// contradict themselves.
+State read_state(const Content& content, const Parameters& parameters);
+
+/// Checksum of the checkpoint that holds these, without writing it.
+std::string content_checksum(const Parameters& parameters, const State& state);
+
+/// Writes a checkpoint and its .sum; returns its content checksum. Throws Failure as
+/// write_content() does.
+std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
+                             IfExists if_exists);
+
+/// Throws Failure, in one sentence that names the file, unless it is an intact checkpoint.
+Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+/// The checkpoint in a content that was read already. Throws Failure.
+Checkpoint checkpoint_from(const Content& content);
+
+}  // namespace rupture

@@ -1,0 +1,44 @@
+// SHA-256, and the checksum of a content in its canonical form (docs/schema.md).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "rupture/checkpoint/content.hpp"
+
+namespace rupture {
+
+/// Running SHA-256 of a sequence of bytes.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+
+  void update(std::span<const std::byte> bytes);
+  void update(std::string_view text);
+
+  /// 64 lowercase hexadecimal digits. Ends the sequence: call it once, last.
+  std::string hex();
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+/// SHA-256 of `bytes`, 64 lowercase hexadecimal digits.
+std::string sha256(std::span<const std::byte> bytes);
+
+/// True for paths that the content checksum covers: /parameters, /state, /series and /ruptures,
+/// that is, everything but where the file comes from (/provenance).
+bool is_checksummed(std::string_view path);
+
+/// SHA-256 over the canonical form of the datasets that is_checksummed() names, 64 lowercase
+/// hexadecimal digits. Equal on every machine and for every build if the content is equal.
+std::string content_checksum(const Content& content);
+
+}  // namespace rupture

@@ -1,0 +1,39 @@
+// The 512-byte header in front of every file (HDF5's user block).
+//
+// It is readable text: the kind of file, its size, and the SHA-256 of all bytes that follow. It
+// lets damage be seen before libhdf5 looks at anything, and has exactly one valid form for a given
+// body, so that no bit of the file, its own included, can change unnoticed.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rupture {
+
+/// `open_record` is a record that is still being written or whose run was interrupted; nothing
+/// protects its bytes.
+enum class FileKind { checkpoint, record, open_record };
+
+inline constexpr std::size_t kHeaderSize = 512;  ///< [bytes]
+
+/// "rupture-checkpoint" or "rupture-record": first line of the header and root attribute `format`.
+std::string_view format_name(FileKind kind);
+
+/// "a checkpoint", "a record" or "an unfinished record".
+std::string_view kind_text(FileKind kind);
+
+/// The header, kHeaderSize bytes, that belongs in front of `body`.
+std::string header_text(FileKind kind, std::span<const std::byte> body);
+
+/// The kind that the first line of the header states, without any verification. `file` may hold the
+/// whole file or its start. Throws Failure if it is empty, too short or not ours; `name` is the
+/// file name for the message.
+FileKind header_kind(std::span<const std::byte> file, const std::string& name);
+
+/// Verifies header and body of a whole file. Throws Failure if the file is empty, not ours,
+/// truncated or damaged. An open record has nothing to verify.
+FileKind check_envelope(std::span<const std::byte> file, const std::string& name);
+
+}  // namespace rupture

@@ -1,0 +1,53 @@
+// Files on disk: whole, verified, and written in one piece or not at all.
+//
+// None of these functions may run in two threads at once (libhdf5 is not thread-safe).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "rupture/checkpoint/content.hpp"
+#include "rupture/checkpoint/envelope.hpp"
+
+namespace rupture {
+
+inline constexpr std::int64_t kSchemaVersion = 1;  ///< newest schema that this build knows
+
+/// What to do if the file to be written is already there.
+enum class IfExists { refuse, replace };
+
+/// A file's kind and datasets.
+struct ContentFile {
+  FileKind kind = FileKind::checkpoint;
+  std::string checksum;  ///< of the content, verified; empty for an open record
+  Content content;
+};
+
+/// Throws Failure if a file could not be written to `path`: it exists and may not be replaced, it
+/// is no regular file, or its folder is missing or read-only. Call it before a long run.
+void check_output(const std::filesystem::path& path, IfExists if_exists);
+
+/// The kind of file, from its header alone: cheap, and no verification. Throws Failure if there is
+/// no such file or it is not ours.
+FileKind identify(const std::filesystem::path& path);
+
+/// Writes `content` and, beside it, `<path>.sum` with its checksum; returns the checksum. Each of
+/// the two appears complete or not at all, and the .sum is left alone if it already says the same.
+/// Throws Failure if a number is not finite, the path may not be written or the disk is full. The
+/// path then holds what it held before, unless it was only the .sum that could not be written.
+std::string write_content(const std::filesystem::path& path, FileKind kind, const Content& content,
+                          IfExists if_exists);
+
+/// Reads a file and verifies everything that can be verified without knowing what the datasets
+/// mean: its bytes, schema version, content checksum and finite numbers. Throws Failure.
+ContentFile read_file(const std::filesystem::path& path);
+
+/// The datasets of any of our files, verified.
+Content read_content(const std::filesystem::path& path);
+
+/// Verifies a checkpoint or record as read_checkpoint() and read_record() do; returns its content
+/// checksum. Throws Failure if it is damaged, or an unfinished record, which cannot be verified.
+std::string verify_file(const std::filesystem::path& path);
+
+}  // namespace rupture

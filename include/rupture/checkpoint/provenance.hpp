@@ -1,0 +1,35 @@
+// Where a file comes from: one entry per tool that had a hand in it, oldest first.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rupture/checkpoint/content.hpp"
+
+namespace rupture {
+
+struct ProvenanceEntry {
+  std::string tool;             ///< e.g. "restart"
+  std::string version;          ///< of rupture
+  std::string commit;           ///< git commit of the sources
+  std::string command_line;     ///< quoted so that a shell reads back the same arguments
+  std::string compiler;         ///< e.g. "gcc 12.2.0"
+  std::string parent_checksum;  ///< content checksum of the checkpoint read; empty if there is none
+
+  bool operator==(const ProvenanceEntry&) const = default;
+};
+
+/// The entry for this build. `arguments` are argv, program name included.
+ProvenanceEntry make_provenance(const std::string& tool, const std::vector<std::string>& arguments,
+                                const std::string& parent_checksum);
+
+/// The arguments as one line that a POSIX shell splits into the same arguments.
+std::string shell_line(const std::vector<std::string>& arguments);
+
+/// /provenance/0000/tool and so on.
+Content provenance_content(const std::vector<ProvenanceEntry>& chain);
+
+/// The chain in a file's content. Throws Failure if an entry is incomplete or out of sequence.
+std::vector<ProvenanceEntry> read_provenance(const Content& content);
+
+}  // namespace rupture

@@ -1,0 +1,99 @@
+// Records: time series that grow while a run goes on.
+//
+// While the run goes on they live in `<path>.part`, an HDF5 file that can be read at any time up to
+// its last flush; finish() turns it into `<path>`, sealed like a checkpoint. If the run is
+// interrupted the .part stays.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rupture/checkpoint/content.hpp"
+#include "rupture/checkpoint/file.hpp"
+#include "rupture/checkpoint/provenance.hpp"
+#include "rupture/model/field.hpp"
+#include "rupture/model/parameters.hpp"
+#include "rupture/model/rupture.hpp"
+
+namespace rupture {
+
+/// One line of the series; the vectors have one value per interface block, Nx in all.
+struct Sample {
+  double time = 0;  ///< [s]
+  std::int64_t step = 0;
+  double F_T = 0;                     ///< driving force [N]
+  double x_drive = 0;                 ///< position of the driving point [m]
+  std::vector<std::uint16_t> pinned;  ///< number of pinned junctions
+  std::vector<double> p;              ///< normal force on the block [N]
+  std::vector<double> tau;            ///< friction force, > 0 where it pushes towards -x [N]
+  std::vector<double> u_x;            ///< displacement [m]
+};
+
+/// Whether a record was finished. An unfinished one ends at its last flush and is not protected
+/// against damage.
+enum class Complete { yes, no };
+
+struct Record {
+  using Counts = Eigen::Array<std::uint16_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  Parameters parameters;
+  std::vector<ProvenanceEntry> provenance;  ///< oldest first
+  Complete complete = Complete::yes;
+  std::vector<double> time;  ///< one value per sample [s]
+  std::vector<std::int64_t> step;
+  std::vector<double> F_T;      ///< [N]
+  std::vector<double> x_drive;  ///< [m]
+  Counts pinned;                ///< [samples][Nx]
+  RowMajorArray p, tau;         ///< [samples][Nx] [N]
+  RowMajorArray u_x;            ///< [samples][Nx] [m]
+  std::vector<Rupture> ruptures;
+};
+
+/// `<path>.part`, where the record lives until it is finished.
+std::filesystem::path part_path(const std::filesystem::path& path);
+
+/// Writes one record. append() only copies into buffers; every `flush_every` samples they go to
+/// the .part file.
+class RecordWriter {
+ public:
+  /// Throws Failure if `path` or its .part may not be written, UsageError if N_s does not fit
+  /// the 16 bits of a pinned count.
+  RecordWriter(std::filesystem::path path, const Parameters& parameters,
+               const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
+               std::size_t flush_every = 256);
+  ~RecordWriter();
+  RecordWriter(const RecordWriter&) = delete;
+  RecordWriter& operator=(const RecordWriter&) = delete;
+
+  /// Throws Failure if the disk is full or a number is not finite, which is seen at the next flush.
+  void append(const Sample& sample);
+  void append(std::span<const Rupture> ruptures);
+
+  /// Brings everything appended so far to the .part file.
+  void flush();
+
+  /// Flushes, seals, renames to the final path, writes the .sum and returns the content checksum.
+  /// Nothing may be appended afterwards. Throws Failure; the .part then stays.
+  std::string finish();
+
+ private:
+  class Buffers;
+  class PartFile;
+  std::filesystem::path path_;
+  IfExists if_exists_;
+  std::unique_ptr<Buffers> buffers_;
+  std::unique_ptr<PartFile> part_;
+};
+
+/// Reads a finished record or a .part. Throws Failure.
+Record read_record(const std::filesystem::path& path);
+
+/// The record in a file that was read already. Throws Failure.
+Record record_from(const ContentFile& file);
+
+}  // namespace rupture

@@ -1,0 +1,40 @@
+// The loop: advance a simulation and let observers look at it at the steps they ask for.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "rupture/dynamics/simulation.hpp"
+
+namespace rupture {
+
+/// Looks at a simulation at chosen steps; never changes it.
+class Observer {
+ public:
+  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+
+  virtual ~Observer() = default;
+  /// The next step at which observe() is to be called.
+  virtual std::int64_t next_step() const = 0;
+  virtual void observe(const Simulation& simulation) = 0;
+};
+
+/// When a run ends.
+struct StopRule {
+  std::int64_t last_step = 0;  ///< latest step, always in force
+  /// Also stop once no junction has broken for this many steps, or the front has reached the leading
+  /// edge. Looked at every kQuietCheck steps counted from step 0, so that a run that was split ends
+  /// at the same step as one that was not.
+  std::optional<std::int64_t> quiet_steps;
+};
+inline constexpr std::int64_t kQuietCheck = 100;
+
+enum class Ending { last_step, quiet, leading_edge };
+
+/// Advances until the stop rule says so. Observers see the state at each step they ask for, the step
+/// at which the run starts and the one at which it ends included.
+Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Observer*>& observers);
+
+}  // namespace rupture

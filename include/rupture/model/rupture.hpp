@@ -1,0 +1,20 @@
+// The rupture of one interface block.
+#pragma once
+
+#include <cstdint>
+
+namespace rupture {
+
+/// Pinned fraction below which a block counts as ruptured (Fig. 2: 70 % of its junctions broken).
+inline constexpr double kRupturedFraction = 0.3;
+
+/// A block's pinned fraction fell below kRupturedFraction, known to the step.
+struct Rupture {
+  std::int64_t step = 0;
+  double time = 0;  ///< [s]
+  std::int64_t block = 0;
+
+  bool operator==(const Rupture&) const = default;
+};
+
+}  // namespace rupture

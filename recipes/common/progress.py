@@ -1,0 +1,59 @@
+"""What Snakemake says on the terminal: one line per step, and everything about a failure.
+
+Snakemake calls log_handler() with each of its messages. Each command also goes to the log file.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+LOG = Path("build/log/recipes.log")
+LAST_LINES = 30
+START = time.monotonic()
+
+
+def log(text):
+    LOG.parent.mkdir(parents=True, exist_ok=True)
+    with LOG.open("a", encoding="utf-8") as file:
+        print(time.strftime("%F %T"), text, file=file)
+
+
+def complain(text):
+    log(text)
+    print(text, file=sys.stderr, flush=True)
+
+
+def describe(message):
+    """The rule's own sentence, or its name and wildcards."""
+    if message["msg"]:
+        return message["msg"].strip()
+    wildcards = ", ".join(f"{name} {value}" for name, value in message.get("wildcards", {}).items())
+    return message["name"] + (f" ({wildcards})" if wildcards else "")
+
+
+def on_start(message):
+    if message["output"]:  # a rule without one only collects
+        print(f"[{time.monotonic() - START:4.0f} s] {describe(message)}", flush=True)
+
+
+def on_failure(message):
+    complain(f"\nFailed: {describe(message)}")
+    complain(f"  to make: {' '.join(message['output'])}")
+    if message["shellcmd"]:
+        complain(f"  command: {' '.join(message['shellcmd'].split())}")
+    for path in map(Path, message["log"]):
+        lines = path.read_text(errors="replace").splitlines() if path.exists() else []
+        if lines:
+            complain("\n    ".join([f"  {path} ends with:", *lines[-LAST_LINES:]]))
+
+
+def log_handler(message):
+    level = message["level"]
+    if level == "job_info":
+        on_start(message)
+    elif level == "job_error":
+        on_failure(message)
+    elif level == "error" and not message["msg"].startswith("Exiting because a job"):
+        complain(message["msg"])
+    elif level == "shellcmd" and message["msg"]:
+        log(" ".join(message["msg"].split()))

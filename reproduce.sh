@@ -1,0 +1,294 @@
+#!/usr/bin/env bash
+# Reproduces the figures of the paper: installs what is missing, builds, runs, prints the claims.
+# `./reproduce.sh --help` says what it can do.
+set -euo pipefail
+
+script=$(readlink -f "${BASH_SOURCE[0]}")
+root=$(dirname "$script")
+readonly script root
+readonly logs=build/log
+
+command_names=()
+cores=
+from_scratch=0
+
+print_help() {
+  cat <<'EOF'
+Usage: ./reproduce.sh COMMAND [OPTION]...
+
+Commands
+  fig3 (or another figure)  install what is missing, build, compute, draw, print the claims
+  all                       the same for every figure
+  test                      build and run the tests
+  check                     check the layout of the sources
+  list                      list the figures
+  clean                     delete build/ and results/ (never checkpoints/)
+
+Options
+  --from-scratch            compute the checkpoints that the figures start from, too,
+                            instead of using those in checkpoints/
+  --cores N                 use N cores (default: all)
+  -h, --help                print this text
+EOF
+}
+
+# --- what there is -------------------------------------------------------------------------
+
+figures() {
+  local rules
+  for rules in recipes/fig*/rules.smk; do
+    if [[ -e $rules ]]; then basename "$(dirname "$rules")"; fi
+  done | sort -V
+}
+
+is_figure() { [[ -n $1 && -e recipes/$1/rules.smk && $1 == fig* && $1 != */* ]]; }
+
+# The first line of a figure's README, without the hash marks.
+title_of() { sed -n '1s/^#* *//p' "recipes/$1/README.md" 2>/dev/null || true; }
+
+print_list() {
+  local figure
+  for figure in $(figures); do
+    printf '  %-8s %s\n' "$figure" "$(title_of "$figure")"
+  done
+  printf '  %-8s %s\n' all 'every figure' test 'the tests' check 'the layout of the sources' \
+    list 'this list' clean 'delete build/ and results/'
+}
+
+# --- how it speaks -------------------------------------------------------------------------
+
+die() {
+  printf 'reproduce.sh: %s\n' "$1" >&2
+  exit 1
+}
+
+usage_error() {
+  printf 'reproduce.sh: %s There are:\n' "$1" >&2
+  print_list >&2
+  exit 2
+}
+
+# Runs a command with its output in a log file, and shows the end of it only if the command fails.
+quietly() {
+  local log=$logs/$1.log what=$2
+  shift 2
+  if ! "$@" >"$log" 2>&1 </dev/null; then
+    tail -n 60 "$log" >&2
+    die "$what failed; the whole output is in $root/$log."
+  fi
+}
+
+duration() {
+  if (($1 < 60)); then printf '%d s' "$1"; else printf '%d min %d s' $(($1 / 60)) $(($1 % 60)); fi
+}
+
+# --- the command line ----------------------------------------------------------------------
+
+set_cores() {
+  [[ $1 =~ ^[1-9][0-9]{0,3}$ ]] || usage_error "--cores needs a whole number from 1, not '$1'."
+  cores=$1
+}
+
+parse() {
+  while (($#)); do
+    case $1 in
+      -h | --help) print_help && exit 0 ;;
+      --from-scratch) from_scratch=1 ;;
+      --cores=*) set_cores "${1#*=}" ;;
+      --cores) set_cores "${2-}" && shift ;;
+      -*) usage_error "there is no option '$1' (see --help)." ;;
+      *) command_names+=("$1") ;;
+    esac
+    shift
+  done
+  [[ -n $cores ]] || cores=$(getconf _NPROCESSORS_ONLN)
+}
+
+# One command, or several figures.
+check_commands() {
+  local name
+  if ((${#command_names[@]} == 0)); then
+    print_help >&2
+    exit 2
+  fi
+  for name in "${command_names[@]}"; do
+    is_figure "$name" && continue
+    [[ $name =~ ^(all|test|check|list|clean)$ ]] || usage_error "there is no figure '$name'."
+    ((${#command_names[@]} == 1)) || usage_error "'$name' cannot be combined with other commands."
+  done
+}
+
+# --- packages ------------------------------------------------------------------------------
+
+# The packages for the given purposes (run, test, check).
+packages_for() { awk -v purposes=" $* " 'index(purposes, " " $1 " ") { print $2 }' packages.txt; }
+
+# Those of the packages that are not installed.
+missing_of() {
+  comm -23 <(printf '%s\n' "$@" | sort -u) \
+    <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
+      sed -n 's/^installed //p' | sort -u)
+}
+
+install_packages() {
+  echo "Installing $# Debian packages (log: $logs/packages.log) ..."
+  export DEBIAN_FRONTEND=noninteractive
+  quietly packages "Installing packages" bash -c \
+    'apt-get update && apt-get install -y --no-install-recommends "$@"' install "$@"
+}
+
+ensure_packages() {
+  local wanted missing
+  mapfile -t wanted < <(packages_for "$@")
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    echo "This is not a Debian system: what packages.txt names has to be installed already."
+    return
+  fi
+  mapfile -t missing < <(missing_of "${wanted[@]}")
+  ((${#missing[@]} > 0)) || return 0
+  if ((EUID == 0)); then
+    install_packages "${missing[@]}"
+  else
+    echo "Some Debian packages are missing. Install them with this command, then start again:" >&2
+    echo "sudo apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+}
+
+# --- building ------------------------------------------------------------------------------
+
+has_target() { cmake --build --preset release --target help 2>/dev/null | grep -q "^$1:"; }
+
+# The tools alone, or everything with its tests.
+build() {
+  local target=$1
+  quietly configure "Configuring" cmake --preset release
+  has_target "$target" || target=all
+  if ! ninja -C build/release -n "$target" 2>/dev/null | grep -q 'no work to do'; then
+    echo "Building (log: $logs/build.log) ..."
+    quietly build "The build" cmake --build --preset release --parallel "$cores" --target "$target"
+  fi
+}
+
+# --- commands ------------------------------------------------------------------------------
+
+# Debian's program and its Python come first: another Python on the PATH may lack h5py.
+debian_or_path() {
+  if [[ -x /usr/bin/$1 ]]; then echo "/usr/bin/$1"; else command -v "$1"; fi
+}
+
+clean_environment() {
+  unset PYTHONPATH PYTHONHOME
+  [[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1
+  export XDG_CACHE_HOME=$root/build/cache MPLCONFIGDIR=$root/build/cache/matplotlib
+  mkdir -p "$MPLCONFIGDIR"
+}
+
+# A stale lock of Snakemake's own must not stop the next run: take_turn has locked the folder.
+recipes() {
+  local snakemake
+  snakemake=$(debian_or_path snakemake) || die "Snakemake 7 is needed; Debian's package is enough."
+  "$snakemake" "$@" --snakefile "$root/recipes/Snakefile" --directory "$root" \
+    --profile recipes/profiles/local --nolock --cores "$cores" \
+    --config from_scratch="$from_scratch"
+}
+
+# Rules fig*_start, where they exist, make the checkpoints that a figure starts from. Run first, on
+# their own, they let everything after them see that equal checkpoints came out (recipes/Snakefile).
+start_rules_of() {
+  local figure
+  for figure; do
+    if grep -q "^rule ${figure}_start:" "recipes/$figure/rules.smk"; then echo "${figure}_start"; fi
+  done
+}
+
+# Files that are gone although what was made from them is not, as after an interrupted run.
+# Snakemake would take the older results for finished.
+gone_of() { recipes "$@" --summary | awk -F '\t' '$6 == "missing" && $7 == "no update" { print $1 }'; }
+
+compute() {
+  local starts gone
+  mapfile -t starts < <(start_rules_of "$@")
+  if ((${#starts[@]} > 0)); then recipes "${starts[@]}" || return; fi
+  gone=$(gone_of "$@") || return
+  mapfile -t gone <<<"$gone"
+  recipes "$@" ${gone[0]:+"${gone[@]}"}
+}
+
+show() {
+  local figure python
+  python=$(debian_or_path python3)
+  for figure; do
+    echo
+    "$python" recipes/common/print_claims.py "results/$figure/claims.json"
+    echo "Pictures and data: $root/results/$figure/"
+  done
+}
+
+reproduce() {
+  ensure_packages run
+  build tools
+  clean_environment
+  echo "Computing $* with $cores cores ..."
+  compute "$@" || die "$* could not be completed; the message above says why (log: $logs/recipes.log)."
+  show "$@"
+  echo
+  echo "Done in $(duration "$SECONDS")."
+}
+
+run_tests() {
+  rm -f "$logs/test.log"
+  ensure_packages run test
+  build all
+  clean_environment
+  ctest --preset release --parallel "$cores" --no-tests=error --output-log "$root/$logs/test.log"
+}
+
+check_format() {
+  clang-format --version | grep -q 'version 14\.' ||
+    die "The layout is defined by clang-format 14, which is not the one installed here."
+  find include src tests benchmarks -type f \( -name '*.?pp' -o -name '*.h' \) -print0 |
+    xargs -0 --no-run-if-empty clang-format --dry-run -Werror
+}
+
+check_sources() {
+  ensure_packages check
+  check_format || die "clang-format would change the files above (clang-format -i FILE)."
+  shellcheck reproduce.sh .ci/run || die "shellcheck found the faults above."
+  echo "The sources are laid out as they should be."
+}
+
+clean() {
+  rm -rf build results .snakemake
+  echo "Deleted build/ and results/."
+}
+
+# Two runs in the same folder would overwrite each other's files.
+take_turn() {
+  mkdir -p "$logs"
+  command -v flock >/dev/null || return 0
+  exec 9>build/.lock
+  flock --nonblock 9 || die "another ./reproduce.sh is running in this folder; wait until it is done."
+}
+
+main() {
+  cd "$root"
+  trap 'exit 130' INT
+  parse "$@"
+  check_commands
+  case ${command_names[0]} in
+    list) print_list ;;
+    test) take_turn && run_tests ;;
+    check) take_turn && check_sources ;;
+    clean) take_turn && clean ;;
+    all)
+      take_turn
+      mapfile -t command_names < <(figures)
+      ((${#command_names[@]} > 0)) || die "there are no figures under recipes/."
+      reproduce "${command_names[@]}"
+      ;;
+    *) take_turn && reproduce "${command_names[@]}" ;;
+  esac
+}
+
+main "$@"

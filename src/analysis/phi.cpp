@@ -1,0 +1,170 @@
+#include "rupture/analysis/phi.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "rupture/model/derived.hpp"
+
+namespace rupture {
+namespace {
+
+/// Positive quantile of the bell: phi integrates to 1 - q = 5/4 y^4 - 3/4 y^5 with y = 1 - xi, which
+/// falls monotonically in xi and is solved by bisection to the last bit.
+double bell_quantile(double q) {
+  double low = 0.0, high = 1.0;
+  for (;;) {
+    const double xi = 0.5 * (low + high);
+    if (xi <= low || xi >= high) return xi;
+    const double y = 1.0 - xi;
+    const double y4 = (y * y) * (y * y);
+    (1.25 * y4 - 0.75 * (y4 * y) > 1.0 - q ? low : high) = xi;
+  }
+}
+
+/// One block's junctions, as change_phi sees them.
+struct BlockJunctions {
+  Eigen::Index i;
+  double u_x;      ///< [m]
+  double k_ij;     ///< [N/m]
+  double f_thres;  ///< [N]
+  double f_slip;   ///< [N]
+};
+
+/// Indices of the junctions that change, ordered by the force they carry now.
+std::vector<Eigen::Index> changing(const Junctions& junctions, const BlockJunctions& block,
+                                   Slipping slipping) {
+  std::vector<Eigen::Index> chosen;
+  for (Eigen::Index j = 0; j < junctions.attachment.cols(); ++j) {
+    if (slipping == Slipping::pin || !is_slipping(junctions.repin_time(block.i, j))) {
+      chosen.push_back(j);
+    }
+  }
+  std::stable_sort(chosen.begin(), chosen.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return junctions.attachment(block.i, a) > junctions.attachment(block.i, b);
+  });
+  return chosen;
+}
+
+double mean_force(const Junctions& junctions, const BlockJunctions& block,
+                  const std::vector<Eigen::Index>& chosen) {
+  double sum = 0.0;
+  for (const Eigen::Index j : chosen) {
+    sum += block.k_ij * (block.u_x - junctions.attachment(block.i, j));
+  }
+  return sum / static_cast<double>(chosen.size());
+}
+
+/// Sets the chosen junctions to mean + half_width * quantiles; returns what stopped it, if anything.
+std::optional<ImpossibleBlock> spread(const Parameters& p, Junctions& junctions,
+                                      const BlockJunctions& block, const PhiChange& change) {
+  const auto chosen = changing(junctions, block, change.slipping);
+  if (chosen.empty()) return std::nullopt;
+  const double mean = mean_force(junctions, block, chosen);
+  const double room = block.f_thres - std::abs(mean);
+  const double range = block.f_thres - block.f_slip;
+  const double half_width =
+      change.sigma_bar ? *change.sigma_bar * range / unit_sigma(change.shape) : room;
+  if (room < 0.0 || half_width > room) {
+    return ImpossibleBlock{static_cast<double>(block.i) * block_spacing(p),
+                           std::max(room, 0.0) * unit_sigma(change.shape) / range};
+  }
+  const auto quantiles = unit_quantiles(change.shape, static_cast<std::int64_t>(chosen.size()));
+  for (std::size_t n = 0; n < chosen.size(); ++n) {
+    const double force = mean + half_width * quantiles[n];
+    junctions.attachment(block.i, chosen[n]) = block.u_x - force / block.k_ij;
+    junctions.repin_time(block.i, chosen[n]) = Junctions::never;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<double> normal_forces(const Parameters& p, const State& state) {
+  std::vector<double> forces;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    forces.push_back(-foundation_stiffness(p) * std::min(state.u_z(i, 0), 0.0));
+  }
+  return forces;
+}
+
+std::vector<double> friction_forces(const Parameters& p, const State& state) {
+  std::vector<double> friction;
+  for (const BlockForces& block : block_forces(p, state)) {
+    friction.push_back(std::accumulate(block.forces.begin(), block.forces.end(), 0.0));
+  }
+  return friction;
+}
+
+std::vector<BlockForces> block_forces(const Parameters& p, const State& state) {
+  const auto normal = normal_forces(p, state);
+  const auto N_s = static_cast<double>(p.N_s);
+  std::vector<BlockForces> blocks;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const double p_i = normal[static_cast<std::size_t>(i)];
+    const double k_ij = junction_stiffness(p, p_i);
+    BlockForces block;
+    block.x = static_cast<double>(i) * block_spacing(p);
+    block.f_thres = p.mu_s * p_i / N_s;
+    block.f_slip = p.mu_d * p_i / N_s;
+    block.slipping = 1.0 - pinned_fraction(state.junctions, i);
+    for (Eigen::Index j = 0; j < p.N_s; ++j) {
+      block.forces.push_back(k_ij * (state.u_x(i, 0) - state.junctions.attachment(i, j)));
+    }
+    block.mean = std::accumulate(block.forces.begin(), block.forces.end(), 0.0) / N_s;
+    double squares = 0.0;
+    for (const double f : block.forces) squares += (f - block.mean) * (f - block.mean);
+    block.sigma = std::sqrt(squares / N_s);
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+std::vector<std::int64_t> histogram(const BlockForces& block, int bins) {
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(bins));
+  for (const double f : block.forces) {
+    const double position = (f / block.f_thres + 1.0) / 2.0 * bins;
+    const int bin = std::clamp(static_cast<int>(std::floor(position)), 0, bins - 1);
+    ++counts[static_cast<std::size_t>(bin)];
+  }
+  return counts;
+}
+
+double unit_sigma(PhiShape shape) {
+  return shape == PhiShape::uniform ? 1.0 / std::sqrt(3.0) : std::sqrt(2.0 / 21.0);
+}
+
+std::vector<double> unit_quantiles(PhiShape shape, std::int64_t n) {
+  std::vector<double> quantiles(static_cast<std::size_t>(n), 0.0);
+  for (std::int64_t j = 0; j < n / 2; ++j) {
+    const double q = 1.0 - (static_cast<double>(j) + 0.5) / static_cast<double>(n);
+    const double xi = shape == PhiShape::uniform ? 2.0 * q - 1.0 : bell_quantile(q);
+    quantiles[static_cast<std::size_t>(j)] = -xi;
+    quantiles[static_cast<std::size_t>(n - 1 - j)] = xi;
+  }
+  return quantiles;
+}
+
+std::vector<ImpossibleBlock> change_phi(const Parameters& p, State& state,
+                                        const PhiChange& change) {
+  const auto normal = normal_forces(p, state);
+  const auto N_s = static_cast<double>(p.N_s);
+  std::vector<ImpossibleBlock> impossible;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const double x = static_cast<double>(i) * block_spacing(p);
+    if (x < change.x_from || x > change.x_to) continue;
+    const double p_i = normal[static_cast<std::size_t>(i)];
+    if (p_i <= 0.0) {
+      impossible.push_back({x, 0.0});
+      continue;
+    }
+    const BlockJunctions block = {i, state.u_x(i, 0), junction_stiffness(p, p_i),
+                                  p.mu_s * p_i / N_s, p.mu_d * p_i / N_s};
+    if (const auto stopped = spread(p, state.junctions, block, change)) {
+      impossible.push_back(*stopped);
+    }
+  }
+  return impossible;
+}
+
+}  // namespace rupture

@@ -1,0 +1,38 @@
+// Files that appear complete or not at all.
+#pragma once
+
+#include <signal.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace rupture {
+
+/// While it lives, writing past the file size limit (ulimit -f) fails with EFBIG in this thread
+/// instead of killing the process.
+class FileSizeSignalBlocked {
+ public:
+  FileSizeSignalBlocked();
+  ~FileSizeSignalBlocked();
+  FileSizeSignalBlocked(const FileSizeSignalBlocked&) = delete;
+  FileSizeSignalBlocked& operator=(const FileSizeSignalBlocked&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// Folder of a path, "." for a bare file name.
+std::filesystem::path folder_of(const std::filesystem::path& path);
+
+/// Writes the parts one after another to a temporary file in the folder of `path`, brings it to
+/// disk and renames it to `path`. Throws Failure with the system's reason; the temporary is then
+/// removed and `path` is what it was.
+void write_atomically(const std::filesystem::path& path,
+                      std::span<const std::span<const std::byte>> parts);
+
+/// Replaces the first bytes of an existing file.
+void overwrite_start(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace rupture

@@ -1,0 +1,60 @@
+#include "rupture/checkpoint/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include "context.hpp"
+#include "rupture/checkpoint/checksum.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+namespace {
+
+Content parameters_and_state(const Parameters& parameters, const State& state) {
+  Content content = parameters_content(parameters);
+  content.merge(state_content(state));
+  return content;
+}
+
+// Everything known has been read by now, so that what is left over is not ours.
+void refuse_leftovers(const Content& content, const Content& known) {
+  for (const auto& [path, dataset] : content) {
+    if (!known.contains(path)) {
+      throw Failure(fmt::format("{} is not part of a checkpoint: use a newer rupture", path));
+    }
+  }
+}
+
+}  // namespace
+
+std::string content_checksum(const Parameters& parameters, const State& state) {
+  return content_checksum(parameters_and_state(parameters, state));
+}
+
+std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
+                             IfExists if_exists) {
+  Content content = parameters_and_state(checkpoint.parameters, checkpoint.state);
+  content.merge(provenance_content(checkpoint.provenance));
+  return write_content(path, FileKind::checkpoint, content, if_exists);
+}
+
+Checkpoint checkpoint_from(const Content& content) {
+  Checkpoint checkpoint;
+  checkpoint.parameters = read_parameters(content);
+  checkpoint.state = read_state(content, checkpoint.parameters);
+  checkpoint.provenance = read_provenance(content);
+  Content known = parameters_and_state(checkpoint.parameters, checkpoint.state);
+  known.merge(provenance_content(checkpoint.provenance));
+  refuse_leftovers(content, known);
+  return checkpoint;
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+  const FileKind kind = identify(path);
+  if (kind != FileKind::checkpoint) {
+    throw Failure(fmt::format("{} is {}; expected a checkpoint", path.string(), kind_text(kind)));
+  }
+  const Content content = read_content(path);
+  return naming(path, [&] { return checkpoint_from(content); });
+}
+
+}  // namespace rupture

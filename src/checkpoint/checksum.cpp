@@ -1,0 +1,94 @@
+#include "rupture/checkpoint/checksum.hpp"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <array>
+
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+namespace {
+
+constexpr std::array<std::string_view, 4> kChecksummedGroups = {"/parameters/", "/state/",
+                                                                "/series/", "/ruptures/"};
+constexpr std::string_view kCanonicalForm = "rupture content 1\n";
+
+void check(int success) {
+  if (success != 1) throw Failure("OpenSSL could not compute a SHA-256; is its library intact?");
+}
+
+void update_number(Sha256& hash, std::uint64_t number) {
+  hash.update(std::as_bytes(std::span(&number, 1)));  // little-endian: see content.cpp
+}
+
+void update_prefixed(Sha256& hash, std::span<const std::byte> bytes) {
+  update_number(hash, bytes.size());
+  hash.update(bytes);
+}
+
+void update_dataset(Sha256& hash, const std::string& path, const Dataset& dataset) {
+  update_prefixed(hash, std::as_bytes(std::span(path)));
+  update_prefixed(hash, std::as_bytes(std::span(type_name(dataset.type))));
+  update_number(hash, dataset.shape.size());
+  for (const std::uint64_t length : dataset.shape) update_number(hash, length);
+  update_prefixed(hash, dataset.bytes);
+}
+
+}  // namespace
+
+struct Sha256::Context {
+  EVP_MD_CTX* evp = EVP_MD_CTX_new();
+  Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  ~Context() { EVP_MD_CTX_free(evp); }
+};
+
+Sha256::Sha256() : context_(std::make_unique<Context>()) {
+  check(EVP_DigestInit_ex(context_->evp, EVP_sha256(), nullptr));
+}
+
+Sha256::~Sha256() = default;
+
+void Sha256::update(std::span<const std::byte> bytes) {
+  check(EVP_DigestUpdate(context_->evp, bytes.data(), bytes.size()));
+}
+
+void Sha256::update(std::string_view text) {
+  update(std::as_bytes(std::span(text)));
+}
+
+std::string Sha256::hex() {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::array<unsigned char, 32> digest{};
+  check(EVP_DigestFinal_ex(context_->evp, digest.data(), nullptr));
+  std::string text;
+  for (const unsigned byte : digest) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 15U];
+  }
+  return text;
+}
+
+std::string sha256(std::span<const std::byte> bytes) {
+  Sha256 hash;
+  hash.update(bytes);
+  return hash.hex();
+}
+
+bool is_checksummed(std::string_view path) {
+  return std::any_of(kChecksummedGroups.begin(), kChecksummedGroups.end(),
+                     [&](std::string_view group) { return path.starts_with(group); });
+}
+
+std::string content_checksum(const Content& content) {
+  Sha256 hash;
+  hash.update(kCanonicalForm);
+  for (const auto& [path, dataset] : content) {
+    if (is_checksummed(path)) update_dataset(hash, path, dataset);
+  }
+  return hash.hex();
+}
+
+}  // namespace rupture

@@ -1,0 +1,121 @@
+#include "rupture/checkpoint/compare.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+#include "rupture/checkpoint/checksum.hpp"
+
+namespace rupture {
+namespace {
+
+template <class T>
+T element(const Dataset& dataset, std::size_t index) {
+  T value{};
+  std::memcpy(&value, dataset.bytes.data() + index * sizeof(T), sizeof(T));
+  return value;
+}
+
+template <class T>
+void add_element(Difference& difference, T a, T b) {
+  const auto x = static_cast<double>(a);
+  const auto y = static_cast<double>(b);
+  const double absolute = std::abs(x - y);
+  const double scale = std::max(std::abs(x), std::abs(y));
+  difference.largest_absolute = std::max(difference.largest_absolute, absolute);
+  if (scale > 0) {
+    difference.largest_relative = std::max(difference.largest_relative, absolute / scale);
+  }
+  if constexpr (std::is_same_v<T, double>) {
+    difference.largest_ulp = std::max(difference.largest_ulp, ulp_distance(a, b));
+  }
+}
+
+template <class T>
+void compare_elements(Difference& difference, const Dataset& a, const Dataset& b) {
+  const std::size_t count = a.bytes.size() / sizeof(T);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = i * sizeof(T);
+    if (std::memcmp(a.bytes.data() + at, b.bytes.data() + at, sizeof(T)) == 0) continue;
+    if (difference.count++ == 0) difference.first = i;
+    add_element(difference, element<T>(a, i), element<T>(b, i));
+  }
+}
+
+void compare_text(Difference& difference, const Dataset& a, const Dataset& b) {
+  const auto first =
+      std::mismatch(a.bytes.begin(), a.bytes.end(), b.bytes.begin(), b.bytes.end()).first;
+  difference.count = 1;
+  difference.first = static_cast<std::uint64_t>(std::distance(a.bytes.begin(), first));
+}
+
+void compare_values(Difference& difference, const Dataset& a, const Dataset& b) {
+  switch (a.type) {
+    case DataType::float64:
+      return compare_elements<double>(difference, a, b);
+    case DataType::int64:
+      return compare_elements<std::int64_t>(difference, a, b);
+    case DataType::uint32:
+      return compare_elements<std::uint32_t>(difference, a, b);
+    case DataType::uint16:
+      return compare_elements<std::uint16_t>(difference, a, b);
+    case DataType::uint8:
+      return compare_elements<std::uint8_t>(difference, a, b);
+    case DataType::text:
+      return compare_text(difference, a, b);
+  }
+}
+
+std::optional<Change> change_between(const Dataset& a, const Dataset& b) {
+  if (a.type != b.type) return Change::type;
+  if (a.shape != b.shape) return Change::shape;
+  if (a.bytes != b.bytes) return Change::values;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Difference> diff(const Content& a, const Content& b) {
+  std::vector<Difference> differences;
+  for (const auto& [path, dataset] : a) {
+    const auto other = b.find(path);
+    if (other == b.end()) {
+      differences.push_back({.path = path, .change = Change::only_in_a});
+    } else if (const auto change = change_between(dataset, other->second)) {
+      Difference difference{.path = path, .change = *change};
+      if (change == Change::values) compare_values(difference, dataset, other->second);
+      differences.push_back(difference);
+    }
+  }
+  for (const auto& [path, dataset] : b) {
+    if (!a.contains(path)) differences.push_back({.path = path, .change = Change::only_in_b});
+  }
+  std::sort(differences.begin(), differences.end(),
+            [](const Difference& x, const Difference& y) { return x.path < y.path; });
+  return differences;
+}
+
+Content checksummed_part(const Content& content) {
+  Content part;
+  std::copy_if(content.begin(), content.end(), std::inserter(part, part.end()),
+               [](const auto& entry) { return is_checksummed(entry.first); });
+  return part;
+}
+
+std::uint64_t ulp_distance(double a, double b) {
+  // Maps the bits to integers in the order of the numbers: ..., -min, -0, +0, +min, ...
+  const auto ordered = [](double x) {
+    constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    return (bits & sign) != 0 ? ~bits : bits | sign;
+  };
+  const std::uint64_t x = ordered(a);
+  const std::uint64_t y = ordered(b);
+  return x > y ? x - y : y - x;
+}
+
+}  // namespace rupture

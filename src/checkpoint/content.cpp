@@ -1,0 +1,114 @@
+#include "rupture/checkpoint/content.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "datasets are kept in memory as they are stored: little-endian");
+
+std::string describe(DataType type, const Shape& shape) {
+  if (type == DataType::text) return "text";
+  if (shape.empty()) return fmt::format("one {}", type_name(type));
+  return fmt::format("{} of shape {}", type_name(type), shape_text(shape));
+}
+
+}  // namespace
+
+std::string_view type_name(DataType type) {
+  switch (type) {
+    case DataType::float64:
+      return "float64";
+    case DataType::int64:
+      return "int64";
+    case DataType::uint32:
+      return "uint32";
+    case DataType::uint16:
+      return "uint16";
+    case DataType::uint8:
+      return "uint8";
+    case DataType::text:
+      return "text";
+  }
+  throw Failure("a dataset has an element type unknown to this build");
+}
+
+std::uint64_t element_count(const Shape& shape) {
+  std::uint64_t count = 1;
+  for (const std::uint64_t length : shape) count *= length;
+  return count;
+}
+
+std::string shape_text(const Shape& shape) {
+  if (shape.empty()) return "scalar";
+  std::string text;
+  for (const std::uint64_t length : shape) text += fmt::format("[{}]", length);
+  return text;
+}
+
+Dataset make_text(std::string_view text) {
+  if (text.find('\0') != std::string_view::npos) {
+    throw Failure("a text to be stored contains a null byte; texts are null-padded");
+  }
+  const std::span<const std::byte> bytes = std::as_bytes(std::span(text));
+  Dataset dataset{"1", DataType::text, {}, {bytes.begin(), bytes.end()}};
+  if (text.empty()) dataset.bytes.push_back(std::byte{0});  // HDF5 has no strings of length 0
+  return dataset;
+}
+
+const Dataset& expect(const Content& content, const std::string& path, DataType type,
+                      const Shape& shape) {
+  const auto found = content.find(path);
+  if (found == content.end()) {
+    throw Failure(fmt::format("{} is missing; expected {}", path, describe(type, shape)));
+  }
+  const Dataset& dataset = found->second;
+  if (dataset.type != type || dataset.shape != shape) {
+    throw Failure(fmt::format("{} holds {}; expected {}", path,
+                              describe(dataset.type, dataset.shape), describe(type, shape)));
+  }
+  return dataset;
+}
+
+void read_array_bytes(const Content& content, const std::string& path, DataType type,
+                      const Shape& shape, std::span<std::byte> out) {
+  const Dataset& dataset = expect(content, path, type, shape);
+  if (dataset.bytes.size() != out.size()) {
+    throw Failure(
+        fmt::format("{} holds {} bytes; expected {}", path, dataset.bytes.size(), out.size()));
+  }
+  if (!out.empty()) std::memcpy(out.data(), dataset.bytes.data(), out.size());
+}
+
+std::string read_text(const Content& content, const std::string& path) {
+  const Dataset& dataset = expect(content, path, DataType::text, {});
+  std::string text(reinterpret_cast<const char*>(dataset.bytes.data()), dataset.bytes.size());
+  text.resize(text.find_last_not_of('\0') + 1);  // npos + 1 = 0: nothing but nulls
+  return text;
+}
+
+void check_finite(const std::string& path, const Dataset& dataset) {
+  if (dataset.type != DataType::float64) return;
+  const std::size_t count = dataset.bytes.size() / sizeof(double);
+  for (std::size_t i = 0; i < count; ++i) {
+    double value = 0;
+    std::memcpy(&value, dataset.bytes.data() + i * sizeof(double), sizeof(double));
+    if (!std::isfinite(value)) {
+      throw Failure(fmt::format("{} holds {} at index {} of {}; only finite numbers are stored",
+                                path, value, i, shape_text(dataset.shape)));
+    }
+  }
+}
+
+void check_finite(const Content& content) {
+  for (const auto& [path, dataset] : content) check_finite(path, dataset);
+}
+
+}  // namespace rupture

@@ -1,0 +1,167 @@
+#include "rupture/checkpoint/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "atomic_write.hpp"
+#include "context.hpp"
+#include "hdf5_image.hpp"
+#include "rupture/checkpoint/checksum.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail_reading(const fs::path& path) {
+  throw Failure(
+      fmt::format("could not read {}: {}; check the permissions of the file and its folder",
+                  path.string(), std::strerror(errno)));
+}
+
+// Throws unless a regular file is there; returns its size [bytes].
+std::size_t readable_size(const fs::path& path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) != 0) {
+    if (errno != ENOENT && errno != ENOTDIR) fail_reading(path);
+    throw Failure(
+        fmt::format("{} does not exist; give the path of a checkpoint or record", path.string()));
+  }
+  if (S_ISDIR(info.st_mode)) {
+    throw Failure(
+        fmt::format("{} is a folder; give the path of a checkpoint or record", path.string()));
+  }
+  if (!S_ISREG(info.st_mode)) {
+    throw Failure(fmt::format("{} is not a regular file; give the path of a checkpoint or record",
+                              path.string()));
+  }
+  return static_cast<std::size_t>(info.st_size);
+}
+
+// The first `size` bytes of the file, or fewer if it ends before.
+std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) fail_reading(path);
+  std::vector<std::byte> bytes(size);
+  std::size_t have = 0;
+  ssize_t got = 1;
+  while (have < size && (got > 0 || (got < 0 && errno == EINTR))) {
+    got = ::read(fd, bytes.data() + have, size - have);
+    if (got > 0) have += static_cast<std::size_t>(got);
+  }
+  const int reason = got < 0 ? errno : 0;
+  ::close(fd);
+  errno = reason;
+  if (got < 0) fail_reading(path);
+  bytes.resize(have);
+  return bytes;
+}
+
+void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
+  if (attributes.schema_version > kSchemaVersion) {
+    throw Failure(
+        fmt::format("written by schema version {}; this build reads up to {}: use a newer rupture",
+                    attributes.schema_version, kSchemaVersion));
+  }
+  if (attributes.schema_version < 1 || attributes.format != format_name(kind)) {
+    throw Failure(
+        fmt::format("its header says {}, but its attributes say {}, schema version {}; "
+                    "write it anew",
+                    format_name(kind), attributes.format, attributes.schema_version));
+  }
+}
+
+void check_content(const Content& content, const std::string& stored) {
+  check_finite(content);
+  const std::string computed = content_checksum(content);
+  if (stored != computed) {
+    throw Failure(
+        fmt::format("its content has the checksum {}, but {} is stored in it; write it "
+                    "anew",
+                    computed, stored));
+  }
+}
+
+std::string sum_line(const std::string& checksum, const fs::path& path) {
+  return fmt::format("{}  {}\n", checksum, path.filename().string());
+}
+
+void write_sum(const fs::path& path, const std::string& checksum) {
+  const fs::path sum = path.string() + ".sum";
+  const std::string line = sum_line(checksum, path);
+  std::ifstream file(sum, std::ios::binary);
+  const std::string present{std::istreambuf_iterator<char>(file), {}};
+  if (present == line) return;  // workflow rules go by its modification time
+  write_atomically(sum, std::array{std::as_bytes(std::span(line))});
+}
+
+}  // namespace
+
+void check_output(const fs::path& path, IfExists if_exists) {
+  struct stat info {};
+  const bool exists = ::lstat(path.c_str(), &info) == 0;
+  if (exists && S_ISDIR(info.st_mode)) {
+    throw Failure(fmt::format("{} is a folder; give the path of a file to write", path.string()));
+  }
+  if (exists && if_exists == IfExists::refuse) {
+    throw Failure(fmt::format("{} exists; give --force to replace it", path.string()));
+  }
+  if (exists && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode)) {
+    throw Failure(fmt::format("{} is not a regular file; give another path", path.string()));
+  }
+  const fs::path folder = folder_of(path);
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    throw Failure(fmt::format("could not write {}: its folder {}: {}; give another path",
+                              path.string(), folder.string(), std::strerror(errno)));
+  }
+}
+
+FileKind identify(const fs::path& path) {
+  readable_size(path);
+  return header_kind(read_start(path, kHeaderSize), path.string());
+}
+
+std::string write_content(const fs::path& path, FileKind kind, const Content& content,
+                          IfExists if_exists) {
+  check_output(path, if_exists);
+  const auto [checksum, image] = naming(path, [&] {
+    check_finite(content);
+    const std::string sum = content_checksum(content);
+    const hdf5::RootAttributes attributes{std::string(format_name(kind)), kSchemaVersion, sum};
+    return std::pair(sum, hdf5::make_image(attributes, content));
+  });
+  const auto body = std::span(image).subspan(kHeaderSize);
+  const std::string header = header_text(kind, body);
+  write_atomically(path, std::array{std::as_bytes(std::span(header)), body});
+  write_sum(path, checksum);
+  return checksum;
+}
+
+ContentFile read_file(const fs::path& path) {
+  const std::vector<std::byte> bytes = read_start(path, readable_size(path));
+  const FileKind kind = check_envelope(bytes, path.string());
+  return naming(path, [&] {
+    const hdf5::ImageReader image(bytes);
+    const hdf5::RootAttributes attributes = image.attributes();
+    check_attributes(attributes, kind);
+    ContentFile file{kind, attributes.content_checksum, image.content()};
+    if (kind != FileKind::open_record) check_content(file.content, file.checksum);
+    return file;
+  });
+}
+
+Content read_content(const fs::path& path) {
+  return read_file(path).content;
+}
+
+}  // namespace rupture

@@ -1,0 +1,30 @@
+// Content to and from a complete HDF5 file in memory: libhdf5 never touches the disk here.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "hdf5_objects.hpp"
+
+namespace rupture::hdf5 {
+
+/// A whole file: kHeaderSize zero bytes, to be overwritten by the header, then the HDF5 part.
+/// Equal arguments give equal bytes.
+std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content);
+
+/// A file image opened for reading; `file` must outlive it. Throws Failure if libhdf5 cannot
+/// open it.
+class ImageReader {
+ public:
+  explicit ImageReader(std::span<const std::byte> file);
+
+  RootAttributes attributes() const;
+  Content content() const;
+
+ private:
+  std::size_t size_;
+  Handle file_;
+};
+
+}  // namespace rupture::hdf5

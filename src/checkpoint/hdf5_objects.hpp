@@ -1,0 +1,44 @@
+// Datasets, attributes and file creation in terms of Content: what the in-memory image and the
+// growing .part file share.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "hdf5_handle.hpp"
+#include "rupture/checkpoint/content.hpp"
+
+namespace rupture::hdf5 {
+
+/// The root attributes.
+struct RootAttributes {
+  std::string format;
+  std::int64_t schema_version = 0;
+  std::string content_checksum;  ///< empty in an open record
+};
+
+/// Properties of a new file: no times, room for our header in front.
+Handle file_creation_properties();
+/// Properties of every new dataset: no times.
+Handle dataset_creation_properties();
+
+/// The stored type of an element; `text_length` [bytes] only matters for text.
+Handle stored_type(DataType type, std::size_t text_length);
+
+/// Creates the groups above `path` that do not exist yet.
+void create_groups(Id file, const std::string& path);
+
+/// Attaches the attribute `unit`.
+void write_unit(Id dataset, const std::string& unit);
+
+void write_root_attributes(Id file, const RootAttributes& attributes);
+void write_content(Id file, const Content& content);
+
+/// Throws Failure if an attribute is missing or of the wrong kind.
+RootAttributes read_root_attributes(Id file);
+
+/// All datasets. Throws Failure if one claims more than `size_limit` bytes, or if there is anything
+/// but groups and datasets of known types.
+Content read_datasets(Id file, std::size_t size_limit);
+
+}  // namespace rupture::hdf5

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include "hdf5_objects.hpp"
+#include "rupture/checkpoint/envelope.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::hdf5 {
+namespace {
+
+constexpr std::size_t kCompactLimit = 1024;  // [bytes] smaller datasets live in their header
+
+Handle group_creation_properties() {
+  Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "prepare a group");
+  check(H5Pset_obj_track_times(properties, false), "switch off times");
+  return properties;
+}
+
+Handle create_space(const Shape& shape) {
+  if (shape.empty()) return {H5Screate(H5S_SCALAR), H5Sclose, "create a scalar"};
+  const std::vector<hsize_t> lengths(shape.begin(), shape.end());
+  return {H5Screate_simple(static_cast<int>(lengths.size()), lengths.data(), nullptr), H5Sclose,
+          "create an array"};
+}
+
+void write_attribute(Id object, const std::string& name, const Dataset& value) {
+  const Handle type = stored_type(value.type, value.bytes.size());
+  const Handle space = create_space(value.shape);
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose, fmt::format("create the attribute {}", name));
+  check(H5Awrite(attribute, type, value.bytes.data()), fmt::format("write {}", name));
+}
+
+void write_dataset(Id file, const std::string& path, const Dataset& data) {
+  create_groups(file, path);
+  const std::string doing = fmt::format("write {}", path);
+  const Handle type = stored_type(data.type, data.bytes.size());
+  const Handle space = create_space(data.shape);
+  const std::size_t expected = element_count(data.shape) * H5Tget_size(type);
+  if (data.bytes.size() != expected) {
+    throw Failure(fmt::format("{} has {} bytes, but its shape {} needs {}", path, data.bytes.size(),
+                              shape_text(data.shape), expected));
+  }
+  const Handle properties = dataset_creation_properties();
+  if (data.bytes.size() <= kCompactLimit) check(H5Pset_layout(properties, H5D_COMPACT), doing);
+  const Handle dataset(
+      H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
+      doing);
+  write_unit(dataset, data.unit);
+  if (!data.bytes.empty()) {
+    check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.bytes.data()), doing);
+  }
+}
+
+}  // namespace
+
+Handle file_creation_properties() {
+  Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "prepare a file");
+  check(H5Pset_obj_track_times(properties, false), "switch off times");
+  check(H5Pset_userblock(properties, kHeaderSize), "leave room for the header");
+  return properties;
+}
+
+Handle dataset_creation_properties() {
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "prepare a dataset");
+  check(H5Pset_obj_track_times(properties, false), "switch off times");
+  return properties;
+}
+
+Handle stored_type(DataType type, std::size_t text_length) {
+  const auto copy = [](Id id) { return Handle(H5Tcopy(id), H5Tclose, "choose a type"); };
+  switch (type) {
+    case DataType::float64:
+      return copy(H5T_IEEE_F64LE);
+    case DataType::int64:
+      return copy(H5T_STD_I64LE);
+    case DataType::uint32:
+      return copy(H5T_STD_U32LE);
+    case DataType::uint16:
+      return copy(H5T_STD_U16LE);
+    case DataType::uint8:
+      return copy(H5T_STD_U8LE);
+    case DataType::text: {
+      Handle text = copy(H5T_C_S1);
+      check(H5Tset_size(text, text_length), "set the length of a text");
+      check(H5Tset_strpad(text, H5T_STR_NULLPAD), "set the padding of a text");
+      check(H5Tset_cset(text, H5T_CSET_UTF8), "set the encoding of a text");
+      return text;
+    }
+  }
+  throw Failure("a dataset has an element type unknown to this build");
+}
+
+void create_groups(Id file, const std::string& path) {
+  for (std::size_t end = path.find('/', 1); end != std::string::npos;
+       end = path.find('/', end + 1)) {
+    const std::string group = path.substr(0, end);
+    const std::string doing = fmt::format("create the group {}", group);
+    const auto exists = H5Lexists(file, group.c_str(), H5P_DEFAULT);
+    check(exists, doing);
+    if (exists > 0) continue;
+    const Handle properties = group_creation_properties();
+    const Handle created(H5Gcreate2(file, group.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT),
+                         H5Gclose, doing);
+  }
+}
+
+void write_unit(Id dataset, const std::string& unit) {
+  write_attribute(dataset, "unit", make_text(unit));
+}
+
+void write_root_attributes(Id file, const RootAttributes& attributes) {
+  write_attribute(file, "format", make_text(attributes.format));
+  write_attribute(file, "schema_version", make_scalar(attributes.schema_version, "1"));
+  if (!attributes.content_checksum.empty()) {
+    write_attribute(file, "content_checksum", make_text(attributes.content_checksum));
+  }
+}
+
+void write_content(Id file, const Content& content) {
+  for (const auto& [path, dataset] : content) write_dataset(file, path, dataset);
+}
+
+}  // namespace rupture::hdf5

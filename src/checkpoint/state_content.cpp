@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstring>
+
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+namespace {
+
+struct FieldRow {
+  const char* path;
+  const char* unit;
+  Field State::*field;
+};
+
+constexpr std::array<FieldRow, 6> kFields = {{
+    {"/state/u_x", "m", &State::u_x},
+    {"/state/u_z", "m", &State::u_z},
+    {"/state/v_x", "m/s", &State::v_x},
+    {"/state/v_z", "m/s", &State::v_z},
+    {"/state/f_x", "N", &State::f_x},
+    {"/state/f_z", "N", &State::f_z},
+}};
+
+constexpr const char* kStep = "/state/step";
+constexpr const char* kOriginStep = "/state/drive/origin_step";
+constexpr const char* kOriginPosition = "/state/drive/origin_position";
+constexpr const char* kAttachment = "/state/junctions/attachment";
+constexpr const char* kSlipping = "/state/junctions/slipping";
+constexpr const char* kRepinTime = "/state/junctions/repin_time";
+constexpr const char* kDraws = "/state/junctions/draws";
+
+Shape shape_of(Eigen::Index rows, Eigen::Index columns) {
+  return {static_cast<std::uint64_t>(rows), static_cast<std::uint64_t>(columns)};
+}
+
+template <class T>
+Dataset array_dataset(const JunctionArray<T>& array, std::string_view unit) {
+  return make_array(std::span(array.data(), static_cast<std::size_t>(array.size())),
+                    shape_of(array.rows(), array.cols()), unit);
+}
+
+Dataset field_dataset(const Field& field, std::string_view unit) {
+  return array_dataset<double>(field.blocks(), unit);
+}
+
+template <class T>
+void read_junctions(const Content& content, const char* path, JunctionArray<T>& array) {
+  read_array_bytes(
+      content, path, DataTypeOf<T>::value, shape_of(array.rows(), array.cols()),
+      std::as_writable_bytes(std::span(array.data(), static_cast<std::size_t>(array.size()))));
+}
+
+void read_field(const Content& content, const char* path, Field& field) {
+  RowMajorArray blocks(field.Nz(), field.Nx());
+  read_junctions(content, path, blocks);
+  field.blocks() = blocks;
+}
+
+// A pinned junction has no repin time: stored as 0, in memory `never`.
+double stored_repin_time(double repin_time) {
+  return repin_time == Junctions::never ? 0.0 : repin_time;
+}
+
+double repin_time_from(std::uint8_t slipping, double stored, Eigen::Index block,
+                       Eigen::Index junction) {
+  const bool pinned_as_written = slipping == 0 && stored == 0.0;
+  const bool slipping_as_written = slipping == 1 && stored >= 0.0 && is_slipping(stored);
+  if (!pinned_as_written && !slipping_as_written) {
+    throw Failure(fmt::format(
+        "junction {} of block {} has {} = {} and {} = {} s; expected 0 and 0 s if it is pinned, 1 "
+        "and a time if it is slipping",
+        junction, block, kSlipping, slipping, kRepinTime, stored));
+  }
+  return pinned_as_written ? Junctions::never : stored;
+}
+
+void read_repin_times(const Content& content, JunctionArray<double>& repin_time) {
+  JunctionArray<std::uint8_t> slipping(repin_time.rows(), repin_time.cols());
+  read_junctions(content, kSlipping, slipping);
+  read_junctions(content, kRepinTime, repin_time);
+  for (Eigen::Index i = 0; i < repin_time.rows(); ++i) {
+    for (Eigen::Index j = 0; j < repin_time.cols(); ++j) {
+      repin_time(i, j) = repin_time_from(slipping(i, j), repin_time(i, j), i, j);
+    }
+  }
+}
+
+std::int64_t read_step(const Content& content, const char* path) {
+  const auto step = read_scalar<std::int64_t>(content, path);
+  if (step < 0) throw Failure(fmt::format("{} = {}; expected 0 or more", path, step));
+  return step;
+}
+
+}  // namespace
+
+Content state_content(const State& state) {
+  Content content;
+  content[kStep] = make_scalar(state.step, "1");
+  content[kOriginStep] = make_scalar(state.drive.origin_step, "1");
+  content[kOriginPosition] = make_scalar(state.drive.origin_position, "m");
+  for (const FieldRow& row : kFields) content[row.path] = field_dataset(state.*row.field, row.unit);
+
+  const Junctions& junctions = state.junctions;
+  const JunctionArray<std::uint8_t> slipping =
+      junctions.repin_time.unaryExpr(&is_slipping).cast<std::uint8_t>();
+  content[kAttachment] = array_dataset(junctions.attachment, "m");
+  content[kSlipping] = array_dataset(slipping, "1");
+  content[kRepinTime] =
+      array_dataset<double>(junctions.repin_time.unaryExpr(&stored_repin_time), "s");
+  content[kDraws] = array_dataset(junctions.draws, "1");
+  return content;
+}
+
+State read_state(const Content& content, const Parameters& parameters) {
+  expect(content, kRepinTime, DataType::float64, shape_of(parameters.Nx, parameters.N_s));
+  expect(content, kFields[0].path, DataType::float64, shape_of(parameters.Nz, parameters.Nx));
+  State state(parameters);
+  state.step = read_step(content, kStep);
+  state.drive.origin_step = read_step(content, kOriginStep);
+  state.drive.origin_position = read_scalar<double>(content, kOriginPosition);
+  for (const FieldRow& row : kFields) read_field(content, row.path, state.*row.field);
+  read_junctions(content, kAttachment, state.junctions.attachment);
+  read_repin_times(content, state.junctions.repin_time);
+  read_junctions(content, kDraws, state.junctions.draws);
+  return state;
+}
+
+}  // namespace rupture

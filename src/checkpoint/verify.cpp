@@ -1,0 +1,29 @@
+#include <fmt/format.h>
+
+#include "context.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/record.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+
+std::string verify_file(const std::filesystem::path& path) {
+  const ContentFile file = read_file(path);
+  return naming(path, [&] {
+    switch (file.kind) {
+      case FileKind::checkpoint:
+        checkpoint_from(file.content);
+        return file.checksum;
+      case FileKind::record:
+        record_from(file);
+        return file.checksum;
+      case FileKind::open_record:
+        throw Failure(
+            "an unfinished record cannot be verified: nothing protects its bytes until its run "
+            "ends");
+    }
+    throw Failure("a file of this kind cannot be verified by this build");
+  });
+}
+
+}  // namespace rupture

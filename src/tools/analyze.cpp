@@ -1,0 +1,65 @@
+// analyze: measure, compare and check what the other tools wrote.
+#include "analyze.hpp"
+
+#include <fmt/core.h>
+
+#include <string_view>
+
+#include "rupture/model/error.hpp"
+#include "rupture/model/nearest.hpp"
+#include "rupture/version.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+const std::vector<Command> kCommands = {
+    {"events", "rupture events in a record", analyze_events},
+    {"front", "rupture line, speed and type of the front in a record", analyze_front},
+    {"classify", "the front's type alone: arrested, slow or fast", analyze_classify},
+    {"slip", "fast and slow slip of one block in a record", analyze_slip},
+    {"loading", "driving force against time in a record", analyze_loading},
+    {"stress", "normal and friction forces along the interface of a checkpoint", analyze_stress},
+    {"phi", "distribution of junction forces in a checkpoint", analyze_phi},
+    {"checksum", "content checksum of a file", analyze_checksum},
+    {"verify", "check that files are intact, also against a manifest", analyze_verify},
+    {"diff", "where and by how much two files differ", analyze_diff},
+    {"show", "parameters, time and provenance of a file", analyze_show},
+};
+
+std::string help() {
+  std::string text =
+      "Usage: analyze COMMAND FILE... [options]\n\nMeasures, compares and checks checkpoints and "
+      "records; never changes them.\n\nCommands (analyze COMMAND --help tells more):\n";
+  for (const auto& command : kCommands) {
+    text += fmt::format("  {:<10} {}\n", command.name, command.purpose);
+  }
+  return text;
+}
+
+const Command& find(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const auto& command : kCommands) {
+    if (command.name == name) return command;
+    names.push_back(command.name);
+  }
+  throw UsageError(fmt::format("unknown command '{}': did you mean '{}'? See analyze --help", name,
+                               nearest(name, names)));
+}
+
+int run(int argc, char** argv) {
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  if (first.empty()) throw UsageError("no command was given; see analyze --help");
+  if (first == "--help" || first == "-h") throw HelpRequested{help()};
+  if (first == "--version") {
+    throw HelpRequested{fmt::format("analyze (rupture {}, commit {})\n", version, commit)};
+  }
+  return find(first).run(argc - 1, argv + 1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("analyze", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,196 @@
+#include "command_line.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+#include "rupture/model/error.hpp"
+#include "rupture/version.hpp"
+#include "text.hpp"
+
+namespace rupture::tools {
+namespace {
+
+po::options_description common_options(UsesParameters uses_parameters) {
+  po::options_description common("Common options");
+  auto add = common.add_options();
+  if (uses_parameters == UsesParameters::yes) {
+    add("config", po::value<std::string>()->value_name("FILE"),
+        "INI file with options and parameters ([slider] L = 0.14 ...)");
+    add("set", po::value<std::vector<std::string>>()->composing()->value_name("NAME=VALUE"),
+        "set one parameter, after those of --config; may be repeated");
+    add("seed", po::value<std::string>()->value_name("N"), "short for --set numerics.seed=N");
+  }
+  add("help,h", "show this help and stop");
+  add("version", "show version and commit and stop");
+  return common;
+}
+
+std::string help_text(const ToolText& text, const po::options_description& shown,
+                      UsesParameters uses_parameters) {
+  std::ostringstream out;
+  out << "Usage: " << text.synopsis << "\n\n" << text.purpose << "\n\n" << shown;
+  if (uses_parameters == UsesParameters::yes) {
+    out << "\nParameters (SI units), for --set and --config:\n" << parameter_help();
+  }
+  return out.str();
+}
+
+std::pair<std::string, std::string> split_assignment(const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw UsageError(fmt::format("--set {} has no '=': write --set NAME=VALUE", assignment));
+  }
+  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
+/// Options in the file go to `values` unless the command line gave them; other names are parameters.
+ParameterChanges read_config(const std::string& path, const po::options_description& options,
+                             po::variables_map& values) {
+  std::ifstream file(path);
+  if (!file) throw Failure(fmt::format("cannot read the configuration file {}", path));
+  const auto parsed = po::parse_config_file(file, options, /*allow_unregistered=*/true);
+  ParameterChanges changes;
+  po::parsed_options known(&options);
+  for (const auto& option : parsed.options) {
+    if (!option.unregistered) {
+      known.options.push_back(option);
+    } else {
+      changes.emplace_back(option.string_key, option.value.empty() ? "" : option.value.front());
+    }
+  }
+  po::store(known, values);
+  return changes;
+}
+
+ParameterChanges command_line_changes(const po::variables_map& values) {
+  ParameterChanges changes;
+  if (values.count("set") > 0) {
+    for (const auto& assignment : values["set"].as<std::vector<std::string>>()) {
+      changes.push_back(split_assignment(assignment));
+    }
+  }
+  if (values.count("seed") > 0) {
+    changes.emplace_back("numerics.seed", values["seed"].as<std::string>());
+  }
+  return changes;
+}
+
+int complain(const std::string& name, const std::string& message, ExitCode code) {
+  std::fflush(stdout);
+  fmt::print(stderr, "{}: {}\n", name, message);
+  return code;
+}
+
+}  // namespace
+
+Parsed parse(int argc, const char* const* argv, const ToolText& text,
+             const po::options_description& options, const std::string& positional,
+             UsesParameters uses_parameters) {
+  po::options_description shown;
+  shown.add(options).add(common_options(uses_parameters));
+  po::options_description all;
+  all.add(shown);
+  po::positional_options_description positions;
+  if (!positional.empty()) {
+    all.add_options()(positional.c_str(), po::value<std::vector<std::string>>());
+    positions.add(positional.c_str(), -1);
+  }
+  using Style = po::command_line_style::style_t;
+  const int style = Style::unix_style & ~Style::allow_guessing;
+
+  Parsed parsed;
+  parsed.arguments.assign(argv, argv + argc);
+  try {
+    po::store(
+        po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run(),
+        parsed.values);
+    if (parsed.values.count("help") > 0) {
+      throw HelpRequested{help_text(text, shown, uses_parameters)};
+    }
+    if (parsed.values.count("version") > 0) {
+      throw HelpRequested{fmt::format("{} (rupture {}, commit {})\n", text.name, version, commit)};
+    }
+    if (parsed.values.count("config") > 0) {
+      parsed.parameters = read_config(parsed.values["config"].as<std::string>(), all,
+                                      parsed.values);
+    }
+    po::notify(parsed.values);
+  } catch (const po::unknown_option& error) {
+    throw UsageError(unknown_option_text(error.get_option_name(), all, text.name));
+  } catch (const po::error& error) {
+    throw UsageError(fmt::format("{}; see {} --help", error.what(), text.name));
+  }
+  if (uses_parameters == UsesParameters::yes) {
+    const auto changes = command_line_changes(parsed.values);
+    parsed.parameters.insert(parsed.parameters.end(), changes.begin(), changes.end());
+  }
+  return parsed;
+}
+
+void apply(const ParameterChanges& changes, Parameters& parameters) {
+  for (const auto& [name, value] : changes) set_parameter(parameters, name, value);
+}
+
+void add_output_options(po::options_description& options) {
+  options.add_options()("output,o", po::value<std::string>()->required()->value_name("FILE"),
+                        "checkpoint to write")(
+      "force,f", "replace files that exist already")("quiet,q", "print errors only");
+}
+
+OutputOptions output_options(const po::variables_map& values) {
+  OutputOptions options;
+  options.output = values["output"].as<std::string>();
+  if (values.count("force") > 0) options.if_exists = IfExists::replace;
+  if (values.count("quiet") > 0) options.verbosity = Verbosity::quiet;
+  return options;
+}
+
+double non_negative(const po::variables_map& values, const std::string& option) {
+  const double value = values[option].as<double>();
+  if (std::isfinite(value) && value >= 0.0) return value;
+  throw UsageError(fmt::format("--{} {} makes no sense: give a number of at least 0", option,
+                               value));
+}
+
+std::optional<double> optional_non_negative(const po::variables_map& values,
+                                            const std::string& option) {
+  if (values.count(option) == 0) return std::nullopt;
+  return non_negative(values, option);
+}
+
+std::string single_input(const po::variables_map& values, const std::string& positional,
+                         const std::string& wanted) {
+  if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);
+  const auto inputs = values[positional].as<std::vector<std::string>>();
+  if (inputs.size() > 1) {
+    throw UsageError(fmt::format("'{}' is one file too many: name only {}", inputs[1], wanted));
+  }
+  return inputs.front();
+}
+
+int run_tool(const std::string& name, const std::function<int()>& body) {
+  try {
+    const int code = body();
+    if (std::fflush(stdout) != 0 || !std::cout.flush()) {
+      return complain(name, "cannot write to standard output", kFailed);
+    }
+    return code;
+  } catch (const HelpRequested& help) {
+    fmt::print("{}", help.text);
+    return kDone;
+  } catch (const UsageError& error) {
+    return complain(name, error.what(), kUsage);
+  } catch (const std::bad_alloc&) {
+    return complain(name, "not enough memory for a lattice of this size", kFailed);
+  } catch (const std::exception& error) {
+    return complain(name, error.what(), kFailed);
+  }
+}
+
+}  // namespace rupture::tools

@@ -1,0 +1,79 @@
+// What all tools share on the command line: parsing, --help, parameters, errors and exit codes.
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rupture/checkpoint/file.hpp"
+#include "rupture/model/parameters.hpp"
+
+namespace rupture::tools {
+
+namespace po = boost::program_options;
+
+/// Exit codes: 0 done, 1 failed, 2 usage.
+enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2 };
+
+/// What --help says besides the options.
+struct ToolText {
+  std::string name;      ///< e.g. "restart"
+  std::string synopsis;  ///< e.g. "restart CHECKPOINT -o OUT [options]"
+  std::string purpose;   ///< a sentence or two
+};
+
+/// Thrown by parse() when --help or --version was given; holds the text for standard output.
+struct HelpRequested {
+  std::string text;
+};
+
+/// Parameter assignments in the order in which they apply.
+using ParameterChanges = std::vector<std::pair<std::string, std::string>>;
+
+/// A parsed command line.
+struct Parsed {
+  po::variables_map values;
+  ParameterChanges parameters;         ///< from --config, then from --set and --seed
+  std::vector<std::string> arguments;  ///< argv, for the provenance
+};
+
+enum class UsesParameters { yes, no };
+
+/// Parses argv. `options` are the tool's own; positional arguments go to the option `positional`
+/// (empty: none are taken). Touches no file but the one --config names. Throws UsageError, Failure
+/// (unreadable --config) or HelpRequested.
+Parsed parse(int argc, const char* const* argv, const ToolText& text,
+             const po::options_description& options, const std::string& positional,
+             UsesParameters uses_parameters);
+
+/// Applies the changes one by one. Throws UsageError as set_parameter() does.
+void apply(const ParameterChanges& changes, Parameters& parameters);
+
+enum class Verbosity { normal, quiet };
+
+/// Options of every tool that writes a file.
+struct OutputOptions {
+  std::filesystem::path output;
+  IfExists if_exists = IfExists::refuse;
+  Verbosity verbosity = Verbosity::normal;
+};
+void add_output_options(po::options_description& options);
+OutputOptions output_options(const po::variables_map& values);
+
+/// The value of a time, length or similar option. Throws UsageError unless it is finite and >= 0.
+double non_negative(const po::variables_map& values, const std::string& option);
+std::optional<double> optional_non_negative(const po::variables_map& values,
+                                            const std::string& option);
+
+/// The one positional argument. Throws UsageError, saying what is wanted, if there is none or more.
+std::string single_input(const po::variables_map& values, const std::string& positional,
+                         const std::string& wanted);
+
+/// Runs a tool's body and turns exceptions into one line on standard error and an exit code.
+int run_tool(const std::string& name, const std::function<int()>& body);
+
+}  // namespace rupture::tools

@@ -1,0 +1,50 @@
+// load: the slider under its normal load, then driven from the side.
+#include "rupture/dynamics/equilibrium.hpp"
+#include "simulate.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+struct Options {
+  Parameters parameters;
+  double until;  // [s]
+  RunOptions run;
+  OutputOptions output;
+  std::vector<std::string> arguments;
+};
+
+Options setup(int argc, char** argv) {
+  po::options_description options("Options");
+  options.add_options()("until", po::value<double>()->default_value(0.0, "0")->value_name("T"),
+                        "drive until this time [s]; 0: the equilibrium only");
+  add_run_options(options);
+  add_output_options(options);
+  const Parsed parsed =
+      parse(argc, argv,
+            {"load", "load -o OUT [--until T] [options]",
+             "Finds the equilibrium of the slider under its normal load F_N, then moves the driving\n"
+             "point at speed V, and writes a checkpoint from which the run can be continued."},
+            options, "", UsesParameters::yes);
+  Parameters parameters;
+  apply(parsed.parameters, parameters);
+  validate(parameters);
+  return {parameters, non_negative(parsed.values, "until"), run_options(parsed.values),
+          output_options(parsed.values), parsed.arguments};
+}
+
+int run(const Options& options) {
+  check_output(options.output.output, options.output.if_exists);
+  Checkpoint start = {options.parameters, normal_load_equilibrium(options.parameters),
+                      {make_provenance("load", options.arguments, "")}};
+  simulate(std::move(start), {step_at(options.parameters, options.until), {}}, options.run,
+           options.output);
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("load", [&] { return run(setup(argc, argv)); });
+}

@@ -1,0 +1,119 @@
+// modify-phi: replace the distribution of junction forces in a region, keeping each block's mean.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "command_line.hpp"
+#include "rupture/analysis/phi.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/model/error.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+struct Options {
+  std::string checkpoint;
+  PhiChange change;
+  OutputOptions output;
+  std::vector<std::string> arguments;
+};
+
+PhiShape shape_named(const std::string& name) {
+  if (name == "uniform") return PhiShape::uniform;
+  if (name == "bell") return PhiShape::bell;
+  throw UsageError(fmt::format("--shape {} is unknown: choose uniform or bell", name));
+}
+
+Slipping slipping_named(const std::string& name) {
+  if (name == "keep") return Slipping::keep;
+  if (name == "pin") return Slipping::pin;
+  throw UsageError(fmt::format("--slipping {} is unknown: choose keep or pin", name));
+}
+
+Options setup(int argc, char** argv) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("shape", po::value<std::string>()->default_value("uniform")->value_name("uniform|bell"),
+      "shape of the new distribution");
+  add("sigma-bar", po::value<double>()->value_name("S"),
+      "its standard deviation over f_thres - f_slip; default: as wide as each block allows");
+  add("x-from", po::value<double>()->default_value(0.0, "0")->value_name("X"),
+      "change blocks from this x on [m]");
+  add("x-to", po::value<double>()->value_name("X"), "change blocks up to this x [m]");
+  add("slipping", po::value<std::string>()->default_value("keep")->value_name("keep|pin"),
+      "slipping junctions: keep them slipping, or pin them and include them");
+  add_output_options(options);
+  const Parsed parsed =
+      parse(argc, argv,
+            {"modify-phi", "modify-phi CHECKPOINT -o OUT [options]",
+             "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
+             "keeps the mean force of each block, so that the stress state stays the same."},
+            options, "checkpoint", UsesParameters::no);
+  const auto& values = parsed.values;
+  Options result;
+  result.checkpoint = single_input(values, "checkpoint", "a checkpoint to modify");
+  result.change.shape = shape_named(values["shape"].as<std::string>());
+  result.change.slipping = slipping_named(values["slipping"].as<std::string>());
+  result.change.sigma_bar = optional_non_negative(values, "sigma-bar");
+  result.change.x_from = non_negative(values, "x-from");
+  if (const auto x_to = optional_non_negative(values, "x-to")) result.change.x_to = *x_to;
+  if (result.change.x_to < result.change.x_from) {
+    throw UsageError("the region is empty: --x-to is below --x-from");
+  }
+  result.output = output_options(values);
+  result.arguments = parsed.arguments;
+  return result;
+}
+
+/// Largest relative change of a block's friction force [1].
+double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
+  double largest = 0.0, scale = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    largest = std::max(largest, std::abs(after[i] - before[i]));
+    scale = std::max(scale, std::abs(before[i]));
+  }
+  return scale > 0.0 ? largest / scale : largest;
+}
+
+void print_widths(const Parameters& p, const State& before, const State& after) {
+  const auto old_blocks = block_forces(p, before);
+  const auto new_blocks = block_forces(p, after);
+  fmt::print("   x [m]   mean/f_thres   slipping   sigma-bar before   after\n");
+  for (std::size_t i = 0; i < old_blocks.size(); ++i) {
+    const auto& b = old_blocks[i];
+    fmt::print("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x, b.mean / b.f_thres,
+               b.slipping, b.sigma_bar(), new_blocks[i].sigma_bar());
+  }
+}
+
+int run(const Options& options) {
+  Checkpoint checkpoint = read_checkpoint(options.checkpoint);
+  check_output(options.output.output, options.output.if_exists);
+  const Parameters& p = checkpoint.parameters;
+  const State before = checkpoint.state;
+  const auto impossible = change_phi(p, checkpoint.state, options.change);
+  const double change =
+      largest_change(friction_forces(p, before), friction_forces(p, checkpoint.state));
+  checkpoint.provenance.push_back(make_provenance("modify-phi", options.arguments,
+                                                  content_checksum(p, before)));
+  const auto checksum = write_checkpoint(options.output.output, checkpoint,
+                                         options.output.if_exists);
+  if (options.output.verbosity == Verbosity::quiet) return kDone;
+  print_widths(p, before, checkpoint.state);
+  fmt::print("largest change of a block's friction force: {:.1e} of the largest\n", change);
+  for (const auto& block : impossible) {
+    fmt::print("left as it is: block at x = {:.4f} m, which can take sigma-bar <= {:.4f}\n",
+               block.x, block.largest_sigma_bar);
+  }
+  fmt::print("wrote {}  sha256 {}\n", options.output.output.string(), checksum);
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("modify-phi", [&] { return run(setup(argc, argv)); });
+}

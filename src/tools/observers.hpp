@@ -1,0 +1,65 @@
+// What watches a run: the record, the checkpoint schedule and the progress line.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/record.hpp"
+#include "rupture/dynamics/run.hpp"
+
+namespace rupture::tools {
+
+/// Appends a sample to a record at the first and last step of a run and at multiples of
+/// `every` steps counted from step 0, so that split runs sample the same steps.
+class Recorder : public Observer {
+ public:
+  Recorder(RecordWriter& writer, std::int64_t every, std::int64_t first_step,
+           std::int64_t last_step);
+  std::int64_t next_step() const override { return next_; }
+  void observe(const Simulation& simulation) override;
+  /// Takes the last sample if the run ended before `last_step`.
+  void finish(const Simulation& simulation);
+
+ private:
+  RecordWriter& writer_;
+  const std::int64_t every_, last_step_;
+  std::int64_t next_, sampled_ = -1;
+  std::size_t ruptures_written_ = 0;
+};
+
+/// Writes checkpoints at given steps.
+class CheckpointSchedule : public Observer {
+ public:
+  using Write = std::function<void(const Simulation&)>;
+  /// `steps` in ascending order.
+  CheckpointSchedule(std::vector<std::int64_t> steps, Write write);
+  std::int64_t next_step() const override;
+  void observe(const Simulation& simulation) override;
+
+ private:
+  std::vector<std::int64_t> steps_;
+  std::size_t next_ = 0;
+  Write write_;
+};
+
+/// Shows simulated time, steps/s and the time left on a terminal.
+class Progress : public Observer {
+ public:
+  Progress(const Simulation& simulation, std::int64_t last_step);
+  std::int64_t next_step() const override { return next_; }
+  void observe(const Simulation& simulation) override;
+  /// Clears the line.
+  void finish() const;
+
+ private:
+  std::int64_t first_, last_, next_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+/// True if standard error is a terminal.
+bool on_terminal();
+
+}  // namespace rupture::tools

@@ -1,0 +1,59 @@
+#include "report.hpp"
+
+#include <fmt/core.h>
+
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+void print_csv(const std::vector<Column>& series) {
+  for (std::size_t c = 0; c < series.size(); ++c) {
+    fmt::print("{}{}", c == 0 ? "" : ",", series[c].name);
+  }
+  fmt::print("\n");
+  const std::size_t rows = series.empty() ? 0 : series.front().values.size();
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (std::size_t c = 0; c < series.size(); ++c) {
+      const auto& value = series[c].values[r];
+      fmt::print("{}{}", c == 0 ? "" : ",", value ? fmt::format("{}", *value) : "");
+    }
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
+
+Column column(std::string name, const std::vector<double>& values) {
+  return {std::move(name), {values.begin(), values.end()}};
+}
+
+void add_format_options(po::options_description& options) {
+  options.add_options()("json", "print one JSON object")("csv", "print the series as CSV");
+}
+
+void print(const Report& report, const po::variables_map& values) {
+  const bool json = values.count("json") > 0, csv = values.count("csv") > 0;
+  if (json && csv) throw UsageError("--json and --csv exclude each other: give one");
+  if (json) {
+    fmt::print("{}\n", report.json.dump());
+  } else if (csv) {
+    print_csv(report.series);
+  } else {
+    fmt::print("{}", report.text);
+  }
+}
+
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json json_of(const std::vector<std::optional<double>>& values) {
+  Json array = Json::array();
+  for (const auto& value : values) array.push_back(json_of(value));
+  return array;
+}
+
+std::string text_of(const std::optional<double>& value, double unit) {
+  return value ? fmt::format("{:.4g}", *value / unit) : "-";
+}
+
+}  // namespace rupture::tools

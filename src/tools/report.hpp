@@ -1,0 +1,43 @@
+// A report in three forms: text for people, one JSON object, or CSV columns.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+
+namespace rupture::tools {
+
+using Json = nlohmann::ordered_json;
+
+/// A column of a table; its name carries the unit, e.g. "x [m]".
+struct Column {
+  std::string name;
+  std::vector<std::optional<double>> values;
+};
+
+Column column(std::string name, const std::vector<double>& values);
+
+/// Everything a command has to say.
+struct Report {
+  std::string text;
+  Json json;
+  std::vector<Column> series;  ///< what --csv prints: columns of equal length
+};
+
+/// Adds --json and --csv.
+void add_format_options(po::options_description& options);
+
+/// Prints the form that was asked for to standard output. Throws UsageError for both forms at once.
+void print(const Report& report, const po::variables_map& values);
+
+/// null where there is no value.
+Json json_of(const std::optional<double>& value);
+Json json_of(const std::vector<std::optional<double>>& values);
+
+/// "-" where there is no value.
+std::string text_of(const std::optional<double>& value, double unit = 1.0);
+
+}  // namespace rupture::tools

@@ -1,0 +1,116 @@
+// restart: continue a checkpoint, with the same parameters or with changed ones.
+#include <fmt/core.h>
+
+#include <array>
+#include <string_view>
+
+#include "rupture/model/error.hpp"
+#include "simulate.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+struct Options {
+  std::string checkpoint;
+  std::optional<double> until, duration, quiet;  // [s]; quiet < 0: five mean slipping times
+  ParameterChanges parameters;
+  RunOptions run;
+  OutputOptions output;
+  std::vector<std::string> arguments;
+};
+
+constexpr double kLongestQuietRun = 10.0;  // [s]
+
+Options setup(int argc, char** argv) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("until", po::value<double>()->value_name("T"), "run until this time [s]");
+  add("for", po::value<double>()->value_name("T"), "run for this long [s]");
+  add("until-quiet", po::value<double>()->implicit_value(-1.0, "5 t_R")->value_name("T"),
+      "stop earlier, once no junction has broken for T [s] or the front has reached the leading "
+      "edge");
+  add_run_options(options);
+  add_output_options(options);
+  const Parsed parsed =
+      parse(argc, argv,
+            {"restart", "restart CHECKPOINT -o OUT (--until T | --for T | --until-quiet) [options]",
+             "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
+             "the\nuninterrupted run; --set changes parameters from this moment on, e.g. --set "
+             "driving.V=0."},
+            options, "checkpoint", UsesParameters::yes);
+  const auto& values = parsed.values;
+  Options result;
+  result.checkpoint = single_input(values, "checkpoint", "a checkpoint to continue");
+  result.until = optional_non_negative(values, "until");
+  result.duration = optional_non_negative(values, "for");
+  if (values.count("until-quiet") > 0) result.quiet = values["until-quiet"].as<double>();
+  if (result.until && result.duration) {
+    throw UsageError("--until and --for exclude each other: give one");
+  }
+  if (!result.until && !result.duration && !result.quiet) {
+    throw UsageError("when to stop? Give --until T, --for T or --until-quiet");
+  }
+  result.parameters = parsed.parameters;
+  result.run = run_options(values);
+  result.output = output_options(values);
+  result.arguments = parsed.arguments;
+  return result;
+}
+
+/// Parameters that give the state its meaning and so cannot change under it.
+constexpr std::array<std::string_view, 6> kFixed = {"slider.L",  "slider.H",      "slider.Nx",
+                                                    "slider.Nz", "junctions.N_s", "numerics.dt"};
+
+/// Applies the changes; the driving point stays where it is when its speed changes.
+void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) {
+  const Parameters before = checkpoint.parameters;
+  apply(changes, checkpoint.parameters);
+  for (const auto name : kFixed) {
+    const auto& info = find_parameter(name);
+    if (parameter_text(before, info) == parameter_text(checkpoint.parameters, info)) continue;
+    throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}", name,
+                                 parameter_text(before, info)));
+  }
+  if (checkpoint.parameters.V != before.V) {
+    State& state = checkpoint.state;
+    state.drive = {state.step, drive_position(before, state.drive, state.step)};
+  }
+}
+
+StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
+  const Parameters& p = checkpoint.parameters;
+  const std::int64_t now = checkpoint.state.step;
+  StopRule rule;
+  if (options.until) {
+    rule.last_step = step_at(p, *options.until);
+    if (rule.last_step < now) {
+      throw UsageError(fmt::format("--until {:g} is before the checkpoint's time {:.7g} s",
+                                   *options.until, time(p, checkpoint.state)));
+    }
+  } else {
+    rule.last_step = now + step_at(p, options.duration.value_or(kLongestQuietRun));
+  }
+  if (options.quiet) {
+    rule.quiet_steps = step_at(p, *options.quiet < 0.0 ? 5.0 * p.t_R : *options.quiet);
+  }
+  return rule;
+}
+
+int run(const Options& options) {
+  Checkpoint checkpoint = read_checkpoint(options.checkpoint);
+  const auto parent = content_checksum(checkpoint.parameters, checkpoint.state);
+  change_parameters(options.parameters, checkpoint);
+  validate(checkpoint.parameters);
+  checkpoint.provenance.push_back(make_provenance("restart", options.arguments, parent));
+  const StopRule rule = stop_rule(options, checkpoint);
+  simulate(std::move(checkpoint), rule, options.run, options.output);
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("restart", [&] { return run(setup(argc, argv)); });
+}

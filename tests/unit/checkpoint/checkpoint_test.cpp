@@ -1,0 +1,176 @@
+#include "rupture/checkpoint/checkpoint.hpp"
+
+#include <chrono>
+#include <limits>
+#include <thread>
+
+#include "fixtures.hpp"
+#include "rupture/checkpoint/compare.hpp"
+
+namespace rupture {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::expect_contains;
+using testing::failure_of;
+using testing::slurp;
+using testing::small_checkpoint;
+
+class CheckpointFile : public testing::InFolder {
+ protected:
+  std::string write(const Checkpoint& checkpoint) {
+    return write_checkpoint(file("x.h5"), checkpoint, IfExists::replace);
+  }
+
+  // What reading says about the small checkpoint after `change` to its content, properly sealed.
+  template <class Work>
+  std::string refusal_after(const Work& change) {
+    write(small_checkpoint());
+    Content content = read_content(file("x.h5"));
+    change(content);
+    write_content(file("x.h5"), FileKind::checkpoint, content, IfExists::replace);
+    return failure_of([&] { read_checkpoint(file("x.h5")); });
+  }
+};
+
+double sum_with_padding(const Field& field) {
+  double sum = 0;
+  for (Eigen::Index j = -1; j <= field.Nz(); ++j) {
+    for (Eigen::Index i = 0; i < field.stride(); ++i) sum += std::abs(field.row(j)[i]);
+  }
+  return sum;
+}
+
+TEST_F(CheckpointFile, returns_the_same_bits) {
+  const Checkpoint written = small_checkpoint();
+  const std::string checksum = write(written);
+  const Checkpoint read = read_checkpoint(file("x.h5"));
+  EXPECT_EQ(read.parameters, written.parameters);
+  EXPECT_EQ(read.provenance, written.provenance);
+  EXPECT_EQ(state_content(read.state), state_content(written.state));
+  EXPECT_TRUE((read.state.junctions.repin_time == written.state.junctions.repin_time).all());
+  EXPECT_TRUE(std::signbit(read.state.u_x(0, 0)));
+  EXPECT_EQ(checksum, content_checksum(written.parameters, written.state));
+  EXPECT_EQ(checksum, content_checksum(read.parameters, read.state));
+  EXPECT_EQ(checksum, verify_file(file("x.h5")));
+  EXPECT_EQ(identify(file("x.h5")), FileKind::checkpoint);
+}
+
+TEST_F(CheckpointFile, leaves_the_padding_of_fields_zero) {
+  write(small_checkpoint());
+  const State state = read_checkpoint(file("x.h5")).state;
+  for (const Field* field : {&state.u_x, &state.v_z, &state.f_z}) {
+    EXPECT_EQ(sum_with_padding(*field), [&] {
+      double sum = 0;
+      for (Eigen::Index j = 0; j < field->Nz(); ++j) {
+        for (Eigen::Index i = 0; i < field->Nx(); ++i) sum += std::abs((*field)(i, j));
+      }
+      return sum;
+    }());
+  }
+}
+
+TEST_F(CheckpointFile, of_the_reference_lattice_survives) {
+  Checkpoint written;
+  written.state = State(written.parameters);
+  written.state.v_x(56, 30) = 0.25;
+  const std::string checksum = write(written);
+  EXPECT_EQ(content_checksum(read_checkpoint(file("x.h5")).parameters,
+                             read_checkpoint(file("x.h5")).state),
+            checksum);
+  EXPECT_LT(fs::file_size(file("x.h5")), 300000U);
+}
+
+TEST_F(CheckpointFile, of_equal_content_is_equal_bytes_at_any_time) {
+  write(small_checkpoint());
+  const std::string first = slurp(file("x.h5"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's times count seconds
+  const std::vector<std::string> churn(100, std::string(10000, 'x'));
+  write_checkpoint(file("y.h5"), small_checkpoint(), IfExists::refuse);
+  EXPECT_EQ(slurp(file("y.h5")), first);
+  EXPECT_EQ(churn.size(), 100U);
+}
+
+TEST_F(CheckpointFile, names_every_parameter_by_its_table_row_with_its_unit) {
+  const Content content = parameters_content(testing::small_parameters());
+  EXPECT_EQ(content.size(), parameter_table().size());
+  EXPECT_EQ(content.at("/parameters/slider/L"), make_scalar(0.04, "m"));
+  EXPECT_EQ(content.at("/parameters/junctions/N_s"), make_scalar<std::int64_t>(3, "1"));
+  EXPECT_EQ(content.at("/parameters/junctions/f_new"), make_text("f_slip"));
+}
+
+TEST_F(CheckpointFile, stores_pinned_junctions_with_repin_time_zero) {
+  const Content content = state_content(small_checkpoint().state);
+  const auto slipping = read_array<std::uint8_t>(content, "/state/junctions/slipping", {5, 3});
+  const auto repin = read_array<double>(content, "/state/junctions/repin_time", {5, 3});
+  EXPECT_EQ(slipping[0], 1);
+  EXPECT_GT(repin[0], 0);
+  EXPECT_EQ(slipping[1], 0);
+  EXPECT_EQ(repin[1], 0);
+}
+
+TEST_F(CheckpointFile, with_nan_is_not_written) {
+  Checkpoint checkpoint = small_checkpoint();
+  checkpoint.state.v_x(2, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(failure_of([&] { write(checkpoint); }),
+            file("x.h5").string() +
+                ": /state/v_x holds nan at index 7 of [4][5]; only finite numbers are stored");
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(CheckpointFile, with_a_nan_repin_time_is_not_written) {
+  Checkpoint checkpoint = small_checkpoint();
+  checkpoint.state.junctions.repin_time(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  expect_contains(failure_of([&] { write(checkpoint); }), "/state/junctions/repin_time holds nan");
+}
+
+TEST_F(CheckpointFile, lacking_a_dataset_is_refused) {
+  expect_contains(refusal_after([](Content& c) { c.erase("/state/u_z"); }),
+                  "x.h5: /state/u_z is missing; expected float64 of shape [4][5]");
+  expect_contains(refusal_after([](Content& c) { c.erase("/parameters/slider/E"); }),
+                  "/parameters/slider/E is missing; expected one float64");
+}
+
+TEST_F(CheckpointFile, with_a_dataset_too_many_is_refused) {
+  expect_contains(refusal_after([](Content& c) { c["/state/extra"] = make_text("x"); }),
+                  "x.h5: /state/extra is not part of a checkpoint: use a newer rupture");
+  expect_contains(refusal_after([](Content& c) { c["/parameters/slider/X"] = make_text("x"); }),
+                  "/parameters/slider/X is no parameter of this build: use a newer rupture");
+}
+
+TEST_F(CheckpointFile, whose_shapes_contradict_its_parameters_is_refused) {
+  expect_contains(refusal_after([](Content& c) {
+                    c["/parameters/junctions/N_s"] = make_scalar<std::int64_t>(4, "1");
+                  }),
+                  "/state/junctions/repin_time holds float64 of shape [5][3]; expected float64 of "
+                  "shape [5][4]");
+}
+
+TEST_F(CheckpointFile, with_invalid_parameters_is_refused) {
+  expect_contains(
+      refusal_after([](Content& c) { c["/parameters/junctions/f_new"] = make_text("both"); }),
+      "junctions.f_new = 'both' is unknown");
+  expect_contains(
+      refusal_after([](Content& c) { c["/parameters/slider/B"] = make_scalar(-1.0, "m"); }),
+      "slider.B = -1 is out of range");
+  expect_contains(
+      refusal_after([](Content& c) { c["/parameters/numerics/dt"] = make_scalar(0.5, "s"); }),
+      "numerics.dt = 0.5 s is unstable");
+}
+
+TEST_F(CheckpointFile, with_contradictory_junctions_is_refused) {
+  const auto set_slipping = [](std::uint8_t value) {
+    return [value](Content& c) {
+      c.at("/state/junctions/slipping").bytes[0] = static_cast<std::byte>(value);
+    };
+  };
+  expect_contains(refusal_after(set_slipping(2)), "junction 0 of block 0 has");
+  expect_contains(refusal_after(set_slipping(0)), "expected 0 and 0 s if it is pinned");
+  expect_contains(
+      refusal_after([](Content& c) { c["/state/step"] = make_scalar<std::int64_t>(-1, "1"); }),
+      "/state/step = -1; expected 0 or more");
+}
+
+}  // namespace
+}  // namespace rupture

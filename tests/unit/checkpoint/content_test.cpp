@@ -1,0 +1,78 @@
+#include "rupture/checkpoint/content.hpp"
+
+#include <limits>
+
+#include "fixtures.hpp"
+
+namespace rupture {
+namespace {
+
+using testing::expect_contains;
+using testing::failure_of;
+
+Content two_by_three() {
+  const std::vector<double> values = {1, 2, 3, 4, 5, 6};
+  return {{"/state/a", make_array(std::span(values), {2, 3}, "m")}};
+}
+
+TEST(Content, returns_arrays_scalars_and_texts_as_they_were_put_in) {
+  Content content = two_by_three();
+  content["/n"] = make_scalar<std::int64_t>(-7, "1");
+  content["/t"] = make_text("gaussian");
+  EXPECT_EQ(read_array<double>(content, "/state/a", {2, 3}),
+            (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(read_scalar<std::int64_t>(content, "/n"), -7);
+  EXPECT_EQ(read_text(content, "/t"), "gaussian");
+  EXPECT_EQ(content.at("/state/a").unit, "m");
+}
+
+TEST(Content, keeps_an_empty_text_empty) {
+  EXPECT_EQ(make_text("").bytes.size(), 1U);
+  EXPECT_EQ(read_text({{"/t", make_text("")}}, "/t"), "");
+}
+
+TEST(Content, refuses_a_text_with_a_null) {
+  expect_contains(failure_of([] { make_text(std::string_view("a\0b", 3)); }), "null byte");
+}
+
+TEST(Content, says_which_dataset_is_missing) {
+  EXPECT_EQ(failure_of([] {
+              read_array<double>({}, "/state/a", {2, 3});
+            }),
+            "/state/a is missing; expected float64 of shape [2][3]");
+  EXPECT_EQ(failure_of([] { read_text({}, "/t"); }), "/t is missing; expected text");
+}
+
+TEST(Content, says_which_shape_or_type_was_found_and_expected) {
+  EXPECT_EQ(failure_of([] {
+              read_array<double>(two_by_three(), "/state/a", {3, 2});
+            }),
+            "/state/a holds float64 of shape [2][3]; expected float64 of shape [3][2]");
+  EXPECT_EQ(failure_of([] { read_scalar<std::int64_t>(two_by_three(), "/state/a"); }),
+            "/state/a holds float64 of shape [2][3]; expected one int64");
+}
+
+TEST(Content, refuses_an_array_whose_bytes_do_not_fill_its_shape) {
+  Content content = two_by_three();
+  content.at("/state/a").bytes.pop_back();
+  EXPECT_EQ(failure_of([&] {
+              read_array<double>(content, "/state/a", {2, 3});
+            }),
+            "/state/a holds 47 bytes; expected 48");
+}
+
+TEST(Content, finds_nan_and_infinity_in_any_float64) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    const std::vector<double> values = {1, 2, 3, bad};
+    const Content content = {{"/state/a", make_array(std::span(values), {4}, "m")}};
+    const std::string message = failure_of([&] { check_finite(content); });
+    expect_contains(message, "/state/a holds");
+    expect_contains(message, "at index 3 of [4]; only finite numbers are stored");
+  }
+  EXPECT_NO_THROW(check_finite(two_by_three()));
+}
+
+}  // namespace
+}  // namespace rupture

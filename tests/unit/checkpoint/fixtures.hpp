@@ -1,0 +1,135 @@
+// What the checkpoint tests share: a folder that vanishes, and a small checkpoint in which every
+// number is different.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/record.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::testing {
+
+namespace fs = std::filesystem;
+
+/// A fresh folder per test.
+class InFolder : public ::testing::Test {
+ protected:
+  InFolder() {
+    std::string name = (fs::temp_directory_path() / "rupture-test-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw Failure("no temporary folder");
+    folder_ = name;
+  }
+  ~InFolder() override { fs::remove_all(folder_); }
+
+  fs::path file(const std::string& name) const { return folder_ / name; }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      found.push_back(entry.path().filename().string());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  fs::path folder_;
+};
+
+inline std::string slurp(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void spill(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+inline std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+/// The message of the Failure that `work` throws; a note that it threw none otherwise.
+template <class Work>
+std::string failure_of(const Work& work) {
+  try {
+    work();
+  } catch (const Failure& failure) {
+    return failure.what();
+  }
+  return "(no failure)";
+}
+
+inline void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << text << "' lacks '" << part << "'";
+}
+
+/// 5 x 4 blocks with 3 junctions each.
+inline Parameters small_parameters() {
+  Parameters parameters;
+  parameters.L = 0.04;
+  parameters.H = 0.03;
+  parameters.Nx = 5;
+  parameters.Nz = 4;
+  parameters.h = 0.01;
+  parameters.N_s = 3;
+  parameters.f_new = NewForce::f_slip;
+  return parameters;
+}
+
+inline State small_state(const Parameters& parameters) {
+  State state(parameters);
+  state.step = 1234567;
+  state.drive = {1000, 1.0 / 3.0};
+  double value = 1e-6;
+  for (Field* field : {&state.u_x, &state.u_z, &state.v_x, &state.v_z, &state.f_x, &state.f_z}) {
+    for (Eigen::Index j = 0; j < field->Nz(); ++j) {
+      for (Eigen::Index i = 0; i < field->Nx(); ++i) (*field)(i, j) = value *= -1.1;
+    }
+  }
+  state.u_x(0, 0) = -0.0;
+  state.u_x(1, 0) = 5e-324;
+  for (Eigen::Index i = 0; i < parameters.Nx; ++i) {
+    for (Eigen::Index j = 0; j < parameters.N_s; ++j) {
+      state.junctions.attachment(i, j) = value *= -0.9;
+      if ((i + j) % 2 == 0) state.junctions.repin_time(i, j) = std::abs(value);
+      state.junctions.draws(i, j) = static_cast<std::uint32_t>(100 * i + j);
+    }
+  }
+  return state;
+}
+
+inline Checkpoint small_checkpoint() {
+  Checkpoint checkpoint;
+  checkpoint.parameters = small_parameters();
+  checkpoint.state = small_state(checkpoint.parameters);
+  checkpoint.provenance = {{"load", "0.1.0", "abc", "load -o x.h5", "gcc 12.2.0", ""},
+                           {"restart", "0.1.0", "abc", "restart 'my x.h5'", "gcc 12.2.0",
+                            content_checksum(checkpoint.parameters, checkpoint.state)}};
+  return checkpoint;
+}
+
+/// Sample number n; every value differs from every other one.
+inline Sample small_sample(std::size_t Nx, int n) {
+  Sample sample;
+  sample.time = 0.001 * n;
+  sample.step = 100 * n;
+  sample.F_T = 7.0 + n;
+  sample.x_drive = 1e-6 * n;
+  for (std::size_t i = 0; i < Nx; ++i) {
+    const double value = n + static_cast<double>(i) / 16.0;
+    sample.pinned.push_back(static_cast<std::uint16_t>(static_cast<std::size_t>(n) + i));
+    sample.p.push_back(value);
+    sample.tau.push_back(-value);
+    sample.u_x.push_back(1e-6 * value);
+  }
+  return sample;
+}
+
+}  // namespace rupture::testing

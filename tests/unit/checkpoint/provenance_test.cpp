@@ -1,0 +1,48 @@
+#include "rupture/checkpoint/provenance.hpp"
+
+#include "fixtures.hpp"
+#include "rupture/version.hpp"
+
+namespace rupture {
+namespace {
+
+using testing::expect_contains;
+using testing::failure_of;
+
+TEST(Provenance, quotes_arguments_as_a_shell_needs_them) {
+  EXPECT_EQ(shell_line({"load", "-o", "a/b.h5", "--set=driving.V=0"}),
+            "load -o a/b.h5 --set=driving.V=0");
+  EXPECT_EQ(shell_line({"x", "", "a b", "it's", "$HOME", "*", "a\nb", "~"}),
+            "x '' 'a b' 'it'\\''s' '$HOME' '*' 'a\nb' '~'");
+}
+
+TEST(Provenance, of_this_build_names_tool_version_commit_and_compiler) {
+  const ProvenanceEntry entry = make_provenance("load", {"load", "--until", "1 s"}, "abc");
+  EXPECT_EQ(entry.tool, "load");
+  EXPECT_EQ(entry.version, version);
+  EXPECT_EQ(entry.commit, commit);
+  EXPECT_EQ(entry.command_line, "load --until '1 s'");
+  EXPECT_EQ(entry.parent_checksum, "abc");
+  EXPECT_TRUE(entry.compiler.starts_with("gcc ") || entry.compiler.starts_with("clang "));
+}
+
+TEST(Provenance, chain_survives_being_content) {
+  const auto chain = testing::small_checkpoint().provenance;
+  EXPECT_EQ(read_provenance(provenance_content(chain)), chain);
+  EXPECT_TRUE(read_provenance({}).empty());
+}
+
+TEST(Provenance, refuses_gaps) {
+  Content incomplete = provenance_content(testing::small_checkpoint().provenance);
+  incomplete.erase("/provenance/0001/compiler");
+  expect_contains(failure_of([&] { read_provenance(incomplete); }),
+                  "/provenance/0001/compiler is missing; expected text");
+  Content headless = provenance_content(testing::small_checkpoint().provenance);
+  std::erase_if(headless,
+                [](const auto& item) { return item.first.starts_with("/provenance/0000"); });
+  expect_contains(failure_of([&] { read_provenance(headless); }),
+                  "/provenance/0000/tool is missing");
+}
+
+}  // namespace
+}  // namespace rupture

@@ -1,0 +1,83 @@
+// Other programs can read our files, and recompute their checksum from docs/schema.md alone.
+#include <cstdio>
+#include <memory>
+
+#include "fixtures.hpp"
+#include "rupture/checkpoint/checksum.hpp"
+
+namespace rupture {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPython = "/usr/bin/python3";
+
+fs::path schema_page() {
+  return fs::path(__FILE__).parent_path() / "../../../docs/schema.md";
+}
+
+// The first ```python block of the page.
+std::string python_of(const std::string& page) {
+  const std::string fence = "```python\n";
+  const std::size_t start = page.find(fence) + fence.size();
+  return page.substr(start, page.find("```", start) - start);
+}
+
+std::string output_of(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string output(4096, '\0');
+  output.resize(fread(output.data(), 1, output.size(), pipe.get()));
+  return output;
+}
+
+class Python : public testing::InFolder {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(schema_page())) GTEST_SKIP() << "the sources are elsewhere";
+    if (output_of(std::string(kPython) + " -c 'import h5py; print(1)' 2>&1") != "1\n") {
+      GTEST_SKIP() << kPython << " has no h5py";
+    }
+    testing::spill(file("checksum.py"), python_of(testing::slurp(schema_page())));
+  }
+  std::string recomputed(const char* name) {
+    return output_of(std::string(kPython) + " " + file("checksum.py").string() + " " +
+                     file(name).string() + " 2>&1");
+  }
+};
+
+TEST_F(Python, recomputes_the_checksum_of_a_checkpoint) {
+  const std::string checksum =
+      write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::refuse);
+  EXPECT_EQ(recomputed("x.h5"), checksum + "\n");
+}
+
+TEST_F(Python, recomputes_the_checksum_of_a_record) {
+  RecordWriter out(file("r.h5"), testing::small_parameters(), {}, IfExists::refuse, 4);
+  for (int n = 0; n < 10; ++n) out.append(testing::small_sample(5, n));
+  const std::string checksum = out.finish();
+  EXPECT_EQ(recomputed("r.h5"), checksum + "\n");
+}
+
+TEST_F(Python, reads_a_record_in_the_making) {
+  RecordWriter out(file("r.h5"), testing::small_parameters(), {}, IfExists::refuse, 4);
+  for (int n = 0; n < 10; ++n) out.append(testing::small_sample(5, n));
+  const std::string so_far = recomputed("r.h5.part");
+  EXPECT_EQ(so_far, content_checksum(read_content(file("r.h5.part"))) + "\n");
+}
+
+TEST_F(Python, reads_values_units_and_attributes) {
+  write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::refuse);
+  testing::spill(
+      file("show.py"),
+      "import h5py, sys\n"
+      "f = h5py.File(sys.argv[1])\n"
+      "print(f.attrs['format'].decode(), f.attrs['schema_version'])\n"
+      "print(f['parameters/slider/L'][()], f['parameters/slider/L'].attrs['unit'].decode())\n"
+      "print(f['state/junctions/draws'][4, 2], f['state/u_x'].shape)\n");
+  EXPECT_EQ(output_of(std::string(kPython) + " " + file("show.py").string() + " " +
+                      file("x.h5").string() + " 2>&1"),
+            "rupture-checkpoint 1\n0.04 m\n402 (4, 5)\n");
+}
+
+}  // namespace
+}  // namespace rupture

@@ -1,0 +1,230 @@
+#include "rupture/checkpoint/record.hpp"
+
+#include <sys/resource.h>
+
+#include <limits>
+
+#include "fixtures.hpp"
+
+namespace rupture {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::expect_contains;
+using testing::failure_of;
+using testing::slurp;
+using testing::small_parameters;
+using testing::small_sample;
+using testing::spill;
+
+constexpr std::size_t kNx = 5;
+
+class RecordFile : public testing::InFolder {
+ protected:
+  RecordWriter writer(const char* name, std::size_t flush_every = 256,
+                      IfExists if_exists = IfExists::refuse) {
+    return {file(name), small_parameters(), testing::small_checkpoint().provenance, if_exists,
+            flush_every};
+  }
+
+  static void append(RecordWriter& record, int from, int to) {
+    for (int n = from; n < to; ++n) {
+      record.append(small_sample(kNx, n));
+      if (n % 4 == 0) record.append(std::vector<Rupture>{{100 * n, 0.001 * n, n % 5}});
+    }
+  }
+
+  static void expect_samples(const Record& record, int count) {
+    ASSERT_EQ(record.time.size(), static_cast<std::size_t>(count));
+    ASSERT_EQ(record.u_x.rows(), count);
+    for (int n = 0; n < count; ++n) {
+      const Sample sample = small_sample(kNx, n);
+      const auto at = static_cast<std::size_t>(n);
+      EXPECT_EQ(record.time[at], sample.time);
+      EXPECT_EQ(record.step[at], sample.step);
+      EXPECT_EQ(record.F_T[at], sample.F_T);
+      EXPECT_EQ(record.x_drive[at], sample.x_drive);
+      for (std::size_t i = 0; i < kNx; ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        EXPECT_EQ(record.pinned(n, column), sample.pinned[i]);
+        EXPECT_EQ(record.p(n, column), sample.p[i]);
+        EXPECT_EQ(record.tau(n, column), sample.tau[i]);
+        EXPECT_EQ(record.u_x(n, column), sample.u_x[i]);
+      }
+    }
+  }
+};
+
+TEST_F(RecordFile, returns_what_was_appended) {
+  auto out = writer("r.h5", 7);
+  append(out, 0, 40);
+  const std::string checksum = out.finish();
+  const Record record = read_record(file("r.h5"));
+  expect_samples(record, 40);
+  EXPECT_EQ(record.complete, Complete::yes);
+  EXPECT_EQ(record.parameters, small_parameters());
+  EXPECT_EQ(record.provenance, testing::small_checkpoint().provenance);
+  ASSERT_EQ(record.ruptures.size(), 10U);
+  EXPECT_EQ(record.ruptures[9], (Rupture{3600, 0.001 * 36, 1}));
+  EXPECT_EQ(verify_file(file("r.h5")), checksum);
+  EXPECT_EQ(identify(file("r.h5")), FileKind::record);
+  EXPECT_EQ(slurp(file("r.h5.sum")), checksum + "  r.h5\n");
+  EXPECT_EQ(names(), (std::vector<std::string>{"r.h5", "r.h5.sum"}));
+}
+
+TEST_F(RecordFile, has_the_same_bytes_however_often_it_was_flushed) {
+  auto often = writer("a.h5", 1);
+  append(often, 0, 20);
+  auto rarely = writer("b.h5", 1000);
+  append(rarely, 0, 20);
+  EXPECT_EQ(often.finish(), rarely.finish());
+  EXPECT_EQ(slurp(file("a.h5")), slurp(file("b.h5")));
+}
+
+TEST_F(RecordFile, grows_over_many_chunks) {
+  auto out = writer("r.h5");
+  append(out, 0, 20000);
+  out.finish();
+  const Record record = read_record(file("r.h5"));
+  ASSERT_EQ(record.time.size(), 20000U);
+  EXPECT_EQ(record.p(19999, 4), 19999 + 0.25);
+  EXPECT_EQ(record.ruptures.size(), 5000U);
+}
+
+TEST_F(RecordFile, may_be_empty) {
+  auto out = writer("r.h5");
+  out.finish();
+  const Record record = read_record(file("r.h5"));
+  EXPECT_TRUE(record.time.empty());
+  EXPECT_TRUE(record.ruptures.empty());
+  EXPECT_EQ(record.p.cols(), 5);
+}
+
+TEST_F(RecordFile, in_the_making_is_readable_up_to_its_last_flush) {
+  auto out = writer("r.h5", 8);
+  expect_samples(read_record(file("r.h5.part")), 0);
+  append(out, 0, 20);
+  const Record record = read_record(file("r.h5.part"));
+  expect_samples(record, 16);
+  EXPECT_EQ(record.complete, Complete::no);
+  EXPECT_EQ(identify(file("r.h5.part")), FileKind::open_record);
+  EXPECT_FALSE(fs::exists(file("r.h5")));
+  out.flush();
+  expect_samples(read_record(file("r.h5.part")), 20);
+}
+
+TEST_F(RecordFile, interrupted_stays_behind_as_a_part_that_cannot_be_verified) {
+  {
+    auto out = writer("r.h5", 8);
+    append(out, 0, 20);
+  }
+  EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
+  expect_samples(read_record(file("r.h5.part")), 16);
+  expect_contains(failure_of([&] { verify_file(file("r.h5.part")); }),
+                  "r.h5.part: an unfinished record cannot be verified");
+}
+
+TEST_F(RecordFile, interrupted_within_a_flush_keeps_the_rows_that_all_series_have) {
+  auto out = writer("r.h5", 8);
+  append(out, 0, 8);
+  ContentFile part = read_file(file("r.h5.part"));
+  Dataset& time = part.content.at("/series/time");
+  time.shape = {10};
+  time.bytes.resize(80);
+  expect_samples(record_from(part), 8);
+}
+
+TEST_F(RecordFile, is_not_started_where_it_could_not_be_finished) {
+  spill(file("r.h5"), "precious");
+  EXPECT_EQ(failure_of([&] { writer("r.h5"); }),
+            file("r.h5").string() + " exists; give --force to replace it");
+  spill(file("q.h5.part"), "precious");
+  EXPECT_EQ(failure_of([&] { writer("q.h5"); }),
+            file("q.h5.part").string() + " exists; give --force to replace it");
+  auto forced = writer("r.h5", 256, IfExists::replace);
+  EXPECT_EQ(slurp(file("r.h5")), "precious");
+  forced.finish();
+  EXPECT_TRUE(read_record(file("r.h5")).time.empty());
+}
+
+TEST_F(RecordFile, does_not_overwrite_a_file_that_appeared_meanwhile) {
+  auto out = writer("r.h5");
+  append(out, 0, 3);
+  spill(file("r.h5"), "precious");
+  expect_contains(failure_of([&] { out.finish(); }), "exists; give --force to replace it");
+  EXPECT_EQ(slurp(file("r.h5")), "precious");
+  expect_samples(read_record(file("r.h5.part")), 3);
+}
+
+TEST_F(RecordFile, refuses_nan_at_the_next_flush) {
+  auto out = writer("r.h5", 4);
+  append(out, 0, 3);
+  Sample bad = small_sample(kNx, 3);
+  bad.tau[2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(failure_of([&] { out.append(bad); }),
+            file("r.h5").string() +
+                ": /series/tau holds nan at index 17 of [4][5]; only finite numbers are stored");
+}
+
+TEST_F(RecordFile, refuses_samples_of_the_wrong_length_and_too_many_junctions) {
+  auto out = writer("r.h5");
+  EXPECT_EQ(failure_of([&] { out.append(small_sample(4, 1)); }),
+            "a sample has 4 values of pinned; expected Nx = 5");
+  Parameters many = small_parameters();
+  many.N_s = 65536;
+  EXPECT_THROW(RecordWriter(file("q.h5"), many, {}, IfExists::refuse), UsageError);
+}
+
+TEST_F(RecordFile, on_a_full_disk_fails_with_the_reason_and_keeps_the_part) {
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  {
+    auto out = writer("r.h5", 8);
+    append(out, 0, 8);
+    const rlimit limit{fs::file_size(file("r.h5.part")) + 1000, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const std::string message = failure_of([&] { append(out, 8, 20000); });
+    expect_contains(message, "r.h5.part: could not ");
+    expect_contains(message, "File too large");
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
+}
+
+TEST_F(RecordFile, and_checkpoint_are_not_mistaken_for_each_other) {
+  auto out = writer("r.h5");
+  append(out, 0, 3);
+  EXPECT_EQ(failure_of([&] { read_checkpoint(file("r.h5.part")); }),
+            file("r.h5.part").string() + " is an unfinished record; expected a checkpoint");
+  out.finish();
+  write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::refuse);
+  EXPECT_EQ(failure_of([&] { read_checkpoint(file("r.h5")); }),
+            file("r.h5").string() + " is a record; expected a checkpoint");
+  EXPECT_EQ(failure_of([&] { read_record(file("x.h5")); }),
+            file("x.h5").string() + " is a checkpoint; expected a record");
+}
+
+TEST_F(RecordFile, with_impossible_datasets_is_refused) {
+  auto out = writer("r.h5");
+  append(out, 0, 5);
+  out.finish();
+  const auto refusal_after = [&](const auto& change) {
+    Content content = read_content(file("r.h5"));
+    change(content);
+    write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
+    return failure_of([&] { read_record(file("q.h5")); });
+  };
+  expect_contains(refusal_after([](Content& c) { c.erase("/series/p"); }),
+                  "q.h5: /series/p is missing; expected float64 of shape [5][5]");
+  expect_contains(refusal_after([](Content& c) { c["/series/q"] = make_text(""); }),
+                  "/series/q is not part of a record: use a newer rupture");
+  expect_contains(refusal_after([](Content& c) {
+                    const std::vector<std::int64_t> blocks = {0, 5};
+                    c["/ruptures/block"] = make_array(std::span(blocks), {2}, "1");
+                  }),
+                  "/ruptures/block holds 5 at index 1; expected a block from 0 to 4");
+}
+
+}  // namespace
+}  // namespace rupture
