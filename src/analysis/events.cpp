@@ -27,9 +27,9 @@ double smallest_force(const LoadingCurve& loading, double from, double to) {
 Event describe(const Parameters& p, std::span<const Rupture> ruptures, const LoadingCurve& loading,
                double quiet, const FrontCriteria& criteria) {
   const double l = block_spacing(p);
-  const auto furthest = std::max_element(
-      ruptures.begin(), ruptures.end(),
-      [](const Rupture& a, const Rupture& b) { return a.block < b.block; });
+  const auto furthest =
+      std::max_element(ruptures.begin(), ruptures.end(),
+                       [](const Rupture& a, const Rupture& b) { return a.block < b.block; });
   Event event;
   event.t_start = ruptures.front().time;
   event.t_end = ruptures.back().time;

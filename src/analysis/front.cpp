@@ -86,9 +86,12 @@ std::vector<std::optional<double>> front_speed(const RuptureLine& line) {
 
 std::string_view front_type_name(FrontType type) {
   switch (type) {
-    case FrontType::slow: return "slow";
-    case FrontType::fast: return "fast";
-    case FrontType::arrested: break;
+    case FrontType::slow:
+      return "slow";
+    case FrontType::fast:
+      return "fast";
+    case FrontType::arrested:
+      break;
   }
   return "arrested";
 }
@@ -100,10 +103,10 @@ Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& 
   for (std::size_t i = 0; i < front.line.x.size(); ++i) {
     if (front.line.t_rupture[i]) front.x_arrest = front.line.x[i];
   }
-  const auto stretches = slow_stretches(front, criteria.slow_below * shear_wave_speed(p),
-                                        criteria.skip_below_x);
-  const auto longest = std::max_element(
-      stretches.begin(), stretches.end(), [&](const Stretch& a, const Stretch& b) {
+  const auto stretches =
+      slow_stretches(front, criteria.slow_below * shear_wave_speed(p), criteria.skip_below_x);
+  const auto longest =
+      std::max_element(stretches.begin(), stretches.end(), [&](const Stretch& a, const Stretch& b) {
         return duration(front.line, a) < duration(front.line, b);
       });
   if (longest != stretches.end()) front.slow = describe(front, *longest, criteria.skip_below_x);

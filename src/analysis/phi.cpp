@@ -9,8 +9,8 @@
 namespace rupture {
 namespace {
 
-/// Positive quantile of the bell: phi integrates to 1 - q = 5/4 y^4 - 3/4 y^5 with y = 1 - xi, which
-/// falls monotonically in xi and is solved by bisection to the last bit.
+/// Positive quantile of the bell: phi integrates to 1 - q = 5/4 y^4 - 3/4 y^5 with y = 1 - xi,
+/// which falls monotonically in xi and is solved by bisection to the last bit.
 double bell_quantile(double q) {
   double low = 0.0, high = 1.0;
   for (;;) {
@@ -55,7 +55,8 @@ double mean_force(const Junctions& junctions, const BlockJunctions& block,
   return sum / static_cast<double>(chosen.size());
 }
 
-/// Sets the chosen junctions to mean + half_width * quantiles; returns what stopped it, if anything.
+/// Sets the chosen junctions to mean + half_width * quantiles; returns what stopped it, if
+/// anything.
 std::optional<ImpossibleBlock> spread(const Parameters& p, Junctions& junctions,
                                       const BlockJunctions& block, const PhiChange& change) {
   const auto chosen = changing(junctions, block, change.slipping);

@@ -187,10 +187,11 @@ State normal_load_equilibrium(const Parameters& p) {
     if (solver.info() != Eigen::Success) break;
     add_displacement(p, solver.solve(gather(p, f_x, f_z)), state);
   }
-  throw Failure(fmt::format(
-      "no equilibrium under F_N = {:g} N was found: the load is too large for slider.E = {:g} Pa or "
-      "the slider tips over",
-      p.F_N, p.E));
+  throw Failure(
+      fmt::format("no equilibrium under F_N = {:g} N was found: the load is too large for slider.E "
+                  "= {:g} Pa or "
+                  "the slider tips over",
+                  p.F_N, p.E));
 }
 
 State relaxed_equilibrium(const Parameters& p, double duration) {
@@ -202,9 +203,8 @@ State relaxed_equilibrium(const Parameters& p, double duration) {
   const double half_kick = p.dt / (2.0 * block_mass(p));
   const auto steps = static_cast<std::int64_t>(std::llround(duration / p.dt));
   for (std::int64_t n = 0; n < steps; ++n) {
-    kernels().kick_drift(bulk.shape(), half_kick, p.dt,
-                         {state.f_x.row(0), state.f_z.row(0)}, view(state.v_x, state.v_z),
-                         view(state.u_x, state.u_z));
+    kernels().kick_drift(bulk.shape(), half_kick, p.dt, {state.f_x.row(0), state.f_z.row(0)},
+                         view(state.v_x, state.v_z), view(state.u_x, state.u_z));
     static_forces(p, bulk, state, state.f_x, state.f_z);
     bulk.damping(state.v_x, state.v_z, damping_x, damping_z);
     state.f_x.blocks() += damping_x.blocks() - alpha * state.v_x.blocks();

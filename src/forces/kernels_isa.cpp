@@ -47,7 +47,9 @@ Lanes load(const double* from) {
   return lanes;
 }
 
-void store(double* to, Lanes lanes) { __builtin_memcpy(to, &lanes, sizeof lanes); }
+void store(double* to, Lanes lanes) {
+  __builtin_memcpy(to, &lanes, sizeof lanes);
+}
 
 Lanes square_root(Lanes x) {
   for (int lane = 0; lane < RUPTURE_LANES; ++lane) x[lane] = sqrt(x[lane]);
@@ -79,11 +81,12 @@ Lanes along(double l, Lanes d) {
   }
 }
 
-/// Force on the near end of a spring along lattice vector (ix, iz) l whose far end moved by (dx, dz)
-/// relative to the near end: F = k (r - l_0) e_r = k (1 - 1/sqrt(1+s)) r with s = (r^2 - l_0^2)/l_0^2.
+/// Force on the near end of a spring along lattice vector (ix, iz) l whose far end moved by (dx,
+/// dz) relative to the near end: F = k (r - l_0) e_r = k (1 - 1/sqrt(1+s)) r with s = (r^2 -
+/// l_0^2)/l_0^2.
 ///
-/// r^2 - l_0^2 = (2 ix l + dx) dx + (2 iz l + dz) dz and 1 - 1/q = s / (q + q^2), q^2 = 1 + s: neither
-/// cancels at small strain. `exists` is 0 in lanes where there is no such spring.
+/// r^2 - l_0^2 = (2 ix l + dx) dx + (2 iz l + dz) dz and 1 - 1/q = s / (q + q^2), q^2 = 1 + s:
+/// neither cancels at small strain. `exists` is 0 in lanes where there is no such spring.
 template <int ix, int iz>
 Force spring(Springs c, Lanes dx, Lanes dz, Lanes exists) {
   constexpr double n = ix * ix + iz * iz;  // l_0^2 = n l^2; next-nearest springs have k/2 = k/n
@@ -101,8 +104,9 @@ Force spring(Springs c, Lanes dx, Lanes dz, Lanes exists) {
 ///        |  / \  |               rise:   (i,j)   - (i+1,j+1)
 ///     (i,j) --- (i+1,j)          fall:   (i+1,j) - (i,j+1)
 ///
-/// `next` holds what row j receives from below and is replaced by what row j + 1 receives from row j.
-/// Forces on column i + 1 are kept in `to_right` (row j) and `to_rise` (row j + 1) and shifted there.
+/// `next` holds what row j receives from below and is replaced by what row j + 1 receives from row
+/// j. Forces on column i + 1 are kept in `to_right` (row j) and `to_rise` (row j + 1) and shifted
+/// there.
 void elastic_row(const LatticeShape& n, Springs c, ConstVectorView u, VectorView f,
                  VectorView next) {
   Force to_right = {}, to_rise = {};
@@ -122,10 +126,10 @@ void elastic_row(const LatticeShape& n, Springs c, ConstVectorView u, VectorView
     const Force fall = spring<-1, 1>(c, ux_above - ux_right, uz_above - uz_right, has_right);
 
     const Force on_right = {fall.x - right.x, fall.z - right.z};
-    store(f.x + i, load(next.x + i) + ((right.x + rise.x) + up.x) +
-                       shift_in(to_right.x, on_right.x));
-    store(f.z + i, load(next.z + i) + ((right.z + rise.z) + up.z) +
-                       shift_in(to_right.z, on_right.z));
+    store(f.x + i,
+          load(next.x + i) + ((right.x + rise.x) + up.x) + shift_in(to_right.x, on_right.x));
+    store(f.z + i,
+          load(next.z + i) + ((right.z + rise.z) + up.z) + shift_in(to_right.z, on_right.z));
     store(next.x + i, -(up.x + fall.x) - shift_in(to_rise.x, rise.x));
     store(next.z + i, -(up.z + fall.z) - shift_in(to_rise.z, rise.z));
     to_right = on_right;
@@ -138,9 +142,8 @@ void elastic_top_row(const LatticeShape& n, Springs c, ConstVectorView u, Vector
                      ConstVectorView next) {
   Force to_right = {};
   for (Index i = 0; i < n.stride; i += RUPTURE_LANES) {
-    const Force right =
-        spring<1, 0>(c, load(u.x + i + 1) - load(u.x + i), load(u.z + i + 1) - load(u.z + i),
-                     load(n.has_right + i));
+    const Force right = spring<1, 0>(c, load(u.x + i + 1) - load(u.x + i),
+                                     load(u.z + i + 1) - load(u.z + i), load(n.has_right + i));
     store(f.x + i, load(next.x + i) + (right.x - shift_in(to_right.x, right.x)));
     store(f.z + i, load(next.z + i) + (right.z - shift_in(to_right.z, right.z)));
     to_right = right;
@@ -170,8 +173,7 @@ void sum_of_three(Index size, const double* v, double* sum) {
 /// eta sum_j (v_j - v_i) over the 3 x 3 neighbourhood, from the sums of three along x of the rows
 /// below, here and above.
 void damping_row(const LatticeShape& n, double eta, double rows, const double* below,
-                 const double* here, const double* above,
-                 const double* v, double* f) {
+                 const double* here, const double* above, const double* v, double* f) {
   const double* inside = n.inside;
   const double* columns = n.columns;
 #pragma omp simd
@@ -249,8 +251,7 @@ double damp_and_finish(LatticeShape n, double eta, double half_kick, ConstVector
   return sum_of_lanes(power);
 }
 
-void contact(Index Nx, const double* u_z, double k_f, double N_s, double kappa,
-             ContactView out) {
+void contact(Index Nx, const double* u_z, double k_f, double N_s, double kappa, ContactView out) {
   double* p = out.p;
   double* k_ij = out.k_ij;
   double* w = out.w;
@@ -266,8 +267,7 @@ void contact(Index Nx, const double* u_z, double k_f, double N_s, double kappa,
   }
 }
 
-double trail(Index N_s, double lower, double upper, const double* repin_time,
-             double* attachment) {
+double trail(Index N_s, double lower, double upper, const double* repin_time, double* attachment) {
   constexpr double never = 1e300;  // Junctions::never
   double lanes[8] = {};
   const Index whole = N_s - N_s % 8;

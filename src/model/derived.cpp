@@ -5,18 +5,30 @@
 
 namespace rupture {
 
-double block_spacing(const Parameters& p) { return p.L / static_cast<double>(p.Nx - 1); }
-double block_mass(const Parameters& p) { return p.M / static_cast<double>(p.Nx * p.Nz); }
-double bulk_stiffness(const Parameters& p) { return 3.0 * p.B * p.E / 4.0; }
+double block_spacing(const Parameters& p) {
+  return p.L / static_cast<double>(p.Nx - 1);
+}
+double block_mass(const Parameters& p) {
+  return p.M / static_cast<double>(p.Nx * p.Nz);
+}
+double bulk_stiffness(const Parameters& p) {
+  return 3.0 * p.B * p.E / 4.0;
+}
 double damping_coefficient(const Parameters& p) {
   return std::sqrt(p.damping * bulk_stiffness(p) * block_mass(p));
 }
-double foundation_stiffness(const Parameters& p) { return p.foundation * bulk_stiffness(p); }
-double density(const Parameters& p) { return p.M / (p.L * p.H * p.B); }
+double foundation_stiffness(const Parameters& p) {
+  return p.foundation * bulk_stiffness(p);
+}
+double density(const Parameters& p) {
+  return p.M / (p.L * p.H * p.B);
+}
 double shear_wave_speed(const Parameters& p) {
   return std::sqrt(p.E / (2.0 * (1.0 + kPoissonRatio)) / density(p));
 }
-double mean_normal_force(const Parameters& p) { return p.F_N / static_cast<double>(p.Nx); }
+double mean_normal_force(const Parameters& p) {
+  return p.F_N / static_cast<double>(p.Nx);
+}
 
 std::int64_t driving_row(const Parameters& p) {
   return static_cast<std::int64_t>(std::llround(p.h / block_spacing(p)));
@@ -30,8 +42,8 @@ double stable_time_step(const Parameters& p) {
   const double k = bulk_stiffness(p);
   const double m = block_mass(p);
   const double edge_pressure = 4.0;  // corner blocks bear a few times the mean normal force
-  const double k_i = static_cast<double>(p.N_s) *
-                     junction_stiffness(p, edge_pressure * mean_normal_force(p));
+  const double k_i =
+      static_cast<double>(p.N_s) * junction_stiffness(p, edge_pressure * mean_normal_force(p));
   const double surface = std::max({k_i, foundation_stiffness(p), p.K});
   const double omega2 = std::max(6.0 * k, 5.0 * k + surface) / m;
   const double c = 12.0 * damping_coefficient(p) / m;

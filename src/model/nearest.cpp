@@ -30,9 +30,10 @@ std::size_t distance(std::string_view word, std::string_view candidate) {
 }  // namespace
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
-  return *std::min_element(
-      candidates.begin(), candidates.end(),
-      [&](std::string_view a, std::string_view b) { return distance(word, a) < distance(word, b); });
+  return *std::min_element(candidates.begin(), candidates.end(),
+                           [&](std::string_view a, std::string_view b) {
+                             return distance(word, a) < distance(word, b);
+                           });
 }
 
 }  // namespace rupture

@@ -53,8 +53,8 @@ Number parse_number(const ParameterInfo& info, std::string_view text) {
   const auto* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
   if (text.empty() || result.ec != std::errc{} || result.ptr != end) {
-    throw UsageError(fmt::format("{} = '{}' is not {} (unit {})", info.name, text, kind,
-                                 info.unit));
+    throw UsageError(
+        fmt::format("{} = '{}' is not {} (unit {})", info.name, text, kind, info.unit));
   }
   const auto number = static_cast<double>(value);
   const bool too_small =
@@ -184,9 +184,8 @@ void validate(const Parameters& p) {
         p.mu_d, p.mu_s));
   }
   if (const double limit = stable_time_step(p); !(p.dt <= limit)) {
-    throw UsageError(
-        fmt::format("numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s",
-                    p.dt, limit));
+    throw UsageError(fmt::format(
+        "numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s", p.dt, limit));
   }
 }
 

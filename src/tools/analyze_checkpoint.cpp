@@ -61,14 +61,14 @@ int analyze_stress(int argc, const char* const* argv) {
   const double F_T = driving_force(p, checkpoint.state);
   const double x_p = centroid(x, normal, p.L);
   Report report;
-  report.json = {{"time", t}, {"x", x},       {"p", normal}, {"tau", friction},
+  report.json = {{"time", t},  {"x", x},       {"p", normal},      {"tau", friction},
                  {"F_T", F_T}, {"F_N", p.F_N}, {"p_centroid", x_p}};
   report.series = {column("x [m]", x), column("p [N]", normal), column("tau [N]", friction)};
   report.text = "    x [m]      p [N]    tau [N]   tau/p\n";
   for (std::size_t i = 0; i < x.size(); ++i) {
-    report.text += fmt::format("{:9.4f}{:11.4f}{:11.4f}{:>8}\n", x[i], normal[i], friction[i],
-                               normal[i] > 0.0 ? fmt::format("{:.4f}", friction[i] / normal[i])
-                                               : "-");
+    report.text +=
+        fmt::format("{:9.4f}{:11.4f}{:11.4f}{:>8}\n", x[i], normal[i], friction[i],
+                    normal[i] > 0.0 ? fmt::format("{:.4f}", friction[i] / normal[i]) : "-");
   }
   report.text += fmt::format(
       "t = {:.7g} s, F_T = {:.6g} N, sum p = {:.9g} N, sum tau = {:.6g} N, centroid of p at {:.4g} "
@@ -83,9 +83,9 @@ int analyze_phi(int argc, const char* const* argv) {
   po::options_description options("Options");
   options.add_options()("bins", po::value<int>()->default_value(40)->value_name("N"),
                         "bins of the histograms, from -f_thres to f_thres");
-  const auto [parsed, checkpoint] = read(
-      argc, argv, "phi",
-      "Forces in the junctions of each block: mean, standard deviation, histogram.", options);
+  const auto [parsed, checkpoint] =
+      read(argc, argv, "phi",
+           "Forces in the junctions of each block: mean, standard deviation, histogram.", options);
   const int bins = parsed.values["bins"].as<int>();
   if (bins < 1) throw UsageError(fmt::format("--bins {} makes no sense: give at least 1", bins));
   const auto blocks = block_forces(checkpoint.parameters, checkpoint.state);
@@ -115,8 +115,8 @@ int analyze_phi(int argc, const char* const* argv) {
                  {"f_thres", f_thres},
                  {"f_slip", f_slip},
                  {"histogram", histograms}};
-  report.series = {column("x [m]", x),          column("mean [N]", mean),
-                   column("sigma [N]", sigma),  column("sigma_bar", sigma_bar),
+  report.series = {column("x [m]", x),           column("mean [N]", mean),
+                   column("sigma [N]", sigma),   column("sigma_bar", sigma_bar),
                    column("slipping", slipping), column("f_thres [N]", f_thres)};
   print(report, parsed.values);
   return kDone;

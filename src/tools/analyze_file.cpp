@@ -57,11 +57,16 @@ std::vector<ManifestLine> read_manifest(const fs::path& path) {
 
 std::string_view change_text(Change change) {
   switch (change) {
-    case Change::values: return "values differ";
-    case Change::type: return "types differ";
-    case Change::shape: return "shapes differ";
-    case Change::only_in_a: return "only in the first file";
-    case Change::only_in_b: break;
+    case Change::values:
+      return "values differ";
+    case Change::type:
+      return "types differ";
+    case Change::shape:
+      return "shapes differ";
+    case Change::only_in_a:
+      return "only in the first file";
+    case Change::only_in_b:
+      break;
   }
   return "only in the second file";
 }
@@ -96,8 +101,9 @@ Json provenance_json(const std::vector<ProvenanceEntry>& chain) {
 
 int analyze_checksum(int argc, const char* const* argv) {
   po::options_description options("Options");
-  const Parsed parsed = parse_files(argc, argv, "checksum", "FILE",
-                                    "Prints the content checksum, verified: 64 hex digits.", options);
+  const Parsed parsed =
+      parse_files(argc, argv, "checksum", "FILE",
+                  "Prints the content checksum, verified: 64 hex digits.", options);
   fmt::print("{}\n", verify_file(single_input(parsed.values, "file", "a file")));
   return kDone;
 }
@@ -121,9 +127,10 @@ int analyze_verify(int argc, const char* const* argv) {
   for (const auto& line : read_manifest(parsed.values["manifest"].as<std::string>())) {
     const auto checksum = verify_file(line.file);
     if (checksum != line.checksum) {
-      throw Failure(fmt::format("{} is intact but has content checksum {}, not {} as the manifest "
-                                "says",
-                                line.file.string(), checksum, line.checksum));
+      throw Failure(
+          fmt::format("{} is intact but has content checksum {}, not {} as the manifest "
+                      "says",
+                      line.file.string(), checksum, line.checksum));
     }
     fmt::print("intact  {}  {}\n", checksum, line.file.string());
   }
@@ -132,17 +139,17 @@ int analyze_verify(int argc, const char* const* argv) {
 
 int analyze_diff(int argc, const char* const* argv) {
   po::options_description options("Options");
-  const Parsed parsed =
-      parse_files(argc, argv, "diff", "A B",
-                  "Compares parameters and state, or series, dataset by dataset.\nExit code 0: equal, "
-                  "1: different.",
-                  options);
+  const Parsed parsed = parse_files(
+      argc, argv, "diff", "A B",
+      "Compares parameters and state, or series, dataset by dataset.\nExit code 0: equal, "
+      "1: different.",
+      options);
   const auto files = files_of(parsed);
   if (files.size() != 2) {
     throw UsageError(fmt::format("{} files were given: name the two to compare", files.size()));
   }
-  const auto differences = diff(checksummed_part(read_content(files[0])),
-                                checksummed_part(read_content(files[1])));
+  const auto differences =
+      diff(checksummed_part(read_content(files[0])), checksummed_part(read_content(files[1])));
   for (const auto& d : differences) {
     fmt::print("{:<32} {}", d.path, change_text(d.change));
     if (d.change == Change::values) {
@@ -159,9 +166,9 @@ int analyze_diff(int argc, const char* const* argv) {
 int analyze_show(int argc, const char* const* argv) {
   po::options_description options("Options");
   options.add_options()("json", "print one JSON object");
-  const Parsed parsed = parse_files(argc, argv, "show", "FILE",
-                                    "Prints what a file is, its parameters and its provenance.",
-                                    options);
+  const Parsed parsed =
+      parse_files(argc, argv, "show", "FILE",
+                  "Prints what a file is, its parameters and its provenance.", options);
   const auto path = single_input(parsed.values, "file", "a file");
   const ContentFile file = read_file(path);
   const Parameters parameters = read_parameters(file.content);

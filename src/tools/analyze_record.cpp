@@ -54,7 +54,8 @@ RecordCommand read(int argc, const char* const* argv, const std::string& name,
   command.to = command.record.time.back();
   if (windowed && values.count("from") > 0) command.from = non_negative(values, "from");
   if (windowed && values.count("to") > 0) command.to = non_negative(values, "to");
-  if (command.to < command.from) throw UsageError("the time window is empty: --to is before --from");
+  if (command.to < command.from)
+    throw UsageError("the time window is empty: --to is before --from");
   return command;
 }
 
@@ -115,12 +116,11 @@ int analyze_events(int argc, const char* const* argv) {
   options.add_options()("quiet", po::value<double>()->value_name("T"),
                         "time without ruptures that separates events [s]; default 5 t_R");
   add_criteria_options(options);
-  const auto command = read(argc, argv, "events",
-                            "Splits the block ruptures of a record into events.", options);
+  const auto command =
+      read(argc, argv, "events", "Splits the block ruptures of a record into events.", options);
   const Record& record = command.record;
   const Parameters& p = record.parameters;
-  const double quiet =
-      optional_non_negative(command.parsed.values, "quiet").value_or(5.0 * p.t_R);
+  const double quiet = optional_non_negative(command.parsed.values, "quiet").value_or(5.0 * p.t_R);
   const auto events = find_events(p, record.ruptures, {record.time, record.F_T}, quiet,
                                   criteria(command.parsed.values));
   Report report;
@@ -148,10 +148,11 @@ int analyze_front(int argc, const char* const* argv) {
   po::options_description options("Options");
   add_window_options(options);
   add_criteria_options(options);
-  const auto command = read(argc, argv, "front",
-                            "Rupture line, speed and type of the front: first rupture of each block "
-                            "in the\ntime window, v_c from the end points of a five-block stencil.",
-                            options);
+  const auto command =
+      read(argc, argv, "front",
+           "Rupture line, speed and type of the front: first rupture of each block "
+           "in the\ntime window, v_c from the end points of a five-block stencil.",
+           options);
   const Front front = front_of(command);
   const double c_s = shear_wave_speed(command.record.parameters);
   Report report;
@@ -171,8 +172,8 @@ int analyze_front(int argc, const char* const* argv) {
     report.text += fmt::format("{:9.4f}{:>17}{:>12}\n", front.line.x[i],
                                t ? fmt::format("{:.7f}", *t) : "-", text_of(front.v_c[i]));
   }
-  report.text += fmt::format("{} front; {}\n", front_type_name(front.type),
-                             slow_text(front.slow, c_s));
+  report.text +=
+      fmt::format("{} front; {}\n", front_type_name(front.type), slow_text(front.slow, c_s));
   print(report, command.parsed.values);
   return kDone;
 }
@@ -197,11 +198,12 @@ int analyze_slip(int argc, const char* const* argv) {
   options.add_options()("x", po::value<double>()->required()->value_name("X"),
                         "position of the block, the nearest one is taken [m]");
   add_window_options(options);
-  const auto command = read(argc, argv, "slip",
-                            "Slip of one block: displacement since the start of the window, split "
-                            "into the fast\nslip until the block first stops and the slow slip that "
-                            "follows.",
-                            options);
+  const auto command =
+      read(argc, argv, "slip",
+           "Slip of one block: displacement since the start of the window, split "
+           "into the fast\nslip until the block first stops and the slow slip that "
+           "follows.",
+           options);
   const Record& record = command.record;
   const Parameters& p = record.parameters;
   const Eigen::Index block = block_at(p, non_negative(command.parsed.values, "x"));
@@ -240,9 +242,9 @@ int analyze_slip(int argc, const char* const* argv) {
     report.json["slow_slip"] = measure->slow_slip;
     report.json["slow_from"] = measure->t_from;
     report.json["slow_to"] = measure->t_to;
-    report.text += fmt::format("fast slip {:.4g} um until t = {:.6f} s, then slow slip {:.4g} um\n",
-                               measure->fast_slip * 1e6, measure->t_arrest,
-                               measure->slow_slip * 1e6);
+    report.text +=
+        fmt::format("fast slip {:.4g} um until t = {:.6f} s, then slow slip {:.4g} um\n",
+                    measure->fast_slip * 1e6, measure->t_arrest, measure->slow_slip * 1e6);
   }
   if (measure && measure->slow) {
     report.json["slow_speed"] = measure->slow->slope;
@@ -262,18 +264,16 @@ int analyze_loading(int argc, const char* const* argv) {
   po::options_description options("Options");
   options.add_options()("x", po::value<double>()->value_name("X"),
                         "also p, tau and u_x of the block nearest to this position [m]");
-  const auto command = read(argc, argv, "loading",
-                            "Driving force against time; with --x also one block's forces.",
-                            options);
+  const auto command =
+      read(argc, argv, "loading", "Driving force against time; with --x also one block's forces.",
+           options);
   const Record& record = command.record;
   const Parameters& p = record.parameters;
   Report report;
   report.series = {column("time [s]", record.time), column("F_T [N]", record.F_T),
                    column("x_drive [m]", record.x_drive)};
-  report.json = {{"F_N", p.F_N},
-                 {"time", record.time},
-                 {"F_T", record.F_T},
-                 {"x_drive", record.x_drive}};
+  report.json = {
+      {"F_N", p.F_N}, {"time", record.time}, {"F_T", record.F_T}, {"x_drive", record.x_drive}};
   if (const auto x = optional_non_negative(command.parsed.values, "x")) {
     const Eigen::Index block = block_at(p, *x);
     report.series.push_back(column_of_block(record, record.p, block, "p [N]"));

@@ -49,7 +49,8 @@ std::pair<std::string, std::string> split_assignment(const std::string& assignme
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
-/// Options in the file go to `values` unless the command line gave them; other names are parameters.
+/// Options in the file go to `values` unless the command line gave them; other names are
+/// parameters.
 ParameterChanges read_config(const std::string& path, const po::options_description& options,
                              po::variables_map& values) {
   std::ifstream file(path);
@@ -117,8 +118,8 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
       throw HelpRequested{fmt::format("{} (rupture {}, commit {})\n", text.name, version, commit)};
     }
     if (parsed.values.count("config") > 0) {
-      parsed.parameters = read_config(parsed.values["config"].as<std::string>(), all,
-                                      parsed.values);
+      parsed.parameters =
+          read_config(parsed.values["config"].as<std::string>(), all, parsed.values);
     }
     po::notify(parsed.values);
   } catch (const po::unknown_option& error) {
@@ -139,8 +140,8 @@ void apply(const ParameterChanges& changes, Parameters& parameters) {
 
 void add_output_options(po::options_description& options) {
   options.add_options()("output,o", po::value<std::string>()->required()->value_name("FILE"),
-                        "checkpoint to write")(
-      "force,f", "replace files that exist already")("quiet,q", "print errors only");
+                        "checkpoint to write")("force,f", "replace files that exist already")(
+      "quiet,q", "print errors only");
 }
 
 OutputOptions output_options(const po::variables_map& values) {
@@ -154,8 +155,8 @@ OutputOptions output_options(const po::variables_map& values) {
 double non_negative(const po::variables_map& values, const std::string& option) {
   const double value = values[option].as<double>();
   if (std::isfinite(value) && value >= 0.0) return value;
-  throw UsageError(fmt::format("--{} {} makes no sense: give a number of at least 0", option,
-                               value));
+  throw UsageError(
+      fmt::format("--{} {} makes no sense: give a number of at least 0", option, value));
 }
 
 std::optional<double> optional_non_negative(const po::variables_map& values,

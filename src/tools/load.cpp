@@ -21,12 +21,12 @@ Options setup(int argc, char** argv) {
                         "drive until this time [s]; 0: the equilibrium only");
   add_run_options(options);
   add_output_options(options);
-  const Parsed parsed =
-      parse(argc, argv,
-            {"load", "load -o OUT [--until T] [options]",
-             "Finds the equilibrium of the slider under its normal load F_N, then moves the driving\n"
-             "point at speed V, and writes a checkpoint from which the run can be continued."},
-            options, "", UsesParameters::yes);
+  const Parsed parsed = parse(
+      argc, argv,
+      {"load", "load -o OUT [--until T] [options]",
+       "Finds the equilibrium of the slider under its normal load F_N, then moves the driving\n"
+       "point at speed V, and writes a checkpoint from which the run can be continued."},
+      options, "", UsesParameters::yes);
   Parameters parameters;
   apply(parsed.parameters, parameters);
   validate(parameters);
@@ -36,7 +36,8 @@ Options setup(int argc, char** argv) {
 
 int run(const Options& options) {
   check_output(options.output.output, options.output.if_exists);
-  Checkpoint start = {options.parameters, normal_load_equilibrium(options.parameters),
+  Checkpoint start = {options.parameters,
+                      normal_load_equilibrium(options.parameters),
                       {make_provenance("load", options.arguments, "")}};
   simulate(std::move(start), {step_at(options.parameters, options.until), {}}, options.run,
            options.output);

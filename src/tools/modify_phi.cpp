@@ -46,12 +46,12 @@ Options setup(int argc, char** argv) {
   add("slipping", po::value<std::string>()->default_value("keep")->value_name("keep|pin"),
       "slipping junctions: keep them slipping, or pin them and include them");
   add_output_options(options);
-  const Parsed parsed =
-      parse(argc, argv,
-            {"modify-phi", "modify-phi CHECKPOINT -o OUT [options]",
-             "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
-             "keeps the mean force of each block, so that the stress state stays the same."},
-            options, "checkpoint", UsesParameters::no);
+  const Parsed parsed = parse(
+      argc, argv,
+      {"modify-phi", "modify-phi CHECKPOINT -o OUT [options]",
+       "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
+       "keeps the mean force of each block, so that the stress state stays the same."},
+      options, "checkpoint", UsesParameters::no);
   const auto& values = parsed.values;
   Options result;
   result.checkpoint = single_input(values, "checkpoint", "a checkpoint to modify");
@@ -97,10 +97,10 @@ int run(const Options& options) {
   const auto impossible = change_phi(p, checkpoint.state, options.change);
   const double change =
       largest_change(friction_forces(p, before), friction_forces(p, checkpoint.state));
-  checkpoint.provenance.push_back(make_provenance("modify-phi", options.arguments,
-                                                  content_checksum(p, before)));
-  const auto checksum = write_checkpoint(options.output.output, checkpoint,
-                                         options.output.if_exists);
+  checkpoint.provenance.push_back(
+      make_provenance("modify-phi", options.arguments, content_checksum(p, before)));
+  const auto checksum =
+      write_checkpoint(options.output.output, checkpoint, options.output.if_exists);
   if (options.output.verbosity == Verbosity::quiet) return kDone;
   print_widths(p, before, checkpoint.state);
   fmt::print("largest change of a block's friction force: {:.1e} of the largest\n", change);

@@ -77,8 +77,12 @@ void Progress::observe(const Simulation& simulation) {
   std::fflush(stderr);
 }
 
-void Progress::finish() const { fmt::print(stderr, "\r{:78}\r", ""); }
+void Progress::finish() const {
+  fmt::print(stderr, "\r{:78}\r", "");
+}
 
-bool on_terminal() { return isatty(STDERR_FILENO) == 1; }
+bool on_terminal() {
+  return isatty(STDERR_FILENO) == 1;
+}
 
 }  // namespace rupture::tools

@@ -44,7 +44,9 @@ void print(const Report& report, const po::variables_map& values) {
   }
 }
 
-Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+Json json_of(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
 
 Json json_of(const std::vector<std::optional<double>>& values) {
   Json array = Json::array();

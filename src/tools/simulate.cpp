@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 /// load.h5 at 0.05 s becomes load-t0.050000000.h5.
 fs::path path_at(const fs::path& output, double t) {
-  const auto name = fmt::format("{}-t{:.9f}{}", output.stem().string(), t,
-                                output.extension().string());
+  const auto name =
+      fmt::format("{}-t{:.9f}{}", output.stem().string(), t, output.extension().string());
   return output.parent_path() / name;
 }
 
@@ -55,9 +55,12 @@ void announce(const OutputOptions& output, const fs::path& path, const std::stri
 
 std::string_view reason(Ending ending) {
   switch (ending) {
-    case Ending::quiet: return "no junction broke any more";
-    case Ending::leading_edge: return "the front reached the leading edge";
-    case Ending::last_step: break;
+    case Ending::quiet:
+      return "no junction broke any more";
+    case Ending::leading_edge:
+      return "the front reached the leading edge";
+    case Ending::last_step:
+      break;
   }
   return "end of the run";
 }
@@ -125,9 +128,8 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
     const Checkpoint now = {p, simulation.state(), start.provenance};
     announce(output, path, write_checkpoint(path, now, output.if_exists));
   };
-  CheckpointSchedule schedule(steps, [&](const Simulation& s) {
-    save(path_at(output.output, s.time()));
-  });
+  CheckpointSchedule schedule(steps,
+                              [&](const Simulation& s) { save(path_at(output.output, s.time())); });
   std::vector<Observer*> observers = {&schedule};
 
   std::unique_ptr<RecordWriter> writer;

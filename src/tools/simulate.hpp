@@ -12,10 +12,10 @@
 namespace rupture::tools {
 
 struct RunOptions {
-  std::vector<double> checkpoint_at;                ///< [s]
-  std::optional<double> checkpoint_every;           ///< [s]
+  std::vector<double> checkpoint_at;       ///< [s]
+  std::optional<double> checkpoint_every;  ///< [s]
   std::optional<std::filesystem::path> record;
-  double record_every = 1e-4;                       ///< [s]
+  double record_every = 1e-4;  ///< [s]
 };
 
 void add_run_options(po::options_description& options);
@@ -25,7 +25,8 @@ RunOptions run_options(const po::variables_map& values);
 std::int64_t step_at(const Parameters& parameters, double t);
 
 /// Runs `start` until the stop rule says so, writes everything asked for and prints the invariants.
-/// Nothing is run if an output may not be written. The provenance of `start` already names this tool.
+/// Nothing is run if an output may not be written. The provenance of `start` already names this
+/// tool.
 void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
               const OutputOptions& output);
 

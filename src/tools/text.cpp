@@ -15,8 +15,8 @@ std::string parameter_help() {
   const Parameters defaults;
   for (const auto& info : parameter_table()) {
     const auto words = choices(info);
-    const std::string unit = words.empty() ? fmt::format("[{}]", info.unit)
-                                           : fmt::format("[{}]", fmt::join(words, "|"));
+    const std::string unit =
+        words.empty() ? fmt::format("[{}]", info.unit) : fmt::format("[{}]", fmt::join(words, "|"));
     text += fmt::format("  {:<26} {:>10} {:<22} {} ({})\n", info.name,
                         parameter_text(defaults, info), unit, info.help, info.symbol);
   }

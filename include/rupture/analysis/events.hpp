@@ -9,8 +9,8 @@
 namespace rupture {
 
 struct Event {
-  double t_start, t_end;    ///< first and last block rupture [s]
-  double x_first, x_last;   ///< position of the first rupture, and furthest position reached [m]
+  double t_start, t_end;   ///< first and last block rupture [s]
+  double x_first, x_last;  ///< position of the first rupture, and furthest position reached [m]
   Front front;
   double F_T_before, F_T_after;  ///< driving force at t_start, and its minimum until the quiet time
                                  ///< after t_end is over [N]

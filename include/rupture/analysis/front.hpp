@@ -20,7 +20,7 @@ struct FrontCriteria {
 
 /// One interface-length array each; a block that did not rupture has no value.
 struct RuptureLine {
-  std::vector<double> x;                          ///< position of the blocks [m]
+  std::vector<double> x;                         ///< position of the blocks [m]
   std::vector<std::optional<double>> t_rupture;  ///< first rupture in the window [s]
 };
 
@@ -52,8 +52,8 @@ struct Front {
   std::optional<SlowStretch> slow;  ///< the slow stretch that lasted longest
 };
 
-/// Measures the front in one rupture line. Arrested: it does not reach the leading edge; slow: it does,
-/// and v_c < slow_below c_s somewhere beyond skip_below_x; fast: the rest.
+/// Measures the front in one rupture line. Arrested: it does not reach the leading edge; slow: it
+/// does, and v_c < slow_below c_s somewhere beyond skip_below_x; fast: the rest.
 Front measure_front(const Parameters& parameters, RuptureLine line, const FrontCriteria& criteria);
 
 }  // namespace rupture

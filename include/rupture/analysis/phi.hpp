@@ -38,8 +38,8 @@ std::vector<std::int64_t> histogram(const BlockForces& block, int bins);
 /// Shapes of phi: uniform, or the bell phi(xi) = 5/(4a) (1 + 3|xi/a|) (1 - |xi/a|)^3 on [-a, a].
 enum class PhiShape { uniform, bell };
 
-/// Standard deviation of a shape of half-width 1: 1/sqrt(3) (uniform), sqrt(2/21) (bell). The half-width
-/// that gives a wanted sigma is sigma / unit_sigma(shape).
+/// Standard deviation of a shape of half-width 1: 1/sqrt(3) (uniform), sqrt(2/21) (bell). The
+/// half-width that gives a wanted sigma is sigma / unit_sigma(shape).
 double unit_sigma(PhiShape shape);
 
 /// The n exact quantiles (j + 1/2)/n, j = 0..n-1, of a shape of half-width 1, ascending, with mean
@@ -51,7 +51,8 @@ enum class Slipping { keep, pin };
 
 struct PhiChange {
   PhiShape shape = PhiShape::uniform;
-  std::optional<double> sigma_bar;  ///< none: as wide as each block allows, half-width f_thres - |mean|
+  std::optional<double>
+      sigma_bar;  ///< none: as wide as each block allows, half-width f_thres - |mean|
   double x_from = 0, x_to = 1e300;  ///< blocks with x_from <= x <= x_to [m]
   Slipping slipping = Slipping::keep;
 };
@@ -62,9 +63,9 @@ struct ImpossibleBlock {
   double largest_sigma_bar;  ///< widest phi it could take
 };
 
-/// Replaces phi in a region, keeping each block's mean: the pinned junctions' (Slipping::keep), or all
-/// junctions', which are pinned (Slipping::pin). Junctions keep the order of their forces. Blocks that
-/// cannot take the new phi, or are not pressed, are left as they are and returned.
+/// Replaces phi in a region, keeping each block's mean: the pinned junctions' (Slipping::keep), or
+/// all junctions', which are pinned (Slipping::pin). Junctions keep the order of their forces.
+/// Blocks that cannot take the new phi, or are not pressed, are left as they are and returned.
 std::vector<ImpossibleBlock> change_phi(const Parameters& parameters, State& state,
                                         const PhiChange& change);
 

@@ -6,10 +6,10 @@ namespace rupture {
 /// Energy stored in the slider and its boundaries at one instant [J].
 struct Energies {
   double kinetic = 0;
-  double bulk = 0;      ///< springs between blocks
-  double contact = 0;   ///< elastic foundation, 1/2 k_f u_z^2 where pressed
-  double driving = 0;   ///< driving spring, 1/2 K (x_drive - u_x)^2
-  double load = 0;      ///< potential of F_N, sum of (F_N / N_x) u_z over the top row
+  double bulk = 0;     ///< springs between blocks
+  double contact = 0;  ///< elastic foundation, 1/2 k_f u_z^2 where pressed
+  double driving = 0;  ///< driving spring, 1/2 K (x_drive - u_x)^2
+  double load = 0;     ///< potential of F_N, sum of (F_N / N_x) u_z over the top row
 
   double total() const { return kinetic + bulk + contact + driving + load; }
 };
@@ -21,8 +21,8 @@ struct Power {
   double junctions = 0;  ///< work done against the junctions, out of the system
 };
 
-/// Work since the start of a run [J]; the same terms as Power, summed by the trapezoidal rule, which
-/// is how velocity Verlet itself adds up work.
+/// Work since the start of a run [J]; the same terms as Power, summed by the trapezoidal rule,
+/// which is how velocity Verlet itself adds up work.
 using Work = Power;
 
 /// What the account of a run says [J].

@@ -5,13 +5,13 @@
 
 namespace rupture {
 
-/// The slider at rest under F_N, F_T = 0, all junctions attached at x_ij = x_i(undeformed) and forbidden
-/// to break; the driving point is placed so that F_T = 0.
+/// The slider at rest under F_N, F_T = 0, all junctions attached at x_ij = x_i(undeformed) and
+/// forbidden to break; the driving point is placed so that F_T = 0.
 ///
-/// Newton's method on the static equations (springs, load, unilateral foundation, junction stiffness at
-/// the current p_i) with a sparse LU factorisation, until the largest net force on a block is below
-/// 1e-11 F_N / N_x. Throws Failure if it does not converge, or if a junction ends up beyond its
-/// strength (naming the block and the ratio |f| / f_thres).
+/// Newton's method on the static equations (springs, load, unilateral foundation, junction
+/// stiffness at the current p_i) with a sparse LU factorisation, until the largest net force on a
+/// block is below 1e-11 F_N / N_x. Throws Failure if it does not converge, or if a junction ends up
+/// beyond its strength (naming the block and the ratio |f| / f_thres).
 State normal_load_equilibrium(const Parameters& parameters);
 
 /// Largest component of the net static force on any block of `state`, friction and load included,

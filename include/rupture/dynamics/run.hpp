@@ -24,17 +24,17 @@ class Observer {
 /// When a run ends.
 struct StopRule {
   std::int64_t last_step = 0;  ///< latest step, always in force
-  /// Also stop once no junction has broken for this many steps, or the front has reached the leading
-  /// edge. Looked at every kQuietCheck steps counted from step 0, so that a run that was split ends
-  /// at the same step as one that was not.
+  /// Also stop once no junction has broken for this many steps, or the front has reached the
+  /// leading edge. Looked at every kQuietCheck steps counted from step 0, so that a run that was
+  /// split ends at the same step as one that was not.
   std::optional<std::int64_t> quiet_steps;
 };
 inline constexpr std::int64_t kQuietCheck = 100;
 
 enum class Ending { last_step, quiet, leading_edge };
 
-/// Advances until the stop rule says so. Observers see the state at each step they ask for, the step
-/// at which the run starts and the one at which it ends included.
+/// Advances until the stop rule says so. Observers see the state at each step they ask for, the
+/// step at which the run starts and the one at which it ends included.
 Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Observer*>& observers);
 
 }  // namespace rupture

@@ -6,8 +6,8 @@
 //   3. junctions                 break, slip, are pinned again at the new x_i, p_i and time t_{n+1}
 //   4. forces                    springs at u, damping at the half-kicked v, p, tau, F_N, F_T
 //   5. half kick                 v += (dt/2m) f
-// Afterwards the state is complete at step n+1. f is part of the state because the damping force was
-// taken at the half-kicked velocity, which is not kept.
+// Afterwards the state is complete at step n+1. f is part of the state because the damping force
+// was taken at the half-kicked velocity, which is not kept.
 #pragma once
 
 #include <span>

@@ -1,7 +1,6 @@
 // The elastic slider: springs between neighbouring blocks and their damping (physics: "Slider").
 #pragma once
 
-
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/state.hpp"
 
@@ -37,7 +36,11 @@ class Bulk {
   LatticeShape shape_;
 };
 
-inline VectorView view(Field& x, Field& z) { return {x.row(0), z.row(0)}; }
-inline ConstVectorView view(const Field& x, const Field& z) { return {x.row(0), z.row(0)}; }
+inline VectorView view(Field& x, Field& z) {
+  return {x.row(0), z.row(0)};
+}
+inline ConstVectorView view(const Field& x, const Field& z) {
+  return {x.row(0), z.row(0)};
+}
 
 }  // namespace rupture

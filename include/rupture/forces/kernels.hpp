@@ -1,7 +1,8 @@
 // The loops that every time step runs, compiled once per instruction set and chosen at start.
 //
 // All variants give the same bits: they use + - * / and sqrt only, without contraction, and every
-// sum has a fixed order. Arrays are rows of a Field (see field.hpp): padded, zero outside the lattice.
+// sum has a fixed order. Arrays are rows of a Field (see field.hpp): padded, zero outside the
+// lattice.
 #pragma once
 
 #include <cstddef>
@@ -35,9 +36,9 @@ struct Springs {
 
 /// What friction needs to know of each interface block, arrays of length Nx.
 struct ContactView {
-  double* p;      ///< normal force p_i [N]
-  double* k_ij;   ///< junction stiffness [N/m]
-  double* w;      ///< f_N / k_ij, so that f_thres = k_ij (mu_s w) [m]
+  double* p;     ///< normal force p_i [N]
+  double* k_ij;  ///< junction stiffness [N/m]
+  double* w;     ///< f_N / k_ij, so that f_thres = k_ij (mu_s w) [m]
 };
 
 /// Rows of scratch that `elastic` and `damping` need, each of length stride + 8 and zero at first.
@@ -71,9 +72,9 @@ struct Kernels {
                   double* attachment);
 };
 
-/// The kernels for the widest instruction set of this processor, or for the one that the environment
-/// variable RUPTURE_ISA names (sse2, avx2, avx512, baseline). Throws UsageError if that one is unknown
-/// or the processor lacks it.
+/// The kernels for the widest instruction set of this processor, or for the one that the
+/// environment variable RUPTURE_ISA names (sse2, avx2, avx512, baseline). Throws UsageError if that
+/// one is unknown or the processor lacks it.
 const Kernels& kernels();
 
 }  // namespace rupture

@@ -1,7 +1,10 @@
-// The reference interface law: junctions that are pinned, break, slip and are pinned again (Methods).
+// The reference interface law: junctions that are pinned, break, slip and are pinned again
+// (Methods).
 //
-// Valid for any normal force p_i >= 0. With f_N = p_i / N_s at the current p_i, k_ij = sqrt(kappa f_N):
-//   pinned:   f = k_ij (x_i - x_ij); breaks when |f| > f_thres = mu_s f_N, then |f| = f_slip with the
+// Valid for any normal force p_i >= 0. With f_N = p_i / N_s at the current p_i, k_ij = sqrt(kappa
+// f_N):
+//   pinned:   f = k_ij (x_i - x_ij); breaks when |f| > f_thres = mu_s f_N, then |f| = f_slip with
+//   the
 //             same sign, and a slipping time t_R is drawn;
 //   slipping: x_ij trails the block so that |f| <= f_slip = mu_d f_N; after t_R pinned again with
 //             f_new = 0 (x_ij = x_i), or where it is when f_new = f_slip;

@@ -16,9 +16,7 @@ struct CacheLineAllocator {
   template <class U>
   explicit(false) CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  T* allocate(std::size_t n) {
-    return static_cast<T*>(::operator new(n * sizeof(T), alignment));
-  }
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
   void deallocate(T* memory, std::size_t) { ::operator delete(memory, alignment); }
   bool operator==(const CacheLineAllocator&) const = default;
 };

@@ -7,14 +7,14 @@ namespace rupture {
 
 inline constexpr double kPoissonRatio = 1.0 / 3.0;  ///< of the square lattice with k and k/2
 
-double block_spacing(const Parameters& p);        ///< l = L / (Nx - 1) [m]
-double block_mass(const Parameters& p);           ///< m = M / (Nx Nz) [kg]
-double bulk_stiffness(const Parameters& p);       ///< k = 3 B E / 4 [N/m]
-double damping_coefficient(const Parameters& p);  ///< eta = sqrt(damping k m) [N s/m]
-double foundation_stiffness(const Parameters& p); ///< k_f = foundation * k [N/m]
-double density(const Parameters& p);              ///< rho = M / (L H B) [kg/m^3]
-double shear_wave_speed(const Parameters& p);     ///< c_s = sqrt(G / rho), G = E / (2 (1 + nu)) [m/s]
-double mean_normal_force(const Parameters& p);    ///< F_N / Nx, mean p of an interface block [N]
+double block_spacing(const Parameters& p);         ///< l = L / (Nx - 1) [m]
+double block_mass(const Parameters& p);            ///< m = M / (Nx Nz) [kg]
+double bulk_stiffness(const Parameters& p);        ///< k = 3 B E / 4 [N/m]
+double damping_coefficient(const Parameters& p);   ///< eta = sqrt(damping k m) [N s/m]
+double foundation_stiffness(const Parameters& p);  ///< k_f = foundation * k [N/m]
+double density(const Parameters& p);               ///< rho = M / (L H B) [kg/m^3]
+double shear_wave_speed(const Parameters& p);   ///< c_s = sqrt(G / rho), G = E / (2 (1 + nu)) [m/s]
+double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an interface block [N]
 
 /// Row of blocks on which the driving spring acts, h / l.
 std::int64_t driving_row(const Parameters& p);
@@ -25,8 +25,8 @@ double junction_stiffness(const Parameters& p, double p_i);
 /// Largest stable time step of velocity Verlet on this lattice [s].
 ///
 /// With damping taken at the half-kicked velocity a mode of frequency omega and damping rate c is
-/// stable for dt < (sqrt(c^2 + 4 omega^2) - c) / omega^2. The stiffest bulk mode has omega^2 = 6 k/m
-/// and c = 12 eta/m (wave vector (pi, 0)); a bottom block adds its junctions or the foundation.
+/// stable for dt < (sqrt(c^2 + 4 omega^2) - c) / omega^2. The stiffest bulk mode has omega^2 = 6
+/// k/m and c = 12 eta/m (wave vector (pi, 0)); a bottom block adds its junctions or the foundation.
 double stable_time_step(const Parameters& p);
 
 }  // namespace rupture

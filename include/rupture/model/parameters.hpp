@@ -1,7 +1,7 @@
 // The physical and numerical parameters of one simulation (Table S1 of the paper).
 //
-// Every parameter is declared once, in parameters.cpp, with its name, symbol, unit, default, validity
-// and help. Options, INI files, checkpoints and error messages all read that one table.
+// Every parameter is declared once, in parameters.cpp, with its name, symbol, unit, default,
+// validity and help. Options, INI files, checkpoints and error messages all read that one table.
 #pragma once
 
 #include <cstdint>
@@ -21,40 +21,39 @@ enum class NewForce { zero, f_slip };
 
 struct Parameters {
   // slider
-  double L = 0.140;               ///< length along x [m]
-  double H = 0.075;               ///< height along z [m]
-  double B = 0.006;               ///< width along y [m]
-  std::int64_t Nx = 57;           ///< blocks along x
-  std::int64_t Nz = 31;           ///< blocks along z
-  double M = 0.0756;              ///< mass [kg]
-  double E = 3e9;                 ///< Young's modulus [Pa]
-  double damping = 0.1;           ///< eta^2 / (k m), dimensionless
-  double F_N = 1920;              ///< normal load [N]
-  double foundation = 0.5;        ///< k_f / k, dimensionless
+  double L = 0.140;         ///< length along x [m]
+  double H = 0.075;         ///< height along z [m]
+  double B = 0.006;         ///< width along y [m]
+  std::int64_t Nx = 57;     ///< blocks along x
+  std::int64_t Nz = 31;     ///< blocks along z
+  double M = 0.0756;        ///< mass [kg]
+  double E = 3e9;           ///< Young's modulus [Pa]
+  double damping = 0.1;     ///< eta^2 / (k m), dimensionless
+  double F_N = 1920;        ///< normal load [N]
+  double foundation = 0.5;  ///< k_f / k, dimensionless
   // driving
-  double K = 4e6;                 ///< driving spring modulus [N/m]
-  double h = 0.005;               ///< driving height above the interface [m]
-  double V = 0.4e-3;              ///< driving speed [m/s]
+  double K = 4e6;     ///< driving spring modulus [N/m]
+  double h = 0.005;   ///< driving height above the interface [m]
+  double V = 0.4e-3;  ///< driving speed [m/s]
   // junctions
-  std::int64_t N_s = 100;         ///< junctions per interface block
-  double mu_s = 0.4;              ///< f_thres / f_N
-  double mu_d = 0.17;             ///< f_slip / f_N
-  double kappa = 39.2e9;          ///< k_ij^2 / f_N [N/m^2]
-  double t_R = 2e-3;              ///< mean slipping time [s]
-  double delta_t_R = 0.6e-3;      ///< standard deviation of the slipping time [s]
+  std::int64_t N_s = 100;     ///< junctions per interface block
+  double mu_s = 0.4;          ///< f_thres / f_N
+  double mu_d = 0.17;         ///< f_slip / f_N
+  double kappa = 39.2e9;      ///< k_ij^2 / f_N [N/m^2]
+  double t_R = 2e-3;          ///< mean slipping time [s]
+  double delta_t_R = 0.6e-3;  ///< standard deviation of the slipping time [s]
   SlippingTimes slipping_times = SlippingTimes::gaussian;
   NewForce f_new = NewForce::zero;
   // numerics
-  double dt = 2e-7;               ///< time step [s]
-  std::int64_t seed = 1;          ///< key of the random numbers
+  double dt = 2e-7;       ///< time step [s]
+  std::int64_t seed = 1;  ///< key of the random numbers
 
   bool operator==(const Parameters&) const = default;
 };
 
 /// The member of Parameters that a table row describes.
-using ParameterMember =
-    std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
-                 NewForce Parameters::*>;
+using ParameterMember = std::variant<double Parameters::*, std::int64_t Parameters::*,
+                                     SlippingTimes Parameters::*, NewForce Parameters::*>;
 
 /// One row of the parameter table.
 struct ParameterInfo {
@@ -62,8 +61,8 @@ struct ParameterInfo {
   std::string_view symbol;  ///< as in the paper, e.g. "L"
   std::string_view unit;    ///< SI unit, "1" for none
   ParameterMember member;
-  double minimum;           ///< smallest valid value of a number
-  double maximum;           ///< largest valid value of a number
+  double minimum;  ///< smallest valid value of a number
+  double maximum;  ///< largest valid value of a number
   bool minimum_excluded;
   std::string_view help;
 };

@@ -1,5 +1,5 @@
-// Counter-based random numbers: every draw is a pure function of (seed, block, junction, purpose, n),
-// so there is no generator state to keep and no order in which draws must happen.
+// Counter-based random numbers: every draw is a pure function of (seed, block, junction, purpose,
+// n), so there is no generator state to keep and no order in which draws must happen.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,9 @@ double time(const Parameters& parameters, const State& state);
 double drive_position(const Parameters& parameters, const Drive& drive, std::int64_t step);
 
 /// True where a junction is slipping, false where it is pinned.
-inline bool is_slipping(double repin_time) { return repin_time < Junctions::never; }
+inline bool is_slipping(double repin_time) {
+  return repin_time < Junctions::never;
+}
 
 /// Fraction of block i's junctions that are pinned.
 double pinned_fraction(const Junctions& junctions, Eigen::Index i);
