@@ -24,12 +24,14 @@ struct Stretch {
   std::size_t first, last;
 };
 
+/// Maximal runs of slow stencils whose blocks rupture one after the other.
 std::vector<Stretch> slow_stretches(const Front& front, double limit, double skip_below_x) {
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
     const auto& v = front.v_c[i];
     if (front.line.x[i] <= skip_below_x || !v || *v <= 0.0 || *v >= limit) continue;
-    if (!stretches.empty() && stretches.back().last + 1 == i) {
+    const bool forwards = *front.line.t_rupture[i] >= *front.line.t_rupture[i - 1];
+    if (!stretches.empty() && stretches.back().last + 1 == i && forwards) {
       stretches.back().last = i;
     } else {
       stretches.push_back({i, i});
@@ -49,10 +51,12 @@ SlowStretch describe(const Front& front, const Stretch& stretch, double skip_bel
   SlowStretch slow;
   slow.x_from = front.line.x[stretch.first];
   slow.x_to = front.line.x[stretch.last];
-  slow.duration = duration(front.line, stretch);
+  slow.t_from = *front.line.t_rupture[stretch.first];
+  slow.t_to = *front.line.t_rupture[stretch.last];
   slow.speed = *median(speeds(front.v_c, stretch.first, stretch.last + 1));
-  slow.fast_before = median(speeds(front.v_c, loading_zone, stretch.first));
-  slow.fast_after = median(speeds(front.v_c, stretch.last + 1, front.v_c.size()));
+  // a stencil that straddles a transition measures neither the slow nor the fast speed
+  slow.fast_before = median(speeds(front.v_c, loading_zone, stretch.first - kHalfStencil));
+  slow.fast_after = median(speeds(front.v_c, stretch.last + 1 + kHalfStencil, front.v_c.size()));
   return slow;
 }
 

@@ -1,8 +1,7 @@
 // Files that appear complete or not at all.
 #pragma once
 
-#include <signal.h>
-
+#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -18,6 +17,8 @@ class FileSizeSignalBlocked {
   ~FileSizeSignalBlocked();
   FileSizeSignalBlocked(const FileSizeSignalBlocked&) = delete;
   FileSizeSignalBlocked& operator=(const FileSizeSignalBlocked&) = delete;
+  FileSizeSignalBlocked(FileSizeSignalBlocked&&) = delete;
+  FileSizeSignalBlocked& operator=(FileSizeSignalBlocked&&) = delete;
 
  private:
   sigset_t before_{};

@@ -38,21 +38,17 @@ void update_dataset(Sha256& hash, const std::string& path, const Dataset& datase
 }  // namespace
 
 struct Sha256::Context {
-  EVP_MD_CTX* evp = EVP_MD_CTX_new();
-  Context() = default;
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-  ~Context() { EVP_MD_CTX_free(evp); }
+  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> evp{EVP_MD_CTX_new(), &EVP_MD_CTX_free};
 };
 
 Sha256::Sha256() : context_(std::make_unique<Context>()) {
-  check(EVP_DigestInit_ex(context_->evp, EVP_sha256(), nullptr));
+  check(EVP_DigestInit_ex(context_->evp.get(), EVP_sha256(), nullptr));
 }
 
 Sha256::~Sha256() = default;
 
 void Sha256::update(std::span<const std::byte> bytes) {
-  check(EVP_DigestUpdate(context_->evp, bytes.data(), bytes.size()));
+  check(EVP_DigestUpdate(context_->evp.get(), bytes.data(), bytes.size()));
 }
 
 void Sha256::update(std::string_view text) {
@@ -62,7 +58,7 @@ void Sha256::update(std::string_view text) {
 std::string Sha256::hex() {
   constexpr std::string_view digits = "0123456789abcdef";
   std::array<unsigned char, 32> digest{};
-  check(EVP_DigestFinal_ex(context_->evp, digest.data(), nullptr));
+  check(EVP_DigestFinal_ex(context_->evp.get(), digest.data(), nullptr));
   std::string text;
   for (const unsigned byte : digest) {
     text += digits[byte >> 4U];

@@ -92,6 +92,12 @@ void check_content(const Content& content, const std::string& stored) {
   }
 }
 
+ContentFile contents(const hdf5::Reader& reader, FileKind kind) {
+  const hdf5::RootAttributes attributes = reader.attributes();
+  check_attributes(attributes, kind);
+  return {kind, attributes.content_checksum, reader.content()};
+}
+
 std::string sum_line(const std::string& checksum, const fs::path& path) {
   return fmt::format("{}  {}\n", checksum, path.filename().string());
 }
@@ -148,14 +154,14 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
 }
 
 ContentFile read_file(const fs::path& path) {
+  if (identify(path) == FileKind::open_record) {
+    return naming(path, [&] { return contents(hdf5::Reader(path), FileKind::open_record); });
+  }
   const std::vector<std::byte> bytes = read_start(path, readable_size(path));
   const FileKind kind = check_envelope(bytes, path.string());
   return naming(path, [&] {
-    const hdf5::ImageReader image(bytes);
-    const hdf5::RootAttributes attributes = image.attributes();
-    check_attributes(attributes, kind);
-    ContentFile file{kind, attributes.content_checksum, image.content()};
-    if (kind != FileKind::open_record) check_content(file.content, file.checksum);
+    ContentFile file = contents(hdf5::Reader(bytes), kind);
+    check_content(file.content, file.checksum);
     return file;
   });
 }

@@ -37,7 +37,8 @@ void check(std::int64_t result, std::string_view doing) {
   throw Failure(fmt::format("could not {}: {}", doing, readable(reason)));
 }
 
-void silence() {
+void prepare() {
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

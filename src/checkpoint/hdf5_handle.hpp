@@ -21,6 +21,8 @@ class Handle {
   Handle(Id id, Close closer, std::string_view doing) : id_(id), close_(closer) {
     check(id, doing);
   }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, kNone)), close_(other.close_) {}
   Handle& operator=(Handle&& other) noexcept {
     std::swap(id_, other.id_);

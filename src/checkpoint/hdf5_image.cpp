@@ -1,7 +1,9 @@
 #include "hdf5_image.hpp"
 
+#include <fmt/format.h>
 #include <hdf5.h>
-#include <hdf5_hl.h>
+
+#include <string>
 
 #include "rupture/checkpoint/envelope.hpp"
 
@@ -31,33 +33,66 @@ std::vector<std::byte> image_of(Id file) {
   return bytes;
 }
 
-// HDF5 only reads an image that it neither copies nor releases, but asks for a mutable pointer.
+// HDF5 asks these for memory to copy the image into: once for the properties, once for the file.
+// As it only reads, `image`, which is our own memory, serves for all of them.
+H5FD_file_image_callbacks_t share(void* image) {
+  H5FD_file_image_callbacks_t callbacks{};
+  callbacks.image_malloc = [](std::size_t, H5FD_file_image_op_t, void* shared) { return shared; };
+  callbacks.image_memcpy = [](void* target, const void*, std::size_t, H5FD_file_image_op_t, void*) {
+    return target;
+  };
+  callbacks.image_realloc = [](void*, std::size_t, H5FD_file_image_op_t, void*) -> void* {
+    return nullptr;  // would make the image larger
+  };
+  callbacks.image_free = [](void*, H5FD_file_image_op_t, void*) { return herr_t{0}; };
+  callbacks.udata_copy = [](void* shared) { return shared; };
+  callbacks.udata_free = [](void*) { return herr_t{0}; };
+  callbacks.udata = image;
+  return callbacks;
+}
+
 Handle open_in_place(std::span<const std::byte> file) {
-  return {H5LTopen_file_image(const_cast<std::byte*>(file.data()), file.size(),
-                              H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE),
-          H5Fclose, "open the HDF5 part of the file"};
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "prepare to read");
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): HDF5 has no pointer for reading only
+  void* image = const_cast<std::byte*>(file.data());
+  H5FD_file_image_callbacks_t callbacks = share(image);
+  check(H5Pset_fapl_core(access, kGrowth, false), "read from memory");
+  check(H5Pset_file_image_callbacks(access, &callbacks), "read from memory");
+  check(H5Pset_file_image(access, image, file.size()), "read from memory");
+  // HDF5 takes files in memory for the same if they have the same name.
+  const std::string name = fmt::format("rupture-image-{}", fmt::ptr(image));
+  return {H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose,
+          "open the HDF5 part of the file"};
 }
 
 }  // namespace
 
 std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content) {
-  silence();
+  prepare();
   const Handle file = create_file_in_memory();
   write_root_attributes(file, attributes);
   write_content(file, content);
   return image_of(file);
 }
 
-ImageReader::ImageReader(std::span<const std::byte> file) : size_(file.size()) {
-  silence();
+Reader::Reader(std::span<const std::byte> file) : size_(file.size()) {
+  prepare();
   file_ = open_in_place(file);
 }
 
-RootAttributes ImageReader::attributes() const {
+Reader::Reader(const std::filesystem::path& path) : size_(std::filesystem::file_size(path)) {
+  prepare();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "prepare to read");
+  check(H5Pset_file_locking(access, false, true), "do without file locks");
+  file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose,
+                 "open the HDF5 part of the file");
+}
+
+RootAttributes Reader::attributes() const {
   return read_root_attributes(file_);
 }
 
-Content ImageReader::content() const {
+Content Reader::content() const {
   return read_datasets(file_, size_);
 }
 

@@ -1,7 +1,8 @@
-// Content to and from a complete HDF5 file in memory: libhdf5 never touches the disk here.
+// Content to and from a complete HDF5 file in memory: for these libhdf5 never touches the disk.
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -13,11 +14,13 @@ namespace rupture::hdf5 {
 /// Equal arguments give equal bytes.
 std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content);
 
-/// A file image opened for reading; `file` must outlive it. Throws Failure if libhdf5 cannot
-/// open it.
-class ImageReader {
+/// A file opened for reading. Throws Failure if libhdf5 cannot open it.
+class Reader {
  public:
-  explicit ImageReader(std::span<const std::byte> file);
+  /// A verified file in memory, which must outlive the reader.
+  explicit Reader(std::span<const std::byte> file);
+  /// A .part file, which may be growing.
+  explicit Reader(const std::filesystem::path& path);
 
   RootAttributes attributes() const;
   Content content() const;

@@ -98,7 +98,7 @@ void collect(Id group, const std::string& prefix, int depth, std::size_t size_li
   check(H5Gget_info(group, &info), doing);
   for (hsize_t i = 0; i < info.nlinks; ++i) {
     const std::string name = link_name(group, i, doing);
-    const std::string path = prefix + "/" + name;
+    const std::string path = fmt::format("{}/{}", prefix, name);
     const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "open " + path);
     switch (H5Iget_type(object)) {
       case H5I_GROUP:

@@ -19,8 +19,7 @@ constexpr hsize_t kChunkBytes = 1U << 16U;  // about what one flush of a usual r
 Handle create_file(const std::filesystem::path& path) {
   const Handle creation = file_creation_properties();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "prepare a file");
-  // The format of HDF5 1.8 has checksums in its index, which show a flush that was cut short.
-  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "choose the format");
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "choose the format");
   // Locks would keep other programs from looking at the record of a run in progress.
   check(H5Pset_file_locking(access, false, true), "do without file locks");
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "create the file"};
@@ -77,7 +76,7 @@ void append_rows(Id dataset, const std::string& path, const Dataset& rows) {
 
 PartFile::PartFile(std::filesystem::path path, const Content& fixed, const Content& growing)
     : path_(std::move(path)) {
-  silence();
+  prepare();
   const FileSizeSignalBlocked guard;
   naming(path_, [&] {
     file_ = create_file(path_);
@@ -87,7 +86,7 @@ PartFile::PartFile(std::filesystem::path path, const Content& fixed, const Conte
     for (const auto& [name, row] : growing) {
       datasets_.emplace(name, create_growing(file_, name, row));
     }
-    check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write to the disk");
+    check(H5Fstart_swmr_write(file_), "open the file for readers");
   });
   overwrite_start(path_, header_text(FileKind::open_record, {}));
 }
@@ -100,12 +99,25 @@ PartFile::~PartFile() {
 
 void PartFile::append(const Content& rows) {
   const FileSizeSignalBlocked guard;
-  naming(path_, [&] {
-    for (const auto& [name, added] : rows) {
-      if (added.shape[0] > 0) append_rows(datasets_.at(name), name, added);
-    }
-    check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write to the disk");
-  });
+  try {
+    naming(path_, [&] { append_and_flush(rows); });
+  } catch (const Failure&) {
+    abandon();
+    throw;
+  }
+}
+
+void PartFile::append_and_flush(const Content& rows) {
+  for (const auto& [name, added] : rows) {
+    if (added.shape[0] > 0) append_rows(datasets_.at(name), name, added);
+  }
+  check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write to the disk");
+}
+
+// Closing would still try to write an index of data that did not get to the disk.
+void PartFile::abandon() {
+  for (auto& [name, dataset] : datasets_) dataset.abandon();
+  file_.abandon();
 }
 
 void PartFile::close() {

@@ -17,6 +17,8 @@ class PartFile {
   PartFile(std::filesystem::path path, const Content& fixed, const Content& growing);
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
+  PartFile(PartFile&&) = delete;
+  PartFile& operator=(PartFile&&) = delete;
   ~PartFile();
 
   /// Adds the rows of `rows` to the growing datasets of the same paths and brings everything to
@@ -27,6 +29,9 @@ class PartFile {
   void close();
 
  private:
+  void append_and_flush(const Content& rows);
+  void abandon();
+
   std::filesystem::path path_;
   Handle file_;
   std::map<std::string, Handle> datasets_;

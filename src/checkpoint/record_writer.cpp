@@ -159,8 +159,7 @@ std::string RecordWriter::finish() {
   flush();
   part_->close();
   const std::filesystem::path part = part_path(path_);
-  const std::string checksum =
-      write_content(path_, FileKind::record, read_content(part), if_exists_);
+  std::string checksum = write_content(path_, FileKind::record, read_content(part), if_exists_);
   if (std::error_code error; !std::filesystem::remove(part, error)) {
     throw Failure(fmt::format("could not remove {}: {}", part.string(), error.message()));
   }

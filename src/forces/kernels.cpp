@@ -38,20 +38,24 @@ std::vector<const Kernels*> available() {
 }
 
 const Kernels& choose() {
-  const auto variants = available();
   const char* wanted = std::getenv("RUPTURE_ISA");
-  if (wanted == nullptr || *wanted == '\0') return *variants.front();
+  if (wanted == nullptr || *wanted == '\0') return *available().front();
+  if (const Kernels* found = find_kernels(wanted)) return *found;
   std::vector<std::string_view> names;
-  for (const auto* variant : variants) {
-    if (variant->name == wanted) return *variant;
-    names.push_back(variant->name);
-  }
+  for (const auto* variant : available()) names.push_back(variant->name);
   throw UsageError(fmt::format(
       "RUPTURE_ISA = '{}' is no instruction set of this processor and build: choose one of {}",
       wanted, fmt::join(names, ", ")));
 }
 
 }  // namespace
+
+const Kernels* find_kernels(std::string_view name) {
+  for (const auto* variant : available()) {
+    if (variant->name == name) return variant;
+  }
+  return nullptr;
+}
 
 const Kernels& kernels() {
   static const Kernels& chosen = choose();

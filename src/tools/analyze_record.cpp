@@ -63,7 +63,9 @@ Json slow_json(const std::optional<SlowStretch>& slow) {
   if (!slow) return nullptr;
   return {{"x_from", slow->x_from},
           {"x_to", slow->x_to},
-          {"duration", slow->duration},
+          {"t_from", slow->t_from},
+          {"t_to", slow->t_to},
+          {"duration", slow->duration()},
           {"speed", slow->speed},
           {"fast_before", json_of(slow->fast_before)},
           {"fast_after", json_of(slow->fast_after)}};
@@ -72,11 +74,11 @@ Json slow_json(const std::optional<SlowStretch>& slow) {
 std::string slow_text(const std::optional<SlowStretch>& slow, double c_s) {
   if (!slow) return "no slow stretch";
   return fmt::format("slow from x = {:.4f} m to {:.4f} m for {:.3g} ms at {:.3g} m/s (c_s/{:.0f})",
-                     slow->x_from, slow->x_to, slow->duration * 1e3, slow->speed,
+                     slow->x_from, slow->x_to, slow->duration() * 1e3, slow->speed,
                      c_s / slow->speed);
 }
 
-Json event_json(const Event& event) {
+Json event_json(const Parameters& p, const Event& event) {
   return {{"t_start", event.t_start},
           {"t_end", event.t_end},
           {"x_first", event.x_first},
@@ -85,7 +87,10 @@ Json event_json(const Event& event) {
           {"type", front_type_name(event.front.type)},
           {"slow", slow_json(event.front.slow)},
           {"F_T_before", event.F_T_before},
-          {"F_T_after", event.F_T_after}};
+          {"F_T_after", event.F_T_after},
+          {"c_s", shear_wave_speed(p)},
+          {"L", p.L},
+          {"t_rupture", json_of(event.front.line.t_rupture)}};
 }
 
 Front front_of(const RecordCommand& command) {
@@ -129,7 +134,7 @@ int analyze_events(int argc, const char* const* argv) {
                    {"x_last [m]", {}},  {"F_T_before [N]", {}}, {"F_T_after [N]", {}}};
   report.text = "  t_start [s]    t_end [s]  reaches x [m]      type   drop of F_T [N]\n";
   for (const Event& event : events) {
-    report.json["events"].push_back(event_json(event));
+    report.json["events"].push_back(event_json(p, event));
     const double values[] = {event.t_start, event.t_end,      event.x_first,
                              event.x_last,  event.F_T_before, event.F_T_after};
     for (std::size_t c = 0; c < report.series.size(); ++c) {
@@ -162,7 +167,8 @@ int analyze_front(int argc, const char* const* argv) {
                  {"type", front_type_name(front.type)},
                  {"x_arrest", json_of(front.x_arrest)},
                  {"slow", slow_json(front.slow)},
-                 {"c_s", c_s}};
+                 {"c_s", c_s},
+                 {"L", command.record.parameters.L}};
   report.series = {column("x [m]", front.line.x),
                    {"t_rupture [s]", front.line.t_rupture},
                    {"v_c [m/s]", front.v_c}};

@@ -38,10 +38,14 @@ std::string_view front_type_name(FrontType type);
 
 /// A stretch of consecutive blocks over which the front is slow.
 struct SlowStretch {
-  double x_from, x_to;  ///< first and last block centre of the stretch [m]
-  double duration;      ///< from the rupture of the first to that of the last block [s]
+  double x_from, x_to;  ///< first and last block of the stretch [m]
+  double t_from, t_to;  ///< when these two ruptured [s]
   double speed;         ///< median of v_c over the stretch [m/s]
-  std::optional<double> fast_before, fast_after;  ///< medians of v_c on either side [m/s]
+
+  double duration() const { return t_to - t_from; }  ///< [s]
+
+  /// Medians of v_c beyond the loading zone on either side, over the stencils that lie wholly there.
+  std::optional<double> fast_before, fast_after;  ///< [m/s]
 };
 
 struct Front {

@@ -69,6 +69,8 @@ class RecordWriter {
   ~RecordWriter();
   RecordWriter(const RecordWriter&) = delete;
   RecordWriter& operator=(const RecordWriter&) = delete;
+  RecordWriter(RecordWriter&&) = delete;
+  RecordWriter& operator=(RecordWriter&&) = delete;
 
   /// Throws Failure if the disk is full or a number is not finite, which is seen at the next flush.
   void append(const Sample& sample);

@@ -77,4 +77,7 @@ struct Kernels {
 /// one is unknown or the processor lacks it.
 const Kernels& kernels();
 
+/// The variant called `name`; null if this build does not hold it or this processor cannot run it.
+const Kernels* find_kernels(std::string_view name);
+
 }  // namespace rupture

@@ -1,0 +1,154 @@
+# What Figures 2 and 3 start from: one fast-slow-fast and one fast-only event of the reference
+# slider, each as a checkpoint from shortly before the event and as a record of it.
+EVENTS = ["fast-slow-fast", "fast-only"]
+LOAD_UNTIL = 1.2  # s
+CHECKPOINT_EVERY = 0.05  # s
+LOADED = [
+    f"{DATA}/load-t{n * CHECKPOINT_EVERY:.9f}.h5"
+    for n in range(1, round(LOAD_UNTIL / CHECKPOINT_EVERY) + 1)
+]
+
+
+wildcard_constraints:
+    event="|".join(EVENTS),
+
+
+if FROM_SCRATCH:
+
+    rule load:
+        output:
+            record=f"{DATA}/load-record.h5",
+            sum=f"{DATA}/load-record.h5.sum",
+            checkpoints=LOADED,
+            checkpoint_sums=[f"{path}.sum" for path in LOADED],
+            last=f"{DATA}/load.h5",
+            last_sum=f"{DATA}/load.h5.sum",
+        params:
+            code=CODE,
+        log:
+            f"{LOGS}/load.log",
+        message:
+            f"load: drive the slider to t = {LOAD_UNTIL} s (6 million steps, about a minute)"
+        shell:
+            "{BIN}/load -o {output.last} --force --quiet --until {LOAD_UNTIL}"
+            " --checkpoint-every {CHECKPOINT_EVERY}"
+            " --record {output.record} --record-every 1e-3 2> {log}"
+
+    rule events:
+        input:
+            h5=ancient(f"{DATA}/load-record.h5"),
+            sum=f"{DATA}/load-record.h5.sum",
+        output:
+            f"{DATA}/events.json",
+        params:
+            code=CODE,
+        log:
+            f"{LOGS}/events.log",
+        message:
+            "events: find the rupture events"
+        shell:
+            "{BIN}/analyze events {input.h5} --json > {output} 2> {log}"
+
+    rule choice:
+        input:
+            events=f"{DATA}/events.json",
+            script="recipes/common/choose_events.py",
+            common=COMMON,
+        output:
+            f"{DATA}/choice.json",
+        log:
+            f"{LOGS}/choice.log",
+        message:
+            "choice: take the first event of each kind"
+        shell:
+            "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
+
+    rule event_start:
+        input:
+            choice=f"{DATA}/choice.json",
+            checkpoints=ancient(LOADED),
+            sums=[f"{path}.sum" for path in LOADED],
+        output:
+            h5=f"{DATA}/{{event}}.h5",
+            sum=f"{DATA}/{{event}}.h5.sum",
+        params:
+            code=CODE,
+        log:
+            f"{LOGS}/{{event}}-start.log",
+        message:
+            "{wildcards.event}: go to 0.5 ms before the event"
+        shell:
+            "{BIN}/restart {DATA}/load-t$({VALUE} {input.choice} {wildcards.event}.from).h5"
+            " -o {output.h5} --force --quiet"
+            " --until $({VALUE} {input.choice} {wildcards.event}.until) 2> {log}"
+
+else:
+
+    rule event_start:
+        input:
+            h5="checkpoints/{event}.h5",
+        output:
+            h5=f"{DATA}/{{event}}.h5",
+            sum=f"{DATA}/{{event}}.h5.sum",
+        params:
+            code=CODE,
+        log:
+            f"{LOGS}/{{event}}-start.log",
+        message:
+            "{wildcards.event}: verify the shipped checkpoint"
+        shell:
+            "{BIN}/analyze verify {input.h5} > {log} 2>&1 && cp {input.h5} {output.h5}"
+            " && echo \"$({BIN}/analyze checksum {input.h5})  {wildcards.event}.h5\" > {output.sum}"
+
+
+# In either case the checkpoint must be the one that the manifest names.
+rule event_compared:
+    input:
+        sum=f"{DATA}/{{event}}.h5.sum",
+        manifest="checkpoints/manifest",
+    output:
+        f"{DATA}/{{event}}.compared",
+    log:
+        f"{LOGS}/{{event}}-compared.log",
+    message:
+        "{wildcards.event}: compare its checksum with checkpoints/manifest"
+    shell:
+        "{{ grep -xFf {input.sum} {input.manifest} > {output}"
+        " || {{ echo 'not in checkpoints/manifest (see checkpoints/README.md):';"
+        " cat {input.sum}; false; }}; }} > {log}"
+
+
+rule event_record:
+    input:
+        h5=ancient(f"{DATA}/{{event}}.h5"),
+        sum=f"{DATA}/{{event}}.h5.sum",
+    output:
+        h5=f"{DATA}/{{event}}-after.h5",
+        sum=f"{DATA}/{{event}}-after.h5.sum",
+        record=f"{DATA}/{{event}}-record.h5",
+        record_sum=f"{DATA}/{{event}}-record.h5.sum",
+    params:
+        code=CODE,
+    log:
+        f"{LOGS}/{{event}}-record.log",
+    message:
+        "{wildcards.event}: run the event as it is"
+    shell:
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --for 0.01"
+        " --record {output.record} --record-every 1e-5 2> {log}"
+
+
+rule front:
+    input:
+        h5=ancient(f"{DATA}/{{run}}-record.h5"),
+        sum=f"{DATA}/{{run}}-record.h5.sum",
+    output:
+        f"{DATA}/{{run}}-front.json",
+    params:
+        code=CODE,
+    log:
+        f"{LOGS}/{{run}}-front.log",
+    message:
+        "{wildcards.run}: measure the front"
+    shell:
+        "{BIN}/analyze front {input.h5} --json > {output} 2> {log}"

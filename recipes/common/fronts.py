@@ -1,0 +1,34 @@
+"""Criteria for kinds of fronts, as the acceptances of claims 2A and 2B state them.
+
+`front` is what `analyze front --json` prints, or one entry of `analyze events --json`.
+"""
+
+SLOW_SPEED = (1 / 200, 1 / 30)  # of c_s
+DURATION = (0.5e-3, 3e-3)  # [s]
+TO_SLOW = (0.25, 0.55)  # of L
+TO_FAST = (0.5, 0.85)  # of L
+FAST_OVER_SLOW = 10
+
+
+def within(value, bounds):
+    return bounds[0] <= value <= bounds[1]
+
+
+def is_fast_slow_fast(front):
+    """Claim 2A."""
+    slow = front["slow"]
+    if front["type"] != "slow" or slow["fast_before"] is None or slow["fast_after"] is None:
+        return False
+    return (
+        within(slow["speed"] / front["c_s"], SLOW_SPEED)
+        and within(slow["duration"], DURATION)
+        and within(slow["x_from"] / front["L"], TO_SLOW)
+        and within(slow["x_to"] / front["L"], TO_FAST)
+        and slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"]
+        and slow["fast_after"] >= FAST_OVER_SLOW * slow["speed"]
+    )
+
+
+def is_fast_only(front):
+    """Claim 2B: no stencil beyond the loading zone is slow."""
+    return front["type"] == "fast"

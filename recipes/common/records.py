@@ -1,0 +1,27 @@
+"""What the figures read: reports of the tools, and time series of records."""
+
+import json
+
+import h5py
+import numpy as np
+
+
+def report(path):
+    """A report of `analyze ... --json`."""
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def values(numbers):
+    """A list from a report as an array, NaN where it says null."""
+    return np.array([np.nan if number is None else number for number in numbers])
+
+
+class Pinned:
+    """Pinned fraction of each block against time: time [s], x / L, fraction [samples][blocks]."""
+
+    def __init__(self, path):
+        with h5py.File(path) as file:
+            self.time = file["series/time"][()]
+            self.fraction = file["series/pinned"][()] / file["parameters/junctions/N_s"][()]
+        self.x_over_L = np.linspace(0, 1, self.fraction.shape[1])

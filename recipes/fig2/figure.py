@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Figure 2, its data and its claims: figure.py results/data results/fig2"""
+
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from common.claims import Claim, verdict, write_claims
+from common.fronts import is_fast_only, is_fast_slow_fast
+from common.panels import draw_pinned, draw_pinned_scale
+from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from common.records import Pinned, report, values
+
+EVENTS = {"fast-slow-fast": BLUE, "fast-only": VERMILION}
+MARGIN = 0.5  # shown before the first and after the last rupture [ms]
+
+
+def first_rupture(front):
+    return np.nanmin(values(front["t_rupture"]))
+
+
+def draw_map(axes, front, pinned):
+    t_zero = first_rupture(front)
+    last = (np.nanmax(values(front["t_rupture"])) - t_zero) * 1e3
+    return draw_pinned(axes, pinned, t_zero, (-MARGIN, last + MARGIN))
+
+
+def draw_speeds(axes, fronts):
+    for name, colour in EVENTS.items():
+        front = fronts[name]
+        v_c = values(front["v_c"])
+        x = np.array(front["x"]) / front["L"]
+        forwards = v_c > 0
+        marker = "o" if name == "fast-slow-fast" else "^"
+        axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=name)
+    c_s = fronts["fast-only"]["c_s"]
+    axes.axhline(c_s, color=BLACK, linewidth=0.8)
+    axes.annotate("$c_s$", (0.5, c_s), xytext=(0, 2), textcoords="offset points")
+    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1))
+    axes.legend(loc="lower left")
+
+
+def draw(data, fronts, stem):
+    fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=3)
+    for axis, name, text in zip(axes, EVENTS, "AB"):
+        image = draw_map(axis, fronts[name], Pinned(data / f"{name}-record.h5"))
+        axis.set_title(name)
+        letter(axis, text)
+    draw_pinned_scale(fig, image, axes[:2])
+    draw_speeds(axes[2], fronts)
+    letter(axes[2], "C")
+    save(fig, stem)
+
+
+def write_table(path, fronts):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["event", "x [m]", "t_rupture [s]", "v_c [m/s]"])
+        for name, front in fronts.items():
+            for row in zip(front["x"], front["t_rupture"], front["v_c"]):
+                table.writerow([name, *row])
+
+
+def claim_2A(front):
+    slow = front["slow"]
+    return Claim(
+        id="2A",
+        paper="fast (c_s/3), slow (c_s/100) for 1 ms from 0.4 L to 0.6 L, fast again",
+        measured={
+            "slow speed [m/s]": slow["speed"],
+            "c_s/slow speed": front["c_s"] / slow["speed"],
+            "duration [ms]": slow["duration"] * 1e3,
+            "from [L]": slow["x_from"] / front["L"],
+            "to [L]": slow["x_to"] / front["L"],
+            "fast before [m/s]": slow["fast_before"],
+            "fast after [m/s]": slow["fast_after"],
+        },
+        acceptance="slow in [c_s/200, c_s/30] for 0.5-3 ms, transitions in [0.25, 0.55] L and"
+        " [0.5, 0.85] L, fast >= 10 x slow on both sides",
+        verdict=verdict(is_fast_slow_fast(front)),
+    )
+
+
+def claim_2B(front):
+    beyond = np.array(front["x"]) > 0.02
+    v_c = values(front["v_c"])
+    forwards = v_c[beyond & (v_c > 0)]
+    return Claim(
+        id="2B",
+        paper="other events are fast across the whole interface",
+        measured={
+            "slowest stencil [m/s]": forwards.min(),
+            "c_s/slowest": front["c_s"] / forwards.min(),
+        },
+        acceptance="v_c >= c_s/20 at every stencil with x > 2 cm",
+        verdict=verdict(is_fast_only(front)),
+    )
+
+
+def main(data, results):
+    data, results = Path(data), Path(results)
+    fronts = {name: report(data / f"{name}-front.json") for name in EVENTS}
+    draw(data, fronts, results / "fig2")
+    write_table(results / "front-speed.csv", fronts)
+    write_claims(
+        results / "claims.json",
+        [claim_2A(fronts["fast-slow-fast"]), claim_2B(fronts["fast-only"])],
+    )
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

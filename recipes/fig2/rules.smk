@@ -1,0 +1,24 @@
+# Figure 2: two events that span the interface. The chain of commands is in README.md.
+rule fig2_start:
+    input:
+        [f"{DATA}/{event}.compared" for event in EVENTS],
+
+
+rule fig2:
+    input:
+        fronts=[f"{DATA}/{event}-front.json" for event in EVENTS],
+        records=ancient([f"{DATA}/{event}-record.h5" for event in EVENTS]),
+        sums=[f"{DATA}/{event}-record.h5.sum" for event in EVENTS],
+        script="recipes/fig2/figure.py",
+        common=COMMON,
+    output:
+        claims=f"{RESULTS}/fig2/claims.json",
+        png=f"{RESULTS}/fig2/fig2.png",
+        pdf=f"{RESULTS}/fig2/fig2.pdf",
+        table=f"{RESULTS}/fig2/front-speed.csv",
+    log:
+        f"{LOGS}/fig2.log",
+    message:
+        "fig2: draw, compare with the paper's claims"
+    shell:
+        "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 2> {log}"
