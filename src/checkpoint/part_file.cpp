@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "atomic_write.hpp"
@@ -77,55 +78,60 @@ void append_rows(Id dataset, const std::string& path, const Dataset& rows) {
 PartFile::PartFile(std::filesystem::path path, const Content& fixed, const Content& growing)
     : path_(std::move(path)) {
   prepare();
-  const FileSizeSignalBlocked guard;
-  naming(path_, [&] {
-    file_ = create_file(path_);
-    write_root_attributes(file_,
-                          {std::string(format_name(FileKind::open_record)), kSchemaVersion, ""});
-    write_content(file_, fixed);
-    for (const auto& [name, row] : growing) {
-      datasets_.emplace(name, create_growing(file_, name, row));
-    }
-    check(H5Fstart_swmr_write(file_), "open the file for readers");
-  });
-  overwrite_start(path_, header_text(FileKind::open_record, {}));
+  try {
+    attempt([&] { create(fixed, growing); });
+    overwrite_start(path_, header_text(FileKind::open_record, {}));
+  } catch (const Failure&) {
+    std::error_code ignored;  // what could not be created may not be there either
+    std::filesystem::remove(path_, ignored);
+    throw;
+  }
 }
 
 PartFile::~PartFile() {
-  const FileSizeSignalBlocked guard;  // closing writes what an earlier failure left behind
+  const FileSizeSignalBlocked guard;
   datasets_.clear();
   file_ = Handle();
 }
 
 void PartFile::append(const Content& rows) {
-  const FileSizeSignalBlocked guard;
-  try {
-    naming(path_, [&] { append_and_flush(rows); });
-  } catch (const Failure&) {
-    abandon();
-    throw;
-  }
-}
-
-void PartFile::append_and_flush(const Content& rows) {
-  for (const auto& [name, added] : rows) {
-    if (added.shape[0] > 0) append_rows(datasets_.at(name), name, added);
-  }
-  check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write to the disk");
-}
-
-// Closing would still try to write an index of data that did not get to the disk.
-void PartFile::abandon() {
-  for (auto& [name, dataset] : datasets_) dataset.abandon();
-  file_.abandon();
+  attempt([&] {
+    for (const auto& [name, added] : rows) {
+      if (added.shape[0] > 0) append_rows(datasets_.at(name), name, added);
+    }
+    check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write to the disk");
+  });
 }
 
 void PartFile::close() {
-  const FileSizeSignalBlocked guard;
-  naming(path_, [&] {
+  attempt([&] {
     for (auto& [name, dataset] : datasets_) dataset.close("close " + name);
     file_.close("close the file");
   });
+}
+
+void PartFile::create(const Content& fixed, const Content& growing) {
+  file_ = create_file(path_);
+  write_root_attributes(file_,
+                        {std::string(format_name(FileKind::open_record)), kSchemaVersion, ""});
+  write_content(file_, fixed);
+  for (const auto& [name, row] : growing) {
+    datasets_.emplace(name, create_growing(file_, name, row));
+  }
+  check(H5Fstart_swmr_write(file_), "open the file for readers");
+}
+
+// After a failure the file is left as it is: closing it would still try to write an index of data
+// that did not get to the disk.
+void PartFile::attempt(const std::function<void()>& work) {
+  const FileSizeSignalBlocked guard;
+  try {
+    naming(path_, work);
+  } catch (const Failure&) {
+    for (auto& [name, dataset] : datasets_) dataset.abandon();
+    file_.abandon();
+    throw;
+  }
 }
 
 }  // namespace rupture::hdf5

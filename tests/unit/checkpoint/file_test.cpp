@@ -30,6 +30,8 @@ class FileSizeLimit {
   }
   FileSizeLimit(const FileSizeLimit&) = delete;
   FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  FileSizeLimit(FileSizeLimit&&) = delete;
+  FileSizeLimit& operator=(FileSizeLimit&&) = delete;
   ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
 
  private:
@@ -44,6 +46,8 @@ class Unprivileged {
   }
   Unprivileged(const Unprivileged&) = delete;
   Unprivileged& operator=(const Unprivileged&) = delete;
+  Unprivileged(Unprivileged&&) = delete;
+  Unprivileged& operator=(Unprivileged&&) = delete;
   ~Unprivileged() {
     if (became_nobody_ && seteuid(0) != 0) std::abort();
   }

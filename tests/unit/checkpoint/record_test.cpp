@@ -1,6 +1,9 @@
 #include "rupture/checkpoint/record.hpp"
 
+#include <signal.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <limits>
 
@@ -125,6 +128,23 @@ TEST_F(RecordFile, interrupted_stays_behind_as_a_part_that_cannot_be_verified) {
                   "r.h5.part: an unfinished record cannot be verified");
 }
 
+TEST_F(RecordFile, of_a_run_killed_at_any_moment_is_readable) {
+  for (int trial = 0; trial < 20; ++trial) {
+    fs::remove(file("r.h5.part"));
+    const pid_t child = fork();
+    if (child == 0) {
+      auto out = writer("r.h5", 4, IfExists::replace);  // is nearly always within a flush
+      for (int n = 0;; ++n) append(out, n, n + 1);
+    }
+    while (failure_of([&] { identify(file("r.h5.part")); }) != "(no failure)") usleep(500);
+    usleep(static_cast<useconds_t>(10000 + 700 * trial));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const Record record = read_record(file("r.h5.part"));
+    expect_samples(record, static_cast<int>(record.time.size()));
+  }
+}
+
 TEST_F(RecordFile, interrupted_within_a_flush_keeps_the_rows_that_all_series_have) {
   auto out = writer("r.h5", 8);
   append(out, 0, 8);
@@ -190,6 +210,19 @@ TEST_F(RecordFile, on_a_full_disk_fails_with_the_reason_and_keeps_the_part) {
   }
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
+  const Record record = read_record(file("r.h5.part"));
+  EXPECT_GE(record.time.size(), 8U);
+  expect_samples(record, static_cast<int>(record.time.size()));
+}
+
+TEST_F(RecordFile, that_cannot_even_be_begun_leaves_nothing_behind) {
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit limit{1000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  expect_contains(failure_of([&] { writer("r.h5"); }), "r.h5.part: could not ");
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(RecordFile, and_checkpoint_are_not_mistaken_for_each_other) {
