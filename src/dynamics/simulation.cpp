@@ -16,8 +16,6 @@ Simulation::Simulation(const Parameters& parameters, State state)
       state_(std::move(state)),
       bulk_(parameters),
       law_(parameters, state_.junctions),
-      elastic_x_(parameters.Nx, parameters.Nz),
-      elastic_z_(elastic_x_),
       p_(static_cast<std::size_t>(parameters.Nx)),
       k_ij_(p_),
       w_(p_),
@@ -26,7 +24,7 @@ Simulation::Simulation(const Parameters& parameters, State state)
       ruptured_(p_.size()) {
   find_normal_forces();
   law_.friction(state_.u_x.row(0), contact(), tau_.data());
-  F_T_ = parameters_.K * (x_drive() - state_.u_x(0, driving_row(parameters_)));
+  F_T_ = driving_force();
   note_ruptures();
   ruptures_.clear();  // blocks that had ruptured before this simulation began
   leading_edge_ruptured_ = false;
@@ -46,9 +44,10 @@ void Simulation::advance() {
   if (changes.broken > 0) last_break_ = state_.step;
   if (changes.broken + changes.repinned > 0) note_ruptures();
 
-  bulk_.elastic(state_.u_x, state_.u_z, elastic_x_, elastic_z_);
-  add_boundary_forces();
-  const double damping_power = bulk_.damp_and_finish(half_kick_, elastic_x_, elastic_z_, state_);
+  F_T_ = driving_force();
+  const Boundary boundary = {p_.data(), tau_.data(), mean_normal_force(parameters_),
+                             driving_row(parameters_), F_T_};
+  const double damping_power = bulk_.finish(half_kick_, boundary, state_);
   add_work(damping_power);
   if (!std::isfinite(damping_power)) report_blow_up();
 }
@@ -58,17 +57,8 @@ void Simulation::find_normal_forces() {
                     static_cast<double>(parameters_.N_s), parameters_.kappa, contact());
 }
 
-void Simulation::add_boundary_forces() {
-  const Eigen::Index top = parameters_.Nz - 1;
-  const double load = mean_normal_force(parameters_);
-  for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
-    elastic_x_(i, 0) -= tau_[static_cast<std::size_t>(i)];
-    elastic_z_(i, 0) += p_[static_cast<std::size_t>(i)];
-    elastic_z_(i, top) -= load;
-  }
-  const Eigen::Index row = driving_row(parameters_);
-  F_T_ = parameters_.K * (x_drive() - state_.u_x(0, row));
-  elastic_x_(0, row) += F_T_;
+double Simulation::driving_force() const {
+  return parameters_.K * (x_drive() - state_.u_x(0, driving_row(parameters_)));
 }
 
 void Simulation::note_ruptures() {

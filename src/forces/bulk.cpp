@@ -30,14 +30,13 @@ void Bulk::elastic(const Field& u_x, const Field& u_z, Field& f_x, Field& f_z) {
 }
 
 void Bulk::damping(const Field& v_x, const Field& v_z, Field& f_x, Field& f_z) {
-  kernels().damping(shape_, eta_, view(v_x, v_z), view(f_x, f_z), scratch_.data());
+  kernels().damping(shape_, eta_, view(v_x, v_z), view(f_x, f_z));
 }
 
-double Bulk::damp_and_finish(double half_kick, const Field& others_x, const Field& others_z,
-                             State& state) {
-  return kernels().damp_and_finish(shape_, eta_, half_kick, view(others_x, others_z),
-                                   view(state.f_x, state.f_z), view(state.v_x, state.v_z),
-                                   scratch_.data());
+double Bulk::finish(double half_kick, const Boundary& boundary, State& state) {
+  return kernels().finish(shape_, springs_, eta_, half_kick, {state.u_x.row(0), state.u_z.row(0)},
+                          boundary, view(state.f_x, state.f_z), view(state.v_x, state.v_z),
+                          scratch_.data());
 }
 
 double Bulk::elastic_energy(const Field& u_x, const Field& u_z) const {

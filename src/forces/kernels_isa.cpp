@@ -106,9 +106,9 @@ Force spring(Springs c, Lanes dx, Lanes dz, Lanes exists) {
 ///
 /// `next` holds what row j receives from below and is replaced by what row j + 1 receives from row
 /// j. Forces on column i + 1 are kept in `to_right` (row j) and `to_rise` (row j + 1) and shifted
-/// there.
-void elastic_row(const LatticeShape& n, Springs c, ConstVectorView u, VectorView f,
-                 VectorView next) {
+/// there. `use(i, force)` receives the sum of the spring forces on blocks i, i + 1, ...
+template <class Use>
+void elastic_row(const LatticeShape& n, Springs c, ConstVectorView u, VectorView next, Use use) {
   Force to_right = {}, to_rise = {};
   for (Index i = 0; i < n.stride; i += RUPTURE_LANES) {
     const double* here_x = u.x + i;
@@ -126,27 +126,29 @@ void elastic_row(const LatticeShape& n, Springs c, ConstVectorView u, VectorView
     const Force fall = spring<-1, 1>(c, ux_above - ux_right, uz_above - uz_right, has_right);
 
     const Force on_right = {fall.x - right.x, fall.z - right.z};
-    store(f.x + i,
-          load(next.x + i) + ((right.x + rise.x) + up.x) + shift_in(to_right.x, on_right.x));
-    store(f.z + i,
-          load(next.z + i) + ((right.z + rise.z) + up.z) + shift_in(to_right.z, on_right.z));
+    const Force force = {
+        load(next.x + i) + ((right.x + rise.x) + up.x) + shift_in(to_right.x, on_right.x),
+        load(next.z + i) + ((right.z + rise.z) + up.z) + shift_in(to_right.z, on_right.z)};
     store(next.x + i, -(up.x + fall.x) - shift_in(to_rise.x, rise.x));
     store(next.z + i, -(up.z + fall.z) - shift_in(to_rise.z, rise.z));
     to_right = on_right;
     to_rise = rise;
+    use(i, force);
   }
 }
 
 /// The top row: only springs inside the row remain.
-void elastic_top_row(const LatticeShape& n, Springs c, ConstVectorView u, VectorView f,
-                     ConstVectorView next) {
+template <class Use>
+void elastic_top_row(const LatticeShape& n, Springs c, ConstVectorView u, ConstVectorView next,
+                     Use use) {
   Force to_right = {};
   for (Index i = 0; i < n.stride; i += RUPTURE_LANES) {
     const Force right = spring<1, 0>(c, load(u.x + i + 1) - load(u.x + i),
                                      load(u.z + i + 1) - load(u.z + i), load(n.has_right + i));
-    store(f.x + i, load(next.x + i) + (right.x - shift_in(to_right.x, right.x)));
-    store(f.z + i, load(next.z + i) + (right.z - shift_in(to_right.z, right.z)));
+    const Force force = {load(next.x + i) + (right.x - shift_in(to_right.x, right.x)),
+                         load(next.z + i) + (right.z - shift_in(to_right.z, right.z))};
     to_right = right;
+    use(i, force);
   }
 }
 
@@ -155,69 +157,48 @@ void elastic(LatticeShape n, Springs c, ConstVectorView u, VectorView f, double*
   for (Index i = 0; i < n.stride; ++i) next.x[i] = next.z[i] = 0.0;
   for (Index row = 0; row < n.Nz * n.stride; row += n.stride) {
     const ConstVectorView u_row = {u.x + row, u.z + row};
-    const VectorView f_row = {f.x + row, f.z + row};
+    const auto keep = [&](Index i, const Force& force) {
+      store(f.x + row + i, force.x);
+      store(f.z + row + i, force.z);
+    };
     if (row + n.stride < n.Nz * n.stride) {
-      elastic_row(n, c, u_row, f_row, next);
+      elastic_row(n, c, u_row, next, keep);
     } else {
-      elastic_top_row(n, c, u_row, f_row, {next.x, next.z});
+      elastic_top_row(n, c, u_row, {next.x, next.z}, keep);
     }
   }
 }
 
-/// sum[i] = v[i-1] + v[i] + v[i+1]
-void sum_of_three(Index size, const double* v, double* sum) {
-#pragma omp simd
-  for (Index i = 0; i < size; ++i) sum[i] = (v[i - 1] + v[i + 1]) + v[i];
+/// v[i-1] + v[i] + v[i+1]
+Lanes sum_of_three(const double* v) {
+  return (load(v - 1) + load(v + 1)) + load(v);
 }
 
 /// eta sum_j (v_j - v_i) over the 3 x 3 neighbourhood, from the sums of three along x of the rows
-/// below, here and above.
-void damping_row(const LatticeShape& n, double eta, double rows, const double* below,
-                 const double* here, const double* above, const double* v, double* f) {
-  const double* inside = n.inside;
-  const double* columns = n.columns;
-#pragma omp simd
-  for (Index i = 0; i < n.stride; ++i) {
-    const double neighbours = ((below[i] + above[i]) + here[i]) - (rows * columns[i]) * v[i];
-    f[i] = (eta * inside[i]) * neighbours;
-  }
+/// below, here and above. `blocks` is how many blocks the neighbourhood has, block i included.
+Lanes damping_force(Lanes eta, Lanes blocks, Lanes below, Lanes here, Lanes above, Lanes v) {
+  return eta * (((below + above) + here) - blocks * v);
 }
 
-/// Damping forces row by row; `use(j, dx, dz)` receives those of row j before the next is computed,
-/// and may change v in row j.
-template <class Use>
-void damping_rows(const LatticeShape& n, double eta, ConstVectorView v, double* scratch, Use use) {
-  VectorView below = {scratch_row(n, scratch, 0), scratch_row(n, scratch, 1)};
-  VectorView here = {scratch_row(n, scratch, 2), scratch_row(n, scratch, 3)};
-  VectorView above = {scratch_row(n, scratch, 4), scratch_row(n, scratch, 5)};
-  const VectorView damping = {scratch_row(n, scratch, 6), scratch_row(n, scratch, 7)};
-  sum_of_three(n.stride, v.x - n.stride, below.x);
-  sum_of_three(n.stride, v.z - n.stride, below.z);
-  sum_of_three(n.stride, v.x, here.x);
-  sum_of_three(n.stride, v.z, here.z);
+/// Rows among j - 1, j, j + 1 that exist.
+double rows_around(const LatticeShape& n, Index j) {
+  return (j == 0 || j + 1 == n.Nz) ? 2.0 : 3.0;
+}
+
+void damping(LatticeShape n, double eta, ConstVectorView v, VectorView f) {
+  const auto component = [&](const double* v_i, Lanes eta_i, Lanes blocks) {
+    return damping_force(eta_i, blocks, sum_of_three(v_i - n.stride), sum_of_three(v_i),
+                         sum_of_three(v_i + n.stride), load(v_i));
+  };
   for (Index j = 0; j < n.Nz; ++j) {
-    const Index row = j * n.stride;
-    sum_of_three(n.stride, v.x + row + n.stride, above.x);
-    sum_of_three(n.stride, v.z + row + n.stride, above.z);
-    const double rows = (j == 0 || j + 1 == n.Nz) ? 2.0 : 3.0;
-    damping_row(n, eta, rows, below.x, here.x, above.x, v.x + row, damping.x);
-    damping_row(n, eta, rows, below.z, here.z, above.z, v.z + row, damping.z);
-    use(row, damping);
-    const VectorView free = below;
-    below = here;
-    here = above;
-    above = free;
-  }
-}
-
-void damping(LatticeShape n, double eta, ConstVectorView v, VectorView f, double* scratch) {
-  damping_rows(n, eta, v, scratch, [&](Index row, VectorView d) {
-#pragma omp simd
-    for (Index i = 0; i < n.stride; ++i) {
-      f.x[row + i] = d.x[i];
-      f.z[row + i] = d.z[i];
+    for (Index i = 0; i < n.stride; i += RUPTURE_LANES) {
+      const Index b = j * n.stride + i;
+      const Lanes eta_i = eta * load(n.inside + i);
+      const Lanes blocks = rows_around(n, j) * load(n.columns + i);
+      store(f.x + b, component(v.x + b, eta_i, blocks));
+      store(f.z + b, component(v.z + b, eta_i, blocks));
     }
-  });
+  }
 }
 
 /// The sum of eight lanes, in an order that no compiler may change.
@@ -225,29 +206,76 @@ double sum_of_lanes(const double* lane) {
   return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
 }
 
-/// f = elastic + damping and half kick in one row; adds the power of the damping to eight lanes.
-void finish_row(Index size, double half_kick, ConstVectorView elastic, ConstVectorView damping,
-                VectorView f, VectorView v, double* power) {
-  for (Index i = 0; i < size; i += 8) {
-#pragma omp simd
-    for (Index lane = 0; lane < 8; ++lane) {
-      const Index b = i + lane;
-      f.x[b] = elastic.x[b] + damping.x[b];
-      f.z[b] = elastic.z[b] + damping.z[b];
-      v.x[b] += half_kick * f.x[b];
-      v.z[b] += half_kick * f.z[b];
-      power[lane] += damping.x[b] * v.x[b] + damping.z[b] * v.z[b];
-    }
+/// Adds what the boundary does to row j to the forces that the row receives.
+void add_boundary(const LatticeShape& n, const Boundary& boundary, Index j, VectorView received) {
+  if (j == 0) {
+    for (Index i = 0; i < n.Nx; ++i) received.x[i] -= boundary.tau[i];
+    for (Index i = 0; i < n.Nx; ++i) received.z[i] += boundary.p[i];
   }
+  if (j + 1 == n.Nz) {
+    for (Index i = 0; i < n.Nx; ++i) received.z[i] -= boundary.load;
+  }
+  if (j == boundary.driving_row) received.x[0] += boundary.F_T;
 }
 
-double damp_and_finish(LatticeShape n, double eta, double half_kick, ConstVectorView elastic,
-                       VectorView f, VectorView v, double* scratch) {
+/// Sums of three along x of v, of the row below and of the row at hand; both move up row by row.
+/// They are taken before a row is kicked, because damping acts at the half-kicked velocities.
+struct RowSums {
+  VectorView below, here;
+};
+
+/// Steps 4 and 5 of the scheme in one sweep, row by row from the bottom: f = springs + damping +
+/// boundary, v += (dt/2m) f.
+double finish(LatticeShape n, Springs c, double eta, double half_kick, ConstVectorView u,
+              const Boundary& boundary, VectorView f, VectorView v, double* scratch) {
+  const VectorView next = {scratch_row(n, scratch, 0), scratch_row(n, scratch, 1)};
+  const RowSums sums = {{scratch_row(n, scratch, 2), scratch_row(n, scratch, 3)},
+                        {scratch_row(n, scratch, 4), scratch_row(n, scratch, 5)}};
+  for (Index i = 0; i < n.stride; i += RUPTURE_LANES) {
+    store(next.x + i, Lanes{});
+    store(next.z + i, Lanes{});
+    store(sums.below.x + i, Lanes{});
+    store(sums.below.z + i, Lanes{});
+    store(sums.here.x + i, sum_of_three(v.x + i));
+    store(sums.here.z + i, sum_of_three(v.z + i));
+  }
   double power[8] = {};
-  damping_rows(n, eta, {v.x, v.z}, scratch, [&](Index row, VectorView d) {
-    finish_row(n.stride, half_kick, {elastic.x + row, elastic.z + row}, {d.x, d.z},
-               {f.x + row, f.z + row}, {v.x + row, v.z + row}, power);
-  });
+  for (Index j = 0; j < n.Nz; ++j) {
+    const Index row = j * n.stride;
+    const double rows = rows_around(n, j);
+    const auto finish_blocks = [&](Index i, const Force& springs) {
+      const Index b = row + i;
+      const Lanes eta_i = eta * load(n.inside + i);
+      const Lanes blocks = rows * load(n.columns + i);
+      const Lanes vx = load(v.x + b), vz = load(v.z + b);
+      const Lanes here_x = load(sums.here.x + i), here_z = load(sums.here.z + i);
+      const Lanes above_x = sum_of_three(v.x + b + n.stride);
+      const Lanes above_z = sum_of_three(v.z + b + n.stride);
+      const Lanes damping_x =
+          damping_force(eta_i, blocks, load(sums.below.x + i), here_x, above_x, vx);
+      const Lanes damping_z =
+          damping_force(eta_i, blocks, load(sums.below.z + i), here_z, above_z, vz);
+      store(sums.below.x + i, here_x);
+      store(sums.below.z + i, here_z);
+      store(sums.here.x + i, above_x);
+      store(sums.here.z + i, above_z);
+
+      const Lanes fx = springs.x + damping_x, fz = springs.z + damping_z;
+      const Lanes kicked_x = vx + half_kick * fx, kicked_z = vz + half_kick * fz;
+      store(f.x + b, fx);
+      store(f.z + b, fz);
+      store(v.x + b, kicked_x);
+      store(v.z + b, kicked_z);
+      double* lane = power + i % 8;
+      store(lane, load(lane) + (damping_x * kicked_x + damping_z * kicked_z));
+    };
+    add_boundary(n, boundary, j, next);
+    if (j + 1 < n.Nz) {
+      elastic_row(n, c, {u.x + row, u.z + row}, next, finish_blocks);
+    } else {
+      elastic_top_row(n, c, {u.x + row, u.z + row}, {next.x, next.z}, finish_blocks);
+    }
+  }
   return sum_of_lanes(power);
 }
 
@@ -296,6 +324,6 @@ double trail(Index N_s, double lower, double upper, const double* repin_time, do
 
 extern const Kernels RUPTURE_JOIN(kernels_, RUPTURE_ISA);
 const Kernels RUPTURE_JOIN(kernels_, RUPTURE_ISA) = {
-    RUPTURE_STRING(RUPTURE_ISA), kick_drift, elastic, damping, damp_and_finish, contact, trail};
+    RUPTURE_STRING(RUPTURE_ISA), kick_drift, elastic, damping, finish, contact, trail};
 
 }  // namespace rupture

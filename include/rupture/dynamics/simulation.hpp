@@ -57,7 +57,7 @@ class Simulation {
  private:
   ContactView contact() { return {p_.data(), k_ij_.data(), w_.data()}; }
   void find_normal_forces();
-  void add_boundary_forces();
+  double driving_force() const;
   void note_ruptures();
   void add_work(double damping_power);
   [[noreturn]] void report_blow_up() const;
@@ -67,7 +67,6 @@ class Simulation {
   State state_;
   Bulk bulk_;
   ReferenceLaw law_;
-  Field elastic_x_, elastic_z_;
   std::vector<double> p_, k_ij_, w_, tau_;
   double F_T_ = 0;
   std::int64_t last_break_;

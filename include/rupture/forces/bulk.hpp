@@ -16,9 +16,9 @@ class Bulk {
   /// Damping forces eta sum_j (v_j - v_i) over the up to 8 neighbours [N]; overwrites f.
   void damping(const Field& v_x, const Field& v_z, Field& f_x, Field& f_z);
 
-  /// The end of a step: f = others + damping, v += half_kick f. Returns the damping power [W].
-  double damp_and_finish(double half_kick, const Field& others_x, const Field& others_z,
-                         State& state);
+  /// The end of a step: f = springs + damping + boundary, v += half_kick f, with half_kick = dt/2m.
+  /// Returns the power of the damping forces [W].
+  double finish(double half_kick, const Boundary& boundary, State& state);
 
   /// Energy stored in the springs, sum of 1/2 k_ij (r_ij - l_ij)^2 [J].
   double elastic_energy(const Field& u_x, const Field& u_z) const;

@@ -41,8 +41,17 @@ struct ContactView {
   double* w;     ///< f_N / k_ij, so that f_thres = k_ij (mu_s w) [m]
 };
 
-/// Rows of scratch that `elastic` and `damping` need, each of length stride + 8 and zero at first.
-inline constexpr std::ptrdiff_t kScratchRows = 8;
+/// Rows of scratch that `elastic` and `finish` need, each of length stride + 8.
+inline constexpr std::ptrdiff_t kScratchRows = 6;
+
+/// Forces from outside on the slider.
+struct Boundary {
+  const double* p;             ///< normal force on each bottom block, upwards [N]
+  const double* tau;           ///< friction on each bottom block, towards -x [N]
+  double load;                 ///< normal load on each top block, downwards [N]
+  std::ptrdiff_t driving_row;  ///< row whose leftmost block is driven
+  double F_T;                  ///< driving force, towards +x [N]
+};
 
 struct Kernels {
   std::string_view name;
@@ -55,12 +64,13 @@ struct Kernels {
   void (*elastic)(LatticeShape, Springs, ConstVectorView u, VectorView f, double* scratch);
 
   /// Damping forces eta * sum over the 8 neighbours of (v_j - v_i); overwrites f.
-  void (*damping)(LatticeShape, double eta, ConstVectorView v, VectorView f, double* scratch);
+  void (*damping)(LatticeShape, double eta, ConstVectorView v, VectorView f);
 
-  /// Adds the damping to all other forces and finishes the step: f = others + damping,
-  /// v += (dt/2m) f. Returns the power of the damping forces, sum of damping . v [W].
-  double (*damp_and_finish)(LatticeShape, double eta, double half_kick, ConstVectorView others,
-                            VectorView f, VectorView v, double* scratch);
+  /// The end of a step in one sweep over the rows: f = springs + damping + boundary, then the
+  /// second half kick v += (dt/2m) f. Returns the power of the damping forces, sum of damping . v
+  /// [W].
+  double (*finish)(LatticeShape, Springs, double eta, double half_kick, ConstVectorView u,
+                   const Boundary& boundary, VectorView f, VectorView v, double* scratch);
 
   /// p_i = -k_f u_z where u_z < 0, else 0; k_ij = sqrt(kappa f_N); w = f_N / k_ij; f_N = p_i / N_s.
   void (*contact)(std::ptrdiff_t Nx, const double* u_z, double k_f, double N_s, double kappa,
