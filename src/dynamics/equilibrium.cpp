@@ -172,6 +172,7 @@ State normal_load_equilibrium(const Parameters& p) {
   State state = compressed(p);
   Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
   Eigen::SparseLU<Matrix> solver;
+  double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     static_forces(p, bulk, state, f_x, f_z);
     const double residual = largest(f_x, f_z);
@@ -181,10 +182,13 @@ State normal_load_equilibrium(const Parameters& p) {
       place_driving_point(p, state);
       return state;
     }
-    const Matrix matrix = stiffness(p, state);
-    if (iteration == 0) solver.analyzePattern(matrix);
-    solver.factorize(matrix);
-    if (solver.info() != Eigen::Success) break;
+    if (residual > 0.1 * previous_residual) {
+      const Matrix matrix = stiffness(p, state);
+      if (iteration == 0) solver.analyzePattern(matrix);
+      solver.factorize(matrix);
+      if (solver.info() != Eigen::Success) break;
+    }
+    previous_residual = residual;
     add_displacement(p, solver.solve(gather(p, f_x, f_z)), state);
   }
   throw Failure(
