@@ -30,8 +30,8 @@ std::vector<Stretch> slow_stretches(const Front& front, double limit, double ski
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
     const auto& v = front.v_c[i];
     if (front.line.x[i] <= skip_below_x || !v || *v <= 0.0 || *v >= limit) continue;
-    const bool forwards = *front.line.t_rupture[i] >= *front.line.t_rupture[i - 1];
-    if (!stretches.empty() && stretches.back().last + 1 == i && forwards) {
+    const bool next = !stretches.empty() && stretches.back().last + 1 == i;
+    if (next && *front.line.t_rupture[i] >= *front.line.t_rupture[i - 1]) {
       stretches.back().last = i;
     } else {
       stretches.push_back({i, i});

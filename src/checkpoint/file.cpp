@@ -114,6 +114,8 @@ void write_sum(const fs::path& path, const std::string& checksum) {
 }  // namespace
 
 void check_output(const fs::path& path, IfExists if_exists) {
+  if (!path.has_filename())
+    throw UsageError("an output has an empty name; give the path of a file");
   struct stat info {};
   const bool exists = ::lstat(path.c_str(), &info) == 0;
   if (exists && S_ISDIR(info.st_mode)) {
@@ -125,8 +127,14 @@ void check_output(const fs::path& path, IfExists if_exists) {
   if (exists && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode)) {
     throw Failure(fmt::format("{} is not a regular file; give another path", path.string()));
   }
+  const std::string sum = path.string() + ".sum";
+  if (::lstat(sum.c_str(), &info) == 0 && S_ISDIR(info.st_mode)) {
+    throw Failure(fmt::format("{} is a folder where the checksum of {} belongs; give another path",
+                              sum, path.string()));
+  }
   const fs::path folder = folder_of(path);
-  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+  if (::access((folder / ".").c_str(), F_OK) != 0 ||
+      ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
     throw Failure(fmt::format("could not write {}: its folder {}: {}; give another path",
                               path.string(), folder.string(), std::strerror(errno)));
   }

@@ -144,6 +144,19 @@ void place_driving_point(const Parameters& p, State& state) {
   state.drive = {state.step, state.u_x(0, driving_row(p))};
 }
 
+/// True if a block has passed its right or upper neighbour: static equations have such solutions, a
+/// slider does not.
+bool turned_inside_out(const Parameters& p, const State& state) {
+  const double l = block_spacing(p);
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      if (i + 1 < p.Nx && l + state.u_x(i + 1, j) - state.u_x(i, j) <= 0.0) return true;
+      if (j + 1 < p.Nz && l + state.u_z(i, j + 1) - state.u_z(i, j) <= 0.0) return true;
+    }
+  }
+  return false;
+}
+
 void check_strength(const Parameters& p, const State& state) {
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto friction = unbreakable_friction(p, state.u_x(i, 0), state.u_z(i, 0));
@@ -178,6 +191,7 @@ State normal_load_equilibrium(const Parameters& p) {
     const double residual = largest(f_x, f_z);
     if (!std::isfinite(residual)) break;
     if (residual <= tolerance) {
+      if (turned_inside_out(p, state)) break;
       check_strength(p, state);
       place_driving_point(p, state);
       return state;

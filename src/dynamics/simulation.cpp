@@ -28,6 +28,7 @@ Simulation::Simulation(const Parameters& parameters, State state)
   note_ruptures();
   ruptures_.clear();  // blocks that had ruptured before this simulation began
   leading_edge_ruptured_ = false;
+  power_ = initial_power();
 }
 
 void Simulation::advance() {
@@ -73,13 +74,25 @@ void Simulation::note_ruptures() {
   }
 }
 
-void Simulation::add_work(double damping_power) {
+Power Simulation::power(double damping_power) const {
   Power now;
   now.driving = F_T_ * parameters_.V;
   now.damping = -damping_power;
   for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
     now.junctions += tau_[static_cast<std::size_t>(i)] * state_.v_x(i, 0);
   }
+  return now;
+}
+
+/// The damping force at the half-kicked velocity is gone; at the full one it is nearly the same.
+Power Simulation::initial_power() {
+  Field f_x(parameters_.Nx, parameters_.Nz), f_z(f_x);
+  bulk_.damping(state_.v_x, state_.v_z, f_x, f_z);
+  return power((f_x.blocks() * state_.v_x.blocks() + f_z.blocks() * state_.v_z.blocks()).sum());
+}
+
+void Simulation::add_work(double damping_power) {
+  const Power now = power(damping_power);
   const double half_dt = 0.5 * parameters_.dt;
   work_.driving += half_dt * (power_.driving + now.driving);
   work_.damping += half_dt * (power_.damping + now.damping);

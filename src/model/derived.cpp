@@ -44,10 +44,11 @@ double stable_time_step(const Parameters& p) {
   const double edge_pressure = 4.0;  // corner blocks bear a few times the mean normal force
   const double k_i =
       static_cast<double>(p.N_s) * junction_stiffness(p, edge_pressure * mean_normal_force(p));
-  const double surface = std::max({k_i, foundation_stiffness(p), p.K});
-  const double omega2 = std::max(6.0 * k, 5.0 * k + surface) / m;
+  const double interface = driving_row(p) == 0 ? k_i + p.K : k_i;
+  const double surface = std::max({interface, foundation_stiffness(p), p.K});
+  const double omega = std::sqrt(std::max(6.0 * k, 5.0 * k + surface)) / std::sqrt(m);
   const double c = 12.0 * damping_coefficient(p) / m;
-  return (std::sqrt(c * c + 4.0 * omega2) - c) / omega2;
+  return 4.0 / (std::hypot(c, 2.0 * omega) + c);  // the formula of the header without cancellation
 }
 
 }  // namespace rupture

@@ -52,14 +52,15 @@ Number parse_number(const ParameterInfo& info, std::string_view text) {
   Number value{};
   const auto* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
-  if (text.empty() || result.ec != std::errc{} || result.ptr != end) {
+  const bool too_large = result.ec == std::errc::result_out_of_range && result.ptr == end;
+  if (text.empty() || (result.ec != std::errc{} && !too_large) || result.ptr != end) {
     throw UsageError(
         fmt::format("{} = '{}' is not {} (unit {})", info.name, text, kind, info.unit));
   }
   const auto number = static_cast<double>(value);
   const bool too_small =
       info.minimum_excluded ? !(number > info.minimum) : !(number >= info.minimum);
-  if (too_small || !(number <= info.maximum)) {
+  if (too_large || too_small || !(number <= info.maximum)) {
     const std::string upper =
         info.maximum < kNoLimit ? fmt::format(" and at most {:g}", info.maximum) : "";
     throw UsageError(fmt::format("{} = {} is out of range: give a value {} {:g}{} (unit {})",

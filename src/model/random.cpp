@@ -17,7 +17,7 @@ double uniform(std::int64_t seed, std::uint32_t block, std::uint32_t junction, P
       {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)}};
   const auto word = r123::Philox4x32{}(counter, keys);
   const std::uint64_t bits = (std::uint64_t{word[0]} << 32) | word[1];
-  return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53;
+  return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;  // exact, so never rounded to 1
 }
 
 double slipping_time(const Parameters& p, std::uint32_t block, std::uint32_t junction,

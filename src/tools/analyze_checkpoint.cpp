@@ -87,7 +87,10 @@ int analyze_phi(int argc, const char* const* argv) {
       read(argc, argv, "phi",
            "Forces in the junctions of each block: mean, standard deviation, histogram.", options);
   const int bins = parsed.values["bins"].as<int>();
-  if (bins < 1) throw UsageError(fmt::format("--bins {} makes no sense: give at least 1", bins));
+  constexpr int most_bins = 100000;
+  if (bins < 1 || bins > most_bins) {
+    throw UsageError(fmt::format("--bins {} makes no sense: give 1 to {}", bins, most_bins));
+  }
   const auto blocks = block_forces(checkpoint.parameters, checkpoint.state);
   Report report;
   std::vector<double> x, mean, sigma, sigma_bar, slipping, f_thres, f_slip;

@@ -10,6 +10,7 @@
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
+#include "text.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -45,13 +46,14 @@ std::vector<ManifestLine> read_manifest(const fs::path& path) {
     ManifestLine line;
     std::string name;
     if (!(words >> line.checksum)) continue;
-    if (line.checksum.size() != 64 || !(words >> name)) {
+    if (line.checksum.size() != 64 || !std::getline(words >> std::ws, name)) {
       throw Failure(fmt::format("{} is no manifest: '{}' is not '<64 hex digits>  <file>'",
                                 path.string(), text));
     }
     line.file = path.parent_path() / name;
     lines.push_back(std::move(line));
   }
+  if (lines.empty()) throw Failure(fmt::format("the manifest {} names no file", path.string()));
   return lines;
 }
 
@@ -104,7 +106,7 @@ int analyze_checksum(int argc, const char* const* argv) {
   const Parsed parsed =
       parse_files(argc, argv, "checksum", "FILE",
                   "Prints the content checksum, verified: 64 hex digits.", options);
-  fmt::print("{}\n", verify_file(single_input(parsed.values, "file", "a file")));
+  say("{}\n", verify_file(single_input(parsed.values, "file", "a file")));
   return kDone;
 }
 
@@ -122,7 +124,7 @@ int analyze_verify(int argc, const char* const* argv) {
   if (files.empty() && !listed) {
     throw UsageError("nothing to verify: name a checkpoint or record, or give --manifest");
   }
-  for (const auto& file : files) fmt::print("intact  {}  {}\n", verify_file(file), file);
+  for (const auto& file : files) say("intact  {}  {}\n", verify_file(file), file);
   if (!listed) return kDone;
   for (const auto& line : read_manifest(parsed.values["manifest"].as<std::string>())) {
     const auto checksum = verify_file(line.file);
@@ -132,7 +134,7 @@ int analyze_verify(int argc, const char* const* argv) {
                       "says",
                       line.file.string(), checksum, line.checksum));
     }
-    fmt::print("intact  {}  {}\n", checksum, line.file.string());
+    say("intact  {}  {}\n", checksum, line.file.string());
   }
   return kDone;
 }
@@ -151,15 +153,15 @@ int analyze_diff(int argc, const char* const* argv) {
   const auto differences =
       diff(checksummed_part(read_content(files[0])), checksummed_part(read_content(files[1])));
   for (const auto& d : differences) {
-    fmt::print("{:<32} {}", d.path, change_text(d.change));
+    say("{:<32} {}", d.path, change_text(d.change));
     if (d.change == Change::values) {
-      fmt::print(": {} of them, first at {}; largest: {:.3e} absolute, {:.3e} relative, {} ULP",
-                 d.count, d.first, d.largest_absolute, d.largest_relative, d.largest_ulp);
+      say(": {} of them, first at {}; largest: {:.3e} absolute, {:.3e} relative, {} ULP", d.count,
+          d.first, d.largest_absolute, d.largest_relative, d.largest_ulp);
     }
-    fmt::print("\n");
+    say("\n");
   }
   if (!differences.empty()) return kFailed;
-  fmt::print("equal\n");
+  say("equal\n");
   return kDone;
 }
 
@@ -179,21 +181,21 @@ int analyze_show(int argc, const char* const* argv) {
       json["parameters"][std::string(info.name)] = parameter_text(parameters, info);
     }
     json["provenance"] = provenance_json(chain);
-    fmt::print("{}\n", json.dump());
+    say("{}\n", json.dump());
     return kDone;
   }
-  fmt::print("{}: {}", path, kind_summary(file));
-  if (!file.checksum.empty()) fmt::print("sha256 {}\n", file.checksum);
-  fmt::print("\nparameters\n");
+  say("{}: {}", path, kind_summary(file));
+  if (!file.checksum.empty()) say("sha256 {}\n", file.checksum);
+  say("\nparameters\n");
   for (const auto& info : parameter_table()) {
-    fmt::print("  {:<26} {:>12} {:<6} {}\n", info.name, parameter_text(parameters, info),
-               info.unit == "1" ? "" : info.unit, info.symbol);
+    say("  {:<26} {:>12} {:<6} {}\n", info.name, parameter_text(parameters, info),
+        info.unit == "1" ? "" : info.unit, info.symbol);
   }
-  fmt::print("\nprovenance\n");
+  say("\nprovenance\n");
   for (const auto& entry : chain) {
-    fmt::print("  {} {} (commit {}, {})\n    {}\n", entry.tool, entry.version, entry.commit,
-               entry.compiler, entry.command_line);
-    if (!entry.parent_checksum.empty()) fmt::print("    from {}\n", entry.parent_checksum);
+    say("  {} {} (commit {}, {})\n    {}\n", entry.tool, entry.version, entry.commit,
+        entry.compiler, entry.command_line);
+    if (!entry.parent_checksum.empty()) say("    from {}\n", entry.parent_checksum);
   }
   return kDone;
 }

@@ -39,9 +39,20 @@ FrontCriteria criteria(const po::variables_map& values) {
   return {non_negative(values, "slow-below"), non_negative(values, "skip-below-x")};
 }
 
+/// A window beside the record is a mistake; one that reaches beyond it is not.
+void check_overlap(const RecordCommand& command) {
+  const double first = command.record.time.front(), last = command.record.time.back();
+  const auto refuse = [&](const char* option, double t) {
+    throw UsageError(
+        fmt::format("{} {:g} is outside the record, which goes from {:.7g} s to {:.7g} s", option,
+                    t, first, last));
+  };
+  if (command.from > last) refuse("--from", command.from);
+  if (command.to < first) refuse("--to", command.to);
+}
+
 RecordCommand read(int argc, const char* const* argv, const std::string& name,
                    const std::string& purpose, po::options_description& options) {
-  add_format_options(options);
   RecordCommand command;
   command.parsed =
       parse(argc, argv, {"analyze " + name, "analyze " + name + " RECORD [options]", purpose},
@@ -54,6 +65,7 @@ RecordCommand read(int argc, const char* const* argv, const std::string& name,
   command.to = command.record.time.back();
   if (windowed && values.count("from") > 0) command.from = non_negative(values, "from");
   if (windowed && values.count("to") > 0) command.to = non_negative(values, "to");
+  check_overlap(command);
   if (command.to < command.from)
     throw UsageError("the time window is empty: --to is before --from");
   return command;
@@ -118,6 +130,7 @@ Eigen::Index block_at(const Parameters& p, double x) {
 
 int analyze_events(int argc, const char* const* argv) {
   po::options_description options("Options");
+  add_format_options(options);
   options.add_options()("quiet", po::value<double>()->value_name("T"),
                         "time without ruptures that separates events [s]; default 5 t_R");
   add_criteria_options(options);
@@ -151,6 +164,7 @@ int analyze_events(int argc, const char* const* argv) {
 
 int analyze_front(int argc, const char* const* argv) {
   po::options_description options("Options");
+  add_format_options(options);
   add_window_options(options);
   add_criteria_options(options);
   const auto command =
@@ -186,6 +200,7 @@ int analyze_front(int argc, const char* const* argv) {
 
 int analyze_classify(int argc, const char* const* argv) {
   po::options_description options("Options");
+  options.add_options()("json", "print one JSON object");
   add_window_options(options);
   add_criteria_options(options);
   const auto command =
@@ -194,13 +209,13 @@ int analyze_classify(int argc, const char* const* argv) {
   Report report;
   report.text = fmt::format("{}\n", front_type_name(front.type));
   report.json = {{"type", front_type_name(front.type)}, {"x_arrest", json_of(front.x_arrest)}};
-  report.series = {{"x_arrest [m]", {front.x_arrest}}};
   print(report, command.parsed.values);
   return kDone;
 }
 
 int analyze_slip(int argc, const char* const* argv) {
   po::options_description options("Options");
+  add_format_options(options);
   options.add_options()("x", po::value<double>()->required()->value_name("X"),
                         "position of the block, the nearest one is taken [m]");
   add_window_options(options);
@@ -268,6 +283,7 @@ int analyze_slip(int argc, const char* const* argv) {
 
 int analyze_loading(int argc, const char* const* argv) {
   po::options_description options("Options");
+  add_format_options(options);
   options.add_options()("x", po::value<double>()->value_name("X"),
                         "also p, tau and u_x of the block nearest to this position [m]");
   const auto command =

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <set>
 #include <sstream>
 
 #include "rupture/model/error.hpp"
@@ -54,7 +55,8 @@ std::pair<std::string, std::string> split_assignment(const std::string& assignme
 ParameterChanges read_config(const std::string& path, const po::options_description& options,
                              po::variables_map& values) {
   std::ifstream file(path);
-  if (!file) throw Failure(fmt::format("cannot read the configuration file {}", path));
+  if (!file || std::filesystem::is_directory(path))
+    throw Failure(fmt::format("cannot read the configuration file {}", path));
   const auto parsed = po::parse_config_file(file, options, /*allow_unregistered=*/true);
   ParameterChanges changes;
   po::parsed_options known(&options);
@@ -82,6 +84,16 @@ ParameterChanges command_line_changes(const po::variables_map& values) {
   return changes;
 }
 
+/// Prints text without complaint; whether all went out is asked at the end.
+int body_or_help(const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const HelpRequested& help) {
+    std::fputs(help.text.c_str(), stdout);
+    return kDone;
+  }
+}
+
 int complain(const std::string& name, const std::string& message, ExitCode code) {
   std::fflush(stdout);
   fmt::print(stderr, "{}: {}\n", name, message);
@@ -97,11 +109,10 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
   shown.add(options).add(common_options(uses_parameters));
   po::options_description all;
   all.add(shown);
+  const std::string inputs = positional.empty() ? "unexpected" : positional;
+  all.add_options()(inputs.c_str(), po::value<std::vector<std::string>>());
   po::positional_options_description positions;
-  if (!positional.empty()) {
-    all.add_options()(positional.c_str(), po::value<std::vector<std::string>>());
-    positions.add(positional.c_str(), -1);
-  }
+  positions.add(inputs.c_str(), -1);
   using Style = po::command_line_style::style_t;
   const int style = Style::unix_style & ~Style::allow_guessing;
 
@@ -116,6 +127,11 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
     }
     if (parsed.values.count("version") > 0) {
       throw HelpRequested{fmt::format("{} (rupture {}, commit {})\n", text.name, version, commit)};
+    }
+    if (parsed.values.count("unexpected") > 0) {
+      const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
+      throw UsageError(fmt::format("'{}' is not expected: {} reads no checkpoint; see {} --help",
+                                   words.front(), text.name, text.name));
     }
     if (parsed.values.count("config") > 0) {
       parsed.parameters =
@@ -152,8 +168,31 @@ OutputOptions output_options(const po::variables_map& values) {
   return options;
 }
 
+void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
+                   const std::filesystem::path& input) {
+  namespace fs = std::filesystem;
+  const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  std::set<fs::path> taken;
+  for (const fs::path& output : outputs) {
+    if (output.empty()) throw UsageError("an output has an empty name; give the path of a file");
+    if (!input.empty() && place(output) == place(input)) {
+      throw UsageError(fmt::format("{} is the input, which is never changed: give another output",
+                                   output.string()));
+    }
+    for (const fs::path& file : {output, fs::path(output.string() + ".sum")}) {
+      if (taken.insert(place(file)).second) continue;
+      throw UsageError(
+          fmt::format("two outputs would have the name {}: give different names", file.string()));
+    }
+  }
+  for (const fs::path& output : outputs) check_output(output, if_exists);
+}
+
 double non_negative(const po::variables_map& values, const std::string& option) {
-  const double value = values[option].as<double>();
+  return non_negative(values[option].as<double>(), option);
+}
+
+double non_negative(double value, const std::string& option) {
   if (std::isfinite(value) && value >= 0.0) return value;
   throw UsageError(
       fmt::format("--{} {} makes no sense: give a number of at least 0", option, value));
@@ -177,14 +216,11 @@ std::string single_input(const po::variables_map& values, const std::string& pos
 
 int run_tool(const std::string& name, const std::function<int()>& body) {
   try {
-    const int code = body();
-    if (std::fflush(stdout) != 0 || !std::cout.flush()) {
+    const int code = body_or_help(body);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       return complain(name, "cannot write to standard output", kFailed);
     }
     return code;
-  } catch (const HelpRequested& help) {
-    fmt::print("{}", help.text);
-    return kDone;
   } catch (const UsageError& error) {
     return complain(name, error.what(), kUsage);
   } catch (const std::bad_alloc&) {

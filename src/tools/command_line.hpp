@@ -64,8 +64,14 @@ struct OutputOptions {
 void add_output_options(po::options_description& options);
 OutputOptions output_options(const po::variables_map& values);
 
+/// Throws unless all outputs may be written: UsageError if two of them, their .sum files included,
+/// have the same name or one is the input, which no tool ever changes; Failure as check_output().
+void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
+                   const std::filesystem::path& input);
+
 /// The value of a time, length or similar option. Throws UsageError unless it is finite and >= 0.
 double non_negative(const po::variables_map& values, const std::string& option);
+double non_negative(double value, const std::string& option);
 std::optional<double> optional_non_negative(const po::variables_map& values,
                                             const std::string& option);
 

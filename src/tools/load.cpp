@@ -40,7 +40,7 @@ int run(const Options& options) {
                       normal_load_equilibrium(options.parameters),
                       {make_provenance("load", options.arguments, "")}};
   simulate(std::move(start), {step_at(options.parameters, options.until), {}}, options.run,
-           options.output);
+           options.output, {});
   return kDone;
 }
 

@@ -8,6 +8,7 @@
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/error.hpp"
+#include "text.hpp"
 
 namespace {
 
@@ -81,17 +82,17 @@ double largest_change(const std::vector<double>& before, const std::vector<doubl
 void print_widths(const Parameters& p, const State& before, const State& after) {
   const auto old_blocks = block_forces(p, before);
   const auto new_blocks = block_forces(p, after);
-  fmt::print("   x [m]   mean/f_thres   slipping   sigma-bar before   after\n");
+  say("   x [m]   mean/f_thres   slipping   sigma-bar before   after\n");
   for (std::size_t i = 0; i < old_blocks.size(); ++i) {
     const auto& b = old_blocks[i];
-    fmt::print("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x, b.mean / b.f_thres,
-               b.slipping, b.sigma_bar(), new_blocks[i].sigma_bar());
+    say("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x, b.mean / b.f_thres, b.slipping,
+        b.sigma_bar(), new_blocks[i].sigma_bar());
   }
 }
 
 int run(const Options& options) {
   Checkpoint checkpoint = read_checkpoint(options.checkpoint);
-  check_output(options.output.output, options.output.if_exists);
+  check_outputs({options.output.output}, options.output.if_exists, options.checkpoint);
   const Parameters& p = checkpoint.parameters;
   const State before = checkpoint.state;
   const auto impossible = change_phi(p, checkpoint.state, options.change);
@@ -103,12 +104,12 @@ int run(const Options& options) {
       write_checkpoint(options.output.output, checkpoint, options.output.if_exists);
   if (options.output.verbosity == Verbosity::quiet) return kDone;
   print_widths(p, before, checkpoint.state);
-  fmt::print("largest change of a block's friction force: {:.1e} of the largest\n", change);
+  say("largest change of a block's friction force: {:.1e} of the largest\n", change);
   for (const auto& block : impossible) {
-    fmt::print("left as it is: block at x = {:.4f} m, which can take sigma-bar <= {:.4f}\n",
-               block.x, block.largest_sigma_bar);
+    say("left as it is: block at x = {:.4f} m, which can take sigma-bar <= {:.4f}\n", block.x,
+        block.largest_sigma_bar);
   }
-  fmt::print("wrote {}  sha256 {}\n", options.output.output.string(), checksum);
+  say("wrote {}  sha256 {}\n", options.output.output.string(), checksum);
   return kDone;
 }
 

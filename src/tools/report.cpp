@@ -3,22 +3,23 @@
 #include <fmt/core.h>
 
 #include "rupture/model/error.hpp"
+#include "text.hpp"
 
 namespace rupture::tools {
 namespace {
 
 void print_csv(const std::vector<Column>& series) {
   for (std::size_t c = 0; c < series.size(); ++c) {
-    fmt::print("{}{}", c == 0 ? "" : ",", series[c].name);
+    say("{}{}", c == 0 ? "" : ",", series[c].name);
   }
-  fmt::print("\n");
+  say("\n");
   const std::size_t rows = series.empty() ? 0 : series.front().values.size();
   for (std::size_t r = 0; r < rows; ++r) {
     for (std::size_t c = 0; c < series.size(); ++c) {
       const auto& value = series[c].values[r];
-      fmt::print("{}{}", c == 0 ? "" : ",", value ? fmt::format("{}", *value) : "");
+      say("{}{}", c == 0 ? "" : ",", value ? fmt::format("{}", *value) : "");
     }
-    fmt::print("\n");
+    say("\n");
   }
 }
 
@@ -36,11 +37,11 @@ void print(const Report& report, const po::variables_map& values) {
   const bool json = values.count("json") > 0, csv = values.count("csv") > 0;
   if (json && csv) throw UsageError("--json and --csv exclude each other: give one");
   if (json) {
-    fmt::print("{}\n", report.json.dump());
+    say("{}\n", report.json.dump());
   } else if (csv) {
     print_csv(report.series);
   } else {
-    fmt::print("{}", report.text);
+    say("{}", report.text);
   }
 }
 

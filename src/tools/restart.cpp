@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <charconv>
 #include <string_view>
 
 #include "rupture/model/error.hpp"
@@ -23,12 +24,24 @@ struct Options {
 
 constexpr double kLongestQuietRun = 10.0;  // [s]
 
+/// The time that --until-quiet gives; -1, five mean slipping times, if it gives none.
+double quiet_time(const po::variables_map& values) {
+  const auto text = values["until-quiet"].as<std::string>();
+  if (text.empty()) return -1.0;
+  double t = 0.0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), t);
+  if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) {
+    throw UsageError(fmt::format("--until-quiet {} is not a time in seconds", text));
+  }
+  return non_negative(t, "until-quiet");
+}
+
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("until", po::value<double>()->value_name("T"), "run until this time [s]");
   add("for", po::value<double>()->value_name("T"), "run for this long [s]");
-  add("until-quiet", po::value<double>()->implicit_value(-1.0, "5 t_R")->value_name("T"),
+  add("until-quiet", po::value<std::string>()->implicit_value("", "5 t_R")->value_name("T"),
       "stop earlier, once no junction has broken for T [s] or the front has reached the leading "
       "edge");
   add_run_options(options);
@@ -45,7 +58,7 @@ Options setup(int argc, char** argv) {
   result.checkpoint = single_input(values, "checkpoint", "a checkpoint to continue");
   result.until = optional_non_negative(values, "until");
   result.duration = optional_non_negative(values, "for");
-  if (values.count("until-quiet") > 0) result.quiet = values["until-quiet"].as<double>();
+  if (values.count("until-quiet") > 0) result.quiet = quiet_time(values);
   if (result.until && result.duration) {
     throw UsageError("--until and --for exclude each other: give one");
   }
@@ -105,7 +118,7 @@ int run(const Options& options) {
   validate(checkpoint.parameters);
   checkpoint.provenance.push_back(make_provenance("restart", options.arguments, parent));
   const StopRule rule = stop_rule(options, checkpoint);
-  simulate(std::move(checkpoint), rule, options.run, options.output);
+  simulate(std::move(checkpoint), rule, options.run, options.output, options.checkpoint);
   return kDone;
 }
 

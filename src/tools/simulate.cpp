@@ -9,6 +9,7 @@
 
 #include "observers.hpp"
 #include "rupture/model/error.hpp"
+#include "text.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -48,7 +49,7 @@ std::vector<std::int64_t> checkpoint_steps(const Parameters& p, std::int64_t fir
 
 void announce(const OutputOptions& output, const fs::path& path, const std::string& checksum) {
   if (output.verbosity == Verbosity::normal) {
-    fmt::print("wrote {}  sha256 {}\n", path.string(), checksum);
+    say("wrote {}  sha256 {}\n", path.string(), checksum);
     std::fflush(stdout);
   }
 }
@@ -67,13 +68,23 @@ std::string_view reason(Ending ending) {
 
 void print_invariants(const Simulation& simulation, Ending ending, const EnergyBalance& balance,
                       std::int64_t steps, double seconds) {
-  fmt::print("t = {:.7g} s ({}), {} steps", simulation.time(), reason(ending), steps);
+  say("t = {:.7g} s ({}), {} steps", simulation.time(), reason(ending), steps);
   if (seconds > 0.0) {
-    fmt::print(", {:.0f} steps/s", static_cast<double>(steps) / seconds);
+    say(", {:.0f} steps/s", static_cast<double>(steps) / seconds);
   }
-  fmt::print(
-      "\nenergy [J]: supplied {:.6e} = stored {:.6e} + dissipated {:.6e}, relative error {:.1e}\n",
+  say("\nenergy [J]: supplied {:.6e} = stored {:.6e} + dissipated {:.6e}, relative error {:.1e}\n",
       balance.supplied, balance.stored, balance.dissipated, balance.relative_error());
+}
+
+/// Runs; if that fails, what was sampled so far stays readable in the record's .part.
+Ending run_and_keep_record(Simulation& simulation, const StopRule& rule,
+                           const std::vector<Observer*>& observers, RecordWriter* writer) {
+  try {
+    return rupture::run(simulation, rule, observers);
+  } catch (...) {
+    if (writer != nullptr) writer->flush();
+    throw;
+  }
 }
 
 }  // namespace
@@ -94,6 +105,9 @@ RunOptions run_options(const po::variables_map& values) {
   RunOptions run;
   if (values.count("checkpoint-at") > 0) {
     run.checkpoint_at = values["checkpoint-at"].as<std::vector<double>>();
+    for (const double t : run.checkpoint_at) {
+      if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
+    }
   }
   run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
   if (values.count("record") > 0) run.record = values["record"].as<std::string>();
@@ -110,14 +124,16 @@ std::int64_t step_at(const Parameters& p, double t) {
 }
 
 void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
-              const OutputOptions& output) {
+              const OutputOptions& output, const fs::path& input) {
   const Parameters& p = start.parameters;
   const std::int64_t first = start.state.step;
   const auto steps = checkpoint_steps(p, first, rule.last_step, run);
-  check_output(output.output, output.if_exists);
+  std::vector<fs::path> outputs = {output.output};
   for (const std::int64_t step : steps) {
-    check_output(path_at(output.output, static_cast<double>(step) * p.dt), output.if_exists);
+    outputs.push_back(path_at(output.output, static_cast<double>(step) * p.dt));
   }
+  if (run.record) outputs.push_back(*run.record);
+  check_outputs(outputs, output.if_exists, input);
   const std::int64_t every = step_at(p, run.record_every);
   if (run.record && every < 1) {
     throw UsageError("--record-every is shorter than one time step");
@@ -145,7 +161,7 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
 
   const Energies before = simulation.energies();
   const auto clock = std::chrono::steady_clock::now();
-  const Ending ending = rupture::run(simulation, rule, observers);
+  const Ending ending = run_and_keep_record(simulation, rule, observers, writer.get());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - clock;
 
   if (show_progress) progress.finish();

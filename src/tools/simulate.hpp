@@ -25,9 +25,9 @@ RunOptions run_options(const po::variables_map& values);
 std::int64_t step_at(const Parameters& parameters, double t);
 
 /// Runs `start` until the stop rule says so, writes everything asked for and prints the invariants.
-/// Nothing is run if an output may not be written. The provenance of `start` already names this
-/// tool.
+/// Nothing is run if an output may not be written or would replace `input` (empty for none). The
+/// provenance of `start` already names this tool.
 void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
-              const OutputOptions& output);
+              const OutputOptions& output, const std::filesystem::path& input);
 
 }  // namespace rupture::tools

@@ -1,10 +1,21 @@
 // Text that the tools show: parameter help, suggestions, aligned lines.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <boost/program_options.hpp>
+#include <cstdio>
 #include <string>
+#include <utility>
 
 namespace rupture::tools {
+
+/// Prints to standard output and never throws: run_tool() asks at the end whether all went out, so
+/// that a full disk behind standard output cannot interrupt a run.
+template <class... Args>
+void say(fmt::format_string<Args...> format, Args&&... args) {
+  std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stdout);
+}
 
 /// One line per parameter: name, symbol, default, unit, meaning.
 std::string parameter_help();

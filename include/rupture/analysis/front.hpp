@@ -44,7 +44,8 @@ struct SlowStretch {
 
   double duration() const { return t_to - t_from; }  ///< [s]
 
-  /// Medians of v_c beyond the loading zone on either side, over the stencils that lie wholly there.
+  /// Medians of v_c beyond the loading zone on either side, over the stencils that lie wholly
+  /// there.
   std::optional<double> fast_before, fast_after;  ///< [m/s]
 };
 

@@ -25,8 +25,8 @@ class Observer {
 struct StopRule {
   std::int64_t last_step = 0;  ///< latest step, always in force
   /// Also stop once no junction has broken for this many steps, or the front has reached the
-  /// leading edge. Looked at every kQuietCheck steps counted from step 0, so that a run that was
-  /// split ends at the same step as one that was not.
+  /// leading edge, both counted from the start of this run. Looked at every kQuietCheck steps from
+  /// step 0, so that the answer does not depend on what else pauses the run.
   std::optional<std::int64_t> quiet_steps;
 };
 inline constexpr std::int64_t kQuietCheck = 100;

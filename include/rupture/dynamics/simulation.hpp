@@ -59,6 +59,8 @@ class Simulation {
   void find_normal_forces();
   double driving_force() const;
   void note_ruptures();
+  Power power(double damping_power) const;
+  Power initial_power();
   void add_work(double damping_power);
   [[noreturn]] void report_blow_up() const;
 

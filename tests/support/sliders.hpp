@@ -1,0 +1,111 @@
+// Small sliders for tests, and what the tests do with them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "rupture/dynamics/simulation.hpp"
+#include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::testing {
+
+/// Nx x Nz blocks, each with the size, mass, stiffness and load of a block of the reference slider,
+/// driven at the second row.
+inline Parameters small_slider(std::int64_t Nx, std::int64_t Nz) {
+  const Parameters reference;
+  const double l = block_spacing(reference);
+  Parameters p;
+  p.Nx = Nx;
+  p.Nz = Nz;
+  p.L = static_cast<double>(Nx - 1) * l;
+  p.H = static_cast<double>(Nz - 1) * l;
+  p.M = static_cast<double>(Nx * Nz) * block_mass(reference);
+  p.F_N = static_cast<double>(Nx) * mean_normal_force(reference);
+  p.h = l;
+  return p;
+}
+
+/// A plate without driving, damping or (but for 1e-9 N, as zero is no valid load) any load.
+inline Parameters free_plate(std::int64_t Nx, std::int64_t Nz) {
+  Parameters p = small_slider(Nx, Nz);
+  p.F_N = 1e-9;
+  p.K = 0.0;
+  p.damping = 0.0;
+  return p;
+}
+
+/// The plate at rest 1 mm above the track, out of reach of foundation and junctions.
+inline State lifted(const Parameters& p) {
+  State state(p);
+  state.u_z.blocks() = 1e-3;
+  return state;
+}
+
+inline void advance(Simulation& simulation, std::int64_t steps) {
+  for (std::int64_t n = 0; n < steps; ++n) simulation.advance();
+}
+
+/// A boundary that exerts no force on a slider.
+class NoBoundary {
+ public:
+  explicit NoBoundary(const Parameters& p) : zeros_(static_cast<std::size_t>(p.Nx), 0.0) {}
+  Boundary forces() const { return {zeros_.data(), zeros_.data(), 0.0, 0, 0.0}; }
+
+ private:
+  std::vector<double> zeros_;
+};
+
+/// One step of velocity Verlet in plain terms. `add_forces(state)` is called at the new positions
+/// and adds all forces but those of springs and dampers to state.f_x and f_z.
+template <class AddForces>
+void plain_step(const Parameters& p, double dt, Bulk& bulk, State& s, const AddForces& add_forces) {
+  const double half_kick = dt / (2.0 * block_mass(p));
+  const auto kick = [&] {
+    s.v_x.blocks() += half_kick * s.f_x.blocks();
+    s.v_z.blocks() += half_kick * s.f_z.blocks();
+  };
+  kick();
+  s.u_x.blocks() += dt * s.v_x.blocks();
+  s.u_z.blocks() += dt * s.v_z.blocks();
+  ++s.step;
+  Field damping_x(p.Nx, p.Nz), damping_z(p.Nx, p.Nz);
+  bulk.elastic(s.u_x, s.u_z, s.f_x, s.f_z);
+  bulk.damping(s.v_x, s.v_z, damping_x, damping_z);
+  s.f_x.blocks() += damping_x.blocks();
+  s.f_z.blocks() += damping_z.blocks();
+  add_forces(s);
+  kick();
+}
+
+/// Reproducible numbers, uniform in [-size, size].
+class Noise {
+ public:
+  explicit Noise(double size) : numbers_(-size, size) {}
+  double operator()() { return numbers_(engine_); }
+  void fill(Field& field) {
+    for (Eigen::Index j = 0; j < field.Nz(); ++j) {
+      for (Eigen::Index i = 0; i < field.Nx(); ++i) field(i, j) = (*this)();
+    }
+  }
+
+ private:
+  std::mt19937_64 engine_{20140616};
+  std::uniform_real_distribution<double> numbers_;
+};
+
+/// The message of the `Error` that `work` throws; a note that it threw none otherwise.
+template <class Error, class Work>
+std::string message_of(const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "(nothing was thrown)";
+}
+
+}  // namespace rupture::testing

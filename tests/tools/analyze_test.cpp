@@ -1,0 +1,297 @@
+// analyze: what it measures in records and checkpoints, as text, JSON and CSV.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+/// A rupture that crosses the interface, and what follows with the driving point at rest.
+class Analyze : public ToolTest {
+ protected:
+  Analyze() {
+    output_of("load --config small.ini -o half.h5 --until 2e-4");
+    output_of("load --config small.ini -o a.h5 --until 3e-4 --record r.h5 --record-every 1e-5");
+    output_of(
+        "restart half.h5 -o b.h5 --set driving.V=0 --until 6e-3 --record rest.h5 "
+        "--record-every 1e-5");
+  }
+
+  /// Demands that CSV has this head and that many lines of as many cells below it.
+  void expect_csv(const std::string& command, const std::vector<std::string>& head,
+                  std::size_t lines) const {
+    const auto rows = csv_of(output_of(command + " --csv"));
+    ASSERT_FALSE(rows.empty());
+    EXPECT_EQ(rows.front(), head);
+    EXPECT_EQ(rows.size(), lines + 1) << command;
+    for (const auto& row : rows) EXPECT_EQ(row.size(), head.size()) << command;
+  }
+};
+
+void expect_fields(const Json& json, const std::vector<std::string>& names) {
+  for (const auto& name : names) EXPECT_TRUE(json.contains(name)) << name;
+}
+
+TEST_F(Analyze, StressHasTheDocumentedFields) {
+  const Json json = json_of("analyze stress a.h5 --json");
+  expect_fields(json, {"time", "x", "p", "tau", "F_T", "F_N"});
+  EXPECT_EQ(json["time"], 3e-4);
+  for (const char* name : {"x", "p", "tau"}) EXPECT_EQ(json[name].size(), 9U) << name;
+  expect_csv("analyze stress a.h5", {"x [m]", "p [N]", "tau [N]"}, 9);
+}
+
+TEST_F(Analyze, StressOfSlippingBlocksIsAtTheSlippingForce) {
+  output_of("load --config small.ini -o sliding.h5 --until 6e-4");
+  const Json json = json_of("analyze stress sliding.h5 --json");
+  const std::vector<double> p = json["p"], tau = json["tau"];
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(tau[i] / p[i], 0.17, 0.01);
+}
+
+TEST_F(Analyze, FrontHasTheDocumentedFields) {
+  const Json json = json_of("analyze front r.h5 --json");
+  expect_fields(json, {"x", "t_rupture", "v_c", "type", "x_arrest", "slow"});
+  EXPECT_EQ(json["type"], "fast");
+  EXPECT_TRUE(json["x_arrest"].is_null());
+  EXPECT_TRUE(json["slow"].is_null());
+  ASSERT_EQ(json["v_c"].size(), 9U);
+  EXPECT_TRUE(json["v_c"][0].is_null());
+  EXPECT_GT(json["v_c"][4], 500.0);
+  EXPECT_GT(json["t_rupture"][8], json["t_rupture"][2]);
+  expect_csv("analyze front r.h5", {"x [m]", "t_rupture [s]", "v_c [m/s]"}, 9);
+}
+
+TEST_F(Analyze, FrontInAWindowThatEndsEarlyIsArrested) {
+  const Json json = json_of("analyze front r.h5 --from 0 --to 2e-4 --json");
+  EXPECT_EQ(json["type"], "arrested");
+  EXPECT_NEAR(json["x_arrest"], 0.0525, 1e-9);
+  EXPECT_EQ(output_of("analyze classify r.h5 --to 2e-4"), "arrested\n");
+}
+
+TEST_F(Analyze, FrontIsSlowWhereItIsBelowTheGivenSpeed) {
+  const Json json = json_of("analyze front r.h5 --slow-below 3 --json");
+  EXPECT_EQ(json["type"], "slow");
+  expect_fields(json["slow"], {"x_from", "x_to", "duration", "speed"});
+  EXPECT_LT(json["slow"]["speed"], 3 * 1000.0);
+}
+
+TEST_F(Analyze, ClassifyPrintsTheTypeAlone) {
+  EXPECT_EQ(output_of("analyze classify r.h5"), "fast\n");
+  EXPECT_EQ(json_of("analyze classify r.h5 --json")["type"], "fast");
+}
+
+TEST_F(Analyze, ClassifyHasNoSeriesToPrintAsCsv) {
+  expect_refusal_with("analyze classify r.h5 --csv", kUsage, "unknown option '--csv'");
+}
+
+TEST_F(Analyze, EventsHaveTheDocumentedFields) {
+  const Json json = json_of("analyze events r.h5 --json");
+  ASSERT_EQ(json["events"].size(), 1U);
+  const Json& event = json["events"][0];
+  expect_fields(event, {"t_start", "t_end", "x_first", "x_last", "spanning", "type", "F_T_before",
+                        "F_T_after"});
+  EXPECT_NEAR(event["t_start"], 1.526e-4, 1e-9);
+  EXPECT_NEAR(event["t_end"], 2.53e-4, 1e-9);
+  EXPECT_NEAR(event["x_last"], 0.14, 1e-12);
+  EXPECT_EQ(event["spanning"], true);
+  EXPECT_EQ(event["type"], "fast");
+  expect_csv(
+      "analyze events r.h5",
+      {"t_start [s]", "t_end [s]", "x_first [m]", "x_last [m]", "F_T_before [N]", "F_T_after [N]"},
+      1);
+}
+
+TEST_F(Analyze, RecordWithoutRuptureHasNoEvents) {
+  output_of("load --config small.ini -o quiet.h5 --until 1e-4 --record quiet-r.h5");
+  EXPECT_EQ(json_of("analyze events quiet-r.h5 --json").dump(), R"({"events":[]})");
+  expect_csv(
+      "analyze events quiet-r.h5",
+      {"t_start [s]", "t_end [s]", "x_first [m]", "x_last [m]", "F_T_before [N]", "F_T_after [N]"},
+      0);
+  const Json front = json_of("analyze front quiet-r.h5 --json");
+  EXPECT_EQ(front["type"], "arrested");
+  for (const auto& time : front["t_rupture"]) EXPECT_TRUE(time.is_null());
+  EXPECT_TRUE(json_of("analyze slip quiet-r.h5 --x 0.07 --json")["t_rupture"].is_null());
+}
+
+TEST_F(Analyze, SlipStartsAtZeroAndGrows) {
+  const Json json = json_of("analyze slip rest.h5 --x 0.0701 --json");
+  expect_fields(json,
+                {"x", "t_rupture", "t_arrest", "fast_slip", "slow_slip", "slow_from", "slow_to",
+                 "slow_speed", "slow_speed_error", "slow_r_squared", "time", "slip"});
+  EXPECT_NEAR(json["x"], 0.07, 1e-12);  // the nearest block
+  EXPECT_NEAR(json["t_rupture"], 2.016e-4, 1e-7);
+  EXPECT_GT(json["t_arrest"], json["t_rupture"]);
+  EXPECT_GT(json["fast_slip"], 0.0);
+  EXPECT_EQ(json["slip"][0], 0.0);
+  EXPECT_GT(json["slip"].back(), 1e-6);
+  expect_csv("analyze slip rest.h5 --x 0.07", {"time [s]", "slip [m]"}, json["time"].size());
+}
+
+TEST_F(Analyze, SlipCountsFromTheStartOfTheWindow) {
+  const Json json = json_of("analyze slip rest.h5 --x 0.07 --from 1e-3 --to 2e-3 --json");
+  EXPECT_NEAR(json["time"].front(), 1e-3, 1e-9);
+  EXPECT_NEAR(json["time"].back(), 2e-3, 1e-9);
+  EXPECT_EQ(json["slip"][0], 0.0);
+}
+
+TEST_F(Analyze, LoadingHoldsTheSeries) {
+  const Json json = json_of("analyze loading r.h5 --x 0.07 --json");
+  for (const char* name : {"time", "F_T", "x_drive", "p", "tau", "u_x"}) {
+    EXPECT_EQ(json[name].size(), 31U) << name;
+  }
+  EXPECT_EQ(json["F_N"], 1920.0);
+  expect_csv("analyze loading r.h5", {"time [s]", "F_T [N]", "x_drive [m]"}, 31);
+  expect_csv("analyze loading r.h5 --x 0",
+             {"time [s]", "F_T [N]", "x_drive [m]", "p [N]", "tau [N]", "u_x [m]"}, 31);
+}
+
+TEST_F(Analyze, RecordEndsWithTheStressOfTheCheckpoint) {
+  const Json loading = json_of("analyze loading r.h5 --x 0.07 --json");
+  const Json stress = json_of("analyze stress a.h5 --json");
+  EXPECT_EQ(loading["F_T"].back(), stress["F_T"]);
+  EXPECT_EQ(loading["p"].back(), stress["p"][4]);
+  EXPECT_NEAR(loading["tau"].back(), stress["tau"][4], 1e-12);
+}
+
+TEST_F(Analyze, PhiCountsAllJunctions) {
+  const Json json = json_of("analyze phi half.h5 --bins 20 --json");
+  expect_fields(json,
+                {"x", "mean", "sigma", "sigma_bar", "slipping", "f_thres", "f_slip", "histogram"});
+  ASSERT_EQ(json["histogram"].size(), 9U);
+  for (const auto& histogram : json["histogram"]) {
+    const std::vector<int> counts = histogram;
+    EXPECT_EQ(counts.size(), 20U);
+    EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0), 100);
+  }
+  EXPECT_NEAR(json["f_slip"][0].get<double>() / json["f_thres"][0].get<double>(), 0.17 / 0.4,
+              1e-12);
+  expect_csv("analyze phi half.h5",
+             {"x [m]", "mean [N]", "sigma [N]", "sigma_bar", "slipping", "f_thres [N]"}, 9);
+}
+
+TEST_F(Analyze, TextIsForPeople) {
+  for (const std::string command :
+       {"stress a.h5", "phi a.h5", "front r.h5", "events r.h5", "slip r.h5 --x 0.07",
+        "loading r.h5", "show a.h5", "show r.h5"}) {
+    EXPECT_GE(lines_of(output_of("analyze " + command)).size(), 1U) << command;
+  }
+}
+
+TEST_F(Analyze, RefusesWhatMakesNoSense) {
+  expect_refusal("analyze stress", kUsage, "no file was given: name a checkpoint");
+  expect_refusal("analyze front", kUsage, "no file was given: name a record");
+  expect_refusal("analyze stress a.h5 b.h5", kUsage,
+                 "'b.h5' is one file too many: name only a checkpoint");
+  expect_refusal("analyze stress a.h5 --json --csv", kUsage,
+                 "--json and --csv exclude each other: give one");
+  expect_refusal("analyze phi a.h5 --bins 0", kUsage, "--bins 0 makes no sense: give 1 to 100000");
+  expect_refusal("analyze phi a.h5 --bins many", kUsage,
+                 "the argument ('many') for option '--bins' is invalid; see analyze phi --help");
+  expect_refusal("analyze slip r.h5", kUsage,
+                 "the option '--x' is required but missing; see analyze slip --help");
+  expect_refusal("analyze slip r.h5 --x 1", kUsage,
+                 "--x 1 is beyond the interface, which ends at 0.14 m");
+  expect_refusal("analyze front r.h5 --from 2e-4 --to 1e-4", kUsage,
+                 "the time window is empty: --to is before --from");
+  expect_refusal("analyze front r.h5 --slow-below nan", kUsage,
+                 "--slow-below nan makes no sense: give a number of at least 0");
+  expect_refusal("analyze events r.h5 --quiet -1", kUsage,
+                 "--quiet -1 makes no sense: give a number of at least 0");
+}
+
+TEST_F(Analyze, RefusesABillionBins) {
+  if (RUPTURE_SANITIZED) GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
+  expect_refusal_with("analyze phi a.h5 --bins 2000000000", kUsage, "--bins",
+                      {.memory = std::uint64_t{4} << 30U});
+}
+
+TEST_F(Analyze, RefusesAWindowOutsideTheRecord) {
+  expect_refusal_with("analyze slip r.h5 --x 0.07 --from 5", kUsage, "--from 5");
+}
+
+// --- checksum, verify, diff, show ---------------------------------------------------------------
+
+TEST_F(Analyze, ChecksumIs64DigitsAndANewline) {
+  const std::string text = output_of("analyze checksum a.h5");
+  EXPECT_EQ(text.find_first_not_of("0123456789abcdef"), 64U);
+  EXPECT_EQ(text.substr(64), "\n");
+  EXPECT_EQ(read("r.h5.sum"), checksum_of("r.h5") + "  r.h5\n");
+}
+
+TEST_F(Analyze, ChecksumDoesNotDependOnTheCommandLine) {
+  output_of(
+      "load --set slider.Nx=9 --set slider.Nz=5 --set slider.H=0.07 --set driving.h=0.0175 "
+      "--set driving.V=1 --output other.h5 --until 3e-4");
+  EXPECT_EQ(checksum_of("other.h5"), checksum_of("a.h5"));
+  EXPECT_EQ(output_of("analyze diff other.h5 a.h5"), "equal\n");
+}
+
+TEST_F(Analyze, VerifyNamesEachIntactFile) {
+  EXPECT_EQ(output_of("analyze verify a.h5 r.h5"), "intact  " + checksum_of("a.h5") + "  a.h5\n" +
+                                                       "intact  " + checksum_of("r.h5") +
+                                                       "  r.h5\n");
+  expect_refusal("analyze verify", kUsage,
+                 "nothing to verify: name a checkpoint or record, or give --manifest");
+}
+
+TEST_F(Analyze, VerifyReadsManifestsRelativeToTheirFolder) {
+  fs::create_directory(path("lists"));
+  write("lists/m.txt", checksum_of("a.h5") + "  ../a.h5\n\n" + checksum_of("r.h5") + "  ../r.h5\n");
+  EXPECT_EQ(lines_of(output_of("analyze verify --manifest lists/m.txt")).size(), 2U);
+  EXPECT_EQ(lines_of(output_of("analyze verify --manifest a.h5.sum")).size(), 1U);
+}
+
+TEST_F(Analyze, VerifyReadsSumsOfFilesWithSpacesInTheirNames) {
+  run_words({"load", "--config", "small.ini", "-o", "with space.h5"});
+  const Outcome outcome = run_words({"analyze", "verify", "--manifest", "with space.h5.sum"});
+  EXPECT_EQ(outcome.exit_code, kDone);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Analyze, VerifySeesOtherContentThanTheManifestSays) {
+  write("m.txt", checksum_of("a.h5") + "  half.h5\n");
+  expect_refusal("analyze verify --manifest m.txt", kFailed,
+                 "half.h5 is intact but has content checksum " + checksum_of("half.h5") + ", not " +
+                     checksum_of("a.h5") + " as the manifest says");
+  write("m.txt", checksum_of("a.h5") + "  gone.h5\n");
+  expect_refusal("analyze verify --manifest m.txt", kFailed,
+                 "gone.h5 does not exist; give the path of a checkpoint or record");
+  write("m.txt", "a.h5\n");
+  expect_refusal("analyze verify --manifest m.txt", kFailed,
+                 "m.txt is no manifest: 'a.h5' is not '<64 hex digits>  <file>'");
+  expect_refusal("analyze verify --manifest gone.txt", kFailed,
+                 "cannot read the manifest gone.txt");
+}
+
+TEST_F(Analyze, VerifyRefusesAnEmptyManifest) {
+  write("m.txt", "");
+  expect_refusal_with("analyze verify --manifest m.txt", kFailed, "m.txt");
+}
+
+TEST_F(Analyze, DiffTellsEqualFromDifferent) {
+  EXPECT_EQ(output_of("analyze diff a.h5 a.h5"), "equal\n");
+  const Outcome outcome = run("analyze diff a.h5 b.h5");
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("/parameters/driving/V"), std::string::npos);
+  EXPECT_NE(outcome.out.find("absolute"), std::string::npos);
+  EXPECT_NE(outcome.out.find("ULP"), std::string::npos);
+  EXPECT_NE(run("analyze diff a.h5 r.h5").out.find("only in the first file"), std::string::npos);
+  expect_refusal("analyze diff a.h5", kUsage, "1 files were given: name the two to compare");
+}
+
+TEST_F(Analyze, ShowNamesKindParametersAndProvenance) {
+  const Json json = json_of("analyze show r.h5 --json");
+  EXPECT_EQ(json["kind"], "a record");
+  EXPECT_EQ(json["checksum"], checksum_of("r.h5"));
+  EXPECT_EQ(json["parameters"].size(), 23U);
+  EXPECT_EQ(json["parameters"]["driving.V"], "1");
+  EXPECT_EQ(json["provenance"].size(), 1U);
+  const std::string text = output_of("analyze show a.h5");
+  EXPECT_NE(text.find("a.h5: checkpoint at t = 0.0003 s, step 1500"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace rupture::test

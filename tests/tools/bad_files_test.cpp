@@ -1,0 +1,201 @@
+// Files that are missing, foreign, damaged or of the wrong kind: one sentence, exit code 1.
+#include <hdf5.h>
+
+#include <cstring>
+#include <span>
+
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/envelope.hpp"
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+constexpr const char* kDamaged =
+    "flipped.h5 is damaged: its bytes and the SHA-256 in its header do not agree; copy it again or "
+    "write it anew";
+
+class BadFiles : public ToolTest {
+ protected:
+  BadFiles() { output_of("load --config small.ini -o good.h5 --until 2e-4 --record record.h5 -q"); }
+
+  /// A checkpoint of a slider that cannot be followed: one block moves at 1e200 m/s.
+  void write_wild_checkpoint() const {
+    Checkpoint checkpoint = read_checkpoint(path("good.h5"));
+    checkpoint.state.v_x(3, 2) = 1e200;
+    write_checkpoint(path("wild.h5"), checkpoint, IfExists::refuse);
+  }
+
+  /// Every tool that reads a checkpoint must say this of `file`.
+  void expect_refused(const std::string& file, const std::string& sentence) const {
+    for (const std::string command : {"restart", "modify-phi", "analyze stress", "analyze phi"}) {
+      const std::string rest = command == "restart"      ? " -o out.h5 --for 1e-5"
+                               : command == "modify-phi" ? " -o out.h5"
+                                                         : "";
+      expect_refusal(command + " " + file + rest, kFailed, sentence);
+    }
+  }
+  /// The same of every tool that reads any file.
+  void expect_refused_as_any_file(const std::string& file, const std::string& sentence) const {
+    for (const std::string command : {"checksum", "verify", "show", "diff good.h5"}) {
+      expect_refusal("analyze " + command + " " + file, kFailed, sentence);
+    }
+  }
+  /// The same of every tool that reads a record.
+  void expect_refused_as_record(const std::string& file, const std::string& sentence) const {
+    for (const std::string command : {"events", "front", "classify", "slip --x 0", "loading"}) {
+      expect_refusal("analyze " + command + " " + file, kFailed, sentence);
+    }
+  }
+  void expect_refused_everywhere(const std::string& file, const std::string& sentence) const {
+    expect_refused(file, sentence);
+    expect_refused_as_any_file(file, sentence);
+    expect_refused_as_record(file, sentence);
+  }
+};
+
+TEST_F(BadFiles, Missing) {
+  expect_refused_everywhere("gone.h5",
+                            "gone.h5 does not exist; give the path of a checkpoint or record");
+  expect_refused_everywhere("good.h5/x.h5",
+                            "good.h5/x.h5 does not exist; give the path of a checkpoint or record");
+}
+
+TEST_F(BadFiles, Folder) {
+  fs::create_directory(path("folder.h5"));
+  expect_refused_everywhere("folder.h5",
+                            "folder.h5 is a folder; give the path of a checkpoint or record");
+}
+
+TEST_F(BadFiles, Device) {
+  expect_refused_everywhere(
+      "/dev/null", "/dev/null is not a regular file; give the path of a checkpoint or record");
+}
+
+TEST_F(BadFiles, Empty) {
+  write("empty.h5", "");
+  expect_refused_everywhere("empty.h5", "empty.h5 is empty; expected a checkpoint or record");
+}
+
+TEST_F(BadFiles, Text) {
+  expect_refused_everywhere("small.ini",
+                            "small.ini is not a rupture file: expected the 512-byte header of a "
+                            "checkpoint or record; give a file that one of rupture's tools wrote");
+}
+
+TEST_F(BadFiles, Hdf5FileOfAnotherProgram) {
+  const hid_t file = H5Fcreate(path("foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  ASSERT_GE(H5Fclose(file), 0);
+  expect_refused_everywhere(
+      "foreign.h5",
+      "foreign.h5 is an HDF5 file without rupture's 512-byte header: it was not written by "
+      "rupture, or was rewritten by another program; give the original file");
+}
+
+TEST_F(BadFiles, Truncated) {
+  const std::string whole = read("good.h5");
+  for (const std::size_t size : {std::size_t{513}, whole.size() / 2, whole.size() - 1}) {
+    write("short.h5", whole.substr(0, size));
+    expect_refused("short.h5", "short.h5 is truncated: it holds " + std::to_string(size) + " of " +
+                                   std::to_string(whole.size()) +
+                                   " bytes; copy it again or write it anew");
+  }
+  for (const std::size_t size : {1U, 100U, 511U}) {
+    write("short.h5", whole.substr(0, size));
+    expect_refused("short.h5", "short.h5 is truncated: it ends within its 512-byte header, after " +
+                                   std::to_string(size) + " bytes; copy it again or write it anew");
+  }
+}
+
+TEST_F(BadFiles, Damaged) {
+  const std::string whole = read("good.h5");
+  for (const std::size_t at :
+       {std::size_t{40}, std::size_t{300}, std::size_t{512}, whole.size() / 2, whole.size() - 1}) {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 1);
+    write("flipped.h5", bytes);
+    expect_refused("flipped.h5", kDamaged);
+    expect_refused_as_any_file("flipped.h5", kDamaged);
+  }
+  write("longer.h5", whole + "x");
+  expect_refused("longer.h5",
+                 "longer.h5 is damaged: its bytes and the SHA-256 in its header do not agree; copy "
+                 "it again or write it anew");
+}
+
+TEST_F(BadFiles, DamagedRecord) {
+  std::string bytes = read("record.h5");
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  write("flipped.h5", bytes);
+  expect_refused_as_record("flipped.h5", kDamaged);
+  expect_refused_as_any_file("flipped.h5", kDamaged);
+}
+
+TEST_F(BadFiles, DamagedFirstLine) {
+  std::string bytes = read("good.h5");
+  bytes[0] = 'R';
+  write("flipped.h5", bytes);
+  expect_refused("flipped.h5",
+                 "flipped.h5 is not a rupture file: expected the 512-byte header of a checkpoint "
+                 "or record; give a file that one of rupture's tools wrote");
+}
+
+/// Writes the schema version into the HDF5 part of a file and seals it again.
+void set_schema_version(const fs::path& path, std::int64_t version) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t attribute = H5Aopen(file, "schema_version", H5P_DEFAULT);
+  ASSERT_GE(H5Awrite(attribute, H5T_NATIVE_INT64, &version), 0);
+  H5Aclose(attribute);
+  ASSERT_GE(H5Fclose(file), 0);
+}
+
+TEST_F(BadFiles, NewerSchema) {
+  fs::copy_file(path("good.h5"), path("newer.h5"));
+  set_schema_version(path("newer.h5"), kSchemaVersion + 1);
+  std::string bytes = read("newer.h5");
+  const auto body = std::as_bytes(std::span(bytes)).subspan(kHeaderSize);
+  bytes.replace(0, kHeaderSize, header_text(FileKind::checkpoint, body));
+  write("newer.h5", bytes);
+  const std::string sentence =
+      "newer.h5: written by schema version 2; this build reads up to 1: use a newer rupture";
+  expect_refused("newer.h5", sentence);
+  expect_refused_as_any_file("newer.h5", sentence);
+}
+
+TEST_F(BadFiles, RecordWhereACheckpointIsExpected) {
+  expect_refused("record.h5", "record.h5 is a record; expected a checkpoint");
+}
+
+TEST_F(BadFiles, CheckpointWhereARecordIsExpected) {
+  expect_refused_as_record("good.h5", "good.h5 is a checkpoint; expected a record");
+}
+
+TEST_F(BadFiles, NumericalBlowUpStopsTheRun) {
+  write_wild_checkpoint();
+  expect_refusal_with("restart wild.h5 -o out.h5 --for 1e-4", kFailed,
+                      "numerical blow-up at t = 0.000200");
+  expect_refusal_with("restart wild.h5 -o out.h5 --for 1e-4", kFailed, "in block (");
+}
+
+TEST_F(BadFiles, NumericalBlowUpKeepsTheLastCheckpoint) {
+  write_wild_checkpoint();
+  const Outcome outcome =
+      run("restart wild.h5 -o out.h5 --for 1e-4 --checkpoint-at 2e-4 --record r.h5");
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  expect_one_sentence(outcome.err, "restart", "numerical blow-up at t = 0.000200");
+  EXPECT_FALSE(fs::exists(path("out.h5")));
+  EXPECT_FALSE(fs::exists(path("r.h5")));
+  EXPECT_EQ(checksum_of("out-t0.000200000.h5"), checksum_of("wild.h5"));
+  expect_refusal("analyze verify r.h5.part", kFailed,
+                 "r.h5.part: an unfinished record cannot be verified: nothing protects its bytes "
+                 "until its run ends");
+}
+
+TEST_F(BadFiles, NumericalBlowUpLosesNoSample) {
+  write_wild_checkpoint();
+  EXPECT_EQ(run("restart wild.h5 -o out.h5 --for 1e-4 --record r.h5").exit_code, kFailed);
+  EXPECT_EQ(json_of("analyze loading r.h5.part --json")["time"].size(), 1U);
+}
+
+}  // namespace
+}  // namespace rupture::test

@@ -1,0 +1,238 @@
+// Bad options and parameters: one sentence, exit code 2, nothing written.
+#include <ostream>
+
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+/// A parameter assignment that load refuses, and what it says.
+struct BadParameter {
+  std::string assignment, sentence;
+};
+
+std::ostream& operator<<(std::ostream& out, const BadParameter& parameter) {
+  return out << parameter.assignment;
+}
+
+class BadParameters : public ToolTest, public ::testing::WithParamInterface<BadParameter> {};
+
+TEST_P(BadParameters, IsRefusedByLoad) {
+  expect_refusal("load --config small.ini -o a.h5 --set " + GetParam().assignment, kUsage,
+                 GetParam().sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Parameters, BadParameters,
+    ::testing::Values(
+        BadParameter{"slidr.L=0.14", "unknown parameter 'slidr.L': did you mean 'slider.L'?"},
+        BadParameter{"junctions.mus=1",
+                     "unknown parameter 'junctions.mus': did you mean 'junctions.mu_s'?"},
+        BadParameter{"V=1", "unknown parameter 'V': did you mean 'driving.V'?"},
+        BadParameter{"slider.L", "--set slider.L has no '=': write --set NAME=VALUE"},
+        BadParameter{"slider.L=", "slider.L = '' is not a number (unit m)"},
+        BadParameter{"slider.L=long", "slider.L = 'long' is not a number (unit m)"},
+        BadParameter{"slider.L=0.14m", "slider.L = '0.14m' is not a number (unit m)"},
+        BadParameter{"slider.L=nan",
+                     "slider.L = nan is out of range: give a value above 0 and at most 1000 "
+                     "(unit m)"},
+        BadParameter{"slider.L=inf",
+                     "slider.L = inf is out of range: give a value above 0 and at most 1000 "
+                     "(unit m)"},
+        BadParameter{"slider.L=-1",
+                     "slider.L = -1 is out of range: give a value above 0 and at most 1000 "
+                     "(unit m)"},
+        BadParameter{"driving.V=11",
+                     "driving.V = 11 is out of range: give a value of at least -10 and at most 10 "
+                     "(unit m/s)"},
+        BadParameter{"slider.Nx=9.5", "slider.Nx = '9.5' is not a whole number (unit 1)"},
+        BadParameter{"slider.Nx=2",
+                     "slider.Nx = 2 is out of range: give a value of at least 3 and at most 65536 "
+                     "(unit 1)"},
+        BadParameter{"junctions.slipping_times=normal",
+                     "junctions.slipping_times = 'normal' is unknown: choose one of gaussian, "
+                     "exponential"},
+        BadParameter{"slider.Nx=10",
+                     "the lattice must be square, but L/(Nx-1) = 0.0155556 m and H/(Nz-1) = 0.0175 "
+                     "m: change slider.L, slider.H, slider.Nx or slider.Nz (for instance slider.H "
+                     "= 0.0622222222)"},
+        BadParameter{"driving.h=0.01",
+                     "driving.h = 0.01 m is on no row of blocks: give a multiple of the spacing "
+                     "0.0175 m below slider.H"},
+        BadParameter{"junctions.mu_d=0.5",
+                     "junctions.mu_d = 0.5 exceeds junctions.mu_s = 0.4: a junction cannot slip at "
+                     "more than its strength"},
+        BadParameter{"numerics.dt=1e-5",
+                     "numerics.dt = 1e-05 s is unstable: the limit for this lattice is 4.066e-06 "
+                     "s"}),
+    [](const auto& test) { return std::string("case") + std::to_string(test.index); });
+
+using BadOptions = ToolTest;
+
+TEST_F(BadOptions, SeedMustBeAWholeNumber) {
+  expect_refusal("load -o a.h5 --seed abc", kUsage,
+                 "numerics.seed = 'abc' is not a whole number (unit 1)");
+  expect_refusal("load -o a.h5 --seed -1", kUsage,
+                 "numerics.seed = -1 is out of range: give a value of at least 0 and at most "
+                 "9e+15 (unit 1)");
+}
+
+TEST_F(BadOptions, NumberTooLargeForItsTypeIsOutOfRange) {
+  expect_refusal_with("load -o a.h5 --seed 99999999999999999999", kUsage, "out of range");
+  expect_refusal_with("load -o a.h5 --set slider.L=1e400", kUsage, "out of range");
+}
+
+TEST_F(BadOptions, TimesMustBeNumbersFromZero) {
+  const std::string load = "load --config small.ini -o a.h5 ";
+  expect_refusal(load + "--until abc", kUsage,
+                 "the argument ('abc') for option '--until' is invalid; see load --help");
+  for (const std::string value : {"nan", "inf", "-1"}) {
+    for (const std::string option : {"--until", "--checkpoint-every", "--record-every"}) {
+      expect_refusal(load + option + " " + value, kUsage,
+                     option + " " + value + " makes no sense: give a number of at least 0");
+    }
+  }
+  expect_refusal(load + "--until 1e300", kUsage,
+                 "t = 1e+300 s is too long a time for steps of 2e-07 s");
+}
+
+TEST_F(BadOptions, CheckpointTimesMustBeNumbersFromZero) {
+  const std::string load = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at ";
+  for (const char* value : {"nan", "inf", "-inf"}) {
+    expect_refusal_with(load + value, kUsage, std::string("--checkpoint-at ") + value);
+  }
+}
+
+TEST_F(BadOptions, CheckpointTimesMustLieInTheRun) {
+  const std::string load = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at ";
+  expect_refusal(load + "2e-4", kUsage,
+                 "--checkpoint-at 0.0002 is outside the run, 0 s to 0.0001 s");
+  expect_refusal(load + "-1", kUsage, "--checkpoint-at -1 is outside the run, 0 s to 0.0001 s");
+}
+
+TEST_F(BadOptions, IntervalsMustBeAtLeastAStep) {
+  const std::string load = "load --config small.ini -o a.h5 --until 1e-4 ";
+  expect_refusal(load + "--checkpoint-every 1e-8", kUsage,
+                 "--checkpoint-every is shorter than one time step");
+  expect_refusal(load + "--record r.h5 --record-every 0", kUsage,
+                 "--record-every is shorter than one time step");
+}
+
+TEST_F(BadOptions, RestartWantsOneEnd) {
+  output_of("load --config small.ini -o a.h5");
+  expect_refusal("restart a.h5 -o b.h5", kUsage,
+                 "when to stop? Give --until T, --for T or --until-quiet");
+  expect_refusal("restart a.h5 -o b.h5 --for 1 --until 1", kUsage,
+                 "--until and --for exclude each other: give one");
+  expect_refusal("restart -o b.h5 --for 1", kUsage,
+                 "no file was given: name a checkpoint to continue");
+  expect_refusal("restart a.h5 a.h5 -o b.h5 --for 1", kUsage,
+                 "'a.h5' is one file too many: name only a checkpoint to continue");
+}
+
+TEST_F(BadOptions, RestartCannotGoBack) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  expect_refusal("restart a.h5 -o b.h5 --until 5e-5", kUsage,
+                 "--until 5e-05 is before the checkpoint's time 0.0001 s");
+}
+
+TEST_F(BadOptions, QuietTimeMustBeANumberFromZero) {
+  output_of("load --config small.ini -o a.h5");
+  for (const char* value : {"nan", "inf", "-3"}) {
+    expect_refusal_with(std::string("restart a.h5 -o b.h5 --until 1e-4 --until-quiet=") + value,
+                        kUsage, "--until-quiet");
+  }
+}
+
+TEST_F(BadOptions, RestartKeepsTheLattice) {
+  output_of("load --config small.ini -o a.h5");
+  for (const auto& [name, value, was] :
+       {std::tuple{"slider.Nx", "17", "9"}, std::tuple{"slider.L", "0.15", "0.14"},
+        std::tuple{"junctions.N_s", "50", "100"}, std::tuple{"numerics.dt", "1e-7", "2e-07"}}) {
+    expect_refusal(
+        std::string("restart a.h5 -o b.h5 --for 1e-5 --set ") + name + "=" + value, kUsage,
+        std::string(name) + " cannot change in a restart: the state was made with " + was);
+  }
+  expect_refusal("restart a.h5 -o b.h5 --for 1e-5 --set slider.M=1e-9", kUsage,
+                 "numerics.dt = 2e-07 s is unstable: the limit for this lattice is 4.677e-10 s");
+}
+
+TEST_F(BadOptions, ConfigurationMustBeReadable) {
+  expect_refusal("load --config gone.ini -o a.h5", kFailed,
+                 "cannot read the configuration file gone.ini");
+  write("odd.ini", "slider.L\n");
+  expect_refusal_with("load --config odd.ini -o a.h5", kUsage, "slider.L");
+  write("odd.ini", "until = soon\n");
+  expect_refusal_with("load --config odd.ini -o a.h5", kUsage, "soon");
+}
+
+TEST_F(BadOptions, ParametersOfAConfigurationAreCheckedAlike) {
+  write("bad.ini", "[slider]\nLL = 0.14\n");
+  expect_refusal("load --config bad.ini -o a.h5", kUsage,
+                 "unknown parameter 'slider.LL': did you mean 'slider.L'?");
+  write("bad.ini", "[slider]\nL = long\n");
+  expect_refusal("load --config bad.ini -o a.h5", kUsage,
+                 "slider.L = 'long' is not a number (unit m)");
+  write("bad.ini", "[driving]\nV = 11\n");
+  expect_refusal("load --config bad.ini -o a.h5", kUsage,
+                 "driving.V = 11 is out of range: give a value of at least -10 and at most 10 "
+                 "(unit m/s)");
+  write("bad.ini", "untill = 1\n");
+  expect_refusal_with("load --config bad.ini -o a.h5", kUsage, "untill");
+}
+
+TEST_F(BadOptions, ConfigurationMustNotBeAFolder) {
+  expect_refusal_with("load --config . -o a.h5", kFailed, "configuration");
+}
+
+TEST_F(BadOptions, LoadTakesNoFile) {
+  expect_refusal_with("load small.ini -o a.h5", kUsage, "small.ini");
+}
+
+TEST_F(BadOptions, SliderThatCannotBearItsLoadIsRefused) {
+  expect_refusal_with(
+      "load --config small.ini -o a.h5 --set junctions.mu_s=0.01 --set junctions.mu_d=0.001",
+      kFailed, "|f|/f_thres");
+  expect_refusal("load --config small.ini -o a.h5 --set slider.E=1e-300", kFailed,
+                 "no equilibrium under F_N = 1920 N was found: the load is too large for slider.E "
+                 "= 1e-300 Pa or the slider tips over");
+}
+
+TEST_F(BadOptions, LoadThatTurnsTheLatticeInsideOutIsRefused) {
+  expect_refusal_with("load --config small.ini -o a.h5 --set slider.F_N=1e9", kFailed, "F_N");
+  expect_refusal_with("load --config small.ini -o a.h5 --set slider.E=1", kFailed, "slider.E");
+}
+
+TEST_F(BadOptions, StabilityLimitIsANumber) {
+  for (const std::string mass : {"1e-298", "1e-300"}) {
+    const Outcome outcome = run("load --config small.ini -o a.h5 --set slider.M=" + mass);
+    EXPECT_EQ(outcome.exit_code, kUsage);
+    EXPECT_EQ(outcome.err.find("nan"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(BadOptions, TooManyJunctionsForARecordAreRefused) {
+  expect_refusal_with("load --config small.ini -o a.h5 --record r.h5 --set junctions.N_s=70000",
+                      kUsage, "junctions.N_s = 70000 is too large for a record");
+}
+
+TEST_F(BadOptions, LatticeTooLargeForTheMemoryIsRefused) {
+  if (RUPTURE_SANITIZED) GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
+  const RunOptions two_gigabytes = {.memory = std::uint64_t{2} << 30U};
+  constexpr const char* sentence = "not enough memory for a lattice of this size";
+  expect_refusal(
+      "load -o a.h5 --set slider.Nx=65536 --set slider.Nz=65536 --set slider.H=0.14 "
+      "--set driving.h=0 --set numerics.dt=1e-11",
+      kFailed, sentence, two_gigabytes);
+  expect_refusal(
+      "load -o a.h5 --set slider.Nx=4001 --set slider.Nz=2001 --set slider.H=0.07 "
+      "--set driving.h=0 --set numerics.dt=1e-10",
+      kFailed, sentence, two_gigabytes);
+  expect_refusal(
+      "load --config small.ini -o a.h5 --set junctions.N_s=1000000 --set slider.Nx=129 "
+      "--set slider.Nz=65 --set numerics.dt=1e-8",
+      kFailed, sentence, two_gigabytes);
+}
+
+}  // namespace
+}  // namespace rupture::test

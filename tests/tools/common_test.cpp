@@ -1,0 +1,171 @@
+// What all tools have in common: --help, --version, --quiet, unknown options.
+#include <algorithm>
+#include <ostream>
+
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+/// A tool or a command of analyze, and the long options that --help must name.
+struct Interface {
+  std::string command;
+  std::vector<std::string> options;
+};
+
+std::ostream& operator<<(std::ostream& out, const Interface& interface) {
+  return out << interface.command;
+}
+
+const std::vector<Interface> kInterfaces = {
+    {"load",
+     {"until", "checkpoint-at", "checkpoint-every", "record", "record-every", "output", "force",
+      "quiet", "config", "set", "seed", "help", "version"}},
+    {"restart",
+     {"until", "for", "until-quiet", "checkpoint-at", "checkpoint-every", "record", "record-every",
+      "output", "force", "quiet", "config", "set", "seed", "help", "version"}},
+    {"modify-phi",
+     {"shape", "sigma-bar", "x-from", "x-to", "slipping", "output", "force", "quiet", "help",
+      "version"}},
+    {"analyze events", {"quiet", "slow-below", "skip-below-x", "json", "csv", "help", "version"}},
+    {"analyze front",
+     {"from", "to", "slow-below", "skip-below-x", "json", "csv", "help", "version"}},
+    {"analyze classify", {"from", "to", "slow-below", "skip-below-x", "json", "help", "version"}},
+    {"analyze slip", {"x", "from", "to", "json", "csv", "help", "version"}},
+    {"analyze loading", {"x", "json", "csv", "help", "version"}},
+    {"analyze stress", {"json", "csv", "help", "version"}},
+    {"analyze phi", {"bins", "json", "csv", "help", "version"}},
+    {"analyze checksum", {"help", "version"}},
+    {"analyze verify", {"manifest", "help", "version"}},
+    {"analyze diff", {"help", "version"}},
+    {"analyze show", {"json", "help", "version"}},
+};
+
+class EveryTool : public ToolTest, public ::testing::WithParamInterface<Interface> {};
+
+TEST_P(EveryTool, HelpNamesEveryOption) {
+  const std::string help = output_of(GetParam().command + " --help");
+  EXPECT_EQ(help.find("Usage: " + GetParam().command + " "), 0U) << help;
+  for (const auto& option : GetParam().options) {
+    EXPECT_NE(help.find("--" + option + " "), std::string::npos) << option;
+  }
+}
+
+TEST_P(EveryTool, HelpNamesNoOtherOption) {
+  const std::string help = output_of(GetParam().command + " --help");
+  const auto lines = lines_of(help.substr(0, help.find("\nParameters")));
+  const auto found = std::count_if(lines.begin(), lines.end(),
+                                   [](const auto& line) { return line.starts_with("  -"); });
+  EXPECT_EQ(static_cast<std::size_t>(found), GetParam().options.size()) << help;
+}
+
+TEST_P(EveryTool, VersionNamesToolVersionAndCommit) {
+  const std::string version = output_of(GetParam().command + " --version");
+  EXPECT_TRUE(version.starts_with(GetParam().command + " (rupture ")) << version;
+  EXPECT_NE(version.find(", commit "), std::string::npos) << version;
+  EXPECT_TRUE(version.ends_with(")\n")) << version;
+}
+
+TEST_P(EveryTool, SuggestsAnOptionForAMistypedOne) {
+  expect_refusal(GetParam().command + " --versoin", kUsage,
+                 "unknown option '--versoin': did you mean '--version'? See " + GetParam().command +
+                     " --help");
+}
+
+std::string test_name(const ::testing::TestParamInfo<Interface>& info) {
+  std::string name = info.param.command;
+  for (char& c : name) {
+    if (c == ' ' || c == '-') c = '_';
+  }
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Tools, EveryTool, ::testing::ValuesIn(kInterfaces), test_name);
+
+using Common = ToolTest;
+
+TEST_F(Common, HelpOfLoadAndRestartNamesTheParameters) {
+  for (const std::string tool : {"load", "restart"}) {
+    const std::string help = output_of(tool + " --help");
+    for (const char* parameter : {"slider.Nx", "driving.V", "junctions.t_R", "numerics.dt"}) {
+      EXPECT_NE(help.find(std::string("\n  ") + parameter + " "), std::string::npos) << parameter;
+    }
+    EXPECT_NE(help.find("[m/s]"), std::string::npos);
+  }
+}
+
+TEST_F(Common, AnalyzeHelpNamesEveryCommand) {
+  const std::string help = output_of("analyze --help");
+  for (const auto& [command, options] : kInterfaces) {
+    const auto space = command.find(' ');
+    if (space == std::string::npos) continue;
+    EXPECT_NE(help.find("\n  " + command.substr(space + 1) + " "), std::string::npos) << command;
+  }
+  EXPECT_NE(output_of("analyze --version").find("analyze (rupture "), std::string::npos);
+}
+
+TEST_F(Common, AnalyzeSuggestsACommand) {
+  expect_refusal("analyze stres a.h5", kUsage,
+                 "unknown command 'stres': did you mean 'stress'? See analyze --help");
+  expect_refusal("analyze", kUsage, "no command was given; see analyze --help");
+}
+
+TEST_F(Common, QuietToolsPrintNothing) {
+  EXPECT_EQ(output_of("load --config small.ini -o a.h5 --until 1e-4 --record a-r.h5 "
+                      "--checkpoint-at 5e-5 --quiet"),
+            "");
+  EXPECT_EQ(output_of("restart a.h5 -o b.h5 --for 1e-5 --record b-r.h5 -q"), "");
+  EXPECT_EQ(output_of("modify-phi a.h5 -o c.h5 --sigma-bar 100 -q"), "");
+}
+
+TEST_F(Common, WritingToolsPrintTheChecksumOfWhatTheyWrote) {
+  output_of("load --config small.ini -o a.h5 -q");
+  const std::string restarted = output_of("restart a.h5 -o b.h5 --for 1e-5");
+  EXPECT_NE(restarted.find("wrote b.h5  sha256 " + checksum_of("b.h5") + "\n"), std::string::npos);
+  const std::string modified = output_of("modify-phi a.h5 -o c.h5");
+  EXPECT_NE(modified.find("wrote c.h5  sha256 " + checksum_of("c.h5") + "\n"), std::string::npos);
+}
+
+TEST_F(Common, OutputOptionIsRequired) {
+  expect_refusal("load", kUsage, "the option '--output' is required but missing; see load --help");
+  expect_refusal("load -o", kUsage,
+                 "the required argument for option '--output' is missing; see load --help");
+}
+
+TEST_F(Common, ExistingFilesAreOnlyReplacedWhenForced) {
+  output_of("load --config small.ini -o a.h5 -q");
+  output_of("load --config small.ini -o r.h5 --record rec.h5 -q");
+  constexpr const char* exists = "a.h5 exists; give --force to replace it";
+  expect_refusal("load --config small.ini -o a.h5", kFailed, exists);
+  expect_refusal("load --config small.ini -o b.h5 --record a.h5 --until 1e-5", kFailed, exists);
+  expect_refusal("load --config small.ini -o b.h5 --record rec.h5", kFailed,
+                 "rec.h5 exists; give --force to replace it");
+
+  const std::string before = checksum_of("a.h5");
+  output_of("restart r.h5 -o a.h5 --for 1e-5 --force");
+  EXPECT_NE(checksum_of("a.h5"), before);
+  EXPECT_EQ(read("a.h5.sum"), checksum_of("a.h5") + "  a.h5\n");
+  output_of("modify-phi r.h5 -o a.h5 -f");
+  output_of("load --config small.ini -o a.h5 --record rec.h5 -f");
+  EXPECT_EQ(checksum_of("a.h5"), before);
+}
+
+TEST_F(Common, TheInputIsNeverReplacedNotEvenByForce) {
+  output_of("load --config small.ini -o a.h5 -q");
+  constexpr const char* never = "a.h5 is the input, which is never changed: give another output";
+  for (const std::string force : {"", " --force"}) {
+    expect_refusal("restart a.h5 -o a.h5 --for 1e-5" + force, kUsage, never);
+    expect_refusal("modify-phi a.h5 -o a.h5" + force, kUsage, never);
+  }
+}
+
+TEST_F(Common, ExistingIntermediateCheckpointsAreOnlyReplacedWhenForced) {
+  write("a-t0.000050000.h5", "precious");
+  const std::string command = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at 5e-5";
+  expect_refusal(command, kFailed, "a-t0.000050000.h5 exists; give --force to replace it");
+  output_of(command + " --force");
+  EXPECT_DOUBLE_EQ(json_of("analyze stress a-t0.000050000.h5 --json")["time"], 5e-5);
+}
+
+}  // namespace
+}  // namespace rupture::test

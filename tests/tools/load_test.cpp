@@ -1,0 +1,120 @@
+// load: equilibrium, driving, configuration, checkpoints on the way.
+#include <numeric>
+
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+using Load = ToolTest;
+
+TEST_F(Load, EquilibriumBearsTheNormalLoadAtRest) {
+  output_of("load --config small.ini -o a.h5");
+  const Json stress = json_of("analyze stress a.h5 --json");
+  const std::vector<double> p = stress["p"], tau = stress["tau"], x = stress["x"];
+  EXPECT_EQ(stress["time"], 0.0);
+  EXPECT_EQ(stress["F_N"], 1920.0);
+  EXPECT_NEAR(stress["F_T"], 0.0, 1e-9);
+  ASSERT_EQ(p.size(), 9U);
+  ASSERT_EQ(tau.size(), 9U);
+  ASSERT_EQ(x.size(), 9U);
+  EXPECT_NEAR(x.back(), 0.14, 1e-15);
+  EXPECT_NEAR(std::accumulate(p.begin(), p.end(), 0.0), 1920.0, 1e-9 * 1920.0);
+  EXPECT_NEAR(std::accumulate(tau.begin(), tau.end(), 0.0), 0.0, 1e-9 * 1920.0);
+}
+
+TEST_F(Load, WritesCheckpointAndSumAndNothingElse) {
+  output_of("load --config small.ini -o a.h5");
+  EXPECT_EQ(read("a.h5.sum"), checksum_of("a.h5") + "  a.h5\n");
+  EXPECT_EQ(files().size(), 3U);  // with small.ini
+}
+
+TEST_F(Load, SameCommandGivesTheSameBytes) {
+  output_of("load --config small.ini -o a.h5 --until 4e-4 --record r.h5 -f");
+  const Files first = files();
+  output_of("load --config small.ini -o a.h5 --until 4e-4 --record r.h5 -f");
+  EXPECT_EQ(files(), first);
+}
+
+TEST_F(Load, DrivesUntilTheGivenTime) {
+  const std::string out = output_of("load --config small.ini -o a.h5 --until 1e-4");
+  EXPECT_NE(out.find("t = 0.0001 s (end of the run), 500 steps"), std::string::npos) << out;
+  EXPECT_NE(out.find("relative error"), std::string::npos) << out;
+  const Json stress = json_of("analyze stress a.h5 --json");
+  EXPECT_DOUBLE_EQ(stress["time"], 1e-4);
+  EXPECT_GT(stress["F_T"], 100.0);
+}
+
+TEST_F(Load, ConfigurationHoldsSectionsCommentsAndOptions) {
+  write("run.ini",
+        "# a comment\nuntil = 1e-4   # five hundred steps\noutput = a.h5\nquiet =\n\n"
+        "[slider]\nNx = 9\nNz = 5\nH=0.07\n[driving]\nh = 0.0175\nV = 1\n");
+  EXPECT_EQ(output_of("load --config run.ini"), "");
+  output_of("load --config small.ini -o b.h5 --until 1e-4");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+}
+
+TEST_F(Load, CommandLineOverridesTheConfiguration) {
+  write("run.ini",
+        "until = 1e-3\nslider.Nx = 9\nslider.Nz = 5\nslider.H = 0.07\ndriving.h = 0.0175\n"
+        "driving.V = 5\n");
+  output_of("load --config run.ini --set driving.V=2 --set driving.V=1 --until 1e-4 -o a.h5");
+  output_of("load --config small.ini -o b.h5 --until 1e-4");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+}
+
+TEST_F(Load, SeedIsShortForTheParameter) {
+  output_of("load --config small.ini -o a.h5 --until 4e-4 --seed 7");
+  output_of("load --config small.ini -o b.h5 --until 4e-4 --set numerics.seed=7");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+  EXPECT_EQ(json_of("analyze show a.h5 --json")["parameters"]["numerics.seed"], "7");
+}
+
+TEST_F(Load, AnotherSeedDrawsOtherSlippingTimes) {
+  output_of("load --config small.ini -o a.h5 --until 4e-4 --seed 7");
+  output_of("load --config small.ini -o b.h5 --until 4e-4 --seed 8");
+  const Outcome diff = run("analyze diff a.h5 b.h5");
+  EXPECT_EQ(diff.exit_code, kFailed);
+  EXPECT_NE(diff.out.find("/state/junctions/repin_time"), std::string::npos) << diff.out;
+}
+
+TEST_F(Load, CheckpointsOnTheWayEqualRunsThatEndThere) {
+  output_of(
+      "load --config small.ini -o a.h5 --until 4e-4 --checkpoint-every 2e-4 --checkpoint-at 0 "
+      "1e-4");
+  EXPECT_EQ(checksum_of("a-t0.000400000.h5"), checksum_of("a.h5"));
+  for (const std::string t : {"0", "1e-4", "2e-4"}) {
+    output_of("load --config small.ini -o at" + t + ".h5 --until " + t);
+  }
+  EXPECT_EQ(checksum_of("a-t0.000000000.h5"), checksum_of("at0.h5"));
+  EXPECT_EQ(checksum_of("a-t0.000100000.h5"), checksum_of("at1e-4.h5"));
+  EXPECT_EQ(checksum_of("a-t0.000200000.h5"), checksum_of("at2e-4.h5"));
+}
+
+TEST_F(Load, CheckpointsOnTheWayAreNamedAfterTheOutput) {
+  fs::create_directory(path("sub"));
+  output_of("load --config small.ini -o sub/noext --until 1e-4 --checkpoint-at 1e-4 2e-5 -q");
+  const Files all = files();
+  EXPECT_EQ(all.size(), 8U);  // small.ini, sub/ and three checkpoints with their sums
+  for (const char* name : {"sub/noext", "sub/noext-t0.000020000", "sub/noext-t0.000100000"}) {
+    EXPECT_TRUE(all.contains(name)) << name;
+    EXPECT_TRUE(all.contains(std::string(name) + ".sum")) << name;
+  }
+}
+
+TEST_F(Load, RecordSamplesAtMultiplesOfTheInterval) {
+  output_of("load --config small.ini -o a.h5 --until 1.1e-4 --record r.h5 --record-every 2e-5");
+  const std::vector<double> time = json_of("analyze loading r.h5 --json")["time"];
+  ASSERT_EQ(time.size(), 7U);
+  for (std::size_t n = 0; n < 6; ++n) EXPECT_NEAR(time[n], static_cast<double>(n) * 2e-5, 1e-15);
+  EXPECT_NEAR(time.back(), 1.1e-4, 1e-15);
+}
+
+TEST_F(Load, RecordingChangesNothing) {
+  output_of("load --config small.ini -o a.h5 --until 4e-4 --record r.h5 --checkpoint-every 1e-4");
+  output_of("load --config small.ini -o b.h5 --until 4e-4");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+}
+
+}  // namespace
+}  // namespace rupture::test

@@ -1,0 +1,121 @@
+// modify-phi: new forces in the junctions, the same force on each block.
+#include <algorithm>
+#include <cmath>
+
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+class ModifyPhi : public ToolTest {
+ protected:
+  /// A checkpoint amid the rupture: some blocks slip, others are pinned.
+  ModifyPhi() { output_of("load --config small.ini -o a.h5 --until 1.9e-4"); }
+
+  std::vector<double> stress(const std::string& file, const char* what) const {
+    return json_of("analyze stress " + file + " --json")[what];
+  }
+  std::vector<double> phi(const std::string& file, const char* what) const {
+    return json_of("analyze phi " + file + " --json")[what];
+  }
+  void expect_same_friction(const std::string& file) const {
+    const auto before = stress("a.h5", "tau"), after = stress(file, "tau");
+    const double largest = *std::max_element(before.begin(), before.end());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_NEAR(after[i], before[i], 1e-12 * largest) << "block " << i;
+    }
+    EXPECT_EQ(stress(file, "p"), stress("a.h5", "p"));
+  }
+};
+
+TEST_F(ModifyPhi, KeepsTheFrictionOfEachBlock) {
+  const auto slipping = phi("a.h5", "slipping");
+  ASSERT_GT(slipping[1], 0.7);
+  ASSERT_LT(slipping[7], 0.3);
+  for (const std::string options :
+       {"", " --shape bell", " --sigma-bar 0.1", " --shape bell --slipping pin",
+        " --slipping pin --sigma-bar 0.2"}) {
+    output_of("modify-phi a.h5 -o b.h5 --force" + options);
+    expect_same_friction("b.h5");
+  }
+}
+
+TEST_F(ModifyPhi, GivesTheWantedWidth) {
+  output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.1");
+  output_of("modify-phi a.h5 -o c.h5 --slipping pin --sigma-bar 0.1 --shape bell");
+  for (const char* file : {"b.h5", "c.h5"}) {
+    for (const double sigma : phi(file, "sigma_bar")) EXPECT_NEAR(sigma, 0.1, 0.002);
+  }
+}
+
+TEST_F(ModifyPhi, WithoutWidthIsAsWideAsEachBlockAllows) {
+  output_of("modify-phi a.h5 -o b.h5 --slipping pin");
+  const auto mean = phi("b.h5", "mean"), sigma = phi("b.h5", "sigma");
+  const auto f_thres = phi("b.h5", "f_thres");
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    const double half_width = f_thres[i] - std::abs(mean[i]);
+    EXPECT_NEAR(sigma[i], half_width / std::sqrt(3.0), 0.01 * half_width) << "block " << i;
+  }
+}
+
+TEST_F(ModifyPhi, ReportsBlocksThatCannotTakeIt) {
+  const std::string out = output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 3");
+  const std::string sentence = "left as it is: block at x = 0.0700 m, which can take sigma-bar <= ";
+  EXPECT_NE(out.find(sentence), std::string::npos) << out;
+  EXPECT_EQ(checksum_of("b.h5"), checksum_of("a.h5"));
+}
+
+TEST_F(ModifyPhi, ChangesOnlyTheRegion) {
+  const std::string out =
+      output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.2 --x-from 0.05 --x-to 0.09");
+  const auto before = phi("a.h5", "sigma"), after = phi("b.h5", "sigma");
+  const auto sigma_bar = phi("b.h5", "sigma_bar"), x = phi("b.h5", "x");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] >= 0.05 && x[i] <= 0.09) {
+      EXPECT_NEAR(sigma_bar[i], 0.2, 0.01) << out;
+    } else {
+      EXPECT_EQ(after[i], before[i]) << out;
+    }
+  }
+}
+
+TEST_F(ModifyPhi, SlippingJunctionsAreKeptOrPinned) {
+  output_of("modify-phi a.h5 -o keep.h5");
+  output_of("modify-phi a.h5 -o pin.h5 --slipping pin");
+  EXPECT_EQ(phi("keep.h5", "slipping"), phi("a.h5", "slipping"));
+  for (const double fraction : phi("pin.h5", "slipping")) EXPECT_EQ(fraction, 0.0);
+}
+
+TEST_F(ModifyPhi, NeverTouchesItsInput) {
+  const std::string before = read("a.h5");
+  output_of("modify-phi a.h5 -o b.h5 --slipping pin");
+  EXPECT_EQ(read("a.h5"), before);
+}
+
+TEST_F(ModifyPhi, ItsCheckpointCanBeContinued) {
+  output_of("modify-phi a.h5 -o b.h5 --slipping pin");
+  output_of("restart b.h5 -o c.h5 --for 1e-4");
+  const Json chain = json_of("analyze show c.h5 --json")["provenance"];
+  ASSERT_EQ(chain.size(), 3U);
+  EXPECT_EQ(chain[1]["tool"], "modify-phi");
+  EXPECT_EQ(chain[1]["parent_checksum"], checksum_of("a.h5"));
+}
+
+TEST_F(ModifyPhi, RefusesWhatMakesNoSense) {
+  expect_refusal("modify-phi a.h5 -o b.h5 --shape round", kUsage,
+                 "--shape round is unknown: choose uniform or bell");
+  expect_refusal("modify-phi a.h5 -o b.h5 --slipping maybe", kUsage,
+                 "--slipping maybe is unknown: choose keep or pin");
+  expect_refusal("modify-phi a.h5 -o b.h5 --sigma-bar -1", kUsage,
+                 "--sigma-bar -1 makes no sense: give a number of at least 0");
+  expect_refusal("modify-phi a.h5 -o b.h5 --x-from nan", kUsage,
+                 "--x-from nan makes no sense: give a number of at least 0");
+  expect_refusal("modify-phi a.h5 -o b.h5 --x-from 0.09 --x-to 0.05", kUsage,
+                 "the region is empty: --x-to is below --x-from");
+  expect_refusal("modify-phi -o b.h5", kUsage, "no file was given: name a checkpoint to modify");
+  expect_refusal("modify-phi a.h5 a.h5 -o b.h5", kUsage,
+                 "'a.h5' is one file too many: name only a checkpoint to modify");
+}
+
+}  // namespace
+}  // namespace rupture::test

@@ -1,0 +1,173 @@
+// restart: continuing a run gives what the uninterrupted one gave; changing parameters does not.
+#include <cmath>
+
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+using Restart = ToolTest;
+
+/// Where a run to 6e-4 s is split; the rupture lasts from 1.5e-4 s to 2.5e-4 s.
+class Split : public ToolTest, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(Split, HalvesEqualTheWhole) {
+  for (const char* folder : {"whole", "halves"}) fs::create_directory(path(folder));
+  output_of("load --config small.ini -o whole/end.h5 --until 6e-4");
+  output_of(std::string("load --config small.ini -o half.h5 --until ") + GetParam());
+  output_of("restart half.h5 -o halves/end.h5 --until 6e-4");
+  EXPECT_EQ(checksum_of("halves/end.h5"), checksum_of("whole/end.h5"));
+  EXPECT_EQ(read("halves/end.h5.sum"), read("whole/end.h5.sum"));
+  EXPECT_EQ(output_of("analyze diff halves/end.h5 whole/end.h5"), "equal\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(BeforeDuringAfter, Split,
+                         ::testing::Values("0", "1e-4", "1.9e-4", "2.3e-4", "4e-4", "6e-4"),
+                         [](const auto& test) {
+                           return std::string("number") + std::to_string(test.index);
+                         });
+
+/// Value of one column at each time of a record.
+std::map<double, double> column(const Json& loading, const char* name) {
+  const std::vector<double> time = loading["time"], values = loading[name];
+  std::map<double, double> result;
+  for (std::size_t n = 0; n < time.size(); ++n) result[time[n]] = values[n];
+  return result;
+}
+
+TEST_F(Restart, RecordsOfTheHalvesAreThatOfTheWhole) {
+  output_of(
+      "load --config small.ini -o whole.h5 --until 6e-4 --record whole-r.h5 "
+      "--record-every 2e-5");
+  output_of("load --config small.ini -o half.h5 --until 1.9e-4 --record r1.h5 --record-every 2e-5");
+  output_of("restart half.h5 -o end.h5 --until 6e-4 --record r2.h5 --record-every 2e-5");
+  EXPECT_EQ(checksum_of("end.h5"), checksum_of("whole.h5"));
+  const Json whole = json_of("analyze loading whole-r.h5 --x 0.07 --json");
+  for (const char* name : {"F_T", "x_drive", "p", "tau", "u_x"}) {
+    auto joined = column(json_of("analyze loading r1.h5 --x 0.07 --json"), name);
+    joined.merge(column(json_of("analyze loading r2.h5 --x 0.07 --json"), name));
+    for (const auto& [time, value] : column(whole, name)) EXPECT_EQ(joined.at(time), value) << name;
+    EXPECT_EQ(joined.size(), whole["time"].size() + 1) << "1.9e-4 s is sampled by the halves only";
+  }
+}
+
+TEST_F(Restart, RupturesOfTheHalvesAreThoseOfTheWhole) {
+  output_of("load --config small.ini -o whole.h5 --until 6e-4 --record whole-r.h5");
+  output_of("load --config small.ini -o half.h5 --until 1.9e-4 --record r1.h5");
+  output_of("restart half.h5 -o end.h5 --until 6e-4 --record r2.h5");
+  const Json whole = json_of("analyze front whole-r.h5 --json")["t_rupture"];
+  const Json first = json_of("analyze front r1.h5 --json")["t_rupture"];
+  const Json second = json_of("analyze front r2.h5 --json")["t_rupture"];
+  ASSERT_EQ(whole.size(), 9U);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(first[i].is_null() ? second[i] : first[i], whole[i]) << "block " << i;
+  }
+  EXPECT_FALSE(first[1].is_null());
+  EXPECT_TRUE(first[8].is_null());
+}
+
+TEST_F(Restart, ForAndUntilMeanTheSameEnd) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  output_of("restart a.h5 -o for.h5 --for 2e-4");
+  output_of("restart a.h5 -o until.h5 --until 3e-4");
+  EXPECT_EQ(checksum_of("for.h5"), checksum_of("until.h5"));
+}
+
+TEST_F(Restart, CheckpointsOnTheWayAreThoseOfTheWhole) {
+  output_of("load --config small.ini -o whole.h5 --until 3e-4 --checkpoint-every 1e-4");
+  output_of("restart whole-t0.000100000.h5 -o end.h5 --until 3e-4 --checkpoint-every 1e-4");
+  EXPECT_EQ(checksum_of("end-t0.000200000.h5"), checksum_of("whole-t0.000200000.h5"));
+  EXPECT_FALSE(fs::exists(path("end-t0.000100000.h5")));
+}
+
+TEST_F(Restart, ZeroSpeedStopsTheDrivingPointWhereItIs) {
+  output_of("load --config small.ini -o a.h5 --until 5e-5 --record r1.h5");
+  output_of("restart a.h5 -o b.h5 --set driving.V=0 --for 2e-4 --record r2.h5");
+  const std::vector<double> before = json_of("analyze loading r1.h5 --json")["x_drive"];
+  const std::vector<double> after = json_of("analyze loading r2.h5 --json")["x_drive"];
+  ASSERT_GE(after.size(), 3U);
+  for (const double x : after) EXPECT_EQ(x, before.back());
+}
+
+TEST_F(Restart, DrivingForceStaysConstantAtRest) {
+  output_of("load --config small.ini --set driving.V=0.05 -o a.h5 --until 5e-4");
+  output_of("restart a.h5 -o rest.h5 --set driving.V=0 --for 2e-2");
+  output_of("restart rest.h5 -o b.h5 --for 1e-3 --record r.h5");
+  const std::vector<double> F_T = json_of("analyze loading r.h5 --json")["F_T"];
+  ASSERT_GT(F_T.front(), 10.0);
+  for (const double force : F_T) EXPECT_NEAR(force, F_T.front(), 1e-9 * F_T.front());
+}
+
+TEST_F(Restart, ProvenanceIsAChainOfTools) {
+  output_of("load --config small.ini -o a.h5 --until 5e-5");
+  output_of("restart a.h5 -o b.h5 --set driving.V=0 --for 1e-5");
+  const Json chain = json_of("analyze show b.h5 --json")["provenance"];
+  ASSERT_EQ(chain.size(), 2U);
+  EXPECT_EQ(chain[0]["tool"], "load");
+  EXPECT_EQ(chain[0]["parent_checksum"], "");
+  EXPECT_EQ(chain[1]["tool"], "restart");
+  EXPECT_EQ(chain[1]["parent_checksum"], checksum_of("a.h5"));
+  const std::string command_line = chain[1]["command_line"];
+  EXPECT_NE(command_line.find("restart a.h5 -o b.h5 --set driving.V=0 --for 1e-5"),
+            std::string::npos);
+  for (const char* field : {"version", "commit", "compiler"}) EXPECT_NE(chain[1][field], "");
+}
+
+TEST_F(Restart, UntilQuietStopsWhenNothingBreaksAnyMore) {
+  output_of("load --config small.ini -o a.h5");
+  const std::string out =
+      output_of("restart a.h5 -o b.h5 --set driving.V=0 --until-quiet 1e-4 --until 1e-2");
+  EXPECT_NE(out.find("t = 0.0001 s (no junction broke any more), 500 steps"), std::string::npos)
+      << out;
+}
+
+TEST_F(Restart, UntilQuietWithoutTimeMeansFiveMeanSlippingTimes) {
+  output_of("load --config small.ini -o a.h5");
+  const std::string out =
+      output_of("restart a.h5 -o b.h5 --set driving.V=0 --set junctions.t_R=2e-4 --until-quiet");
+  EXPECT_NE(out.find("t = 0.001 s (no junction broke any more), 5000 steps"), std::string::npos)
+      << out;
+}
+
+TEST_F(Restart, UntilQuietStopsWhenTheFrontHasReachedTheLeadingEdge) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  const std::string out = output_of("restart a.h5 -o b.h5 --until-quiet");
+  EXPECT_NE(out.find("(the front reached the leading edge)"), std::string::npos) << out;
+  const double end = json_of("analyze stress b.h5 --json")["time"];
+  EXPECT_NEAR(end, 2.6e-4, 1e-12);  // the edge ruptures at 2.53e-4 s; looked at every 100 steps
+}
+
+TEST_F(Restart, UntilQuietEndsASplitRunWhereItEndsTheWhole) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  output_of("restart a.h5 -o whole.h5 --until-quiet");
+  output_of("restart a.h5 -o half.h5 --until 1.77e-4");
+  output_of("restart half.h5 -o end.h5 --until-quiet");
+  EXPECT_EQ(checksum_of("end.h5"), checksum_of("whole.h5"));
+}
+
+TEST_F(Restart, ChangedJunctionLawChangesTheRestOfTheRun) {
+  output_of("load --config small.ini -o a.h5 --until 2e-4");
+  output_of("restart a.h5 -o same.h5 --for 5e-3");
+  output_of("restart a.h5 -o off.h5 --for 5e-3 --set junctions.f_new=f_slip");
+  output_of("restart a.h5 -o long.h5 --for 5e-3 --set junctions.t_R=8e-3");
+  EXPECT_NE(checksum_of("off.h5"), checksum_of("same.h5"));
+  EXPECT_NE(checksum_of("long.h5"), checksum_of("same.h5"));
+  EXPECT_EQ(json_of("analyze show off.h5 --json")["parameters"]["junctions.f_new"], "f_slip");
+}
+
+TEST_F(Restart, TakesParametersFromAConfigurationToo) {
+  output_of("load --config small.ini -o a.h5 --until 5e-5");
+  write("stop.ini", "[driving]\nV = 0\n");
+  output_of("restart a.h5 --config stop.ini -o b.h5 --for 1e-4");
+  output_of("restart a.h5 --set driving.V=0 -o c.h5 --for 1e-4");
+  EXPECT_EQ(checksum_of("b.h5"), checksum_of("c.h5"));
+}
+
+TEST_F(Restart, NoTimeMeansACopy) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  output_of("restart a.h5 -o b.h5 --for 0");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+}
+
+}  // namespace
+}  // namespace rupture::test

@@ -1,0 +1,156 @@
+#include "tool_test.hpp"
+
+#include <stdlib.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+namespace rupture::test {
+namespace {
+
+constexpr std::string_view kSmallSlider =
+    "[slider]\nNx = 9\nNz = 5\nH = 0.07\n[driving]\nh = 0.0175\nV = 1\n";
+
+fs::path fresh_folder() {
+  std::string name = fs::temp_directory_path() / "rupture-test-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  return name;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string tool_of(std::string_view command) {
+  return std::string(command.substr(0, command.find(' ')));
+}
+
+/// Names of the files that came, went or changed.
+std::string names_of_changed(const Files& before, const Files& after) {
+  std::string names;
+  for (const auto& [name, bytes] : before) {
+    const auto found = after.find(name);
+    if (found == after.end() || found->second != bytes) names += name + " ";
+  }
+  for (const auto& [name, bytes] : after) {
+    if (!before.contains(name)) names += name + " ";
+  }
+  return names;
+}
+
+}  // namespace
+
+ToolTest::ToolTest() : folder_(fresh_folder()) {
+  write("small.ini", kSmallSlider);
+}
+
+ToolTest::~ToolTest() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+Outcome ToolTest::run(std::string_view command, RunOptions options) const {
+  return run_words(split(command, ' '), std::move(options));
+}
+
+Outcome ToolTest::run_words(std::vector<std::string> words, RunOptions options) const {
+  words.front() = fs::path(RUPTURE_BIN_DIR) / words.front();
+  options.folder = folder_;
+  return run_program(words, options);
+}
+
+std::string ToolTest::output_of(std::string_view command) const {
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.exit_code, kDone) << command;
+  EXPECT_EQ(outcome.err, "") << command;
+  return outcome.out;
+}
+
+Json ToolTest::json_of(std::string_view command) const {
+  return Json::parse(output_of(command));
+}
+
+std::string ToolTest::checksum_of(const std::string& file) const {
+  const std::string text = output_of("analyze checksum " + file);
+  EXPECT_EQ(text.size(), 65U);
+  return text.substr(0, 64);
+}
+
+void ToolTest::expect_refusal(std::string_view command, ExitCode code, std::string_view sentence,
+                              RunOptions options) const {
+  const Files before = files();
+  const Outcome outcome = run(command, std::move(options));
+  EXPECT_EQ(outcome.exit_code, code) << command;
+  EXPECT_EQ(outcome.err, tool_of(command) + ": " + std::string(sentence) + "\n") << command;
+  EXPECT_EQ(names_of_changed(before, files()), "") << command;
+}
+
+void ToolTest::expect_refusal_with(std::string_view command, ExitCode code, std::string_view part,
+                                   RunOptions options) const {
+  const Files before = files();
+  const Outcome outcome = run(command, std::move(options));
+  EXPECT_EQ(outcome.exit_code, code) << command;
+  expect_one_sentence(outcome.err, tool_of(command), part);
+  EXPECT_EQ(names_of_changed(before, files()), "") << command;
+}
+
+Files ToolTest::files() const {
+  Files all;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+    const std::string name = fs::relative(entry.path(), folder_);
+    if (entry.is_symlink()) {
+      all[name + "@"] = fs::read_symlink(entry.path());
+    } else if (entry.is_directory()) {
+      all[name + "/"] = "";
+    } else {
+      all[name] = bytes_of(entry.path());
+    }
+  }
+  return all;
+}
+
+std::string ToolTest::read(const std::string& file) const {
+  EXPECT_TRUE(fs::exists(path(file))) << file;
+  return bytes_of(path(file));
+}
+
+void ToolTest::write(const std::string& file, std::string_view bytes) const {
+  std::ofstream out(path(file), std::ios::binary | std::ios::trunc);
+  out << bytes;
+}
+
+void expect_one_sentence(const std::string& err, const std::string& tool, std::string_view part) {
+  EXPECT_EQ(err.find(tool + ": "), 0U) << err;
+  EXPECT_EQ(lines_of(err).size(), 1U) << err;
+  EXPECT_NE(err.find(part), std::string::npos) << err << "lacks '" << part << "'";
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines = split(text, '\n');
+  if (lines.back().empty()) lines.pop_back();  // what follows the last line's end
+  return lines;
+}
+
+std::vector<std::vector<std::string>> csv_of(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& line : lines_of(text)) rows.push_back(split(line, ','));
+  return rows;
+}
+
+}  // namespace rupture::test

@@ -1,0 +1,74 @@
+// What the tests of the tools have in common: a fresh folder, a small slider, the tools themselves.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "program.hpp"
+
+namespace rupture::test {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2 };
+
+/// All files below a folder with their bytes; folders and links end in "/" and "@".
+using Files = std::map<std::string, std::string>;
+
+/// Each test runs in a folder of its own, which starts with small.ini: a slider of 9 x 5 blocks
+/// that is driven so fast that a rupture crosses it from t = 0.15 ms to 0.25 ms.
+class ToolTest : public ::testing::Test {
+ protected:
+  ToolTest();
+  ~ToolTest() override;
+
+  /// Runs "tool argument argument ..." in the folder; words are separated by single spaces.
+  Outcome run(std::string_view command, RunOptions options = {}) const;
+
+  /// The same where an argument contains spaces or is empty.
+  Outcome run_words(std::vector<std::string> words, RunOptions options = {}) const;
+
+  /// Runs a command that must succeed without complaint; returns its standard output.
+  std::string output_of(std::string_view command) const;
+
+  /// The JSON object that a command prints.
+  Json json_of(std::string_view command) const;
+
+  /// The content checksum of a file.
+  std::string checksum_of(const std::string& file) const;
+
+  /// Demands that a command ends with this code and says exactly "<tool>: <sentence>", and that
+  /// all files are as before.
+  void expect_refusal(std::string_view command, ExitCode code, std::string_view sentence,
+                      RunOptions options = {}) const;
+
+  /// The same for a sentence of which only a part is given.
+  void expect_refusal_with(std::string_view command, ExitCode code, std::string_view part,
+                           RunOptions options = {}) const;
+
+  Files files() const;
+  fs::path path(const std::string& file) const { return folder_ / file; }
+  std::string read(const std::string& file) const;
+  void write(const std::string& file, std::string_view bytes) const;
+
+ private:
+  fs::path folder_;
+};
+
+/// Demands that a tool said one line, "<tool>: ...", on standard error, with `part` in it.
+void expect_one_sentence(const std::string& err, const std::string& tool, std::string_view part);
+
+/// Lines of a text, without their ends.
+std::vector<std::string> lines_of(const std::string& text);
+
+/// Cells of CSV: one vector per line.
+std::vector<std::vector<std::string>> csv_of(const std::string& text);
+
+}  // namespace rupture::test

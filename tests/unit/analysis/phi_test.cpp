@@ -1,0 +1,278 @@
+// Distributions of junction forces: their shapes, how they are measured and how they are replaced.
+#include "rupture/analysis/phi.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "rupture/dynamics/equilibrium.hpp"
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+double mean_square(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value / static_cast<double>(values.size());
+  return sum;
+}
+
+class Shape : public ::testing::TestWithParam<PhiShape> {};
+
+TEST_P(Shape, has_quantiles_in_ascending_antisymmetric_order) {
+  for (const std::int64_t n : {1, 2, 7, 100, 1001}) {
+    const auto q = unit_quantiles(GetParam(), n);
+    ASSERT_EQ(q.size(), static_cast<std::size_t>(n));
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      EXPECT_EQ(q[j], -q[q.size() - 1 - j]) << "so the mean is zero to the last bit";
+      EXPECT_LT(std::abs(q[j]), 1.0);
+      EXPECT_TRUE(j == 0 || q[j] > q[j - 1]);
+    }
+  }
+}
+
+TEST_P(Shape, has_quantiles_whose_variance_tends_to_unit_sigma_squared) {
+  const double variance = unit_sigma(GetParam()) * unit_sigma(GetParam());
+  // n quantiles are too narrow by a part of 1/n^2 (uniform) or about 1.8 n^-1.25 (bell, whose tails
+  // end like (1 - xi)^4): 0.6 % of the variance for the bell of 100 junctions
+  EXPECT_NEAR(mean_square(unit_quantiles(GetParam(), 100)), variance, 0.006 * variance);
+  EXPECT_NEAR(mean_square(unit_quantiles(GetParam(), 10000)), variance, 2e-5 * variance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Phi, Shape, ::testing::Values(PhiShape::uniform, PhiShape::bell),
+                         [](const auto& shape) {
+                           return shape.param == PhiShape::bell ? "bell" : "uniform";
+                         });
+
+/// The bell of half-width 1, and its integral from 0 to xi by Simpson's rule, which is exact to
+/// rounding on this polynomial of degree 4 with 1000 steps.
+double bell(double xi) {
+  return 1.25 * (1.0 + 3.0 * xi) * (1.0 - xi) * (1.0 - xi) * (1.0 - xi);
+}
+double bell_integral(double xi) {
+  constexpr int steps = 1000;
+  const double h = xi / steps;
+  double sum = 0.0;
+  for (int n = 0; n < steps; ++n) {
+    sum += h / 6.0 * (bell(n * h) + 4.0 * bell((n + 0.5) * h) + bell((n + 1) * h));
+  }
+  return sum;
+}
+
+TEST(Bell, is_a_distribution_with_the_stated_sigma) {
+  EXPECT_NEAR(bell_integral(1.0), 0.5, 1e-13);
+  EXPECT_DOUBLE_EQ(unit_sigma(PhiShape::bell), std::sqrt(2.0 / 21.0));
+}
+
+TEST(Bell, has_quantiles_that_satisfy_its_distribution_function) {
+  const std::size_t n = 101;
+  const auto q = unit_quantiles(PhiShape::bell, n);
+  for (std::size_t j = n / 2; j < n; ++j) {
+    EXPECT_NEAR(0.5 + bell_integral(q[j]), (static_cast<double>(j) + 0.5) / n, 1e-12) << j;
+  }
+}
+
+TEST(Uniform, has_evenly_spaced_quantiles) {
+  const auto q = unit_quantiles(PhiShape::uniform, 4);
+  EXPECT_DOUBLE_EQ(q[0], -0.75);
+  EXPECT_DOUBLE_EQ(q[1], -0.25);
+  EXPECT_DOUBLE_EQ(unit_sigma(PhiShape::uniform), std::sqrt(1.0 / 3.0));
+}
+
+/// A slider of 5 x 3 blocks at equilibrium whose junctions carry f = (1/2 + 1/4 xi) f_thres with
+/// random xi in [-1, 1]; every tenth junction slips.
+class Interface : public ::testing::Test {
+ protected:
+  Interface() {
+    const auto blocks = block_forces(p_, state_);
+    testing::Noise noise(0.25);
+    for (Eigen::Index i = 0; i < p_.Nx; ++i) {
+      for (Eigen::Index j = 0; j < p_.N_s; ++j) {
+        const double f = (0.5 + noise()) * blocks[static_cast<std::size_t>(i)].f_thres;
+        state_.junctions.attachment(i, j) = state_.u_x(i, 0) - f / stiffness(i);
+        if (j % 10 == 0) {
+          state_.junctions.repin_time(i, j) = 1e-3;
+          const double f_slip = blocks[static_cast<std::size_t>(i)].f_slip;
+          state_.junctions.attachment(i, j) = state_.u_x(i, 0) - f_slip / stiffness(i);
+        }
+      }
+    }
+    before_ = state_;
+  }
+  double stiffness(Eigen::Index i) const {
+    return junction_stiffness(p_, normal_forces(p_, state_)[static_cast<std::size_t>(i)]);
+  }
+  /// Whether the junctions of block i are what they were, to the bit.
+  bool untouched(Eigen::Index i) const {
+    return (state_.junctions.attachment.row(i) == before_.junctions.attachment.row(i)).all() &&
+           (state_.junctions.repin_time.row(i) == before_.junctions.repin_time.row(i)).all();
+  }
+  std::vector<BlockForces> now() const { return block_forces(p_, state_); }
+  std::vector<BlockForces> then() const { return block_forces(p_, before_); }
+
+  Parameters p_ = testing::small_slider(5, 3);
+  State state_ = normal_load_equilibrium(p_);
+  State before_;
+};
+
+TEST_F(Interface, is_measured_block_by_block) {
+  const BlockForces block = now()[2];
+  const double f_N = normal_forces(p_, state_)[2] / 100.0;
+  EXPECT_DOUBLE_EQ(block.x, 2 * 2.5e-3);
+  EXPECT_DOUBLE_EQ(block.f_thres, 0.4 * f_N);
+  EXPECT_DOUBLE_EQ(block.f_slip, 0.17 * f_N);
+  EXPECT_DOUBLE_EQ(block.slipping, 0.1);
+  double sum = 0.0, squares = 0.0;
+  for (Eigen::Index j = 0; j < 100; ++j) {
+    const double f = stiffness(2) * (state_.u_x(2, 0) - state_.junctions.attachment(2, j));
+    EXPECT_DOUBLE_EQ(block.forces[static_cast<std::size_t>(j)], f);
+    sum += f;
+    squares += f * f;
+  }
+  EXPECT_NEAR(block.mean, sum / 100, 1e-14);
+  EXPECT_NEAR(block.sigma, std::sqrt(squares / 100 - sum * sum / 1e4), 1e-12);
+  EXPECT_DOUBLE_EQ(block.sigma_bar(), block.sigma / (0.23 * f_N));
+  EXPECT_NEAR(friction_forces(p_, state_)[2], sum, 1e-12);
+}
+
+TEST_F(Interface, becomes_as_wide_as_it_can_with_the_same_means) {
+  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
+    state_ = before_;
+    PhiChange change;
+    change.shape = shape;
+    EXPECT_TRUE(change_phi(p_, state_, change).empty());
+    const auto q = unit_quantiles(shape, 90);
+    for (std::size_t i = 0; i < 5; ++i) {
+      EXPECT_NEAR(now()[i].mean, then()[i].mean, 1e-12 * then()[i].mean);
+      // pinned junctions: all but every tenth; their forces are exact quantiles about their mean
+      std::vector<double> pinned;
+      for (std::size_t j = 0; j < 100; ++j) {
+        if (j % 10 != 0) pinned.push_back(now()[i].forces[j]);
+      }
+      std::sort(pinned.begin(), pinned.end());
+      const double mean = std::accumulate(pinned.begin(), pinned.end(), 0.0) / 90.0;
+      const double half_width = now()[i].f_thres - mean;
+      for (std::size_t j = 0; j < 90; ++j) {
+        EXPECT_NEAR(pinned[j], mean + half_width * q[j], 1e-12 * now()[i].f_thres);
+      }
+      EXPECT_LE(pinned.back(), now()[i].f_thres);
+    }
+  }
+}
+
+TEST_F(Interface, keeps_slipping_junctions_and_their_times) {
+  change_phi(p_, state_, PhiChange{});
+  for (Eigen::Index i = 0; i < 5; ++i) {
+    for (Eigen::Index j = 0; j < 100; j += 10) {
+      EXPECT_EQ(state_.junctions.attachment(i, j), before_.junctions.attachment(i, j));
+      EXPECT_EQ(state_.junctions.repin_time(i, j), 1e-3);
+    }
+    EXPECT_DOUBLE_EQ(pinned_fraction(state_.junctions, i), 0.9);
+  }
+  EXPECT_TRUE((state_.junctions.draws == before_.junctions.draws).all());
+}
+
+TEST_F(Interface, keeps_the_order_of_the_junctions) {
+  change_phi(p_, state_, PhiChange{});
+  const auto a = now()[3].forces, b = then()[3].forces;
+  for (std::size_t j = 0; j < 100; ++j) {
+    for (std::size_t k = 0; k < 100; ++k) {
+      const bool both_pinned = j % 10 != 0 && k % 10 != 0;
+      EXPECT_TRUE(!both_pinned || b[j] >= b[k] || a[j] < a[k]) << j << ", " << k;
+    }
+  }
+}
+
+TEST_F(Interface, takes_the_width_that_is_asked_for) {
+  PhiChange change;
+  change.shape = PhiShape::bell;
+  change.sigma_bar = 0.2;
+  change.slipping = Slipping::pin;
+  EXPECT_TRUE(change_phi(p_, state_, change).empty());
+  for (const BlockForces& block : now()) {
+    EXPECT_NEAR(block.sigma_bar(), 0.2, 0.003 * 0.2);  // 100 quantiles: see Shape above
+  }
+}
+
+TEST_F(Interface, pins_slipping_junctions_on_request_and_keeps_the_mean_of_all) {
+  PhiChange change;
+  change.slipping = Slipping::pin;
+  EXPECT_TRUE(change_phi(p_, state_, change).empty());
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(now()[i].slipping, 0.0);
+    EXPECT_NEAR(now()[i].mean, then()[i].mean, 1e-12 * then()[i].mean);
+  }
+}
+
+TEST_F(Interface, is_changed_in_the_region_only) {
+  PhiChange change;
+  change.x_from = 2.4e-3;
+  change.x_to = 7.6e-3;
+  change_phi(p_, state_, change);
+  for (const Eigen::Index i : {0, 4}) EXPECT_TRUE(untouched(i)) << i;
+  for (const Eigen::Index i : {1, 2, 3}) EXPECT_FALSE(untouched(i)) << i;
+}
+
+TEST_F(Interface, refuses_a_width_that_would_break_a_junction_and_tells_the_largest) {
+  PhiChange change;
+  change.sigma_bar = 10.0;
+  const auto impossible = change_phi(p_, state_, change);
+  ASSERT_EQ(impossible.size(), 5U);
+  for (Eigen::Index i = 0; i < 5; ++i) {
+    const auto& block = impossible[static_cast<std::size_t>(i)];
+    EXPECT_DOUBLE_EQ(block.x, static_cast<double>(i) * 2.5e-3);
+    EXPECT_TRUE(untouched(i));
+    // slightly less than the largest width is possible for this block, slightly more is not
+    PhiChange alone;
+    alone.x_from = alone.x_to = block.x;
+    State copy = before_;
+    alone.sigma_bar = block.largest_sigma_bar * (1.0 + 1e-9);
+    EXPECT_EQ(change_phi(p_, copy, alone).size(), 1U);
+    alone.sigma_bar = block.largest_sigma_bar * (1.0 - 1e-9);
+    EXPECT_TRUE(change_phi(p_, copy, alone).empty());
+  }
+}
+
+TEST_F(Interface, leaves_a_block_that_is_not_pressed_alone) {
+  state_.u_z(1, 0) = 1e-6;
+  before_ = state_;
+  const auto impossible = change_phi(p_, state_, PhiChange{});
+  ASSERT_EQ(impossible.size(), 1U);
+  EXPECT_DOUBLE_EQ(impossible[0].x, 2.5e-3);
+  EXPECT_EQ(impossible[0].largest_sigma_bar, 0.0);
+  EXPECT_TRUE(untouched(1));
+}
+
+TEST_F(Interface, leaves_a_block_alone_whose_junctions_all_slip) {
+  state_.junctions.repin_time.row(2) = 1e-3;
+  before_ = state_;
+  EXPECT_TRUE(change_phi(p_, state_, PhiChange{}).empty());
+  EXPECT_TRUE(untouched(2));
+}
+
+TEST_F(Interface, is_not_broken_by_the_widest_phi) {
+  PhiChange change;
+  change.slipping = Slipping::pin;
+  change_phi(p_, state_, change);
+  Junctions junctions = state_.junctions;
+  ReferenceLaw law(p_, junctions);
+  auto p_i = normal_forces(p_, state_);
+  std::vector<double> k_ij, w;
+  for (const double p : p_i) {
+    k_ij.push_back(junction_stiffness(p_, p));
+    w.push_back(p / 100.0 / k_ij.back());
+  }
+  EXPECT_EQ(law.update(state_.u_x.row(0), {p_i.data(), k_ij.data(), w.data()}, 0.0).broken, 0);
+}
+
+TEST(Histogram, counts_every_junction_once) {
+  BlockForces block;
+  block.f_thres = 1.0;
+  block.forces = {-1.0, -0.51, -0.49, 0.0, 0.1, 0.49, 0.99, 1.0};
+  EXPECT_EQ(histogram(block, 4), (std::vector<std::int64_t>{2, 1, 3, 2}));
+}
+
+}  // namespace
+}  // namespace rupture

@@ -1,0 +1,87 @@
+// The loop: observers and stop rules.
+#include "rupture/dynamics/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rupture/dynamics/equilibrium.hpp"
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+/// Asks for every `interval`-th step and notes what it is shown.
+class Every : public Observer {
+ public:
+  explicit Every(std::int64_t interval) : interval_(interval) {}
+  std::int64_t next_step() const override { return next_; }
+  void observe(const Simulation& simulation) override {
+    seen.push_back(simulation.state().step);
+    next_ = (simulation.state().step / interval_ + 1) * interval_;
+  }
+  std::vector<std::int64_t> seen;
+
+ private:
+  std::int64_t interval_, next_ = 0;
+};
+
+/// Ruptures from end to end between steps 1,300 and 1,500.
+Parameters quick_slider() {
+  Parameters p = testing::small_slider(9, 5);
+  p.V = 0.1;
+  return p;
+}
+
+using Steps = std::vector<std::int64_t>;
+
+TEST(Run, shows_observers_the_steps_they_ask_for) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  Every seven(7), ten(10);
+  EXPECT_EQ(run(simulation, {30, std::nullopt}, {&seven, &ten}), Ending::last_step);
+  EXPECT_EQ(simulation.state().step, 30);
+  EXPECT_EQ(seven.seen, (Steps{0, 7, 14, 21, 28}));
+  EXPECT_EQ(ten.seen, (Steps{0, 10, 20, 30}));
+}
+
+TEST(Run, goes_on_from_a_later_step) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  run(simulation, {25, std::nullopt}, {});
+  Every ten(10);
+  run(simulation, {50, std::nullopt}, {&ten});
+  EXPECT_EQ(ten.seen, (Steps{25, 30, 40, 50}));
+}
+
+TEST(Run, does_nothing_when_the_last_step_is_reached_already) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  EXPECT_EQ(run(simulation, {0, std::nullopt}, {}), Ending::last_step);
+  EXPECT_EQ(simulation.state().step, 0);
+}
+
+TEST(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
+  Parameters p = quick_slider();
+  p.V = 0.0;  // nothing breaks
+  Simulation simulation(p, normal_load_equilibrium(p));
+  EXPECT_EQ(run(simulation, {10000, 250}, {}), Ending::quiet);
+  EXPECT_EQ(simulation.state().step, 300);
+}
+
+TEST(Run, ends_at_a_whole_hundred_after_the_front_has_reached_the_leading_edge) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  EXPECT_EQ(run(simulation, {10000, 5000}, {}), Ending::leading_edge);
+  const std::int64_t edge = simulation.ruptures().back().step;
+  EXPECT_EQ(simulation.ruptures().back().block, 8);
+  EXPECT_EQ(simulation.state().step, (edge + 99) / 100 * 100);
+}
+
+TEST(Run, never_passes_the_last_step) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  EXPECT_EQ(run(simulation, {150, 1000}, {}), Ending::last_step);
+  EXPECT_EQ(simulation.state().step, 150);
+}
+
+}  // namespace
+}  // namespace rupture

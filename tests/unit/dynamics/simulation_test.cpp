@@ -1,0 +1,161 @@
+// One simulation: the order of a step, the forces it reports, ruptures, and blow-up.
+#include "rupture/dynamics/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+#include "rupture/analysis/phi.hpp"
+#include "rupture/dynamics/equilibrium.hpp"
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+using testing::advance;
+using testing::message_of;
+
+/// A slider whose whole interface ruptures within 1,500 steps and is pinned again soon after.
+Parameters quick_slider() {
+  Parameters p = testing::small_slider(9, 5);
+  p.V = 0.1;
+  p.t_R = 0.1e-3;
+  p.delta_t_R = 0.03e-3;
+  return p;
+}
+
+constexpr std::int64_t kThroughTheRupture = 2500;  // steps
+
+/// What acts on the slider from outside at the new positions: junctions move on, then p, tau, F_N
+/// and F_T are added.
+void add_boundary_forces(const Parameters& p, ReferenceLaw& law, State& s) {
+  std::vector<double> p_i = normal_forces(p, s), k_ij, w, tau(p_i.size());
+  for (const double normal : p_i) {
+    k_ij.push_back(junction_stiffness(p, normal));
+    w.push_back(normal > 0.0 ? normal / static_cast<double>(p.N_s) / k_ij.back() : 0.0);
+  }
+  const ContactView contact = {p_i.data(), k_ij.data(), w.data()};
+  law.update(s.u_x.row(0), contact, time(p, s));
+  law.friction(s.u_x.row(0), contact, tau.data());
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    s.f_x(i, 0) -= tau[static_cast<std::size_t>(i)];
+    s.f_z(i, 0) += p_i[static_cast<std::size_t>(i)];
+    s.f_z(i, p.Nz - 1) -= mean_normal_force(p);
+  }
+  const double x_drive =
+      s.drive.origin_position + p.V * p.dt * static_cast<double>(s.step - s.drive.origin_step);
+  s.f_x(0, driving_row(p)) += p.K * (x_drive - s.u_x(0, driving_row(p)));
+}
+
+TEST(Step, follows_the_stated_order) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  std::uint32_t draws = 0;
+  for (int n = 0; n < kThroughTheRupture; ++n) {
+    State plain = simulation.state();
+    Bulk bulk(p);
+    ReferenceLaw law(p, plain.junctions);
+    testing::plain_step(p, p.dt, bulk, plain,
+                        [&](State& now) { add_boundary_forces(p, law, now); });
+    simulation.advance();
+    const State& s = simulation.state();
+    ASSERT_EQ(s.step, plain.step);
+    // only the order of sums may differ: 1e-14 of the load on a block, of 1e-5 m and of 1 m/s
+    ASSERT_LT((s.f_x.blocks() - plain.f_x.blocks()).abs().maxCoeff(), 1e-10) << "step " << n;
+    ASSERT_LT((s.f_z.blocks() - plain.f_z.blocks()).abs().maxCoeff(), 1e-10) << "step " << n;
+    ASSERT_LT((s.v_x.blocks() - plain.v_x.blocks()).abs().maxCoeff(), 1e-12) << "step " << n;
+    ASSERT_LT((s.u_x.blocks() - plain.u_x.blocks()).abs().maxCoeff(), 1e-18) << "step " << n;
+    ASSERT_TRUE((s.junctions.draws == plain.junctions.draws).all()) << "step " << n;
+    ASSERT_LT((s.junctions.attachment - plain.junctions.attachment).abs().maxCoeff(), 1e-18);
+    draws = s.junctions.draws.sum();
+  }
+  EXPECT_GT(draws, 900U) << "the steps were to lead through the rupture";
+}
+
+TEST(Simulation, reports_the_forces_of_its_state) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  for (int n = 0; n < 5; ++n) {
+    advance(simulation, kThroughTheRupture / 5);
+    const auto normal = normal_forces(p, simulation.state());
+    const auto friction = friction_forces(p, simulation.state());
+    for (std::size_t i = 0; i < normal.size(); ++i) {
+      EXPECT_DOUBLE_EQ(simulation.p()[i], normal[i]);
+      EXPECT_NEAR(simulation.tau()[i], friction[i], 1e-12 * normal[i]);
+      EXPECT_EQ(simulation.pinned()[i],
+                std::llround(100.0 * pinned_fraction(simulation.state().junctions,
+                                                     static_cast<Eigen::Index>(i))));
+    }
+    EXPECT_EQ(simulation.F_T(), p.K * (simulation.x_drive() - simulation.state().u_x(0, 1)));
+    EXPECT_EQ(simulation.time(), static_cast<double>(simulation.state().step) * p.dt);
+  }
+}
+
+TEST(Simulation, notes_each_rupture_at_its_step) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  std::vector<Rupture> expected;
+  std::vector<bool> ruptured(9, false);
+  std::int64_t last_break = 0;
+  for (int n = 0; n < kThroughTheRupture; ++n) {
+    const auto draws = simulation.state().junctions.draws.sum();
+    simulation.advance();
+    if (simulation.state().junctions.draws.sum() > draws) last_break = simulation.state().step;
+    for (Eigen::Index i = 0; i < 9; ++i) {
+      const bool now = pinned_fraction(simulation.state().junctions, i) < 0.3;
+      if (now && !ruptured[static_cast<std::size_t>(i)]) {
+        expected.push_back({simulation.state().step, simulation.time(), i});
+      }
+      ruptured[static_cast<std::size_t>(i)] = now;
+    }
+    ASSERT_EQ(simulation.leading_edge_ruptured(),
+              std::any_of(expected.begin(), expected.end(),
+                          [](const Rupture& rupture) { return rupture.block == 8; }));
+  }
+  EXPECT_EQ(simulation.ruptures(), expected);
+  EXPECT_GE(expected.size(), 9U);
+  EXPECT_EQ(simulation.last_break(), last_break);
+}
+
+TEST(Simulation, forgets_ruptures_from_before_it_began) {
+  const Parameters p = quick_slider();
+  Simulation first(p, normal_load_equilibrium(p));
+  while (first.ruptures().size() < 9) first.advance();
+  const Simulation second(p, first.state());
+  EXPECT_TRUE(second.ruptures().empty());
+  EXPECT_FALSE(second.leading_edge_ruptured());
+  EXPECT_EQ(second.last_break(), first.state().step);
+}
+
+TEST(Simulation, refuses_parameters_that_make_no_sense) {
+  Parameters p = quick_slider();
+  p.dt = 1e-5;
+  EXPECT_THROW(Simulation(p, State(p)), UsageError);
+}
+
+std::string blow_up(double velocity, Eigen::Index i, Eigen::Index j) {
+  const Parameters p = quick_slider();
+  State state = normal_load_equilibrium(p);
+  state.v_x(i, j) = velocity;
+  Simulation simulation(p, state);
+  return message_of<Failure>([&] { advance(simulation, 10); });
+}
+
+TEST(BlowUp, is_reported_with_time_and_block) {
+  const std::string advice = ": go back to the last checkpoint and use a smaller numerics.dt";
+  EXPECT_EQ(blow_up(1e300, 0, 0), "numerical blow-up at t = 2e-07 s in block (0, 0)" + advice);
+  // within one step it reaches the neighbours, of which the first is named
+  EXPECT_EQ(blow_up(1e300, 3, 2), "numerical blow-up at t = 2e-07 s in block (2, 1)" + advice);
+  EXPECT_EQ(blow_up(-1e200, 8, 4), "numerical blow-up at t = 2e-07 s in block (7, 3)" + advice);
+}
+
+TEST(BlowUp, is_reported_for_nan_and_infinity) {
+  EXPECT_NE(blow_up(std::numeric_limits<double>::quiet_NaN(), 4, 0).find("blow-up"),
+            std::string::npos);
+  EXPECT_NE(blow_up(std::numeric_limits<double>::infinity(), 4, 0).find("blow-up"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace rupture

@@ -1,0 +1,310 @@
+// Springs and dampers between blocks: invariances, a plain second account, energy and padding.
+#include "rupture/forces/bulk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+using testing::Noise;
+using testing::small_slider;
+
+struct Vector {
+  double x, z;
+};
+
+/// Displacements, velocities and forces of one lattice, and what they add up to.
+struct Lattice {
+  explicit Lattice(const Parameters& parameters)
+      : p(parameters), bulk(p), x(p.Nx, p.Nz), z(x), f_x(x), f_z(x) {}
+
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (Eigen::Index j = 0; j < p.Nz; ++j) {
+      for (Eigen::Index i = 0; i < p.Nx; ++i) visit(i, j);
+    }
+  }
+  /// Sets the vector field (x, z) from the position of the undeformed block.
+  template <class Map>
+  void set(const Map& map) {
+    each([&](Eigen::Index i, Eigen::Index j) {
+      const Vector value = map(static_cast<double>(i) * l(), static_cast<double>(j) * l());
+      x(i, j) = value.x;
+      z(i, j) = value.z;
+    });
+  }
+  void set_noise(double size) {
+    Noise noise(size);
+    noise.fill(x);
+    noise.fill(z);
+  }
+  void elastic() { bulk.elastic(x, z, f_x, f_z); }
+  void damping() { bulk.damping(x, z, f_x, f_z); }
+  double largest_force() const {
+    return std::max(f_x.blocks().abs().maxCoeff(), f_z.blocks().abs().maxCoeff());
+  }
+  double l() const { return block_spacing(p); }
+  double k() const { return bulk_stiffness(p); }
+
+  Parameters p;
+  Bulk bulk;
+  Field x, z, f_x, f_z;
+};
+
+TEST(Springs, do_not_resist_a_translation) {
+  Lattice a(small_slider(9, 6));
+  a.set([](double, double) { return Vector{0.125, -0.5}; });  // differences vanish exactly
+  a.elastic();
+  EXPECT_EQ(a.largest_force(), 0.0);
+  EXPECT_EQ(a.bulk.elastic_energy(a.x, a.z), 0.0);
+}
+
+TEST(Springs, do_not_resist_a_finite_rotation) {
+  Lattice a(small_slider(9, 6));
+  for (const double angle : {0.3, -2.0, 3.1}) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    a.set([&](double x, double z) { return Vector{(c - 1) * x - s * z, s * x + (c - 1) * z}; });
+    a.elastic();
+    // positions reach 2e-2 m and are rounded to 2e-18 m, or 1e-15 l
+    EXPECT_LT(a.largest_force(), 2e-14 * a.k() * a.l()) << angle;
+    EXPECT_LT(a.bulk.elastic_energy(a.x, a.z), 1e-26 * a.k() * a.l() * a.l()) << angle;
+  }
+}
+
+TEST(Springs, exert_no_net_force_and_no_net_torque) {
+  Lattice a(small_slider(9, 6));
+  a.set_noise(0.1 * a.l());
+  a.elastic();
+  double torque = 0.0;
+  a.each([&](Eigen::Index i, Eigen::Index j) {
+    const double x = static_cast<double>(i) * a.l() + a.x(i, j);
+    const double z = static_cast<double>(j) * a.l() + a.z(i, j);
+    torque += x * a.f_z(i, j) - z * a.f_x(i, j);
+  });
+  const double scale = a.largest_force();
+  EXPECT_GT(scale, 0.05 * a.k() * a.l());
+  EXPECT_NEAR(a.f_x.blocks().sum(), 0.0, 1e-13 * scale);
+  EXPECT_NEAR(a.f_z.blocks().sum(), 0.0, 1e-13 * scale);
+  EXPECT_NEAR(torque, 0.0, 1e-13 * scale * a.p.L);
+}
+
+TEST(Springs, pull_along_the_gradient_of_their_energy) {
+  Lattice a(small_slider(5, 4));
+  a.set_noise(0.1 * a.l());
+  a.elastic();
+  const double step = 1e-5 * a.l();  // truncation 1e-10, rounding 1e-16 / 1e-5 of k l
+  const auto force = [&](Field& u, Eigen::Index i, Eigen::Index j) {
+    const double here = u(i, j);
+    u(i, j) = here + step;
+    const double above = a.bulk.elastic_energy(a.x, a.z);
+    u(i, j) = here - step;
+    const double below = a.bulk.elastic_energy(a.x, a.z);
+    u(i, j) = here;
+    return -(above - below) / (2.0 * step);
+  };
+  a.each([&](Eigen::Index i, Eigen::Index j) {
+    EXPECT_NEAR(a.f_x(i, j), force(a.x, i, j), 1e-8 * a.k() * a.l());
+    EXPECT_NEAR(a.f_z(i, j), force(a.z, i, j), 1e-8 * a.k() * a.l());
+  });
+}
+
+TEST(Springs, keep_their_digits_at_tiny_strain) {
+  // Two blocks drawn apart by 1e-13 l: r - l would be wrong in the third digit.
+  Lattice a(small_slider(3, 2));
+  const double stretch = 1e-13 * a.l();
+  a.x(2, 0) = stretch;
+  a.elastic();
+  // its spring k to the left, and half of k/2 from the diagonal at 45 degrees
+  EXPECT_NEAR(a.f_x(2, 0), -1.25 * a.k() * stretch, 1e-12 * a.k() * stretch);
+  EXPECT_NEAR(a.f_x(1, 0), a.k() * stretch, 1e-12 * a.k() * stretch);
+}
+
+TEST(Dampers, do_not_resist_a_common_velocity) {
+  Lattice a(small_slider(9, 6));
+  a.set([](double, double) { return Vector{0.1, -0.3}; });
+  a.damping();
+  EXPECT_LT(a.largest_force(), 1e-15 * damping_coefficient(a.p));
+}
+
+TEST(Dampers, exert_no_net_force_and_take_energy) {
+  Lattice a(small_slider(9, 6));
+  a.set_noise(1.0);
+  a.damping();
+  const double scale = a.largest_force();
+  EXPECT_GT(scale, damping_coefficient(a.p));
+  EXPECT_NEAR(a.f_x.blocks().sum(), 0.0, 1e-13 * scale);
+  EXPECT_NEAR(a.f_z.blocks().sum(), 0.0, 1e-13 * scale);
+  const double power =
+      (a.f_x.blocks() * a.x.blocks()).sum() + (a.f_z.blocks() * a.z.blocks()).sum();
+  EXPECT_LT(power, 0.0);
+}
+
+TEST(Bulk, knows_the_kinetic_energy) {
+  Lattice a(small_slider(4, 3));
+  a.set([](double, double) { return Vector{3.0, 4.0}; });
+  EXPECT_DOUBLE_EQ(a.bulk.kinetic_energy(a.x, a.z), 0.5 * a.p.M * 25.0);
+}
+
+/// Sum of `bond(di, dj)` over the up to 8 neighbours of block (i, j).
+template <class Bond>
+Vector over_neighbours(const Lattice& a, Eigen::Index i, Eigen::Index j, const Bond& bond) {
+  Vector sum = {0.0, 0.0};
+  for (int dj = -1; dj <= 1; ++dj) {
+    for (int di = -1; di <= 1; ++di) {
+      const bool exists = i + di >= 0 && i + di < a.p.Nx && j + dj >= 0 && j + dj < a.p.Nz;
+      if (!exists || (di == 0 && dj == 0)) continue;
+      const Vector f = bond(di, dj);
+      sum.x += f.x;
+      sum.z += f.z;
+    }
+  }
+  return sum;
+}
+
+/// Vector loops read and write 2, 4 or 8 blocks at once; whatever the length of a row, nothing may
+/// leak over its end.
+template <class Check>
+void for_row_lengths(const Check& check) {
+  for (Eigen::Index Nx = 3; Nx <= 20; ++Nx) {
+    SCOPED_TRACE(Nx);
+    check(Nx);
+  }
+}
+
+TEST(RowLengths, give_the_forces_of_a_plain_sum_over_neighbours) {
+  for_row_lengths([](Eigen::Index Nx) {
+    for (const Eigen::Index Nz : {2, 3, 5}) {
+      Lattice a(small_slider(Nx, Nz));
+      a.set_noise(0.1 * a.l());
+      a.elastic();
+      a.each([&](Eigen::Index i, Eigen::Index j) {
+        const Vector f = over_neighbours(a, i, j, [&](int di, int dj) {
+          const double rest = std::hypot(di, dj) * a.l();
+          const double k = di != 0 && dj != 0 ? a.k() / 2.0 : a.k();
+          const double r_x = di * a.l() + a.x(i + di, j + dj) - a.x(i, j);
+          const double r_z = dj * a.l() + a.z(i + di, j + dj) - a.z(i, j);
+          const double r = std::hypot(r_x, r_z);
+          return Vector{k * (r - rest) * r_x / r, k * (r - rest) * r_z / r};
+        });
+        EXPECT_NEAR(a.f_x(i, j), f.x, 1e-14 * a.k() * a.l());
+        EXPECT_NEAR(a.f_z(i, j), f.z, 1e-14 * a.k() * a.l());
+      });
+    }
+  });
+}
+
+TEST(RowLengths, give_the_damping_of_a_plain_sum_over_neighbours) {
+  for_row_lengths([](Eigen::Index Nx) {
+    for (const Eigen::Index Nz : {2, 3, 5}) {
+      Lattice a(small_slider(Nx, Nz));
+      a.set_noise(1.0);
+      a.damping();
+      const double eta = damping_coefficient(a.p);
+      a.each([&](Eigen::Index i, Eigen::Index j) {
+        const Vector f = over_neighbours(a, i, j, [&](int di, int dj) {
+          return Vector{eta * (a.x(i + di, j + dj) - a.x(i, j)),
+                        eta * (a.z(i + di, j + dj) - a.z(i, j))};
+        });
+        EXPECT_NEAR(a.f_x(i, j), f.x, 1e-14 * eta);
+        EXPECT_NEAR(a.f_z(i, j), f.z, 1e-14 * eta);
+      });
+    }
+  });
+}
+
+void expect_zero_padding(const Field& field) {
+  for (Eigen::Index j = -1; j <= field.Nz(); ++j) {
+    const bool row = j >= 0 && j < field.Nz();
+    for (Eigen::Index i = row ? field.Nx() : 0; i < field.stride(); ++i) {
+      ASSERT_EQ(field.row(j)[i], 0.0) << i << ", " << j;
+    }
+  }
+}
+
+/// A shaken slider and boundary forces that differ on every block.
+struct Shaken {
+  Shaken(Eigen::Index Nx, Eigen::Index Nz)
+      : p(small_slider(Nx, Nz)), state(p), normal(static_cast<std::size_t>(Nx)), tau(normal) {
+    Noise displacements(0.01 * block_spacing(p)), velocities(1.0), forces(30.0);
+    displacements.fill(state.u_x);
+    displacements.fill(state.u_z);
+    velocities.fill(state.v_x);
+    velocities.fill(state.v_z);
+    for (double& force : normal) force = forces();
+    for (double& force : tau) force = forces();
+  }
+  Boundary boundary() const { return {normal.data(), tau.data(), 33.0, 1, 55.0}; }
+
+  Parameters p;
+  State state;
+  std::vector<double> normal, tau;
+};
+
+TEST(RowLengths, leave_the_padding_zero) {
+  for_row_lengths([](Eigen::Index Nx) {
+    Shaken s(Nx, 4);
+    Bulk bulk(s.p);
+    Field f_x(s.p.Nx, s.p.Nz), f_z(f_x);
+    const double half_kick = s.p.dt / (2.0 * block_mass(s.p));
+    for (int n = 0; n < 3; ++n) {
+      bulk.finish(half_kick, s.boundary(), s.state);
+      kernels().kick_drift(bulk.shape(), half_kick, s.p.dt,
+                           {s.state.f_x.row(0), s.state.f_z.row(0)}, view(s.state.v_x, s.state.v_z),
+                           view(s.state.u_x, s.state.u_z));
+      for (const Field* field :
+           {&s.state.u_x, &s.state.u_z, &s.state.v_x, &s.state.v_z, &s.state.f_x, &s.state.f_z}) {
+        expect_zero_padding(*field);
+      }
+      bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
+      expect_zero_padding(f_x);
+      expect_zero_padding(f_z);
+      bulk.damping(s.state.v_x, s.state.v_z, f_x, f_z);
+      expect_zero_padding(f_x);
+      expect_zero_padding(f_z);
+    }
+  });
+}
+
+TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
+  for_row_lengths([](Eigen::Index Nx) {
+    for (const Eigen::Index Nz : {2, 3, 5}) {
+      Shaken s(Nx, Nz);
+      Bulk bulk(s.p);
+      Field f_x(s.p.Nx, s.p.Nz), f_z(f_x), d_x(f_x), d_z(f_x);
+      bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
+      bulk.damping(s.state.v_x, s.state.v_z, d_x, d_z);
+      f_x.blocks() += d_x.blocks();
+      f_z.blocks() += d_z.blocks();
+      for (Eigen::Index i = 0; i < Nx; ++i) {
+        f_x(i, 0) -= s.tau[static_cast<std::size_t>(i)];
+        f_z(i, 0) += s.normal[static_cast<std::size_t>(i)];
+        f_z(i, Nz - 1) -= 33.0;
+      }
+      f_x(0, 1) += 55.0;
+      const double half_kick = 1e-3;
+      Field v_x = s.state.v_x, v_z = s.state.v_z;
+      v_x.blocks() += half_kick * f_x.blocks();
+      v_z.blocks() += half_kick * f_z.blocks();
+      const double expected =
+          (d_x.blocks() * v_x.blocks()).sum() + (d_z.blocks() * v_z.blocks()).sum();
+
+      const double power = bulk.finish(half_kick, s.boundary(), s.state);
+      EXPECT_NEAR(power, expected, 1e-12 * std::abs(expected));
+      const auto differs = [](const Field& a, const Field& b) {
+        return (a.blocks() - b.blocks()).abs().maxCoeff() / a.blocks().abs().maxCoeff();
+      };
+      // only the order of the sums may differ
+      EXPECT_LT(differs(f_x, s.state.f_x), 1e-14);
+      EXPECT_LT(differs(f_z, s.state.f_z), 1e-14);
+      EXPECT_LT(differs(v_x, s.state.v_x), 1e-14);
+      EXPECT_LT(differs(v_z, s.state.v_z), 1e-14);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace rupture

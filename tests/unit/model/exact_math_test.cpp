@@ -1,0 +1,88 @@
+// Logarithm and normal quantile made of exact operations, against the C library and a table of 40
+// digits computed with mpmath.
+#include "rupture/model/exact_math.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+void expect_log(double x) {
+  // std::log itself may be off by 1e-16 of its value
+  EXPECT_NEAR(exact_log(x), std::log(x), std::max(1e-15 * std::abs(std::log(x)), 1e-16)) << x;
+}
+
+TEST(ExactLog, agrees_with_the_library_over_all_magnitudes) {
+  testing::Noise noise(1.0);
+  for (int exponent = -1021; exponent <= 1023; ++exponent) {
+    for (int n = 0; n < 10; ++n) expect_log(std::ldexp(1.5 + 0.499 * noise(), exponent));
+  }
+  expect_log(std::numeric_limits<double>::min());
+  expect_log(std::numeric_limits<double>::max());
+}
+
+TEST(ExactLog, agrees_with_the_library_near_one_and_at_its_branches) {
+  EXPECT_EQ(exact_log(1.0), 0.0);
+  for (const double centre : {0.5, std::sqrt(0.5), 1.0, std::sqrt(2.0), 2.0}) {
+    for (double step = 1e-16; step < 0.1; step *= 3.0) {
+      expect_log(centre * (1.0 + step));
+      expect_log(centre * (1.0 - step));
+    }
+  }
+}
+
+TEST(NormalQuantile, agrees_with_a_table_of_mpmath) {
+  const std::vector<std::pair<double, double>> table = {
+      {1e-300, -37.047096299361199237}, {1e-100, -21.273453560965324294},
+      {1e-20, -9.2623400897984075796},  {1e-12, -7.0344838253011319326},
+      {1e-11, -6.7060231554951362961},  {1e-6, -4.7534243088228989573},
+      {0.001, -3.0902323061678135354},  {0.02, -2.0537489106318230443},
+      {0.074, -1.4466320671589785099},  {0.076, -1.4325027208258116188},
+      {0.2, -0.84162123357291416552},   {0.3, -0.52440051270804081597},
+      {0.45, -0.12566134685507400616},  {0.499, -0.0025066308995717662317},
+      {0.9, 1.2815515655446005935},     {0.975, 1.9599639845400538556},
+      {0.999, 3.0902323061678132778}};
+  for (const auto& [p, z] : table) EXPECT_NEAR(normal_quantile(p), z, 2e-15 * std::abs(z)) << p;
+  EXPECT_EQ(normal_quantile(0.5), 0.0);
+}
+
+/// Standard normal distribution function, accurate in the lower tail.
+double Phi(double z) {
+  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+}
+
+TEST(NormalQuantile, inverts_the_distribution_function) {
+  for (int n = 1; n < 1000; ++n) {
+    const double p = n / 1000.0;
+    EXPECT_NEAR(Phi(normal_quantile(p)), p, 1e-14 * p) << p;
+  }
+  // dPhi/Phi = (z^2 + ...) dz/z: far out, rounding of z weighs z^2 times as much
+  for (double p = 1e-3; p > 1e-30; p *= 0.1) {
+    const double z = normal_quantile(p);
+    EXPECT_NEAR(Phi(z), p, 1e-15 * (1.0 + z * z) * p) << p;
+  }
+}
+
+TEST(NormalQuantile, is_antisymmetric_to_the_last_bit) {
+  for (int n = 1; n < 4096; ++n) {
+    const double p = n * 0x1p-13;  // 1 - p is exact
+    EXPECT_EQ(normal_quantile(1.0 - p), -normal_quantile(p));
+  }
+}
+
+TEST(NormalQuantile, rises_across_the_seams_of_its_three_approximations) {
+  for (const double seam : {0.075, 0.925, std::exp(-25.0)}) {  // |p - 1/2| = 0.425, r = 5
+    EXPECT_LT(normal_quantile(seam * (1.0 - 1e-12)), normal_quantile(seam * (1.0 + 1e-12)));
+  }
+}
+
+}  // namespace
+}  // namespace rupture

@@ -1,0 +1,73 @@
+// Fields, the initial state and the quantities that are read off a state.
+#include "rupture/model/state.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rupture/model/nearest.hpp"
+
+namespace rupture {
+namespace {
+
+TEST(Field, keeps_zero_padding_around_every_row) {
+  for (Eigen::Index Nx = 1; Nx <= 20; ++Nx) {
+    Field field(Nx, 3);
+    EXPECT_EQ(field.stride() % 8, 0);
+    EXPECT_GT(field.stride(), Nx);
+    field.blocks() = 1.0;
+    for (Eigen::Index j = -1; j <= 3; ++j) {
+      for (Eigen::Index i = -1; i < field.stride(); ++i) {
+        const bool inside = i >= 0 && i < Nx && j >= 0 && j < 3;
+        EXPECT_EQ(field.row(j)[i], inside ? 1.0 : 0.0) << Nx << ": " << i << ", " << j;
+      }
+    }
+  }
+}
+
+TEST(Field, addresses_the_same_block_by_index_row_and_view) {
+  Field field(5, 4);
+  field(3, 2) = 7.0;
+  EXPECT_EQ(field.row(2)[3], 7.0);
+  EXPECT_EQ(field.blocks()(2, 3), 7.0);
+  EXPECT_EQ(field.blocks().sum(), 7.0);
+}
+
+TEST(State, starts_undeformed_at_rest_with_every_junction_pinned) {
+  const Parameters p;
+  const State state(p);
+  EXPECT_EQ(state.step, 0);
+  for (const Field* field : {&state.u_x, &state.u_z, &state.v_x, &state.v_z}) {
+    EXPECT_EQ(field->blocks().abs().maxCoeff(), 0.0);
+  }
+  EXPECT_EQ(state.junctions.attachment.rows(), p.Nx);
+  EXPECT_EQ(state.junctions.attachment.cols(), p.N_s);
+  for (Eigen::Index i = 0; i < p.Nx; ++i) EXPECT_EQ(pinned_fraction(state.junctions, i), 1.0);
+}
+
+TEST(State, counts_pinned_junctions) {
+  Parameters p;
+  p.N_s = 4;
+  State state(p);
+  state.junctions.repin_time(2, 1) = 1e-3;
+  EXPECT_EQ(pinned_fraction(state.junctions, 2), 0.75);
+  EXPECT_EQ(pinned_fraction(state.junctions, 1), 1.0);
+}
+
+TEST(State, tells_time_and_driving_point_from_the_step_count) {
+  Parameters p;
+  p.dt = 0.1;
+  p.V = 2.0;
+  State state(p);
+  state.step = 3;
+  EXPECT_EQ(time(p, state), 3 * 0.1);  // not 0.1 + 0.1 + 0.1
+  EXPECT_EQ(drive_position(p, {0, 0.0}, 3), 2.0 * (3 * 0.1));
+  EXPECT_EQ(drive_position(p, {13, 5.0}, 13), 5.0);
+}
+
+TEST(Nearest, counts_insertions_deletions_and_substitutions) {
+  EXPECT_EQ(nearest("kitten", {"sitting", "mitten", "kit"}), "mitten");
+  EXPECT_EQ(nearest("x", {"abc", "x.y", "xy"}), "xy");
+  EXPECT_EQ(nearest("leaf", {"other.leaf", "leer"}), "other.leaf");
+}
+
+}  // namespace
+}  // namespace rupture

@@ -1,0 +1,69 @@
+// Order of convergence of velocity Verlet in the time step.
+//
+// Without damping the scheme is of second order. With damping it is of first order: the damping
+// force at t_{n+1} uses the half-kicked velocity, that of t_{n+1/2}. (Where junctions break, the
+// time of the break is rounded up to a step, which is of first order too; here none breaks.)
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rupture/dynamics/equilibrium.hpp"
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+/// Driven at 0.1 m/s with junctions that cannot break, from a smooth velocity field.
+State slider_after_80_us(Parameters p, double dt) {
+  p.dt = dt;
+  p.mu_s = 100.0;
+  p.V = 0.1;
+  State state = normal_load_equilibrium(p);
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      const double x = static_cast<double>(i) / static_cast<double>(p.Nx - 1);
+      const double z = static_cast<double>(j) / static_cast<double>(p.Nz - 1);
+      state.v_x(i, j) = 0.05 * std::sin(2.0 * x + 3.0 * z + 0.3);
+      state.v_z(i, j) = 0.05 * std::cos(3.0 * x - z + 1.0);
+    }
+  }
+  Simulation simulation(p, state);
+  testing::advance(simulation, std::llround(80e-6 / dt));
+  return simulation.state();
+}
+
+double distance(const Field& a, const Field& b) {
+  return std::sqrt((a.blocks() - b.blocks()).square().sum());
+}
+
+/// log2 of the factor by which halving the time step from dt to dt/2 reduces the error.
+struct Orders {
+  double displacement, velocity;
+};
+
+Orders orders(const Parameters& p, double dt) {
+  const State coarse = slider_after_80_us(p, dt);
+  const State middle = slider_after_80_us(p, dt / 2.0);
+  const State fine = slider_after_80_us(p, dt / 4.0);
+  const auto order = [&](Field State::*u) {
+    return std::log2(distance(coarse.*u, middle.*u) / distance(middle.*u, fine.*u));
+  };
+  return {order(&State::u_x), order(&State::v_x)};
+}
+
+TEST(VelocityVerlet, is_of_second_order_without_damping) {
+  Parameters p = testing::small_slider(9, 5);
+  p.damping = 0.0;
+  const Orders found = orders(p, 1e-7);
+  EXPECT_NEAR(found.displacement, 2.0, 0.02);
+  EXPECT_NEAR(found.velocity, 2.0, 0.02);
+}
+
+TEST(VelocityVerlet, is_of_first_order_with_damping) {
+  const Orders found = orders(testing::small_slider(9, 5), 1e-7);
+  EXPECT_NEAR(found.displacement, 1.0, 0.05);
+  EXPECT_NEAR(found.velocity, 1.0, 0.05);
+}
+
+}  // namespace
+}  // namespace rupture

@@ -1,0 +1,124 @@
+// A run that is interrupted and taken up again arrives at the bits of one that is not: before,
+// during and after the rupture of the interface.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/dynamics/equilibrium.hpp"
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+using testing::advance;
+
+/// Driven so fast that the interface ruptures 0.28 ms (1,400 steps) after the start.
+Parameters quick_slider() {
+  Parameters p = testing::small_slider(9, 5);
+  p.V = 0.1;
+  p.t_R = 0.1e-3;
+  p.delta_t_R = 0.03e-3;
+  return p;
+}
+
+struct Split {
+  std::string name;
+  std::int64_t ruptures;  ///< split 5 steps after this many blocks have ruptured
+  std::int64_t steps;     ///< but not before this step
+};
+
+class RunSplit : public ::testing::TestWithParam<Split> {
+ protected:
+  RunSplit() : p_(quick_slider()), whole_(p_, normal_load_equilibrium(p_)) {
+    const auto wanted = static_cast<std::size_t>(GetParam().ruptures);
+    while (whole_.state().step < GetParam().steps || whole_.ruptures().size() < wanted) {
+      whole_.advance();
+    }
+    advance(whole_, 5);
+  }
+  std::string checksum(const Simulation& simulation) const {
+    return content_checksum(p_, simulation.state());
+  }
+
+  Parameters p_;
+  Simulation whole_;  ///< has arrived at the step of the split
+};
+
+TEST_P(RunSplit, in_two_gives_the_bits_of_one_run) {
+  const std::int64_t N = whole_.state().step;
+  const std::size_t ruptures = whole_.ruptures().size();
+  Simulation second(p_, whole_.state());
+  EXPECT_EQ(checksum(second), checksum(whole_));
+  advance(whole_, N);
+  EXPECT_NE(checksum(second), checksum(whole_));
+  advance(second, N);
+  EXPECT_EQ(checksum(second), checksum(whole_));
+  EXPECT_EQ(second.ruptures(),
+            std::vector<Rupture>(whole_.ruptures().begin() + static_cast<std::ptrdiff_t>(ruptures),
+                                 whole_.ruptures().end()));
+}
+
+TEST_P(RunSplit, by_a_checkpoint_file_gives_the_bits_of_one_run) {
+  std::string folder = (std::filesystem::temp_directory_path() / "rupture-XXXXXX").string();
+  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  const auto file = std::filesystem::path(folder) / "split.h5";
+  write_checkpoint(file, {p_, whole_.state(), {}}, IfExists::refuse);
+  const Checkpoint checkpoint = read_checkpoint(file);
+  std::filesystem::remove_all(folder);
+  Simulation second(checkpoint.parameters, checkpoint.state);
+  advance(whole_, 500);
+  advance(second, 500);
+  EXPECT_EQ(checksum(second), checksum(whole_));
+}
+
+TEST_P(RunSplit, after_every_step_gives_the_bits_of_one_run) {
+  State state = whole_.state();
+  for (int n = 0; n < 300; ++n) {
+    Simulation one_step(p_, std::move(state));
+    one_step.advance();
+    state = one_step.state();
+  }
+  advance(whole_, 300);
+  EXPECT_EQ(content_checksum(p_, state), checksum(whole_));
+}
+
+INSTANTIATE_TEST_SUITE_P(AtRupture, RunSplit,
+                         ::testing::Values(Split{"before", 0, 500}, Split{"during", 4, 0},
+                                           Split{"after", 9, 2500}),
+                         [](const auto& split) { return split.param.name; });
+
+TEST(Determinism, the_split_during_the_rupture_is_during_it) {
+  const Parameters p = quick_slider();
+  Simulation simulation(p, normal_load_equilibrium(p));
+  while (simulation.ruptures().size() < 4) simulation.advance();
+  advance(simulation, 5);
+  EXPECT_LT(simulation.ruptures().size(), 9U);
+  EXPECT_GT((simulation.state().junctions.repin_time < Junctions::never).count(), 0);
+}
+
+TEST(Determinism, a_change_of_one_bit_changes_the_checksum) {
+  const Parameters p = quick_slider();
+  State state = normal_load_equilibrium(p);
+  const std::string before = content_checksum(p, state);
+  state.u_x(4, 2) = std::nextafter(state.u_x(4, 2), 1.0);
+  EXPECT_NE(content_checksum(p, state), before);
+}
+
+TEST(Determinism, another_seed_gives_another_run_once_junctions_break) {
+  Parameters p = quick_slider();
+  const auto final_u = [&](std::int64_t steps) {
+    Simulation simulation(p, normal_load_equilibrium(p));
+    advance(simulation, steps);
+    return simulation.state().u_x(4, 0);
+  };
+  const double before = final_u(500), after = final_u(2500);
+  p.seed = 2;
+  EXPECT_EQ(final_u(500), before);
+  EXPECT_NE(final_u(2500), after);
+}
+
+}  // namespace
+}  // namespace rupture
