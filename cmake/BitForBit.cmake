@@ -6,10 +6,11 @@
 set(RUPTURE_BIT_FOR_BIT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math -fopenmp-simd)
 
 string(TOUPPER "${CMAKE_BUILD_TYPE}" _type)
+set(_given " ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${_type}} ${RUPTURE_KERNEL_FLAGS} $ENV{CXXFLAGS} ")
 foreach(_flag -ffast-math -Ofast -funsafe-math-optimizations -fassociative-math
               -freciprocal-math -ffp-contract=fast -ffinite-math-only)
-  if(" ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${_type}} $ENV{CXXFLAGS} " MATCHES "[ ]${_flag}[ ]")
+  if("${_given}" MATCHES "[ ;]${_flag}[ ;]")
     message(FATAL_ERROR "${_flag} changes floating-point results, so checkpoints would no longer be "
-                        "bit for bit the same on every machine: remove it from CMAKE_CXX_FLAGS.")
+                        "bit for bit the same on every machine: remove it from the compiler flags.")
   endif()
 endforeach()

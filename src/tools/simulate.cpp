@@ -47,6 +47,14 @@ std::vector<std::int64_t> checkpoint_steps(const Parameters& p, std::int64_t fir
   return steps;
 }
 
+/// Steps between samples, if there is a record.
+std::optional<std::int64_t> sampling_steps(const Parameters& p, const RunOptions& run) {
+  if (!run.record) return std::nullopt;
+  const std::int64_t every = step_at(p, run.record_every);
+  if (every < 1) throw UsageError("--record-every is shorter than one time step");
+  return every;
+}
+
 void announce(const OutputOptions& output, const fs::path& path, const std::string& checksum) {
   if (output.verbosity == Verbosity::normal) {
     say("wrote {}  sha256 {}\n", path.string(), checksum);
@@ -69,7 +77,7 @@ std::string_view reason(Ending ending) {
 void print_invariants(const Simulation& simulation, Ending ending, const EnergyBalance& balance,
                       std::int64_t steps, double seconds) {
   say("t = {:.7g} s ({}), {} steps", simulation.time(), reason(ending), steps);
-  if (seconds > 0.0) {
+  if (steps > 0 && seconds > 0.0) {
     say(", {:.0f} steps/s", static_cast<double>(steps) / seconds);
   }
   say("\nenergy [J]: supplied {:.6e} = stored {:.6e} + dissipated {:.6e}, relative error {:.1e}\n",
@@ -133,11 +141,8 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
     outputs.push_back(path_at(output.output, static_cast<double>(step) * p.dt));
   }
   if (run.record) outputs.push_back(*run.record);
+  const auto every = sampling_steps(p, run);
   check_outputs(outputs, output.if_exists, input);
-  const std::int64_t every = step_at(p, run.record_every);
-  if (run.record && every < 1) {
-    throw UsageError("--record-every is shorter than one time step");
-  }
 
   Simulation simulation(p, std::move(start.state));
   const auto save = [&](const fs::path& path) {
@@ -152,7 +157,7 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
   std::unique_ptr<Recorder> recorder;
   if (run.record) {
     writer = std::make_unique<RecordWriter>(*run.record, p, start.provenance, output.if_exists);
-    recorder = std::make_unique<Recorder>(*writer, every, first, rule.last_step);
+    recorder = std::make_unique<Recorder>(*writer, *every, first, rule.last_step);
     observers.push_back(recorder.get());
   }
   Progress progress(simulation, rule.last_step);

@@ -14,7 +14,7 @@ if said=$(cmake -S "$source" -B "$build" -G Ninja -DRUPTURE_TESTS=OFF -DRUPTURE_
   exit 1
 fi
 read -rd '' -a words <<<"$said" || true # cmake breaks the sentence into lines
-readonly sentence="$flag changes floating-point results, so checkpoints would no longer be bit for bit the same on every machine: remove it from CMAKE_CXX_FLAGS."
+readonly sentence="$flag changes floating-point results, so checkpoints would no longer be bit for bit the same on every machine: remove it from the compiler flags."
 if [[ ${words[*]} != *"$sentence"* ]]; then
   printf '%s\n' "$said" "It did not say: $sentence"
   exit 1

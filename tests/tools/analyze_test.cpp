@@ -197,8 +197,8 @@ TEST_F(Analyze, RefusesWhatMakesNoSense) {
                  "the time window is empty: --to is before --from");
   expect_refusal("analyze front r.h5 --slow-below nan", kUsage,
                  "--slow-below nan makes no sense: give a number of at least 0");
-  expect_refusal("analyze events r.h5 --quiet -1", kUsage,
-                 "--quiet -1 makes no sense: give a number of at least 0");
+  expect_refusal("analyze events r.h5 --quiet-time -1", kUsage,
+                 "--quiet-time -1 makes no sense: give a number of at least 0");
 }
 
 TEST_F(Analyze, RefusesABillionBins) {
