@@ -1,8 +1,6 @@
 """Panels that several figures draw in the same way."""
 
-import numpy as np
-
-from common.plotting import MAP, VERMILION
+from common.plotting import MAP
 
 RUPTURED = 0.3  # pinned fraction below which a block counts as ruptured
 
@@ -37,10 +35,3 @@ def draw_pinned(axes, pinned, t_zero, window):
 def draw_pinned_scale(figure, image, axes):
     scale = figure.colorbar(image, ax=axes, label="fraction of pinned junctions", aspect=30)
     scale.ax.axhline(RUPTURED, color="white", linestyle="--", linewidth=0.8)
-
-
-def mark_rupture_line(axes, front, t_zero):
-    """The rupture line at step resolution, where the map cannot show it."""
-    t_rupture = np.array([np.nan if t is None else t for t in front["t_rupture"]])
-    x = np.array(front["x"]) / front["L"]
-    axes.plot(x, (t_rupture - t_zero) * 1e3, color=VERMILION, linewidth=0.8)

@@ -38,7 +38,7 @@ def draw_speeds(axes, fronts):
     c_s = fronts["fast-only"]["c_s"]
     axes.axhline(c_s, color=BLACK, linewidth=0.8)
     axes.annotate("$c_s$", (0.5, c_s), xytext=(0, 2), textcoords="offset points")
-    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1))
+    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1), ylim=(1, None))
     axes.legend(loc="lower left")
 
 
