@@ -14,6 +14,7 @@ from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 from common.records import Pinned, report, values
 
 EVENTS = {"fast-slow-fast": BLUE, "fast-only": VERMILION}
+LOADING_ZONE = 0.02  # [m]
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 
 
@@ -63,6 +64,14 @@ def write_table(path, fronts):
                 table.writerow([name, *row])
 
 
+def ratio_with_straddling_stencils(front):
+    """Fast over slow speed before the slow stretch if the stencils that straddle the transition
+    count, too (docs/decisions/0001-fast-speed.md)."""
+    slow, x, v_c = front["slow"], np.array(front["x"]), values(front["v_c"])
+    before = (x > LOADING_ZONE) & (x < slow["x_from"]) & ~np.isnan(v_c)
+    return np.median(v_c[before]) / slow["speed"]
+
+
 def claim_2A(front):
     slow = front["slow"]
     return Claim(
@@ -76,6 +85,8 @@ def claim_2A(front):
             "to [L]": slow["x_to"] / front["L"],
             "fast before [m/s]": slow["fast_before"],
             "fast after [m/s]": slow["fast_after"],
+            "fast/slow before": slow["fast_before"] / slow["speed"],
+            "the same with stencils across the transition": ratio_with_straddling_stencils(front),
         },
         acceptance="slow in [c_s/200, c_s/30] for 0.5-3 ms, transitions in [0.25, 0.55] L and"
         " [0.5, 0.85] L, fast >= 10 x slow on both sides",
@@ -84,7 +95,7 @@ def claim_2A(front):
 
 
 def claim_2B(front):
-    beyond = np.array(front["x"]) > 0.02
+    beyond = np.array(front["x"]) > LOADING_ZONE
     v_c = values(front["v_c"])
     forwards = v_c[beyond & (v_c > 0)]
     return Claim(
