@@ -97,8 +97,8 @@ else:
         message:
             "{wildcards.event}: verify the shipped checkpoint"
         shell:
-            "{BIN}/analyze verify {input.h5} > {log} 2>&1 && cp {input.h5} {output.h5}"
-            " && echo \"$({BIN}/analyze checksum {input.h5})  {wildcards.event}.h5\" > {output.sum}"
+            "sum=$({BIN}/analyze checksum {input.h5} 2> {log}) && cp {input.h5} {output.h5}"
+            " && echo \"$sum  {wildcards.event}.h5\" > {output.sum}"
 
 
 # In either case the checkpoint must be the one that the manifest names.

@@ -26,15 +26,14 @@ double smallest_force(const LoadingCurve& loading, double from, double to) {
 
 Event describe(const Parameters& p, std::span<const Rupture> ruptures, const LoadingCurve& loading,
                double quiet, const FrontCriteria& criteria) {
-  const double l = block_spacing(p);
   const auto furthest =
       std::max_element(ruptures.begin(), ruptures.end(),
                        [](const Rupture& a, const Rupture& b) { return a.block < b.block; });
   Event event;
   event.t_start = ruptures.front().time;
   event.t_end = ruptures.back().time;
-  event.x_first = static_cast<double>(ruptures.front().block) * l;
-  event.x_last = static_cast<double>(furthest->block) * l;
+  event.x_first = block_position(p, ruptures.front().block);
+  event.x_last = block_position(p, furthest->block);
   event.front = measure_front(p, rupture_line(p, ruptures, event.t_start, event.t_end), criteria);
   event.F_T_before = force_at(loading, event.t_start);
   event.F_T_after = smallest_force(loading, event.t_start, event.t_end + quiet);

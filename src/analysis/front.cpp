@@ -67,7 +67,7 @@ RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures,
   RuptureLine line;
   line.t_rupture.resize(static_cast<std::size_t>(p.Nx));
   for (std::int64_t i = 0; i < p.Nx; ++i) {
-    line.x.push_back(static_cast<double>(i) * block_spacing(p));
+    line.x.push_back(block_position(p, i));
   }
   for (const Rupture& rupture : ruptures) {
     auto& t = line.t_rupture[static_cast<std::size_t>(rupture.block)];

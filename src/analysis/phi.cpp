@@ -22,14 +22,26 @@ double bell_quantile(double q) {
   }
 }
 
-/// One block's junctions, as change_phi sees them.
+/// What the junctions of one block have in common.
 struct BlockJunctions {
   Eigen::Index i;
+  double x;        ///< position of the block [m]
   double u_x;      ///< [m]
   double k_ij;     ///< [N/m]
   double f_thres;  ///< [N]
   double f_slip;   ///< [N]
 };
+
+BlockJunctions block_junctions(const Parameters& p, const State& state, Eigen::Index i) {
+  const double p_i = foundation_force(p, state.u_z(i, 0));
+  const auto N_s = static_cast<double>(p.N_s);
+  return {i,
+          block_position(p, i),
+          state.u_x(i, 0),
+          junction_stiffness(p, p_i),
+          p.mu_s * p_i / N_s,
+          p.mu_d * p_i / N_s};
+}
 
 /// Indices of the junctions that change, ordered by the force they carry now.
 std::vector<Eigen::Index> changing(const Junctions& junctions, const BlockJunctions& block,
@@ -57,8 +69,8 @@ double mean_force(const Junctions& junctions, const BlockJunctions& block,
 
 /// Sets the chosen junctions to mean + half_width * quantiles; returns what stopped it, if
 /// anything.
-std::optional<ImpossibleBlock> spread(const Parameters& p, Junctions& junctions,
-                                      const BlockJunctions& block, const PhiChange& change) {
+std::optional<ImpossibleBlock> spread(Junctions& junctions, const BlockJunctions& block,
+                                      const PhiChange& change) {
   const auto chosen = changing(junctions, block, change.slipping);
   if (chosen.empty()) return std::nullopt;
   const double mean = mean_force(junctions, block, chosen);
@@ -67,8 +79,7 @@ std::optional<ImpossibleBlock> spread(const Parameters& p, Junctions& junctions,
   const double half_width =
       change.sigma_bar ? *change.sigma_bar * range / unit_sigma(change.shape) : room;
   if (room < 0.0 || half_width > room) {
-    return ImpossibleBlock{static_cast<double>(block.i) * block_spacing(p),
-                           std::max(room, 0.0) * unit_sigma(change.shape) / range};
+    return ImpossibleBlock{block.x, std::max(room, 0.0) * unit_sigma(change.shape) / range};
   }
   const auto quantiles = unit_quantiles(change.shape, static_cast<std::int64_t>(chosen.size()));
   for (std::size_t n = 0; n < chosen.size(); ++n) {
@@ -84,7 +95,7 @@ std::optional<ImpossibleBlock> spread(const Parameters& p, Junctions& junctions,
 std::vector<double> normal_forces(const Parameters& p, const State& state) {
   std::vector<double> forces;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    forces.push_back(-foundation_stiffness(p) * std::min(state.u_z(i, 0), 0.0));
+    forces.push_back(foundation_force(p, state.u_z(i, 0)));
   }
   return forces;
 }
@@ -98,19 +109,17 @@ std::vector<double> friction_forces(const Parameters& p, const State& state) {
 }
 
 std::vector<BlockForces> block_forces(const Parameters& p, const State& state) {
-  const auto normal = normal_forces(p, state);
   const auto N_s = static_cast<double>(p.N_s);
   std::vector<BlockForces> blocks;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    const double p_i = normal[static_cast<std::size_t>(i)];
-    const double k_ij = junction_stiffness(p, p_i);
+    const BlockJunctions common = block_junctions(p, state, i);
     BlockForces block;
-    block.x = static_cast<double>(i) * block_spacing(p);
-    block.f_thres = p.mu_s * p_i / N_s;
-    block.f_slip = p.mu_d * p_i / N_s;
+    block.x = common.x;
+    block.f_thres = common.f_thres;
+    block.f_slip = common.f_slip;
     block.slipping = 1.0 - pinned_fraction(state.junctions, i);
     for (Eigen::Index j = 0; j < p.N_s; ++j) {
-      block.forces.push_back(k_ij * (state.u_x(i, 0) - state.junctions.attachment(i, j)));
+      block.forces.push_back(common.k_ij * (common.u_x - state.junctions.attachment(i, j)));
     }
     block.mean = std::accumulate(block.forces.begin(), block.forces.end(), 0.0) / N_s;
     double squares = 0.0;
@@ -148,20 +157,13 @@ std::vector<double> unit_quantiles(PhiShape shape, std::int64_t n) {
 
 std::vector<ImpossibleBlock> change_phi(const Parameters& p, State& state,
                                         const PhiChange& change) {
-  const auto normal = normal_forces(p, state);
-  const auto N_s = static_cast<double>(p.N_s);
   std::vector<ImpossibleBlock> impossible;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    const double x = static_cast<double>(i) * block_spacing(p);
-    if (x < change.x_from || x > change.x_to) continue;
-    const double p_i = normal[static_cast<std::size_t>(i)];
-    if (p_i <= 0.0) {
-      impossible.push_back({x, 0.0});
-      continue;
-    }
-    const BlockJunctions block = {i, state.u_x(i, 0), junction_stiffness(p, p_i),
-                                  p.mu_s * p_i / N_s, p.mu_d * p_i / N_s};
-    if (const auto stopped = spread(p, state.junctions, block, change)) {
+    const BlockJunctions block = block_junctions(p, state, i);
+    if (block.x < change.x_from || block.x > change.x_to) continue;
+    if (block.f_thres <= 0.0) {  // not pressed
+      impossible.push_back({block.x, 0.0});
+    } else if (const auto stopped = spread(state.junctions, block, change)) {
       impossible.push_back(*stopped);
     }
   }

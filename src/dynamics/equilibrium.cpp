@@ -34,7 +34,7 @@ struct UnbreakableFriction {
 UnbreakableFriction unbreakable_friction(const Parameters& p, double u_x, double u_z) {
   if (u_z >= 0.0) return {0.0, 0.0, 0.0, 0.0};
   const double k_f = foundation_stiffness(p);
-  const double normal = -k_f * u_z;
+  const double normal = foundation_force(p, u_z);
   const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, normal);
   return {normal, k_i * u_x, k_i, -k_f * k_i * u_x / (2.0 * normal)};
 }

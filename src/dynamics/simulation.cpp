@@ -24,7 +24,7 @@ Simulation::Simulation(const Parameters& parameters, State state)
       ruptured_(p_.size()) {
   find_normal_forces();
   law_.friction(state_.u_x.row(0), contact(), tau_.data());
-  F_T_ = driving_force();
+  F_T_ = driving_force(parameters_, state_);
   note_ruptures();
   ruptures_.clear();  // blocks that had ruptured before this simulation began
   leading_edge_ruptured_ = false;
@@ -45,7 +45,7 @@ void Simulation::advance() {
   if (changes.broken > 0) last_break_ = state_.step;
   if (changes.broken + changes.repinned > 0) note_ruptures();
 
-  F_T_ = driving_force();
+  F_T_ = driving_force(parameters_, state_);
   const Boundary boundary = {p_.data(), tau_.data(), mean_normal_force(parameters_),
                              driving_row(parameters_), F_T_};
   const double damping_power = bulk_.finish(half_kick_, boundary, state_);
@@ -56,10 +56,6 @@ void Simulation::advance() {
 void Simulation::find_normal_forces() {
   kernels().contact(parameters_.Nx, state_.u_z.row(0), foundation_stiffness(parameters_),
                     static_cast<double>(parameters_.N_s), parameters_.kappa, contact());
-}
-
-double Simulation::driving_force() const {
-  return parameters_.K * (x_drive() - state_.u_x(0, driving_row(parameters_)));
 }
 
 void Simulation::note_ruptures() {

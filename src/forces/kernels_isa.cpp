@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "rupture/forces/kernels.hpp"
+#include "rupture/model/never.hpp"
 
 #define RUPTURE_STRING_(x) #x
 #define RUPTURE_STRING(x) RUPTURE_STRING_(x)
@@ -296,14 +297,13 @@ void contact(Index Nx, const double* u_z, double k_f, double N_s, double kappa, 
 }
 
 double trail(Index N_s, double lower, double upper, const double* repin_time, double* attachment) {
-  constexpr double never = 1e300;  // Junctions::never
   double lanes[8] = {};
   const Index whole = N_s - N_s % 8;
   const auto trailed = [&](Index j) {
     const double a = attachment[j];
     const double high = a > lower ? a : lower;
     const double clamped = high < upper ? high : upper;
-    return repin_time[j] < never ? clamped : a;
+    return repin_time[j] < kNever ? clamped : a;
   };
   for (Index first = 0; first < whole; first += 8) {
 #pragma omp simd

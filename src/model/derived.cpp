@@ -30,6 +30,14 @@ double mean_normal_force(const Parameters& p) {
   return p.F_N / static_cast<double>(p.Nx);
 }
 
+double block_position(const Parameters& p, std::int64_t i) {
+  return static_cast<double>(i) * block_spacing(p);
+}
+
+double foundation_force(const Parameters& p, double u_z) {
+  return -foundation_stiffness(p) * std::min(u_z, 0.0);
+}
+
 std::int64_t driving_row(const Parameters& p) {
   return static_cast<std::int64_t>(std::llround(p.h / block_spacing(p)));
 }

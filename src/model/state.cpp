@@ -1,5 +1,7 @@
 #include "rupture/model/state.hpp"
 
+#include "rupture/model/derived.hpp"
+
 namespace rupture {
 
 State::State(const Parameters& p)
@@ -20,6 +22,11 @@ double time(const Parameters& p, const State& state) {
 
 double drive_position(const Parameters& p, const Drive& drive, std::int64_t step) {
   return drive.origin_position + p.V * (static_cast<double>(step - drive.origin_step) * p.dt);
+}
+
+double driving_force(const Parameters& p, const State& state) {
+  const double x_drive = drive_position(p, state.drive, state.step);
+  return p.K * (x_drive - state.u_x(0, driving_row(p)));
 }
 
 double pinned_fraction(const Junctions& junctions, Eigen::Index i) {

@@ -27,10 +27,6 @@ CheckpointCommand read(int argc, const char* const* argv, const std::string& nam
   return {std::move(parsed), read_checkpoint(path)};
 }
 
-double driving_force(const Parameters& p, const State& state) {
-  return p.K * (drive_position(p, state.drive, state.step) - state.u_x(0, driving_row(p)));
-}
-
 /// Centroid of the normal forces, measured from the middle of the interface [m].
 double centroid(const std::vector<double>& x, const std::vector<double>& p, double L) {
   double moment = 0.0, total = 0.0;
@@ -55,7 +51,7 @@ int analyze_stress(int argc, const char* const* argv) {
   const auto friction = friction_forces(p, checkpoint.state);
   std::vector<double> x;
   for (std::size_t i = 0; i < normal.size(); ++i) {
-    x.push_back(static_cast<double>(i) * block_spacing(p));
+    x.push_back(block_position(p, static_cast<std::int64_t>(i)));
   }
   const double t = time(p, checkpoint.state);
   const double F_T = driving_force(p, checkpoint.state);

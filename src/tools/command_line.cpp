@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <iostream>
 #include <new>
 #include <set>
 #include <sstream>
@@ -84,12 +83,12 @@ ParameterChanges command_line_changes(const po::variables_map& values) {
   return changes;
 }
 
-/// Prints text without complaint; whether all went out is asked at the end.
+/// The exit code of a tool's body, or kDone after the help that was asked for.
 int body_or_help(const std::function<int()>& body) {
   try {
     return body();
   } catch (const HelpRequested& help) {
-    std::fputs(help.text.c_str(), stdout);
+    say("{}", help.text);
     return kDone;
   }
 }

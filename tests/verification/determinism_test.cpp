@@ -14,15 +14,7 @@ namespace rupture {
 namespace {
 
 using testing::advance;
-
-/// Driven so fast that the interface ruptures 0.28 ms (1,400 steps) after the start.
-Parameters quick_slider() {
-  Parameters p = testing::small_slider(9, 5);
-  p.V = 0.1;
-  p.t_R = 0.1e-3;
-  p.delta_t_R = 0.03e-3;
-  return p;
-}
+using testing::quick_slider;
 
 struct Split {
   std::string name;

@@ -57,7 +57,6 @@ class Simulation {
  private:
   ContactView contact() { return {p_.data(), k_ij_.data(), w_.data()}; }
   void find_normal_forces();
-  double driving_force() const;
   void note_ruptures();
   Power power(double damping_power) const;
   Power initial_power();

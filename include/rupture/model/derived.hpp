@@ -16,6 +16,12 @@ double density(const Parameters& p);               ///< rho = M / (L H B) [kg/m^
 double shear_wave_speed(const Parameters& p);   ///< c_s = sqrt(G / rho), G = E / (2 (1 + nu)) [m/s]
 double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an interface block [N]
 
+/// Position of column i along x, i l [m].
+double block_position(const Parameters& p, std::int64_t i);
+
+/// Normal force of the foundation on a bottom block, p_i = -k_f u_z where u_z < 0, else 0 [N].
+double foundation_force(const Parameters& p, double u_z);
+
 /// Row of blocks on which the driving spring acts, h / l.
 std::int64_t driving_row(const Parameters& p);
 

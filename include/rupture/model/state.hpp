@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "rupture/model/field.hpp"
+#include "rupture/model/never.hpp"
 #include "rupture/model/parameters.hpp"
 
 namespace rupture {
@@ -14,7 +15,7 @@ using JunctionArray = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 /// The junctions of all interface blocks; arrays of shape [Nx][N_s].
 struct Junctions {
   /// A repin time later than every simulation: marks a pinned junction.
-  static constexpr double never = 1e300;
+  static constexpr double never = kNever;
 
   /// Attachment point x_ij on the track, measured like u_x from the undeformed block position [m].
   JunctionArray<double> attachment;
@@ -48,6 +49,9 @@ double time(const Parameters& parameters, const State& state);
 
 /// Position x_drive of the driving point at `step` [m].
 double drive_position(const Parameters& parameters, const Drive& drive, std::int64_t step);
+
+/// Force of the driving spring, F_T = K (x_drive - u_x) at the driven block [N].
+double driving_force(const Parameters& parameters, const State& state);
 
 /// True where a junction is slipping, false where it is pinned.
 inline bool is_slipping(double repin_time) {

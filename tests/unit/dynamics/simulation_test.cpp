@@ -15,15 +15,7 @@ namespace {
 
 using testing::advance;
 using testing::message_of;
-
-/// A slider whose whole interface ruptures within 1,500 steps and is pinned again soon after.
-Parameters quick_slider() {
-  Parameters p = testing::small_slider(9, 5);
-  p.V = 0.1;
-  p.t_R = 0.1e-3;
-  p.delta_t_R = 0.03e-3;
-  return p;
-}
+using testing::quick_slider;
 
 constexpr std::int64_t kThroughTheRupture = 2500;  // steps
 
