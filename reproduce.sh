@@ -123,11 +123,12 @@ check_commands() {
 # The packages for the given purposes (run, test, check).
 packages_for() { awk -v purposes=" $* " 'index(purposes, " " $1 " ") { print $2 }' packages.txt; }
 
-# Those of the packages that are not installed.
+# Those of the packages that are not installed, nor provided by one that is: on arm64, g++ provides
+# g++-aarch64-linux-gnu.
 missing_of() {
   comm -23 <(printf '%s\n' "$@" | sort -u) \
-    <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
-      sed -n 's/^installed //p' | sort -u)
+    <(dpkg-query -W -f='${db:Status-Status} ${Package} ${Provides}\n' "$@" 2>/dev/null |
+      sed -n 's/^installed //p' | tr -s ' ,' '\n' | sort -u)
 }
 
 install_packages() {
@@ -241,7 +242,12 @@ run_tests() {
   ensure_packages run test
   build all
   clean_environment
-  ctest --preset release --parallel "$cores" --no-tests=error --output-log "$root/$logs/test.log"
+  local status=0
+  ctest --preset release --parallel "$cores" --no-tests=error \
+    --output-log "$root/$logs/test.log" || status=$?
+  echo
+  tests/golden/matrix.sh table build/release/matrix
+  return "$status"
 }
 
 check_format() {
@@ -254,7 +260,7 @@ check_format() {
 check_sources() {
   ensure_packages check
   check_format || die "clang-format would change the files above (clang-format -i FILE)."
-  shellcheck reproduce.sh .ci/run || die "shellcheck found the faults above."
+  shellcheck reproduce.sh .ci/run tests/golden/*.sh || die "shellcheck found the faults above."
   echo "The sources are laid out as they should be."
 }
 

@@ -221,8 +221,7 @@ State relaxed_equilibrium(const Parameters& p, double duration) {
   const double half_kick = p.dt / (2.0 * block_mass(p));
   const auto steps = static_cast<std::int64_t>(std::llround(duration / p.dt));
   for (std::int64_t n = 0; n < steps; ++n) {
-    kernels().kick_drift(bulk.shape(), half_kick, p.dt, {state.f_x.row(0), state.f_z.row(0)},
-                         view(state.v_x, state.v_z), view(state.u_x, state.u_z));
+    bulk.kick_drift(0, state);
     static_forces(p, bulk, state, state.f_x, state.f_z);
     bulk.damping(state.v_x, state.v_z, damping_x, damping_z);
     state.f_x.blocks() += damping_x.blocks() - alpha * state.v_x.blocks();

@@ -31,9 +31,7 @@ Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Obser
       pause = std::min(pause, (simulation.state().step / kQuietCheck + 1) * kQuietCheck);
     }
     for (const Observer* observer : observers) pause = std::min(pause, observer->next_step());
-    do {
-      simulation.advance();
-    } while (simulation.state().step < pause);
+    simulation.advance(std::max<std::int64_t>(pause - simulation.state().step, 1));
     show(simulation, observers);
   }
 }

@@ -1,6 +1,9 @@
 #include "rupture/dynamics/simulation.hpp"
 
 #include <fmt/core.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 #include <cmath>
 #include <utility>
@@ -9,12 +12,22 @@
 #include "rupture/model/error.hpp"
 
 namespace rupture {
+namespace {
 
-Simulation::Simulation(const Parameters& parameters, State state)
+int this_thread() {
+#ifdef _OPENMP
+  return omp_get_thread_num();
+#else
+  return 0;
+#endif
+}
+
+}  // namespace
+
+Simulation::Simulation(const Parameters& parameters, State state, int threads)
     : parameters_((validate(parameters), parameters)),
-      half_kick_(parameters.dt / (2.0 * block_mass(parameters))),
       state_(std::move(state)),
-      bulk_(parameters),
+      bulk_(parameters, threads),
       law_(parameters, state_.junctions),
       p_(static_cast<std::size_t>(parameters.Nx)),
       k_ij_(p_),
@@ -31,26 +44,43 @@ Simulation::Simulation(const Parameters& parameters, State state)
   power_ = initial_power();
 }
 
-void Simulation::advance() {
-  const VectorView u = view(state_.u_x, state_.u_z);
-  const VectorView v = view(state_.v_x, state_.v_z);
-  const ConstVectorView f = {state_.f_x.row(0), state_.f_z.row(0)};
+void Simulation::advance(std::int64_t steps) {
+  if (bulk_.bands() == 1) {
+    advance_band(0, steps);
+  } else {
+#pragma omp parallel num_threads(bulk_.bands())
+    advance_band(this_thread(), steps);
+  }
+  if (!blown_up_) add_work();
+  if (blown_up_) report_blow_up();
+}
 
-  kernels().kick_drift(bulk_.shape(), half_kick_, parameters_.dt, f, v, u);
+/// What one thread does. The first one also moves the interface, while no other changes the state.
+void Simulation::advance_band(int band, std::int64_t steps) {
+  const bool is_first = band == 0;
+  bulk_.kick_drift(band, state_);
+  for (std::int64_t n = 0; n < steps; ++n) {
+#pragma omp barrier
+    bulk_.prepare(band, state_);
+    if (is_first && n > 0) add_work();
+    if (is_first) move_interface();
+#pragma omp barrier
+    if (blown_up_) return;
+    const Boundary boundary = {p_.data(), tau_.data(), mean_normal_force(parameters_),
+                               driving_row(parameters_), F_T_};
+    bulk_.finish(band, boundary, n + 1 < steps ? Then::go_on : Then::stop, state_);
+  }
+}
+
+/// Steps 2 and 3 of the scheme, and the driving force of step 4.
+void Simulation::move_interface() {
   ++state_.step;
-
   find_normal_forces();
   const auto changes = law_.update(state_.u_x.row(0), contact(), time());
   law_.friction(state_.u_x.row(0), contact(), tau_.data());
   if (changes.broken > 0) last_break_ = state_.step;
   if (changes.broken + changes.repinned > 0) note_ruptures();
-
   F_T_ = driving_force(parameters_, state_);
-  const Boundary boundary = {p_.data(), tau_.data(), mean_normal_force(parameters_),
-                             driving_row(parameters_), F_T_};
-  const double damping_power = bulk_.finish(half_kick_, boundary, state_);
-  add_work(damping_power);
-  if (!std::isfinite(damping_power)) report_blow_up();
 }
 
 void Simulation::find_normal_forces() {
@@ -70,13 +100,11 @@ void Simulation::note_ruptures() {
   }
 }
 
-Power Simulation::power(double damping_power) const {
+Power Simulation::power(double damping_power, const double* bottom_velocity) const {
   Power now;
   now.driving = F_T_ * parameters_.V;
   now.damping = -damping_power;
-  for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
-    now.junctions += tau_[static_cast<std::size_t>(i)] * state_.v_x(i, 0);
-  }
+  for (std::size_t i = 0; i < tau_.size(); ++i) now.junctions += tau_[i] * bottom_velocity[i];
   return now;
 }
 
@@ -84,11 +112,15 @@ Power Simulation::power(double damping_power) const {
 Power Simulation::initial_power() {
   Field f_x(parameters_.Nx, parameters_.Nz), f_z(f_x);
   bulk_.damping(state_.v_x, state_.v_z, f_x, f_z);
-  return power((f_x.blocks() * state_.v_x.blocks() + f_z.blocks() * state_.v_z.blocks()).sum());
+  return power((f_x.blocks() * state_.v_x.blocks() + f_z.blocks() * state_.v_z.blocks()).sum(),
+               state_.v_x.row(0));
 }
 
-void Simulation::add_work(double damping_power) {
-  const Power now = power(damping_power);
+/// Work done in the step just finished.
+void Simulation::add_work() {
+  const double damping_power = bulk_.damping_power();
+  blown_up_ = !std::isfinite(damping_power);
+  const Power now = power(damping_power, bulk_.bottom_velocity());
   const double half_dt = 0.5 * parameters_.dt;
   work_.driving += half_dt * (power_.driving + now.driving);
   work_.damping += half_dt * (power_.damping + now.damping);

@@ -1,42 +1,96 @@
 #include "rupture/forces/bulk.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "rupture/model/derived.hpp"
 
 namespace rupture {
+namespace {
 
-Bulk::Bulk(const Parameters& p)
-    : springs_{block_spacing(p), bulk_stiffness(p)},
-      eta_(damping_coefficient(p)),
-      mass_(block_mass(p)) {
-  const Eigen::Index stride = Field(p.Nx, p.Nz).stride();
-  rows_.assign(static_cast<std::size_t>(3 * stride), 0.0);
-  scratch_.assign(static_cast<std::size_t>(kScratchRows * (stride + 8)), 0.0);
-  double* has_right = rows_.data();
-  double* inside = has_right + stride;
-  double* columns = inside + stride;
-  for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    has_right[i] = i + 1 < p.Nx ? 1.0 : 0.0;
-    inside[i] = 1.0;
-    columns[i] = i == 0 || i + 1 == p.Nx ? 2.0 : 3.0;
+/// Coefficients c_n of 1 - 1/sqrt(1+s) = s sum_n c_n s^n.
+constexpr std::array<double, kTensionTerms> kTensionSeries = {
+    1.0 / 2, -3.0 / 8, 5.0 / 16, -35.0 / 128, 63.0 / 256, -231.0 / 1024};
+
+/// |s| up to which these terms give the tension to the last digit: the next is 429/2048 s^6.
+constexpr double kSmallStrain = 1.0 / 400;
+
+}  // namespace
+
+Bulk::Bulk(const Parameters& p, int bands)
+    : shape_{p.Nx, p.Nz, Field(p.Nx, p.Nz).stride()},
+      mass_(block_mass(p)),
+      half_kick_(p.dt / (2.0 * block_mass(p))),
+      dt_(p.dt),
+      damping_power_(static_cast<std::size_t>(p.Nz)),
+      bottom_velocity_(static_cast<std::size_t>(shape_.stride)) {
+  enum Row { kRight, kUp, kDiagonal, kNone, kSmallRight, kEta, kColumns, kRows };
+  rows_.assign(static_cast<std::size_t>(kRows * shape_.stride), 0.0);
+  const auto row = [this](Row r) { return rows_.data() + r * shape_.stride; };
+
+  const double l = block_spacing(p), k = bulk_stiffness(p), l2 = l * l;
+  springs_.l = l;
+  double scale = l2;
+  for (std::size_t n = 0; n < kTensionTerms; ++n) {
+    springs_.series[n] = kTensionSeries[n] / scale;
+    scale *= l2;
   }
-  shape_ = {p.Nx, p.Nz, stride, has_right, inside, columns};
+  springs_.small = (kSmallStrain * l2) * (kSmallStrain * l2);
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const bool is_last = i + 1 == p.Nx;
+    row(kRight)[i] = is_last ? 0.0 : k;
+    row(kUp)[i] = k;
+    row(kDiagonal)[i] = is_last ? 0.0 : 0.5 * k;
+    row(kEta)[i] = damping_coefficient(p);
+    row(kColumns)[i] = i == 0 || is_last ? 2.0 : 3.0;
+  }
+  constexpr double never = std::numeric_limits<double>::infinity();
+  std::fill_n(row(kSmallRight), shape_.stride, never);
+  std::fill_n(row(kSmallRight), p.Nx - 1, springs_.small);
+  springs_.small_right = row(kSmallRight);
+  springs_.row = {row(kRight), row(kUp), row(kDiagonal)};
+  springs_.top_row = {row(kRight), row(kNone), row(kNone)};
+  dampers_ = {row(kEta), row(kColumns)};
+
+  const Eigen::Index count = std::clamp<Eigen::Index>(bands, 1, p.Nz);
+  const Eigen::Index size = kernels().scratch_size(shape_);
+  scratch_.assign(static_cast<std::size_t>(count * size), 0.0);
+  for (Eigen::Index b = 0; b < count; ++b) {
+    bands_.push_back({b * p.Nz / count, (b + 1) * p.Nz / count, scratch_.data() + b * size});
+  }
 }
 
 void Bulk::elastic(const Field& u_x, const Field& u_z, Field& f_x, Field& f_z) {
-  kernels().elastic(shape_, springs_, view(u_x, u_z), view(f_x, f_z), scratch_.data());
+  kernels().elastic(shape_, springs_, view(u_x, u_z), view(f_x, f_z), bands_.front());
 }
 
 void Bulk::damping(const Field& v_x, const Field& v_z, Field& f_x, Field& f_z) {
-  kernels().damping(shape_, eta_, view(v_x, v_z), view(f_x, f_z));
+  kernels().damping(shape_, dampers_, view(v_x, v_z), view(f_x, f_z));
 }
 
-double Bulk::finish(double half_kick, const Boundary& boundary, State& state) {
-  return kernels().finish(shape_, springs_, eta_, half_kick, {state.u_x.row(0), state.u_z.row(0)},
-                          boundary, view(state.f_x, state.f_z), view(state.v_x, state.v_z),
-                          scratch_.data());
+Motion Bulk::motion(State& state) const {
+  return {view(state.u_x, state.u_z), view(state.v_x, state.v_z), view(state.f_x, state.f_z),
+          half_kick_, dt_};
+}
+
+void Bulk::kick_drift(int b, State& state) const {
+  kernels().kick_drift(shape_, motion(state), band(b));
+}
+
+void Bulk::prepare(int b, State& state) const {
+  kernels().prepare(shape_, springs_, motion(state), band(b));
+}
+
+void Bulk::finish(int b, const Boundary& boundary, Then then, State& state) {
+  kernels().finish(shape_, springs_, dampers_, boundary, motion(state), band(b), then,
+                   {damping_power_.data(), bottom_velocity_.data()});
+}
+
+double Bulk::damping_power() const {
+  return std::accumulate(damping_power_.begin(), damping_power_.end(), 0.0);
 }
 
 double Bulk::elastic_energy(const Field& u_x, const Field& u_z) const {
@@ -44,7 +98,7 @@ double Bulk::elastic_energy(const Field& u_x, const Field& u_z) const {
     int ix, iz;
   };
   constexpr std::array<Bond, 4> bonds = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
-  const double l = springs_.l;
+  const double l = springs_.l, k = springs_.row.k_up[0];
   double energy = 0.0;
   for (Eigen::Index j = 0; j < shape_.Nz; ++j) {
     for (Eigen::Index i = 0; i < shape_.Nx; ++i) {
@@ -55,7 +109,7 @@ double Bulk::elastic_energy(const Field& u_x, const Field& u_z) const {
         const double dz = u_z(i + ix, j + iz) - u_z(i, j);
         const double s = ((2 * ix * l + dx) * dx + (2 * iz * l + dz) * dz) / (n * l * l);
         const double stretch = std::sqrt(n) * l * s / (std::sqrt(1.0 + s) + 1.0);
-        energy += 0.5 * (springs_.k / n) * stretch * stretch;
+        energy += 0.5 * (k / n) * stretch * stretch;
       }
     }
   }

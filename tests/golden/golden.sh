@@ -32,6 +32,11 @@ run_chain() {
     --until 8e-4 -o exponential.h5
   "$bin/restart" rupture.h5 -q --set slider.damping=0 --set driving.V=-1 --for 8e-4 -o return.h5
 
+  # The event of Figure 3 from its shipped checkpoint: a rupture that crosses the slider fast, then
+  # slowly, then fast again.
+  "$bin/restart" "$here/../../checkpoints/fast-slow-fast.h5" -q --for 2.5e-3 -o event.h5 \
+    --record event-record.h5
+
   # New forces in the junctions.
   "$bin/modify-phi" rest.h5 -q --shape bell --slipping pin --sigma-bar 0.1 -o bell.h5
   "$bin/restart" bell.h5 -q --set driving.V=1 --for 4e-4 -o bell-rupture.h5
@@ -54,14 +59,21 @@ skip_without_instruction_set() {
 }
 
 check() {
+  local equal differing
   skip_without_instruction_set
   run_chain
   manifest >checksums.txt
-  diff "$golden" checksums.txt || {
-    echo "The content checksums (>) differ from the golden ones (<)."
+  equal=$(comm -12 <(sort "$golden") <(sort checksums.txt) | wc -l)
+  equal+=" of $(wc -l <"$golden") content checksums are equal"
+  if diff "$golden" checksums.txt >differences; then
+    echo "$equal."
+  else
+    differing=$(sed -n 's/^[<>] [0-9a-f]*  //p' differences | sort -u | paste -sd ' ')
+    echo "Golden (<) and found (>):"
+    cat differences
+    echo "$equal, all but: $differing"
     exit 1
-  }
-  echo "$(wc -l <checksums.txt) content checksums are as they should be."
+  fi
 }
 
 regenerate() {

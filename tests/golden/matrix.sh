@@ -1,32 +1,115 @@
 #!/usr/bin/env bash
-# Builds the tools with one compiler at one optimisation level and checks the golden checksums.
+# Builds the tools as a line of matrix.txt says and checks the golden checksums.
 #
-#   matrix.sh SOURCE COMPILER LEVEL SCRATCH   e.g. matrix.sh . clang O0 /tmp/matrix
-#
-# Exit code 77: the compiler is missing.
+#   matrix.sh check BUILD FOLDER   builds in FOLDER/BUILD; exit code 0: the checksums are equal,
+#                                  1: they are not, 77: this machine lacks what the build needs
+#                                  (where CI is set, as in GitHub Actions, that is 1, too)
+#   matrix.sh table FOLDER         prints how the last check of every build ended
 set -euo pipefail
 
-readonly source=$1 compiler=$2 level=$3 build=$4/$2-$3
-readonly skipped=77
-declare -Ar drivers=([gcc]=g++ [clang]=clang++) c_drivers=([gcc]=gcc [clang]=clang)
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+source=$(dirname "$(dirname "$here")")
+readonly here source skipped=77
 
-if ! command -v "${drivers[$compiler]}" >/dev/null; then
-  echo "Skipped: ${drivers[$compiler]} is not installed."
+builds() { grep -v '^#' "$here/matrix.txt"; }
+
+# --- one build -----------------------------------------------------------------------------
+
+skip() {
+  if [[ -n ${CI-} ]]; then
+    echo "Not checked, as it must be where CI is set: $1"
+    exit 1
+  fi
+  echo "Skipped: $1"
   exit "$skipped"
-fi
+}
+
+demand_programs() {
+  local program
+  for program; do
+    command -v "$program" >/dev/null || skip "$program is not installed."
+  done
+}
+
+demand_sysroot() {
+  local said status=0
+  said=$("$here/sysroot.sh" "$architecture" "${sysroot%/*}") || status=$?
+  if ((status == skipped)); then skip "$said"; fi
+  if ((status != 0)); then
+    echo "$said"
+    exit 1
+  fi
+}
 
 build_tools() {
-  cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None \
-    -DCMAKE_C_COMPILER="${c_drivers[$compiler]}" -DCMAKE_CXX_COMPILER="${drivers[$compiler]}" \
-    -DCMAKE_CXX_FLAGS="-$level" -DRUPTURE_KERNEL_FLAGS="-$level" -DRUPTURE_WERROR=OFF \
+  cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None "$@" \
+    -DCMAKE_CXX_FLAGS="$level" -DRUPTURE_KERNEL_FLAGS="$level" -DRUPTURE_WERROR=OFF \
     -DRUPTURE_TESTS=OFF -DRUPTURE_BENCHMARKS=OFF || return
   cmake --build "$build" --parallel 1 --target tools
 }
 
-mkdir -p "$build"
-if ! build_tools >"$build/log" 2>&1; then
-  tail -n 40 "$build/log"
-  echo "The build failed; its whole output is in $build/log."
-  exit 1
-fi
-exec "$source/tests/golden/golden.sh" check "$build/bin"
+build_or_stop() {
+  if ! build_tools "$@" >"$build/log" 2>&1; then
+    tail -n 40 "$build/log"
+    echo "The build failed; its whole output is in $build/log."
+    exit 1
+  fi
+}
+
+check_native() {
+  local c_compiler=${compiler/%clang++/clang}
+  c_compiler=${c_compiler/%g++/gcc}
+  demand_programs "$compiler"
+  build_or_stop -DCMAKE_C_COMPILER="$c_compiler" -DCMAKE_CXX_COMPILER="$compiler"
+  "$here/golden.sh" check "$build/bin"
+}
+
+# For each program of another processor, a script that runs it.
+emulate() {
+  local program script
+  mkdir -p "$build/emulated"
+  for program in "$build"/bin/*; do
+    script=$build/emulated/${program##*/}
+    printf '#!/bin/bash\nexec %q -L %q %q "$@"\n' "$1" "$sysroot" "$program" >"$script"
+    chmod +x "$script"
+  done
+}
+
+check_cross() {
+  local processor=${compiler%%-*}
+  demand_programs "$compiler" "qemu-$processor"
+  demand_sysroot
+  build_or_stop --toolchain "$source/cmake/$processor.cmake" -DCMAKE_SYSROOT="$sysroot"
+  emulate "qemu-$processor"
+  "$here/golden.sh" check "$build/emulated"
+}
+
+check() {
+  local compiler level architecture build sysroot
+  read -r compiler level architecture < <(builds | sed -n "s/^$1  *//p") || usage
+  build=$(realpath -m "$2/$1")
+  sysroot=$(realpath -m "$2/sysroot-$architecture")
+  mkdir -p "$build"
+  if [[ -z $architecture ]]; then check_native; else check_cross; fi | tee "$build/said"
+}
+
+# --- all builds ----------------------------------------------------------------------------
+
+table() {
+  local name compiler level architecture said
+  echo "Golden checksums of every build:"
+  while read -r name compiler level architecture; do
+    said=$(tail -n 1 "$1/$name/said" 2>/dev/null) || said=
+    printf '  %-11s %-25s %s\n' "$name" "$compiler $level" "${said:-Not checked.}"
+  done < <(builds)
+}
+
+usage() {
+  sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  exit 2
+}
+
+case "${1-} $#" in
+  "check 3" | "table 2") "$@" ;;
+  *) usage ;;
+esac

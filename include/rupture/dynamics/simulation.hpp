@@ -6,7 +6,8 @@
 //   3. junctions                 break, slip, are pinned again at the new x_i, p_i and time t_{n+1}
 //   4. forces                    springs at u, damping at the half-kicked v, p, tau, F_N, F_T
 //   5. half kick                 v += (dt/2m) f
-// Afterwards the state is complete at step n+1. f is part of the state because the damping force
+// Afterwards the state is complete at step n+1. Between two steps that follow each other, 5 and the
+// next 1 are done row by row in one sweep (Bulk::finish). f is part of the state because the damping force
 // was taken at the half-kicked velocity, which is not kept.
 #pragma once
 
@@ -23,13 +24,15 @@ namespace rupture {
 
 class Simulation {
  public:
-  /// Takes over a complete state. Throws UsageError if the parameters are invalid.
-  Simulation(const Parameters& parameters, State state);
+  /// Takes over a complete state. The bulk is shared out among `threads` threads, which changes no
+  /// bit of any result. Throws UsageError if the parameters are invalid.
+  Simulation(const Parameters& parameters, State state, int threads = 1);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Moves the state by one step. Throws Failure (time and block) when a number stops being finite.
-  void advance();
+  /// Moves the state by `steps` >= 1 steps. Throws Failure (time and block) when a number stops being
+  /// finite; the state is then of no use.
+  void advance(std::int64_t steps = 1);
 
   const Parameters& parameters() const { return parameters_; }
   const State& state() const { return state_; }
@@ -56,15 +59,16 @@ class Simulation {
 
  private:
   ContactView contact() { return {p_.data(), k_ij_.data(), w_.data()}; }
+  void advance_band(int band, std::int64_t steps);
   void find_normal_forces();
+  void move_interface();
   void note_ruptures();
-  Power power(double damping_power) const;
+  Power power(double damping_power, const double* bottom_velocity) const;
   Power initial_power();
-  void add_work(double damping_power);
+  void add_work();
   [[noreturn]] void report_blow_up() const;
 
   const Parameters parameters_;
-  const double half_kick_;  // dt / 2m
   State state_;
   Bulk bulk_;
   ReferenceLaw law_;
@@ -76,6 +80,7 @@ class Simulation {
   bool leading_edge_ruptured_ = false;
   Work work_;
   Power power_;
+  bool blown_up_ = false;
 };
 
 }  // namespace rupture

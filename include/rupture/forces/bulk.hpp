@@ -1,6 +1,8 @@
 // The elastic slider: springs between neighbouring blocks and their damping (physics: "Slider").
 #pragma once
 
+#include <vector>
+
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/state.hpp"
 
@@ -8,7 +10,11 @@ namespace rupture {
 
 class Bulk {
  public:
-  explicit Bulk(const Parameters& parameters);
+  /// Divides the rows into `bands` of nearly equal height, for as many threads; at most one band per
+  /// row. The number of bands changes no bit of any result.
+  explicit Bulk(const Parameters& parameters, int bands = 1);
+  Bulk(const Bulk&) = delete;
+  Bulk& operator=(const Bulk&) = delete;
 
   /// Spring forces at displacements u [N]; overwrites f.
   void elastic(const Field& u_x, const Field& u_z, Field& f_x, Field& f_z);
@@ -16,9 +22,17 @@ class Bulk {
   /// Damping forces eta sum_j (v_j - v_i) over the up to 8 neighbours [N]; overwrites f.
   void damping(const Field& v_x, const Field& v_z, Field& f_x, Field& f_z);
 
-  /// The end of a step: f = springs + damping + boundary, v += half_kick f, with half_kick = dt/2m.
-  /// Returns the power of the damping forces [W].
-  double finish(double half_kick, const Boundary& boundary, State& state);
+  // The bulk's part in a time step (dynamics/simulation.hpp), for one band each. Every band must
+  // have been prepared before one is finished.
+  int bands() const { return static_cast<int>(bands_.size()); }
+  void kick_drift(int band, State& state) const;
+  void prepare(int band, State& state) const;
+  void finish(int band, const Boundary& boundary, Then then, State& state);
+
+  /// Power of the damping forces in the step that was finished last [W].
+  double damping_power() const;
+  /// Velocity v_x of the bottom row at the end of that step, shape [Nx] [m/s].
+  const double* bottom_velocity() const { return bottom_velocity_.data(); }
 
   /// Energy stored in the springs, sum of 1/2 k_ij (r_ij - l_ij)^2 [J].
   double elastic_energy(const Field& u_x, const Field& u_z) const;
@@ -26,14 +40,18 @@ class Bulk {
   /// Kinetic energy, sum of 1/2 m v^2 [J].
   double kinetic_energy(const Field& v_x, const Field& v_z) const;
 
-  const LatticeShape& shape() const { return shape_; }
-
  private:
-  Springs springs_;
-  double eta_, mass_;
-  AlignedVector rows_;  // has_right, inside, columns
-  AlignedVector scratch_;
+  const Band& band(int index) const { return bands_[static_cast<std::size_t>(index)]; }
+  Motion motion(State& state) const;
+
   LatticeShape shape_;
+  double mass_, half_kick_, dt_;
+  AlignedVector rows_;  // what Springs and Dampers point to
+  Springs springs_;
+  Dampers dampers_;
+  AlignedVector scratch_;
+  std::vector<Band> bands_;
+  AlignedVector damping_power_, bottom_velocity_;
 };
 
 inline VectorView view(Field& x, Field& z) {

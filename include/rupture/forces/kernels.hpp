@@ -21,17 +21,34 @@ struct ConstVectorView {
   const double* z;
 };
 
-/// Size of the lattice, and rows of length `stride` that tell which columns exist.
 struct LatticeShape {
-  std::ptrdiff_t Nx, Nz, stride;
-  const double* has_right;  ///< 1 where block i has a right neighbour, else 0
-  const double* inside;     ///< 1 for i < Nx, else 0
-  const double* columns;    ///< columns i-1, i, i+1 that exist: 2 at the sides, 3 between
+  std::ptrdiff_t Nx, Nz, stride;  ///< blocks per row, rows, distance between rows
 };
 
-/// Constants of the bulk springs: spacing l [m] and nearest-neighbour stiffness k [N/m].
+/// Stiffness of the springs that start in each block of one row, arrays of length `stride`; zero
+/// where there is no block at the other end [N/m].
+struct SpringRow {
+  const double* k_right;
+  const double* k_up;
+  const double* k_diagonal;
+};
+
+/// Terms in the series of a spring's tension at small strain.
+inline constexpr int kTensionTerms = 6;
+
+/// The bulk springs.
 struct Springs {
-  double l, k;
+  double l;                      ///< lattice spacing [m]
+  double series[kTensionTerms];  ///< c_n / l^(2n+2): the tension's series in powers of s l^2
+  double small;                  ///< the series serves up to (s l^2)^2 = small [m^4]
+  const double* small_right;     ///< the same, and infinite where there is no block to the right
+  SpringRow row, top_row;        ///< of all rows but the top one, and of that
+};
+
+/// The dampers between blocks, arrays of length `stride`.
+struct Dampers {
+  const double* eta;      ///< damping coefficient, zero outside the lattice [N s/m]
+  const double* columns;  ///< columns i-1, i, i+1 that exist: 2 at the sides, 3 between
 };
 
 /// What friction needs to know of each interface block, arrays of length Nx.
@@ -40,9 +57,6 @@ struct ContactView {
   double* k_ij;  ///< junction stiffness [N/m]
   double* w;     ///< f_N / k_ij, so that f_thres = k_ij (mu_s w) [m]
 };
-
-/// Rows of scratch that `elastic` and `finish` need, each of length stride + 8.
-inline constexpr std::ptrdiff_t kScratchRows = 6;
 
 /// Forces from outside on the slider.
 struct Boundary {
@@ -53,24 +67,52 @@ struct Boundary {
   double F_T;                  ///< driving force, towards +x [N]
 };
 
+/// What moves during a step.
+struct Motion {
+  VectorView u, v, f;  ///< displacement [m], velocity [m/s], net force [N]
+  double half_kick;    ///< dt / 2m [s/kg]
+  double dt;           ///< [s]
+};
+
+/// Rows first..last-1, which one thread works on, and its scratch space (Kernels::scratch_size).
+struct Band {
+  std::ptrdiff_t first, last;
+  double* scratch;
+};
+
+/// Whether the first half of the next step follows the end of this one.
+enum class Then { stop, go_on };
+
+/// What a step leaves besides the new state.
+struct StepResult {
+  double* damping_power;    ///< [Nz] power of the damping forces on each row [W]
+  double* bottom_velocity;  ///< [stride] v_x of the bottom row at the end of the step [m/s]
+};
+
 struct Kernels {
   std::string_view name;
 
-  /// First half kick and drift: v += (dt/2m) f, then u += dt v.
-  void (*kick_drift)(LatticeShape, double half_kick, double dt, ConstVectorView f, VectorView v,
-                     VectorView u);
+  /// Doubles of scratch space that a band needs, 64-byte aligned and zero at first.
+  std::ptrdiff_t (*scratch_size)(const LatticeShape&);
 
-  /// Forces of all bulk springs at displacements u; overwrites f. `scratch`: see kScratchRows.
-  void (*elastic)(LatticeShape, Springs, ConstVectorView u, VectorView f, double* scratch);
+  /// First half kick and drift: v += (dt/2m) f, then u += dt v.
+  void (*kick_drift)(const LatticeShape&, const Motion&, const Band&);
+
+  /// Forces of all bulk springs at displacements u; overwrites f. `band`: all rows.
+  void (*elastic)(const LatticeShape&, const Springs&, ConstVectorView u, VectorView f,
+                  const Band& band);
 
   /// Damping forces eta * sum over the 8 neighbours of (v_j - v_i); overwrites f.
-  void (*damping)(LatticeShape, double eta, ConstVectorView v, VectorView f);
+  void (*damping)(const LatticeShape&, const Dampers&, ConstVectorView v, VectorView f);
 
-  /// The end of a step in one sweep over the rows: f = springs + damping + boundary, then the
-  /// second half kick v += (dt/2m) f. Returns the power of the damping forces, sum of damping . v
-  /// [W].
-  double (*finish)(LatticeShape, Springs, double eta, double half_kick, ConstVectorView u,
-                   const Boundary& boundary, VectorView f, VectorView v, double* scratch);
+  /// Keeps what `finish` must know of the rows next to the band. To be called for all bands before
+  /// `finish` is called for any.
+  void (*prepare)(const LatticeShape&, const Springs&, const Motion&, const Band&);
+
+  /// The end of a step, row by row: f = springs + damping + boundary, second half kick v += (dt/2m)
+  /// f, and, where the next step follows at once, its `kick_drift`; f is then not kept.
+  void (*finish)(const LatticeShape&, const Springs&, const Dampers&, const Boundary&,
+                 const Motion&, const Band&, Then, const StepResult&);
 
   /// p_i = -k_f u_z where u_z < 0, else 0; k_ij = sqrt(kappa f_N); w = f_N / k_ij; f_N = p_i / N_s.
   void (*contact)(std::ptrdiff_t Nx, const double* u_z, double k_f, double N_s, double kappa,
@@ -83,8 +125,8 @@ struct Kernels {
 };
 
 /// The kernels for the widest instruction set of this processor, or for the one that the
-/// environment variable RUPTURE_ISA names (sse2, avx2, avx512, baseline). Throws UsageError if that
-/// one is unknown or the processor lacks it.
+/// environment variable RUPTURE_ISA names (sse2, avx2, avx512, neon, baseline). Throws UsageError
+/// if that one is unknown or the processor lacks it.
 const Kernels& kernels();
 
 /// The variant called `name`; null if this build does not hold it or this processor cannot run it.

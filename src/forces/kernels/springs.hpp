@@ -1,0 +1,160 @@
+// Forces of the bulk springs, each spring computed once (physics: "Slider").
+#pragma once
+
+#include "pair.hpp"
+
+namespace rupture {
+namespace {
+
+/// A spring along lattice vector (ix, iz) l whose far end has moved by d = (dx, dz) relative to
+/// the near end.
+template <int ix, int iz>
+struct Spring {
+  Pair d;
+
+  /// S = s l^2 = (r^2 - l_0^2) / n with n = ix^2 + iz^2, l_0^2 = n l^2. It does not cancel at small
+  /// strain: r^2 - l_0^2 = (2 ix l + dx) dx + (2 iz l + dz) dz.
+  Lanes strain(double l) const {
+    const Lanes difference = along<2 * ix>(l, d.x) * d.x + along<2 * iz>(l, d.z) * d.z;
+    if constexpr (ix != 0 && iz != 0) return 0.5 * difference;
+    return difference;
+  }
+
+  /// Pair on the near end: tension times r.
+  Pair pull(double l, Lanes tension) const {
+    return tension * Pair{along<ix>(l, d.x), along<iz>(l, d.z)};
+  }
+
+ private:
+  /// i l + d, without the addition where i = 0.
+  template <int i>
+  static Lanes along(double l, Lanes d) {
+    if constexpr (i == 0) return d;
+    return i * l + d;
+  }
+};
+
+/// Tension per length of springs with stiffness k, k (1 - l_0/r) = k (1 - 1/sqrt(1+s)).
+struct Tension {
+  Lanes k, S, SS;  // stiffness, s l^2 and its square
+  Lanes value;
+
+  Tension at_large_strain(const Springs& c) const;
+};
+
+/// At small strain by the series k (s/2 - 3/8 s^2 + 5/16 s^3 - 35/128 s^4 + 63/256 s^5 - 231/1024
+/// s^6), without square root and division: up to |s| = 1/400 the rest is less than the rounding.
+inline Tension tension(const Springs& c, Lanes k, Lanes S) {
+  const Lanes SS = S * S;
+  const Lanes terms_01 = c.series[0] + c.series[1] * S;
+  const Lanes terms_23 = c.series[2] + c.series[3] * S;
+  const Lanes terms_45 = c.series[4] + c.series[5] * S;
+  return {k, S, SS, (k * S) * (terms_01 + SS * (terms_23 + SS * terms_45))};
+}
+
+/// Beyond, as k s / (q + q^2) with q^2 = 1 + s, which does not cancel either.
+inline Tension Tension::at_large_strain(const Springs& c) const {
+  const Lanes s = S / (c.l * c.l);
+  const Lanes q2 = 1.0 + s;
+  return {k, S, SS, SS > c.small ? k * s / (square_root(q2) + q2) : value};
+}
+
+/// Blocks of a row that one loop hands to the next, few enough to stay in the nearest cache.
+constexpr Index kChunk = 64;
+
+/// Forces of the four springs that start in block (i, j), summed by the block that feels them;
+/// arrays over the blocks of a chunk and the block before it, index -1.
+///
+///     (i,j+1)   (i+1,j+1)        right:  (i,j)   - (i+1,j)
+///        |  \ /  |               up:     (i,j)   - (i,j+1)
+///        |  / \  |               rise:   (i,j)   - (i+1,j+1)
+///     (i,j) --- (i+1,j)          fall:   (i+1,j) - (i,j+1)
+struct SpringForces {
+  VectorView here;         ///< on (i, j): right + up + rise
+  VectorView right;        ///< on (i+1, j): fall - right
+  VectorView above;        ///< on (i, j+1), reversed: up + fall
+  VectorView above_right;  ///< on (i+1, j+1), reversed: rise
+};
+constexpr Index kSpringRows = 8;
+constexpr Index kChunkRow = 8 + kChunk + 8;  // [doubles]
+
+inline SpringForces spring_forces_in(double* scratch) {
+  const auto row = [scratch](Index r) { return scratch + r * kChunkRow + 8; };
+  return {{row(0), row(1)}, {row(2), row(3)}, {row(4), row(5)}, {row(6), row(7)}};
+}
+
+/// Springs that start in blocks first..last-1 of a row at displacements u, `up` being the row above.
+[[gnu::always_inline]] inline void compute_springs(const Springs& springs, SpringRow stiffness, ConstVectorView u,
+                            ConstVectorView up, Index first, Index last, SpringForces out) {
+  const Springs c = springs;  // a copy, which no store to `out` can change
+  const double l = c.l;
+  for (Index i = first; i < last; i += RUPTURE_LANES) {
+    const Pair here = load(u, i), to_right = load(u, i + 1);
+    const Pair above = load(up, i), to_above_right = load(up, i + 1);
+    const Spring<1, 0> right = {to_right - here};
+    const Spring<0, 1> upward = {above - here};
+    const Spring<1, 1> rise = {to_above_right - here};
+    const Spring<-1, 1> fall = {above - to_right};
+
+    const Lanes k_right = load(stiffness.k_right + i), k_up = load(stiffness.k_up + i);
+    const Lanes k_diagonal = load(stiffness.k_diagonal + i);
+    Tension t_right = tension(c, k_right, right.strain(l));
+    Tension t_up = tension(c, k_up, upward.strain(l));
+    Tension t_rise = tension(c, k_diagonal, rise.strain(l));
+    Tension t_fall = tension(c, k_diagonal, fall.strain(l));
+    const Lanes largest = larger(t_right.SS, larger(t_rise.SS, t_fall.SS));
+    if (any_larger(largest, load(c.small_right + i)) || any_larger(t_up.SS, c.small - Lanes{})) {
+      t_right = t_right.at_large_strain(c);
+      t_up = t_up.at_large_strain(c);
+      t_rise = t_rise.at_large_strain(c);
+      t_fall = t_fall.at_large_strain(c);
+    }
+
+    const Pair f_right = right.pull(l, t_right.value), f_up = upward.pull(l, t_up.value);
+    const Pair f_rise = rise.pull(l, t_rise.value), f_fall = fall.pull(l, t_fall.value);
+    store(out.here, i - first, (f_right + f_rise) + f_up);
+    store(out.right, i - first, f_fall - f_right);
+    store(out.above, i - first, f_up + f_fall);
+    store(out.above_right, i - first, f_rise);
+  }
+}
+
+/// Moves the last block of a chunk to where the next chunk looks for the block before it.
+inline void pass_on(const SpringForces& forces, Index blocks) {
+  for (const VectorView v : {forces.right, forces.above_right}) {
+    v.x[-1] = v.x[blocks - 1];
+    v.z[-1] = v.z[blocks - 1];
+  }
+}
+
+/// Says that no block stands before the first chunk of a row.
+inline void start_row(const SpringForces& forces) {
+  for (const VectorView v : {forces.right, forces.above_right}) v.x[-1] = v.z[-1] = 0.0;
+}
+
+/// Sum of the springs' forces on blocks i, i + 1, ... of the row, b = i - first. `from_below` holds,
+/// reversed, what these blocks receive from the row below, and then what those above receive.
+inline Pair gather(const SpringForces& from, Index b, VectorView from_below, Index i) {
+  const Pair force = (load(from.here, b) + load(from.right, b - 1)) - load(from_below, i);
+  store(from_below, i, load(from.above, b) + load(from.above_right, b - 1));
+  return force;
+}
+
+/// Calls use(i, force) for every register of blocks of a row.
+template <class Use>
+void each_force(const LatticeShape& n, const Springs& c, const SpringRow& stiffness,
+                ConstVectorView u, ConstVectorView up, VectorView from_below,
+                const SpringForces& forces, Use use) {
+  start_row(forces);
+  for (Index first = 0; first < n.Nx; first += kChunk) {
+    const Index last = first + kChunk < n.Nx ? first + kChunk : n.Nx;
+    compute_springs(c, stiffness, u, up, first, last, forces);
+    for (Index i = first; i < last; i += RUPTURE_LANES) {
+      use(i, gather(forces, i - first, from_below, i));
+    }
+    pass_on(forces, last - first);
+  }
+}
+
+}  // namespace
+}  // namespace rupture

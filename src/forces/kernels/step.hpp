@@ -1,0 +1,170 @@
+// The two halves of a time step on the bulk: kick and drift, and its end (dynamics/simulation.hpp).
+#pragma once
+
+#include "dampers.hpp"
+#include "springs.hpp"
+
+namespace rupture {
+namespace {
+
+/// What a band keeps between `prepare` and `finish`: rows of length stride + 16.
+struct BandRows {
+  VectorView from_below;  ///< see gather()
+  VectorView v_below;     ///< velocities of the row below before its kick, at which damping acts
+  VectorView u_above;     ///< displacements of the row above the band
+  VectorView v_above;     ///< and velocities
+  double* unused;         ///< for what nobody wants to keep
+  SpringForces springs;
+};
+
+constexpr Index kBandRows = 9;
+
+inline Index row_size(const LatticeShape& n) {
+  return n.stride + 16;
+}
+
+std::ptrdiff_t scratch_size(const LatticeShape& n) {
+  return kBandRows * row_size(n) + kSpringRows * kChunkRow;
+}
+
+inline BandRows rows_of(const LatticeShape& n, const Band& band) {
+  const auto row = [&](Index r) { return band.scratch + r * row_size(n) + 8; };
+  const auto pair = [&](Index r) { return VectorView{row(2 * r), row(2 * r + 1)}; };
+  return {pair(0), pair(1), pair(2), pair(3), row(8),
+          spring_forces_in(band.scratch + kBandRows * row_size(n))};
+}
+
+inline VectorView row_of(const LatticeShape& n, VectorView v, Index j) {
+  return {v.x + j * n.stride, v.z + j * n.stride};
+}
+
+inline const SpringRow& stiffness_of(const LatticeShape& n, const Springs& c, Index j) {
+  return j + 1 < n.Nz ? c.row : c.top_row;
+}
+
+inline void copy(const LatticeShape& n, VectorView from, VectorView to) {
+  for (Index i = 0; i < n.stride; i += RUPTURE_LANES) {
+    store(to, i, load(from, i));
+  }
+}
+
+inline void clear(const LatticeShape& n, VectorView row) {
+  for (Index i = 0; i < n.stride; i += RUPTURE_LANES) store(row, i, Pair{});
+}
+
+/// First half kick and drift of blocks i, i + 1, ... of a row, from their forces and velocities.
+inline void kick_drift(const Motion& m, Index i, Pair f, Pair velocity, VectorView v,
+                       VectorView u) {
+  const Pair kicked = velocity + m.half_kick * f;
+  store(v, i, kicked);
+  store(u, i, load(u, i) + m.dt * kicked);
+}
+
+void kick_drift(const LatticeShape& n, const Motion& m, const Band& band) {
+  for (Index j = band.first; j < band.last; ++j) {
+    const VectorView f = row_of(n, m.f, j), v = row_of(n, m.v, j), u = row_of(n, m.u, j);
+    for (Index i = 0; i < n.Nx; i += RUPTURE_LANES) {
+      kick_drift(m, i, load(f, i), load(v, i), v, u);
+    }
+  }
+}
+
+/// Row `Nz` is as far from the top row as nothing: its springs are unstretched and have no
+/// stiffness.
+void prepare(const LatticeShape& n, const Springs& c, const Motion& m, const Band& band) {
+  const BandRows rows = rows_of(n, band);
+  copy(n, row_of(n, m.u, band.last < n.Nz ? band.last : n.Nz - 1), rows.u_above);
+  copy(n, row_of(n, m.v, band.last), rows.v_above);
+  copy(n, row_of(n, m.v, band.first - 1), rows.v_below);
+  clear(n, rows.from_below);
+  if (band.first > 0) {
+    each_force(n, c, c.row, constant(row_of(n, m.u, band.first - 1)),
+               constant(row_of(n, m.u, band.first)), rows.from_below, rows.springs,
+               [](Index, const Pair&) {});
+  }
+}
+
+/// Subtracts what the boundary does to row j from the reversed forces that the row receives.
+inline void add_boundary(const LatticeShape& n, const Boundary& boundary, Index j,
+                         VectorView reversed) {
+  if (j == 0) {
+    for (Index i = 0; i < n.Nx; ++i) reversed.x[i] += boundary.tau[i];
+    for (Index i = 0; i < n.Nx; ++i) reversed.z[i] -= boundary.p[i];
+  }
+  if (j + 1 == n.Nz) {
+    for (Index i = 0; i < n.Nx; ++i) reversed.z[i] += boundary.load;
+  }
+  if (j == boundary.driving_row) reversed.x[0] -= boundary.F_T;
+}
+
+template <Then then>
+void finish_then(LatticeShape n, Springs c, Dampers d, Boundary boundary, Motion m, Band band,
+                 StepResult result) {
+  const BandRows rows = rows_of(n, band);
+  for (Index j = band.first; j < band.last; ++j) {
+    const bool is_last = j + 1 == band.last;
+    const VectorView u = row_of(n, m.u, j), v = row_of(n, m.v, j);
+    const VectorView u_above = is_last ? rows.u_above : row_of(n, m.u, j + 1);
+    const VectorView v_above = is_last ? rows.v_above : row_of(n, m.v, j + 1);
+    const VectorView f = row_of(n, m.f, j);
+    double* v_x_at_end = j == 0 ? result.bottom_velocity : rows.unused;
+    const double neighbour_rows = rows_around(n, j);
+    double power[kParts] = {};
+
+    add_boundary(n, boundary, j, rows.from_below);
+    const auto sum = [&](Index i) {
+      return sum_of_rows(constant(rows.v_below), constant(v), constant(v_above), i);
+    };
+    Pair before = {}, here = sum(0);
+    each_force(n, c, stiffness_of(n, c, j), constant(u), constant(u_above), rows.from_below,
+               rows.springs, [&](Index i, const Pair& springs) {
+                 const Pair after = sum(i + RUPTURE_LANES);
+                 const Pair left = {shifted_up(before.x, here.x), shifted_up(before.z, here.z)};
+                 const Pair right = {shifted_down(here.x, after.x), shifted_down(here.z, after.z)};
+                 const Pair velocity = load(v, i);
+                 const Pair damping =
+                     damping_force(load(d.eta + i), neighbour_rows * load(d.columns + i), left,
+                                   here, right, velocity);
+                 store(rows.v_below, i, velocity);
+                 before = here;
+                 here = after;
+
+                 const Pair force = springs + damping;
+                 const Pair kicked = velocity + m.half_kick * force;
+                 double* part = power + i % kParts;
+                 store(part, load(part) + (damping.x * kicked.x + damping.z * kicked.z));
+                 store(v_x_at_end + i, kicked.x);
+                 if constexpr (then == Then::stop) {
+                   store(f, i, force);
+                   store(v, i, kicked);
+                 } else {
+                   kick_drift(m, i, force, kicked, v, u);
+                 }
+               });
+    result.damping_power[j] = sum_of_parts(power);
+  }
+}
+
+void finish(const LatticeShape& n, const Springs& c, const Dampers& d, const Boundary& boundary,
+            const Motion& m, const Band& band, Then then, const StepResult& result) {
+  const auto work = then == Then::stop ? finish_then<Then::stop> : finish_then<Then::go_on>;
+  work(n, c, d, boundary, m, band, result);
+}
+
+void elastic(const LatticeShape& n, const Springs& c, ConstVectorView u, VectorView f,
+             const Band& band) {
+  const BandRows rows = rows_of(n, band);
+  const Index top = n.Nz - 1;
+  clear(n, rows.from_below);
+  for (Index j = 0; j < n.Nz; ++j) {
+    const ConstVectorView u_row = {u.x + j * n.stride, u.z + j * n.stride};
+    const ConstVectorView up = {u.x + (j < top ? j + 1 : j) * n.stride,
+                                u.z + (j < top ? j + 1 : j) * n.stride};
+    const VectorView f_row = row_of(n, f, j);
+    each_force(n, c, stiffness_of(n, c, j), u_row, up, rows.from_below, rows.springs,
+               [&](Index i, const Pair& force) { store(f_row, i, force); });
+  }
+}
+
+}  // namespace
+}  // namespace rupture
