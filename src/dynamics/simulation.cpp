@@ -5,6 +5,7 @@
 #include <omp.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,15 +15,19 @@
 namespace rupture {
 namespace {
 
-int this_thread() {
-#ifdef _OPENMP
-  return omp_get_thread_num();
-#else
-  return 0;
-#endif
-}
+/// Below this many blocks for each, threads wait for one another longer than they work.
+[[maybe_unused]] constexpr std::int64_t kBlocksPerThread = 2000;
 
 }  // namespace
+
+int threads_that_pay([[maybe_unused]] const Parameters& p) {
+#ifdef _OPENMP
+  const std::int64_t useful = p.Nx * p.Nz / kBlocksPerThread;
+  return static_cast<int>(std::clamp<std::int64_t>(useful, 1, omp_get_max_threads()));
+#else
+  return 1;
+#endif
+}
 
 Simulation::Simulation(const Parameters& parameters, State state, int threads)
     : parameters_((validate(parameters), parameters)),
@@ -46,29 +51,38 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads)
 
 void Simulation::advance(std::int64_t steps) {
   if (bulk_.bands() == 1) {
-    advance_band(0, steps);
+    take_steps(steps);
   } else {
 #pragma omp parallel num_threads(bulk_.bands())
-    advance_band(this_thread(), steps);
+    take_steps(steps);
   }
   if (!blown_up_) add_work();
   if (blown_up_) report_blow_up();
 }
 
-/// What one thread does. The first one also moves the interface, while no other changes the state.
-void Simulation::advance_band(int band, std::int64_t steps) {
-  const bool is_first = band == 0;
-  bulk_.kick_drift(band, state_);
+/// What all threads do together. While one of them moves the interface, the others only read the
+/// bulk. Which thread works on which band changes nothing.
+void Simulation::take_steps(std::int64_t steps) {
+  const int bands = bulk_.bands();
+#pragma omp for
+  for (int band = 0; band < bands; ++band) bulk_.kick_drift(band, state_);
+
   for (std::int64_t n = 0; n < steps; ++n) {
-#pragma omp barrier
-    bulk_.prepare(band, state_);
-    if (is_first && n > 0) add_work();
-    if (is_first) move_interface();
+#pragma omp for nowait
+    for (int band = 0; band < bands; ++band) bulk_.prepare(band, state_);
+#pragma omp master
+    {
+      if (n > 0) add_work();
+      if (!blown_up_) move_interface();
+    }
 #pragma omp barrier
     if (blown_up_) return;
+
+    const Then then = n + 1 < steps ? Then::go_on : Then::stop;
     const Boundary boundary = {p_.data(), tau_.data(), mean_normal_force(parameters_),
                                driving_row(parameters_), F_T_};
-    bulk_.finish(band, boundary, n + 1 < steps ? Then::go_on : Then::stop, state_);
+#pragma omp for
+    for (int band = 0; band < bands; ++band) bulk_.finish(band, boundary, then, state_);
   }
 }
 

@@ -20,8 +20,9 @@ constexpr double kSmallStrain = 1.0 / 400;
 
 }  // namespace
 
-Bulk::Bulk(const Parameters& p, int bands)
-    : shape_{p.Nx, p.Nz, Field(p.Nx, p.Nz).stride()},
+Bulk::Bulk(const Parameters& p, int bands, const Kernels& variant)
+    : kernels_(variant),
+      shape_{p.Nx, p.Nz, Field(p.Nx, p.Nz).stride()},
       mass_(block_mass(p)),
       half_kick_(p.dt / (2.0 * block_mass(p))),
       dt_(p.dt),
@@ -56,7 +57,7 @@ Bulk::Bulk(const Parameters& p, int bands)
   dampers_ = {row(kEta), row(kColumns)};
 
   const Eigen::Index count = std::clamp<Eigen::Index>(bands, 1, p.Nz);
-  const Eigen::Index size = kernels().scratch_size(shape_);
+  const Eigen::Index size = kernels_.scratch_size(shape_);
   scratch_.assign(static_cast<std::size_t>(count * size), 0.0);
   for (Eigen::Index b = 0; b < count; ++b) {
     bands_.push_back({b * p.Nz / count, (b + 1) * p.Nz / count, scratch_.data() + b * size});
@@ -64,11 +65,11 @@ Bulk::Bulk(const Parameters& p, int bands)
 }
 
 void Bulk::elastic(const Field& u_x, const Field& u_z, Field& f_x, Field& f_z) {
-  kernels().elastic(shape_, springs_, view(u_x, u_z), view(f_x, f_z), bands_.front());
+  kernels_.elastic(shape_, springs_, view(u_x, u_z), view(f_x, f_z), bands_.front());
 }
 
 void Bulk::damping(const Field& v_x, const Field& v_z, Field& f_x, Field& f_z) {
-  kernels().damping(shape_, dampers_, view(v_x, v_z), view(f_x, f_z));
+  kernels_.damping(shape_, dampers_, view(v_x, v_z), view(f_x, f_z));
 }
 
 Motion Bulk::motion(State& state) const {
@@ -77,16 +78,16 @@ Motion Bulk::motion(State& state) const {
 }
 
 void Bulk::kick_drift(int b, State& state) const {
-  kernels().kick_drift(shape_, motion(state), band(b));
+  kernels_.kick_drift(shape_, motion(state), band(b));
 }
 
 void Bulk::prepare(int b, State& state) const {
-  kernels().prepare(shape_, springs_, motion(state), band(b));
+  kernels_.prepare(shape_, springs_, motion(state), band(b));
 }
 
 void Bulk::finish(int b, const Boundary& boundary, Then then, State& state) {
-  kernels().finish(shape_, springs_, dampers_, boundary, motion(state), band(b), then,
-                   {damping_power_.data(), bottom_velocity_.data()});
+  kernels_.finish(shape_, springs_, dampers_, boundary, motion(state), band(b), then,
+                  {damping_power_.data(), bottom_velocity_.data()});
 }
 
 double Bulk::damping_power() const {

@@ -84,6 +84,13 @@ void print_invariants(const Simulation& simulation, Ending ending, const EnergyB
       balance.supplied, balance.stored, balance.dissipated, balance.relative_error());
 }
 
+int thread_count(int threads) {
+  constexpr int most = 1024;
+  if (threads >= 1 && threads <= most) return threads;
+  throw UsageError(
+      fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
+}
+
 /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
 Ending run_and_keep_record(Simulation& simulation, const StopRule& rule,
                            const std::vector<Observer*>& observers, RecordWriter* writer) {
@@ -107,6 +114,9 @@ void add_run_options(po::options_description& options) {
       "record time series of the interface in FILE");
   add("record-every", po::value<double>()->default_value(1e-4, "1e-4")->value_name("T"),
       "sampling interval of the record [s]; ruptures are recorded to the step");
+  add("threads", po::value<int>()->value_name("N"),
+      "threads that share the work; default: as many as pay for this size of slider. Results do "
+      "not depend on it");
 }
 
 RunOptions run_options(const po::variables_map& values) {
@@ -120,6 +130,7 @@ RunOptions run_options(const po::variables_map& values) {
   run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
   if (values.count("record") > 0) run.record = values["record"].as<std::string>();
   run.record_every = non_negative(values, "record-every");
+  if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
   return run;
 }
 
@@ -144,7 +155,7 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
   const auto every = sampling_steps(p, run);
   check_outputs(outputs, output.if_exists, input);
 
-  Simulation simulation(p, std::move(start.state));
+  Simulation simulation(p, std::move(start.state), run.threads.value_or(threads_that_pay(p)));
   const auto save = [&](const fs::path& path) {
     const Checkpoint now = {p, simulation.state(), start.provenance};
     announce(output, path, write_checkpoint(path, now, output.if_exists));

@@ -16,6 +16,7 @@ struct RunOptions {
   std::optional<double> checkpoint_every;  ///< [s]
   std::optional<std::filesystem::path> record;
   double record_every = 1e-4;  ///< [s]
+  std::optional<int> threads;  ///< none: as many as pay
 };
 
 void add_run_options(po::options_description& options);

@@ -36,6 +36,10 @@ run_chain() {
   # slowly, then fast again.
   "$bin/restart" "$here/../../checkpoints/fast-slow-fast.h5" -q --for 2.5e-3 -o event.h5 \
     --record event-record.h5
+  # And the moment when it becomes slow, with the rows shared out among threads.
+  for threads in 1 2 4 7; do
+    "$bin/restart" event.h5 -q --threads "$threads" --for 4e-5 -o "event-$threads-threads.h5"
+  done
 
   # New forces in the junctions.
   "$bin/modify-phi" rest.h5 -q --shape bell --slipping pin --sigma-bar 0.1 -o bell.h5

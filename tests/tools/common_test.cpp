@@ -19,11 +19,11 @@ std::ostream& operator<<(std::ostream& out, const Interface& interface) {
 
 const std::vector<Interface> kInterfaces = {
     {"load",
-     {"until", "checkpoint-at", "checkpoint-every", "record", "record-every", "output", "force",
-      "quiet", "config", "set", "seed", "help", "version"}},
+     {"until", "checkpoint-at", "checkpoint-every", "record", "record-every", "threads", "output",
+      "force", "quiet", "config", "set", "seed", "help", "version"}},
     {"restart",
      {"until", "for", "until-quiet", "checkpoint-at", "checkpoint-every", "record", "record-every",
-      "output", "force", "quiet", "config", "set", "seed", "help", "version"}},
+      "threads", "output", "force", "quiet", "config", "set", "seed", "help", "version"}},
     {"modify-phi",
      {"shape", "sigma-bar", "x-from", "x-to", "slipping", "output", "force", "quiet", "help",
       "version"}},

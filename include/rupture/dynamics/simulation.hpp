@@ -7,8 +7,8 @@
 //   4. forces                    springs at u, damping at the half-kicked v, p, tau, F_N, F_T
 //   5. half kick                 v += (dt/2m) f
 // Afterwards the state is complete at step n+1. Between two steps that follow each other, 5 and the
-// next 1 are done row by row in one sweep (Bulk::finish). f is part of the state because the damping force
-// was taken at the half-kicked velocity, which is not kept.
+// next 1 are done row by row in one sweep (Bulk::finish). f is part of the state because the
+// damping force was taken at the half-kicked velocity, which is not kept.
 #pragma once
 
 #include <span>
@@ -30,8 +30,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Moves the state by `steps` >= 1 steps. Throws Failure (time and block) when a number stops being
-  /// finite; the state is then of no use.
+  /// Moves the state by `steps` >= 1 steps. Throws Failure (time and block) when a number stops
+  /// being finite; the state is then of no use.
   void advance(std::int64_t steps = 1);
 
   const Parameters& parameters() const { return parameters_; }
@@ -59,7 +59,7 @@ class Simulation {
 
  private:
   ContactView contact() { return {p_.data(), k_ij_.data(), w_.data()}; }
-  void advance_band(int band, std::int64_t steps);
+  void take_steps(std::int64_t steps);
   void find_normal_forces();
   void move_interface();
   void note_ruptures();
@@ -82,5 +82,9 @@ class Simulation {
   Power power_;
   bool blown_up_ = false;
 };
+
+/// The number of threads with which a slider of this size runs fastest: one while it is small, then
+/// more, up to those that this machine or the environment variable OMP_NUM_THREADS allows.
+int threads_that_pay(const Parameters& parameters);
 
 }  // namespace rupture

@@ -10,9 +10,10 @@ namespace rupture {
 
 class Bulk {
  public:
-  /// Divides the rows into `bands` of nearly equal height, for as many threads; at most one band per
-  /// row. The number of bands changes no bit of any result.
-  explicit Bulk(const Parameters& parameters, int bands = 1);
+  /// Divides the rows into `bands` of nearly equal height, for as many threads; at most one band
+  /// per row. Neither their number nor the instruction set of the kernels changes a bit of any
+  /// result.
+  explicit Bulk(const Parameters& parameters, int bands = 1, const Kernels& variant = kernels());
   Bulk(const Bulk&) = delete;
   Bulk& operator=(const Bulk&) = delete;
 
@@ -44,6 +45,7 @@ class Bulk {
   const Band& band(int index) const { return bands_[static_cast<std::size_t>(index)]; }
   Motion motion(State& state) const;
 
+  const Kernels& kernels_;
   LatticeShape shape_;
   double mass_, half_kick_, dt_;
   AlignedVector rows_;  // what Springs and Dampers point to

@@ -1,11 +1,10 @@
-#include "rupture/forces/kernels.hpp"
-
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <cstdlib>
 #include <vector>
 
+#include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {

@@ -31,9 +31,9 @@ void damping(const LatticeShape& n, const Dampers& d, ConstVectorView v, VectorV
     const auto sum = [&](Index i) { return sum_of_rows(row(j - 1), row(j), row(j + 1), i); };
     for (Index i = 0; i < n.Nx; i += RUPTURE_LANES) {
       const Lanes blocks = rows_around(n, j) * load(d.columns + i);
-      store(f, j * n.stride + i,
-            damping_force(load(d.eta + i), blocks, sum(i - 1), sum(i), sum(i + 1),
-                          load(row(j), i)));
+      store(
+          f, j * n.stride + i,
+          damping_force(load(d.eta + i), blocks, sum(i - 1), sum(i), sum(i + 1), load(row(j), i)));
     }
   }
 }

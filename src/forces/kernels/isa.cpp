@@ -13,8 +13,14 @@
 namespace rupture {
 
 extern const Kernels RUPTURE_JOIN(kernels_, RUPTURE_ISA);
-const Kernels RUPTURE_JOIN(kernels_, RUPTURE_ISA) = {
-    RUPTURE_STRING(RUPTURE_ISA), scratch_size, kick_drift, elastic, damping, prepare, finish,
-    contact, trail};
+const Kernels RUPTURE_JOIN(kernels_, RUPTURE_ISA) = {RUPTURE_STRING(RUPTURE_ISA),
+                                                     scratch_size,
+                                                     kick_drift,
+                                                     elastic,
+                                                     damping,
+                                                     prepare,
+                                                     finish,
+                                                     contact,
+                                                     trail};
 
 }  // namespace rupture

@@ -83,9 +83,11 @@ inline SpringForces spring_forces_in(double* scratch) {
   return {{row(0), row(1)}, {row(2), row(3)}, {row(4), row(5)}, {row(6), row(7)}};
 }
 
-/// Springs that start in blocks first..last-1 of a row at displacements u, `up` being the row above.
-[[gnu::always_inline]] inline void compute_springs(const Springs& springs, SpringRow stiffness, ConstVectorView u,
-                            ConstVectorView up, Index first, Index last, SpringForces out) {
+/// Springs that start in blocks first..last-1 of a row at displacements u, `up` being the row
+/// above.
+[[gnu::always_inline]] inline void compute_springs(const Springs& springs, SpringRow stiffness,
+                                                   ConstVectorView u, ConstVectorView up,
+                                                   Index first, Index last, SpringForces out) {
   const Springs c = springs;  // a copy, which no store to `out` can change
   const double l = c.l;
   for (Index i = first; i < last; i += RUPTURE_LANES) {
@@ -132,8 +134,9 @@ inline void start_row(const SpringForces& forces) {
   for (const VectorView v : {forces.right, forces.above_right}) v.x[-1] = v.z[-1] = 0.0;
 }
 
-/// Sum of the springs' forces on blocks i, i + 1, ... of the row, b = i - first. `from_below` holds,
-/// reversed, what these blocks receive from the row below, and then what those above receive.
+/// Sum of the springs' forces on blocks i, i + 1, ... of the row, b = i - first. `from_below`
+/// holds, reversed, what these blocks receive from the row below, and then what those above
+/// receive.
 inline Pair gather(const SpringForces& from, Index b, VectorView from_below, Index i) {
   const Pair force = (load(from.here, b) + load(from.right, b - 1)) - load(from_below, i);
   store(from_below, i, load(from.above, b) + load(from.above_right, b - 1));

@@ -30,8 +30,8 @@ std::ptrdiff_t scratch_size(const LatticeShape& n) {
 inline BandRows rows_of(const LatticeShape& n, const Band& band) {
   const auto row = [&](Index r) { return band.scratch + r * row_size(n) + 8; };
   const auto pair = [&](Index r) { return VectorView{row(2 * r), row(2 * r + 1)}; };
-  return {pair(0), pair(1), pair(2), pair(3), row(8),
-          spring_forces_in(band.scratch + kBandRows * row_size(n))};
+  return {pair(0), pair(1), pair(2),
+          pair(3), row(8),  spring_forces_in(band.scratch + kBandRows * row_size(n))};
 }
 
 inline VectorView row_of(const LatticeShape& n, VectorView v, Index j) {

@@ -249,12 +249,10 @@ TEST(RowLengths, leave_the_padding_zero) {
     Shaken s(Nx, 4);
     Bulk bulk(s.p);
     Field f_x(s.p.Nx, s.p.Nz), f_z(f_x);
-    const double half_kick = s.p.dt / (2.0 * block_mass(s.p));
-    for (int n = 0; n < 3; ++n) {
-      bulk.finish(half_kick, s.boundary(), s.state);
-      kernels().kick_drift(bulk.shape(), half_kick, s.p.dt,
-                           {s.state.f_x.row(0), s.state.f_z.row(0)}, view(s.state.v_x, s.state.v_z),
-                           view(s.state.u_x, s.state.u_z));
+    for (const Then then : {Then::stop, Then::go_on, Then::stop}) {
+      bulk.kick_drift(0, s.state);
+      bulk.prepare(0, s.state);
+      bulk.finish(0, s.boundary(), then, s.state);
       for (const Field* field :
            {&s.state.u_x, &s.state.u_z, &s.state.v_x, &s.state.v_z, &s.state.f_x, &s.state.f_z}) {
         expect_zero_padding(*field);
@@ -285,15 +283,19 @@ TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
         f_z(i, Nz - 1) -= 33.0;
       }
       f_x(0, 1) += 55.0;
-      const double half_kick = 1e-3;
+      const double half_kick = s.p.dt / (2.0 * block_mass(s.p));
       Field v_x = s.state.v_x, v_z = s.state.v_z;
       v_x.blocks() += half_kick * f_x.blocks();
       v_z.blocks() += half_kick * f_z.blocks();
       const double expected =
           (d_x.blocks() * v_x.blocks()).sum() + (d_z.blocks() * v_z.blocks()).sum();
 
-      const double power = bulk.finish(half_kick, s.boundary(), s.state);
-      EXPECT_NEAR(power, expected, 1e-12 * std::abs(expected));
+      bulk.prepare(0, s.state);
+      bulk.finish(0, s.boundary(), Then::stop, s.state);
+      EXPECT_NEAR(bulk.damping_power(), expected, 1e-12 * std::abs(expected));
+      for (Eigen::Index i = 0; i < Nx; ++i) {
+        EXPECT_EQ(bulk.bottom_velocity()[i], s.state.v_x(i, 0));
+      }
       const auto differs = [](const Field& a, const Field& b) {
         return (a.blocks() - b.blocks()).abs().maxCoeff() / a.blocks().abs().maxCoeff();
       };
@@ -304,6 +306,79 @@ TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
       EXPECT_LT(differs(v_z, s.state.v_z), 1e-14);
     }
   });
+}
+
+void expect_equal(const State& a, const State& b) {
+  const auto equal = [](const Field& x, const Field& y) {
+    return (x.blocks() == y.blocks()).all();
+  };
+  EXPECT_TRUE(equal(a.u_x, b.u_x) && equal(a.u_z, b.u_z)) << "displacements";
+  EXPECT_TRUE(equal(a.v_x, b.v_x) && equal(a.v_z, b.v_z)) << "velocities";
+  EXPECT_TRUE(equal(a.f_x, b.f_x) && equal(a.f_z, b.f_z)) << "forces";
+}
+
+/// Three steps with the rows in `bands` bands, which are worked on in turn.
+State three_steps(Shaken s, int bands, Then between) {
+  Bulk bulk(s.p, bands);
+  EXPECT_LE(bulk.bands(), bands);
+  const auto each_band = [&](const auto& work) {
+    for (int band = bulk.bands() - 1; band >= 0; --band) work(band);
+  };
+  each_band([&](int band) { bulk.kick_drift(band, s.state); });
+  for (int n = 0; n < 3; ++n) {
+    const Then then = n < 2 ? between : Then::stop;
+    each_band([&](int band) { bulk.prepare(band, s.state); });
+    each_band([&](int band) { bulk.finish(band, s.boundary(), then, s.state); });
+    if (n < 2 && then == Then::stop) {
+      each_band([&](int band) { bulk.kick_drift(band, s.state); });
+    }
+  }
+  return s.state;
+}
+
+TEST(RowLengths, steps_in_one_sweep_give_the_bits_of_single_steps) {
+  for_row_lengths([](Eigen::Index Nx) {
+    const Shaken s(Nx, 5);
+    expect_equal(three_steps(s, 1, Then::go_on), three_steps(s, 1, Then::stop));
+  });
+}
+
+TEST(Bands, change_no_bit) {
+  for (const Eigen::Index Nx : {9, 70, 130}) {  // in one chunk, two and three
+    const Shaken s(Nx, 7);
+    const State whole = three_steps(s, 1, Then::go_on);
+    for (int bands = 2; bands <= 9; ++bands) {
+      expect_equal(three_steps(s, bands, Then::go_on), whole);
+    }
+  }
+}
+
+/// Force on the right one of two blocks that have been drawn apart to (1 + e) times their distance.
+double pull(double e) {
+  Parameters p = small_slider(3, 2);
+  Lattice a(p);
+  for (Eigen::Index j = 0; j < 2; ++j) a.x(2, j) = e * a.l();
+  a.elastic();
+  return a.f_x(2, 1);
+}
+
+/// The same in closed form: one spring k along x, one k/2 along the diagonal.
+double exact_pull(double e) {
+  const Parameters p = small_slider(3, 2);
+  const double k = bulk_stiffness(p), l = block_spacing(p);
+  const long double E = e, r = std::sqrt((1.0L + E) * (1.0L + E) + 1.0L), root = std::sqrt(2.0L);
+  // r - sqrt(2) = ((1+E)^2 - 1) / (r + sqrt(2))
+  const long double diagonal = 0.5L * ((2.0L + E) * E / (r + root)) * (1.0L + E) / r;
+  return static_cast<double>(-static_cast<long double>(k) * static_cast<long double>(l) *
+                             (E + diagonal));
+}
+
+TEST(Springs, keep_their_digits_where_the_series_ends) {
+  // s = 2 e + e^2 on either side of 1/400, and far beyond
+  for (const double e : {1e-9, -1e-6, 1e-4, 1e-3, -1.2e-3, 1.24e-3, 1.249e-3, 1.2501e-3, -1.2515e-3,
+                         2e-3, -0.01, 0.1, -0.3}) {
+    EXPECT_NEAR(pull(e) / exact_pull(e), 1.0, 8e-16) << e;
+  }
 }
 
 }  // namespace

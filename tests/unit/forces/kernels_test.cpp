@@ -17,7 +17,7 @@ namespace {
 
 using testing::Noise;
 
-constexpr std::array kNames = {"sse2", "avx2", "avx512"};
+constexpr std::array kNames = {"sse2", "avx2", "avx512", "neon", "baseline"};
 
 /// Everything one variant computes, as bits.
 using Bits = std::vector<std::uint64_t>;
@@ -28,20 +28,18 @@ void append(Bits& bits, double value) {
 void append(Bits& bits, const std::vector<double>& values) {
   for (const double value : values) append(bits, value);
 }
-void append(Bits& bits, const Field& field) {  // padding included
-  for (Eigen::Index j = -1; j <= field.Nz(); ++j) {
-    for (Eigen::Index i = 0; i < field.stride(); ++i) append(bits, field.row(j)[i]);
+void append(Bits& bits, const Field& field) {
+  for (Eigen::Index j = 0; j < field.Nz(); ++j) {
+    for (Eigen::Index i = 0; i < field.Nx(); ++i) append(bits, field(i, j));
   }
 }
 
-/// Twenty steps of a shaken lattice under made-up boundary forces.
+/// Twenty steps of a shaken lattice under made-up boundary forces. Some springs are strained beyond
+/// the reach of the series.
 Bits bulk_bits(const Kernels& kernels, Eigen::Index Nx) {
   const Parameters p = testing::small_slider(Nx, 4);
-  const Bulk bulk(p);
-  const LatticeShape shape = bulk.shape();
-  AlignedVector scratch(static_cast<std::size_t>(kScratchRows * (shape.stride + 8)), 0.0);
   State state(p);
-  Noise displacements(0.01 * block_spacing(p)), velocities(0.1), forces(30.0);
+  Noise displacements(0.003 * block_spacing(p)), velocities(0.1), forces(30.0);
   displacements.fill(state.u_x);
   displacements.fill(state.u_z);
   velocities.fill(state.v_x);
@@ -51,19 +49,17 @@ Bits bulk_bits(const Kernels& kernels, Eigen::Index Nx) {
   for (double& force : tau) force = forces();
   const Boundary boundary = {normal.data(), tau.data(), 33.0, 1, 55.0};
   Field e_x(p.Nx, p.Nz), e_z(e_x), d_x(e_x), d_z(e_x);
-  const VectorView f = view(state.f_x, state.f_z);
-  const VectorView v = view(state.v_x, state.v_z);
-  const VectorView u = view(state.u_x, state.u_z);
-  const Springs springs = {block_spacing(p), bulk_stiffness(p)};
-  const double eta = damping_coefficient(p);
-  const double half_kick = p.dt / (2.0 * block_mass(p));
+  Bulk bulk(p, 1, kernels);
   Bits bits;
+  bulk.kick_drift(0, state);
   for (int n = 0; n < 20; ++n) {
-    kernels.kick_drift(shape, half_kick, p.dt, {f.x, f.z}, v, u);
-    kernels.elastic(shape, springs, {u.x, u.z}, view(e_x, e_z), scratch.data());
-    kernels.damping(shape, eta, {v.x, v.z}, view(d_x, d_z));
-    append(bits, kernels.finish(shape, springs, eta, half_kick, {u.x, u.z}, boundary, f, v,
-                                scratch.data()));
+    bulk.prepare(0, state);
+    bulk.finish(0, boundary, n % 2 == 0 ? Then::go_on : Then::stop, state);
+    if (n % 2 == 1) bulk.kick_drift(0, state);
+    bulk.elastic(state.u_x, state.u_z, e_x, e_z);
+    bulk.damping(state.v_x, state.v_z, d_x, d_z);
+    append(bits, bulk.damping_power());
+    for (Eigen::Index i = 0; i < Nx; ++i) append(bits, bulk.bottom_velocity()[i]);
     for (const Field* field : {&state.u_x, &state.u_z, &state.v_x, &state.v_z, &state.f_x,
                                &state.f_z, &e_x, &e_z, &d_x, &d_z}) {
       append(bits, *field);
@@ -108,7 +104,7 @@ class InstructionSets : public ::testing::TestWithParam<const char*> {
 };
 
 TEST_P(InstructionSets, agree_to_the_last_bit_on_the_bulk) {
-  for (Eigen::Index Nx = 3; Nx <= 20; ++Nx) {
+  for (const Eigen::Index Nx : {3, 4, 5, 6, 7, 8, 9, 10, 15, 16, 17, 20, 63, 64, 65, 66, 130}) {
     EXPECT_EQ(bulk_bits(*found_, Nx), bulk_bits(kernels(), Nx)) << Nx << " blocks per row";
   }
 }
