@@ -82,6 +82,26 @@ INSTANTIATE_TEST_SUITE_P(AtRupture, RunSplit,
                                            Split{"after", 9, 2500}),
                          [](const auto& split) { return split.param.name; });
 
+TEST(Determinism, any_number_of_threads_gives_the_same_bits_through_a_rupture) {
+  const Parameters p = quick_slider();
+  const State start = normal_load_equilibrium(p);
+  Simulation alone(p, start);
+  advance(alone, 3000);
+  ASSERT_GT(alone.ruptures().size(), 8U);
+  for (const int threads : {2, 3, 4, 7}) {
+    Simulation together(p, start, threads);
+    for (const std::int64_t steps : {1, 2, 997, 2000}) advance(together, steps);
+    EXPECT_EQ(content_checksum(p, together.state()), content_checksum(p, alone.state())) << threads;
+    EXPECT_EQ(together.ruptures(), alone.ruptures()) << threads;
+    EXPECT_EQ(together.work().damping, alone.work().damping) << threads;
+    EXPECT_EQ(together.work().junctions, alone.work().junctions) << threads;
+  }
+}
+
+TEST(Determinism, a_small_slider_gets_one_thread) {
+  EXPECT_EQ(threads_that_pay(quick_slider()), 1);
+}
+
 TEST(Determinism, the_split_during_the_rupture_is_during_it) {
   const Parameters p = quick_slider();
   Simulation simulation(p, normal_load_equilibrium(p));

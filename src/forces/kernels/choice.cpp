@@ -13,6 +13,8 @@ namespace rupture {
 extern const Kernels kernels_sse2;
 extern const Kernels kernels_avx2;
 extern const Kernels kernels_avx512;
+#elif defined(__aarch64__)
+extern const Kernels kernels_neon;
 #else
 extern const Kernels kernels_baseline;
 #endif
@@ -31,6 +33,8 @@ std::vector<const Kernels*> available() {
   if (__builtin_cpu_supports("avx2")) found.push_back(&kernels_avx2);
   found.push_back(&kernels_sse2);
   return found;
+#elif defined(__aarch64__)
+  return {&kernels_neon};  // which every such processor has
 #else
   return {&kernels_baseline};
 #endif

@@ -121,17 +121,13 @@ inline SpringForces spring_forces_in(double* scratch) {
   }
 }
 
-/// Moves the last block of a chunk to where the next chunk looks for the block before it.
+/// Moves the last block of a chunk to where the next chunk looks for the block before it. At the
+/// end of a row these are zeros, because no spring leads to the right from there.
 inline void pass_on(const SpringForces& forces, Index blocks) {
   for (const VectorView v : {forces.right, forces.above_right}) {
     v.x[-1] = v.x[blocks - 1];
     v.z[-1] = v.z[blocks - 1];
   }
-}
-
-/// Says that no block stands before the first chunk of a row.
-inline void start_row(const SpringForces& forces) {
-  for (const VectorView v : {forces.right, forces.above_right}) v.x[-1] = v.z[-1] = 0.0;
 }
 
 /// Sum of the springs' forces on blocks i, i + 1, ... of the row, b = i - first. `from_below`
@@ -148,7 +144,6 @@ template <class Use>
 void each_force(const LatticeShape& n, const Springs& c, const SpringRow& stiffness,
                 ConstVectorView u, ConstVectorView up, VectorView from_below,
                 const SpringForces& forces, Use use) {
-  start_row(forces);
   for (Index first = 0; first < n.Nx; first += kChunk) {
     const Index last = first + kChunk < n.Nx ? first + kChunk : n.Nx;
     compute_springs(c, stiffness, u, up, first, last, forces);

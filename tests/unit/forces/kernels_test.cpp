@@ -17,7 +17,13 @@ namespace {
 
 using testing::Noise;
 
-constexpr std::array kNames = {"sse2", "avx2", "avx512", "neon", "baseline"};
+#if defined(__x86_64__)
+constexpr std::array kNames = {"sse2", "avx2", "avx512"};
+#elif defined(__aarch64__)
+constexpr std::array kNames = {"neon"};
+#else
+constexpr std::array kNames = {"baseline"};
+#endif
 
 /// Everything one variant computes, as bits.
 using Bits = std::vector<std::uint64_t>;
