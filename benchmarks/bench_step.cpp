@@ -1,129 +1,103 @@
-// How long a time step and its parts take at reference size, 57 x 31 blocks and 5,700 junctions,
-// with the instruction set that RUPTURE_ISA names or the widest one. See README.md.
+// The time step and its parts at reference size, 57 x 31 blocks and 5,700 junctions.
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
-#include <exception>
-#include <filesystem>
-#include <iostream>
 #include <optional>
-#include <string>
+#include <random>
+#include <utility>
 #include <vector>
 
-#include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/checkpoint/record.hpp"
-#include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/dynamics/simulation.hpp"
 #include "rupture/forces/bulk.hpp"
 #include "rupture/forces/reference_law.hpp"
 #include "rupture/model/derived.hpp"
+#include "sliders.hpp"
 
+namespace rupture::bench {
 namespace {
 
-using namespace rupture;
-
-Parameters driven_at(double V) {
-  Parameters p;
-  p.V = V;
-  return p;
-}
-
-/// The slider under its normal load; solved once.
-const State& equilibrium() {
-  static const State state = normal_load_equilibrium(Parameters{});
-  return state;
-}
-
-/// A state some time after driving started from equilibrium at speed V.
-State driven(const Parameters& p, int steps) {
-  Simulation simulation(p, equilibrium());
-  for (int n = 0; n < steps; ++n) simulation.advance();
-  return simulation.state();
-}
-
-/// Loading at the reference speed: nothing breaks.
-const State& loading_state() {
-  static const State state = driven(Parameters{}, 1000);
-  return state;
-}
-
-/// Sliding at 0.5 m/s behind a rupture: all junctions slip, some break and are pinned again.
-constexpr double kSliding = 0.5;  // [m/s]
-const State& sliding_state() {
-  static const State state = driven(driven_at(kSliding), 4000);
-  return state;
-}
-
-/// A state with all junctions of all blocks slipping for a time without end.
-State all_slipping() {
-  State state = loading_state();
-  constexpr double late = 1e9;  // [s]
-  state.junctions.repin_time.setConstant(late);
-  return state;
+/// Tells Google Benchmark how many steps an iteration took; run.sh shows the time of one.
+void count_steps(benchmark::State& bench, std::int64_t steps_per_iteration) {
+  bench.SetItemsProcessed(bench.iterations() * steps_per_iteration);
 }
 
 // --- whole steps --------------------------------------------------------------------------------
 
-void step_between_events(benchmark::State& bench) {
+void step_loading(benchmark::State& bench, std::int64_t steps_per_call) {
   Simulation simulation(Parameters{}, loading_state());
-  for (auto _ : bench) simulation.advance();
+  const std::int64_t first_step = simulation.state().step;
+  for (auto _ : bench) simulation.advance(steps_per_call);
+  count_steps(bench, steps_per_call);
+  expect_nothing_broke(bench, simulation, first_step);
 }
 
-void step_all_slipping(benchmark::State& bench) {
+void step_sliding(benchmark::State& bench) {
   const Parameters p = driven_at(kSliding);
   std::optional<Simulation> simulation(std::in_place, p, sliding_state());
-  constexpr int before_repinning = 4000;
-  int steps = 0;
+  constexpr std::int64_t calls_before_repinning = 40;
+  std::int64_t calls = 0;
   for (auto _ : bench) {
-    simulation->advance();
-    if (++steps % before_repinning != 0) continue;
+    simulation->advance(kSteps);
+    if (++calls % calls_before_repinning != 0) continue;
     bench.PauseTiming();
     simulation.emplace(p, sliding_state());
     bench.ResumeTiming();
   }
+  count_steps(bench, kSteps);
 }
 
-// --- parts of a step ----------------------------------------------------------------------------
+// --- the bulk alone -----------------------------------------------------------------------------
 
-void kick_and_drift(benchmark::State& bench) {
-  State state = loading_state();
-  const Bulk bulk{Parameters{}};
+/// Free blocks somewhat away from their places, as in lammps/bulk.in.
+State shaken(const Parameters& p) {
+  State state(p);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> shift(-1e-4 * block_spacing(p), 1e-4 * block_spacing(p));
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      state.u_x(i, j) = shift(random);
+      state.u_z(i, j) = shift(random);
+    }
+  }
+  return state;
+}
+
+void bulk_step(benchmark::State& bench) {
+  const Parameters p;
+  State state = shaken(p);
+  Bulk bulk(p);
+  const std::vector<double> none(static_cast<std::size_t>(p.Nx));
+  const Boundary free = {none.data(), none.data(), 0.0, driving_row(p), 0.0};
+  bulk.kick_drift(0, state);
   for (auto _ : bench) {
-    kernels().kick_drift(bulk.shape(), 0.0, 0.0, {state.f_x.row(0), state.f_z.row(0)},
-                         view(state.v_x, state.v_z), view(state.u_x, state.u_z));
+    for (std::int64_t n = 0; n < kSteps; ++n) {
+      bulk.prepare(0, state);
+      bulk.finish(0, free, Then::go_on, state);
+    }
     benchmark::ClobberMemory();
   }
+  count_steps(bench, kSteps);
 }
 
-void springs(benchmark::State& bench) {
-  State state = loading_state();
+void bulk_springs(benchmark::State& bench) {
+  State state = shaken(Parameters{});
   Bulk bulk{Parameters{}};
   for (auto _ : bench) {
     bulk.elastic(state.u_x, state.u_z, state.f_x, state.f_z);
     benchmark::ClobberMemory();
   }
+  count_steps(bench, 1);
 }
 
-void damping(benchmark::State& bench) {
+void bulk_damping(benchmark::State& bench) {
   State state = loading_state();
   Bulk bulk{Parameters{}};
   for (auto _ : bench) {
     bulk.damping(state.v_x, state.v_z, state.f_x, state.f_z);
     benchmark::ClobberMemory();
   }
+  count_steps(bench, 1);
 }
 
-void springs_damping_and_half_kick(benchmark::State& bench) {
-  const Parameters p;
-  State state = loading_state();
-  Bulk bulk(p);
-  const std::vector<double> none(static_cast<std::size_t>(p.Nx));
-  const Boundary boundary = {none.data(), none.data(), 0.0, driving_row(p), 0.0};
-  for (auto _ : bench) {
-    benchmark::DoNotOptimize(bulk.finish(0.0, boundary, state));
-    benchmark::ClobberMemory();
-  }
-}
+// --- the junctions alone ------------------------------------------------------------------------
 
 /// The junction law of all blocks, with the normal forces that it needs, at a state at rest.
 void junctions_of(benchmark::State& bench, State state) {
@@ -139,100 +113,29 @@ void junctions_of(benchmark::State& bench, State state) {
     law.friction(state.u_x.row(0), contact, tau.data());
     benchmark::ClobberMemory();
   }
+  count_steps(bench, 1);
 }
-void junctions_all_pinned(benchmark::State& bench) {
+
+void junctions_pinned(benchmark::State& bench) {
   junctions_of(bench, loading_state());
 }
-void junctions_all_slipping(benchmark::State& bench) {
-  junctions_of(bench, all_slipping());
+
+/// All junctions of all blocks slip for a time without end.
+void junctions_slipping(benchmark::State& bench) {
+  State state = loading_state();
+  constexpr double late = 1e9;  // [s]
+  state.junctions.repin_time.setConstant(late);
+  junctions_of(bench, std::move(state));
 }
 
-// --- what happens once in a while ---------------------------------------------------------------
-
-void equilibrium_solve(benchmark::State& bench) {
-  for (auto _ : bench) benchmark::DoNotOptimize(normal_load_equilibrium(Parameters{}));
-}
-
-/// A folder for the files of one benchmark, removed with them.
-class Folder {
- public:
-  Folder() {
-    std::string name = std::filesystem::temp_directory_path() / "rupture-bench-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::filesystem::path file(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
-
-void checkpoint_write(benchmark::State& bench) {
-  const Folder folder;
-  const Checkpoint checkpoint = {Parameters{}, loading_state(), {}};
-  for (auto _ : bench) write_checkpoint(folder.file("c.h5"), checkpoint, IfExists::replace);
-}
-
-void checkpoint_read(benchmark::State& bench) {
-  const Folder folder;
-  write_checkpoint(folder.file("c.h5"), {Parameters{}, loading_state(), {}}, IfExists::refuse);
-  for (auto _ : bench) benchmark::DoNotOptimize(read_checkpoint(folder.file("c.h5")));
-}
-
-Sample sample_of(const Simulation& simulation) {
-  const State& state = simulation.state();
-  Sample sample = {simulation.time(),
-                   state.step,
-                   simulation.F_T(),
-                   simulation.x_drive(),
-                   {},
-                   {simulation.p().begin(), simulation.p().end()},
-                   {},
-                   {}};
-  for (const auto n : simulation.pinned()) sample.pinned.push_back(static_cast<std::uint16_t>(n));
-  sample.tau.assign(simulation.tau().begin(), simulation.tau().end());
-  sample.u_x.assign(state.u_x.row(0), state.u_x.row(0) + state.u_x.Nx());
-  return sample;
-}
-
-void record_sample(benchmark::State& bench) {
-  const Folder folder;
-  const Simulation simulation(Parameters{}, loading_state());
-  RecordWriter writer(folder.file("r.h5"), Parameters{}, {}, IfExists::refuse);
-  for (auto _ : bench) writer.append(sample_of(simulation));
-}
-
-BENCHMARK(step_between_events)->Unit(benchmark::kMicrosecond);
-BENCHMARK(step_all_slipping)->Unit(benchmark::kMicrosecond);
-BENCHMARK(kick_and_drift)->Unit(benchmark::kMicrosecond);
-BENCHMARK(springs)->Unit(benchmark::kMicrosecond);
-BENCHMARK(damping)->Unit(benchmark::kMicrosecond);
-BENCHMARK(springs_damping_and_half_kick)->Unit(benchmark::kMicrosecond);
-BENCHMARK(junctions_all_pinned)->Unit(benchmark::kMicrosecond);
-BENCHMARK(junctions_all_slipping)->Unit(benchmark::kMicrosecond);
-BENCHMARK(equilibrium_solve)->Unit(benchmark::kMicrosecond);
-BENCHMARK(checkpoint_write)->Unit(benchmark::kMicrosecond)->UseRealTime();
-BENCHMARK(checkpoint_read)->Unit(benchmark::kMicrosecond)->UseRealTime();
-BENCHMARK(record_sample)->Unit(benchmark::kMicrosecond)->UseRealTime();
+BENCHMARK_CAPTURE(step_loading, , kSteps)->Name("step/loading");
+BENCHMARK_CAPTURE(step_loading, one_by_one, 1)->Name("step/loading_one_by_one");
+BENCHMARK(step_sliding)->Name("step/sliding");
+BENCHMARK(bulk_step)->Name("bulk/step");
+BENCHMARK(bulk_springs)->Name("bulk/springs");
+BENCHMARK(bulk_damping)->Name("bulk/damping");
+BENCHMARK(junctions_pinned)->Name("junctions/pinned");
+BENCHMARK(junctions_slipping)->Name("junctions/slipping");
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  try {
-    benchmark::AddCustomContext("instruction set", std::string(kernels().name));
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "bench_step: " << error.what() << '\n';
-    return 1;
-  }
-}
+}  // namespace rupture::bench

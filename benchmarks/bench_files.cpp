@@ -1,0 +1,109 @@
+// What happens once in a while: equilibrium, checkpoints, records; at reference size.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "observers.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/record.hpp"
+#include "rupture/dynamics/equilibrium.hpp"
+#include "rupture/dynamics/run.hpp"
+#include "sliders.hpp"
+
+namespace rupture::bench {
+namespace {
+
+/// A folder for the files of one benchmark, removed with them. The disk is that of TMPDIR.
+class Folder {
+ public:
+  Folder() {
+    std::string name = std::filesystem::temp_directory_path() / "rupture-bench-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path file(const char* name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void equilibrium_solve(benchmark::State& bench) {
+  for (auto _ : bench) benchmark::DoNotOptimize(normal_load_equilibrium(Parameters{}));
+  bench.SetItemsProcessed(bench.iterations());
+}
+
+void checkpoint_write(benchmark::State& bench) {
+  const Folder folder;
+  const Checkpoint checkpoint = {Parameters{}, loading_state(), {}};
+  for (auto _ : bench) write_checkpoint(folder.file("c.h5"), checkpoint, IfExists::replace);
+  bench.SetItemsProcessed(bench.iterations());
+}
+
+void checkpoint_read(benchmark::State& bench) {
+  const Folder folder;
+  write_checkpoint(folder.file("c.h5"), {Parameters{}, loading_state(), {}}, IfExists::refuse);
+  for (auto _ : bench) benchmark::DoNotOptimize(read_checkpoint(folder.file("c.h5")));
+  bench.SetItemsProcessed(bench.iterations());
+}
+
+double sum_of_last_two(const std::vector<double>& values) {
+  return values.back() + values[values.size() - 2];
+}
+
+/// Two equal runs, of which one is recorded, in turn, stretch by stretch. A stretch is as long as
+/// the record's buffer, so that each holds one flush. The runs change roles after each stretch:
+/// where their arrays lie in memory must not matter. Iterations are stretches.
+void record_cost(benchmark::State& bench) {
+  constexpr std::int64_t every = 50;  // 10 us
+  constexpr std::int64_t stretch = 256 * every;
+  const Parameters p;
+  Simulation run_a(p, loading_state()), run_b(p, loading_state());
+  const Folder folder;
+  RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse);
+  const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
+  tools::Recorder recorder(writer, every, first, last);
+
+  std::vector<double> without, with, ratio;
+  bool record_a = false;
+  for (auto _ : bench) {
+    const StopRule rule = {run_a.state().step + stretch, {}};
+    const std::vector<Observer*> none, one = {&recorder};
+    const double a = seconds_for([&] { run(run_a, rule, record_a ? one : none); });
+    const double b = seconds_for([&] { run(run_b, rule, record_a ? none : one); });
+    with.push_back(record_a ? a : b);
+    without.push_back(record_a ? b : a);
+    if (record_a) ratio.push_back(sum_of_last_two(with) / sum_of_last_two(without));
+    record_a = !record_a;
+    bench.SetIterationTime(with.back());
+  }
+  const double finish = seconds_for([&] {
+    recorder.finish(run_a);
+    writer.finish();
+  });
+
+  const auto stretches = static_cast<double>(with.size()), steps = static_cast<double>(stretch);
+  const double finish_per_stretch = finish / stretches;
+  bench.counters["us_without"] = 1e6 / steps * *std::min_element(without.begin(), without.end());
+  bench.counters["us_with"] = 1e6 / steps * *std::min_element(with.begin(), with.end());
+  bench.counters["cost_running"] = median(ratio) - 1.0;
+  bench.counters["cost"] = median(ratio) - 1.0 + finish_per_stretch / median(without);
+}
+
+BENCHMARK(equilibrium_solve)->Name("once/equilibrium_solve");
+BENCHMARK(checkpoint_write)->Name("once/checkpoint_write")->UseRealTime();
+BENCHMARK(checkpoint_read)->Name("once/checkpoint_read")->UseRealTime();
+BENCHMARK(record_cost)->Name("record/cost")->UseManualTime()->Iterations(16);
+
+}  // namespace
+}  // namespace rupture::bench
