@@ -118,6 +118,13 @@ TEST_F(BadOptions, IntervalsMustBeAtLeastAStep) {
                  "--record-every is shorter than one time step");
 }
 
+TEST_F(BadOptions, ThreadsMustBeAFew) {
+  for (const std::string value : {"0", "-2", "1025"}) {
+    expect_refusal("load --config small.ini -o a.h5 --threads " + value, kUsage,
+                   "--threads " + value + " makes no sense: give a number from 1 to 1024");
+  }
+}
+
 TEST_F(BadOptions, RestartWantsOneEnd) {
   output_of("load --config small.ini -o a.h5");
   expect_refusal("restart a.h5 -o b.h5", kUsage,

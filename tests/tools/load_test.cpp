@@ -36,6 +36,13 @@ TEST_F(Load, SameCommandGivesTheSameBytes) {
   EXPECT_EQ(files(), first);
 }
 
+TEST_F(Load, ThreadsChangeNoBit) {
+  output_of("load --config small.ini -o a.h5 --until 4e-4 --record a-record.h5");
+  output_of("load --config small.ini -o b.h5 --until 4e-4 --record b-record.h5 --threads 3");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+  EXPECT_EQ(checksum_of("a-record.h5"), checksum_of("b-record.h5"));
+}
+
 TEST_F(Load, DrivesUntilTheGivenTime) {
   const std::string out = output_of("load --config small.ini -o a.h5 --until 1e-4");
   EXPECT_NE(out.find("t = 0.0001 s (end of the run), 500 steps"), std::string::npos) << out;
