@@ -39,7 +39,7 @@ def fail(message):
     sys.exit(f"report.py: {message}")
 
 
-# --- reading ---------------------------------------------------------------------------------------
+# --- reading --------------------------------------------------------------------------------------
 
 
 class Measurements:
@@ -122,7 +122,7 @@ def machine():
     return {"processor": cpu, "processors": os.cpu_count(), "system": platform.platform()}
 
 
-# --- the tables ------------------------------------------------------------------------------------
+# --- the tables -----------------------------------------------------------------------------------
 
 
 def print_table(title, heads, rows):
@@ -175,7 +175,7 @@ def lammps(measured, results, lines):
     """The bulk in LAMMPS, and how many times longer it takes there."""
     best, version = read_lammps(lines)
     if not best:
-        print("\nLAMMPS is not installed (Debian package: lammps): no comparison.")
+        print("\nNothing was measured with LAMMPS (Debian package: lammps).")
         return
     table = []
     for name, samples in best.items():
@@ -234,8 +234,8 @@ def sizes(measured, results):
         entry = measured.entries[row, measured.widest][0]
         blocks = entry["Nx"] * entry["Nz"]
         size = f"{entry['Nx']:.0f} x {entry['Nz']:.0f}"
-        facts = {"Nx": int(entry["Nx"]), "Nz": int(entry["Nz"]), "junctions": int(entry["junctions"]),
-                 "instruction_set": measured.widest}
+        facts = {"Nx": int(entry["Nx"]), "Nz": int(entry["Nz"]),
+                 "junctions": int(entry["junctions"]), "instruction_set": measured.widest}
         in_cache = entry["swept_bytes"] <= cache
         samples = measured.values(row, "us_1")
         step = results.add("size/step", min(samples), "us", "best", samples, threads=1, **facts)
