@@ -1,6 +1,5 @@
 #include "rupture/analysis/slow_slip.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <limits>
@@ -38,7 +37,9 @@ class RelaxingBlock {
     if (draws_[next.junction] == 1U) ++returned_;
     pinned_.push_back({slip_ - f_new_, next.junction});
     sum_ += pinned_.back().attachment;
-    while (!restore()) break_oldest();
+    // the oldest is stretched most; the last one bears f_slip, less than it can
+    while (pinned_.size() > 1 && balanced() > pinned_.front().attachment + f_thres_) break_oldest();
+    slip_ = balanced();
   }
 
  private:
@@ -52,14 +53,8 @@ class RelaxingBlock {
     std::uint32_t junction;
   };
 
-  /// Moves the block until the pinned junctions carry 1 on average; false if one breaks before.
-  bool restore() {
-    if (pinned_.empty()) return true;
-    const double goal = 1.0 + sum_ / static_cast<double>(pinned_.size());
-    const double limit = pinned_.front().attachment + f_thres_;  // the oldest is stretched most
-    slip_ = std::max(slip_, std::min(goal, limit));
-    return goal <= limit;
-  }
+  /// Slip at which the pinned junctions carry 1 on average. Breaking the oldest increases it.
+  double balanced() const { return 1.0 + sum_ / static_cast<double>(pinned_.size()); }
   void break_oldest() {
     const Pinned oldest = pinned_.front();
     pinned_.pop_front();

@@ -1,8 +1,6 @@
 // analyze steady-state: friction of a block that slides at constant speed.
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "analyze.hpp"
 #include "rupture/analysis/steady_sliding.hpp"
 #include "rupture/model/derived.hpp"
@@ -13,10 +11,14 @@ namespace {
 
 constexpr int kMostPoints = 10000;
 
+// From slower than any fault creeps to about the speed of sound.
+constexpr double kSlowest = 1e-9, kFastest = 1e3;  // [m/s]
+
 double speed(const po::variables_map& values, const std::string& option) {
   const double v = values[option].as<double>();
-  if (std::isfinite(v) && v > 0.0) return v;
-  throw UsageError(fmt::format("--{} {} makes no sense: give a speed above 0", option, v));
+  if (v >= kSlowest && v <= kFastest) return v;
+  throw UsageError(fmt::format("--{} {} makes no sense: give a speed from {:g} to {:g} m/s", option,
+                               v, kSlowest, kFastest));
 }
 
 std::vector<double> speeds(const po::variables_map& values) {

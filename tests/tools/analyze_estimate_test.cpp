@@ -182,9 +182,10 @@ TEST_F(SteadyState, PrintsATable) {
 
 TEST_F(SteadyState, RefusesWhatMakesNoSense) {
   expect_refusal("analyze steady-state --v-from 0", kUsage,
-                 "--v-from 0 makes no sense: give a speed above 0");
+                 "--v-from 0 makes no sense: give a speed from 1e-09 to 1000 m/s");
   expect_refusal("analyze steady-state --v-to inf", kUsage,
-                 "--v-to inf makes no sense: give a speed above 0");
+                 "--v-to inf makes no sense: give a speed from 1e-09 to 1000 m/s");
+  expect_refusal_with("analyze steady-state --v-from nan", kUsage, "--v-from nan");
   expect_refusal("analyze steady-state --v-from 2", kUsage,
                  "the range of speeds is empty: --v-to is below --v-from");
   expect_refusal("analyze steady-state --points 0", kUsage,

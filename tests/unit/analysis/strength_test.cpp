@@ -23,10 +23,11 @@ TEST(Strength, of_equal_forces_is_that_of_one_junction) {
 }
 
 TEST(Strength, of_a_uniform_phi_has_a_closed_form) {
-  // half-widths a = 1/4, 1/2 (where the maximum leaves the first break) and 1
+  // half-widths a = 1/4, 1/2 (where the maximum leaves the first break), 5/8 and 1
   const double unit = 1.0 / std::sqrt(3.0);
   EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.25 * unit), 0.75);
   EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.5 * unit), 0.5);
+  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.625 * unit), 0.4);
   EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, unit), 0.25);
 }
 
@@ -61,6 +62,11 @@ TEST(Strength, agrees_with_quadrature) {
           << sigma_bar;
     }
   }
+}
+
+TEST(Strength, does_not_need_a_normalised_density) {
+  const auto three = [](double) { return 3.0; };
+  EXPECT_NEAR(effective_strength(ForceDensity{three, 0.5, 2.5}), 0.25, 1e-7);
 }
 
 TEST(Strength, does_not_depend_on_the_mean_force) {
@@ -112,7 +118,7 @@ TEST(LargestFriction, stretches_slipping_junctions_no_further_than_f_slip) {
 }
 
 TEST(LargestFriction, takes_a_junction_beyond_f_thres_as_about_to_break) {
-  EXPECT_DOUBLE_EQ(largest({4.0 + 1e-15, 3.0}, {}), 7.0);
+  EXPECT_DOUBLE_EQ(largest({4.5, 3.0}, {}), 4.0 + 3.0);
 }
 
 // --- blocks
