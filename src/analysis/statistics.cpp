@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace rupture {
 
@@ -33,8 +34,42 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
   fit.slope = slope;
   fit.intercept = mean_y - slope * mean_x;
   fit.r_squared = yy > 0.0 ? 1.0 - unexplained / yy : 1.0;
-  fit.slope_error = std::sqrt(unexplained / static_cast<double>(n - 2) / xx);
+  const double variance = unexplained / static_cast<double>(n - 2);  // of one y about the line
+  fit.slope_error = std::sqrt(variance / xx);
+  fit.intercept_error = std::sqrt(variance * (1.0 / static_cast<double>(n) + mean_x * mean_x / xx));
   return fit;
+}
+
+std::optional<ProportionalFit> fit_through_origin(std::span<const double> x,
+                                                  std::span<const double> y) {
+  const std::size_t n = x.size();
+  if (n < 2 || y.size() != n) return std::nullopt;
+  const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(n);
+  const double xx = std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
+  if (xx <= 0.0) return std::nullopt;
+  const double slope = std::inner_product(x.begin(), x.end(), y.begin(), 0.0) / xx;
+  double unexplained = 0, total = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    unexplained += (y[i] - slope * x[i]) * (y[i] - slope * x[i]);
+    total += (y[i] - mean_y) * (y[i] - mean_y);
+  }
+  ProportionalFit fit{};
+  fit.slope = slope;
+  fit.r_squared = unexplained > 0.0 ? 1.0 - unexplained / total : 1.0;
+  fit.slope_error = std::sqrt(unexplained / static_cast<double>(n - 1) / xx);
+  return fit;
+}
+
+std::optional<Mean> mean_of(std::span<const double> values) {
+  if (values.size() < 2) return std::nullopt;
+  const auto n = static_cast<double>(values.size());
+  Mean mean{};
+  mean.value = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean.value) * (value - mean.value);
+  mean.deviation = std::sqrt(squares / (n - 1.0));
+  mean.standard_error = mean.deviation / std::sqrt(n);
+  return mean;
 }
 
 }  // namespace rupture

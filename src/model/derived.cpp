@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rupture {
 
@@ -44,6 +45,13 @@ std::int64_t driving_row(const Parameters& p) {
 
 double junction_stiffness(const Parameters& p, double p_i) {
   return std::sqrt(p.kappa * (p_i / static_cast<double>(p.N_s)));
+}
+
+double mean_slipping_time(const Parameters& p) {
+  if (p.slipping_times == SlippingTimes::exponential || p.delta_t_R == 0.0) return p.t_R;
+  const double ratio = p.t_R / (std::numbers::sqrt2 * p.delta_t_R);
+  return p.delta_t_R * std::sqrt(2.0 / std::numbers::pi) * std::exp(-ratio * ratio) +
+         p.t_R * std::erf(ratio);
 }
 
 double stable_time_step(const Parameters& p) {

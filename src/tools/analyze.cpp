@@ -22,6 +22,10 @@ const std::vector<Command> kCommands = {
     {"loading", "driving force against time in a record", analyze_loading},
     {"stress", "normal and friction forces along the interface of a checkpoint", analyze_stress},
     {"phi", "distribution of junction forces in a checkpoint", analyze_phi},
+    {"strength", "effective static friction of a shape of phi or of a checkpoint's blocks",
+     analyze_strength},
+    {"estimate", "slow slip to expect from a checkpoint's parameters", analyze_estimate},
+    {"steady-state", "friction of a block that slides at constant speed", analyze_steady_state},
     {"checksum", "content checksum of a file", analyze_checksum},
     {"verify", "check that files are intact, also against a manifest", analyze_verify},
     {"diff", "where and by how much two files differ", analyze_diff},
@@ -30,10 +34,10 @@ const std::vector<Command> kCommands = {
 
 std::string help() {
   std::string text =
-      "Usage: analyze COMMAND FILE... [options]\n\nMeasures, compares and checks checkpoints and "
+      "Usage: analyze COMMAND [FILE...] [options]\n\nMeasures, compares and checks checkpoints and "
       "records; never changes them.\n\nCommands (analyze COMMAND --help tells more):\n";
   for (const auto& command : kCommands) {
-    text += fmt::format("  {:<10} {}\n", command.name, command.purpose);
+    text += fmt::format("  {:<12} {}\n", command.name, command.purpose);
   }
   return text;
 }

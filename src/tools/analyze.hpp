@@ -26,6 +26,11 @@ int analyze_loading(int argc, const char* const* argv);
 // of checkpoints
 int analyze_stress(int argc, const char* const* argv);
 int analyze_phi(int argc, const char* const* argv);
+int analyze_strength(int argc, const char* const* argv);  // or of a shape of phi
+int analyze_estimate(int argc, const char* const* argv);
+
+// of parameters
+int analyze_steady_state(int argc, const char* const* argv);
 
 // of any file
 int analyze_checksum(int argc, const char* const* argv);

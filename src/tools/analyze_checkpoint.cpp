@@ -4,28 +4,13 @@
 #include <numeric>
 
 #include "analyze.hpp"
+#include "checkpoint_command.hpp"
 #include "rupture/analysis/phi.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
-
-struct CheckpointCommand {
-  Parsed parsed;
-  Checkpoint checkpoint;
-};
-
-CheckpointCommand read(int argc, const char* const* argv, const std::string& name,
-                       const std::string& purpose, po::options_description& options) {
-  add_format_options(options);
-  Parsed parsed =
-      parse(argc, argv, {"analyze " + name, "analyze " + name + " CHECKPOINT [options]", purpose},
-            options, "checkpoint", UsesParameters::no);
-  const auto path = single_input(parsed.values, "checkpoint", "a checkpoint");
-  return {std::move(parsed), read_checkpoint(path)};
-}
 
 /// Centroid of the normal forces, measured from the middle of the interface [m].
 double centroid(const std::vector<double>& x, const std::vector<double>& p, double L) {
@@ -41,11 +26,11 @@ double centroid(const std::vector<double>& x, const std::vector<double>& p, doub
 
 int analyze_stress(int argc, const char* const* argv) {
   po::options_description options("Options");
-  const auto [parsed, checkpoint] =
-      read(argc, argv, "stress",
-           "Normal force p and friction force tau on each interface block; tau > 0 where friction\n"
-           "pushes the block towards -x.",
-           options);
+  const auto [parsed, checkpoint] = read_checkpoint_command(
+      argc, argv, "stress",
+      "Normal force p and friction force tau on each interface block; tau > 0 where friction\n"
+      "pushes the block towards -x.",
+      options);
   const Parameters& p = checkpoint.parameters;
   const auto normal = normal_forces(p, checkpoint.state);
   const auto friction = friction_forces(p, checkpoint.state);
@@ -79,9 +64,9 @@ int analyze_phi(int argc, const char* const* argv) {
   po::options_description options("Options");
   options.add_options()("bins", po::value<int>()->default_value(40)->value_name("N"),
                         "bins of the histograms, from -f_thres to f_thres");
-  const auto [parsed, checkpoint] =
-      read(argc, argv, "phi",
-           "Forces in the junctions of each block: mean, standard deviation, histogram.", options);
+  const auto [parsed, checkpoint] = read_checkpoint_command(
+      argc, argv, "phi",
+      "Forces in the junctions of each block: mean, standard deviation, histogram.", options);
   const int bins = parsed.values["bins"].as<int>();
   constexpr int most_bins = 100000;
   if (bins < 1 || bins > most_bins) {

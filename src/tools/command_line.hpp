@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/model/parameters.hpp"
 
@@ -74,6 +75,9 @@ double non_negative(const po::variables_map& values, const std::string& option);
 double non_negative(double value, const std::string& option);
 std::optional<double> optional_non_negative(const po::variables_map& values,
                                             const std::string& option);
+
+/// The shape that --shape names. Throws UsageError if there is no such shape.
+PhiShape shape_named(const std::string& name);
 
 /// The one positional argument. Throws UsageError, saying what is wanted, if there is none or more.
 std::string single_input(const po::variables_map& values, const std::string& positional,

@@ -22,12 +22,6 @@ struct Options {
   std::vector<std::string> arguments;
 };
 
-PhiShape shape_named(const std::string& name) {
-  if (name == "uniform") return PhiShape::uniform;
-  if (name == "bell") return PhiShape::bell;
-  throw UsageError(fmt::format("--shape {} is unknown: choose uniform or bell", name));
-}
-
 Slipping slipping_named(const std::string& name) {
   if (name == "keep") return Slipping::keep;
   if (name == "pin") return Slipping::pin;

@@ -10,14 +10,41 @@ namespace rupture {
 /// The median; the mean of the two middle values of an even number; no value if there are none.
 std::optional<double> median(std::vector<double> values);
 
-/// y = intercept + slope x by least squares.
+/// y = intercept + slope x by least squares. The standard errors, here and below, are those of
+/// independent residuals; neighbouring samples of a smooth series have alike ones, and then they
+/// are too small.
 struct LineFit {
   double slope, intercept;
-  double r_squared;    ///< coefficient of determination
-  double slope_error;  ///< standard error of the slope
+  double r_squared;        ///< coefficient of determination
+  double slope_error;      ///< standard error of the slope
+  double intercept_error;  ///< standard error of the intercept
 };
 
 /// Needs at least three points with different x; otherwise no value.
 std::optional<LineFit> fit_line(std::span<const double> x, std::span<const double> y);
+
+/// y = slope x by least squares.
+struct ProportionalFit {
+  double slope;
+  /// 1 - (sum of squared residuals) / (sum of (y - <y>)^2), as for a line with an intercept: it
+  /// says how much better the fit is than the mean of y, and is negative where it is worse. (Fits
+  /// through the origin are often judged against y = 0 instead, which flatters them.)
+  double r_squared;
+  double slope_error;  ///< standard error of the slope
+};
+
+/// Needs at least two points, one of them with x != 0; otherwise no value.
+std::optional<ProportionalFit> fit_through_origin(std::span<const double> x,
+                                                  std::span<const double> y);
+
+/// A mean and how well it is known.
+struct Mean {
+  double value;
+  double deviation;       ///< standard deviation of one value
+  double standard_error;  ///< deviation / sqrt(n)
+};
+
+/// The mean of independent values; needs at least two.
+std::optional<Mean> mean_of(std::span<const double> values);
 
 }  // namespace rupture

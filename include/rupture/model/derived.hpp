@@ -28,6 +28,10 @@ std::int64_t driving_row(const Parameters& p);
 /// Junction stiffness k_ij = sqrt(kappa f_N) at normal force p_i = N_s f_N on the block [N/m].
 double junction_stiffness(const Parameters& p, double p_i);
 
+/// Mean <t_R> of the slipping times [s]: of |N(t_R, delta_t_R)|, delta_t_R sqrt(2/pi)
+/// exp(-t_R^2 / 2 delta_t_R^2) + t_R erf(t_R / sqrt(2) delta_t_R); of the exponential T, t_R.
+double mean_slipping_time(const Parameters& p);
+
 /// Largest stable time step of velocity Verlet on this lattice [s].
 ///
 /// With damping taken at the half-kicked velocity a mode of frequency omega and damping rate c is

@@ -223,5 +223,23 @@ TEST(Derived, quantities_of_the_reference_slider_are_those_of_table_S1) {
   EXPECT_DOUBLE_EQ(junction_stiffness(p, mean_normal_force(p)), std::sqrt(39.2e9 * 1920 / 5700));
 }
 
+TEST(Derived, mean_slipping_time_is_that_of_the_folded_gaussian) {
+  Parameters p;
+  // |t| averaged over the Gaussian
+  constexpr int n = 20000;
+  double sum = 0.0, weight = 0.0;
+  for (int i = 0; i <= n; ++i) {
+    const double z = -10.0 + 20.0 * i / n, gauss = std::exp(-0.5 * z * z);
+    sum += gauss * std::abs(p.t_R + p.delta_t_R * z);
+    weight += gauss;
+  }
+  EXPECT_NEAR(mean_slipping_time(p), sum / weight, 1e-9 * p.t_R);
+  p.slipping_times = SlippingTimes::exponential;
+  EXPECT_EQ(mean_slipping_time(p), p.t_R);
+  p.slipping_times = SlippingTimes::gaussian;
+  p.delta_t_R = 0.0;
+  EXPECT_EQ(mean_slipping_time(p), p.t_R);
+}
+
 }  // namespace
 }  // namespace rupture

@@ -1,0 +1,54 @@
+// Slow slip from the parameters: Eq. S1 and the relaxation of one block behind its coefficient (SI,
+// "Estimate of v_slow slip from Model Parameters").
+#pragma once
+
+#include <optional>
+
+#include "rupture/analysis/statistics.hpp"
+#include "rupture/model/parameters.hpp"
+
+namespace rupture {
+
+/// Coefficient of Eq. S1: a net slip of 8.5 f_slip/k_ij during 2 <t_R>, as the paper rounds it.
+inline constexpr double kSlowSlipCoefficient = 4.2;
+
+/// Eq. S1 for a block under the normal force p: v = 4.2 tau_slip / (k_i <t_R>) with tau_slip = mu_d
+/// p and k_i = N_s k_ij [m/s]. Zero without contact, and where f_new = f_slip: nothing drives slow
+/// slip then.
+double slow_slip_estimate(const Parameters& parameters, double p);
+
+/// Whether a pinned junction breaks again at f_thres; without, the net slip is that of the harmonic
+/// sum, H_100 = 5.187.
+enum class Rebreaking { on, off };
+
+/// The relaxation of one block. All junctions slip at f_slip at t = 0, so the force on the block is
+/// N_s f_slip, and its neighbours move along, so that it stays that. Junction j is pinned at its
+/// t_R with f_new = 0; the block moves forwards until the pinned junctions make up for the lost
+/// f_slip. Those that reach f_thres on the way break, drop to f_slip, and draw another t_R.
+///
+/// The force is N_s f_slip again when the pinned junctions carry f_slip on average. Pinned and
+/// broken in the same order, they are interchangeable, so the slip after n such changes is the same
+/// for all seeds; only its course in time is random.
+struct Relaxation {
+  double net_slip;        ///< when no junction slips any more [f_slip / k_ij]
+  double slip_after_two;  ///< at t = 2 <t_R> [f_slip / k_ij]
+  double slip_at_return;  ///< when every junction has been pinned once, at t = `duration`
+                          ///< [f_slip / k_ij]
+  double duration;        ///< time at which every junction has been pinned once [<t_R>]
+  double quiet_time;      ///< time from which no junction slips any more [<t_R>]
+};
+
+/// One relaxation with the slipping times of block `replica`. No value if junctions still break
+/// after 100 <t_R>: they do for ever if f_thres < 2 f_slip or little more.
+std::optional<Relaxation> relax(const Parameters& parameters, std::uint32_t replica,
+                                Rebreaking rebreaking = Rebreaking::on);
+
+/// Mean and spread of the fields of Relaxation over independent blocks.
+struct RelaxationEnsemble {
+  Mean net_slip, slip_after_two, slip_at_return, duration, quiet_time;
+};
+
+/// Replicas 0 .. n-1, n >= 2. No value if one of them has none.
+std::optional<RelaxationEnsemble> relax_ensemble(const Parameters& parameters, int n);
+
+}  // namespace rupture

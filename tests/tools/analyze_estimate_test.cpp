@@ -1,0 +1,200 @@
+// analyze strength, estimate, steady-state: what follows from parameters and junction forces.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+using Values = std::vector<double>;
+using Cells = std::vector<std::vector<std::string>>;
+
+// --- strength
+// -------------------------------------------------------------------------------------
+
+using Strength = ToolTest;
+
+TEST_F(Strength, OfAShapeIsThatOfItsClosedForm) {
+  const Json uniform = json_of("analyze strength --shape uniform --sigma-bar 0.2 --json");
+  EXPECT_EQ(uniform["shape"], "uniform");
+  EXPECT_EQ(uniform["sigma_bar"], 0.2);
+  const double mu_bar = 1.0 - 0.2 * std::sqrt(3.0);
+  EXPECT_NEAR(uniform["mu_bar_eff"], mu_bar, 1e-14);
+  EXPECT_NEAR(uniform["mu_eff"], 0.17 + 0.23 * mu_bar, 1e-14);
+  EXPECT_EQ(csv_of(output_of("analyze strength --shape bell --sigma-bar 0 --csv")),
+            (Cells{{"sigma_bar", "mu_bar_eff", "mu_eff"}, {"0", "1", "0.4"}}));
+  EXPECT_TRUE(output_of("analyze strength --shape bell --sigma-bar 0.2")
+                  .starts_with("bell phi, sigma-bar"));
+}
+
+TEST_F(Strength, OfACheckpointFollowsItsJunctions) {
+  output_of("load --config small.ini -o a.h5 -q");
+  output_of("modify-phi a.h5 -o b.h5 --shape bell --sigma-bar 0.2 -q");
+  const Json json = json_of("analyze strength b.h5 --json");
+  const Json stress = json_of("analyze stress b.h5 --json");
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_EQ(json["x"][i], stress["x"][i]);
+    EXPECT_EQ(json["slipping"][i], 0.0);
+    EXPECT_NEAR(json["sigma_bar"][i], 0.2, 1e-3);  // 100 quantiles
+    EXPECT_NEAR(json["mu_bar_eff"][i], 0.628, 0.01);
+    const double mu = stress["tau"][i].get<double>() / stress["p"][i].get<double>();
+    EXPECT_NEAR(json["tau_bar_0"][i], (mu - 0.17) / 0.23, 1e-12);
+    EXPECT_NEAR(json["mu_eff"][i], 0.17 + 0.23 * json["mu_bar_eff"][i].get<double>(), 1e-12);
+  }
+  const auto rows = csv_of(output_of("analyze strength b.h5 --csv"));
+  EXPECT_EQ(rows.size(), 10U);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"x [m]", "slipping", "sigma_bar", "tau_bar_0",
+                                               "mu_bar_eff", "mu_eff"}));
+  EXPECT_EQ(lines_of(output_of("analyze strength b.h5")).size(), 10U);
+}
+
+TEST_F(Strength, OfBlocksAllOfWhoseJunctionsSlipIsZero) {
+  output_of("load --config small.ini -o a.h5 --until 6e-4 -q");
+  const Json json = json_of("analyze strength a.h5 --json");
+  int sliding = 0;
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_GE(json["mu_bar_eff"][i], -1e-12);
+    if (json["slipping"][i] < 1.0) continue;
+    ++sliding;
+    EXPECT_NEAR(json["mu_bar_eff"][i], 0.0, 1e-12);
+  }
+  EXPECT_GT(sliding, 0);
+}
+
+TEST_F(Strength, RefusesWhatMakesNoSense) {
+  constexpr const char* both =
+      "--shape and --sigma-bar belong together: give both, or name a checkpoint instead";
+  expect_refusal("analyze strength", kUsage,
+                 "no file was given: name a checkpoint, or give --shape");
+  expect_refusal("analyze strength --shape bell", kUsage, both);
+  expect_refusal("analyze strength --sigma-bar 0.1", kUsage, both);
+  expect_refusal("analyze strength --shape flat --sigma-bar 0.1", kUsage,
+                 "--shape flat is unknown: choose uniform or bell");
+  expect_refusal("analyze strength --shape bell --sigma-bar -1", kUsage,
+                 "--sigma-bar -1 makes no sense: give a number of at least 0");
+  expect_refusal("analyze strength a.h5 --shape bell --sigma-bar 0.1", kUsage,
+                 "a checkpoint has forces of its own: give it or --shape, not both");
+  expect_refusal("analyze strength --shape bell --sigma-bar 0.1 --json --csv", kUsage,
+                 "--json and --csv exclude each other: give one");
+}
+
+// --- estimate
+// -------------------------------------------------------------------------------------
+
+class Estimate : public ToolTest {
+ protected:
+  Estimate() { output_of("load --config small.ini -o a.h5 -q"); }
+};
+
+TEST_F(Estimate, IsEquationS1AtTheNormalForces) {
+  const Json json = json_of("analyze estimate a.h5 --json");
+  const Values p = json_of("analyze stress a.h5 --json")["p"];
+  EXPECT_EQ(json["block"]["p"].get<Values>(), p);
+  const double p_mean = std::accumulate(p.begin(), p.end(), 0.0) / 9.0, t_R = json["t_R"];
+  EXPECT_NEAR(json["p"], p_mean, 1e-9);
+  EXPECT_NEAR(t_R, 2.0001e-3, 1e-7);
+  // 4.2 tau_slip / (k_i <t_R>), k_i = 100 sqrt(39.2e9 p/100)
+  const auto v = [&](double force) {
+    return 4.2 * 0.17 * force / (100.0 * std::sqrt(39.2e9 * force / 100.0) * t_R);
+  };
+  EXPECT_NEAR(json["v_slow_slip"], v(p_mean), 1e-12);
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_NEAR(json["block"]["v_slow_slip"][i], v(p[i]), 1e-12);
+  }
+}
+
+TEST_F(Estimate, RelaxesOneBlock) {
+  const Json json = json_of("analyze estimate a.h5 --json");
+  EXPECT_NEAR(json["net_slip_over_f_slip_per_k_ij"], 8.737, 0.001);
+  EXPECT_NEAR(json["slip_after_two_t_R_over_f_slip_per_k_ij"], 8.07, 0.03);
+  EXPECT_NEAR(json["slip_at_return_over_f_slip_per_k_ij"], 7.94, 0.04);
+  EXPECT_NEAR(json["duration_over_t_R"], 1.75, 0.05);
+  EXPECT_NEAR(json["duration_over_t_R_deviation"], 0.13, 0.04);
+  EXPECT_NEAR(json["quiet_after_over_t_R"], 5.7, 0.2);
+}
+
+TEST_F(Estimate, DependsOnTheSeedAndOnNothingElse) {
+  const std::string command = "analyze estimate a.h5 --json --ensemble 5";
+  EXPECT_EQ(output_of(command), output_of(command));
+  EXPECT_EQ(output_of(command), output_of(command + " --seed 1")) << "the checkpoint's";
+  EXPECT_NE(output_of(command), output_of(command + " --seed 2"));
+}
+
+TEST_F(Estimate, HasNoRelaxationThatNeverEnds) {
+  output_of("load --config small.ini --set junctions.mu_d=0.39 -o b.h5 -q");
+  const Json json = json_of("analyze estimate b.h5 --json");
+  EXPECT_TRUE(json["net_slip_over_f_slip_per_k_ij"].is_null());
+  EXPECT_GT(json["v_slow_slip"], 0.0);
+  EXPECT_NE(output_of("analyze estimate b.h5").find("goes on for ever"), std::string::npos);
+}
+
+TEST_F(Estimate, PrintsBlocksAsATable) {
+  const auto rows = csv_of(output_of("analyze estimate a.h5 --csv"));
+  EXPECT_EQ(rows.size(), 10U);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"x [m]", "p [N]", "v_slow_slip [m/s]"}));
+  EXPECT_EQ(lines_of(output_of("analyze estimate a.h5")).size(), 1U + 9U + 1U + 4U);
+}
+
+TEST_F(Estimate, RefusesWhatMakesNoSense) {
+  expect_refusal("analyze estimate", kUsage, "no file was given: name a checkpoint");
+  expect_refusal("analyze estimate a.h5 --ensemble 1", kUsage,
+                 "--ensemble 1 makes no sense: give 2 to 100000");
+  expect_refusal_with("analyze estimate a.h5 --seed x", kUsage, "numerics.seed");
+}
+
+// --- steady-state
+// ---------------------------------------------------------------------------------
+
+using SteadyState = ToolTest;
+
+TEST_F(SteadyState, FollowsRenewalTheory) {
+  const Json json = json_of("analyze steady-state --v-from 1e-3 --v-to 1e-1 --points 3 --json");
+  const Values v = json["v"], mu = json["mu"], error = json["mu_error"], theory = json["mu_theory"];
+  ASSERT_EQ(v.size(), 3U);
+  EXPECT_EQ(v.front(), 1e-3);
+  EXPECT_NEAR(v[1], 1e-2, 1e-15);
+  EXPECT_NEAR(v.back(), 1e-1, 1e-15);
+  // at 1 mm/s: T_p = 0.4 sqrt(f_N/kappa) / v with f_N = 1920/5700 N, <t_R> = 2.0001 ms
+  const double T_p = 0.4 * std::sqrt(1920.0 / 5700.0 / 39.2e9) / 1e-3, t_R = 2.000134e-3;
+  EXPECT_NEAR(theory[0], (T_p * 0.2 + t_R * 0.17) / (T_p + t_R), 1e-8);
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_GT(error[n], 0.0);
+    EXPECT_NEAR(mu[n], theory[n], 4.0 * error[n] + theory[n] / 2000.0);
+  }
+  EXPECT_NEAR(json["p"], 1920.0 / 57.0, 1e-12);
+}
+
+TEST_F(SteadyState, TakesParametersAndSeed) {
+  const std::string command = "analyze steady-state --points 1 --v-from 0.01 --json";
+  EXPECT_EQ(output_of(command), output_of(command + " --seed 1"));
+  EXPECT_NE(json_of(command)["mu"], json_of(command + " --seed 2")["mu"]);
+  EXPECT_NEAR(json_of(command + " --set junctions.mu_d=0.1")["mu"][0], 0.1, 0.01);
+}
+
+TEST_F(SteadyState, PrintsATable) {
+  const auto rows = csv_of(output_of("analyze steady-state --points 2 --csv"));
+  EXPECT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"v [m/s]", "mu", "mu_error", "mu_theory"}));
+  EXPECT_EQ(lines_of(output_of("analyze steady-state --points 2")).size(), 4U);
+}
+
+TEST_F(SteadyState, RefusesWhatMakesNoSense) {
+  expect_refusal("analyze steady-state --v-from 0", kUsage,
+                 "--v-from 0 makes no sense: give a speed from 1e-09 to 1000 m/s");
+  expect_refusal("analyze steady-state --v-to inf", kUsage,
+                 "--v-to inf makes no sense: give a speed from 1e-09 to 1000 m/s");
+  expect_refusal_with("analyze steady-state --v-from nan", kUsage, "--v-from nan");
+  expect_refusal("analyze steady-state --v-from 2", kUsage,
+                 "the range of speeds is empty: --v-to is below --v-from");
+  expect_refusal("analyze steady-state --points 0", kUsage,
+                 "--points 0 makes no sense: give 1 to 10000");
+  expect_refusal("analyze steady-state a.h5", kUsage,
+                 "'a.h5' is not expected: analyze steady-state reads no checkpoint; see analyze "
+                 "steady-state --help");
+  expect_refusal_with("analyze steady-state --set junctions.mu_d=0.5", kUsage, "junctions.mu_d");
+}
+
+}  // namespace
+}  // namespace rupture::test

@@ -1,0 +1,105 @@
+// Eq. S1 and the one-block relaxation behind its coefficient.
+#include "rupture/analysis/slow_slip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rupture/model/derived.hpp"
+
+namespace rupture {
+namespace {
+
+TEST(SlowSlipEstimate, is_equation_S1) {
+  Parameters p;
+  p.delta_t_R = 0.0;  // <t_R> = 2 ms
+  p.kappa = 4e10;
+  // f_N = 0.25 N: k_ij = sqrt(4e10 / 4) = 1e5 N/m, tau_slip = 0.17 * 25 N, k_i = 1e7 N/m
+  EXPECT_NEAR(slow_slip_estimate(p, 25.0), 4.2 * 4.25 / (1e7 * 2e-3), 1e-15);
+}
+
+TEST(SlowSlipEstimate, is_zero_where_nothing_drives_it) {
+  Parameters p;
+  EXPECT_EQ(slow_slip_estimate(p, 0.0), 0.0);
+  p.f_new = NewForce::f_slip;
+  EXPECT_EQ(slow_slip_estimate(p, 25.0), 0.0);
+}
+
+TEST(Relaxation, without_breaking_slips_by_the_harmonic_sum) {
+  Parameters p;
+  const auto relaxation = relax(p, 0, Rebreaking::off);
+  ASSERT_TRUE(relaxation);
+  EXPECT_NEAR(relaxation->net_slip, 5.187377517639621, 1e-12);  // H_100
+  EXPECT_EQ(relaxation->duration, relaxation->quiet_time);
+  EXPECT_EQ(relaxation->slip_at_return, relaxation->net_slip);
+  p.N_s = 3;
+  EXPECT_NEAR(relax(p, 0, Rebreaking::off)->net_slip, 1.0 + 1.0 / 2.0 + 1.0 / 3.0, 1e-15);
+}
+
+TEST(Relaxation, of_three_junctions_with_breaking_follows_the_hand) {
+  // Pinned in the order A, B, C. f_thres = 1.4 f_slip: A makes the slip 1. B would make it 1.5, but
+  // A breaks at 1.4, and B alone makes it 2. The next one, attached there, would make it 2.5, but B
+  // breaks at 2.4, and so on: one stays pinned, and each return adds 1 for ever.
+  Parameters p;
+  p.N_s = 3;
+  p.mu_d = 0.2;
+  p.mu_s = 1.4 * 0.2;
+  EXPECT_FALSE(relax(p, 0));
+  // f_thres = 1.6 f_slip: B makes it 1.5. C, attached there, would make it 1 + 2.5/3, but A breaks
+  // at 1.6, which makes it 1 + 2.5/2 = 2.25. A, attached there: 1 + 4.75/3 = 2.58, and B bears 2.6.
+  p.mu_s = 1.6 * 0.2;
+  const auto relaxation = relax(p, 0);
+  ASSERT_TRUE(relaxation);
+  EXPECT_NEAR(relaxation->net_slip, 1.0 + 4.75 / 3.0, 1e-14);
+  EXPECT_NEAR(relaxation->slip_at_return, 2.25, 1e-14);
+  EXPECT_GT(relaxation->quiet_time, relaxation->duration);
+}
+
+TEST(Relaxation, at_reference_parameters_slips_by_8_5) {
+  // claim SI: 8.5 +- 0.4, in about 2 <t_R>
+  const auto ensemble = relax_ensemble(Parameters{}, 1000);
+  ASSERT_TRUE(ensemble);
+  EXPECT_NEAR(ensemble->net_slip.value, 8.5, 0.4);
+  EXPECT_NEAR(ensemble->net_slip.deviation, 0.0, 1e-12) << "it does not depend on the order";
+  EXPECT_NEAR(ensemble->duration.value, 2.0, 0.4);
+  // an independent script, 1000 relaxations: 8.7372, 8.0747 and 7.943, 1.754 and 5.739
+  EXPECT_NEAR(ensemble->net_slip.value, 8.737151596704, 1e-9);
+  EXPECT_NEAR(ensemble->slip_after_two.value, 8.0747, 0.01);
+  EXPECT_NEAR(ensemble->slip_at_return.value, 7.943, 0.012);
+  EXPECT_NEAR(ensemble->duration.value, 1.754, 0.02);
+  EXPECT_NEAR(ensemble->quiet_time.value, 5.739, 0.06);
+}
+
+TEST(Relaxation, counts_time_in_mean_slipping_times) {
+  Parameters fast;
+  fast.t_R /= 8.0;
+  fast.delta_t_R /= 8.0;
+  EXPECT_DOUBLE_EQ(relax(fast, 3)->duration, relax(Parameters{}, 3)->duration);
+  Parameters equal;
+  equal.delta_t_R = 0.0;
+  EXPECT_DOUBLE_EQ(relax(equal, 0)->duration, 1.0);
+}
+
+TEST(Relaxation, depends_on_seed_and_replica_only) {
+  Parameters other;
+  other.seed = 2;
+  EXPECT_EQ(relax(Parameters{}, 5)->duration, relax(Parameters{}, 5)->duration);
+  EXPECT_NE(relax(Parameters{}, 5)->duration, relax(Parameters{}, 6)->duration);
+  EXPECT_NE(relax(Parameters{}, 5)->duration, relax(other, 5)->duration);
+}
+
+TEST(Relaxation, does_not_happen_when_junctions_keep_f_slip) {
+  Parameters p;
+  p.f_new = NewForce::f_slip;
+  EXPECT_NEAR(relax(p, 0)->net_slip, 0.0, 1e-12);
+}
+
+TEST(Relaxation, has_no_end_if_f_thres_is_little_above_f_slip) {
+  Parameters p;
+  p.mu_s = p.mu_d;
+  EXPECT_FALSE(relax(p, 0));
+  EXPECT_FALSE(relax_ensemble(p, 2));
+}
+
+}  // namespace
+}  // namespace rupture

@@ -1,0 +1,228 @@
+// Effective static friction: closed forms, quadrature, the forces of single junctions, and the
+// reference law itself.
+#include "rupture/analysis/strength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rupture/dynamics/equilibrium.hpp"
+#include "rupture/forces/reference_law.hpp"
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+const std::vector<double> kSigmaBars = {0.01, 0.1, 0.2, 0.28, 0.3, 0.4, 0.6, 0.8, 1.0};
+
+TEST(Strength, of_equal_forces_is_that_of_one_junction) {
+  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
+    EXPECT_DOUBLE_EQ(effective_strength(shape, 0.0), 1.0);
+  }
+}
+
+TEST(Strength, of_a_uniform_phi_has_a_closed_form) {
+  // half-widths a = 1/4, 1/2 (where the maximum leaves the first break), 5/8 and 1
+  const double unit = 1.0 / std::sqrt(3.0);
+  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.25 * unit), 0.75);
+  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.5 * unit), 0.5);
+  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.625 * unit), 0.4);
+  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, unit), 0.25);
+}
+
+TEST(Strength, of_a_wide_bell_has_a_closed_form) {
+  // a >= 5/2: phi = a F with y = 1 + z <= 1, 5 y^3 - 15/4 y^4 = a (5/4 y^4 - 3/4 y^5), is
+  // 3 a y^2 - (5 a + 15) y + 20 = 0, and the strength is F - a H with H = y^5/4 - y^6/8.
+  for (const double a : {2.5, 3.0, 5.0}) {
+    const double b = 5.0 * a + 15.0;
+    const double y = (b - std::sqrt(b * b - 240.0 * a)) / (6.0 * a);
+    const double expected = 1.25 * std::pow(y, 4) - 0.75 * std::pow(y, 5) -
+                            a * (std::pow(y, 5) / 4.0 - std::pow(y, 6) / 8.0);
+    EXPECT_NEAR(effective_strength(PhiShape::bell, a * std::sqrt(2.0 / 21.0)), expected, 1e-14);
+  }
+}
+
+/// The density of a shape as the paper writes it (Fig. S5).
+ForceDensity density(PhiShape shape, double sigma_bar, double centre) {
+  const double a = sigma_bar / unit_sigma(shape);
+  const auto phi = [=](double g) {
+    const double x = std::abs((g - centre) / a);
+    if (shape == PhiShape::uniform) return 1.0 / (2.0 * a);
+    return 5.0 / (4.0 * a) * (1.0 + 3.0 * x) * std::pow(1.0 - x, 3);
+  };
+  return {phi, centre - a, centre + a};
+}
+
+TEST(Strength, agrees_with_quadrature) {
+  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
+    for (const double sigma_bar : kSigmaBars) {
+      EXPECT_NEAR(effective_strength(shape, sigma_bar),
+                  effective_strength(density(shape, sigma_bar, 0.0)), 1e-7)
+          << sigma_bar;
+    }
+  }
+}
+
+TEST(Strength, does_not_need_a_normalised_density) {
+  const auto three = [](double) { return 3.0; };
+  EXPECT_NEAR(effective_strength(ForceDensity{three, 0.5, 2.5}), 0.25, 1e-7);
+}
+
+TEST(Strength, does_not_depend_on_the_mean_force) {
+  for (const double centre : {-0.7, 0.2}) {
+    EXPECT_NEAR(effective_strength(density(PhiShape::bell, 0.3, centre)),
+                effective_strength(PhiShape::bell, 0.3), 1e-7);
+  }
+}
+
+TEST(Strength, falls_with_sigma) {
+  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
+    double before = 1.0;
+    for (const double sigma_bar : kSigmaBars) {
+      EXPECT_LT(effective_strength(shape, sigma_bar), before) << sigma_bar;
+      before = effective_strength(shape, sigma_bar);
+    }
+  }
+}
+
+// --- single junctions, f_thres = 4 N, f_slip = 1 N
+// ------------------------------------------------
+
+double largest(std::vector<double> pinned, std::vector<double> slipping) {
+  return largest_friction({std::move(pinned), std::move(slipping), 4.0, 1.0});
+}
+
+TEST(LargestFriction, of_one_junction_is_f_thres) {
+  EXPECT_DOUBLE_EQ(largest({-3.0}, {}), 4.0);
+}
+
+TEST(LargestFriction, is_met_before_the_first_break_if_forces_are_alike) {
+  EXPECT_DOUBLE_EQ(largest({2.0, 1.5, 1.0}, {}), 4.0 + 3.5 + 3.0);
+}
+
+TEST(LargestFriction, is_met_before_a_later_break_if_they_are_not) {
+  // breaks at stretches 0, 5 and 6: 4 - 1 - 2 = 1, then 1 + 4 + 3 = 8, then 1 + 1 + 4 = 6
+  EXPECT_DOUBLE_EQ(largest({-1.0, 4.0, -2.0}, {}), 8.0);
+}
+
+TEST(LargestFriction, counts_slipping_junctions_with_f_slip) {
+  EXPECT_DOUBLE_EQ(largest({2.0}, {1.0, 1.0}), 4.0 + 2.0);
+  EXPECT_DOUBLE_EQ(largest({}, {1.0, 1.0}), 2.0);
+}
+
+TEST(LargestFriction, stretches_slipping_junctions_no_further_than_f_slip) {
+  // after a reversal they carry less; at the break, stretch 1, they carry -0.5 + 1, 1 and -1 + 1
+  EXPECT_DOUBLE_EQ(largest({3.0}, {-0.5, 0.8, -1.0}), 4.0 + 0.5 + 1.0 + 0.0);
+  EXPECT_DOUBLE_EQ(largest({}, {-0.5, 0.8, -1.0}), 3.0) << "all slip at last";
+}
+
+TEST(LargestFriction, takes_a_junction_beyond_f_thres_as_about_to_break) {
+  EXPECT_DOUBLE_EQ(largest({4.5, 3.0}, {}), 4.0 + 3.0);
+}
+
+// --- blocks
+// ---------------------------------------------------------------------------------------
+
+/// A slider of 5 x 3 blocks at equilibrium; each junction carries `mean` +- half_width in units g.
+class StrengthOfBlocks : public ::testing::Test {
+ protected:
+  void carry(PhiShape shape, double mean, double half_width) {
+    const auto blocks = block_forces(p_, state_);
+    const auto xi = unit_quantiles(shape, p_.N_s);
+    for (Eigen::Index i = 0; i < p_.Nx; ++i) {
+      const auto& b = blocks[static_cast<std::size_t>(i)];
+      for (Eigen::Index j = 0; j < p_.N_s; ++j) {
+        const double g = mean + half_width * xi[static_cast<std::size_t>(j)];
+        state_.junctions.attachment(i, j) =
+            state_.u_x(i, 0) - (b.f_slip + g * (b.f_thres - b.f_slip)) / stiffness(i);
+      }
+    }
+  }
+  double stiffness(Eigen::Index i) const {
+    return junction_stiffness(p_, foundation_force(p_, state_.u_z(i, 0)));
+  }
+
+  Parameters p_ = testing::small_slider(5, 3);
+  State state_ = normal_load_equilibrium(p_);
+};
+
+TEST_F(StrengthOfBlocks, lies_on_the_curve) {
+  for (const double mean : {-0.3, 0.1}) {
+    carry(PhiShape::bell, mean, 0.8);
+    for (const BlockStrength& block : block_strengths(p_, state_)) {
+      EXPECT_NEAR(*block.tau_bar_0, mean, 1e-12);
+      EXPECT_NEAR(*block.sigma_bar, 0.8 * std::sqrt(2.0 / 21.0), 2e-3);
+      // 100 junctions: the largest friction is met while one of them is about to break
+      EXPECT_NEAR(*block.mu_bar_eff, effective_strength(PhiShape::bell, *block.sigma_bar), 0.01);
+      EXPECT_NEAR(block.tau_max / block.p, 0.17 + 0.23 * *block.mu_bar_eff, 1e-12);
+    }
+  }
+}
+
+TEST_F(StrengthOfBlocks, leaves_out_the_slipping_junctions) {
+  carry(PhiShape::uniform, 0.0, 0.0);
+  state_.junctions.repin_time.col(3) = 1e-3;
+  state_.junctions.repin_time.col(77) = 1e-3;
+  for (const BlockStrength& block : block_strengths(p_, state_)) {
+    EXPECT_NEAR(block.slipping, 0.02, 1e-15);
+    EXPECT_NEAR(*block.mu_bar_eff, 0.98, 1e-12);
+  }
+}
+
+TEST_F(StrengthOfBlocks, has_no_value_without_contact) {
+  state_.u_z(2, 0) = 1e-6;
+  const BlockStrength block = block_strengths(p_, state_)[2];
+  EXPECT_DOUBLE_EQ(block.x, 5e-3);
+  EXPECT_EQ(block.p, 0.0);
+  EXPECT_EQ(block.tau_max, 0.0);
+  EXPECT_FALSE(block.sigma_bar || block.tau_bar_0 || block.mu_bar_eff);
+}
+
+/// mu-bar of one block under the reference law itself: its junctions carry quantiles of a shape
+/// about g = `mean`, and the block is moved forwards at t = 0, so that none is pinned again.
+double simulated_strength(PhiShape shape, double sigma_bar, double mean) {
+  Parameters p;
+  p.Nx = 1;
+  p.N_s = 10000;
+  double p_i = 33.7, k_ij = junction_stiffness(p, p_i);
+  double w = p_i / static_cast<double>(p.N_s) / k_ij;  // f = mu f_N at a stretch of mu w
+  const double a = sigma_bar / unit_sigma(shape), range = p.mu_s - p.mu_d;
+  const auto xi = unit_quantiles(shape, p.N_s);
+  Junctions junctions = State(p).junctions;
+  for (Eigen::Index j = 0; j < p.N_s; ++j) {
+    const double g = mean + a * xi[static_cast<std::size_t>(j)];
+    junctions.attachment(0, j) = -(p.mu_d + range * g) * w;
+  }
+  ReferenceLaw law(p, junctions);
+  const ContactView contact{&p_i, &k_ij, &w};
+  double tau_max = 0.0;
+  constexpr int steps = 4000;
+  for (int n = 0; n <= steps; ++n) {
+    const double u = 2.0 * w * n / steps;
+    double tau = 0.0;
+    law.update(&u, contact, 0.0);
+    law.friction(&u, contact, &tau);
+    tau_max = std::max(tau_max, tau);
+  }
+  return (tau_max / p_i - p.mu_d) / range;
+}
+
+TEST(Strength, is_what_the_reference_law_bears) {
+  // 10,000 junctions and moves of 2/4000 of f_N/k_ij, 0.22 % of the range from f_slip to f_thres
+  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
+    for (const double sigma_bar : {0.1, 0.25, 0.5}) {
+      EXPECT_NEAR(simulated_strength(shape, sigma_bar, -0.2), effective_strength(shape, sigma_bar),
+                  0.0025)
+          << sigma_bar;
+    }
+  }
+}
+
+TEST(Strength, of_the_reference_law_does_not_depend_on_the_mean_force) {
+  const double low = simulated_strength(PhiShape::bell, 0.2, -0.5);
+  EXPECT_NEAR(simulated_strength(PhiShape::bell, 0.2, 0.2), low, 0.0025);
+}
+
+}  // namespace
+}  // namespace rupture
