@@ -135,7 +135,7 @@ void junctions_of(benchmark::State& bench, State state) {
   for (auto _ : bench) {
     kernels().contact(p.Nx, state.u_z.row(0), foundation_stiffness(p), static_cast<double>(p.N_s),
                       p.kappa, contact);
-    benchmark::DoNotOptimize(law.update(state.u_x.row(0), contact, t));
+    benchmark::DoNotOptimize(law.update(state.u_x.row(0), state.v_x.row(0), contact, t));
     law.friction(state.u_x.row(0), contact, tau.data());
     benchmark::ClobberMemory();
   }

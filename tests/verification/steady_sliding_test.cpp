@@ -64,7 +64,7 @@ double simulated_friction(Parameters p, double v) {
   double sum = 0.0;
   for (int n = 1; n <= running_in + measured; ++n) {
     const double t = n * dt, u = v * t;
-    law.update(&u, contact.view(), t);
+    law.update(&u, &v, contact.view(), t);
     double tau = 0.0;
     law.friction(&u, contact.view(), &tau);
     if (n > running_in) sum += tau;

@@ -8,6 +8,7 @@
 
 #include "rupture/analysis/phi.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
+#include "rupture/forces/interface_law.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -21,14 +22,14 @@ constexpr std::int64_t kThroughTheRupture = 2500;  // steps
 
 /// What acts on the slider from outside at the new positions: junctions move on, then p, tau, F_N
 /// and F_T are added.
-void add_boundary_forces(const Parameters& p, ReferenceLaw& law, State& s) {
+void add_boundary_forces(const Parameters& p, InterfaceLaw& law, State& s) {
   std::vector<double> p_i = normal_forces(p, s), k_ij, w, tau(p_i.size());
   for (const double normal : p_i) {
     k_ij.push_back(junction_stiffness(p, normal));
     w.push_back(normal > 0.0 ? normal / static_cast<double>(p.N_s) / k_ij.back() : 0.0);
   }
   const ContactView contact = {p_i.data(), k_ij.data(), w.data()};
-  law.update(s.u_x.row(0), contact, time(p, s));
+  law.update(s.u_x.row(0), s.v_x.row(0), contact, time(p, s));
   law.friction(s.u_x.row(0), contact, tau.data());
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     s.f_x(i, 0) -= tau[static_cast<std::size_t>(i)];
@@ -47,9 +48,9 @@ TEST(Step, follows_the_stated_order) {
   for (int n = 0; n < kThroughTheRupture; ++n) {
     State plain = simulation.state();
     Bulk bulk(p);
-    ReferenceLaw law(p, plain.junctions);
+    const auto law = make_law(p, plain.junctions);
     testing::plain_step(p, p.dt, bulk, plain,
-                        [&](State& now) { add_boundary_forces(p, law, now); });
+                        [&](State& now) { add_boundary_forces(p, *law, now); });
     simulation.advance();
     const State& s = simulation.state();
     ASSERT_EQ(s.step, plain.step);
