@@ -64,6 +64,7 @@ TEST_P(StepUnder, follows_the_stated_order) {
     ASSERT_LT((s.v_x.blocks() - plain.v_x.blocks()).abs().maxCoeff(), 1e-12) << "step " << n;
     ASSERT_LT((s.u_x.blocks() - plain.u_x.blocks()).abs().maxCoeff(), 1e-18) << "step " << n;
     ASSERT_TRUE((s.junctions.draws == plain.junctions.draws).all()) << "step " << n;
+    ASSERT_TRUE((s.junctions.repin_time == plain.junctions.repin_time).all()) << "step " << n;
     ASSERT_TRUE((s.junctions.slow_until == plain.junctions.slow_until).all()) << "step " << n;
     ASSERT_LT((s.junctions.attachment - plain.junctions.attachment).abs().maxCoeff(), 1e-18);
   }
