@@ -23,5 +23,7 @@ class Pinned:
     def __init__(self, path):
         with h5py.File(path) as file:
             self.time = file["series/time"][()]
-            self.fraction = file["series/pinned"][()] / file["parameters/junctions/N_s"][()]
+            simplified = file["parameters/junctions/law"][()] == b"simplified"
+            springs = 1 if simplified else file["parameters/junctions/N_s"][()]
+            self.fraction = file["series/pinned"][()] / springs
         self.x_over_L = np.linspace(0, 1, self.fraction.shape[1])

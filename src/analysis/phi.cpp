@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {
@@ -27,20 +28,21 @@ struct BlockJunctions {
   Eigen::Index i;
   double x;        ///< position of the block [m]
   double u_x;      ///< [m]
-  double k_ij;     ///< [N/m]
+  double k_ij;     ///< of each spring [N/m]
   double f_thres;  ///< [N]
   double f_slip;   ///< [N]
 };
 
 BlockJunctions block_junctions(const Parameters& p, const State& state, Eigen::Index i) {
   const double p_i = foundation_force(p, state.u_z(i, 0));
-  const auto N_s = static_cast<double>(p.N_s);
+  const auto springs = static_cast<double>(springs_per_block(p));
+  const double junctions_in_each = static_cast<double>(p.N_s) / springs;
   return {i,
           block_position(p, i),
           state.u_x(i, 0),
-          junction_stiffness(p, p_i),
-          p.mu_s * p_i / N_s,
-          p.mu_d * p_i / N_s};
+          junctions_in_each * junction_stiffness(p, p_i),
+          p.mu_s * p_i / springs,
+          p.mu_d * p_i / springs};
 }
 
 /// Indices of the junctions that change, ordered by the force they carry now.
@@ -92,6 +94,14 @@ std::optional<ImpossibleBlock> spread(Junctions& junctions, const BlockJunctions
 
 }  // namespace
 
+void refuse_single_springs(const Parameters& p) {
+  if (p.law != Law::simplified) return;
+  throw Failure(
+      "the checkpoint has junctions.law = simplified: a single spring per block has no "
+      "distribution of "
+      "forces; use a checkpoint of the reference or the decaying law");
+}
+
 std::vector<double> normal_forces(const Parameters& p, const State& state) {
   std::vector<double> forces;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
@@ -109,7 +119,7 @@ std::vector<double> friction_forces(const Parameters& p, const State& state) {
 }
 
 std::vector<BlockForces> block_forces(const Parameters& p, const State& state) {
-  const auto N_s = static_cast<double>(p.N_s);
+  const auto springs = static_cast<double>(state.junctions.attachment.cols());
   std::vector<BlockForces> blocks;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const BlockJunctions common = block_junctions(p, state, i);
@@ -118,13 +128,13 @@ std::vector<BlockForces> block_forces(const Parameters& p, const State& state) {
     block.f_thres = common.f_thres;
     block.f_slip = common.f_slip;
     block.slipping = 1.0 - pinned_fraction(state.junctions, i);
-    for (Eigen::Index j = 0; j < p.N_s; ++j) {
+    for (Eigen::Index j = 0; j < state.junctions.attachment.cols(); ++j) {
       block.forces.push_back(common.k_ij * (common.u_x - state.junctions.attachment(i, j)));
     }
-    block.mean = std::accumulate(block.forces.begin(), block.forces.end(), 0.0) / N_s;
+    block.mean = std::accumulate(block.forces.begin(), block.forces.end(), 0.0) / springs;
     double squares = 0.0;
     for (const double f : block.forces) squares += (f - block.mean) * (f - block.mean);
-    block.sigma = std::sqrt(squares / N_s);
+    block.sigma = std::sqrt(squares / springs);
     blocks.push_back(std::move(block));
   }
   return blocks;
@@ -157,6 +167,7 @@ std::vector<double> unit_quantiles(PhiShape shape, std::int64_t n) {
 
 std::vector<ImpossibleBlock> change_phi(const Parameters& p, State& state,
                                         const PhiChange& change) {
+  refuse_single_springs(p);
   std::vector<ImpossibleBlock> impossible;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const BlockJunctions block = block_junctions(p, state, i);

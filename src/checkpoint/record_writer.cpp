@@ -10,6 +10,7 @@
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
+#include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
@@ -30,7 +31,7 @@ void check_size(const char* what, std::size_t size, std::size_t Nx) {
 
 void check_count_range(const Parameters& parameters) {
   constexpr std::int64_t most = std::numeric_limits<std::uint16_t>::max();
-  if (parameters.N_s > most) {
+  if (springs_per_block(parameters) > most) {
     throw UsageError(
         fmt::format("junctions.N_s = {} is too large for a record, which counts up to "
                     "{} junctions per block",

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
@@ -31,6 +32,7 @@ constexpr const char* kAttachment = "/state/junctions/attachment";
 constexpr const char* kSlipping = "/state/junctions/slipping";
 constexpr const char* kRepinTime = "/state/junctions/repin_time";
 constexpr const char* kDraws = "/state/junctions/draws";
+constexpr const char* kSlowUntil = "/state/junctions/slow_until";
 
 Shape shape_of(Eigen::Index rows, Eigen::Index columns) {
   return {static_cast<std::uint64_t>(rows), static_cast<std::uint64_t>(columns)};
@@ -88,6 +90,22 @@ void read_repin_times(const Content& content, JunctionArray<double>& repin_time)
   }
 }
 
+// Of the simplified law only.
+void read_slow_slip(const Content& content, Junctions& junctions) {
+  if (junctions.slow_until.size() == 0) return;
+  read_junctions(content, kSlowUntil, junctions.slow_until);
+  for (Eigen::Index i = 0; i < junctions.slow_until.rows(); ++i) {
+    const double repin_time = junctions.repin_time(i, 0);
+    if (!is_slipping(repin_time)) continue;
+    if (repin_time == Junctions::unknown && junctions.slow_until(i, 0) != 0.0) continue;
+    throw Failure(
+        fmt::format("the spring of block {} is slipping with {} = {} s and {} = {} s; expected 0 s "
+                    "and, as it has "
+                    "broken, a time",
+                    i, kRepinTime, repin_time, kSlowUntil, junctions.slow_until(i, 0)));
+  }
+}
+
 std::int64_t read_step(const Content& content, const char* path) {
   const auto step = read_scalar<std::int64_t>(content, path);
   if (step < 0) throw Failure(fmt::format("{} = {}; expected 0 or more", path, step));
@@ -111,11 +129,15 @@ Content state_content(const State& state) {
   content[kRepinTime] =
       array_dataset<double>(junctions.repin_time.unaryExpr(&stored_repin_time), "s");
   content[kDraws] = array_dataset(junctions.draws, "1");
+  if (junctions.slow_until.size() > 0) {
+    content[kSlowUntil] = array_dataset(junctions.slow_until, "s");
+  }
   return content;
 }
 
 State read_state(const Content& content, const Parameters& parameters) {
-  expect(content, kRepinTime, DataType::float64, shape_of(parameters.Nx, parameters.N_s));
+  expect(content, kRepinTime, DataType::float64,
+         shape_of(parameters.Nx, springs_per_block(parameters)));
   expect(content, kFields[0].path, DataType::float64, shape_of(parameters.Nz, parameters.Nx));
   State state(parameters);
   state.step = read_step(content, kStep);
@@ -125,6 +147,7 @@ State read_state(const Content& content, const Parameters& parameters) {
   read_junctions(content, kAttachment, state.junctions.attachment);
   read_repin_times(content, state.junctions.repin_time);
   read_junctions(content, kDraws, state.junctions.draws);
+  read_slow_slip(content, state.junctions);
   return state;
 }
 

@@ -33,7 +33,7 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads)
     : parameters_((validate(parameters), parameters)),
       state_(std::move(state)),
       bulk_(parameters, threads),
-      law_(parameters, state_.junctions),
+      law_(make_law(parameters, state_.junctions)),
       p_(static_cast<std::size_t>(parameters.Nx)),
       k_ij_(p_),
       w_(p_),
@@ -41,7 +41,7 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads)
       last_break_(state_.step),
       ruptured_(p_.size()) {
   find_normal_forces();
-  law_.friction(state_.u_x.row(0), contact(), tau_.data());
+  law_->friction(state_.u_x.row(0), contact(), tau_.data());
   F_T_ = driving_force(parameters_, state_);
   note_ruptures();
   ruptures_.clear();  // blocks that had ruptured before this simulation began
@@ -90,8 +90,9 @@ void Simulation::take_steps(std::int64_t steps) {
 void Simulation::move_interface() {
   ++state_.step;
   find_normal_forces();
-  const auto changes = law_.update(state_.u_x.row(0), contact(), time());
-  law_.friction(state_.u_x.row(0), contact(), tau_.data());
+  const double* u_x = state_.u_x.row(0);
+  const auto changes = law_->update(u_x, state_.v_x.row(0), contact(), time());
+  law_->friction(u_x, contact(), tau_.data());
   if (changes.broken > 0) last_break_ = state_.step;
   if (changes.broken + changes.repinned > 0) note_ruptures();
   F_T_ = driving_force(parameters_, state_);
@@ -103,9 +104,9 @@ void Simulation::find_normal_forces() {
 }
 
 void Simulation::note_ruptures() {
-  const double limit = kRupturedFraction * static_cast<double>(parameters_.N_s);
+  const double limit = kRupturedFraction * static_cast<double>(springs_per_block(parameters_));
   for (std::size_t i = 0; i < ruptured_.size(); ++i) {
-    const bool now = law_.pinned()[i] < limit;
+    const bool now = law_->pinned()[i] < limit;
     if (now && !ruptured_[i]) {
       ruptures_.push_back({state_.step, time(), static_cast<std::int64_t>(i)});
       leading_edge_ruptured_ |= i + 1 == ruptured_.size();

@@ -43,6 +43,10 @@ std::int64_t driving_row(const Parameters& p) {
   return static_cast<std::int64_t>(std::llround(p.h / block_spacing(p)));
 }
 
+std::int64_t springs_per_block(const Parameters& p) {
+  return p.law == Law::simplified ? 1 : p.N_s;
+}
+
 double junction_stiffness(const Parameters& p, double p_i) {
   return std::sqrt(p.kappa * (p_i / static_cast<double>(p.N_s)));
 }

@@ -20,6 +20,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 const std::vector<std::string_view> kSlippingTimesNames = {"gaussian", "exponential"};
 const std::vector<std::string_view> kNewForceNames = {"zero", "f_slip"};
+const std::vector<std::string_view> kLawNames = {"reference", "simplified", "decaying"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
                        ParameterMember member, double maximum, std::string_view help) {
@@ -41,8 +42,10 @@ template <class Enum>
 const std::vector<std::string_view>& names_of() {
   if constexpr (std::is_same_v<Enum, SlippingTimes>) {
     return kSlippingTimesNames;
-  } else {
+  } else if constexpr (std::is_same_v<Enum, NewForce>) {
     return kNewForceNames;
+  } else {
+    return kLawNames;
   }
 }
 
@@ -100,6 +103,9 @@ const std::vector<ParameterInfo>& parameter_table() {
       at_least(0, "driving.K", "K", "N/m", &P::K, 1e12, "modulus of the driving spring"),
       at_least(0, "driving.h", "h", "m", &P::h, 1e3, "height at which the driving spring acts"),
       at_least(-10, "driving.V", "V", "m/s", &P::V, 10, "speed of the driving point"),
+      choice("junctions.law", "-", &P::law,
+             "interface law: reference; simplified (one spring per block, slow slip imposed); "
+             "decaying (slipping force falls with time)"),
       at_least(1, "junctions.N_s", "N_s", "1", &P::N_s, 1e6, "junctions per interface block"),
       positive("junctions.mu_s", "mu_s", "1", &P::mu_s, 100, "threshold coefficient f_thres/f_N"),
       at_least(0, "junctions.mu_d", "mu_d", "1", &P::mu_d, 100, "slipping coefficient f_slip/f_N"),
@@ -111,7 +117,11 @@ const std::vector<ParameterInfo>& parameter_table() {
       choice("junctions.slipping_times", "T(t_R)", &P::slipping_times,
              "distribution of slipping times: folded Gaussian or exponential"),
       choice("junctions.f_new", "f_new", &P::f_new,
-             "force of a newly pinned junction; f_slip switches slow slip off"),
+             "force of a newly pinned junction (reference law); f_slip switches slow slip off"),
+      at_least(0, "junctions.mu_new", "mu_new", "1", &P::mu_new, 100,
+               "coefficient f_new/f_N at the end of slipping (decaying law)"),
+      at_least(0, "junctions.v_slow", "v_slow", "m/s", &P::v_slow, 10,
+               "speed of the imposed slow slip; 0 switches it off (simplified law)"),
       positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step"),
       at_least(0, "numerics.seed", "seed", "1", &P::seed, 9e15, "key of the random numbers"),
   };
@@ -131,6 +141,7 @@ const ParameterInfo& find_parameter(std::string_view name) {
 std::vector<std::string_view> choices(const ParameterInfo& info) {
   if (std::holds_alternative<SlippingTimes P::*>(info.member)) return kSlippingTimesNames;
   if (std::holds_alternative<NewForce P::*>(info.member)) return kNewForceNames;
+  if (std::holds_alternative<Law P::*>(info.member)) return kLawNames;
   return {};
 }
 
@@ -162,6 +173,33 @@ std::string parameter_text(const Parameters& parameters, const ParameterInfo& in
       info.member);
 }
 
+namespace {
+
+void validate_law(const Parameters& p) {
+  if (p.mu_d > p.mu_s) {
+    throw UsageError(fmt::format(
+        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a junction cannot slip at more than "
+        "its strength",
+        p.mu_d, p.mu_s));
+  }
+  if (p.law == Law::decaying && p.mu_new > p.mu_d) {
+    throw UsageError(
+        fmt::format("junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the decaying law "
+                    "the slipping "
+                    "force falls",
+                    p.mu_new, p.mu_d));
+  }
+  if (p.law != Law::reference && p.f_new != NewForce::zero) {
+    throw UsageError(fmt::format(
+        "junctions.f_new = f_slip belongs to the reference law: to switch slow slip off under the "
+        "{} law, set {}",
+        kLawNames[static_cast<std::size_t>(p.law)],
+        p.law == Law::simplified ? "junctions.v_slow to 0" : "junctions.mu_new to junctions.mu_d"));
+  }
+}
+
+}  // namespace
+
 void validate(const Parameters& p) {
   const double l = block_spacing(p);
   const double l_z = p.H / static_cast<double>(p.Nz - 1);
@@ -178,12 +216,7 @@ void validate(const Parameters& p) {
         "slider.H",
         p.h, l));
   }
-  if (p.mu_d > p.mu_s) {
-    throw UsageError(fmt::format(
-        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a junction cannot slip at more than "
-        "its strength",
-        p.mu_d, p.mu_s));
-  }
+  validate_law(p);
   if (const double limit = stable_time_step(p); !(p.dt <= limit)) {
     throw UsageError(fmt::format(
         "numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s", p.dt, limit));

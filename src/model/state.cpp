@@ -11,9 +11,11 @@ State::State(const Parameters& p)
       v_z(p.Nx, p.Nz),
       f_x(p.Nx, p.Nz),
       f_z(p.Nx, p.Nz) {
-  junctions.attachment.setZero(p.Nx, p.N_s);
-  junctions.repin_time.setConstant(p.Nx, p.N_s, Junctions::never);
-  junctions.draws.setZero(p.Nx, p.N_s);
+  const std::int64_t springs = springs_per_block(p);
+  junctions.attachment.setZero(p.Nx, springs);
+  junctions.repin_time.setConstant(p.Nx, springs, Junctions::never);
+  junctions.draws.setZero(p.Nx, springs);
+  if (p.law == Law::simplified) junctions.slow_until.setZero(p.Nx, springs);
 }
 
 double time(const Parameters& p, const State& state) {

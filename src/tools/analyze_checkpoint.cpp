@@ -72,6 +72,7 @@ int analyze_phi(int argc, const char* const* argv) {
   if (bins < 1 || bins > most_bins) {
     throw UsageError(fmt::format("--bins {} makes no sense: give 1 to {}", bins, most_bins));
   }
+  refuse_single_springs(checkpoint.parameters);
   const auto blocks = block_forces(checkpoint.parameters, checkpoint.state);
   Report report;
   std::vector<double> x, mean, sigma, sigma_bar, slipping, f_thres, f_slip;

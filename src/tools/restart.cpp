@@ -76,6 +76,19 @@ Options setup(int argc, char** argv) {
 constexpr std::array<std::string_view, 6> kFixed = {"slider.L",  "slider.H",      "slider.Nx",
                                                     "slider.Nz", "junctions.N_s", "numerics.dt"};
 
+std::string law_text(const Parameters& p) {
+  return parameter_text(p, find_parameter("junctions.law"));
+}
+
+/// One spring per block cannot become many, nor the other way round.
+void refuse_other_springs(const Parameters& before, const Parameters& after) {
+  if ((before.law == Law::simplified) == (after.law == Law::simplified)) return;
+  throw UsageError(fmt::format(
+      "junctions.law cannot change from {} to {} in a restart: the simplified law has one spring "
+      "per block; start with load --set junctions.law={}",
+      law_text(before), law_text(after), law_text(after)));
+}
+
 /// Applies the changes; the driving point stays where it is when its speed changes.
 void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) {
   const Parameters before = checkpoint.parameters;
@@ -86,6 +99,7 @@ void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) 
     throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}", name,
                                  parameter_text(before, info)));
   }
+  refuse_other_springs(before, checkpoint.parameters);
   if (checkpoint.parameters.V != before.V) {
     State& state = checkpoint.state;
     state.drive = {state.step, drive_position(before, state.drive, state.step)};

@@ -32,6 +32,12 @@ run_chain() {
     --until 8e-4 -o exponential.h5
   "$bin/restart" rupture.h5 -q --set slider.damping=0 --set driving.V=-1 --for 8e-4 -o return.h5
 
+  # The other interface laws: a rupture, then rest, in which springs slip slowly and are pinned.
+  for law in simplified decaying; do
+    "$bin/load" -q --config "$here/small.ini" --set "junctions.law=$law" --until 3e-4 -o "$law.h5"
+    "$bin/restart" "$law.h5" -q --set driving.V=0 --for 4e-4 -o "$law-rest.h5"
+  done
+
   # The event of Figure 3 from its shipped checkpoint: a rupture that crosses the slider fast, then
   # slowly, then fast again.
   "$bin/restart" "$here/../../checkpoints/fast-slow-fast.h5" -q --for 2.5e-3 -o event.h5 \

@@ -39,6 +39,27 @@ inline Parameters quick_slider() {
   return p;
 }
 
+/// The same under another interface law; the decaying one with the parameters of Fig. S6.
+inline Parameters quick_slider(Law law) {
+  Parameters p = quick_slider();
+  p.law = law;
+  if (law == Law::decaying) {
+    p.kappa = 54.1e9;
+    p.mu_d = 0.28;
+    p.mu_new = 0.196;
+  }
+  return p;
+}
+
+/// For the names of parameterised tests.
+inline std::string law_name(Law law) {
+  Parameters p;
+  p.law = law;
+  return parameter_text(p, find_parameter("junctions.law"));
+}
+
+inline constexpr Law kAllLaws[] = {Law::reference, Law::simplified, Law::decaying};
+
 /// A plate without driving, damping or (but for 1e-9 N, as zero is no valid load) any load.
 inline Parameters free_plate(std::int64_t Nx, std::int64_t Nz) {
   Parameters p = small_slider(Nx, Nz);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <tuple>
 
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
@@ -14,6 +15,7 @@ namespace rupture {
 namespace {
 
 using testing::advance;
+using testing::kAllLaws;
 using testing::quick_slider;
 
 struct Split {
@@ -22,11 +24,13 @@ struct Split {
   std::int64_t steps;     ///< but not before this step
 };
 
-class RunSplit : public ::testing::TestWithParam<Split> {
+class RunSplit : public ::testing::TestWithParam<std::tuple<Law, Split>> {
  protected:
-  RunSplit() : p_(quick_slider()), whole_(p_, normal_load_equilibrium(p_)) {
-    const auto wanted = static_cast<std::size_t>(GetParam().ruptures);
-    while (whole_.state().step < GetParam().steps || whole_.ruptures().size() < wanted) {
+  RunSplit()
+      : p_(quick_slider(std::get<Law>(GetParam()))), whole_(p_, normal_load_equilibrium(p_)) {
+    const Split& split = std::get<Split>(GetParam());
+    const auto wanted = static_cast<std::size_t>(split.ruptures);
+    while (whole_.state().step < split.steps || whole_.ruptures().size() < wanted) {
       whole_.advance();
     }
     advance(whole_, 5);
@@ -78,12 +82,22 @@ TEST_P(RunSplit, after_every_step_gives_the_bits_of_one_run) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AtRupture, RunSplit,
-                         ::testing::Values(Split{"before", 0, 500}, Split{"during", 4, 0},
-                                           Split{"after", 9, 2500}),
-                         [](const auto& split) { return split.param.name; });
+                         ::testing::Combine(::testing::ValuesIn(kAllLaws),
+                                            ::testing::Values(Split{"before", 0, 500},
+                                                              Split{"during", 4, 0},
+                                                              Split{"after", 9, 2500})),
+                         [](const auto& run) {
+                           return testing::law_name(std::get<Law>(run.param)) + "_" +
+                                  std::get<Split>(run.param).name;
+                         });
 
-TEST(Determinism, any_number_of_threads_gives_the_same_bits_through_a_rupture) {
-  const Parameters p = quick_slider();
+class DeterminismOf : public ::testing::TestWithParam<Law> {};
+
+INSTANTIATE_TEST_SUITE_P(Law, DeterminismOf, ::testing::ValuesIn(kAllLaws),
+                         [](const auto& law) { return testing::law_name(law.param); });
+
+TEST_P(DeterminismOf, any_number_of_threads_gives_the_same_bits_through_a_rupture) {
+  const Parameters p = quick_slider(GetParam());
   const State start = normal_load_equilibrium(p);
   Simulation alone(p, start);
   advance(alone, 3000);
@@ -102,8 +116,8 @@ TEST(Determinism, a_small_slider_gets_one_thread) {
   EXPECT_EQ(threads_that_pay(quick_slider()), 1);
 }
 
-TEST(Determinism, the_split_during_the_rupture_is_during_it) {
-  const Parameters p = quick_slider();
+TEST_P(DeterminismOf, the_split_during_the_rupture_is_during_it) {
+  const Parameters p = quick_slider(GetParam());
   Simulation simulation(p, normal_load_equilibrium(p));
   while (simulation.ruptures().size() < 4) simulation.advance();
   advance(simulation, 5);

@@ -35,6 +35,9 @@ std::vector<BlockForces> block_forces(const Parameters& parameters, const State&
 /// Counts of `forces` in `bins` equal bins between -f_thres and f_thres.
 std::vector<std::int64_t> histogram(const BlockForces& block, int bins);
 
+/// Throws Failure if the interface has a single spring per block and so no phi.
+void refuse_single_springs(const Parameters& parameters);
+
 /// Shapes of phi: uniform, or the bell phi(xi) = 5/(4a) (1 + 3|xi/a|) (1 - |xi/a|)^3 on [-a, a].
 enum class PhiShape { uniform, bell };
 

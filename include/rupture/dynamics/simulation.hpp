@@ -11,12 +11,13 @@
 // damping force was taken at the half-kicked velocity, which is not kept.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "rupture/dynamics/energy.hpp"
 #include "rupture/forces/bulk.hpp"
-#include "rupture/forces/reference_law.hpp"
+#include "rupture/forces/interface_law.hpp"
 #include "rupture/model/rupture.hpp"
 #include "rupture/model/state.hpp"
 
@@ -42,7 +43,7 @@ class Simulation {
   std::span<const double> tau() const { return tau_; }  ///< friction force per block [N]
   double F_T() const { return F_T_; }                   ///< driving force [N]
   double x_drive() const { return drive_position(parameters_, state_.drive, state_.step); }
-  const std::vector<std::int32_t>& pinned() const { return law_.pinned(); }
+  const std::vector<std::int32_t>& pinned() const { return law_->pinned(); }
 
   /// Step at which a junction last broke; the first step of this simulation if none has.
   std::int64_t last_break() const { return last_break_; }
@@ -71,7 +72,7 @@ class Simulation {
   const Parameters parameters_;
   State state_;
   Bulk bulk_;
-  ReferenceLaw law_;
+  std::unique_ptr<InterfaceLaw> law_;
   std::vector<double> p_, k_ij_, w_, tau_;
   double F_T_ = 0;
   std::int64_t last_break_;

@@ -25,6 +25,10 @@ double foundation_force(const Parameters& p, double u_z);
 /// Row of blocks on which the driving spring acts, h / l.
 std::int64_t driving_row(const Parameters& p);
 
+/// Springs between an interface block and the track: N_s junctions, or one under the simplified
+/// law.
+std::int64_t springs_per_block(const Parameters& p);
+
 /// Junction stiffness k_ij = sqrt(kappa f_N) at normal force p_i = N_s f_N on the block [N/m].
 double junction_stiffness(const Parameters& p, double p_i);
 

@@ -19,6 +19,10 @@ enum class SlippingTimes { gaussian, exponential };
 /// switches slow slip off (Fig. 3B).
 enum class NewForce { zero, f_slip };
 
+/// What a junction does once it has broken (forces/interface_law.hpp): the reference law, the
+/// simplified one with a single spring per block (Fig. S2), or the decaying one (Fig. S6).
+enum class Law { reference, simplified, decaying };
+
 struct Parameters {
   // slider
   double L = 0.140;         ///< length along x [m]
@@ -36,6 +40,7 @@ struct Parameters {
   double h = 0.005;   ///< driving height above the interface [m]
   double V = 0.4e-3;  ///< driving speed [m/s]
   // junctions
+  Law law = Law::reference;
   std::int64_t N_s = 100;     ///< junctions per interface block
   double mu_s = 0.4;          ///< f_thres / f_N
   double mu_d = 0.17;         ///< f_slip / f_N
@@ -44,6 +49,8 @@ struct Parameters {
   double delta_t_R = 0.6e-3;  ///< standard deviation of the slipping time [s]
   SlippingTimes slipping_times = SlippingTimes::gaussian;
   NewForce f_new = NewForce::zero;
+  double mu_new = 0.119;   ///< f_new / f_N of the decaying law, 0.7 mu_d
+  double v_slow = 1.5e-3;  ///< speed of slow slip that the simplified law imposes [m/s]
   // numerics
   double dt = 2e-7;       ///< time step [s]
   std::int64_t seed = 1;  ///< key of the random numbers
@@ -52,8 +59,9 @@ struct Parameters {
 };
 
 /// The member of Parameters that a table row describes.
-using ParameterMember = std::variant<double Parameters::*, std::int64_t Parameters::*,
-                                     SlippingTimes Parameters::*, NewForce Parameters::*>;
+using ParameterMember =
+    std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
+                 NewForce Parameters::*, Law Parameters::*>;
 
 /// One row of the parameter table.
 struct ParameterInfo {
@@ -84,7 +92,8 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
 std::string parameter_text(const Parameters& parameters, const ParameterInfo& info);
 
 /// Throws UsageError unless the parameters make physical sense together: equal lattice spacing in x
-/// and z, driving height on a row of blocks, mu_d <= mu_s, time step below the stability limit.
+/// and z, driving height on a row of blocks, mu_d <= mu_s, f_new and mu_new as the interface law
+/// allows them, time step below the stability limit.
 void validate(const Parameters& parameters);
 
 }  // namespace rupture

@@ -12,10 +12,12 @@ namespace rupture {
 template <class T>
 using JunctionArray = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The junctions of all interface blocks; arrays of shape [Nx][N_s].
+/// The junctions of all interface blocks; arrays of shape [Nx][springs_per_block].
 struct Junctions {
   /// A repin time later than every simulation: marks a pinned junction.
   static constexpr double never = kNever;
+  /// The repin time of a slipping spring of the simplified law, which is not known before it comes.
+  static constexpr double unknown = 0.0;
 
   /// Attachment point x_ij on the track, measured like u_x from the undeformed block position [m].
   JunctionArray<double> attachment;
@@ -23,6 +25,9 @@ struct Junctions {
   JunctionArray<double> repin_time;
   /// How many slipping times this junction has drawn so far.
   JunctionArray<std::uint32_t> draws;
+  /// Simplified law only, else empty: time until which the attachment point moves by itself [s];
+  /// negative where it moves towards -x, 0 where the spring has never broken.
+  JunctionArray<double> slow_until;
 };
 
 /// Position of the driving point: x_drive(n) = origin_position + V (n - origin_step) dt.

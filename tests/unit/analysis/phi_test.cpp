@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "rupture/dynamics/equilibrium.hpp"
+#include "rupture/forces/reference_law.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -264,7 +265,10 @@ TEST_F(Interface, is_not_broken_by_the_widest_phi) {
     k_ij.push_back(junction_stiffness(p_, p));
     w.push_back(p / 100.0 / k_ij.back());
   }
-  EXPECT_EQ(law.update(state_.u_x.row(0), {p_i.data(), k_ij.data(), w.data()}, 0.0).broken, 0);
+  EXPECT_EQ(
+      law.update(state_.u_x.row(0), state_.v_x.row(0), {p_i.data(), k_ij.data(), w.data()}, 0.0)
+          .broken,
+      0);
 }
 
 TEST(Histogram, counts_every_junction_once) {

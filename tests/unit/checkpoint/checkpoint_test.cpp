@@ -172,5 +172,64 @@ TEST_F(CheckpointFile, with_contradictory_junctions_is_refused) {
       "/state/step = -1; expected 0 or more");
 }
 
+/// Of the simplified law: springs 0, 2 and 4 are slipping, spring 1 has never broken.
+Checkpoint single_springs() {
+  Checkpoint checkpoint;
+  Parameters& p = checkpoint.parameters;
+  p = testing::small_parameters();
+  p.law = Law::simplified;
+  p.f_new = NewForce::zero;
+  checkpoint.state = testing::small_state(p);
+  Junctions& junctions = checkpoint.state.junctions;
+  for (const Eigen::Index i : {0, 2, 4}) junctions.repin_time(i, 0) = Junctions::unknown;
+  junctions.slow_until.col(0) << 0.1, 0.0, -0.2, -0.3, 0.4;
+  return checkpoint;
+}
+
+TEST_F(CheckpointFile, of_single_springs_returns_the_same_bits) {
+  const Checkpoint written = single_springs();
+  const std::string checksum = write(written);
+  const Checkpoint read = read_checkpoint(file("x.h5"));
+  EXPECT_EQ(read.parameters, written.parameters);
+  EXPECT_EQ(state_content(read.state), state_content(written.state));
+  EXPECT_TRUE((read.state.junctions.repin_time == written.state.junctions.repin_time).all());
+  EXPECT_TRUE((read.state.junctions.slow_until == written.state.junctions.slow_until).all());
+  EXPECT_EQ(checksum, content_checksum(read.parameters, read.state));
+}
+
+TEST_F(CheckpointFile, of_single_springs_alone_holds_the_end_of_slow_slip) {
+  const char* path = "/state/junctions/slow_until";
+  const auto slow_until = read_array<double>(state_content(single_springs().state), path, {5, 1});
+  EXPECT_EQ(slow_until, (std::vector<double>{0.1, 0.0, -0.2, -0.3, 0.4}));
+  EXPECT_FALSE(state_content(small_checkpoint().state).contains(path));
+  expect_contains(refusal_after([&](Content& c) { c[path] = c.at("/state/junctions/repin_time"); }),
+                  "/state/junctions/slow_until is not part of a checkpoint");
+}
+
+TEST_F(CheckpointFile, with_contradictory_single_springs_is_refused) {
+  const auto refusal = [&](const Content& content) {
+    return failure_of([&] { checkpoint_from(content); });
+  };
+  const auto content_of = [](const Checkpoint& checkpoint) {
+    Content content = parameters_content(checkpoint.parameters);
+    content.merge(state_content(checkpoint.state));
+    return content;
+  };
+  Content lacking = content_of(single_springs());
+  lacking.erase("/state/junctions/slow_until");
+  expect_contains(refusal(lacking), "/state/junctions/slow_until is missing");
+  Checkpoint never_broken = single_springs();
+  never_broken.state.junctions.slow_until(2, 0) = 0.0;
+  expect_contains(refusal(content_of(never_broken)), "the spring of block 2 is slipping with");
+  Checkpoint with_repin_time = single_springs();
+  with_repin_time.state.junctions.repin_time(4, 0) = 0.1;
+  expect_contains(refusal(content_of(with_repin_time)),
+                  "the spring of block 4 is slipping with /state/junctions/repin_time = 0.1 s");
+  Content many = content_of(small_checkpoint());
+  many["/parameters/junctions/f_new"] = make_text("zero");
+  many["/parameters/junctions/law"] = make_text("simplified");
+  expect_contains(refusal(many), "holds float64 of shape [5][3]; expected float64 of shape [5][1]");
+}
+
 }  // namespace
 }  // namespace rupture

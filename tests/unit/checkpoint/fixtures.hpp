@@ -96,7 +96,7 @@ inline State small_state(const Parameters& parameters) {
   state.u_x(0, 0) = -0.0;
   state.u_x(1, 0) = 5e-324;
   for (Eigen::Index i = 0; i < parameters.Nx; ++i) {
-    for (Eigen::Index j = 0; j < parameters.N_s; ++j) {
+    for (Eigen::Index j = 0; j < state.junctions.attachment.cols(); ++j) {
       state.junctions.attachment(i, j) = value *= -0.9;
       if ((i + j) % 2 == 0) state.junctions.repin_time(i, j) = std::abs(value);
       state.junctions.draws(i, j) = static_cast<std::uint32_t>(100 * i + j);

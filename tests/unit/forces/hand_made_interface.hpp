@@ -5,8 +5,12 @@
 // always slips for 2 ms.
 #pragma once
 
-#include "rupture/forces/reference_law.hpp"
+#include <algorithm>
+#include <memory>
+
+#include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"
+#include "support/sliders.hpp"
 
 namespace rupture::testing {
 
@@ -22,7 +26,8 @@ inline Parameters hand_made(std::int64_t N_s) {
 /// One block that is moved by hand over its junctions; f_N is the same on each.
 class Interface {
  public:
-  explicit Interface(const Parameters& p) : p_(p), junctions_(unstretched(p)), law_(p, junctions_) {
+  explicit Interface(const Parameters& p)
+      : p_(p), junctions_(unstretched(p)), law_(make_law(p, junctions_)) {
     press(1.0);
   }
   Interface(const Interface&) = delete;
@@ -32,16 +37,18 @@ class Interface {
     k_ij_ = junction_stiffness(p_, p_i_);
     w_ = f_N > 0.0 ? f_N / k_ij_ : 0.0;
   }
-  ReferenceLaw::Changes move(double u, double t) {
+  /// The block comes to u at time t; its velocity has the sign of the way it came.
+  InterfaceLaw::Changes move(double u, double t) {
+    const double v = u - u_;
     u_ = u;
-    return law_.update(&u_, contact(), t);
+    return law_->update(&u_, &v, contact(), t);
   }
   double friction() {
     double tau = 0.0;
-    law_.friction(&u_, contact(), &tau);
+    law_->friction(&u_, contact(), &tau);
     return tau;
   }
-  std::int32_t pinned() const { return law_.pinned()[0]; }
+  std::int32_t pinned() const { return law_->pinned()[0]; }
   double u() const { return u_; }
   double k_ij() const { return k_ij_; }
   double w() const { return w_; }
@@ -54,8 +61,23 @@ class Interface {
 
   const Parameters p_;
   Junctions junctions_;
-  ReferenceLaw law_;
+  std::unique_ptr<InterfaceLaw> law_;
   double p_i_ = 0, k_ij_ = 0, w_ = 0, u_ = 0;
+};
+
+/// A block that wanders about 0.2 m, the reach of its junctions, under a normal force that comes
+/// and goes; time advances by a fiftieth of the mean slipping time.
+class Wandering {
+ public:
+  void step() {
+    u = 0.98 * u + 0.06 * noise_();
+    t += 0.04e-3;
+    f_N = std::max(0.0, 0.9 * f_N + 0.1 + 0.3 * noise_());
+  }
+  double u = 0, t = 0, f_N = 1;
+
+ private:
+  testing::Noise noise_{1.0};
 };
 
 }  // namespace rupture::testing

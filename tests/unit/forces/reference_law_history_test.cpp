@@ -8,14 +8,15 @@
 #include <vector>
 
 #include "hand_made_interface.hpp"
+#include "rupture/forces/reference_law.hpp"
 #include "rupture/model/random.hpp"
-#include "support/sliders.hpp"
 
 namespace rupture {
 namespace {
 
 using testing::hand_made;
 using testing::Interface;
+using testing::Wandering;
 
 /// The law once more, in forces instead of stretches and with no short cuts.
 struct PlainJunction {
@@ -39,21 +40,6 @@ struct PlainJunction {
     }
     return k * (u - attachment);
   }
-};
-
-/// A block that wanders about 0.2 m, the reach of its junctions, under a normal force that comes
-/// and goes; time advances by a fiftieth of the mean slipping time.
-class Wandering {
- public:
-  void step() {
-    u = 0.98 * u + 0.06 * noise_();
-    t += 0.04e-3;
-    f_N = std::max(0.0, 0.9 * f_N + 0.1 + 0.3 * noise_());
-  }
-  double u = 0, t = 0, f_N = 1;
-
- private:
-  testing::Noise noise_{1.0};
 };
 
 constexpr int kHistory = 20000;
@@ -108,9 +94,9 @@ TEST_P(RandomHistory, leaves_no_trace_in_the_law_but_the_junctions) {
     Junctions before = block_->junctions();
     ReferenceLaw fresh(p_, before);
     const auto changes = block_->move(path_.u, path_.t);
-    double p_i = 0, k_ij = block_->k_ij(), w = block_->w(), tau = 0;
+    double p_i = 0, k_ij = block_->k_ij(), w = block_->w(), v = 0, tau = 0;
     const ContactView contact = {&p_i, &k_ij, &w};
-    const auto again = fresh.update(&path_.u, contact, path_.t);
+    const auto again = fresh.update(&path_.u, &v, contact, path_.t);
     fresh.friction(&path_.u, contact, &tau);
     ASSERT_EQ(changes.broken, again.broken);
     ASSERT_EQ(changes.repinned, again.repinned);

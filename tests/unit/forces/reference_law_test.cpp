@@ -1,5 +1,7 @@
 // Every branch of the reference interface law against sequences worked out by hand, for the
 // junction of hand_made_interface.hpp.
+#include "rupture/forces/reference_law.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -236,9 +238,9 @@ TEST(SeveralBlocks, draw_and_rub_independently) {
   Junctions junctions = State(p).junctions;
   ReferenceLaw law(p, junctions);
   std::vector<double> u = {0.1, 0.21, 0.21}, p_i = {2.0, 2.0, 0.0}, k_ij = {2.0, 2.0, 0.0},
-                      w = {0.5, 0.5, 0.0}, tau(3);
+                      w = {0.5, 0.5, 0.0}, v(3), tau(3);
   const ContactView contact = {p_i.data(), k_ij.data(), w.data()};
-  EXPECT_EQ(law.update(u.data(), contact, 0.0).broken, 2);
+  EXPECT_EQ(law.update(u.data(), v.data(), contact, 0.0).broken, 2);
   law.friction(u.data(), contact, tau.data());
   EXPECT_NEAR(tau[0], 2 * 0.2, kRounding);
   EXPECT_NEAR(tau[1], 2 * kSlipForce, kRounding);

@@ -38,7 +38,7 @@ TEST(ParameterTable, names_each_parameter_once_and_completely) {
     EXPECT_FALSE(info.unit.empty()) << info.name;
     EXPECT_FALSE(info.help.empty()) << info.name;
   }
-  EXPECT_EQ(names.size(), 23U);  // members of Parameters
+  EXPECT_EQ(names.size(), 26U);  // members of Parameters
 }
 
 TEST(ParameterTable, accepts_its_own_defaults) {
@@ -79,6 +79,8 @@ TEST(ParameterText, reads_back_to_the_same_bits) {
   p.seed = 9000000000000000;
   p.slipping_times = SlippingTimes::exponential;
   p.f_new = NewForce::f_slip;
+  p.law = Law::simplified;
+  p.v_slow = 1.0 / 3.0;
   Parameters back;
   for (const auto& info : parameter_table()) {
     set_parameter(back, info.name, parameter_text(p, info));
@@ -154,6 +156,8 @@ TEST(SetParameter, holds_every_row_to_its_limits) {
 TEST(SetParameter, refuses_unknown_words) {
   EXPECT_EQ(refusal("junctions.slipping_times", "normal"),
             "junctions.slipping_times = 'normal' is unknown: choose one of gaussian, exponential");
+  EXPECT_EQ(refusal("junctions.law", "simple"),
+            "junctions.law = 'simple' is unknown: choose one of reference, simplified, decaying");
   EXPECT_EQ(refusal("junctions.f_new", "Zero"),
             "junctions.f_new = 'Zero' is unknown: choose one of zero, f_slip");
 }
@@ -195,6 +199,32 @@ TEST(Validate, wants_mu_d_at_most_mu_s) {
             "than its strength");
   p.mu_d = p.mu_s;
   EXPECT_EQ(refusal(p), kAccepted);
+}
+
+TEST(Validate, wants_mu_new_at_most_mu_d_under_the_decaying_law) {
+  Parameters p;
+  p.mu_new = 0.2;
+  EXPECT_EQ(refusal(p), kAccepted) << "which the reference law does not look at";
+  p.law = Law::decaying;
+  EXPECT_EQ(refusal(p),
+            "junctions.mu_new = 0.2 exceeds junctions.mu_d = 0.17: under the decaying law the "
+            "slipping force falls");
+  p.mu_new = p.mu_d;
+  EXPECT_EQ(refusal(p), kAccepted);
+}
+
+TEST(Validate, says_how_each_law_is_told_to_do_without_slow_slip) {
+  Parameters p;
+  p.f_new = NewForce::f_slip;
+  EXPECT_EQ(refusal(p), kAccepted);
+  p.law = Law::simplified;
+  EXPECT_EQ(refusal(p),
+            "junctions.f_new = f_slip belongs to the reference law: to switch slow slip off under "
+            "the simplified law, set junctions.v_slow to 0");
+  p.law = Law::decaying;
+  EXPECT_EQ(refusal(p),
+            "junctions.f_new = f_slip belongs to the reference law: to switch slow slip off under "
+            "the decaying law, set junctions.mu_new to junctions.mu_d");
 }
 
 TEST(Validate, wants_a_stable_time_step) {

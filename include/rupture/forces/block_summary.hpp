@@ -1,0 +1,54 @@
+// What the many junctions of each block amount to, kept so that untouched blocks cost nothing.
+//
+// Everything here follows from the junctions, to the last bit and whatever happened before: a run
+// that is split has the same summary.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rupture/forces/kernels.hpp"
+#include "rupture/model/state.hpp"
+
+namespace rupture {
+
+class BlockSummary {
+ public:
+  /// Reads `junctions`, which must outlive the summary.
+  BlockSummary(const Parameters& parameters, Junctions& junctions);
+
+  /// True if no junction of block i can break, be pinned again or lose contact at time t [s], with
+  /// the block at u [m]; w: see ContactView.
+  bool is_quiet(Eigen::Index i, double u, double w, double t) const {
+    const auto b = static_cast<std::size_t>(i);
+    const double f_thres_stretch = mu_s_ * w;
+    return w > 0.0 && u - lowest_[b] <= f_thres_stretch && highest_[b] - u <= f_thres_stretch &&
+           t < next_repin_[b];
+  }
+  bool is_slipping_anywhere(Eigen::Index i) const {
+    return pinned_[static_cast<std::size_t>(i)] < N_s_;
+  }
+
+  /// Clamps the attachment points of block i's slipping junctions to [lower, upper] [m].
+  void trail(Eigen::Index i, double lower, double upper);
+  /// To be called after attachment points of slipping junctions of block i have changed.
+  void sum_again(Eigen::Index i) { trail(i, -Junctions::never, Junctions::never); }
+  /// To be called after any junction of block i has changed.
+  void refresh(Eigen::Index i);
+
+  /// Friction force on each block, tau_i = sum_j k_ij (x_i - x_ij), positive towards -x [N].
+  void friction(const double* u_x, const ContactView& contact, double* tau) const;
+
+  const std::vector<std::int32_t>& pinned() const { return pinned_; }
+
+ private:
+  const double mu_s_;
+  const std::int32_t N_s_;
+  Junctions& junctions_;
+  std::vector<double> sum_;               // of all attachment points [m]
+  std::vector<double> lowest_, highest_;  // attachment points of pinned junctions [m]
+  std::vector<double> next_repin_;        // earliest repin time [s]
+  std::vector<std::int32_t> pinned_;
+};
+
+}  // namespace rupture

@@ -1,0 +1,46 @@
+// What the step (dynamics/simulation.hpp) asks of the friction between interface blocks and track.
+//
+// A law moves the junctions in State and says which force they exert; it keeps nothing that does
+// not follow from State and Parameters, so that a run may be split anywhere. One class per choice
+// of `junctions.law`.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "rupture/forces/kernels.hpp"
+#include "rupture/model/state.hpp"
+
+namespace rupture {
+
+class InterfaceLaw {
+ public:
+  InterfaceLaw(const InterfaceLaw&) = delete;
+  InterfaceLaw& operator=(const InterfaceLaw&) = delete;
+  virtual ~InterfaceLaw() = default;
+
+  /// Moves every junction to time `t` [s] with the interface blocks at u_x [m] under the given
+  /// contact. v_x is the half-kicked velocity, with which the blocks came here from the last step
+  /// [m/s]. Returns how many junctions broke or were pinned again.
+  struct Changes {
+    std::int64_t broken = 0;
+    std::int64_t repinned = 0;
+  };
+  virtual Changes update(const double* u_x, const double* v_x, const ContactView& contact,
+                         double t) = 0;
+
+  /// Friction force on each block, positive towards -x [N].
+  virtual void friction(const double* u_x, const ContactView& contact, double* tau) const = 0;
+
+  /// Number of pinned junctions of each block, of springs_per_block().
+  virtual const std::vector<std::int32_t>& pinned() const = 0;
+
+ protected:
+  InterfaceLaw() = default;
+};
+
+/// The law that `parameters.law` names, working on `junctions`, which must outlive it.
+std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& junctions);
+
+}  // namespace rupture
