@@ -34,8 +34,14 @@ double block_position(const Parameters& p, std::int64_t i) {
   return static_cast<double>(i) * block_spacing(p);
 }
 
-double foundation_force(const Parameters& p, double u_z) {
+double normal_force(const Parameters& p, double u_z) {
+  if (p.support == Support::ceiling) return mean_normal_force(p);
   return -foundation_stiffness(p) * std::min(u_z, 0.0);
+}
+
+double top_force(const Parameters& p, double u_z) {
+  if (p.support == Support::foundation) return mean_normal_force(p);
+  return foundation_stiffness(p) * std::max(u_z, 0.0);
 }
 
 std::int64_t driving_row(const Parameters& p) {
@@ -44,6 +50,10 @@ std::int64_t driving_row(const Parameters& p) {
 
 double junction_stiffness(const Parameters& p, double p_i) {
   return std::sqrt(p.kappa * (p_i / static_cast<double>(p.N_s)));
+}
+
+double friction_stretch(const Parameters& p, double p_i) {
+  return junction_stiffness(p, p_i) / p.kappa;
 }
 
 double stable_time_step(const Parameters& p) {

@@ -203,6 +203,12 @@ std::optional<double> optional_non_negative(const po::variables_map& values,
   return non_negative(values, option);
 }
 
+PhiShape shape_named(const std::string& name) {
+  if (name == "uniform") return PhiShape::uniform;
+  if (name == "bell") return PhiShape::bell;
+  throw UsageError(fmt::format("--shape {} is unknown: choose uniform or bell", name));
+}
+
 std::string single_input(const po::variables_map& values, const std::string& positional,
                          const std::string& wanted) {
   if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);

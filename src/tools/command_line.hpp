@@ -11,6 +11,7 @@
 
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/model/parameters.hpp"
+#include "rupture/model/phi_shape.hpp"
 
 namespace rupture::tools {
 
@@ -74,6 +75,9 @@ double non_negative(const po::variables_map& values, const std::string& option);
 double non_negative(double value, const std::string& option);
 std::optional<double> optional_non_negative(const po::variables_map& values,
                                             const std::string& option);
+
+/// The shape of phi that --shape names. Throws UsageError if it is none.
+PhiShape shape_named(const std::string& name);
 
 /// The one positional argument. Throws UsageError, saying what is wanted, if there is none or more.
 std::string single_input(const po::variables_map& values, const std::string& positional,

@@ -19,6 +19,10 @@ enum class SlippingTimes { gaussian, exponential };
 /// switches slow slip off (Fig. 3B).
 enum class NewForce { zero, f_slip };
 
+/// What bears the slider in z: an elastic foundation below the bottom row, with F_N on the top row;
+/// or, for prepared interfaces, an elastic ceiling above the top row, with F_N on the bottom row.
+enum class Support { foundation, ceiling };
+
 struct Parameters {
   // slider
   double L = 0.140;         ///< length along x [m]
@@ -31,6 +35,7 @@ struct Parameters {
   double damping = 0.1;     ///< eta^2 / (k m), dimensionless
   double F_N = 1920;        ///< normal load [N]
   double foundation = 0.5;  ///< k_f / k, dimensionless
+  Support support = Support::foundation;
   // driving
   double K = 4e6;     ///< driving spring modulus [N/m]
   double h = 0.005;   ///< driving height above the interface [m]
@@ -52,8 +57,9 @@ struct Parameters {
 };
 
 /// The member of Parameters that a table row describes.
-using ParameterMember = std::variant<double Parameters::*, std::int64_t Parameters::*,
-                                     SlippingTimes Parameters::*, NewForce Parameters::*>;
+using ParameterMember =
+    std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
+                 NewForce Parameters::*, Support Parameters::*>;
 
 /// One row of the parameter table.
 struct ParameterInfo {

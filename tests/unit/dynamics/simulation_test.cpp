@@ -8,6 +8,7 @@
 
 #include "rupture/analysis/phi.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
+#include "rupture/dynamics/prepared.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -33,16 +34,16 @@ void add_boundary_forces(const Parameters& p, ReferenceLaw& law, State& s) {
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     s.f_x(i, 0) -= tau[static_cast<std::size_t>(i)];
     s.f_z(i, 0) += p_i[static_cast<std::size_t>(i)];
-    s.f_z(i, p.Nz - 1) -= mean_normal_force(p);
+    s.f_z(i, p.Nz - 1) -= top_force(p, s.u_z(i, p.Nz - 1));
   }
   const double x_drive =
       s.drive.origin_position + p.V * p.dt * static_cast<double>(s.step - s.drive.origin_step);
   s.f_x(0, driving_row(p)) += p.K * (x_drive - s.u_x(0, driving_row(p)));
 }
 
-TEST(Step, follows_the_stated_order) {
-  const Parameters p = quick_slider();
-  Simulation simulation(p, normal_load_equilibrium(p));
+/// Compares every step of the next 2,500 with the same step in plain terms.
+void expect_stated_order(const Parameters& p, const State& start) {
+  Simulation simulation(p, start);
   std::uint32_t draws = 0;
   for (int n = 0; n < kThroughTheRupture; ++n) {
     State plain = simulation.state();
@@ -63,6 +64,16 @@ TEST(Step, follows_the_stated_order) {
     draws = s.junctions.draws.sum();
   }
   EXPECT_GT(draws, 900U) << "the steps were to lead through the rupture";
+}
+
+TEST(Step, follows_the_stated_order) {
+  const Parameters p = quick_slider();
+  expect_stated_order(p, normal_load_equilibrium(p));
+}
+
+TEST(Step, follows_the_stated_order_under_a_ceiling) {
+  const Parameters p = testing::prepared_slider();
+  expect_stated_order(p, prepared_state(p, testing::quick_prestress()));
 }
 
 TEST(Simulation, reports_the_forces_of_its_state) {
