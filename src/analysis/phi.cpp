@@ -10,19 +10,6 @@
 namespace rupture {
 namespace {
 
-/// Positive quantile of the bell: phi integrates to 1 - q = 5/4 y^4 - 3/4 y^5 with y = 1 - xi,
-/// which falls monotonically in xi and is solved by bisection to the last bit.
-double bell_quantile(double q) {
-  double low = 0.0, high = 1.0;
-  for (;;) {
-    const double xi = 0.5 * (low + high);
-    if (xi <= low || xi >= high) return xi;
-    const double y = 1.0 - xi;
-    const double y4 = (y * y) * (y * y);
-    (1.25 * y4 - 0.75 * (y4 * y) > 1.0 - q ? low : high) = xi;
-  }
-}
-
 /// What the junctions of one block have in common.
 struct BlockJunctions {
   Eigen::Index i;
@@ -34,7 +21,7 @@ struct BlockJunctions {
 };
 
 BlockJunctions block_junctions(const Parameters& p, const State& state, Eigen::Index i) {
-  const double p_i = foundation_force(p, state.u_z(i, 0));
+  const double p_i = normal_force(p, state.u_z(i, 0));
   const auto springs = static_cast<double>(springs_per_block(p));
   const double junctions_in_each = static_cast<double>(p.N_s) / springs;
   return {i,
@@ -105,7 +92,7 @@ void refuse_single_springs(const Parameters& p) {
 std::vector<double> normal_forces(const Parameters& p, const State& state) {
   std::vector<double> forces;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    forces.push_back(foundation_force(p, state.u_z(i, 0)));
+    forces.push_back(normal_force(p, state.u_z(i, 0)));
   }
   return forces;
 }
@@ -148,21 +135,6 @@ std::vector<std::int64_t> histogram(const BlockForces& block, int bins) {
     ++counts[static_cast<std::size_t>(bin)];
   }
   return counts;
-}
-
-double unit_sigma(PhiShape shape) {
-  return shape == PhiShape::uniform ? 1.0 / std::sqrt(3.0) : std::sqrt(2.0 / 21.0);
-}
-
-std::vector<double> unit_quantiles(PhiShape shape, std::int64_t n) {
-  std::vector<double> quantiles(static_cast<std::size_t>(n), 0.0);
-  for (std::int64_t j = 0; j < n / 2; ++j) {
-    const double q = 1.0 - (static_cast<double>(j) + 0.5) / static_cast<double>(n);
-    const double xi = shape == PhiShape::uniform ? 2.0 * q - 1.0 : bell_quantile(q);
-    quantiles[static_cast<std::size_t>(j)] = -xi;
-    quantiles[static_cast<std::size_t>(n - 1 - j)] = xi;
-  }
-  return quantiles;
 }
 
 std::vector<ImpossibleBlock> change_phi(const Parameters& p, State& state,

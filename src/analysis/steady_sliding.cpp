@@ -41,7 +41,7 @@ class Replicas {
   const std::vector<double>& friction_at(double u, double t) {
     u_.assign(u_.size(), u);
     const ContactView contact{p_.data(), k_ij_.data(), w_.data()};
-    law_.update(u_.data(), contact, t);
+    law_.update(u_.data(), nullptr, contact, t);
     law_.friction(u_.data(), contact, tau_.data());
     return tau_;
   }

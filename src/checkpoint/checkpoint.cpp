@@ -53,8 +53,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   if (kind != FileKind::checkpoint) {
     throw Failure(fmt::format("{} is {}; expected a checkpoint", path.string(), kind_text(kind)));
   }
-  const Content content = read_content(path);
-  return naming(path, [&] { return checkpoint_from(content); });
+  const ContentFile file = read_file(path);
+  Checkpoint checkpoint = naming(path, [&] { return checkpoint_from(file.content); });
+  checkpoint.checksum = file.checksum;
+  return checkpoint;
 }
 
 }  // namespace rupture

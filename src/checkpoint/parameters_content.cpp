@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -10,6 +11,14 @@ namespace rupture {
 namespace {
 
 constexpr std::string_view kGroup = "/parameters/";
+
+/// Parameters that came after the first files of this schema: these files do without.
+constexpr std::array<std::string_view, 4> kAddedLater = {"slider.support", "junctions.law",
+                                                         "junctions.mu_new", "junctions.v_slow"};
+
+bool may_be_missing(const ParameterInfo& info) {
+  return std::find(kAddedLater.begin(), kAddedLater.end(), info.name) != kAddedLater.end();
+}
 
 std::string dataset_path(const ParameterInfo& info) {
   std::string name(info.name);
@@ -72,6 +81,7 @@ Parameters read_parameters(const Content& content) {
   Parameters parameters;
   try {
     for (const ParameterInfo& info : parameter_table()) {
+      if (may_be_missing(info) && !content.contains(dataset_path(info))) continue;
       set_parameter(parameters, info.name, stored_text(content, info));
     }
     validate(parameters);

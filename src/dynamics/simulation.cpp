@@ -38,8 +38,15 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads)
       k_ij_(p_),
       w_(p_),
       tau_(p_),
+      top_(p_.size(), mean_normal_force(parameters)),
       last_break_(state_.step),
       ruptured_(p_.size()) {
+  if (parameters.support == Support::ceiling) {
+    const double p = mean_normal_force(parameters);
+    std::fill(p_.begin(), p_.end(), p);
+    std::fill(k_ij_.begin(), k_ij_.end(), junction_stiffness(parameters, p));
+    std::fill(w_.begin(), w_.end(), friction_stretch(parameters, p));
+  }
   find_normal_forces();
   law_->friction(state_.u_x.row(0), contact(), tau_.data());
   F_T_ = driving_force(parameters_, state_);
@@ -79,8 +86,7 @@ void Simulation::take_steps(std::int64_t steps) {
     if (blown_up_) return;
 
     const Then then = n + 1 < steps ? Then::go_on : Then::stop;
-    const Boundary boundary = {p_.data(), tau_.data(), mean_normal_force(parameters_),
-                               driving_row(parameters_), F_T_};
+    const Boundary boundary = {p_.data(), tau_.data(), top_.data(), driving_row(parameters_), F_T_};
 #pragma omp for
     for (int band = 0; band < bands; ++band) bulk_.finish(band, boundary, then, state_);
   }
@@ -99,6 +105,11 @@ void Simulation::move_interface() {
 }
 
 void Simulation::find_normal_forces() {
+  if (parameters_.support == Support::ceiling) {
+    const double* u_z = state_.u_z.row(parameters_.Nz - 1);
+    for (std::size_t i = 0; i < top_.size(); ++i) top_[i] = top_force(parameters_, u_z[i]);
+    return;  // p, k_ij and w are constant
+  }
   kernels().contact(parameters_.Nx, state_.u_z.row(0), foundation_stiffness(parameters_),
                     static_cast<double>(parameters_.N_s), parameters_.kappa, contact());
 }
@@ -148,10 +159,12 @@ Energies Simulation::energies() const {
   e.kinetic = bulk_.kinetic_energy(state_.v_x, state_.v_z);
   e.bulk = bulk_.elastic_energy(state_.u_x, state_.u_z);
   const double k_f = foundation_stiffness(parameters_);
+  const bool on_foundation = parameters_.support == Support::foundation;
   for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
-    const double u_z = state_.u_z(i, 0);
-    if (u_z < 0.0) e.contact += 0.5 * k_f * u_z * u_z;
-    e.load += mean_normal_force(parameters_) * state_.u_z(i, parameters_.Nz - 1);
+    const double bottom = state_.u_z(i, 0), top = state_.u_z(i, parameters_.Nz - 1);
+    const double pressed = on_foundation ? std::min(bottom, 0.0) : std::max(top, 0.0);
+    e.contact += 0.5 * k_f * pressed * pressed;
+    e.load += mean_normal_force(parameters_) * (on_foundation ? top : -bottom);
   }
   e.driving = parameters_.K > 0.0 ? 0.5 * F_T_ * F_T_ / parameters_.K : 0.0;
   return e;

@@ -7,6 +7,16 @@
 
 namespace rupture {
 
+void break_junction(const Parameters& p, Junctions& junctions, Eigen::Index i, Eigen::Index j,
+                    double u, double w, double t) {
+  const double f_slip_stretch = p.mu_d * w;
+  double& a = junctions.attachment(i, j);
+  a = u > a ? u - f_slip_stretch : u + f_slip_stretch;
+  const std::uint32_t n = junctions.draws(i, j)++;
+  junctions.repin_time(i, j) =
+      t + slipping_time(p, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), n);
+}
+
 ReferenceLaw::ReferenceLaw(const Parameters& p, Junctions& junctions)
     : parameters_(p), junctions_(junctions), blocks_(p, junctions) {}
 
@@ -43,10 +53,7 @@ void ReferenceLaw::update_junctions(Eigen::Index i, double u, double w, double t
         ++changes.repinned;
       }
     } else if (std::abs(u - a) > f_thres_stretch) {
-      a = u > a ? u - f_slip_stretch : u + f_slip_stretch;
-      const std::uint32_t n = junctions_.draws(i, j)++;
-      repin_time = t + slipping_time(parameters_, static_cast<std::uint32_t>(i),
-                                     static_cast<std::uint32_t>(j), n);
+      break_junction(parameters_, junctions_, i, j, u, w, t);
       ++changes.broken;
     }
   }

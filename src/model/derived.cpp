@@ -35,8 +35,14 @@ double block_position(const Parameters& p, std::int64_t i) {
   return static_cast<double>(i) * block_spacing(p);
 }
 
-double foundation_force(const Parameters& p, double u_z) {
+double normal_force(const Parameters& p, double u_z) {
+  if (p.support == Support::ceiling) return mean_normal_force(p);
   return -foundation_stiffness(p) * std::min(u_z, 0.0);
+}
+
+double top_force(const Parameters& p, double u_z) {
+  if (p.support == Support::foundation) return mean_normal_force(p);
+  return foundation_stiffness(p) * std::max(u_z, 0.0);
 }
 
 std::int64_t driving_row(const Parameters& p) {
@@ -56,6 +62,10 @@ double mean_slipping_time(const Parameters& p) {
   const double ratio = p.t_R / (std::numbers::sqrt2 * p.delta_t_R);
   return p.delta_t_R * std::sqrt(2.0 / std::numbers::pi) * std::exp(-ratio * ratio) +
          p.t_R * std::erf(ratio);
+}
+
+double friction_stretch(const Parameters& p, double p_i) {
+  return junction_stiffness(p, p_i) / p.kappa;
 }
 
 double stable_time_step(const Parameters& p) {

@@ -21,6 +21,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::max();
 const std::vector<std::string_view> kSlippingTimesNames = {"gaussian", "exponential"};
 const std::vector<std::string_view> kNewForceNames = {"zero", "f_slip"};
 const std::vector<std::string_view> kLawNames = {"reference", "simplified", "decaying"};
+const std::vector<std::string_view> kSupportNames = {"foundation", "ceiling"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
                        ParameterMember member, double maximum, std::string_view help) {
@@ -44,8 +45,10 @@ const std::vector<std::string_view>& names_of() {
     return kSlippingTimesNames;
   } else if constexpr (std::is_same_v<Enum, NewForce>) {
     return kNewForceNames;
-  } else {
+  } else if constexpr (std::is_same_v<Enum, Law>) {
     return kLawNames;
+  } else {
+    return kSupportNames;
   }
 }
 
@@ -97,9 +100,12 @@ const std::vector<ParameterInfo>& parameter_table() {
       positive("slider.E", "E", "Pa", &P::E, 1e13, "Young's modulus"),
       at_least(0, "slider.damping", "eta^2/(k m)", "1", &P::damping, 10,
                "bulk damping: eta = sqrt(damping k m) on every bond"),
-      positive("slider.F_N", "F_N", "N", &P::F_N, 1e9, "normal load on the top row"),
+      positive("slider.F_N", "F_N", "N", &P::F_N, 1e9,
+               "normal load on the row opposite the support"),
       positive("slider.foundation", "k_f/k", "1", &P::foundation, 100,
-               "modulus of the elastic foundation, relative to the bulk springs"),
+               "modulus of the elastic foundation or ceiling, relative to the bulk springs"),
+      choice("slider.support", "support", &P::support,
+             "elastic foundation under the bottom row, or ceiling above the top row (prepare)"),
       at_least(0, "driving.K", "K", "N/m", &P::K, 1e12, "modulus of the driving spring"),
       at_least(0, "driving.h", "h", "m", &P::h, 1e3, "height at which the driving spring acts"),
       at_least(-10, "driving.V", "V", "m/s", &P::V, 10, "speed of the driving point"),
@@ -142,6 +148,7 @@ std::vector<std::string_view> choices(const ParameterInfo& info) {
   if (std::holds_alternative<SlippingTimes P::*>(info.member)) return kSlippingTimesNames;
   if (std::holds_alternative<NewForce P::*>(info.member)) return kNewForceNames;
   if (std::holds_alternative<Law P::*>(info.member)) return kLawNames;
+  if (std::holds_alternative<Support P::*>(info.member)) return kSupportNames;
   return {};
 }
 

@@ -72,6 +72,7 @@ int analyze_estimate(int argc, const char* const* argv) {
                               "relaxation of one block from which its coefficient comes.",
                               options);
   const Parameters& p = checkpoint.parameters;
+  refuse_other_laws(p);
   const auto normal = normal_forces(p, checkpoint.state);
   std::vector<double> x, v;
   for (const double p_i : normal) {

@@ -54,6 +54,7 @@ int analyze_steady_state(int argc, const char* const* argv) {
   Parameters p;
   apply(parsed.parameters, p);
   validate(p);
+  refuse_other_laws(p);
   const SteadySliding block{p, mean_normal_force(p)};
   const auto v = speeds(parsed.values);
   std::vector<double> mu, error, theory;

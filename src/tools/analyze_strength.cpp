@@ -35,6 +35,7 @@ Report report_on_shape(const po::variables_map& values) {
 
 Report report_on_blocks(const Checkpoint& checkpoint) {
   const Parameters& p = checkpoint.parameters;
+  refuse_single_springs(p);
   std::vector<std::optional<double>> sigma_bar, tau_bar_0, mu_bar, mu;
   std::vector<double> x, slipping;
   Report report;

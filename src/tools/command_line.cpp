@@ -209,6 +209,12 @@ PhiShape shape_named(const std::string& name) {
   throw UsageError(fmt::format("--shape {} is unknown: choose uniform or bell", name));
 }
 
+void refuse_other_laws(const Parameters& p) {
+  if (p.law == Law::reference) return;
+  throw UsageError(fmt::format("junctions.law = {}: this is known for the reference law only",
+                               parameter_text(p, find_parameter("junctions.law"))));
+}
+
 std::string single_input(const po::variables_map& values, const std::string& positional,
                          const std::string& wanted) {
   if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);

@@ -12,6 +12,7 @@
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/model/parameters.hpp"
+#include "rupture/model/phi_shape.hpp"
 
 namespace rupture::tools {
 
@@ -78,6 +79,10 @@ std::optional<double> optional_non_negative(const po::variables_map& values,
 
 /// The shape that --shape names. Throws UsageError if there is no such shape.
 PhiShape shape_named(const std::string& name);
+
+/// Throws UsageError unless the interface follows the reference law, for which alone there is
+/// theory.
+void refuse_other_laws(const Parameters& parameters);
 
 /// The one positional argument. Throws UsageError, saying what is wanted, if there is none or more.
 std::string single_input(const po::variables_map& values, const std::string& positional,

@@ -93,7 +93,7 @@ int run(const Options& options) {
   const double change =
       largest_change(friction_forces(p, before), friction_forces(p, checkpoint.state));
   checkpoint.provenance.push_back(
-      make_provenance("modify-phi", options.arguments, content_checksum(p, before)));
+      make_provenance("modify-phi", options.arguments, checkpoint.checksum));
   const auto checksum =
       write_checkpoint(options.output.output, checkpoint, options.output.if_exists);
   if (options.output.verbosity == Verbosity::quiet) return kDone;

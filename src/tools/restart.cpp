@@ -73,8 +73,9 @@ Options setup(int argc, char** argv) {
 }
 
 /// Parameters that give the state its meaning and so cannot change under it.
-constexpr std::array<std::string_view, 6> kFixed = {"slider.L",  "slider.H",      "slider.Nx",
-                                                    "slider.Nz", "junctions.N_s", "numerics.dt"};
+constexpr std::array<std::string_view, 7> kFixed = {"slider.L",   "slider.H",       "slider.Nx",
+                                                    "slider.Nz",  "slider.support", "junctions.N_s",
+                                                    "numerics.dt"};
 
 std::string law_text(const Parameters& p) {
   return parameter_text(p, find_parameter("junctions.law"));
@@ -127,7 +128,7 @@ StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
 
 int run(const Options& options) {
   Checkpoint checkpoint = read_checkpoint(options.checkpoint);
-  const auto parent = content_checksum(checkpoint.parameters, checkpoint.state);
+  const std::string parent = checkpoint.checksum;
   change_parameters(options.parameters, checkpoint);
   validate(checkpoint.parameters);
   checkpoint.provenance.push_back(make_provenance("restart", options.arguments, parent));

@@ -47,6 +47,13 @@ run_chain() {
     "$bin/restart" event.h5 -q --threads "$threads" --for 4e-5 -o "event-$threads-threads.h5"
   done
 
+  # A prepared interface: the event of its trigger region, alone and with threads.
+  "$bin/prepare" -q --config "$here/small.ini" --set driving.V=0 --tau-bar 0.5 --sigma-bar 0.15 \
+    --shape bell -o prepared.h5
+  "$bin/restart" prepared.h5 -q --until-quiet 5e-4 -o prepared-event.h5 \
+    --record prepared-event-record.h5 --record-every 2e-5
+  "$bin/restart" prepared.h5 -q --threads 3 --until-quiet 5e-4 -o prepared-event-3-threads.h5
+
   # New forces in the junctions.
   "$bin/modify-phi" rest.h5 -q --shape bell --slipping pin --sigma-bar 0.1 -o bell.h5
   "$bin/restart" bell.h5 -q --set driving.V=1 --for 4e-4 -o bell-rupture.h5

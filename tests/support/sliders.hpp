@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "rupture/dynamics/prepared.hpp"
 #include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
@@ -60,6 +61,18 @@ inline std::string law_name(Law law) {
 
 inline constexpr Law kAllLaws[] = {Law::reference, Law::simplified, Law::decaying};
 
+/// The same under a ceiling and at rest, with a prestress whose trigger region of three blocks lets
+/// the rest rupture within 0.05 ms.
+inline Parameters prepared_slider() {
+  Parameters p = quick_slider();
+  p.support = Support::ceiling;
+  p.V = 0.0;
+  return p;
+}
+inline Prestress quick_prestress() {
+  return {0.6, 0.15, PhiShape::uniform, 2.5 * block_spacing(prepared_slider())};
+}
+
 /// A plate without driving, damping or (but for 1e-9 N, as zero is no valid load) any load.
 inline Parameters free_plate(std::int64_t Nx, std::int64_t Nz) {
   Parameters p = small_slider(Nx, Nz);
@@ -84,7 +97,7 @@ inline void advance(Simulation& simulation, std::int64_t steps) {
 class NoBoundary {
  public:
   explicit NoBoundary(const Parameters& p) : zeros_(static_cast<std::size_t>(p.Nx), 0.0) {}
-  Boundary forces() const { return {zeros_.data(), zeros_.data(), 0.0, 0, 0.0}; }
+  Boundary forces() const { return {zeros_.data(), zeros_.data(), zeros_.data(), 0, 0.0}; }
 
  private:
   std::vector<double> zeros_;

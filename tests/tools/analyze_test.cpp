@@ -286,7 +286,7 @@ TEST_F(Analyze, ShowNamesKindParametersAndProvenance) {
   const Json json = json_of("analyze show r.h5 --json");
   EXPECT_EQ(json["kind"], "a record");
   EXPECT_EQ(json["checksum"], checksum_of("r.h5"));
-  EXPECT_EQ(json["parameters"].size(), 26U);
+  EXPECT_EQ(json["parameters"].size(), 27U);
   EXPECT_EQ(json["parameters"]["driving.V"], "1");
   EXPECT_EQ(json["provenance"].size(), 1U);
   const std::string text = output_of("analyze show a.h5");

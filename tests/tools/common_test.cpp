@@ -21,6 +21,9 @@ const std::vector<Interface> kInterfaces = {
     {"load",
      {"until", "checkpoint-at", "checkpoint-every", "record", "record-every", "threads", "output",
       "force", "quiet", "config", "set", "seed", "help", "version"}},
+    {"prepare",
+     {"tau-bar", "sigma-bar", "shape", "x-trigger", "tau-bar-trigger", "no-trigger", "output",
+      "force", "quiet", "config", "set", "seed", "help", "version"}},
     {"restart",
      {"until", "for", "until-quiet", "checkpoint-at", "checkpoint-every", "record", "record-every",
       "threads", "output", "force", "quiet", "config", "set", "seed", "help", "version"}},
@@ -89,8 +92,8 @@ INSTANTIATE_TEST_SUITE_P(Tools, EveryTool, ::testing::ValuesIn(kInterfaces), tes
 
 using Common = ToolTest;
 
-TEST_F(Common, HelpOfLoadAndRestartNamesTheParameters) {
-  for (const std::string tool : {"load", "restart"}) {
+TEST_F(Common, HelpOfToolsThatTakeParametersNamesThem) {
+  for (const std::string tool : {"load", "prepare", "restart"}) {
     const std::string help = output_of(tool + " --help");
     for (const char* parameter : {"slider.Nx", "driving.V", "junctions.t_R", "numerics.dt"}) {
       EXPECT_NE(help.find(std::string("\n  ") + parameter + " "), std::string::npos) << parameter;
@@ -120,6 +123,7 @@ TEST_F(Common, QuietToolsPrintNothing) {
                       "--checkpoint-at 5e-5 --quiet"),
             "");
   EXPECT_EQ(output_of("restart a.h5 -o b.h5 --for 1e-5 --record b-r.h5 -q"), "");
+  EXPECT_EQ(output_of("prepare --tau-bar 0.1 -o d.h5 -q"), "");
   EXPECT_EQ(output_of("modify-phi a.h5 -o c.h5 --sigma-bar 100 -q"), "");
 }
 
@@ -143,6 +147,7 @@ TEST_F(Common, ExistingFilesAreOnlyReplacedWhenForced) {
   constexpr const char* exists = "a.h5 exists; give --force to replace it";
   expect_refusal("load --config small.ini -o a.h5", kFailed, exists);
   expect_refusal("load --config small.ini -o b.h5 --record a.h5 --until 1e-5", kFailed, exists);
+  expect_refusal("prepare --tau-bar 0.1 -o a.h5", kFailed, exists);
   expect_refusal("load --config small.ini -o b.h5 --record rec.h5", kFailed,
                  "rec.h5 exists; give --force to replace it");
 

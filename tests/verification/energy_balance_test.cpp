@@ -5,6 +5,7 @@
 // and without driving, and through the rupture of the whole interface.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -122,6 +123,25 @@ TEST(EnergyBalance, of_a_run_that_was_restarted_during_the_rupture) {
   const Energies before = second.energies();
   testing::advance(second, 200);
   EXPECT_LT(energy_balance(before, second.energies(), second.work()).relative_error(), 2e-5);
+}
+
+// No point moves and the load's work is small: what the event dissipates comes from the springs.
+// Depinning at once shakes the fastest modes like a sudden pull.
+TEST(EnergyBalance, of_the_event_on_a_prepared_interface) {
+  Parameters p = testing::prepared_slider();
+  std::array<double, 2> errors = {};
+  for (const std::size_t n : {0, 1}) {
+    p.dt = n == 0 ? kTimeStep : kTimeStep / 2.0;
+    Simulation simulation(p, prepared_state(p, testing::quick_prestress()));
+    const Energies before = simulation.energies();
+    testing::advance(simulation, std::llround(0.3e-3 / p.dt));
+    const EnergyBalance balance = energy_balance(before, simulation.energies(), simulation.work());
+    errors[n] = balance.relative_error();
+    EXPECT_EQ(simulation.ruptures().size(), 6U) << "every block beyond the trigger region once";
+    EXPECT_NE(balance.supplied, 0.0);
+    EXPECT_LT(errors[n], kPulled);
+  }
+  EXPECT_GT(errors[0], 3.0 * errors[1]);
 }
 
 TEST(EnergyBalance, compares_the_error_with_the_largest_term) {

@@ -2,6 +2,8 @@
 // (Fig. S1): F_T acts at height h, friction at the interface.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
@@ -60,6 +62,45 @@ TEST_F(DrivenAtRest, moments_of_all_forces_about_the_track_balance_at_the_displa
     moment += mean_normal_force(p_) * (x(i) + s.u_x(i, top));
   }
   EXPECT_NEAR(moment, 0.0, 1e-12 * p_.F_N * p_.L);
+}
+
+/// A slider of 13 x 7 blocks under a ceiling, at rest under a prestress of 0.4 F_N.
+class PreparedAtRest : public ::testing::Test {
+ protected:
+  PreparedAtRest() {
+    p_.support = Support::ceiling;
+    p_.h = 2.0 * block_spacing(p_);
+    prestress_.trigger = Trigger::pinned;
+    prestress_.x_trigger = 0.0;
+    prestress_.tau_bar = 1.0;
+    state_ = prepared_state(p_, prestress_);
+  }
+  double x(Eigen::Index i) const { return block_position(p_, i); }
+  double top(Eigen::Index i) const { return top_force(p_, state_.u_z(i, p_.Nz - 1)); }
+
+  Parameters p_ = testing::small_slider(13, 7);
+  Prestress prestress_;
+  State state_;
+};
+
+TEST_F(PreparedAtRest, the_centroid_of_the_ceiling_has_moved_towards_the_driven_edge) {
+  double moment = 0.0;
+  for (Eigen::Index i = 0; i < p_.Nx; ++i) moment += x(i) * top(i);
+  const double shift = moment / p_.F_N - p_.L / 2.0;
+  const double expected = -driving_force(p_, state_) * p_.h / p_.F_N;
+  EXPECT_NEAR(shift, expected, 0.05 * std::abs(expected));  // at the undeformed positions
+}
+
+TEST_F(PreparedAtRest, moments_of_all_forces_balance_at_the_displaced_positions) {
+  const State& s = state_;
+  const auto tau = prescribed_friction(p_, prestress_);
+  double moment = driving_force(p_, s) * (p_.h + s.u_z(0, driving_row(p_)));
+  for (Eigen::Index i = 0; i < p_.Nx; ++i) {
+    moment -= normal_force(p_, s.u_z(i, 0)) * (x(i) + s.u_x(i, 0));
+    moment -= tau[static_cast<std::size_t>(i)] * s.u_z(i, 0);
+    moment += top(i) * (x(i) + s.u_x(i, p_.Nz - 1));
+  }
+  EXPECT_NEAR(moment, 0.0, 1e-11 * p_.F_N * p_.L);
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "rupture/model/phi_shape.hpp"
 #include "rupture/model/state.hpp"
 
 namespace rupture {
 
-/// Normal force on each interface block, p_i = -k_f u_z where pressed, else 0 [N].
+/// Normal force p_i on each interface block [N].
 std::vector<double> normal_forces(const Parameters& parameters, const State& state);
 
 /// Friction force on each interface block, sum_j k_ij (x_i - x_ij) [N].
@@ -37,17 +38,6 @@ std::vector<std::int64_t> histogram(const BlockForces& block, int bins);
 
 /// Throws Failure if the interface has a single spring per block and so no phi.
 void refuse_single_springs(const Parameters& parameters);
-
-/// Shapes of phi: uniform, or the bell phi(xi) = 5/(4a) (1 + 3|xi/a|) (1 - |xi/a|)^3 on [-a, a].
-enum class PhiShape { uniform, bell };
-
-/// Standard deviation of a shape of half-width 1: 1/sqrt(3) (uniform), sqrt(2/21) (bell). The
-/// half-width that gives a wanted sigma is sigma / unit_sigma(shape).
-double unit_sigma(PhiShape shape);
-
-/// The n exact quantiles (j + 1/2)/n, j = 0..n-1, of a shape of half-width 1, ascending, with mean
-/// zero to the last bit.
-std::vector<double> unit_quantiles(PhiShape shape, std::int64_t n);
 
 /// What becomes of the slipping junctions of a block whose phi is replaced.
 enum class Slipping { keep, pin };

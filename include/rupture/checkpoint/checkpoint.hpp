@@ -17,13 +17,15 @@ struct Checkpoint {
   Parameters parameters;
   State state;
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
+  std::string checksum = {};  ///< of the content of the file that was read; empty if none was
 };
 
 /// The parameters as datasets: row "slider.L" of the table becomes /parameters/slider/L.
 Content parameters_content(const Parameters& parameters);
 
 /// Throws Failure if a parameter is missing, unknown or out of range, or if they make no sense
-/// together.
+/// together. Parameters that older builds did not have may be missing: they take their default,
+/// which is how those builds behaved.
 Parameters read_parameters(const Content& content);
 
 /// The state as datasets under /state (docs/schema.md).

@@ -7,9 +7,10 @@ namespace rupture {
 struct Energies {
   double kinetic = 0;
   double bulk = 0;     ///< springs between blocks
-  double contact = 0;  ///< elastic foundation, 1/2 k_f u_z^2 where pressed
+  double contact = 0;  ///< elastic foundation or ceiling, 1/2 k_f u_z^2 where pressed
   double driving = 0;  ///< driving spring, 1/2 K (x_drive - u_x)^2
-  double load = 0;     ///< potential of F_N, sum of (F_N / N_x) u_z over the top row
+  double load = 0;     ///< potential of F_N, sum of (F_N / N_x) u_z over the top row; under a
+                       ///< ceiling of -(F_N / N_x) u_z over the bottom row
 
   double total() const { return kinetic + bulk + contact + driving + load; }
 };

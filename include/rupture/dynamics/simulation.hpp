@@ -2,7 +2,8 @@
 //
 // Scheme, for a state complete at step n (u, v, f, junctions at time t_n = n dt):
 //   1. half kick and drift       v += (dt/2m) f;  u += dt v
-//   2. normal forces             p_i = -k_f u_z,i (bottom row, unilateral) at the new positions
+//   2. normal forces             p_i on the bottom row and the forces on the top row at the new
+//                                positions (normal_force, top_force: foundation or ceiling)
 //   3. junctions                 break, slip, are pinned again at the new x_i, p_i and time t_{n+1}
 //   4. forces                    springs at u, damping at the half-kicked v, p, tau, F_N, F_T
 //   5. half kick                 v += (dt/2m) f
@@ -74,6 +75,7 @@ class Simulation {
   Bulk bulk_;
   std::unique_ptr<InterfaceLaw> law_;
   std::vector<double> p_, k_ij_, w_, tau_;
+  std::vector<double> top_;  // force from above on each top block, downwards [N]
   double F_T_ = 0;
   std::int64_t last_break_;
   std::vector<char> ruptured_;

@@ -62,7 +62,7 @@ struct ContactView {
 struct Boundary {
   const double* p;             ///< normal force on each bottom block, upwards [N]
   const double* tau;           ///< friction on each bottom block, towards -x [N]
-  double load;                 ///< normal load on each top block, downwards [N]
+  const double* top;           ///< force from above on each top block, downwards [N]
   std::ptrdiff_t driving_row;  ///< row whose leftmost block is driven
   double F_T;                  ///< driving force, towards +x [N]
 };

@@ -18,6 +18,11 @@
 
 namespace rupture {
 
+/// Breaks junction j of block i at u_x [m] and time t [s]: it slips with |f| = f_slip in the
+/// direction of its force, for a slipping time that is drawn. `w` as in ContactView.
+void break_junction(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
+                    Eigen::Index j, double u_x, double w, double t);
+
 class ReferenceLaw final : public InterfaceLaw {
  public:
   /// Works on `junctions`, which must outlive the law.

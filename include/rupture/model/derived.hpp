@@ -19,8 +19,13 @@ double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an inte
 /// Position of column i along x, i l [m].
 double block_position(const Parameters& p, std::int64_t i);
 
-/// Normal force of the foundation on a bottom block, p_i = -k_f u_z where u_z < 0, else 0 [N].
-double foundation_force(const Parameters& p, double u_z);
+/// Normal force p_i on a bottom block at u_z, upwards [N]. On a foundation -k_f u_z where u_z < 0,
+/// else 0; under a ceiling F_N / Nx.
+double normal_force(const Parameters& p, double u_z);
+
+/// Force from above on a top block at u_z, downwards [N]. On a foundation F_N / Nx; under a ceiling
+/// k_f u_z where u_z > 0, else 0.
+double top_force(const Parameters& p, double u_z);
 
 /// Row of blocks on which the driving spring acts, h / l.
 std::int64_t driving_row(const Parameters& p);
@@ -35,6 +40,9 @@ double junction_stiffness(const Parameters& p, double p_i);
 /// Mean <t_R> of the slipping times [s]: of |N(t_R, delta_t_R)|, delta_t_R sqrt(2/pi)
 /// exp(-t_R^2 / 2 delta_t_R^2) + t_R erf(t_R / sqrt(2) delta_t_R); of the exponential T, t_R.
 double mean_slipping_time(const Parameters& p);
+
+/// Stretch w = f_N / k_ij = k_ij / kappa, so that f_thres = k_ij (mu_s w); 0 without contact [m].
+double friction_stretch(const Parameters& p, double p_i);
 
 /// Largest stable time step of velocity Verlet on this lattice [s].
 ///

@@ -23,6 +23,10 @@ enum class NewForce { zero, f_slip };
 /// simplified one with a single spring per block (Fig. S2), or the decaying one (Fig. S6).
 enum class Law { reference, simplified, decaying };
 
+/// What bears the slider in z: an elastic foundation below the bottom row, with F_N on the top row;
+/// or, for prepared interfaces, an elastic ceiling above the top row, with F_N on the bottom row.
+enum class Support { foundation, ceiling };
+
 struct Parameters {
   // slider
   double L = 0.140;         ///< length along x [m]
@@ -35,6 +39,7 @@ struct Parameters {
   double damping = 0.1;     ///< eta^2 / (k m), dimensionless
   double F_N = 1920;        ///< normal load [N]
   double foundation = 0.5;  ///< k_f / k, dimensionless
+  Support support = Support::foundation;
   // driving
   double K = 4e6;     ///< driving spring modulus [N/m]
   double h = 0.005;   ///< driving height above the interface [m]
@@ -61,7 +66,7 @@ struct Parameters {
 /// The member of Parameters that a table row describes.
 using ParameterMember =
     std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
-                 NewForce Parameters::*, Law Parameters::*>;
+                 NewForce Parameters::*, Law Parameters::*, Support Parameters::*>;
 
 /// One row of the parameter table.
 struct ParameterInfo {

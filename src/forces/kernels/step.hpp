@@ -92,7 +92,7 @@ inline void add_boundary(const LatticeShape& n, const Boundary& boundary, Index 
     for (Index i = 0; i < n.Nx; ++i) reversed.z[i] -= boundary.p[i];
   }
   if (j + 1 == n.Nz) {
-    for (Index i = 0; i < n.Nx; ++i) reversed.z[i] += boundary.load;
+    for (Index i = 0; i < n.Nx; ++i) reversed.z[i] += boundary.top[i];
   }
   if (j == boundary.driving_row) reversed.x[0] -= boundary.F_T;
 }

@@ -132,6 +132,23 @@ TEST_F(CheckpointFile, lacking_a_dataset_is_refused) {
                   "/parameters/slider/E is missing; expected one float64");
 }
 
+TEST_F(CheckpointFile, of_a_build_without_a_later_parameter_has_its_default) {
+  write(small_checkpoint());
+  Content content = read_content(file("x.h5"));
+  for (const char* name :
+       {"slider/support", "junctions/law", "junctions/mu_new", "junctions/v_slow"}) {
+    content.erase(std::string("/parameters/") + name);
+  }
+  const auto checksum =
+      write_content(file("old.h5"), FileKind::checkpoint, content, IfExists::refuse);
+  const Checkpoint read = read_checkpoint(file("old.h5"));
+  EXPECT_EQ(read.parameters, small_checkpoint().parameters);
+  EXPECT_EQ(read.parameters.support, Support::foundation);
+  EXPECT_EQ(read.checksum, checksum) << "of what the file holds";
+  EXPECT_EQ(verify_file(file("old.h5")), checksum);
+  EXPECT_NE(content_checksum(read.parameters, read.state), checksum);
+}
+
 TEST_F(CheckpointFile, with_a_dataset_too_many_is_refused) {
   expect_contains(refusal_after([](Content& c) { c["/state/extra"] = make_text("x"); }),
                   "x.h5: /state/extra is not part of a checkpoint: use a newer rupture");

@@ -228,7 +228,11 @@ void expect_zero_padding(const Field& field) {
 /// A shaken slider and boundary forces that differ on every block.
 struct Shaken {
   Shaken(Eigen::Index Nx, Eigen::Index Nz)
-      : p(small_slider(Nx, Nz)), state(p), normal(static_cast<std::size_t>(Nx)), tau(normal) {
+      : p(small_slider(Nx, Nz)),
+        state(p),
+        normal(static_cast<std::size_t>(Nx)),
+        tau(normal),
+        top(normal) {
     Noise displacements(0.01 * block_spacing(p)), velocities(1.0), forces(30.0);
     displacements.fill(state.u_x);
     displacements.fill(state.u_z);
@@ -236,12 +240,13 @@ struct Shaken {
     velocities.fill(state.v_z);
     for (double& force : normal) force = forces();
     for (double& force : tau) force = forces();
+    for (double& force : top) force = forces();
   }
-  Boundary boundary() const { return {normal.data(), tau.data(), 33.0, 1, 55.0}; }
+  Boundary boundary() const { return {normal.data(), tau.data(), top.data(), 1, 55.0}; }
 
   Parameters p;
   State state;
-  std::vector<double> normal, tau;
+  std::vector<double> normal, tau, top;
 };
 
 TEST(RowLengths, leave_the_padding_zero) {
@@ -280,7 +285,7 @@ TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
       for (Eigen::Index i = 0; i < Nx; ++i) {
         f_x(i, 0) -= s.tau[static_cast<std::size_t>(i)];
         f_z(i, 0) += s.normal[static_cast<std::size_t>(i)];
-        f_z(i, Nz - 1) -= 33.0;
+        f_z(i, Nz - 1) -= s.top[static_cast<std::size_t>(i)];
       }
       f_x(0, 1) += 55.0;
       const double half_kick = s.p.dt / (2.0 * block_mass(s.p));

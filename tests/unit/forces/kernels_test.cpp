@@ -50,10 +50,11 @@ Bits bulk_bits(const Kernels& kernels, Eigen::Index Nx) {
   displacements.fill(state.u_z);
   velocities.fill(state.v_x);
   velocities.fill(state.v_z);
-  std::vector<double> normal(static_cast<std::size_t>(Nx)), tau(normal);
+  std::vector<double> normal(static_cast<std::size_t>(Nx)), tau(normal), top(normal);
   for (double& force : normal) force = forces();
   for (double& force : tau) force = forces();
-  const Boundary boundary = {normal.data(), tau.data(), 33.0, 1, 55.0};
+  for (double& force : top) force = forces();
+  const Boundary boundary = {normal.data(), tau.data(), top.data(), 1, 55.0};
   Field e_x(p.Nx, p.Nz), e_z(e_x), d_x(e_x), d_z(e_x);
   Bulk bulk(p, 1, kernels);
   Bits bits;

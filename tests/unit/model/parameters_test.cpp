@@ -38,7 +38,7 @@ TEST(ParameterTable, names_each_parameter_once_and_completely) {
     EXPECT_FALSE(info.unit.empty()) << info.name;
     EXPECT_FALSE(info.help.empty()) << info.name;
   }
-  EXPECT_EQ(names.size(), 26U);  // members of Parameters
+  EXPECT_EQ(names.size(), 27U);  // members of Parameters
 }
 
 TEST(ParameterTable, accepts_its_own_defaults) {
@@ -81,6 +81,7 @@ TEST(ParameterText, reads_back_to_the_same_bits) {
   p.f_new = NewForce::f_slip;
   p.law = Law::simplified;
   p.v_slow = 1.0 / 3.0;
+  p.support = Support::ceiling;
   Parameters back;
   for (const auto& info : parameter_table()) {
     set_parameter(back, info.name, parameter_text(p, info));
@@ -160,6 +161,8 @@ TEST(SetParameter, refuses_unknown_words) {
             "junctions.law = 'simple' is unknown: choose one of reference, simplified, decaying");
   EXPECT_EQ(refusal("junctions.f_new", "Zero"),
             "junctions.f_new = 'Zero' is unknown: choose one of zero, f_slip");
+  EXPECT_EQ(refusal("slider.support", "floor"),
+            "slider.support = 'floor' is unknown: choose one of foundation, ceiling");
 }
 
 TEST(SetParameter, leaves_everything_as_it_was_when_it_refuses) {
@@ -251,6 +254,22 @@ TEST(Derived, quantities_of_the_reference_slider_are_those_of_table_S1) {
   EXPECT_EQ(driving_row(p), 2);
   // k_ij = sqrt(kappa f_N) with f_N = 1920 N / (57 * 100)
   EXPECT_DOUBLE_EQ(junction_stiffness(p, mean_normal_force(p)), std::sqrt(39.2e9 * 1920 / 5700));
+  EXPECT_DOUBLE_EQ(friction_stretch(p, mean_normal_force(p)), std::sqrt(1920 / 5700.0 / 39.2e9));
+  EXPECT_EQ(friction_stretch(p, 0.0), 0.0);
+}
+
+// k_f = 6.75 MN/m: 1 um is 6.75 N. The support pushes and never pulls; the other side bears F_N.
+TEST(Derived, normal_forces_come_from_the_support_on_one_side_and_F_N_on_the_other) {
+  Parameters p;
+  EXPECT_DOUBLE_EQ(normal_force(p, -1e-6), 6.75);
+  EXPECT_EQ(normal_force(p, 1e-6), 0.0);
+  EXPECT_DOUBLE_EQ(top_force(p, -1e-6), 1920.0 / 57);
+  EXPECT_DOUBLE_EQ(top_force(p, 1e-6), 1920.0 / 57);
+  p.support = Support::ceiling;
+  EXPECT_DOUBLE_EQ(normal_force(p, -1e-6), 1920.0 / 57);
+  EXPECT_DOUBLE_EQ(normal_force(p, 1e-6), 1920.0 / 57);
+  EXPECT_DOUBLE_EQ(top_force(p, 1e-6), 6.75);
+  EXPECT_EQ(top_force(p, -1e-6), 0.0);
 }
 
 TEST(Derived, mean_slipping_time_is_that_of_the_folded_gaussian) {

@@ -1,0 +1,209 @@
+#include "statics.hpp"
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "rupture/model/derived.hpp"
+
+namespace rupture {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+using Block2 = Eigen::Matrix2d;
+
+/// Unknowns of block (i, j): 2 (j Nx + i) for u_x, one more for u_z.
+Eigen::Index unknown(const Parameters& p, Eigen::Index i, Eigen::Index j) {
+  return 2 * (j * p.Nx + i);
+}
+
+/// Derivative of the force of one spring with respect to the relative displacement of its ends:
+/// k [(1 - 1/q) I + r r^T / (l_0^2 q^3)], q = |r| / l_0.
+Block2 spring_tangent(double k, double l_0, const Eigen::Vector2d& r) {
+  const double q = r.norm() / l_0;
+  return k * ((1.0 - 1.0 / q) * Block2::Identity() + r * r.transpose() / (l_0 * l_0 * q * q * q));
+}
+
+void add_block(Triplets& triplets, Eigen::Index row, Eigen::Index column, const Block2& value) {
+  for (int a = 0; a < 2; ++a) {
+    for (int b = 0; b < 2; ++b) triplets.emplace_back(row + a, column + b, value(a, b));
+  }
+}
+
+void add_springs(const Parameters& p, const State& state, Triplets& triplets) {
+  constexpr std::array<std::array<int, 2>, 4> bonds = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
+  const double l = block_spacing(p);
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      for (const auto [ix, iz] : bonds) {
+        const Eigen::Index i2 = i + ix, j2 = j + iz;
+        if (i2 < 0 || i2 >= p.Nx || j2 >= p.Nz) continue;
+        const double n = ix * ix + iz * iz;
+        const Eigen::Vector2d r(ix * l + state.u_x(i2, j2) - state.u_x(i, j),
+                                iz * l + state.u_z(i2, j2) - state.u_z(i, j));
+        const Block2 tangent = spring_tangent(bulk_stiffness(p) / n, std::sqrt(n) * l, r);
+        const Eigen::Index here = unknown(p, i, j), there = unknown(p, i2, j2);
+        add_block(triplets, here, here, tangent);
+        add_block(triplets, there, there, tangent);
+        add_block(triplets, here, there, -tangent);
+        add_block(triplets, there, here, -tangent);
+      }
+    }
+  }
+}
+
+/// Minus the derivative of static_forces with respect to the displacements.
+Matrix stiffness(const Parameters& p, const Hold& hold, const State& state) {
+  Triplets triplets;
+  triplets.reserve(static_cast<std::size_t>(64 * p.Nx * p.Nz));
+  add_springs(p, state, triplets);
+  const Eigen::Index top = p.Nz - 1;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const auto forces = interface_forces(p, hold, state, i);
+    Block2 tangent;
+    tangent << forces.dtau_dux, forces.dtau_duz, 0.0, -forces.dp_duz;
+    add_block(triplets, unknown(p, i, 0), unknown(p, i, 0), tangent);
+    if (p.support == Support::ceiling && state.u_z(i, top) > 0.0) {
+      triplets.emplace_back(unknown(p, i, top) + 1, unknown(p, i, top) + 1,
+                            foundation_stiffness(p));
+    }
+  }
+  if (hold.K > 0.0) {
+    const Eigen::Index driven = unknown(p, 0, driving_row(p));
+    triplets.emplace_back(driven, driven, hold.K);
+  }
+  const Eigen::Index size = 2 * p.Nx * p.Nz;
+  Matrix matrix(size, size);
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  return matrix;
+}
+
+Vector gather(const Parameters& p, const Field& x, const Field& z) {
+  Vector values(2 * p.Nx * p.Nz);
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      values[unknown(p, i, j)] = x(i, j);
+      values[unknown(p, i, j) + 1] = z(i, j);
+    }
+  }
+  return values;
+}
+
+void add_displacement(const Parameters& p, const Vector& change, State& state) {
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      state.u_x(i, j) += change[unknown(p, i, j)];
+      state.u_z(i, j) += change[unknown(p, i, j) + 1];
+    }
+  }
+}
+
+/// Uniaxial compression under F_N against the support: a start from which Newton converges.
+State compressed(const Parameters& p) {
+  State state(p);
+  const double sink = mean_normal_force(p) / foundation_stiffness(p);
+  const double strain = p.F_N / (p.L * p.B) / p.E;
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    const double z = static_cast<double>(j) * block_spacing(p);
+    const double u_z =
+        p.support == Support::foundation ? -sink - strain * z : sink + strain * (p.H - z);
+    for (Eigen::Index i = 0; i < p.Nx; ++i) state.u_z(i, j) = u_z;
+  }
+  return state;
+}
+
+/// True if a block has passed its right or upper neighbour: static equations have such solutions, a
+/// slider does not.
+bool turned_inside_out(const Parameters& p, const State& state) {
+  const double l = block_spacing(p);
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      if (i + 1 < p.Nx && l + state.u_x(i + 1, j) - state.u_x(i, j) <= 0.0) return true;
+      if (j + 1 < p.Nz && l + state.u_z(i, j + 1) - state.u_z(i, j) <= 0.0) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+InterfaceForces interface_forces(const Parameters& p, const Hold& hold, const State& state,
+                                 Eigen::Index i) {
+  const double u_x = state.u_x(i, 0), u_z = state.u_z(i, 0);
+  const double normal = normal_force(p, u_z);
+  const bool yields = p.support == Support::foundation && u_z < 0.0;
+  const double dp_duz = yields ? -foundation_stiffness(p) : 0.0;
+  if (hold.tau) return {normal, (*hold.tau)[static_cast<std::size_t>(i)], dp_duz, 0.0, 0.0};
+  if (!(normal > 0.0)) return {0.0, 0.0, 0.0, 0.0, 0.0};
+  const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, normal);
+  return {normal, k_i * u_x, dp_duz, k_i, dp_duz * k_i * u_x / (2.0 * normal)};
+}
+
+void static_forces(const Parameters& p, const Hold& hold, Bulk& bulk, const State& state,
+                   Field& f_x, Field& f_z) {
+  bulk.elastic(state.u_x, state.u_z, f_x, f_z);
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const auto forces = interface_forces(p, hold, state, i);
+    f_x(i, 0) -= forces.tau;
+    f_z(i, 0) += forces.p;
+    f_z(i, p.Nz - 1) -= top_force(p, state.u_z(i, p.Nz - 1));
+  }
+  if (hold.K > 0.0) f_x(0, driving_row(p)) -= hold.K * state.u_x(0, driving_row(p));
+}
+
+double largest(const Field& f_x, const Field& f_z) {
+  return std::max(f_x.blocks().abs().maxCoeff(), f_z.blocks().abs().maxCoeff());
+}
+
+std::optional<State> solve_statics(const Parameters& p, const Hold& hold) {
+  constexpr int most_iterations = 50;
+  const double tolerance = 1e-11 * mean_normal_force(p);
+  Bulk bulk(p);
+  State state = compressed(p);
+  Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
+  Eigen::SparseLU<Matrix> solver;
+  double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    static_forces(p, hold, bulk, state, f_x, f_z);
+    const double residual = largest(f_x, f_z);
+    if (!std::isfinite(residual)) break;
+    if (residual <= tolerance) {
+      if (turned_inside_out(p, state)) break;
+      return state;
+    }
+    if (residual > 0.1 * previous_residual) {
+      const Matrix matrix = stiffness(p, hold, state);
+      if (iteration == 0) solver.analyzePattern(matrix);
+      solver.factorize(matrix);
+      if (solver.info() != Eigen::Success) break;
+    }
+    previous_residual = residual;
+    add_displacement(p, solver.solve(gather(p, f_x, f_z)), state);
+  }
+  return std::nullopt;
+}
+
+State relax(const Parameters& p, const Hold& hold, double duration) {
+  Bulk bulk(p);
+  State state = compressed(p);
+  Field damping_x(p.Nx, p.Nz), damping_z(p.Nx, p.Nz);
+  const double alpha = damping_coefficient(p) / 40.0;
+  const double half_kick = p.dt / (2.0 * block_mass(p));
+  const auto steps = static_cast<std::int64_t>(std::llround(duration / p.dt));
+  for (std::int64_t n = 0; n < steps; ++n) {
+    bulk.kick_drift(0, state);
+    static_forces(p, hold, bulk, state, state.f_x, state.f_z);
+    bulk.damping(state.v_x, state.v_z, damping_x, damping_z);
+    state.f_x.blocks() += damping_x.blocks() - alpha * state.v_x.blocks();
+    state.f_z.blocks() += damping_z.blocks() - alpha * state.v_z.blocks();
+    state.v_x.blocks() += half_kick * state.f_x.blocks();
+    state.v_z.blocks() += half_kick * state.f_z.blocks();
+  }
+  return state;
+}
+
+}  // namespace rupture

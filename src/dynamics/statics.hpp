@@ -1,0 +1,47 @@
+// The slider at rest: the forces on it, and two ways to find the equilibrium that must agree.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rupture/forces/bulk.hpp"
+#include "rupture/model/state.hpp"
+
+namespace rupture {
+
+/// What holds a slider at rest besides its springs and its support.
+struct Hold {
+  /// Friction on each interface block, towards -x [N]. None: that of junctions which were attached
+  /// at x_ij = x_i(undeformed) and cannot break.
+  std::optional<std::vector<double>> tau = {};
+  /// Modulus of the driving spring, its driving point at 0 [N/m]. Zero: there is none.
+  double K = 0;
+};
+
+/// Forces of the interface on one block, and their derivatives.
+struct InterfaceForces {
+  double p, tau;              ///< upwards and towards -x [N]
+  double dp_duz;              ///< [N/m]
+  double dtau_dux, dtau_duz;  ///< [N/m]
+};
+
+InterfaceForces interface_forces(const Parameters& p, const Hold& hold, const State& state,
+                                 Eigen::Index i);
+
+/// Net static force on every block [N]; overwrites f.
+void static_forces(const Parameters& p, const Hold& hold, Bulk& bulk, const State& state,
+                   Field& f_x, Field& f_z);
+
+/// Largest component of a vector field.
+double largest(const Field& f_x, const Field& f_z);
+
+/// The slider at rest, by Newton's method with a sparse LU factorisation, until the largest net
+/// force on a block is below 1e-11 F_N / N_x. Nothing if that is not reached or the lattice turns
+/// inside out.
+std::optional<State> solve_statics(const Parameters& p, const Hold& hold);
+
+/// The same by damped relaxation: velocity Verlet with an extra force -alpha v, alpha = eta/40, on
+/// every block for `duration` [s].
+State relax(const Parameters& p, const Hold& hold, double duration);
+
+}  // namespace rupture

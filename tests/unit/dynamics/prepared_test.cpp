@@ -1,0 +1,193 @@
+// Prepared interfaces: the prescribed prestress, the quantiles, the trigger, and what is refused.
+#include "rupture/dynamics/prepared.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "rupture/analysis/phi.hpp"
+#include "rupture/model/random.hpp"
+#include "support/sliders.hpp"
+
+namespace rupture {
+namespace {
+
+using testing::message_of;
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+Parameters under_ceiling(Parameters p) {
+  p.support = Support::ceiling;
+  p.V = 0.0;
+  return p;
+}
+
+/// The reference slider with a trigger region of nine blocks.
+class Prepared : public ::testing::Test {
+ protected:
+  const Parameters p_ = under_ceiling({});
+  const Prestress prestress_ = {0.2, 0.15, PhiShape::bell};
+  const State state_ = prepared_state(p_, prestress_);
+  static constexpr std::size_t kTriggered = 9;
+};
+
+TEST_F(Prepared, has_the_same_p_on_every_block_which_the_ceiling_bears) {
+  for (const double p_i : normal_forces(p_, state_)) EXPECT_EQ(p_i, p_.F_N / 57.0);
+  double borne = 0.0;
+  for (Eigen::Index i = 0; i < p_.Nx; ++i) borne += top_force(p_, state_.u_z(i, p_.Nz - 1));
+  EXPECT_NEAR(borne, p_.F_N, 1e-10 * p_.F_N);
+}
+
+// Claim S3: tau_0/p = 0.17 + 0.2 * 0.23 beyond the trigger region and 0.17 + 0.3 * 0.23 in it.
+TEST_F(Prepared, carries_the_prescribed_prestress) {
+  Prestress pinned = prestress_;
+  pinned.trigger = Trigger::pinned;
+  const auto tau = friction_forces(p_, prepared_state(p_, pinned));
+  for (std::size_t i = 0; i < tau.size(); ++i) {
+    const double wanted = (i < kTriggered ? 0.239 : 0.216) * p_.F_N / 57.0;
+    EXPECT_NEAR(tau[i], wanted, 1e-12 * wanted) << "block " << i;
+  }
+}
+
+TEST_F(Prepared, is_balanced_by_the_driving_spring) {
+  const double wanted = (9 * 0.239 + 48 * 0.216) * p_.F_N / 57.0;
+  EXPECT_NEAR(driving_force(p_, state_), wanted, 1e-10 * wanted);
+  EXPECT_EQ(time(p_, state_), 0.0);
+}
+
+TEST_F(Prepared, stays_at_rest_while_nothing_is_depinned) {
+  Prestress pinned = prestress_;
+  pinned.trigger = Trigger::pinned;
+  const State before = prepared_state(p_, pinned);
+  Simulation simulation(p_, before);
+  testing::advance(simulation, 1000);
+  const State& after = simulation.state();
+  const double largest = before.u_x.blocks().abs().maxCoeff();
+  EXPECT_LT((after.u_x.blocks() - before.u_x.blocks()).abs().maxCoeff(), 1e-11 * largest);
+  EXPECT_LT((after.u_z.blocks() - before.u_z.blocks()).abs().maxCoeff(), 1e-11 * largest);
+  EXPECT_EQ(after.junctions.draws.sum(), 0U);
+}
+
+TEST_F(Prepared, has_junction_forces_that_are_the_quantiles_of_phi) {
+  const double f_thres = 0.4 * p_.F_N / 5700.0, f_slip = 0.17 * p_.F_N / 5700.0;
+  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
+    Prestress prestress = prestress_;
+    prestress.shape = shape;
+    const double a = 0.15 * (f_thres - f_slip) / unit_sigma(shape);
+    const auto q = unit_quantiles(shape, 100);
+    const auto blocks = block_forces(p_, prepared_state(p_, prestress));
+    for (std::size_t i = kTriggered; i < blocks.size(); ++i) {
+      for (std::size_t j = 0; j < 100; ++j) {
+        ASSERT_NEAR(blocks[i].forces[j], 0.216 * p_.F_N / 5700.0 + a * q[j], 1e-12 * f_thres);
+      }
+      EXPECT_NEAR(blocks[i].sigma_bar(), 0.15, 0.003 * 0.15) << "of 100 quantiles";
+      EXPECT_EQ(blocks[i].slipping, 0.0);
+    }
+  }
+}
+
+TEST_F(Prepared, starts_with_the_trigger_region_depinned_at_once) {
+  const double normal = p_.F_N / 57.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(p_.Nx); ++i) {
+    const auto block = static_cast<Eigen::Index>(i);
+    const bool depinned = i < kTriggered;
+    EXPECT_EQ(pinned_fraction(state_.junctions, block), depinned ? 0.0 : 1.0);
+    // what friction gave way is the net force on the block
+    EXPECT_NEAR(state_.f_x(block, 0), depinned ? (0.239 - 0.17) * normal : 0.0, 1e-12 * normal);
+  }
+  EXPECT_NEAR(sum(friction_forces(p_, state_)), (9 * 0.17 + 48 * 0.216) * normal, 1e-10 * p_.F_N);
+  EXPECT_EQ(state_.junctions.draws.topRows(kTriggered).minCoeff(), 1U);
+  EXPECT_EQ(state_.junctions.draws.sum(), 900U);
+  EXPECT_EQ(state_.junctions.repin_time(8, 99), slipping_time(p_, 8, 99, 0));
+}
+
+TEST_F(Prepared, depins_junctions_in_the_direction_of_their_force) {
+  Prestress backwards = prestress_;
+  backwards.tau_bar_trigger = -2.0;  // tau_0/p = -0.29
+  const auto blocks = block_forces(p_, prepared_state(p_, backwards));
+  for (const double f : blocks[0].forces) EXPECT_NEAR(f, -blocks[0].f_slip, 1e-12);
+}
+
+// The trigger region's own prestress limits sigma-bar only while it stays pinned.
+TEST_F(Prepared, is_refused_beyond_the_largest_sigma_bar) {
+  for (const Trigger trigger : {Trigger::depinned, Trigger::pinned}) {
+    for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
+      Prestress prestress = {0.2, 0.0, shape};
+      prestress.trigger = trigger;
+      const double largest = largest_sigma_bar(p_, prestress);
+      const double tau_bar = trigger == Trigger::depinned ? 0.2 : 0.3;
+      EXPECT_NEAR(largest, (1.0 - tau_bar) * unit_sigma(shape) / unit_quantiles(shape, 100).back(),
+                  1e-12);
+      prestress.sigma_bar = largest * (1.0 - 1e-9);
+      const auto block = block_forces(p_, prepared_state(p_, prestress)).back();
+      EXPECT_LE(block.forces.back(), block.f_thres);
+      prestress.sigma_bar = largest * (1.0 + 1e-9);
+      EXPECT_THROW(prepared_state(p_, prestress), UsageError);
+    }
+  }
+}
+
+TEST(Preparing, ends_where_damped_relaxation_ends) {
+  Parameters p = under_ceiling(testing::small_slider(13, 7));
+  const Prestress prestress = {0.4, 0.1, PhiShape::uniform, 7e-3};
+  const State direct = prepared_state(p, prestress);
+  const State relaxed = relaxed_prepared_state(p, prestress, 20e-3);
+  const double largest = direct.u_x.blocks().abs().maxCoeff();
+  EXPECT_LT((relaxed.u_x.blocks() - direct.u_x.blocks()).abs().maxCoeff(), 1e-10 * largest);
+  EXPECT_LT((relaxed.u_z.blocks() - direct.u_z.blocks()).abs().maxCoeff(), 1e-10 * largest);
+  EXPECT_LT((relaxed.junctions.attachment - direct.junctions.attachment).abs().maxCoeff(),
+            1e-10 * largest);
+}
+
+TEST(Preparing, says_what_it_cannot_do) {
+  const auto refusal = [](const Parameters& p, const Prestress& prestress) {
+    return message_of<UsageError>([&] { prepared_state(p, prestress); });
+  };
+  Parameters p = under_ceiling({});
+  EXPECT_EQ(refusal(p, {0.2, 0.5}),
+            "sigma-bar = 0.5 would put junctions beyond f_thres: the largest possible value is "
+            "0.4665");
+  EXPECT_EQ(refusal(p, {0.2, -0.1}),
+            "sigma-bar = -0.1 makes no sense: give a number of at least 0");
+  const std::string beyond =
+      " would put junctions beyond f_thres: the largest possible value is 1, the smallest -2.478";
+  EXPECT_EQ(refusal(p, {1.5, 0.0}), "tau-bar = 1.5" + beyond);
+  EXPECT_EQ(refusal(p, {-2.5, 0.0}), "tau-bar = -2.5" + beyond);
+  EXPECT_EQ(refusal(p, {std::nan(""), 0.0}), "tau-bar = nan" + beyond);
+  EXPECT_EQ(refusal(p, {0.2, 0.0, PhiShape::bell, 0.01, 2.0}), "tau-bar-trigger = 2" + beyond);
+  EXPECT_EQ(refusal(p, {0.2, 0.0, PhiShape::bell, 0.2}),
+            "x-trigger = 0.2 m makes no sense: give 0 to 0.14 m, so that a block lies beyond it");
+  p.K = 0.0;
+  EXPECT_EQ(refusal(p, {}),
+            "driving.K = 0 cannot balance the prestress: give the driving spring a modulus above "
+            "0");
+  p = {};
+  EXPECT_EQ(refusal(p, {}), "a prepared interface needs slider.support = ceiling");
+  p = under_ceiling({});
+  p.mu_d = p.mu_s;
+  EXPECT_EQ(refusal(p, {}),
+            "junctions.mu_d = junctions.mu_s = 0.4 leaves no range for the prestress: lower mu_d");
+  p = under_ceiling({});
+  p.N_s = 1;
+  EXPECT_EQ(refusal(p, {0.2, 0.1}),
+            "sigma-bar = 0.1 would put junctions beyond f_thres: the largest possible value is "
+            "0.0000");
+}
+
+TEST(Preparing, says_that_a_slider_tips_over) {
+  Parameters p = under_ceiling(testing::small_slider(5, 17));
+  p.h = p.H;  // F_T h = 0.4 F_N H, but F_N bears L/2 = H/8 at most
+  EXPECT_EQ(
+      message_of<Failure>([&] {
+        prepared_state(p, {1.0, 0.0, PhiShape::bell, 0.0});
+      }),
+      "no equilibrium under this prestress was found: slider.F_N = 168.421 N is too large for "
+      "slider.E = 3e+09 Pa or the slider tips over");
+}
+
+}  // namespace
+}  // namespace rupture
