@@ -65,7 +65,7 @@ void bulk_step(benchmark::State& bench) {
   State state = shaken(p);
   Bulk bulk(p);
   const std::vector<double> none(static_cast<std::size_t>(p.Nx));
-  const Boundary free = {none.data(), none.data(), 0.0, driving_row(p), 0.0};
+  const Boundary free = {none.data(), none.data(), none.data(), driving_row(p), 0.0};
   bulk.kick_drift(0, state);
   for (auto _ : bench) {
     for (std::int64_t n = 0; n < kSteps; ++n) {
@@ -109,7 +109,7 @@ void junctions_of(benchmark::State& bench, State state) {
   for (auto _ : bench) {
     kernels().contact(p.Nx, state.u_z.row(0), foundation_stiffness(p), static_cast<double>(p.N_s),
                       p.kappa, contact);
-    benchmark::DoNotOptimize(law.update(state.u_x.row(0), contact, t));
+    benchmark::DoNotOptimize(law.update(state.u_x.row(0), state.v_x.row(0), contact, t));
     law.friction(state.u_x.row(0), contact, tau.data());
     benchmark::ClobberMemory();
   }

@@ -42,9 +42,10 @@ double bell_strength(double a) {
 class SlippingJunctions {
  public:
   SlippingJunctions(std::vector<double> forces, double f_slip)
-      : forces_(std::move(forces)), f_slip_(f_slip) {
+      : forces_(std::move(forces)),
+        f_slip_(f_slip),
+        lagging_(std::accumulate(forces_.begin(), forces_.end(), 0.0)) {
     std::sort(forces_.begin(), forces_.end());
-    lagging_ = std::accumulate(forces_.begin(), forces_.end(), 0.0);
   }
   double friction(double stretch) {
     while (!forces_.empty() && forces_.back() + stretch >= f_slip_) {
@@ -57,7 +58,9 @@ class SlippingJunctions {
 
  private:
   std::vector<double> forces_;  // of those below f_slip, ascending
-  double f_slip_, lagging_ = 0.0, trailing_ = 0.0;
+  double f_slip_;               // [N]
+  double lagging_;              // sum of forces_ [N]
+  double trailing_ = 0.0;       // junctions at f_slip
 };
 
 JunctionForces junction_forces(const Junctions& junctions, Eigen::Index i,

@@ -79,6 +79,12 @@ void check(const Parameters& p, const Prestress& prestress) {
   check_sigma_bar(p, prestress);
 }
 
+/// True if the slider has turned so far that blocks rose or sank by the spacing between them: as p
+/// is constant, the static equations have such solutions, in which the ceiling touches a corner.
+bool has_tipped_over(const Parameters& p, const State& state) {
+  return state.u_z.blocks().abs().maxCoeff() >= block_spacing(p);
+}
+
 /// Attaches the junctions of block i where their forces add up to tau_i and follow phi.
 void attach(const Parameters& p, const Prestress& prestress, double tau_i, Eigen::Index i,
             State& state) {
@@ -149,7 +155,7 @@ State prepared_state(const Parameters& p, const Prestress& prestress) {
   check(p, prestress);
   const auto tau = prescribed_friction(p, prestress);
   auto state = solve_statics(p, {tau, p.K});
-  if (!state) {
+  if (!state || has_tipped_over(p, *state)) {
     throw Failure(
         fmt::format("no equilibrium under this prestress was found: slider.F_N = {:g} N is too "
                     "large for slider.E = {:g} Pa or the slider tips over",

@@ -161,6 +161,7 @@ TEST_F(SteadyState, FollowsRenewalTheory) {
   EXPECT_NEAR(theory[0], (T_p * 0.2 + t_R * 0.17) / (T_p + t_R), 1e-8);
   for (std::size_t n = 0; n < 3; ++n) {
     EXPECT_GT(error[n], 0.0);
+    EXPECT_LT(error[n], 1e-3 * mu[n]);
     EXPECT_NEAR(mu[n], theory[n], 4.0 * error[n] + theory[n] / 2000.0);
   }
   EXPECT_NEAR(json["p"], 1920.0 / 57.0, 1e-12);

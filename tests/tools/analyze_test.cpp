@@ -126,6 +126,9 @@ TEST_F(Analyze, SlipStartsAtZeroAndGrows) {
   EXPECT_GT(json["fast_slip"], 0.0);
   EXPECT_EQ(json["slip"][0], 0.0);
   EXPECT_GT(json["slip"].back(), 1e-6);
+  const Json edge = json_of("analyze slip rest.h5 --x 0.14 --json");  // where it slips forwards
+  EXPECT_NEAR(edge["slow_speed"], 0.66e-3, 0.01e-3);
+  EXPECT_NEAR(edge["slow_speed_error"], 0.02e-3, 0.01e-3);
   expect_csv("analyze slip rest.h5 --x 0.07", {"time [s]", "slip [m]"}, json["time"].size());
 }
 

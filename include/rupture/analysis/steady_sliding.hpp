@@ -19,7 +19,7 @@ namespace rupture {
 /// What slides: a block of these parameters under the normal force p.
 struct SteadySliding {
   Parameters parameters;
-  double p;  ///< [N]
+  double p = 0;  ///< [N]
 };
 
 /// tau/p of renewal theory at speed v > 0 [m/s].

@@ -140,7 +140,7 @@ class StrengthOfBlocks : public ::testing::Test {
     }
   }
   double stiffness(Eigen::Index i) const {
-    return junction_stiffness(p_, foundation_force(p_, state_.u_z(i, 0)));
+    return junction_stiffness(p_, normal_force(p_, state_.u_z(i, 0)));
   }
 
   Parameters p_ = testing::small_slider(5, 3);
@@ -201,7 +201,7 @@ double simulated_strength(PhiShape shape, double sigma_bar, double mean) {
   for (int n = 0; n <= steps; ++n) {
     const double u = 2.0 * w * n / steps;
     double tau = 0.0;
-    law.update(&u, contact, 0.0);
+    law.update(&u, nullptr, contact, 0.0);
     law.friction(&u, contact, &tau);
     tau_max = std::max(tau_max, tau);
   }
