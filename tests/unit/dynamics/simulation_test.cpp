@@ -42,8 +42,9 @@ void add_boundary_forces(const Parameters& p, InterfaceLaw& law, State& s) {
   s.f_x(0, driving_row(p)) += p.K * (x_drive - s.u_x(0, driving_row(p)));
 }
 
-/// Compares every step of the next 2,500 with the same step in plain terms.
-void expect_stated_order(const Parameters& p, const State& start) {
+/// Compares every step of the next 2,500 with the same step in plain terms. In these, at least so
+/// many blocks must rupture.
+void expect_stated_order(const Parameters& p, const State& start, std::size_t ruptures) {
   Simulation simulation(p, start);
   for (int n = 0; n < kThroughTheRupture; ++n) {
     State plain = simulation.state();
@@ -64,7 +65,7 @@ void expect_stated_order(const Parameters& p, const State& start) {
     ASSERT_TRUE((s.junctions.slow_until == plain.junctions.slow_until).all()) << "step " << n;
     ASSERT_LT((s.junctions.attachment - plain.junctions.attachment).abs().maxCoeff(), 1e-18);
   }
-  EXPECT_GE(simulation.ruptures().size(), 9U) << "the steps were to lead through the rupture";
+  EXPECT_GE(simulation.ruptures().size(), ruptures);
 }
 
 class StepUnder : public ::testing::TestWithParam<Law> {};
@@ -74,12 +75,12 @@ INSTANTIATE_TEST_SUITE_P(Law, StepUnder, ::testing::ValuesIn(testing::kAllLaws),
 
 TEST_P(StepUnder, follows_the_stated_order) {
   const Parameters p = quick_slider(GetParam());
-  expect_stated_order(p, normal_load_equilibrium(p));
+  expect_stated_order(p, normal_load_equilibrium(p), 9);
 }
 
 TEST(Step, follows_the_stated_order_under_a_ceiling) {
   const Parameters p = testing::prepared_slider();
-  expect_stated_order(p, prepared_state(p, testing::quick_prestress()));
+  expect_stated_order(p, prepared_state(p, testing::quick_prestress()), 6);  // three have already
 }
 
 TEST_P(StepUnder, the_forces_of_the_state_are_reported) {
