@@ -15,7 +15,7 @@
 namespace rupture {
 namespace {
 
-/// Below this many blocks for each, threads wait for one another longer than they work.
+/// With fewer blocks for each, threads gain too little for the processors that they take.
 [[maybe_unused]] constexpr std::int64_t kBlocksPerThread = 2000;
 
 }  // namespace
