@@ -18,10 +18,10 @@ Usage: ./reproduce.sh COMMAND [OPTION]...
 
 Commands
   fig3 (or another figure)  install what is missing, build, compute, draw, print the claims
-  all                       the same for every figure
+  all                       the same for everything
   test                      build and run the tests
   check                     check the layout of the sources
-  list                      list the figures
+  list                      list the figures and other recipes
   clean                     delete build/ and results/ (never checkpoints/)
 
 Options
@@ -34,24 +34,25 @@ EOF
 
 # --- what there is -------------------------------------------------------------------------
 
-figures() {
+# The figures, and recipes that belong to none.
+recipe_names() {
   local rules
-  for rules in recipes/fig*/rules.smk; do
+  for rules in recipes/*/rules.smk; do
     if [[ -e $rules ]]; then basename "$(dirname "$rules")"; fi
   done | sort -V
 }
 
-is_figure() { [[ -n $1 && -e recipes/$1/rules.smk && $1 == fig* && $1 != */* ]]; }
+is_recipe() { [[ -n $1 && -e recipes/$1/rules.smk && $1 != */* ]]; }
 
-# The first line of a figure's README, without the hash marks.
+# The first line of a recipe's README, without the hash marks.
 title_of() { sed -n '1s/^#* *//p' "recipes/$1/README.md" 2>/dev/null || true; }
 
 print_list() {
-  local figure
-  for figure in $(figures); do
-    printf '  %-8s %s\n' "$figure" "$(title_of "$figure")"
+  local name
+  for name in $(recipe_names); do
+    printf '  %-10s %s\n' "$name" "$(title_of "$name")"
   done
-  printf '  %-8s %s\n' all 'every figure' test 'the tests' check 'the layout of the sources' \
+  printf '  %-10s %s\n' all 'everything above' test 'the tests' check 'the layout of the sources' \
     list 'this list' clean 'delete build/ and results/'
 }
 
@@ -112,8 +113,8 @@ check_commands() {
     exit 2
   fi
   for name in "${command_names[@]}"; do
-    is_figure "$name" && continue
-    [[ $name =~ ^(all|test|check|list|clean)$ ]] || usage_error "there is no figure '$name'."
+    is_recipe "$name" && continue
+    [[ $name =~ ^(all|test|check|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
     ((${#command_names[@]} == 1)) || usage_error "'$name' cannot be combined with other commands."
   done
 }
@@ -194,8 +195,9 @@ recipes() {
     --config from_scratch="$from_scratch"
 }
 
-# Rules fig*_start, where they exist, make the checkpoints that a figure starts from. Run first, on
-# their own, they let everything after them see that equal checkpoints came out (recipes/Snakefile).
+# Rules *_start, where they exist, make what decides about later steps: checkpoints that a figure
+# starts from, or a coarse map that is to be refined. Run first, on their own, they let everything
+# after them see what came out (recipes/Snakefile).
 start_rules_of() {
   local figure
   for figure; do
@@ -289,8 +291,8 @@ main() {
     clean) take_turn && clean ;;
     all)
       take_turn
-      mapfile -t command_names < <(figures)
-      ((${#command_names[@]} > 0)) || die "there are no figures under recipes/."
+      mapfile -t command_names < <(recipe_names)
+      ((${#command_names[@]} > 0)) || die "there are no recipes under recipes/."
       reproduce "${command_names[@]}"
       ;;
     *) take_turn && reproduce "${command_names[@]}" ;;

@@ -13,13 +13,15 @@ VERDICTS = (REPRODUCED, DIFFERS, NOT_COMPARABLE)
 
 @dataclass(frozen=True)
 class Claim:
-    """One row. `measured` is text, or numbers by name and unit: {"slow speed [m/s]": 9.8}."""
+    """One row. `measured` is text, or numbers by name and unit: {"slow speed [m/s]": 9.8}. `note`
+    says what a reader has to know to judge the verdict; where a claim differs, why."""
 
     id: str
     paper: str
     measured: str | dict
     acceptance: str
     verdict: str
+    note: str = ""
 
     def __post_init__(self):
         if self.verdict not in VERDICTS:
