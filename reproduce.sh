@@ -196,12 +196,13 @@ recipes() {
 }
 
 # Rules *_start, where they exist, make what decides about later steps: checkpoints that a figure
-# starts from, or a coarse map that is to be refined. Run first, on their own, they let everything
-# after them see what came out (recipes/Snakefile).
-start_rules_of() {
-  local figure
+# starts from, or a coarse map that is to be refined; rules *_refine what follows from those. Run
+# first, on their own, they let everything after them see what came out (recipes/Snakefile).
+stage_rules_of() {
+  local stage=$1 figure
+  shift
   for figure; do
-    if grep -q "^rule ${figure}_start:" "recipes/$figure/rules.smk"; then echo "${figure}_start"; fi
+    if grep -qs "^rule ${figure}_$stage:" recipes/"$figure"/*.smk; then echo "${figure}_$stage"; fi
   done
 }
 
@@ -210,9 +211,11 @@ start_rules_of() {
 gone_of() { recipes "$@" --summary | awk -F '\t' '$6 == "missing" && $7 == "no update" { print $1 }'; }
 
 compute() {
-  local starts gone
-  mapfile -t starts < <(start_rules_of "$@")
-  if ((${#starts[@]} > 0)); then recipes "${starts[@]}" || return; fi
+  local stage rules gone
+  for stage in start refine; do
+    mapfile -t rules < <(stage_rules_of "$stage" "$@")
+    if ((${#rules[@]} > 0)); then recipes "${rules[@]}" || return; fi
+  done
   gone=$(gone_of "$@") || return
   mapfile -t gone <<<"$gone"
   recipes "$@" ${gone[0]:+"${gone[@]}"}

@@ -1,0 +1,47 @@
+"""Do the members of one group have lower values than those of the other, stratum by stratum?
+
+A stratum is (values of the first group, values of the second); only pairs from the same stratum are
+compared.
+"""
+
+import math
+
+import numpy as np
+from scipy.stats import norm, rankdata, wilcoxon
+
+
+def comparable(strata):
+    """The strata in which both groups have members."""
+    return [(first, second) for first, second in strata if len(first) and len(second)]
+
+
+def share_of_lower(strata):
+    """Share of pairs in which the member of the first group has the lower value; ties count half.
+    0.5 without any difference; None without pairs."""
+    wins = pairs = 0.0
+    for first, second in comparable(strata):
+        difference = np.subtract.outer(np.array(second), np.array(first))
+        wins += np.sum(difference > 0) + 0.5 * np.sum(difference == 0)
+        pairs += difference.size
+    return float(wins / pairs) if pairs else None
+
+
+def van_elteren(strata):
+    """Van Elteren's stratified rank-sum test: z and one-sided p for lower values in the first group,
+    with the normal approximation and correction for ties; None if no stratum has both groups."""
+    statistic = variance = 0.0
+    for first, second in comparable(strata):
+        n, m = len(first), len(second)
+        ranks = rankdata([*first, *second])
+        weight = 1 / (n + m + 1)
+        statistic += weight * (ranks[:n].sum() - n * (n + m + 1) / 2)
+        variance += weight**2 * n * m * np.var(ranks, ddof=1) / (n + m)
+    if variance == 0:
+        return None
+    z = statistic / math.sqrt(variance)
+    return {"z": float(z), "p": float(norm.cdf(z))}
+
+
+def signed_rank(shares):
+    """Wilcoxon's signed-rank test, one-sided, of shares of independent repetitions against 0.5."""
+    return float(wilcoxon(np.array(shares) - 0.5, alternative="greater").pvalue)

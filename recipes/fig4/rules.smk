@@ -1,0 +1,119 @@
+# Figure 4: A-B in wider.smk, C-D here. The chain of commands is in README.md.
+FIG4_PARTS = [f"{DATA}/fig4/claims-4C.json", f"{DATA}/fig4/claims-4D.json"]
+
+
+# The map of front types: a grid with one seed, then places halfway between neighbours of different
+# type, then five seeds at all places next to another type. Each decides where the next is needed.
+rule fig4_start:
+    input:
+        f"{DATA}/fig4/between.csv",
+
+
+rule fig4_refine:
+    input:
+        f"{DATA}/fig4/boundary.csv",
+
+
+rule fig4_between:
+    input:
+        grid=f"{DATA}/fig4/map.csv",
+        script="recipes/common/map_points.py",
+        common=COMMON,
+    output:
+        f"{DATA}/fig4/between.csv",
+    log:
+        f"{LOGS}/fig4/between.log",
+    message:
+        "fig4: find where the front type changes"
+    shell:
+        "{PYTHON} {input.script} between {input.grid} {output} 2> {log}"
+
+
+rule fig4_boundary:
+    input:
+        grid=f"{DATA}/fig4/map.csv",
+        between=f"{DATA}/fig4/map-between.csv",
+        script="recipes/common/map_points.py",
+        common=COMMON,
+    output:
+        f"{DATA}/fig4/boundary.csv",
+    log:
+        f"{LOGS}/fig4/boundary.log",
+    message:
+        "fig4: find the places next to another front type"
+    shell:
+        "{PYTHON} {input.script} boundary {input.grid} {input.between} {output} 2> {log}"
+
+
+rule fig4_map:
+    input:
+        tables=[f"{DATA}/fig4/{part}.csv" for part in ("map", "map-between", "map-boundary")],
+        boundary=f"{DATA}/fig4/boundary.csv",
+        script="recipes/fig4/map.py",
+        common=COMMON,
+    output:
+        claims=f"{DATA}/fig4/claims-4D.json",
+        png=f"{RESULTS}/fig4/fig4D.png",
+        pdf=f"{RESULTS}/fig4/fig4D.pdf",
+        table=f"{RESULTS}/fig4/front-types.csv",
+        thresholds=f"{RESULTS}/fig4/thresholds.csv",
+    log:
+        f"{LOGS}/fig4/map.log",
+    message:
+        "fig4: draw D, compare with the paper's claim"
+    shell:
+        "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 2> {log}"
+
+
+# Prepared interfaces of either shape, the strength of the shapes themselves, and the blocks of events I
+# and II and of the ensemble, as far as there are such events.
+FIG4_SHOWN = [event for event in ("fast-slow-fast", "second-slow") if event in EVENTS]
+FIG4_REPEATED = globals().get("ENSEMBLE_EVENTS", [])
+FIG4_EVENTS = [*FIG4_SHOWN, *FIG4_REPEATED]
+
+
+rule fig4_strength:
+    input:
+        prepared=f"{DATA}/fig4/strength.csv",
+        curves=f"{DATA}/fig4/strength-curves.csv",
+        map=f"{DATA}/fig4/map.csv",
+        events=[f"{DATA}/{event}-strength.json" for event in FIG4_EVENTS],
+        fronts=[f"{DATA}/{event}-front.json" for event in FIG4_EVENTS],
+        script="recipes/fig4/strength.py",
+        common=COMMON,
+    output:
+        claims=f"{DATA}/fig4/claims-4C.json",
+        png=f"{RESULTS}/fig4/fig4C.png",
+        pdf=f"{RESULTS}/fig4/fig4C.pdf",
+        table=f"{RESULTS}/fig4/strength.csv",
+    params:
+        repeated=FIG4_REPEATED,
+    log:
+        f"{LOGS}/fig4/strength.log",
+    message:
+        "fig4: draw C, compare with the paper's claim"
+    shell:
+        "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {params.repeated} 2> {log}"
+
+
+# A-B: the event with a wider phi.
+if Path("recipes/fig4/wider.smk").exists():
+
+    include: "wider.smk"
+
+    FIG4_PARTS.insert(0, f"{DATA}/fig4/claims-AB.json")
+
+
+rule fig4:
+    input:
+        parts=FIG4_PARTS,
+        script="recipes/common/merge_claims.py",
+        common=COMMON,
+    output:
+        f"{RESULTS}/fig4/claims.json",
+    log:
+        f"{LOGS}/fig4.log",
+    message:
+        "fig4: join the claims of its parts"
+    shell:
+        "{PYTHON} {input.script} {input.parts} {output} 2> {log}"

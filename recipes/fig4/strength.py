@@ -1,0 +1,240 @@
+#!/usr/bin/env python3
+"""Figure 4 C, its data and claim 4C: strength.py results/data results/fig4 ENSEMBLE_EVENT..."""
+
+import csv
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from common.claims import Claim, verdict, write_claims
+from common.front_map import SLOW_BELOW, place_of, rows_of
+from common.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
+from common.rank_test import share_of_lower, signed_rank, van_elteren
+from common.records import report, values
+
+SHOWN = {"fast-slow-fast": ("I", GREEN), "second-slow": ("II", VERMILION)}
+LOADING_ZONE = 0.02  # [m]
+BIN = 0.1  # of tau_bar_0: blocks in one bin count as equally loaded
+MIDDLE = 40  # a block of prepared interfaces well beyond the trigger region
+MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}
+CURVES = {"uniform": "-", "bell": "--"}
+TOLERANCE = 0.02
+SIGNIFICANT = 0.01
+
+
+@dataclass(frozen=True)
+class Block:
+    kind: str  # slow, fast, or loading zone
+    sigma_bar: float
+    tau_bar_0: float
+    mu_bar_eff: float
+
+
+# --- data ----------------------------------------------------------------------------------
+
+
+def kind_of(x, v_c, c_s):
+    """None where no speed is known, or where the front ran backwards."""
+    if x < LOADING_ZONE:
+        return "loading zone"
+    if not v_c > 0:
+        return None
+    return "slow" if v_c < SLOW_BELOW * c_s else "fast"
+
+
+def blocks_of(data, event):
+    """The blocks of one event: what they could bear before it, and how fast the front passed them."""
+    front = report(data / f"{event}-front.json")
+    strength = report(data / f"{event}-strength.json")
+    kinds = [kind_of(x, v, front["c_s"]) for x, v in zip(front["x"], values(front["v_c"]))]
+    quantities = zip(*(values(strength[q]) for q in ("sigma_bar", "tau_bar_0", "mu_bar_eff")))
+    return [Block(kind, *numbers) for kind, numbers in zip(kinds, quantities) if kind]
+
+
+def prepared_points(data):
+    """Prepared interfaces: rows with numbers, without those that cannot be prepared."""
+    for row in rows_of(data / "fig4/strength.csv"):
+        if row["status"] == "done":
+            yield {
+                "shape": row["shape"],
+                "type": row["type"],
+                "tau_bar_0": float(row["tau-bar"]),
+                "wanted": float(row["sigma-bar"]),
+                "sigma_bar": float(row["sigma_bar in the middle"]),
+                "mu_bar_eff": float(row["mu_bar_eff in the middle"]),
+            }
+
+
+def curves(data):
+    """{shape: {sigma_bar: mu_bar_eff}}"""
+    lines = {shape: {} for shape in CURVES}
+    for row in rows_of(data / "fig4/strength-curves.csv"):
+        lines[row["shape"]][float(row["sigma-bar"])] = float(row["mu_bar_eff"])
+    return lines
+
+
+# --- tests ---------------------------------------------------------------------------------
+
+
+def deviations(points, lines):
+    return [p["mu_bar_eff"] / lines[p["shape"]][p["wanted"]] - 1 for p in points]
+
+
+def map_strata(data):
+    """sigma_bar of slow and of fast grid points of Figure 4 D, by tau_bar_0."""
+    rows = rows_of(data / "fig4/map.csv")
+    for tau_bar in sorted({row["tau-bar"] for row in rows}):
+        yield tuple(
+            [place_of(row)[1] for row in rows if (row["tau-bar"], row["type"]) == (tau_bar, kind)]
+            for kind in ("slow", "fast")
+        )
+
+
+def block_strata(blocks):
+    """sigma_bar of slow and of fast blocks beyond the loading zone, by bins of tau_bar_0."""
+    bins = {int(np.floor(block.tau_bar_0 / BIN)) for block in blocks}
+    for number in sorted(bins):
+        inside = [b for b in blocks if int(np.floor(b.tau_bar_0 / BIN)) == number]
+        yield tuple([b.sigma_bar for b in inside if b.kind == kind] for kind in ("slow", "fast"))
+
+
+def shares_of(events):
+    """{event: share of its pairs of a slow and a fast block where the slow one has the narrower phi}"""
+    shares = {event: share_of_lower(list(block_strata(blocks))) for event, blocks in events.items()}
+    return {event: share for event, share in shares.items() if share is not None}
+
+
+# --- picture -------------------------------------------------------------------------------
+
+
+def draw_markers(axes, kind, colour, points):
+    x, y = zip(*points)
+    hollow = {"markerfacecolor": "none"} if kind == "loading zone" else {}
+    axes.plot(x, y, MARKERS[kind], color=colour, markersize=3.2, linestyle="none",
+              markeredgewidth=0.7, **hollow)
+
+
+def draw_events(axes, events):
+    for event, blocks in events.items():
+        for kind in ("loading zone", "fast", "slow"):
+            points = [(b.sigma_bar, b.mu_bar_eff) for b in blocks if b.kind == kind]
+            if points:
+                draw_markers(axes, kind, SHOWN[event][1], points)
+
+
+def draw_prepared(axes, points):
+    for kind in ("arrested", "fast", "slow"):
+        chosen = [(p["sigma_bar"], p["mu_bar_eff"]) for p in points if p["type"] == kind]
+        if chosen:
+            draw_markers(axes, kind, BLACK, chosen)
+
+
+def draw_curves(axes, lines):
+    for shape, style in CURVES.items():
+        axes.plot(*zip(*sorted(lines[shape].items())), color=BLACK, linestyle=style, linewidth=0.8)
+
+
+def draw_legend(axes, events):
+    for shape, style in CURVES.items():
+        axes.plot([], [], color=BLACK, linestyle=style, linewidth=0.8, label=shape)
+    for kind, marker in MARKERS.items():
+        axes.plot([], [], marker, color="grey", markersize=3.2, markerfacecolor=(
+            "none" if kind == "loading zone" else "grey"), label=kind)
+    for event in events:
+        name, colour = SHOWN[event]
+        axes.plot([], [], "s", color=colour, label=f"event {name}")
+    axes.plot([], [], "s", color=BLACK, label="prepared")
+    axes.legend(loc="upper right", handlelength=1.6)
+
+
+def draw(events, points, lines, stem):
+    fig, axes = figure(SINGLE, 0.85 * SINGLE)
+    draw_curves(axes, lines)
+    draw_events(axes, events)
+    draw_prepared(axes, points)
+    draw_legend(axes, events)
+    axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\mu_s^\mathrm{eff}$", xlim=(-0.02, 0.6), ylim=(0, 1.05))
+    letter(axes, "C")
+    save(fig, stem)
+
+
+# --- data and claim ------------------------------------------------------------------------
+
+
+def write_table(path, events, points):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["points", "kind", "tau_bar_0", "sigma_bar", "mu_bar_eff"])
+        for point in points:
+            numbers = (point[q] for q in ("type", "tau_bar_0", "sigma_bar", "mu_bar_eff"))
+            table.writerow([f"prepared, {point['shape']}", *numbers])
+        for event, blocks in events.items():
+            for b in blocks:
+                table.writerow([event, b.kind, b.tau_bar_0, b.sigma_bar, b.mu_bar_eff])
+
+
+def measure_map(data):
+    strata = list(map_strata(data))
+    both = [(slow, fast) for slow, fast in strata if slow and fast]
+    return {
+        "rows of the map with slow and fast points": len(both),
+        "slow points in them": sum(len(slow) for slow, _ in both),
+        "fast points in them": sum(len(fast) for _, fast in both),
+        "share of pairs with the slow one at lower sigma_bar": share_of_lower(strata),
+        "van Elteren p": (van_elteren(strata) or {"p": None})["p"],
+    }
+
+
+def measure_events(shown, ensemble):
+    shares = list(shares_of(ensemble).values())
+    return {
+        **{f"the same of blocks, event {SHOWN[e][0]}": s for e, s in shares_of(shown).items()},
+        "ensemble events with slow and fast blocks": len(shares),
+        "the same of blocks, median of the ensemble": float(np.median(shares)) if shares else None,
+        "the same of blocks, 5-95 % of the ensemble": (
+            np.percentile(shares, [5, 95]).tolist() if shares else None),
+        "signed-rank p over the ensemble's events": signed_rank(shares) if len(shares) >= 5 else None,
+    }
+
+
+def is_accepted(measured):
+    p = measured["van Elteren p"], measured["signed-rank p over the ensemble's events"]
+    tested = all(value is None or value < SIGNIFICANT for value in p) and p[0] is not None
+    return measured["largest deviation of prepared points from the curves"] <= TOLERANCE and tested
+
+
+def claim_4C(data, points, lines, shown, ensemble):
+    measured = {
+        "prepared points": len(points),
+        "largest deviation of prepared points from the curves": max(map(abs, deviations(points, lines))),
+        **measure_map(data),
+        **measure_events(shown, ensemble),
+    }
+    return Claim(
+        id="4C",
+        paper="mu_bar_eff of all blocks lies on or near the uniform and bell curves; slow points cluster at"
+        " low sigma_bar among points of equal tau_bar_0",
+        measured=measured,
+        acceptance="prepared points within 2 % of the curves; clustering shown and tested (rank test)",
+        verdict=verdict(is_accepted(measured)),
+        note=f"Prepared: van Elteren's test over the grid points of 4D, strata tau_bar_0; they are"
+        f" deterministic runs, so p ranks the order and n is the number of runs. Blocks of one event are"
+        f" no independent points: each event gives one share, over pairs with tau_bar_0 in the same"
+        f" bin of {BIN:g}, and the test over events has n = number of events.",
+    )
+
+
+def main(data, results, *ensemble):
+    data, results = Path(data), Path(results)
+    shown = {e: blocks_of(data, e) for e in SHOWN if (data / f"{e}-strength.json").exists()}
+    points, lines = list(prepared_points(data)), curves(data)
+    draw(shown, points, lines, results / "fig4C")
+    write_table(results / "strength.csv", shown, points)
+    repeated = {event: blocks_of(data, event) for event in ensemble}
+    write_claims(data / "fig4/claims-4C.json", [claim_4C(data, points, lines, shown, repeated)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

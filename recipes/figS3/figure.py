@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""Figure S3, its data and its claim: figure.py results/data results/figS3"""
+
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from common.claims import Claim, verdict, write_claims
+from common.front_map import rows_of
+from common.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
+from common.records import report
+
+MU_S, MU_D = 0.4, 0.17  # Table S1
+X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
+TOLERANCE = 1e-9
+SHOWN_SIGMA_BAR = 0.0
+COLOURS = {0.2: BLACK, 0.3: BLUE}
+
+
+def prescribed(x, tau_bar):
+    """tau_0/p of each block."""
+    in_trigger_region = np.array(x) < X_TRIGGER - 1e-9
+    return MU_D + np.where(in_trigger_region, TAU_BAR_TRIGGER, tau_bar) * (MU_S - MU_D)
+
+
+def ratio(stress):
+    return np.array(stress["tau"]) / np.array(stress["p"])
+
+
+def deviation(values, wanted):
+    return float(np.abs(values / wanted - 1).max())
+
+
+def deviations(tau_bar, point):
+    """Largest relative deviations of one prepared interface from what was prescribed."""
+    stress = point["before"]
+    wanted = prescribed(stress["x"], tau_bar)
+    beyond = np.array(stress["x"]) > X_TRIGGER - 1e-9
+    depinned = np.where(beyond, wanted, MU_D)  # slipping junctions carry f_slip
+    return {
+        "before depinning": deviation(ratio(stress), wanted),
+        "100 steps later, not depinned": deviation(ratio(point["later"]), wanted),
+        "just depinned, from mu_d in the trigger region": deviation(ratio(point["depinned"]), depinned),
+        "p from F_N/N_x": deviation(np.array(stress["p"]), stress["F_N"] / len(stress["p"])),
+    }
+
+
+def draw(points, stem):
+    fig, axes = figure(SINGLE, 0.65 * SINGLE)
+    for (tau_bar, sigma_bar), point in points.items():
+        if sigma_bar != SHOWN_SIGMA_BAR:
+            continue
+        x = np.array(point["before"]["x"]) * 1e3
+        axes.plot(x, ratio(point["before"]), "o", color=COLOURS[tau_bar], markersize=2.5,
+                  label=rf"$\bar\tau_0 = {tau_bar:g}$")
+        axes.plot(x, prescribed(point["before"]["x"], tau_bar), color=COLOURS[tau_bar], linewidth=0.6)
+    axes.axhline(MU_D, color=BLACK, linewidth=0.6, linestyle=":")
+    axes.annotate(r"$\mu_d$", (1, MU_D), xycoords=("axes fraction", "data"), xytext=(-3, 2),
+                  textcoords="offset points", ha="right")
+    axes.axvspan(-2, X_TRIGGER * 1e3 - 1.25, color=ORANGE, alpha=0.2, linewidth=0)
+    axes.annotate("trigger\nregion", (9, 0.185), ha="center")
+    axes.set(xlabel="$x$ [mm]", ylabel=r"$\tau_0/p$", xlim=(-2, 142), ylim=(0.15, 0.26))
+    axes.legend(loc="center right", bbox_to_anchor=(1, 0.42))
+    save(fig, stem)
+
+
+def write_table(path, points):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"])
+        for (tau_bar, sigma_bar), point in points.items():
+            x = point["before"]["x"]
+            for row in zip(x, prescribed(x, tau_bar), ratio(point["before"])):
+                table.writerow([tau_bar, sigma_bar, *row])
+
+
+def claim_S3(points):
+    each = [deviations(tau_bar, point) for (tau_bar, _), point in points.items()]
+    worst = {f"largest relative deviation, {name}": max(d[name] for d in each) for name in each[0]}
+    return Claim(
+        id="S3",
+        paper="prestress tau_bar_0 = 0.3 in the trigger region, homogeneous 0.2 or 0.3 beyond it",
+        measured={"prepared interfaces": len(points)} | worst,
+        acceptance="profile equals the prescribed one to 1e-9",
+        verdict=verdict(max(worst.values()) <= TOLERANCE),
+        note="For sigma_bar = 0 and 0.2. Prescribed is tau_0/p = mu_d + tau_bar_0 (mu_s - mu_d).",
+    )
+
+
+def main(data, results):
+    data, results = Path(data), Path(results)
+    points = {
+        (float(row["tau-bar"]), float(row["sigma-bar"])): report(data / f"points/{row['point']}.json")
+        for row in rows_of(data / "figS3/profiles.csv")
+    }
+    draw(points, results / "figS3")
+    write_table(results / "profiles.csv", points)
+    write_claims(results / "claims.json", [claim_S3(points)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Maps of front types for other lengths and nucleation energies, and claim Geo:
+geometry.py results/data results/robustness"""
+
+import csv
+import sys
+from pathlib import Path
+
+from common.claims import Claim, verdict, write_claims
+from common.front_map import (
+    TYPES,
+    axes_of,
+    band,
+    fast_below_left_of_arrested,
+    front_type,
+    read_map,
+    rows_of,
+    types_of,
+    types_of_seeds,
+)
+from common.map_panels import draw_regions, name_regions
+from common.plotting import DOUBLE, figure, letter, save
+
+TITLES = {
+    "L x 0.75": r"$0.75\,L$",
+    "L x 1.5": r"$1.5\,L$",
+    "trigger 0.2": r"$\bar\tau_\mathrm{trigger} = 0.2$",
+    "trigger 0.4": r"$\bar\tau_\mathrm{trigger} = 0.4$",
+}
+
+
+def column(types, sigma):
+    """Types with rising tau_bar_0 at this sigma_bar, without places that cannot be prepared."""
+    return [kind for (_, s), kind in sorted(types.items()) if s == sigma and kind in TYPES]
+
+
+def is_in_order(kinds):
+    """Never back from slow to arrested, or from fast to slow."""
+    ranks = [TYPES.index(kind) for kind in kinds]
+    return ranks == sorted(ranks)
+
+
+def measured(name, fronts):
+    types = types_of(fronts)
+    columns = {sigma: column(types, sigma) for sigma in axes_of(types)[1]}
+    return {
+        f"{name}: sigma_bar in order": f"{sum(map(is_in_order, columns.values()))} of {len(columns)}",
+        f"{name}: of these with all three types": sum(
+            is_in_order(kinds) and set(kinds) == set(TYPES) for kinds in columns.values()
+        ),
+        f"{name}: fast below-left of arrested": len(fast_below_left_of_arrested(types_of_seeds(fronts))),
+        f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(
+            f"{sigma:g}: " + ("{:g} to {:g}".format(*limits) if limits else "none")
+            for sigma, limits in ((sigma, band(types, sigma)) for sigma in columns)
+        ),
+    }
+
+
+def is_accepted(fronts):
+    """The order holds at each sigma_bar, and all three types occur at several of them."""
+    types = types_of(fronts)
+    columns = [column(types, sigma) for sigma in axes_of(types)[1]]
+    return all(map(is_in_order, columns)) and sum(set(c) == set(TYPES) for c in columns) >= 2
+
+
+def claim_Geo(maps):
+    return Claim(
+        id="Geo",
+        paper="Fig. 4D is robust to sample geometry and energy stored in the nucleation region",
+        measured={k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()},
+        acceptance="4D's order of regions holds for L x {0.75, 1.5} and two tau_bar_trigger",
+        verdict=verdict(all(map(is_accepted, maps.values()))),
+        note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar, with all"
+        " three at two or more. Block spacing, block mass, p per block, H, h and the trigger"
+        " region's length are kept, so N_x = 43 and 85, M and F_N grow with N_x.",
+    )
+
+
+def draw(maps, stem):
+    fig, panels = figure(DOUBLE, 0.32 * DOUBLE, ncols=len(maps), sharey=True)
+    for axes, text, (name, fronts) in zip(panels, "ABCD", maps.items()):
+        types = types_of(fronts)
+        draw_regions(axes, types, types)
+        name_regions(axes, types)
+        axes.set_title(TITLES[name])
+        letter(axes, text)
+        if text != "A":
+            axes.set(ylabel="")
+    save(fig, stem)
+
+
+def write_table(path, maps):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["variant", "tau_bar_0", "sigma_bar", "type"])
+        for name, fronts in maps.items():
+            for (tau, sigma), seeds in sorted(fronts.items()):
+                table.writerow([name, tau, sigma, front_type(seeds[1])])
+
+
+def main(data, results):
+    data, results = Path(data), Path(results)
+    rows = rows_of(data / "robustness/geometry.csv")
+    maps = {
+        name: read_map([row for row in rows if row["variant"] == name], data / "points")
+        for name in TITLES
+    }
+    draw(maps, results / "geometry")
+    write_table(results / "geometry.csv", maps)
+    write_claims(data / "robustness/claims-Geo.json", [claim_Geo(maps)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
