@@ -34,19 +34,12 @@ def draw_loading(axes, loading, events):
 
 
 def draw_block(axes, block):
-    rupture = block["t_rupture [s]"][0]
-    event = block["record"] == "event"
-    time, ratio = (block["time [s]"] - rupture) * 1e3, block["tau/p"]
-    axes.plot(time[event], ratio[event], color=BLUE)
+    time = block["time since the rupture [s]"] * 1e3
+    axes.plot(time, block["tau/p"], color=BLUE)
     axes.axvline(0, color=BLACK, linestyle=":", linewidth=0.8)
+    axes.annotate("rupture", (0, 0.27), xytext=(4, 0), textcoords="offset points")
     axes.set(xlabel="time after the block's rupture [ms]", ylabel=r"$\tau/p$ at $x = 0.5\,L$")
-    axes.set(xlim=(-2, 3), ylim=(0, 0.45))
-    inset = axes.inset_axes([0.62, 0.58, 0.36, 0.38])
-    inset.plot(block["time [s]"][~event], ratio[~event], color=BLUE, linewidth=0.8)
-    inset.axvline(rupture, color=BLACK, linestyle=":", linewidth=0.8)
-    inset.set(xlim=(rupture - 0.1, rupture + 0.1), ylim=(0, 0.45), xlabel="$t$ [s]")
-    inset.tick_params(labelsize=6.5)
-    inset.xaxis.label.set_size(6.5)
+    axes.set(xlim=(time[0], time[-1]), ylim=(0.1, 0.285))
 
 
 def draw_junction(axes, junction):

@@ -1,6 +1,5 @@
 # Figure 1 D-G: the slider's loading, one block, one junction, steady sliding. See README.md.
 FIG1 = f"{DATA}/fig1"
-FIG1_X = 0.07  # m; the block of panel E, in the middle of the interface
 
 # One junction per block, which carries the normal force of a reference junction (F_N/57/100), under
 # a small stiff slider without prestress: tau/p = 0 is tau-bar = -mu_d/(mu_s - mu_d).
@@ -34,7 +33,7 @@ rule fig1_loading:
     message:
         "fig1: read the loading curve"
     shell:
-        "{BIN}/analyze loading {input.h5} --x {FIG1_X} --json > {output} 2> {log}"
+        "{BIN}/analyze loading {input.h5} --json > {output} 2> {log}"
 
 
 # fig1/event-front.json comes from this record by rule front.

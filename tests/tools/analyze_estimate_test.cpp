@@ -188,7 +188,7 @@ TEST_F(SteadyState, TakesParametersAndSeed) {
 }
 
 TEST_F(SteadyState, ComesCloserToTheTheoryWithShorterSteps) {
-  const auto off = [](const std::string& steps) {
+  const auto off = [this](const std::string& steps) {
     const Json json = json_of("analyze steady-state --points 1 --v-from 1 --json" + steps);
     return std::abs(double(json["mu"][0]) - double(json["mu_theory"][0]));
   };
