@@ -14,7 +14,7 @@ from common.tables import write_table
 
 CLOSE = 1e-6
 MU_S, MU_D = 0.4, 0.17  # reference parameters, as the tool's defaults
-DRAWN = {0.05: BLUE, 0.1: GREEN, 0.2: VERMILION, 0.35: PURPLE}  # sigma-bar in A and B
+DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average
 LINES = {"uniform": "-", "bell": "--"}
 
@@ -54,7 +54,7 @@ def draw_curves(axes, curves):
         best = np.argmax(ratio)
         axes.plot(d, ratio, LINES[shape], color=DRAWN[sigma_bar])
         axes.plot(d[best], ratio[best], "os"[shape == "bell"], color=DRAWN[sigma_bar])
-    axes.set(xlabel=r"displacement $[f_\mathrm{slip}/k_{ij}]$", ylabel=r"$\tau/p$", xlim=(0, 2.5))
+    axes.set(xlabel=r"displacement $[f_\mathrm{slip}/k_{ij}]$", ylabel=r"$\tau/p$", xlim=(0, None))
 
 
 def draw_strength(axes, strengths):
