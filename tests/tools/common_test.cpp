@@ -1,7 +1,10 @@
 // What all tools have in common: --help, --version, --quiet, unknown options.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <ostream>
 
+#include "rupture/forces/kernels.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::test {
