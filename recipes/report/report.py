@@ -81,8 +81,8 @@ def checksums(root, files):
     for name in sorted(files, key=natural):
         path = root / name
         if name.startswith("results/data/") and path.suffix == ".sum" and path.exists():
-            words = path.read_text(encoding="utf-8").split()
-            found.append((name.removeprefix("results/data/").removesuffix(".sum"), words[0]))
+            checksum, *_ = path.read_text(encoding="utf-8").split() or ["empty"]
+            found.append((name.removeprefix("results/data/").removesuffix(".sum"), checksum))
     return found
 
 
