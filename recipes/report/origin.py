@@ -31,7 +31,7 @@ def builds(root, files):
     counts = Counter()
     for name in files:
         path = Path(root) / name
-        if path.suffix == ".h5" and path.exists():
+        if name.startswith("results/") and path.suffix == ".h5" and path.exists():
             try:
                 counts[written_by(path)] += 1
             except (OSError, KeyError, ValueError):
