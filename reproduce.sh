@@ -224,7 +224,7 @@ note_run() {
   local started=$1
   shift
   printf '{"recipes": "%s", "cores": %d, "started": %d, "seconds": %d}\n' \
-    "$*" "$cores" "$started" $((EPOCHSECONDS - started)) >results/last-run.json
+    "$*" "$cores" "$started" $((EPOCHSECONDS - started)) >>results/runs.jsonl
 }
 
 show() {

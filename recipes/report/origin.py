@@ -62,9 +62,16 @@ def processor():
     return f"{names[0] if names else platform.machine()}, {os.cpu_count()} cores"
 
 
-def last_run(root):
-    """What ./reproduce.sh noted about its last computation; None before the first."""
+def last_run(root, jobs):
+    """The last run that computed any of the jobs, as ./reproduce.sh noted it, and how many; None
+    if there was none."""
     try:
-        return json.loads((Path(root) / "results/last-run.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        lines = (Path(root) / "results/runs.jsonl").read_text(encoding="utf-8").splitlines()
+    except OSError:
         return None
+    for run in map(json.loads, reversed(lines)):
+        end = run["started"] + run["seconds"] + 1  # both are whole seconds
+        count = sum(run["started"] <= job.started < end for job in jobs)
+        if count > 0:
+            return run | {"jobs": count}
+    return None

@@ -165,10 +165,6 @@ def css_class(verdict):
     return verdict.replace(" ", "-")
 
 
-def jobs_since(jobs, run):
-    return sum(job.started >= run["started"] for job in jobs) if run else 0
-
-
 def contents(root):
     accounts = Accounts(root)
     listed = listed_claims(root)
@@ -177,15 +173,13 @@ def contents(root):
     rows = summary_rows(listed, results_by_id(recipes, listed))
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs = accounts.jobs(files)
-    run = last_run(root)
     return {
         "recipes": recipes,
         "rows": rows,
         "counts": counts(rows),
         "ensemble": ensemble_by_id(root, listed),
         "jobs": jobs,
-        "run": run,
-        "run_jobs": jobs_since(jobs, run),
+        "run": last_run(root, jobs),
         "builds": builds(root, files),
         "build": present_build(root),
         "processor": processor(),

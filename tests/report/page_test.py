@@ -6,7 +6,7 @@ import re
 import tempfile
 import unittest
 
-from fixture import NOT_RUN, POINTS, Project, spill
+from fixture import NOT_RUN, POINTS, START, Project, spill
 from links import Links
 
 
@@ -93,6 +93,14 @@ class Page(unittest.TestCase):
         self.assertIn("What the pipeline ran: 2 jobs, 51 s", self.section("fig2"))
         self.assertIn("What the pipeline ran: 2 jobs, 51 s", self.section("fig3"))
         self.assertIn(f"{POINTS + 4} jobs, 10 min 54 s", self.section("build"))
+
+    def test_shows_the_last_run_that_computed_anything(self):
+        self.project.make_accounts()
+        run = {"recipes": "fig2 fig3", "cores": 2, "started": int(START), "seconds": 65}
+        idle = {"recipes": "fig3", "cores": 1, "started": int(START) + 1000, "seconds": 4}
+        spill(self.project.root / "results/runs.jsonl", f"{json.dumps(run)}\n{json.dumps(idle)}\n")
+        text = " ".join(self.section("build").split())
+        self.assertIn("fig2 fig3 with 2 cores, 3 jobs in 65 s from start to end", text)
 
     def test_shows_commands_but_not_each_of_many(self):
         self.project.make_accounts()
