@@ -44,7 +44,7 @@ TEST_F(Strength, OfACheckpointFollowsItsJunctions) {
     EXPECT_NEAR(json["mu_eff"][i], 0.17 + 0.23 * json["mu_bar_eff"][i].get<double>(), 1e-12);
   }
   const auto rows = csv_of(output_of("analyze strength b.h5 --csv"));
-  EXPECT_EQ(rows.size(), 10U);
+  ASSERT_EQ(rows.size(), 10U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"x [m]", "slipping", "sigma_bar", "tau_bar_0",
                                                "mu_bar_eff", "mu_eff"}));
   EXPECT_EQ(lines_of(output_of("analyze strength b.h5")).size(), 10U);
@@ -145,7 +145,7 @@ TEST_F(Estimate, HasNoRelaxationThatNeverEnds) {
 
 TEST_F(Estimate, PrintsBlocksAsATable) {
   const auto rows = csv_of(output_of("analyze estimate a.h5 --csv"));
-  EXPECT_EQ(rows.size(), 10U);
+  ASSERT_EQ(rows.size(), 10U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"x [m]", "p [N]", "v_slow_slip [m/s]"}));
   EXPECT_EQ(lines_of(output_of("analyze estimate a.h5")).size(), 1U + 9U + 1U + 4U);
 }
@@ -198,7 +198,7 @@ TEST_F(SteadyState, ComesCloserToTheTheoryWithShorterSteps) {
 
 TEST_F(SteadyState, PrintsATable) {
   const auto rows = csv_of(output_of("analyze steady-state --points 2 --csv"));
-  EXPECT_EQ(rows.size(), 3U);
+  ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"v [m/s]", "mu", "mu_error", "mu_theory"}));
   EXPECT_EQ(lines_of(output_of("analyze steady-state --points 2")).size(), 4U);
 }
