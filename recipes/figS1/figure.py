@@ -86,7 +86,7 @@ def claim_S1(unloaded, before, levers):
         " fast-slow-fast event of Figure 2, 0.5 ms before its first rupture: h is the height of"
         " the driven block. The slider still oscillates a little from earlier events: what the"
         " centroid lacks is the moment of its inertia (and 0.1 % is the displacement of the points"
-        " where forces act); the damping, which does not act along the bonds, makes up the rest.",
+        " where forces act); 0.07 % remain, perhaps the damping, which does not act along the bonds.",
     )
 
 
