@@ -117,7 +117,7 @@ def claim_5B(stretch, c_s, branches):
     start, end = stretch["tip"][0], stretch["tip"][-1]
     return Claim(
         id="5B",
-        paper="driven at h = 0: fronts over the inter-event time scale, which stop when driving stops",
+        paper="driven at h = 0: fronts over the inter-event time, which stop with the driving",
         measured={
             "mean speed [m/s]": speed,
             "c_s/speed": c_s / speed,
@@ -136,9 +136,10 @@ def claim_5B(stretch, c_s, branches):
         verdict=verdict(speed <= FASTEST * c_s and middle["stopped"] <= FURTHEST),
         note="The stretch lies between the first two dynamic events (more than half of the blocks"
         " within 1 ms) and ends 10 ms before the second; the verdict is that of the branch in the"
-        " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the checkpoints:"
-        " in the last one the second event has begun to nucleate. The front creeps in bursts of some"
-        " ms; branched off within one (0.5965 s), it went on by 4 blocks in 3 ms before it stopped.",
+        " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the"
+        " checkpoints: in the last one the second event has begun to nucleate. The front creeps in"
+        " bursts of some ms; branched off within one (0.5965 s), it went on by 4 blocks in 3 ms"
+        " before it stopped.",
     )
 
 

@@ -1,4 +1,4 @@
-# Figure 5: dynamic and quasi-static slow fronts. One file per part; each adds its claims to FIG5_PARTS.
+# Figure 5: dynamic and quasi-static slow fronts. Each part adds its claims to FIG5_PARTS.
 FIG5_PARTS = []
 
 

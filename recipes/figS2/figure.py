@@ -35,7 +35,7 @@ def draw_map(axes, record, front, t_zero, window):
     shown = (time >= window[0]) & (time <= window[1])
     x = np.array(front["x"]) / front["L"]
     image = axes.pcolormesh(
-        x, time[shown], ratio[shown], vmin=0, vmax=0.4, shading="nearest", rasterized=True
+        x, time[shown], ratio[shown], vmin=-0.1, vmax=0.4, shading="nearest", rasterized=True
     )
     line = (values(front["t_rupture"]) - t_zero) * 1e3
     axes.plot(x, line, color="white", linewidth=1)
@@ -53,7 +53,8 @@ def draw_speeds(axes, fronts):
     axes.axhline(front["c_s"], color=BLACK, linewidth=0.8)
     axes.annotate("$c_s$", (0.9, front["c_s"]), xytext=(0, 2), textcoords="offset points")
     axes.axvspan(0, LOADING_ZONE / front["L"], color="0.9", linewidth=0)
-    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1), ylim=(1, None))
+    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log")
+    axes.set(xlim=(0, 1), ylim=(1, None))
     axes.legend(loc="lower left", bbox_to_anchor=(0.12, 0))
 
 
@@ -85,8 +86,8 @@ def write_events(path, events, without):
     with open(path, "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
         table.writerow(
-            ["t_start [s]", "slow from [m]", "fast before [m/s]", "slow speed [m/s]", "duration [s]"]
-            + ["without slow slip", "arrest without slow slip [m]"]
+            ["t_start [s]", "slow from [m]", "fast before [m/s]", "slow speed [m/s]"]
+            + ["duration [s]", "without slow slip", "arrest without slow slip [m]"]
         )
         for event, front in zip(events, without):
             slow = event["slow"]
@@ -114,10 +115,10 @@ def claim_S2(choice, event, without):
         },
         acceptance="a fast-to-slow transition present / absent",
         verdict=verdict(has_fast_to_slow(event) and not has_fast_to_slow(front)),
-        note="Present: the front crosses the interface and runs at least 10 times as fast between the"
-        " loading zone (x = 2 cm) and its slow stretch as within it. Absent: restarted with v_slow = 0"
-        " from 0.5 ms before its first rupture, it has no stencil below c_s/20 beyond the loading"
-        " zone. The verdict is that of the first event.",
+        note="Present: the front crosses the interface and runs at least 10 times as fast between"
+        " the loading zone (x = 2 cm) and its slow stretch as within it. Absent: restarted with"
+        " v_slow = 0 from 0.5 ms before its first rupture, it has no stencil below c_s/20 beyond"
+        " the loading zone. The verdict is that of the first event.",
     )
 
 

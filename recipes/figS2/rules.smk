@@ -11,7 +11,9 @@ FIGS2_CHOICE = Path(DATA, "figS2/choice.json")
 
 def figS2_events():
     """Numbers of the fast-slow events that figS2_start has found."""
-    return range(len(json.loads(FIGS2_CHOICE.read_text())["events"])) if FIGS2_CHOICE.exists() else []
+    if not FIGS2_CHOICE.exists():
+        return range(0)
+    return range(len(json.loads(FIGS2_CHOICE.read_text())["events"]))
 
 
 rule figS2_load:

@@ -5,8 +5,8 @@ FIGS6_LOADED = [
     f"{DATA}/figS6/load-t{n * CHECKPOINT_EVERY:.9f}.h5"
     for n in range(1, round(FIGS6_UNTIL / CHECKPOINT_EVERY) + 1)
 ]
-# The slow stretch of an event is where v_c is below this part of c_s: a speed of c_s/8 passes as slow
-# here, and with the tools' default it would not.
+# The slow stretch of an event is where v_c is below this part of c_s: a speed of c_s/8 passes as
+# slow here, and with the tools' default it would not.
 FIGS6_SLOW_BELOW = 1 / 8
 
 
