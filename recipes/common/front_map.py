@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from common.records import report, values
+from common.tables import write_table
 
 SLOW_BELOW = 1 / 20  # of c_s: the default of `analyze front`
 SKIP_BELOW_X = 0.0275  # [m] stencils that touch the trigger region, as in the sweeps' commands
@@ -161,21 +162,18 @@ def load_map(data, folder, parts):
     return fronts, grid, boundary
 
 
+def slow_stretch(front):
+    """Where and how fast the front was slow; empty where it was not."""
+    slow = (front and front["slow"]) or {}
+    return [slow.get(name, "") for name in ("x_from", "x_to", "speed")]
+
+
 def write_types(path, fronts):
-    """One row per point: place, seed, type, and where and how fast the front was slow."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["tau_bar_0", "sigma_bar", "seed", "type", "slow from [m]", "to [m]", "slow speed [m/s]"])
-        for (tau, sigma), seeds in sorted(fronts.items()):
-            for seed, front in sorted(seeds.items()):
-                slow = (front and front["slow"]) or {}
-                stretch = [slow.get(name, "") for name in ("x_from", "x_to", "speed")]
-                table.writerow([tau, sigma, seed, front_type(front), *stretch])
-
-
-def write_rows(path, rows):
-    """Dictionaries with equal keys as a table."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, list(rows[0]))
-        table.writeheader()
-        table.writerows(rows)
+    """One row per point."""
+    names = ("slow from [m]", "slow to [m]", "slow speed [m/s]")
+    rows = [
+        [*place, seed, front_type(front), *slow_stretch(front)]
+        for place, seeds in sorted(fronts.items())
+        for seed, front in sorted(seeds.items())
+    ]
+    write_table(path, ["tau_bar_0", "sigma_bar", "seed", "type", *names], rows)

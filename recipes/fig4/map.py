@@ -5,9 +5,10 @@ import sys
 from pathlib import Path
 
 from common.claims import write_claims
-from common.front_map import load_map, write_rows, write_types
+from common.front_map import load_map, write_types
 from common.map_claims import map_claim, thresholds_compared
 from common.map_panels import draw_map
+from common.tables import write_table
 
 SLOW_BELOW = (20, 10, 30, 40, 60)  # slow is below c_s over this; the first is the default
 
@@ -25,7 +26,7 @@ def main(data, results):
     thresholds = list(thresholds_compared(fronts, grid, SLOW_BELOW))
     draw_map(fronts, grid, SLOW_BELOW, "D", results / "fig4D")
     write_types(results / "front-types.csv", fronts)
-    write_rows(results / "thresholds.csv", thresholds)
+    write_table(results / "thresholds.csv", list(thresholds[0]), map(dict.values, thresholds))
     claim = map_claim("4D", PAPER, fronts, grid, boundary, thresholds, NOTE)
     write_claims(data / "fig4/claims-4D.json", [claim])
 

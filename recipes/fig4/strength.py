@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Figure 4 C, its data and claim 4C: strength.py results/data results/fig4 ENSEMBLE_EVENT..."""
 
-import csv
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +12,7 @@ from common.front_map import SLOW_BELOW, place_of, rows_of
 from common.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
 from common.rank_test import share_of_lower, signed_rank, van_elteren
 from common.records import report, values
+from common.tables import write_table
 
 SHOWN = {"fast-slow-fast": ("I", GREEN), "second-slow": ("II", VERMILION)}
 LOADING_ZONE = 0.02  # [m]
@@ -22,6 +22,7 @@ MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}
 CURVES = {"uniform": "-", "bell": "--"}
 TOLERANCE = 0.02
 SIGNIFICANT = 0.01
+QUANTITIES = ("tau_bar_0", "sigma_bar", "mu_bar_eff")
 
 
 @dataclass(frozen=True)
@@ -171,16 +172,12 @@ def draw(events, points, lines, stem):
 # --- data and claim ------------------------------------------------------------------------
 
 
-def write_table(path, events, points):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["points", "kind", "tau_bar_0", "sigma_bar", "mu_bar_eff"])
-        for point in points:
-            numbers = (point[q] for q in ("type", "tau_bar_0", "sigma_bar", "mu_bar_eff"))
-            table.writerow([f"prepared, {point['shape']}", *numbers])
-        for event, blocks in events.items():
-            for b in blocks:
-                table.writerow([event, b.kind, b.tau_bar_0, b.sigma_bar, b.mu_bar_eff])
+def rows(events, points):
+    for point in points:
+        yield [f"prepared, {point['shape']}", point["type"], *(point[q] for q in QUANTITIES)]
+    for event, blocks in events.items():
+        for block in blocks:
+            yield [event, block.kind, *(getattr(block, q) for q in QUANTITIES)]
 
 
 def measure_map(data):
@@ -244,7 +241,7 @@ def main(data, results, *ensemble):
     shown = {e: blocks_of(data, e) for e in SHOWN if (data / f"{e}-strength.json").exists()}
     points, lines = list(prepared_points(data)), curves(data)
     draw(shown, points, lines, results / "fig4C")
-    write_table(results / "strength.csv", shown, points)
+    write_table(results / "strength.csv", ["points", "kind", *QUANTITIES], rows(shown, points))
     repeated = {event: blocks_of(data, event) for event in ensemble}
     write_claims(data / "fig4/claims-4C.json", [claim_4C(data, points, lines, shown, repeated)])
 

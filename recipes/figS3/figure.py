@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Figure S3, its data and its claim: figure.py results/data results/figS3"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -11,6 +10,7 @@ from common.claims import Claim, verdict, write_claims
 from common.front_map import rows_of
 from common.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 from common.records import report
+from common.tables import write_table
 
 MU_S, MU_D = 0.4, 0.17  # Table S1
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
@@ -66,14 +66,11 @@ def draw(points, stem):
     save(fig, stem)
 
 
-def write_table(path, points):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"])
-        for (tau_bar, sigma_bar), point in points.items():
-            x = point["before"]["x"]
-            for row in zip(x, prescribed(x, tau_bar), ratio(point["before"])):
-                table.writerow([tau_bar, sigma_bar, *row])
+def rows(points):
+    for (tau_bar, sigma_bar), point in points.items():
+        x = point["before"]["x"]
+        for row in zip(x, prescribed(x, tau_bar), ratio(point["before"])):
+            yield [tau_bar, sigma_bar, *row]
 
 
 def claim_S3(points):
@@ -96,7 +93,8 @@ def main(data, results):
         for row in rows_of(data / "figS3/profiles.csv")
     }
     draw(points, results / "figS3")
-    write_table(results / "profiles.csv", points)
+    names = ["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"]
+    write_table(results / "profiles.csv", names, rows(points))
     write_claims(results / "claims.json", [claim_S3(points)])
 
 

@@ -7,6 +7,7 @@ FIGS6_PARTS = []
 
 
 include: "event.smk"
+include: "map.smk"
 
 
 rule figS6:

@@ -2,7 +2,6 @@
 """Maps of front types for other lengths and nucleation energies, and claim Geo:
 geometry.py results/data results/robustness"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -12,7 +11,6 @@ from common.front_map import (
     axes_of,
     band,
     fast_below_left_of_arrested,
-    front_type,
     read_map,
     rows_of,
     types_of,
@@ -20,6 +18,7 @@ from common.front_map import (
 )
 from common.map_panels import draw_regions, name_regions
 from common.plotting import DOUBLE, figure, letter, save
+from common.tables import write_table
 
 TITLES = {
     "L x 0.75": r"$0.75\,L$",
@@ -89,24 +88,21 @@ def draw(maps, stem):
     save(fig, stem)
 
 
-def write_table(path, maps):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["variant", "tau_bar_0", "sigma_bar", "type"])
-        for name, fronts in maps.items():
-            for (tau, sigma), seeds in sorted(fronts.items()):
-                table.writerow([name, tau, sigma, front_type(seeds[1])])
+def rows(maps):
+    for name, fronts in maps.items():
+        for place, kind in sorted(types_of(fronts).items()):
+            yield [name, *place, kind]
 
 
 def main(data, results):
     data, results = Path(data), Path(results)
-    rows = rows_of(data / "robustness/geometry.csv")
+    table = rows_of(data / "robustness/geometry.csv")
     maps = {
-        name: read_map([row for row in rows if row["variant"] == name], data / "points")
+        name: read_map([row for row in table if row["variant"] == name], data / "points")
         for name in TITLES
     }
     draw(maps, results / "geometry")
-    write_table(results / "geometry.csv", maps)
+    write_table(results / "geometry.csv", ["variant", "tau_bar_0", "sigma_bar", "type"], rows(maps))
     write_claims(data / "robustness/claims-Geo.json", [claim_Geo(maps)])
 
 
