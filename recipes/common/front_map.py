@@ -64,9 +64,7 @@ def types_of_seeds(fronts, slow_below=SLOW_BELOW):
 
 def types_of(fronts, slow_below=SLOW_BELOW):
     """{place: type of its first seed}"""
-    return {
-        place: front_type(seeds[min(seeds)], slow_below) for place, seeds in fronts.items()
-    }
+    return {place: front_type(seeds[min(seeds)], slow_below) for place, seeds in fronts.items()}
 
 
 def is_like_analyze(front):
@@ -124,8 +122,10 @@ def boundary(grid_types, between_types):
 def fast_below_left_of_arrested(seed_types):
     """Pairs of a fast point and an arrested one with at least its tau_bar_0 and sigma_bar, over all
     seeds: [(place of the fast one, place of the arrested one)]."""
-    found = {kind: sorted(p for p, seeds in seed_types.items() if kind in seeds.values())
-             for kind in ("fast", "arrested")}
+    found = {
+        kind: sorted(p for p, seeds in seed_types.items() if kind in seeds.values())
+        for kind in ("fast", "arrested")
+    }
     return [
         (fast, arrested)
         for fast in found["fast"]
@@ -149,8 +149,8 @@ def band(types, sigma):
 
 
 def load_map(data, folder, parts):
-    """All fronts, those of the regular grid (map.csv), and the boundary of the recipe in results/data/
-    `folder`; `parts` are the tables beside map.csv that hold more points."""
+    """All fronts, those of the regular grid (map.csv), and the boundary of the recipe `folder`;
+    `parts` are the tables beside map.csv that hold more points."""
     tables = {part: rows_of(Path(data) / folder / f"{part}.csv") for part in ("map", *parts)}
     points = Path(data) / "points"
     fronts = read_map([row for rows in tables.values() for row in rows], points)

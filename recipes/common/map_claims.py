@@ -19,8 +19,8 @@ ACCEPTANCE = (
 
 
 def thresholds_compared(fronts, grid, slow_below):
-    """What another threshold for slow fronts changes, per 1/threshold: numbers of grid points of
-    each type, of those with another type than at the first one, and of violations over all seeds."""
+    """What another threshold for slow fronts changes: numbers of grid points of each type, of those
+    whose type is not that at the first threshold, and of violations over all seeds."""
     reference = types_of(grid, 1 / slow_below[0])
     for ratio in slow_below:
         types = types_of(grid, 1 / ratio)
@@ -51,18 +51,25 @@ def seeds_measured(fronts, boundary):
 def measured(fronts, grid, boundary, thresholds):
     types = types_of(grid)
     taus, sigmas = axes_of(grid)
-    kinds = {f"{kind} grid points": sum(t == kind for t in types.values())
-             for kind in ("arrested", "slow", "fast", "impossible")}
-    bands = {f"slow tau_bar_0 at sigma_bar = {s:.3g}": band(types, s)
-             for s in (sigmas[0], sigmas[len(sigmas) // 2], sigmas[-1])}
-    others = {f"grid points of other type with c_s/{row['c_s/threshold']}": row["changed"]
-              for row in thresholds[1:]}
+    kinds = {
+        f"{kind} grid points": sum(t == kind for t in types.values())
+        for kind in ("arrested", "slow", "fast", "impossible")
+    }
+    bands = {
+        f"slow tau_bar_0 at sigma_bar = {s:.3g}": band(types, s)
+        for s in (sigmas[0], sigmas[len(sigmas) // 2], sigmas[-1])
+    }
+    others = {
+        f"grid points of other type with c_s/{row['c_s/threshold']}": row["changed"]
+        for row in thresholds[1:]
+    }
     return {
         "grid": f"{len(taus)} x {len(sigmas)}",
         **kinds,
         "points with all seeds": sum(map(len, fronts.values())),
-        "fast points below-left of an arrest point":
-            len({pair[0] for pair in fast_below_left_of_arrested(types_of_seeds(fronts))}),
+        "fast points below-left of an arrest point": len(
+            {pair[0] for pair in fast_below_left_of_arrested(types_of_seeds(fronts))}
+        ),
         **seeds_measured(fronts, boundary),
         **bands,
         **others,

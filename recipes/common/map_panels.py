@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.colors import ListedColormap
+from matplotlib.patheffects import withStroke
 from scipy.interpolate import NearestNDInterpolator
 
 from common.front_map import TYPES, axes_of, types_of, types_of_seeds
@@ -40,7 +41,7 @@ def draw_regions(axes, types, grid_types):
         rasterized=True,
     )
     taus, sigmas = zip(*(place for place, kind in types.items() if kind in TYPES))
-    axes.plot(sigmas, taus, ".", color=BLACK, markersize=1.2, markeredgewidth=0)
+    axes.plot(sigmas, taus, ".", color=BLACK, markersize=2, markeredgewidth=0)
     axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\tau_0$")
     axes.set(xlim=(sigma[0], sigma[-1]), ylim=(tau[0], tau[-1]))
 
@@ -50,8 +51,16 @@ def draw_several_types(axes, seed_types):
     mixed = [place for place, seeds in seed_types.items() if len(set(seeds.values())) > 1]
     if mixed:
         taus, sigmas = zip(*mixed)
-        axes.plot(sigmas, taus, "o", color=BLACK, markerfacecolor="none", markersize=4,
-                  markeredgewidth=0.6, label="type depends on the seed")
+        axes.plot(
+            sigmas,
+            taus,
+            "o",
+            color=BLACK,
+            markerfacecolor="none",
+            markersize=4,
+            markeredgewidth=0.6,
+            label="type depends on the seed",
+        )
 
 
 def name_regions(axes, types):
@@ -65,7 +74,8 @@ def name_regions(axes, types):
         away = np.linalg.norm((inside[:, None] - outside[None]) / scale, axis=-1).min(axis=1)
         edge = np.minimum(inside[:, 1] - min(inside[:, 1]), max(inside[:, 1]) - inside[:, 1])
         tau, sigma = inside[np.argmax(np.minimum(away, edge / scale[1] + 0.02))]
-        axes.annotate(kind, (sigma, tau), ha="center", va="center", fontsize=8)
+        halo = withStroke(linewidth=2.5, foreground=COLOURS[kind])
+        axes.annotate(kind, (sigma, tau), ha="center", va="center", path_effects=[halo])
 
 
 def draw_contours(axes, types, style):

@@ -27,8 +27,8 @@ def share_of_lower(strata):
 
 
 def van_elteren(strata):
-    """Van Elteren's stratified rank-sum test: z and one-sided p for lower values in the first group,
-    with the normal approximation and correction for ties; None if no stratum has both groups."""
+    """Van Elteren's stratified rank-sum test: z and one-sided p for lower values in the first
+    group, normal approximation, corrected for ties; None if no stratum has both groups."""
     statistic = variance = 0.0
     for first, second in comparable(strata):
         n, m = len(first), len(second)

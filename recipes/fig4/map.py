@@ -14,9 +14,9 @@ SLOW_BELOW = (20, 10, 30, 40, 60)  # slow is below c_s over this; the first is t
 
 PAPER = "arrest at low tau_bar_0 and sigma_bar, fast at high, a slow region between"
 NOTE = (
-    "Below-left: neither tau_bar_0 nor sigma_bar larger, over all points and seeds. Boundary: grid points"
-    " and points halfway between them that are next to another type. Seeds act through the slipping"
-    " times only, so a front that crosses before junctions behind it repin is nearly the same for all."
+    "Below-left: neither tau_bar_0 nor sigma_bar larger, over all points and seeds. Boundary: grid"
+    " points and points halfway between them that are next to another type. Seeds act through the"
+    " slipping times only: a front that crosses before junctions repin is the same for all."
 )
 
 

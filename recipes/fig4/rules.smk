@@ -65,8 +65,8 @@ rule fig4_map:
         "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 2> {log}"
 
 
-# Prepared interfaces of either shape, the strength of the shapes themselves, and the blocks of events I
-# and II and of the ensemble, as far as there are such events.
+# Prepared interfaces of either shape, the strength of the shapes themselves, and the blocks of
+# events I and II and of the ensemble, as far as there are such events.
 FIG4_SHOWN = [event for event in ("fast-slow-fast", "second-slow") if event in EVENTS]
 FIG4_REPEATED = globals().get("ENSEMBLE_EVENTS", [])
 FIG4_EVENTS = [*FIG4_SHOWN, *FIG4_REPEATED]

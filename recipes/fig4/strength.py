@@ -46,7 +46,7 @@ def kind_of(x, v_c, c_s):
 
 
 def blocks_of(data, event):
-    """The blocks of one event: what they could bear before it, and how fast the front passed them."""
+    """The blocks of one event: what they could bear before it, how fast the front passed them."""
     front = report(data / f"{event}-front.json")
     strength = report(data / f"{event}-strength.json")
     kinds = [kind_of(x, v, front["c_s"]) for x, v in zip(front["x"], values(front["v_c"]))]
@@ -110,7 +110,8 @@ def block_strata(blocks):
 
 
 def shares_of(events):
-    """{event: share of its pairs of a slow and a fast block where the slow one has the narrower phi}"""
+    """{event: share of its pairs of a slow and a fast block in which the slow one has the lower
+    sigma_bar}"""
     shares = {event: share_of_lower(list(block_strata(blocks))) for event, blocks in events.items()}
     return {event: share for event, share in shares.items() if share is not None}
 
@@ -121,8 +122,16 @@ def shares_of(events):
 def draw_markers(axes, kind, colour, points):
     x, y = zip(*points)
     hollow = {"markerfacecolor": "none"} if kind == "loading zone" else {}
-    axes.plot(x, y, MARKERS[kind], color=colour, markersize=3.2, linestyle="none",
-              markeredgewidth=0.7, **hollow)
+    axes.plot(
+        x,
+        y,
+        MARKERS[kind],
+        color=colour,
+        markersize=3.2,
+        linestyle="none",
+        markeredgewidth=0.7,
+        **hollow,
+    )
 
 
 def draw_events(axes, events):
@@ -149,8 +158,15 @@ def draw_legend(axes, events):
     for shape, style in CURVES.items():
         axes.plot([], [], color=BLACK, linestyle=style, linewidth=0.8, label=shape)
     for kind, marker in MARKERS.items():
-        axes.plot([], [], marker, color="grey", markersize=3.2, markerfacecolor=(
-            "none" if kind == "loading zone" else "grey"), label=kind)
+        axes.plot(
+            [],
+            [],
+            marker,
+            color="grey",
+            markersize=3.2,
+            markerfacecolor=("none" if kind == "loading zone" else "grey"),
+            label=kind,
+        )
     for event in events:
         name, colour = SHOWN[event]
         axes.plot([], [], "s", color=colour, label=f"event {name}")
@@ -164,7 +180,8 @@ def draw(events, points, lines, stem):
     draw_events(axes, events)
     draw_prepared(axes, points)
     draw_legend(axes, events)
-    axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\mu_s^\mathrm{eff}$", xlim=(-0.02, 0.6), ylim=(0, 1.05))
+    axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\mu_s^\mathrm{eff}$")
+    axes.set(xlim=(-0.02, 0.6), ylim=(0, 1.05))
     letter(axes, "C")
     save(fig, stem)
 
@@ -204,8 +221,11 @@ def measure_events(shown, ensemble, lines):
         "ensemble events with slow and fast blocks": len(shares),
         "the same of blocks, median of the ensemble": float(np.median(shares)) if shares else None,
         "the same of blocks, 5-95 % of the ensemble": (
-            np.percentile(shares, [5, 95]).tolist() if shares else None),
-        "signed-rank p over the ensemble's events": signed_rank(shares) if len(shares) >= 5 else None,
+            np.percentile(shares, [5, 95]).tolist() if shares else None
+        ),
+        "signed-rank p over the ensemble's events": signed_rank(shares)
+        if len(shares) >= 5
+        else None,
     }
 
 
@@ -218,21 +238,24 @@ def is_accepted(measured):
 def claim_4C(data, points, lines, shown, ensemble):
     measured = {
         "prepared points": len(points),
-        "largest deviation of prepared points from the curves": max(map(abs, deviations(points, lines))),
+        "largest deviation of prepared points from the curves": max(
+            map(abs, deviations(points, lines))
+        ),
         **measure_map(data),
         **measure_events(shown, ensemble, lines),
     }
     return Claim(
         id="4C",
-        paper="mu_bar_eff of all blocks lies on or near the uniform and bell curves; slow points cluster at"
-        " low sigma_bar among points of equal tau_bar_0",
+        paper="mu_bar_eff of all blocks lies on or near the uniform and bell curves; slow points"
+        " cluster at low sigma_bar among points of equal tau_bar_0",
         measured=measured,
-        acceptance="prepared points within 2 % of the curves; clustering shown and tested (rank test)",
+        acceptance="prepared points within 2 % of the curves; clustering shown and tested"
+        " (rank test)",
         verdict=verdict(is_accepted(measured)),
-        note=f"Prepared: van Elteren's test over the grid points of 4D, strata tau_bar_0; they are"
-        f" deterministic runs, so p ranks the order and n is the number of runs. Blocks of one event are"
-        f" no independent points: each event gives one share, over pairs with tau_bar_0 in the same"
-        f" bin of {BIN:g}, and the test over events has n = number of events.",
+        note="Prepared: van Elteren's test over the grid points of 4D with strata tau_bar_0; n is the"
+        " number of runs, one per place. Blocks of one event are no independent points: each event"
+        f" gives one share, over pairs with tau_bar_0 in the same bin of {BIN:g}, and n of the test"
+        " over events is the number of events.",
     )
 
 

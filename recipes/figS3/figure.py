@@ -42,7 +42,9 @@ def deviations(tau_bar, point):
     return {
         "before depinning": deviation(ratio(stress), wanted),
         "100 steps later, not depinned": deviation(ratio(point["later"]), wanted),
-        "just depinned, from mu_d in the trigger region": deviation(ratio(point["depinned"]), depinned),
+        "just depinned, from mu_d in the trigger region": deviation(
+            ratio(point["depinned"]), depinned
+        ),
         "p from F_N/N_x": deviation(np.array(stress["p"]), stress["F_N"] / len(stress["p"])),
     }
 
@@ -53,12 +55,26 @@ def draw(points, stem):
         if sigma_bar != SHOWN_SIGMA_BAR:
             continue
         x = np.array(point["before"]["x"]) * 1e3
-        axes.plot(x, ratio(point["before"]), "o", color=COLOURS[tau_bar], markersize=2.5,
-                  label=rf"$\bar\tau_0 = {tau_bar:g}$")
-        axes.plot(x, prescribed(point["before"]["x"], tau_bar), color=COLOURS[tau_bar], linewidth=0.6)
+        axes.plot(
+            x,
+            ratio(point["before"]),
+            "o",
+            color=COLOURS[tau_bar],
+            markersize=2.5,
+            label=rf"$\bar\tau_0 = {tau_bar:g}$",
+        )
+        axes.plot(
+            x, prescribed(point["before"]["x"], tau_bar), color=COLOURS[tau_bar], linewidth=0.6
+        )
     axes.axhline(MU_D, color=BLACK, linewidth=0.6, linestyle=":")
-    axes.annotate(r"$\mu_d$", (1, MU_D), xycoords=("axes fraction", "data"), xytext=(-3, 2),
-                  textcoords="offset points", ha="right")
+    axes.annotate(
+        r"$\mu_d$",
+        (1, MU_D),
+        xycoords=("axes fraction", "data"),
+        xytext=(-3, 2),
+        textcoords="offset points",
+        ha="right",
+    )
     axes.axvspan(-2, X_TRIGGER * 1e3 - 1.25, color=ORANGE, alpha=0.2, linewidth=0)
     axes.annotate("trigger\nregion", (9, 0.185), ha="center")
     axes.set(xlabel="$x$ [mm]", ylabel=r"$\tau_0/p$", xlim=(-2, 142), ylim=(0.15, 0.26))
@@ -89,7 +105,9 @@ def claim_S3(points):
 def main(data, results):
     data, results = Path(data), Path(results)
     points = {
-        (float(row["tau-bar"]), float(row["sigma-bar"])): report(data / f"points/{row['point']}.json")
+        (float(row["tau-bar"]), float(row["sigma-bar"])): report(
+            data / f"points/{row['point']}.json"
+        )
         for row in rows_of(data / "figS3/profiles.csv")
     }
     draw(points, results / "figS3")

@@ -1,5 +1,5 @@
-# Figure S6 B: the map of front types under the decaying law. A grid with one seed decides where five are
-# needed.
+# Figure S6 B: the map of front types under the decaying law. A grid with one seed decides where
+# five are needed.
 FIGS6_PARTS.append(f"{DATA}/figS6/claims-map.json")
 
 

@@ -47,7 +47,9 @@ def measured(name, fronts):
         f"{name}: of these with all three types": sum(
             is_in_order(kinds) and set(kinds) == set(TYPES) for kinds in columns.values()
         ),
-        f"{name}: fast below-left of arrested": len(fast_below_left_of_arrested(types_of_seeds(fronts))),
+        f"{name}: fast below-left of arrested": len(
+            fast_below_left_of_arrested(types_of_seeds(fronts))
+        ),
         f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(
             f"{sigma:g}: " + ("{:g} to {:g}".format(*limits) if limits else "none")
             for sigma, limits in ((sigma, band(types, sigma)) for sigma in columns)
@@ -69,9 +71,9 @@ def claim_Geo(maps):
         measured={k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()},
         acceptance="4D's order of regions holds for L x {0.75, 1.5} and two tau_bar_trigger",
         verdict=verdict(all(map(is_accepted, maps.values()))),
-        note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar, with all"
-        " three at two or more. Block spacing, block mass, p per block, H, h and the trigger"
-        " region's length are kept, so N_x = 43 and 85, M and F_N grow with N_x.",
+        note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar, with"
+        " all three at two or more. Block spacing and mass, p per block, H, h and the trigger"
+        " region's length are kept, so N_x = 43 and 85, M and F_N in proportion to N_x.",
     )
 
 

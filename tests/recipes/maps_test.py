@@ -95,7 +95,9 @@ class Claims(unittest.TestCase):
         """20 x 20 places: arrested, slow and fast with rising tau_bar_0."""
         slow, fast = [None, None, 1.0, None, None, None], [None, None, 300.0, None, None, None]
         kinds = [front(slow, arrives=False)] * 5 + [front(slow)] * 5 + [front(fast)] * 10
-        return {(t / 20, s / 20): dict.fromkeys(seeds, kinds[t]) for t in range(20) for s in range(20)}
+        return {
+            (t / 20, s / 20): dict.fromkeys(seeds, kinds[t]) for t in range(20) for s in range(20)
+        }
 
     def judge(self, seeds):
         grid, fronts = self.fronts([1]), self.fronts(seeds)
