@@ -29,6 +29,16 @@ def is_fast_slow_fast(front):
     )
 
 
+def has_slow_stretch(front):
+    """Spans the interface, with a slow stretch beyond the loading zone."""
+    return front["type"] == "slow"
+
+
 def is_fast_only(front):
     """Claim 2B: no stencil beyond the loading zone is slow."""
     return front["type"] == "fast"
+
+
+def counted(events):
+    """The spanning events of a seed that count: the second and the third (ensemble.smk)."""
+    return [event for event in events if event["spanning"]][1:3]

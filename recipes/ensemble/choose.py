@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+"""Chooses one event of each seed: choose.py CHECKPOINT_EVERY run-02-events.json run-03-events.json ...
+
+It is the first that meets the criteria of claim 2A among those that count (common/fronts.py). Prints
+from where to run it, as choose_events.py does, or null where a seed has no such event.
+"""
+
+import json
+import re
+import sys
+
+from common.choose_events import read_events, start
+from common.fronts import counted, is_fast_slow_fast
+
+
+def chosen(path, checkpoint_every):
+    accepted = [event for event in counted(read_events(path)) if is_fast_slow_fast(event)]
+    return start(accepted[0], checkpoint_every) if accepted else None
+
+
+def name_of(path):
+    return "seed-" + re.search(r"run-(\d\d)-events\.json$", path)[1]
+
+
+def main(checkpoint_every, *paths):
+    starts = {name_of(path): chosen(path, float(checkpoint_every)) for path in paths}
+    print(json.dumps(starts, indent=2))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
