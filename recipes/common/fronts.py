@@ -14,19 +14,26 @@ def within(value, bounds):
     return bounds[0] <= value <= bounds[1]
 
 
+def criteria_2A(front):
+    """Which of the criteria of claim 2A a front with a slow stretch meets, by name."""
+    slow = front["slow"]
+    fast = {side: slow[side] for side in ("fast_before", "fast_after")}
+    return {
+        "spans": front["type"] == "slow",
+        "slow speed": within(slow["speed"] / front["c_s"], SLOW_SPEED),
+        "duration": within(slow["duration"], DURATION),
+        "from": within(slow["x_from"] / front["L"], TO_SLOW),
+        "to": within(slow["x_to"] / front["L"], TO_FAST),
+        **{
+            side.replace("_", " "): v is not None and v >= FAST_OVER_SLOW * slow["speed"]
+            for side, v in fast.items()
+        },
+    }
+
+
 def is_fast_slow_fast(front):
     """Claim 2A."""
-    slow = front["slow"]
-    if front["type"] != "slow" or slow["fast_before"] is None or slow["fast_after"] is None:
-        return False
-    return (
-        within(slow["speed"] / front["c_s"], SLOW_SPEED)
-        and within(slow["duration"], DURATION)
-        and within(slow["x_from"] / front["L"], TO_SLOW)
-        and within(slow["x_to"] / front["L"], TO_FAST)
-        and slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"]
-        and slow["fast_after"] >= FAST_OVER_SLOW * slow["speed"]
-    )
+    return front["slow"] is not None and all(criteria_2A(front).values())
 
 
 def has_slow_stretch(front):

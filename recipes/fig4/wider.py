@@ -36,7 +36,7 @@ def draw(data, fronts, stem):
         letter(axis, text)
     axes[1].set_ylabel("")
     axes[1].annotate(
-        "", (1, 0.03), (REGION, 0.03), "axes fraction", "axes fraction", {"arrowstyle": "->"}
+        "", (1, 0.03), (REGION, 0.03), "axes fraction", "axes fraction", {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
     )
     draw_pinned_scale(fig, image, axes)
     save(fig, stem)
