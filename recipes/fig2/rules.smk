@@ -4,7 +4,7 @@ FIG2_EVENTS = ["fast-slow-fast", "fast-only"]
 
 rule fig2_start:
     input:
-        [f"{DATA}/{event}.compared" for event in FIG2_EVENTS],
+        [f"{DATA}/{event}.compared" for event in EVENTS],
 
 
 rule fig2:
