@@ -49,13 +49,14 @@ def draw_map(axes, pinned, t_zero, colours, shown):
     )
 
 
-def draw_lines(axes, fronts, t_zero):
-    styles = ((BLACK, 2.0, "-", "driven"), (VERMILION, 0.9, "--", "driving stopped"))
-    for front, (colour, width, style, label) in zip(fronts, styles):
-        x = np.array(front["x"]) / front["L"]
-        time = (values(front["t_rupture"]) - t_zero) * 1e3
-        axes.plot(x, time, style, color=colour, linewidth=width, label=label)
-    axes.legend(loc="upper left", frameon=True, framealpha=0.9)
+def draw_lines(axes, fronts, t_zero, t_stop):
+    """When the blocks rupture; those that had ruptured when the driving stopped only once."""
+    driven, undriven = (values(front["t_rupture"]) for front in fronts)
+    x = np.array(fronts[0]["x"]) / fronts[0]["L"]
+    axes.plot(x, (driven - t_zero) * 1e3, color=BLACK, linewidth=2, label="driven")
+    later = np.where(driven > t_stop, undriven, np.nan)
+    axes.plot(x, (later - t_zero) * 1e3, "--", color=VERMILION, label="driving stopped")
+    axes.legend(loc="lower right")
 
 
 def draw(data, fronts, t_stop, stem):
@@ -66,7 +67,7 @@ def draw(data, fronts, t_stop, stem):
     driven, undriven = (Pinned(data / f"{run}-record.h5") for run in (EVENT, f"{EVENT}/undriven"))
     draw_map(axes[1], driven, t_zero, "gray", True)
     image = draw_map(axes[1], undriven, t_zero, MAP, undriven.fraction < STILL)
-    draw_lines(axes[1], fronts, t_zero)
+    draw_lines(axes[1], fronts, t_zero, t_stop)
     axes[1].axhline((t_stop - t_zero) * 1e3, color=VERMILION, linestyle=":", linewidth=0.9)
     axes[1].set(xlabel="$x/L$", ylabel="time [ms]", xlim=(0, 1), ylim=(-MARGIN, last + MARGIN))
     draw_pinned_scale(fig, image, axes[1])

@@ -18,7 +18,7 @@ from common.records import Pinned, report, values
 EVENT = "fast-slow-fast"
 STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows
 TITLES = ("as it is", r"wider $\varphi$ beyond $0.25\,L$")
-REGION = 0.25  # phi was changed from here on [L]
+REGION = 0.25  # phi was changed from here on, this block included [L]
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 BINS = 30
 
@@ -44,36 +44,60 @@ def distance_from_quantiles(junctions, block):
     return np.max(np.abs(forces - mean - half_width * quantiles)) / junctions.f_thres[block]
 
 
-def draw_phi(axes, junctions):
-    """Histogram of the pinned junctions' forces per block, and the fraction of slipping ones."""
-    forces = [junctions.pinned(block) for block in range(len(junctions.f_thres))]
-    edges = np.linspace(min(map(np.min, forces)), junctions.f_thres.max(), BINS + 1)
-    counts = np.array([np.histogram(of_block, edges)[0] for of_block in forces]).T
-    shares = counts / counts.sum(axis=0)
-    half = (junctions.x_over_L[1] - junctions.x_over_L[0]) / 2
-    x_edges = np.append(junctions.x_over_L - half, junctions.x_over_L[-1] + half)
-    image = axes.pcolormesh(x_edges, edges, shares, cmap="cividis", vmin=0, vmax=0.2, rasterized=True)
-    axes.stairs(junctions.f_thres, x_edges, baseline=None, color="white", linewidth=0.9)
+def force_edges(junctions):
+    """Edges of the bins, the same for both states [N]."""
+    lowest = min(state.force.min() for state in junctions)
+    return np.linspace(lowest, max(state.f_thres.max() for state in junctions), BINS + 1)
+
+
+def draw_phi(axes, junctions, edges):
+    """Histogram of the pinned junctions' forces per block. Returns the image."""
+    blocks = range(len(junctions.f_thres))
+    counts = np.array([np.histogram(junctions.pinned(block), edges)[0] for block in blocks]).T
+    image = axes.pcolormesh(
+        block_edges(junctions), edges, counts / counts.sum(axis=0), cmap="cividis", vmin=0, vmax=0.2
+    )
+    image.set_rasterized(True)
+    axes.stairs(junctions.f_thres, block_edges(junctions), baseline=None, color="white")
     axes.axhline(0, color="white", linewidth=0.9)
-    slipping = junctions.slipping.mean(axis=1)
-    bottom = edges[0] - 0.35
-    axes.stairs(bottom + 0.3 * slipping, x_edges, baseline=bottom, color=VERMILION, fill=True)
-    axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(bottom, edges[-1]))
+    axes.set(ylim=(edges[0], edges[-1]))
     return image
 
 
+def draw_slipping(axes, junctions):
+    share = junctions.slipping.mean(axis=1)
+    axes.stairs(share, block_edges(junctions), color=VERMILION, fill=True)
+    axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, 1))
+
+
+def block_edges(junctions):
+    x = junctions.x_over_L
+    half = (x[1] - x[0]) / 2
+    return np.append(x - half, x[-1] + half)
+
+
 def draw(data, junctions, fronts, stem):
-    fig, axes = figure(0.75 * DOUBLE, 0.62 * DOUBLE, nrows=2, ncols=2, sharex=True, sharey="row")
+    fig, axes = figure(
+        0.75 * DOUBLE,
+        0.66 * DOUBLE,
+        nrows=3,
+        ncols=2,
+        sharex=True,
+        sharey="row",
+        gridspec_kw={"height_ratios": (5, 5, 1)},
+    )
     t_zero = min(np.nanmin(values(front["t_rupture"])) for front in fronts)
     last = max(np.nanmax(values(front["t_rupture"])) for front in fronts)
     window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
     for column, (run, title) in enumerate(zip(STATES.values(), TITLES)):
         pinned = draw_pinned(axes[0, column], Pinned(data / f"{run}-record.h5"), t_zero, window)
-        shares = draw_phi(axes[1, column], junctions[column])
+        shares = draw_phi(axes[1, column], junctions[column], force_edges(junctions))
+        draw_slipping(axes[2, column], junctions[column])
         axes[0, column].set(title=title, xlabel="")
         letter(axes[0, column], "AB"[column])
     axes[0, 1].set_ylabel("")
     axes[1, 0].set_ylabel("force in a junction [N]")
+    axes[2, 0].set_ylabel("slipping")
     draw_pinned_scale(fig, pinned, axes[0])
     fig.colorbar(shares, ax=axes[1], label="share of the pinned junctions", aspect=30, extend="max")
     save(fig, stem)
@@ -98,7 +122,7 @@ def write_table(path, junctions, phis):
 
 
 def claim_S4(wider, phis):
-    changed = np.flatnonzero(wider.x_over_L > REGION)
+    changed = np.flatnonzero(wider.x_over_L > REGION - 1e-9)
     change = largest_change_of_mean(*phis)
     p_values = [kolmogorov_smirnov(wider, block) for block in changed]
     return Claim(
