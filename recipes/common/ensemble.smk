@@ -65,7 +65,7 @@ rule ensemble_choice:
     log:
         f"{LOGS}/ensemble/choice.log",
     message:
-        "ensemble: choose the first fast-slow-fast event of each seed"
+        "ensemble: choose the first event of each seed that slows down"
     shell:
         "{PYTHON} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
 

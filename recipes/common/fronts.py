@@ -8,6 +8,7 @@ DURATION = (0.5e-3, 3e-3)  # [s]
 TO_SLOW = (0.25, 0.55)  # of L
 TO_FAST = (0.5, 0.85)  # of L
 FAST_OVER_SLOW = 10
+FAST = 1 / 20  # of c_s; slower is slow (claim 2B)
 
 
 def within(value, bounds):
@@ -36,6 +37,20 @@ def is_fast_slow_fast(front):
     return front["slow"] is not None and all(criteria_2A(front).values())
 
 
+def slows_down(front):
+    """Of the kind of claim 2A: fast, slow for as long as it says, and fast again, at whatever
+    positions and however much faster."""
+    slow = front["slow"]
+    if front["type"] != "slow" or slow["fast_before"] is None or slow["fast_after"] is None:
+        return False
+    fast = FAST * front["c_s"]
+    return (
+        within(slow["duration"], DURATION)
+        and slow["fast_before"] >= fast
+        and slow["fast_after"] >= fast
+    )
+
+
 def has_slow_stretch(front):
     """Spans the interface, with a slow stretch beyond the loading zone."""
     return front["type"] == "slow"
@@ -47,5 +62,5 @@ def is_fast_only(front):
 
 
 def counted(events):
-    """The spanning events of a seed that count: the second and the third (ensemble.smk)."""
+    """The spanning events of a seed that count: the second and the third (common/ensemble.smk)."""
     return [event for event in events if event["spanning"]][1:3]

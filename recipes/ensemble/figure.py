@@ -18,7 +18,7 @@ from scipy.stats import beta
 from common.choose_events import read_events
 from common.claims import REPRODUCED, write_claims
 from common.event_claims import all_claims
-from common.fronts import counted, has_slow_stretch, is_fast_only, is_fast_slow_fast
+from common.fronts import counted, has_slow_stretch, is_fast_only, is_fast_slow_fast, slows_down
 from common.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
 from common.records import report, values
 
@@ -36,6 +36,7 @@ SLOW_STRETCH = {  # quantity [unit]: of an event with a slow stretch
 }
 KINDS = {  # share of the spanning events that ...: (claim, which)
     "share of events with a slow stretch": ("2A", has_slow_stretch),
+    "share of events that slow down": ("2A", slows_down),
     "share of events that meet all of 2A": ("2A", is_fast_slow_fast),
     "share of events that are fast everywhere": ("2B", is_fast_only),
 }
@@ -114,13 +115,13 @@ def by_id(claims):
 
 
 def colour_of(event):
-    if is_fast_slow_fast(event):
+    if slows_down(event):
         return BLUE
     return VERMILION if is_fast_only(event) else SKY
 
 
 def draw_rupture_lines(axes, events):
-    labels = {BLUE: "meets 2A", SKY: "other slow stretch", VERMILION: "fast only"}
+    labels = {BLUE: "slows down", SKY: "other slow stretch", VERMILION: "fast only"}
     for event in sorted(events, key=lambda event: list(labels).index(colour_of(event))):
         t_rupture = values(event["t_rupture"])
         x = np.linspace(0, 1, len(t_rupture))
@@ -217,20 +218,20 @@ def write_quantities(path, rows):
 
 
 def write_events(path, events_by_seed):
-    """Each event that counts; which seeds have a chosen event follows from `meets 2A`."""
+    """Each event that counts; the first of a seed that slows down is its chosen one."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
-        table.writerow(["seed", "t_start [s]", "type", "meets 2A", *SLOW_STRETCH])
+        table.writerow(["seed", "t_start [s]", "type", "slows down", "meets 2A", *SLOW_STRETCH])
         for seed, events in events_by_seed.items():
             for event in events:
                 of_slow = [of(event) if event["slow"] else None for of in SLOW_STRETCH.values()]
-                meets = "yes" if is_fast_slow_fast(event) else "no"
-                table.writerow([seed, event["t_start"], event["type"], meets, *of_slow])
+                kinds = ["yes" if of_kind(event) else "no" for of_kind in (slows_down, is_fast_slow_fast)]
+                table.writerow([seed, event["t_start"], event["type"], *kinds, *of_slow])
 
 
 def summary(rows, seeds, chosen):
     """Text for the terminal."""
-    lines = [f"{seeds} seeds, {chosen} with an event that meets 2A", ""]
+    lines = [f"{seeds} seeds, {chosen} with an event that slows down", ""]
     lines.append(f"{'claim':6}{'quantity':50}{'n':>4}{'median':>10}{'5 %':>10}{'95 %':>10}{'shown':>10}")
     for row in rows:
         name = f"{row.quantity} [{row.unit}]" if row.unit else row.quantity
