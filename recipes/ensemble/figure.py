@@ -173,7 +173,7 @@ STRIPS = [  # claim, label, {column: quantity}, accepted
         {"½": "R^2 at <t_R>/2", "1": "R^2 at <t_R>", "2": "R^2 at 2<t_R>"},
         (0.95,),
     ),
-    ("4AB", r"slow for, wider $\varphi$ [ms]", {"": "slow stretch with the wider phi [ms]"}, ()),
+    ("4AB", r"slow with wider $\varphi$ [ms]", {"": "slow stretch with the wider phi [ms]"}, ()),
     ("5A", "difference/slow duration", {"": "difference/slow duration"}, (0.05,)),
 ]
 
@@ -191,14 +191,10 @@ def draw_claims(axes, claims_of_events, claims_of_shown):
 
 
 def draw(events, shown, claims_of_events, claims_of_shown, stem):
-    fig, axes = figure(
-        DOUBLE,
-        0.62 * DOUBLE,
-        **{"nrows": 2, "ncols": 6},
-    )
+    fig, axes = figure(DOUBLE, 0.62 * DOUBLE, nrows=2, ncols=6)
+    lines = fig.add_subplot(axes[0, 0].get_gridspec()[0, :3])
     for axis in axes[0, :3]:
         axis.remove()
-    lines = fig.add_subplot(axes[0, 0].get_gridspec()[0, :3])
     draw_rupture_lines(lines, events)
     draw_slow_stretch(axes[0, 3:], events, shown)
     draw_claims(axes[1], claims_of_events, claims_of_shown)

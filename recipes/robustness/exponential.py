@@ -17,8 +17,8 @@ NOTE = (
     "Where an event has a slow stretch, it is as slow as in the reference run and turns fast at"
     " 0.4-0.6 L, but it begins next to the loading zone: no fast front precedes it, and tau_bar_0"
     " between 0.1 and 0.4 L is only about half that of the reference run (0.03-0.08 instead of 0.03-0.12)"
-    " 15 ms before an event. The ten events that follow until 2.0 s and those of a second seed are of the"
-    " same kind, and none meets 2A."
+    " 15 ms before an event. The ten events that follow until 2.0 s and those of two other seeds are of"
+    " the same kind, and none meets 2A."
 )
 COLUMNS = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]
 
