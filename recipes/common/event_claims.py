@@ -131,6 +131,8 @@ def claim_4AB(unmodified, wider, phi_before, phi_after):
         },
         acceptance="no slow stretch; the unmodified restart keeps it; block means unchanged to 1e-12",
         verdict=verdict(accepted),
+        note="Both start 0.5 ms before the first rupture. Widened: the blocks from 0.25 L on, which"
+        " is itself the position of one.",
     )
 
 
@@ -150,6 +152,8 @@ def claim_5A(unmodified, undriven, t_stop):
         },
         acceptance="rupture-line difference <= 5 % of the slow duration",
         verdict=verdict(share is not None and share <= 0.05),
+        note="The driving stops in the middle of the slow stretch; the difference is the largest of"
+        " all blocks that rupture later.",
     )
 
 
