@@ -35,9 +35,8 @@ def draw(data, fronts, stem):
         axis.set_title(title)
         letter(axis, text)
     axes[1].set_ylabel("")
-    axes[1].annotate(
-        "", (1, 0.03), (REGION, 0.03), "axes fraction", "axes fraction", {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
-    )
+    arrow = {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
+    axes[1].annotate("", (1, 0.03), (REGION, 0.03), "axes fraction", "axes fraction", arrow)
     draw_pinned_scale(fig, image, axes)
     save(fig, stem)
 
