@@ -1,0 +1,53 @@
+# Sweeps (sweeps.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv.
+from common.sweeps import is_sweep, read_sweep
+
+SWEEPS = {
+    f"{path.parent.name}/{path.stem}": read_sweep(path)
+    for path in sorted(Path("recipes").glob("*/*.ini"))
+    if is_sweep(path)
+}
+POINTS = {point.id: point for sweep in SWEEPS.values() for point in sweep.points}
+
+
+rule point:
+    input:
+        base=lambda wildcards: ancient(POINTS[wildcards.id].base) if POINTS[wildcards.id].base else [],
+        script="recipes/common/point.py",
+    output:
+        f"{DATA}/points/{{id}}.json",
+    params:
+        code=CODE,
+        commands=lambda wildcards: [
+            f"{name}={line}" for name, line in POINTS[wildcards.id].commands.items()
+        ],
+        values=lambda wildcards: ", ".join(
+            f"{name} {value}" for name, value in POINTS[wildcards.id].values.items()
+        ),
+    wildcard_constraints:
+        id="[0-9a-f]{16}",
+    log:
+        f"{LOGS}/points/{{id}}.log",
+    message:
+        "point: {params.values}"
+    shell:
+        "{PYTHON} {input.script} {BIN} {output} {params.commands:q} 2> {log}"
+
+
+rule table:
+    input:
+        points=lambda wildcards: [
+            f"{DATA}/points/{point.id}.json" for point in SWEEPS[wildcards.sweep].points
+        ],
+        sweep="recipes/{sweep}.ini",
+        script="recipes/common/collect.py",
+        common=COMMON,
+    output:
+        f"{DATA}/{{sweep}}.csv",
+    wildcard_constraints:
+        sweep="|".join(SWEEPS) or "none",
+    log:
+        f"{LOGS}/{{sweep}}.log",
+    message:
+        "{wildcards.sweep}: collect the points"
+    shell:
+        "{PYTHON} {input.script} {input.sweep} {DATA}/points {output} 2> {log}"

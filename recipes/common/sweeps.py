@@ -1,0 +1,239 @@
+"""Sweeps: one chain of commands for many values of some parameters, described by an INI file.
+
+    [sweep]
+    title = Front type of prepared interfaces
+
+    [commands]                      # as typed by hand; {values} are the options of the point
+    prepare = prepare {values} -o start.h5
+    restart = restart start.h5 -o end.h5 --until-quiet --record record.h5
+    front   = analyze front record.h5 --json
+
+    [values]                        # every combination is a point
+    tau-bar       = 0 to 0.4 by 0.02
+    sigma-bar     = 0, 0.05, 0.1
+    numerics.seed = 1 to 5 by 1
+
+    [table]                         # columns beside the values: where to find them
+    type            = front.type
+    slow speed [m/s] = front.slow.speed
+
+A name without a dot is an option (--tau-bar 0.1), one with a dot a parameter (--set
+numerics.seed=1). Values are a list, a range (`a to b by step`, `a to b in n`: n values, both ends
+included), or an arithmetic expression of other values: `0.3 * {junctions.t_R}`. Sections
+[variant NAME] add to or replace those of [values]; each is a product of its own, and its name
+becomes the column `variant`. `points = FILE.csv` in [sweep] takes the points from a table instead,
+whose columns are names; columns in [values] are combined with each of its rows. `base = FILE` in
+[sweep] names a checkpoint that the commands use as {base}.
+
+Each point is one file, results/data/points/ID.json, where ID follows from its commands: what is
+there already is not computed again, whichever sweep it belonged to, and adding values adds points.
+"""
+
+import ast
+import configparser
+import csv
+import hashlib
+import itertools
+import math
+import operator
+import re
+import string
+from dataclasses import dataclass
+from pathlib import Path
+
+RANGE = re.compile(r"(?P<first>\S+)\s+to\s+(?P<last>\S+)\s+(?P<how>by|in)\s+(?P<number>\S+)")
+OPERATORS = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+    ast.USub: operator.neg,
+}
+
+
+@dataclass(frozen=True)
+class Point:
+    values: dict  # name: text, as the commands have it
+    commands: dict  # name: command line
+    base: str  # file that the commands read, or ""
+
+    @property
+    def id(self):
+        return hashlib.sha256(repr([self.base, *self.commands.items()]).encode()).hexdigest()[:16]
+
+
+@dataclass(frozen=True)
+class Sweep:
+    title: str
+    points: list
+    columns: dict  # heading: path inside the point's file
+
+
+class SweepError(ValueError):
+    """A sweep file that cannot be understood."""
+
+
+# --- numbers -------------------------------------------------------------------------------
+
+
+def text_of(number):
+    """12 digits: 0.1 + 0.2 is 0.3."""
+    return f"{number:.12g}"
+
+
+def evaluate(node):
+    """A syntax tree of numbers, + - * / ** and sqrt()."""
+    if isinstance(node, ast.Expression):
+        return evaluate(node.body)
+    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
+        return node.value
+    if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
+        return OPERATORS[type(node.op)](evaluate(node.left), evaluate(node.right))
+    if isinstance(node, ast.UnaryOp) and type(node.op) in OPERATORS:
+        return OPERATORS[type(node.op)](evaluate(node.operand))
+    if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "sqrt" and len(node.args) == 1:
+        return math.sqrt(evaluate(node.args[0]))
+    raise SweepError("an expression may use numbers, {names}, + - * / ** and sqrt() only")
+
+
+def calculate(expression, values):
+    filled = expression
+    for name in references(expression):
+        if name not in values:
+            raise SweepError(f"'{expression}' refers to {{{name}}}, which has no value")
+        filled = filled.replace(f"{{{name}}}", f"({values[name]})")
+    try:
+        return text_of(evaluate(ast.parse(filled, mode="eval")))
+    except (SyntaxError, ZeroDivisionError, OverflowError) as error:
+        raise SweepError(f"'{expression}' cannot be calculated ({error})") from None
+
+
+def references(text):
+    return re.findall(r"\{([^{}]+)\}", text)
+
+
+def span(first, last, how, number):
+    """Values from first to last, so many of them or so far apart."""
+    if how == "in":
+        count = int(number)
+        step = (last - first) / (count - 1) if count > 1 else 0.0
+    else:
+        step = number
+        count = math.floor((last - first) / step * (1 + 1e-12)) + 1 if step else 0
+    if count < 1:
+        raise SweepError("there is no value in it")
+    return [text_of(first + i * step) for i in range(count)]
+
+
+def values_of(text):
+    """The values that one line of [values] lists, as texts; an expression stays as it is."""
+    match = RANGE.fullmatch(text.strip())
+    try:
+        if match:
+            numbers = [float(match[group]) for group in ("first", "last", "number")]
+            return span(numbers[0], numbers[1], match["how"], numbers[2])
+    except ValueError as error:
+        raise SweepError(f"'{text}' is no range ({error})") from None
+    listed = [part.strip() for part in text.split(",")]
+    if not all(listed):
+        raise SweepError(f"'{text}' has an empty value")
+    return listed
+
+
+# --- points --------------------------------------------------------------------------------
+
+
+def settle(values):
+    """Replaces expressions by their values, in whatever order they depend on each other."""
+    settled = {name: text for name, text in values.items() if not references(text)}
+    waiting = {name: text for name, text in values.items() if references(text)}
+    while waiting:
+        ready = [n for n, text in waiting.items() if not set(references(text)) & set(waiting)]
+        if not ready:
+            raise SweepError(f"{', '.join(waiting)} depend on each other")
+        for name in ready:
+            settled[name] = calculate(waiting.pop(name), settled)
+    return {name: settled[name] for name in values}
+
+
+def product(lists):
+    """Every combination, the last name varying fastest."""
+    for combination in itertools.product(*lists.values()):
+        yield settle(dict(zip(lists, combination)))
+
+
+def options(values):
+    """The values as options of a tool."""
+    return " ".join(
+        f"--set {name}={value}" if "." in name else f"--{name} {value}"
+        for name, value in values.items()
+        if name != "variant"
+    )
+
+
+def fill(command, fields):
+    try:
+        return string.Formatter().vformat(command, (), fields)
+    except (KeyError, IndexError, ValueError):
+        known = " and ".join(f"{{{name}}}" for name in fields)
+        raise SweepError(f"'{command}' may refer to {known} only") from None
+
+
+def make_point(commands, values, base):
+    fields = {"values": options(values)} | ({"base": base} if base else {})
+    return Point(values, {name: fill(line, fields) for name, line in commands.items()}, base)
+
+
+def rows_of(path):
+    """The points of a table, each as lists of one value; none while the table is still to come."""
+    if not Path(path).exists():
+        return []
+    with open(path, newline="", encoding="utf-8") as file:
+        return [{name: [value] for name, value in row.items()} for row in csv.DictReader(file)]
+
+
+def lists_of(section):
+    return {name: values_of(text) for name, text in section.items()}
+
+
+def combinations(ini):
+    """The products whose elements are the points."""
+    common = lists_of(ini["values"]) if "values" in ini else {}
+    table = ini["sweep"].get("points")
+    variants = [name for name in ini.sections() if name.startswith("variant ")]
+    rows = rows_of(table) if table else [{}]
+    if not variants:
+        return [common | row for row in rows]
+    return [
+        {"variant": [name.removeprefix("variant ").strip()]} | common | row | lists_of(ini[name])
+        for name in variants
+        for row in rows
+    ]
+
+
+def read_sweep(path):
+    """The sweep that an INI file describes."""
+    ini = configparser.ConfigParser(interpolation=None, delimiters=("=",))
+    ini.optionxform = str  # names are case-sensitive
+    try:
+        if not ini.read(path, encoding="utf-8"):
+            raise SweepError("there is no such file")
+        for section in ("sweep", "commands"):
+            if section not in ini:
+                raise SweepError(f"it has no section [{section}]")
+        base = ini["sweep"].get("base", "")
+        commands = dict(ini["commands"])
+        points = [
+            make_point(commands, values, base)
+            for lists in combinations(ini)
+            for values in product(lists)
+        ]
+    except (SweepError, configparser.Error) as error:
+        raise SweepError(f"{path}: {error}") from None
+    columns = dict(ini["table"]) if "table" in ini else {}
+    return Sweep(ini["sweep"].get("title", Path(path).stem), points, columns)
+
+
+def is_sweep(path):
+    return "[commands]" in Path(path).read_text(encoding="utf-8").splitlines()

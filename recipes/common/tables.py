@@ -1,0 +1,29 @@
+"""CSV tables with one line of names, as the figures write them and read them again."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+
+
+def write_table(path, names, rows):
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(names)
+        table.writerows(rows)
+
+
+def read_table(path):
+    """Columns by name; numbers where all are."""
+    with open(path, newline="", encoding="utf-8") as file:
+        names, *rows = csv.reader(file)
+    return {name: as_numbers(column) for name, column in zip(names, zip(*rows))}
+
+
+def as_numbers(column):
+    try:
+        return np.array(column, dtype=float)
+    except ValueError:
+        return np.array(column)
