@@ -14,8 +14,8 @@ from common.plotting import BLUE, DOUBLE, VERMILION, figure, save
 from common.records import values
 
 NOTE = (
-    "Where an event has a slow stretch, it is as slow as in the reference run and turns fast at"
-    " 0.4-0.6 L, but it begins next to the loading zone: no fast front precedes it, and tau_bar_0"
+    "Most events have a slow stretch, which is as slow as in the reference run and turns fast at"
+    " 0.4-0.6 L in all but the first ones, but it begins next to the loading zone: no fast front precedes it, and tau_bar_0"
     " between 0.1 and 0.4 L is only about half that of the reference run (0.03-0.08 instead of 0.03-0.12)"
     " 15 ms before an event. The ten events that follow until 2.0 s and those of two other seeds are of"
     " the same kind, and none meets 2A."
