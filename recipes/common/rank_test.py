@@ -43,5 +43,7 @@ def van_elteren(strata):
 
 
 def signed_rank(shares):
-    """Wilcoxon's signed-rank test, one-sided, of shares of independent repetitions against 0.5."""
-    return float(wilcoxon(np.array(shares) - 0.5, alternative="greater").pvalue)
+    """Wilcoxon's signed-rank test, one-sided: are shares of independent repetitions above 0.5?
+    Those that are 0.5 do not count."""
+    differences = np.array([share - 0.5 for share in shares if share != 0.5])
+    return float(wilcoxon(differences, alternative="greater").pvalue)

@@ -1,12 +1,19 @@
 # Figure 4: A-B in wider.smk, C-D here. The chain of commands is in README.md.
-FIG4_PARTS = [f"{DATA}/fig4/claims-4C.json", f"{DATA}/fig4/claims-4D.json"]
+FIG4_PARTS = [f"{DATA}/fig4/claims-{part}.json" for part in ("AB", "4C", "4D")]
+FIG4_SHOWN = ["fast-slow-fast", "second-slow"]
+
+
+include: "wider.smk"
 
 
 # The map of front types: a grid with one seed, then places halfway between neighbours of different
 # type, then five seeds at all places next to another type. Each decides where the next is needed.
+# The ensemble's choice decides which of its events there are for C.
 rule fig4_start:
     input:
         f"{DATA}/fig4/between.csv",
+        f"{DATA}/ensemble/choice.json",
+        [f"{DATA}/{event}.compared" for event in FIG4_SHOWN],
 
 
 rule fig4_refine:
@@ -66,10 +73,7 @@ rule fig4_map:
 
 
 # Prepared interfaces of either shape, the strength of the shapes themselves, and the blocks of
-# events I and II and of the ensemble, as far as there are such events.
-FIG4_SHOWN = [event for event in ("fast-slow-fast", "second-slow") if event in EVENTS]
-FIG4_REPEATED = globals().get("ENSEMBLE_EVENTS", [])
-FIG4_EVENTS = [*FIG4_SHOWN, *FIG4_REPEATED]
+# events I and II and of the ensemble.
 
 
 rule fig4_strength:
@@ -77,8 +81,8 @@ rule fig4_strength:
         prepared=f"{DATA}/fig4/strength.csv",
         curves=f"{DATA}/fig4/strength-curves.csv",
         map=f"{DATA}/fig4/map.csv",
-        events=[f"{DATA}/{event}-strength.json" for event in FIG4_EVENTS],
-        fronts=[f"{DATA}/{event}-front.json" for event in FIG4_EVENTS],
+        events=[f"{DATA}/{event}-strength.json" for event in [*FIG4_SHOWN, *ENSEMBLE_EVENTS]],
+        fronts=[f"{DATA}/{event}-front.json" for event in [*FIG4_SHOWN, *ENSEMBLE_EVENTS]],
         script="recipes/fig4/strength.py",
         common=COMMON,
     output:
@@ -87,21 +91,13 @@ rule fig4_strength:
         pdf=f"{RESULTS}/fig4/fig4C.pdf",
         table=f"{RESULTS}/fig4/strength.csv",
     params:
-        repeated=FIG4_REPEATED,
+        repeated=ENSEMBLE_EVENTS,
     log:
         f"{LOGS}/fig4/strength.log",
     message:
         "fig4: draw C, compare with the paper's claim"
     shell:
         "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {params.repeated} 2> {log}"
-
-
-# A-B: the event with a wider phi.
-if Path("recipes/fig4/wider.smk").exists():
-
-    include: "wider.smk"
-
-    FIG4_PARTS.insert(0, f"{DATA}/fig4/claims-AB.json")
 
 
 rule fig4:

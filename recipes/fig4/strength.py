@@ -204,7 +204,9 @@ def measure_map(data):
         "rows of the map with slow and fast points": len(both),
         "slow points in them": sum(len(slow) for slow, _ in both),
         "fast points in them": sum(len(fast) for _, fast in both),
-        "share of pairs with the slow one at lower sigma_bar": share_of_lower(strata),
+        "share of pairs of a slow and a fast one with the slow one at lower sigma_bar": share_of_lower(
+            strata
+        ),
         "van Elteren p": (van_elteren(strata) or {"p": None})["p"],
     }
 
@@ -217,10 +219,14 @@ def measure_events(shown, ensemble, lines):
         "their median deviation from the nearer curve": float(
             np.median([from_nearest_curve(block, lines) for block in beyond])
         ),
-        **{f"the same of blocks, event {SHOWN[e][0]}": s for e, s in shares_of(shown).items()},
+        **{
+            f"share of pairs of blocks, event {SHOWN[e][0]}": s for e, s in shares_of(shown).items()
+        },
         "ensemble events with slow and fast blocks": len(shares),
-        "the same of blocks, median of the ensemble": float(np.median(shares)) if shares else None,
-        "the same of blocks, 5-95 % of the ensemble": (
+        "share of pairs of blocks, median of the ensemble": float(np.median(shares))
+        if shares
+        else None,
+        "share of pairs of blocks, 5-95 % of the ensemble": (
             np.percentile(shares, [5, 95]).tolist() if shares else None
         ),
         "signed-rank p over the ensemble's events": signed_rank(shares)
@@ -261,7 +267,7 @@ def claim_4C(data, points, lines, shown, ensemble):
 
 def main(data, results, *ensemble):
     data, results = Path(data), Path(results)
-    shown = {e: blocks_of(data, e) for e in SHOWN if (data / f"{e}-strength.json").exists()}
+    shown = {event: blocks_of(data, event) for event in SHOWN}
     points, lines = list(prepared_points(data)), curves(data)
     draw(shown, points, lines, results / "fig4C")
     write_table(results / "strength.csv", ["points", "kind", *QUANTITIES], rows(shown, points))
