@@ -61,6 +61,7 @@ def draw_several_types(axes, seed_types):
             markeredgewidth=0.6,
             label="type depends on the seed",
         )
+        axes.legend(loc="upper right", frameon=True, framealpha=0.8)
 
 
 def name_regions(axes, types):

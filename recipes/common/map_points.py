@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Places that a map of front types needs more points at, as the table of another sweep:
 
-map_points.py between MAP.csv OUTPUT                  halfway between neighbours of different type
+map_points.py between MAP.csv OUTPUT                  halfway between neighbours of which one is fast
 map_points.py boundary MAP.csv [BETWEEN.csv] OUTPUT   next to another type, given the former, too
 """
 
 import csv
 import sys
 
-from common.front_map import IMPOSSIBLE, boundary, changes, middle, place_of, rows_of
+from common.front_map import IMPOSSIBLE, boundary, place_of, rows_of, to_refine
 
 
 def types_in(table):
@@ -21,7 +21,7 @@ def main(which, grid, *rest):
     grid_types = types_in(grid)
     between_types = types_in(between[0]) if between else {}
     places = {
-        "between": lambda: sorted({middle(pair) for pair in changes(grid_types)}),
+        "between": lambda: to_refine(grid_types),
         "boundary": lambda: boundary(grid_types, between_types),
     }[which]()
     with open(output, "w", newline="", encoding="utf-8") as file:

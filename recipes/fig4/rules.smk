@@ -6,8 +6,8 @@ FIG4_SHOWN = ["fast-slow-fast", "second-slow"]
 include: "wider.smk"
 
 
-# The map of front types: a grid with one seed, then places halfway between neighbours of different
-# type, then five seeds at all places next to another type. Each decides where the next is needed.
+# The map of front types: a grid with one seed, then places halfway between fast neighbours and
+# others, then five seeds at all places next to another type. Each decides where the next is needed.
 # The ensemble's choice decides which of its events there are for C.
 rule fig4_start:
     input:

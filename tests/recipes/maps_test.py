@@ -17,6 +17,7 @@ from common.front_map import (  # noqa: E402
     front_type,
     middle,
     neighbours,
+    to_refine,
 )
 from common.map_claims import is_accepted, measured  # noqa: E402
 from common.rank_test import share_of_lower, van_elteren  # noqa: E402
@@ -63,6 +64,9 @@ class Boundary(unittest.TestCase):
 
     def test_all_neighbours_of_other_type_are_changes(self):
         self.assertEqual(len(changes(self.GRID)), 4)
+
+    def test_only_the_edge_of_the_fast_region_is_refined(self):
+        self.assertEqual(to_refine(self.GRID), [(0.05, 0.2), (0.1, 0.1)])
 
     def test_nothing_changes_towards_what_cannot_be_prepared(self):
         self.assertEqual(changes({(0.0, 0.0): "fast", (0.1, 0.0): "impossible"}), [])
