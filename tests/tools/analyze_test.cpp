@@ -132,6 +132,31 @@ TEST_F(Analyze, SlipStartsAtZeroAndGrows) {
   expect_csv("analyze slip rest.h5 --x 0.07", {"time [s]", "slip [m]"}, json["time"].size());
 }
 
+TEST_F(Analyze, SlowSlipOfBlocksBehindASlowFront) {
+  // With t_R so short, half of it passes while a front that counts as slow crosses the slider.
+  const std::string slow = "analyze slow-slip fast-r.h5 --slow-below 10 --skip-below-x 0 ";
+  output_of(
+      "load --config small.ini -o fast.h5 --until 4e-4 --record fast-r.h5 --record-every 1e-6"
+      " --set junctions.t_R=2e-5 --set junctions.delta_t_R=6e-6 --set slider.M=1e-4"
+      " --set numerics.dt=5e-9");
+  const Json json = json_of(slow + "--x-from 0 --x-to 0.07 --shortest 0.01 --json");
+  expect_fields(json, {"type", "slow", "blocks", "front_speed", "speed", "estimate", "per_block"});
+  expect_fields(json["per_block"],
+                {"x", "t_from", "t_to", "speed", "r_squared", "v_c", "estimate"});
+  EXPECT_EQ(json["per_block"]["x"].size(), json["blocks"]);
+}
+
+TEST_F(Analyze, SlowSlipOfNoBlockHasNoSpeed) {
+  const Json json = json_of("analyze slow-slip r.h5 --json");
+  EXPECT_EQ(json["blocks"], 0);
+  EXPECT_TRUE(json["speed"]["mean"].is_null());
+  EXPECT_TRUE(json["front_speed"].is_null());
+  EXPECT_TRUE(json["estimate"].is_null());
+  EXPECT_NE(output_of("analyze slow-slip r.h5").find("0 blocks slip at - mm/s"), std::string::npos);
+  expect_refusal("analyze slow-slip r.h5 --x-from 0.1 --x-to 0.05", kUsage,
+                 "there is no block between --x-from and --x-to");
+}
+
 TEST_F(Analyze, SlipCountsFromTheStartOfTheWindow) {
   const Json json = json_of("analyze slip rest.h5 --x 0.07 --from 1e-3 --to 2e-3 --json");
   EXPECT_NEAR(json["time"].front(), 1e-3, 1e-9);
