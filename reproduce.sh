@@ -18,7 +18,8 @@ Usage: ./reproduce.sh COMMAND [OPTION]...
 
 Commands
   fig3 (or another figure)  install what is missing, build, compute, draw, print the claims
-  all                       the same for everything
+  all                       the same for everything, and the report
+  report                    write results/index.html: all figures and claims on one page
   test                      build and run the tests
   check                     check the layout of the sources
   list                      list the figures and other recipes
@@ -52,8 +53,8 @@ print_list() {
   for name in $(recipe_names); do
     printf '  %-10s %s\n' "$name" "$(title_of "$name")"
   done
-  printf '  %-10s %s\n' all 'everything above' test 'the tests' check 'the layout of the sources' \
-    list 'this list' clean 'delete build/ and results/'
+  printf '  %-10s %s\n' all 'everything above' report 'the page of all figures and claims' \
+    test 'the tests' check 'the layout of the sources' list 'this list' clean 'delete build/ and results/'
 }
 
 # --- how it speaks -------------------------------------------------------------------------
@@ -114,7 +115,7 @@ check_commands() {
   fi
   for name in "${command_names[@]}"; do
     is_recipe "$name" && continue
-    [[ $name =~ ^(all|test|check|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
+    [[ $name =~ ^(all|report|test|check|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
     ((${#command_names[@]} == 1)) || usage_error "'$name' cannot be combined with other commands."
   done
 }
@@ -218,6 +219,14 @@ compute() {
   recipes "$@" ${gone[0]:+"${gone[@]}"}
 }
 
+# For the report: which recipes, with how many cores, when, and for how long.
+note_run() {
+  local started=$1
+  shift
+  printf '{"recipes": "%s", "cores": %d, "started": %d, "seconds": %d}\n' \
+    "$*" "$cores" "$started" $((EPOCHSECONDS - started)) >>results/runs.jsonl
+}
+
 show() {
   local figure python
   python=$(debian_or_path python3)
@@ -233,11 +242,24 @@ reproduce() {
   build tools
   clean_environment
   echo "Computing $* with $cores cores ..."
+  local started=$EPOCHSECONDS
   compute "$@" || die "$* could not be completed; the message above says why (log: $logs/recipes.log)."
+  note_run "$started" "$@"
   show "$@"
-  echo
-  echo "Done in $(duration "$SECONDS")."
 }
+
+write_report() {
+  PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1 \
+    "$(debian_or_path python3)" recipes/report/report.py
+}
+
+report() {
+  ensure_packages run
+  clean_environment
+  write_report
+}
+
+say_done() { printf '\nDone in %s.\n' "$(duration "$SECONDS")"; }
 
 run_tests() {
   rm -f "$logs/test.log"
@@ -286,6 +308,7 @@ main() {
   check_commands
   case ${command_names[0]} in
     list) print_list ;;
+    report) take_turn && report ;;
     test) take_turn && run_tests ;;
     check) take_turn && check_sources ;;
     clean) take_turn && clean ;;
@@ -294,8 +317,15 @@ main() {
       mapfile -t command_names < <(recipe_names)
       ((${#command_names[@]} > 0)) || die "there are no recipes under recipes/."
       reproduce "${command_names[@]}"
+      echo
+      write_report
+      say_done
       ;;
-    *) take_turn && reproduce "${command_names[@]}" ;;
+    *)
+      take_turn
+      reproduce "${command_names[@]}"
+      say_done
+      ;;
   esac
 }
 

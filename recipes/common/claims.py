@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -54,3 +55,27 @@ def write_claims(path, claims):
 def read_claims(path):
     with open(path, encoding="utf-8") as file:
         return [Claim(**row) for row in json.load(file)]
+
+
+# --- for readers ---------------------------------------------------------------------------
+
+
+def number(value):
+    if value is None:
+        return "none"
+    if isinstance(value, list):
+        return ", ".join(map(number, value))
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    return str(value)
+
+
+def measured_parts(measured):
+    """{"speed [m/s]": 9.81} reads: speed = 9.81 m/s"""
+    if not isinstance(measured, dict):
+        return [str(measured)]
+    parts = []
+    for name, value in measured.items():
+        quantity, unit = re.fullmatch(r"(.*?)\s*(?:\[(.*)\])?", name).groups()
+        parts.append(f"{quantity} = {number(value)} {unit or ''}".rstrip())
+    return parts

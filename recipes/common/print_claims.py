@@ -2,38 +2,20 @@
 """Prints claims.json as a table that fits into 100 columns: print_claims.py results/fig3/claims.json"""
 
 import json
-import re
 import signal
 import sys
 import textwrap
 from pathlib import Path
 
-from claims import NOT_COMPARABLE, VERDICTS, read_claims
+from claims import NOT_COMPARABLE, VERDICTS, measured_parts, read_claims
 
 WIDTH = 100
 GAP = "  "
 HEADS = ("claim", "paper", "measured", "acceptance", "verdict")
 
 
-def number(value):
-    if value is None:
-        return "none"
-    if isinstance(value, list):
-        return ", ".join(map(number, value))
-    if isinstance(value, float):
-        return f"{value:.4g}"
-    return str(value)
-
-
 def measured_text(measured):
-    """{"speed [m/s]": 9.81} reads: speed = 9.81 m/s"""
-    if not isinstance(measured, dict):
-        return str(measured)
-    parts = []
-    for name, value in measured.items():
-        quantity, unit = re.fullmatch(r"(.*?)\s*(?:\[(.*)\])?", name).groups()
-        parts.append(f"{quantity} = {number(value)} {unit or ''}".rstrip())
-    return "; ".join(parts)
+    return "; ".join(measured_parts(measured))
 
 
 def widths(rows):

@@ -10,6 +10,7 @@ from pathlib import Path
 LOG = Path("build/log/recipes.log")
 LAST_LINES = 30
 START = time.monotonic()
+done_of_total = ""  # known from the first finished step on
 
 
 def log(text):
@@ -33,7 +34,13 @@ def describe(message):
 
 def on_start(message):
     if message["output"]:  # a rule without one only collects
-        print(f"[{time.monotonic() - START:4.0f} s] {describe(message)}", flush=True)
+        print(f"[{time.monotonic() - START:4.0f} s{done_of_total}] {describe(message)}", flush=True)
+
+
+def on_progress(message):
+    global done_of_total
+    total = str(message["total"])
+    done_of_total = f", {message['done']:{len(total)}} of {total}"
 
 
 def on_failure(message):
@@ -51,6 +58,8 @@ def log_handler(message):
     level = message["level"]
     if level == "job_info":
         on_start(message)
+    elif level == "progress":
+        on_progress(message)
     elif level == "job_error":
         on_failure(message)
     elif level == "error" and not message["msg"].startswith("Exiting because a job"):

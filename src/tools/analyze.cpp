@@ -7,7 +7,6 @@
 
 #include "rupture/model/error.hpp"
 #include "rupture/model/nearest.hpp"
-#include "rupture/version.hpp"
 
 namespace {
 
@@ -57,9 +56,7 @@ int run(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
   if (first.empty()) throw UsageError("no command was given; see analyze --help");
   if (first == "--help" || first == "-h") throw HelpRequested{help()};
-  if (first == "--version") {
-    throw HelpRequested{fmt::format("analyze (rupture {}, commit {})\n", version, commit)};
-  }
+  if (first == "--version") throw HelpRequested{version_text("analyze")};
   return find(first).run(argc - 1, argv + 1);
 }
 

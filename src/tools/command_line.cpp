@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/version.hpp"
 #include "text.hpp"
@@ -27,7 +28,7 @@ po::options_description common_options(UsesParameters uses_parameters) {
     add("seed", po::value<std::string>()->value_name("N"), "short for --set numerics.seed=N");
   }
   add("help,h", "show this help and stop");
-  add("version", "show version and commit and stop");
+  add("version", "show version, commit and instruction set and stop");
   return common;
 }
 
@@ -125,7 +126,7 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
       throw HelpRequested{help_text(text, shown, uses_parameters)};
     }
     if (parsed.values.count("version") > 0) {
-      throw HelpRequested{fmt::format("{} (rupture {}, commit {})\n", text.name, version, commit)};
+      throw HelpRequested{version_text(text.name)};
     }
     if (parsed.values.count("unexpected") > 0) {
       const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
@@ -147,6 +148,10 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
     parsed.parameters.insert(parsed.parameters.end(), changes.begin(), changes.end());
   }
   return parsed;
+}
+
+std::string version_text(const std::string& tool) {
+  return fmt::format("{} (rupture {}, commit {}, {})\n", tool, version, commit, kernels().name);
 }
 
 void apply(const ParameterChanges& changes, Parameters& parameters) {

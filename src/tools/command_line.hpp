@@ -52,6 +52,9 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
              const po::options_description& options, const std::string& positional,
              UsesParameters uses_parameters);
 
+/// What --version says: the last word names the instruction set that the time steps use here.
+std::string version_text(const std::string& tool);
+
 /// Applies the changes one by one. Throws UsageError as set_parameter() does.
 void apply(const ParameterChanges& changes, Parameters& parameters);
 

@@ -1,7 +1,10 @@
 // What all tools have in common: --help, --version, --quiet, unknown options.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <ostream>
 
+#include "rupture/forces/kernels.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::test {
@@ -67,11 +70,11 @@ TEST_P(EveryTool, HelpNamesNoOtherOption) {
   EXPECT_EQ(static_cast<std::size_t>(found), GetParam().options.size()) << help;
 }
 
-TEST_P(EveryTool, VersionNamesToolVersionAndCommit) {
+TEST_P(EveryTool, VersionNamesToolVersionCommitAndInstructionSet) {
   const std::string version = output_of(GetParam().command + " --version");
   EXPECT_TRUE(version.starts_with(GetParam().command + " (rupture ")) << version;
   EXPECT_NE(version.find(", commit "), std::string::npos) << version;
-  EXPECT_TRUE(version.ends_with(")\n")) << version;
+  EXPECT_TRUE(version.ends_with(fmt::format(", {})\n", kernels().name))) << version;
 }
 
 TEST_P(EveryTool, SuggestsAnOptionForAMistypedOne) {

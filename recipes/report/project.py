@@ -1,0 +1,102 @@
+"""What the report shows of the project itself: its recipes, their READMEs, the list of claims."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import markdown
+from markupsafe import Markup
+
+
+class Problem(Exception):
+    """What keeps the report from being written, in one sentence for the user."""
+
+
+def natural(name):
+    """Sorts fig2 before fig10."""
+    return [(int(part), "") if part.isdigit() else (0, part) for part in re.split(r"(\d+)", name)]
+
+
+def recipe_order(name):
+    """fig1, fig2, ..., figS1, ..., then what belongs to no figure."""
+    if re.fullmatch(r"fig\d+", name):
+        group = 0
+    else:
+        group = 1 if re.fullmatch(r"figS\d+", name) else 2
+    return group, natural(name)
+
+
+def recipe_names(root):
+    return sorted((path.parent.name for path in root.glob("recipes/*/rules.smk")), key=recipe_order)
+
+
+# --- the README of a recipe ----------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Readme:
+    title: str
+    commands: str  # the chain, as a reader would type it
+    caption: str  # Markdown
+
+
+def commands_in(lines):
+    """The indented code blocks."""
+    blocks, block = [], []
+    for line in [*lines, "end"]:
+        if line.startswith("    ") or (block and not line.strip()):
+            block.append(line[4:].rstrip())
+        elif block:
+            blocks.append("\n".join(block).strip("\n"))
+            block = []
+    return "\n\n".join(blocks)
+
+
+def read_readme(path):
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    headings = [n for n, line in enumerate(lines) if line.startswith("## ")] + [len(lines)]
+    start = next((n for n in headings[:-1] if lines[n].strip() == "## Caption"), len(lines))
+    end = next((n for n in headings if n > start), len(lines))
+    return Readme(
+        title=lines[0].lstrip("# ").strip() if lines else path.parent.name,
+        commands=commands_in(lines[:start] + lines[end:]),
+        caption="\n".join(lines[start + 1 : end]).strip(),
+    )
+
+
+def as_html(text, folder):
+    """Markdown without its HTML, of which a caption has no need: <t_R> is a quantity. Links are
+    relative to the folder that the text comes from."""
+    converter = markdown.Markdown(output_format="html")
+    converter.preprocessors.deregister("html_block")
+    converter.inlinePatterns.deregister("html")
+    page = converter.convert(text)
+    return Markup(re.sub(r'href="(?![a-z]+:|[#/])', f'href="{folder}/', page))
+
+
+# --- the list of claims --------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ListedClaim:
+    id: str
+    recipe: str
+    claim: str
+    acceptance: str
+
+
+def listed_claims(root):
+    """The rows of the table in docs/claims.md."""
+    path = root / "docs/claims.md"
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise Problem(f"The list of claims cannot be read ({error}).") from error
+    rows = [
+        [cell.strip() for cell in line.strip().strip("|").split("|")]
+        for line in text.splitlines()
+        if line.startswith("| ")
+    ]
+    if not rows[1:] or any(len(row) != 4 for row in rows):
+        raise Problem(f"{path} holds no table with the columns id, recipe, claim, accepted if.")
+    return [ListedClaim(*row) for row in rows[1:]]

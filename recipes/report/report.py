@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+"""Writes results/index.html, one page with all figures and claims: report.py [FOLDER OF THE PROJECT]
+
+Shows what is there and says how to compute the rest. Needs results/NAME/ of any number of recipes.
+"""
+
+import json
+import os
+import struct
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from common.claims import VERDICTS, Claim, measured_parts, number, read_claims
+from jobs import Accounts, Job, steps, total
+from origin import builds, last_run, present_build, processor
+from project import Problem, Readme, as_html, listed_claims, natural, read_readme, recipe_names
+
+HERE = Path(__file__).resolve().parent
+NOT_RUN = "not run"
+MANY = 12  # commands of a step, or checksums, beyond which only their number is of interest
+MANY_SUMS = 100
+
+
+@dataclass(frozen=True)
+class Picture:
+    name: str
+    pdf: str | None
+    width: int  # [pixels]
+    height: int
+
+
+@dataclass(frozen=True)
+class Recipe:
+    name: str
+    readme: Readme
+    caption: str  # HTML
+    claims: list[Claim] | None  # None: not computed yet
+    pictures: list[Picture]
+    tables: list[str]
+    jobs: list[Job]
+    sums: list[tuple[str, str]]
+
+
+# --- results of a recipe -------------------------------------------------------------------
+
+
+def claims_of(root, name):
+    path = root / "results" / name / "claims.json"
+    if not path.exists():
+        return None
+    try:
+        return read_claims(path)
+    except (OSError, ValueError, TypeError) as error:
+        raise Problem(
+            f"{path} holds no table of claims ({error}): delete it and run ./reproduce.sh {name}."
+        ) from error
+
+
+def picture(path):
+    """Width and height stand in a PNG after its signature and the name of the first chunk."""
+    with open(path, "rb") as file:
+        head = file.read(24)
+    if len(head) < 24 or head[12:16] != b"IHDR":
+        raise Problem(f"{path} is no PNG: delete it and run ./reproduce.sh {path.parent.name}.")
+    width, height = struct.unpack(">II", head[16:24])
+    pdf = path.with_suffix(".pdf")
+    return Picture(path.name, pdf.name if pdf.exists() else None, width, height)
+
+
+def files_of(root, name, pattern):
+    return sorted((root / "results" / name).glob(pattern), key=lambda path: natural(path.name))
+
+
+def checksums(root, files):
+    """Contents of the .sum files: (name, checksum)."""
+    found = []
+    for name in sorted(files, key=natural):
+        path = root / name
+        if name.startswith("results/data/") and path.suffix == ".sum" and path.exists():
+            checksum, *_ = path.read_text(encoding="utf-8").split() or ["empty"]
+            found.append((name.removeprefix("results/data/").removesuffix(".sum"), checksum))
+    return found
+
+
+def read_recipe(root, name, accounts):
+    readme = read_readme(root / "recipes" / name / "README.md")
+    files = accounts.files_behind(name)
+    return Recipe(
+        name=name,
+        readme=readme,
+        caption=as_html(readme.caption, f"../recipes/{name}"),
+        claims=claims_of(root, name),
+        pictures=[picture(path) for path in files_of(root, name, "*.png")],
+        tables=[path.name for path in files_of(root, name, "*.csv")],
+        jobs=accounts.jobs(files),
+        sums=checksums(root, files),
+    )
+
+
+# --- all claims ----------------------------------------------------------------------------
+
+
+def results_by_id(recipes, listed):
+    """{claim id: (name of its recipe, claim)}"""
+    known = {claim.id for claim in listed}
+    found = {}
+    for recipe in recipes:
+        for claim in recipe.claims or []:
+            path = f"results/{recipe.name}/claims.json"
+            if claim.id not in known:
+                raise Problem(f"{path} has a claim '{claim.id}' that docs/claims.md does not list.")
+            if claim.id in found:
+                raise Problem(f"Claim '{claim.id}' is in {path} although it was found before.")
+            found[claim.id] = recipe.name, claim
+    return found
+
+
+def summary_rows(listed, results):
+    rows = []
+    for claim in listed:
+        recipe, result = results.get(claim.id, (claim.recipe, None))
+        verdict = result.verdict if result else NOT_RUN
+        rows.append({"listed": claim, "recipe": recipe, "verdict": verdict})
+    return rows
+
+
+def counts(rows):
+    names = (*VERDICTS, NOT_RUN)
+    return [(sum(row["verdict"] == name for row in rows), name) for name in names]
+
+
+def ensemble_by_id(root, listed):
+    """{claim id: its rows of results/ensemble/ensemble.json}; empty without that file."""
+    path = root / "results/ensemble/ensemble.json"
+    if not path.exists():
+        return {}
+    found = {claim.id: [] for claim in listed}
+    try:
+        for row in json.loads(path.read_text(encoding="utf-8")):
+            keys = ("quantity", "unit", "n", "median", "p5", "p95", "single")
+            found[row["id"]].append({key: row[key] for key in keys})
+    except (OSError, ValueError, TypeError, KeyError) as error:
+        raise Problem(
+            f"{path} does not hold the rows it should ({error!r}): run ./reproduce.sh ensemble."
+        ) from error
+    return found
+
+
+# --- the page ------------------------------------------------------------------------------
+
+
+def duration(seconds):
+    if seconds < 10:
+        return f"{seconds:.1f} s"
+    if seconds < 120:
+        return f"{seconds:.0f} s"
+    return f"{seconds // 60:.0f} min {seconds % 60:.0f} s"
+
+
+def css_class(verdict):
+    return verdict.replace(" ", "-")
+
+
+def contents(root):
+    accounts = Accounts(root)
+    listed = listed_claims(root)
+    names = recipe_names(root)
+    recipes = [read_recipe(root, name, accounts) for name in names]
+    rows = summary_rows(listed, results_by_id(recipes, listed))
+    files = set().union(*(accounts.files_behind(name) for name in names))
+    jobs = accounts.jobs(files)
+    return {
+        "recipes": recipes,
+        "rows": rows,
+        "counts": counts(rows),
+        "ensemble": ensemble_by_id(root, listed),
+        "jobs": jobs,
+        "run": last_run(root, jobs),
+        "builds": builds(root, files),
+        "build": present_build(root),
+        "processor": processor(),
+    }
+
+
+def render(content):
+    environment = Environment(
+        loader=FileSystemLoader(HERE),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters.update(
+        css_class=css_class,
+        date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
+        duration=duration,
+        measured_parts=measured_parts,
+        number=number,
+        steps=steps,
+        total=total,
+    )
+    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS, NOT_RUN=NOT_RUN)
+    return environment.get_template("page.html.j2").render(content)
+
+
+def write(path, text):
+    """All or nothing."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(path.name + ".part")
+    temporary.write_text(text, encoding="utf-8")
+    os.replace(temporary, path)
+
+
+def main(folder="."):
+    root = Path(folder).resolve()
+    path = root / "results/index.html"
+    try:
+        write(path, render(contents(root)))
+    except Problem as problem:
+        sys.exit(f"report.py: {problem}")
+    print(f"Report: {path}")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,148 @@
+"""A small project with made-up results, and what the tests of the report have in common."""
+
+import base64
+import json
+import os
+import shutil
+import struct
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+SKIPPED = 77
+
+sys.path.insert(0, str(SOURCE / "recipes/report"))
+from project import listed_claims  # noqa: E402  (found through the line above)
+
+NOT_RUN = ("5A", "5B")  # the fixture has no results of their recipe
+START = 1.7e9  # [s] since 1970
+POINTS = 1200
+
+README = """# Title of {name} & <more>
+
+What is done.
+
+    load -o {name}.h5 --until 1.2
+    analyze front {name}.h5
+
+## Caption
+
+The *slow* part takes <t_R>:
+
+- **A**: `front.csv`;
+- **B**: [the README](README.md).
+"""
+
+
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def png(width, height):
+    rows = (b"\0" + b"\x40\x80\xc0" * width) * height
+    return (
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+        + chunk(b"IDAT", zlib.compress(rows))
+        + chunk(b"IEND", b"")
+    )
+
+
+def spill(path, content):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+def result(listed):
+    return {
+        "id": listed.id,
+        "paper": f"{listed.claim} <b>",
+        "measured": {"speed [m/s]": 12.345678, "list [mm]": [1.0, None]},
+        "acceptance": listed.acceptance,
+        "verdict": "differs" if listed.id == "S1" else "reproduced",
+        "note": "Measured <script>twice</script>." if listed.id == "2A" else "",
+    }
+
+
+class Project:
+    """At first, it has nothing but the list of claims."""
+
+    def __init__(self, root):
+        self.root = Path(root)
+        spill(self.root / "docs/claims.md", (SOURCE / "docs/claims.md").read_bytes())
+        self.listed = listed_claims(self.root)
+
+    def make_recipes(self):
+        for name in {listed.recipe for listed in self.listed} | {"fig10"}:
+            self.make_recipe(name)
+
+    def make_recipe(self, name):
+        spill(self.root / f"recipes/{name}/rules.smk", "")
+        spill(self.root / f"recipes/{name}/README.md", README.format(name=name))
+        claims = [result(c) for c in self.listed if c.recipe == name and c.id not in NOT_RUN]
+        if claims:
+            results = self.root / "results" / name
+            spill(results / "claims.json", json.dumps(claims))
+            spill(results / f"{name}.png", png(210, 80))
+            spill(results / f"{name}.pdf", "%PDF")
+            spill(results / "front.csv", "x\n")
+
+    def make_ensemble(self, claim_id):
+        row = {"id": claim_id, "quantity": "slow speed", "unit": "m/s", "n": 20}
+        row |= {"median": 21.5, "p5": 18.25, "p95": 26.125, "single": 22.9}
+        spill(self.root / "results/ensemble/ensemble.json", json.dumps([row]))
+
+    def account(self, output, rule, inputs, started, seconds):
+        """What Snakemake notes about an output."""
+        name = base64.urlsafe_b64encode(output.encode()).decode()
+        parts = [name[n : n + 254] for n in range(0, len(name), 254)]
+        path = Path(*(f"@{part}" for part in parts[:-1]), parts[-1])
+        command = f"tool --rule {rule} {' '.join(inputs)} && echo <{output.removesuffix('.sum')}>"
+        content = {"rule": rule, "input": inputs, "log": [], "shellcmd": command}
+        content |= {"starttime": START + started, "endtime": START + started + seconds}
+        spill(self.root / ".snakemake/metadata" / path, json.dumps(content))
+
+    def make_accounts(self):
+        """load takes 50 s and makes two files; fig2 and fig3 take 1 s and need it; fig4 needs many
+        points of 0.5 s each."""
+        load = "results/data/load.h5"
+        spill(self.root / f"{load}.sum", "5eed5eed  load.h5\n")
+        for output in (load, f"{load}.sum"):
+            self.account(output, "load", [], 0, 50)
+        for name in ("fig2", "fig3"):
+            self.account(f"results/{name}/claims.json", name, [load, f"{load}.sum"], 60, 1)
+        points = [f"results/data/points/{n}{'x' * 200}.json" for n in range(POINTS)]
+        for point in points:
+            self.account(point, "point", [], 70, 0.5)
+        self.account("results/fig4/claims.json", "fig4", points, 80, 2)
+
+    def report(self):
+        """Runs report.py: exit code, standard output and standard error."""
+        return subprocess.run(
+            [sys.executable, SOURCE / "recipes/report/report.py", self.root],
+            env=os.environ
+            | {"PYTHONPATH": str(SOURCE / "recipes"), "PYTHONDONTWRITEBYTECODE": "1"},
+            capture_output=True,
+            text=True,
+        )
+
+    @property
+    def page(self):
+        return self.root / "results/index.html"
+
+
+def skip(reason):
+    print(f"Skipped: {reason}")
+    sys.exit(SKIPPED)
+
+
+def demand_chromium():
+    """Its name. Without it the test is skipped; where CI is set, it fails."""
+    for name in ("chromium", "chromium-browser", "google-chrome"):
+        if shutil.which(name):
+            return name
+    if os.environ.get("CI"):
+        sys.exit("Not checked, as it must be where CI is set: chromium is not installed.")
+    return skip("chromium is not installed.")

@@ -1,0 +1,36 @@
+"""The links of a page, and those that lead nowhere."""
+
+from html.parser import HTMLParser
+from urllib.parse import unquote
+
+
+class Links(HTMLParser):
+    def __init__(self, page):
+        super().__init__()
+        self.folder = page.parent
+        self.ids, self.hrefs, self.sources = [], [], []
+        self.feed(page.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attrs):
+        attributes = dict(attrs)
+        if "id" in attributes:
+            self.ids.append(attributes["id"])
+        if tag == "a":
+            self.hrefs.append(attributes["href"])
+        elif tag == "link":
+            self.sources.append(attributes["href"])
+        if "src" in attributes:
+            self.sources.append(attributes["src"])
+
+    def leads_somewhere(self, address):
+        if address.startswith("#"):
+            return address[1:] in self.ids
+        return "://" in address or (self.folder / unquote(address)).exists()
+
+    def broken(self):
+        return [
+            a for a in self.hrefs + self.sources if not (a == "data:," or self.leads_somewhere(a))
+        ]
+
+    def foreign_sources(self):
+        return [a for a in self.sources if "//" in a]

@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""What the page of the report says, given made-up results; no browser is needed."""
+
+import json
+import re
+import tempfile
+import unittest
+
+from fixture import NOT_RUN, POINTS, START, Project, spill
+from links import Links
+
+
+class Page(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.project = Project(folder.name)
+        self.project.make_recipes()
+
+    def page(self):
+        done = self.project.report()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout, f"Report: {self.project.page}\n")
+        return self.project.page.read_text(encoding="utf-8")
+
+    def section(self, name):
+        return re.search(rf'<section id="{name}".*?</section>', self.page(), re.S)[0]
+
+    def refusal(self):
+        """The sentence with which report.py fails; it writes no page then."""
+        done = self.project.report()
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertFalse(self.project.page.exists())
+        return done.stderr
+
+    def test_lists_every_claim_in_order(self):
+        ids = [i[6:] for i in re.findall(r'<tr id="(claim-[^"]+)"', self.page())]
+        self.assertEqual(ids, [listed.id for listed in self.project.listed])
+
+    def test_counts_verdicts(self):
+        counts = re.findall(r"<strong>(\d+)</strong>", self.page())
+        expected = [len(self.project.listed) - len(NOT_RUN) - 1, 1, 0, len(NOT_RUN)]
+        self.assertEqual([int(count) for count in counts], expected)
+
+    def test_says_what_to_run_for_what_was_not(self):
+        page = self.page()
+        for claim_id in NOT_RUN:
+            row = re.search(rf'<tr id="claim-{claim_id}".*?</tr>', page, re.S)[0]
+            self.assertIn(">not run<", row)
+            self.assertIn("./reproduce.sh fig5", row)
+        self.assertIn("./reproduce.sh fig5", self.section("fig5"))
+
+    def test_orders_recipes_as_the_paper_does(self):
+        names = re.findall(r'<section id="([^"]+)"', self.page())[2:]
+        figures = [f"fig{n}" for n in (1, 2, 3, 4, 5, 10)] + [f"figS{n}" for n in range(1, 7)]
+        self.assertEqual(names, [*figures, "estimate", "robustness"])
+
+    def test_shows_pictures_and_data(self):
+        section = self.section("fig3")
+        for name in ("fig3.png", "fig3.pdf", "front.csv", "claims.json"):
+            self.assertIn(f'href="fig3/{name}"', section)
+        self.assertIn('src="fig3/fig3.png"', section)
+        self.assertIn('alt="fig3, Title of fig3 &amp; &lt;more&gt;', section)
+
+    def test_shows_caption_and_commands(self):
+        section = self.section("fig3")
+        self.assertIn("<em>slow</em> part takes &lt;t_R&gt;", section)
+        self.assertIn("<li><strong>A</strong>: <code>front.csv</code>;</li>", section)
+        self.assertIn('href="../recipes/fig3/README.md">the README</a>', section)
+        self.assertIn("load -o fig3.h5 --until 1.2\nanalyze front fig3.h5</code>", section)
+        self.assertNotIn("What is done", section)
+
+    def test_escapes_everything(self):
+        page = self.page()
+        self.assertIn("&lt;script&gt;twice&lt;/script&gt;", page)
+        self.assertNotIn("<script", page)
+        self.assertNotIn("<b>", page)
+
+    def test_shows_measured_values(self):
+        section = self.section("fig2")
+        self.assertIn("<li>speed = 12.35 m/s</li>", section)
+        self.assertIn("<li>list = 1, none mm</li>", section)
+
+    def test_shows_the_ensemble_under_its_claim(self):
+        self.project.make_ensemble("2A")
+        row = re.search(r'<tbody id="result-2A".*?</tbody>', self.page(), re.S)[0]
+        text = " ".join(row.split())
+        self.assertIn("slow speed, 20 seeds: 21.5 (18.25 to 26.12) m/s; shown: 22.9 m/s", text)
+
+    def test_adds_up_times_counting_a_job_once(self):
+        self.project.make_accounts()
+        self.assertIn("What the pipeline ran: 2 jobs, 51 s", self.section("fig2"))
+        self.assertIn("What the pipeline ran: 2 jobs, 51 s", self.section("fig3"))
+        self.assertIn(f"{POINTS + 4} jobs, 10 min 54 s", self.section("build"))
+
+    def test_shows_the_last_run_that_computed_anything(self):
+        self.project.make_accounts()
+        run = {"recipes": "fig2 fig3", "cores": 2, "started": int(START), "seconds": 65}
+        idle = {"recipes": "fig3", "cores": 1, "started": int(START) + 1000, "seconds": 4}
+        spill(self.project.root / "results/runs.jsonl", f"{json.dumps(run)}\n{json.dumps(idle)}\n")
+        text = " ".join(self.section("build").split())
+        self.assertIn("fig2 fig3 with 2 cores, 3 jobs in 65 s from start to end", text)
+
+    def test_shows_commands_but_not_each_of_many(self):
+        self.project.make_accounts()
+        section = self.section("fig4")
+        self.assertIn(f"point: {POINTS} jobs, 10 min 0 s", section)
+        self.assertEqual(section.count("tool --rule point"), 1)
+        self.assertIn("echo &lt;results/fig4/claims.json&gt;", section)
+
+    def test_shows_checksums(self):
+        self.project.make_accounts()
+        section = self.section("fig2")
+        self.assertIn("load.h5</code>", section)
+        self.assertIn("5eed5eed", section)
+        self.assertNotIn("5eed5eed", self.section("fig4"))
+
+    def test_has_no_broken_link_and_no_foreign_source(self):
+        self.project.make_accounts()
+        self.page()
+        links = Links(self.project.page)
+        self.assertEqual(links.broken(), [])
+        self.assertEqual(links.foreign_sources(), [])
+        self.assertEqual(len(links.ids), len(set(links.ids)))
+
+    def test_refuses_broken_claims(self):
+        path = self.project.root / "results/fig3/claims.json"
+        for text in ("[{", '[{"id": "3A"}]', "7", "[1]", '{"id": "3A"}'):
+            with self.subTest(text):
+                spill(path, text)
+                self.assertIn("claims.json holds no table of claims (", self.refusal())
+
+    def test_refuses_unlisted_and_doubled_claims(self):
+        path = self.project.root / "results/fig3/claims.json"
+        claims = json.loads(path.read_text())
+        spill(path, json.dumps([claims[0], claims[0]]))
+        self.assertIn("Claim '3A' is in", self.refusal())
+        spill(path, json.dumps([claims[0] | {"id": "3Z"}]))
+        self.assertIn("a claim '3Z' that docs/claims.md does not list", self.refusal())
+
+    def test_refuses_a_broken_ensemble_and_a_broken_picture(self):
+        self.project.make_ensemble("9Z")
+        self.assertIn("ensemble.json does not hold the rows it should", self.refusal())
+        self.project.make_ensemble("2A")
+        spill(self.project.root / "results/fig3/fig3.png", "no picture")
+        self.assertIn("fig3.png is no PNG", self.refusal())
+
+
+class EmptyProject(unittest.TestCase):
+    def test_says_what_to_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            project = Project(folder)
+            self.assertEqual(project.report().returncode, 0)
+            page = project.page.read_text(encoding="utf-8")
+        self.assertIn("./reproduce.sh all", page)
+        self.assertEqual(page.count('class="verdict not-run"'), len(project.listed) + 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
