@@ -133,17 +133,25 @@ TEST_F(Analyze, SlipStartsAtZeroAndGrows) {
 }
 
 TEST_F(Analyze, SlowSlipOfBlocksBehindASlowFront) {
-  // With t_R so short, half of it passes while a front that counts as slow crosses the slider.
-  const std::string slow = "analyze slow-slip fast-r.h5 --slow-below 10 --skip-below-x 0 ";
-  output_of(
-      "load --config small.ini -o fast.h5 --until 4e-4 --record fast-r.h5 --record-every 1e-6"
-      " --set junctions.t_R=2e-5 --set junctions.delta_t_R=6e-6 --set slider.M=1e-4"
-      " --set numerics.dt=5e-9");
-  const Json json = json_of(slow + "--x-from 0 --x-to 0.07 --shortest 0.01 --json");
+  output_of("prepare --tau-bar 0.1 --sigma-bar 0.1 -o p.h5");
+  output_of("restart p.h5 -o q.h5 --until-quiet --record q-r.h5 --record-every 2e-5");
+  const std::string command = "analyze slow-slip q-r.h5 --skip-below-x 0.0275";
+  const Json json = json_of(command + " --json");
   expect_fields(json, {"type", "slow", "blocks", "front_speed", "speed", "estimate", "per_block"});
   expect_fields(json["per_block"],
                 {"x", "t_from", "t_to", "speed", "r_squared", "v_c", "estimate"});
-  EXPECT_EQ(json["per_block"]["x"].size(), json["blocks"]);
+  EXPECT_EQ(json["per_block"]["x"].size(), 16U);
+  EXPECT_EQ(json["blocks"], 16);
+  EXPECT_NEAR(json["front_speed"], 9.07, 0.01);
+  EXPECT_NEAR(json["speed"]["mean"], 1.010e-3, 0.001e-3);
+  EXPECT_LT(json["speed"]["min"], json["speed"]["mean"]);
+  EXPECT_GT(json["speed"]["max"], json["speed"]["mean"]);
+  EXPECT_NEAR(json["estimate"], 1.0464e-3, 1e-7);
+  EXPECT_EQ(json_of(command + " --x-from 0.04 --x-to 0.05 --json")["blocks"], 5);
+  EXPECT_EQ(json_of(command + " --longest 2 --shortest 2 --json")["blocks"], 4);
+  expect_csv(
+      command,
+      {"x [m]", "t_from [s]", "t_to [s]", "speed [m/s]", "R^2", "v_c [m/s]", "estimate [m/s]"}, 16);
 }
 
 TEST_F(Analyze, SlowSlipOfNoBlockHasNoSpeed) {
