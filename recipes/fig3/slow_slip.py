@@ -126,7 +126,8 @@ def claim(prepared, event, beside):
         acceptance="prepared interfaces: fit through origin, R^2 >= 0.95, slope in [0.75, 1.25];"
         " event-based: reported",
         verdict=verdict(fitted.r_squared >= 0.95 and 0.75 <= fitted.slope <= 1.25),
-        note=f"{WHERE} At other prestresses, measured/estimate: {beside_text(beside)}.",
+        note=f"{WHERE} A change of tau_slip alone is nearly a change of units (p and k_i do not depend on"
+        f" it). At other prestresses, measured/estimate: {beside_text(beside)}.",
     )
 
 
