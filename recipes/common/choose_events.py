@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""Chooses the events of Figures 2 and 3 by rule: choose_events.py events.json CHECKPOINT_EVERY
+"""Chooses the events that figures show by rule: choose_events.py events.json CHECKPOINT_EVERY
 
-The fast-slow-fast event is the first one that meets the criteria of claim 2A, the fast-only event
-the first that meets those of claim 2B (common/fronts.py). Each is to be continued from 0.5 ms
-before its first rupture. Prints, per event, that time and the last checkpoint before it.
+fast-slow-fast is the first event that meets the criteria of claim 2A, fast-only the first that meets
+those of claim 2B (common/fronts.py), second-slow the first after fast-slow-fast that spans the
+interface and has a slow stretch. Each is to be continued from 0.5 ms before its first rupture. Prints,
+per event, that time and the last checkpoint before it.
 """
 
 import json
 import math
 import sys
 
-from common.fronts import is_fast_only, is_fast_slow_fast
+from common.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast
 
 LEAD = 0.5e-3  # [s]
 
@@ -28,12 +29,19 @@ def start(event, checkpoint_every):
     return {"from": f"{last_checkpoint:.9f}", "until": f"{until:.7f}", "event": event["t_start"]}
 
 
-def main(path, checkpoint_every):
+def read_events(path):
     with open(path, encoding="utf-8") as file:
-        events = json.load(file)["events"]
+        return json.load(file)["events"]
+
+
+def main(path, checkpoint_every):
+    events = read_events(path)
+    first_slow = first(events, "fast-slow-fast", is_fast_slow_fast)
+    later = events[events.index(first_slow) + 1 :]
     chosen = {
-        "fast-slow-fast": first(events, "fast-slow-fast", is_fast_slow_fast),
+        "fast-slow-fast": first_slow,
         "fast-only": first(events, "fast-only", is_fast_only),
+        "second-slow": first(later, "a second one with a slow stretch", has_slow_stretch),
     }
     starts = {name: start(event, float(checkpoint_every)) for name, event in chosen.items()}
     print(json.dumps(starts, indent=2))

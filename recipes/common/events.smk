@@ -1,10 +1,15 @@
-# What Figures 2 and 3 start from: one fast-slow-fast and one fast-only event of the reference
-# slider, each as a checkpoint from shortly before the event and as a record of it.
-EVENTS = ["fast-slow-fast", "fast-only"]
+# Events of the reference slider that figures show, each as a checkpoint from shortly before the event
+# and as a record of it; choose_events.py says by which rule they are chosen. The paper's event I is
+# fast-slow-fast, its event II second-slow, its event III fast-only.
+EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
+
+# The ensemble has its own events, to which all but what concerns the shipped checkpoints applies, too.
+EVENT = "|".join([*EVENTS, r"ensemble/seed-\d\d"])
 
 
 wildcard_constraints:
-    event="|".join(EVENTS),
+    event=EVENT,
+    shown_event="|".join(EVENTS),
 
 
 if FROM_SCRATCH:
@@ -19,7 +24,7 @@ if FROM_SCRATCH:
         log:
             f"{LOGS}/choice.log",
         message:
-            "choice: take the first event of each kind"
+            "choice: choose the events to be shown"
         shell:
             "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
@@ -29,49 +34,49 @@ if FROM_SCRATCH:
             checkpoints=ancient(LOADED),
             sums=[f"{path}.sum" for path in LOADED],
         output:
-            h5=f"{DATA}/{{event}}.h5",
-            sum=f"{DATA}/{{event}}.h5.sum",
+            h5=f"{DATA}/{{shown_event}}.h5",
+            sum=f"{DATA}/{{shown_event}}.h5.sum",
         params:
             code=CODE,
         log:
-            f"{LOGS}/{{event}}-start.log",
+            f"{LOGS}/{{shown_event}}-start.log",
         message:
-            "{wildcards.event}: go to 0.5 ms before the event"
+            "{wildcards.shown_event}: go to 0.5 ms before the event"
         shell:
-            "{BIN}/restart {DATA}/load-t$({VALUE} {input.choice} {wildcards.event}.from).h5"
+            "{BIN}/restart {DATA}/load-t$({VALUE} {input.choice} {wildcards.shown_event}.from).h5"
             " -o {output.h5} --force --quiet"
-            " --until $({VALUE} {input.choice} {wildcards.event}.until) 2> {log}"
+            " --until $({VALUE} {input.choice} {wildcards.shown_event}.until) 2> {log}"
 
 else:
 
     rule event_start:
         input:
-            h5="checkpoints/{event}.h5",
+            h5="checkpoints/{shown_event}.h5",
         output:
-            h5=f"{DATA}/{{event}}.h5",
-            sum=f"{DATA}/{{event}}.h5.sum",
+            h5=f"{DATA}/{{shown_event}}.h5",
+            sum=f"{DATA}/{{shown_event}}.h5.sum",
         params:
             code=CODE,
         log:
-            f"{LOGS}/{{event}}-start.log",
+            f"{LOGS}/{{shown_event}}-start.log",
         message:
-            "{wildcards.event}: verify the shipped checkpoint"
+            "{wildcards.shown_event}: verify the shipped checkpoint"
         shell:
             "sum=$({BIN}/analyze checksum {input.h5} 2> {log}) && cp {input.h5} {output.h5}"
-            " && echo \"$sum  {wildcards.event}.h5\" > {output.sum}"
+            " && echo \"$sum  {wildcards.shown_event}.h5\" > {output.sum}"
 
 
 # In either case the checkpoint must be the one that the manifest names.
 rule event_compared:
     input:
-        sum=f"{DATA}/{{event}}.h5.sum",
+        sum=f"{DATA}/{{shown_event}}.h5.sum",
         manifest="checkpoints/manifest",
     output:
-        f"{DATA}/{{event}}.compared",
+        f"{DATA}/{{shown_event}}.compared",
     log:
-        f"{LOGS}/{{event}}-compared.log",
+        f"{LOGS}/{{shown_event}}-compared.log",
     message:
-        "{wildcards.event}: compare its checksum with checkpoints/manifest"
+        "{wildcards.shown_event}: compare its checksum with checkpoints/manifest"
     shell:
         "{{ grep -xFf {input.sum} {input.manifest} > {output}"
         " || {{ echo 'not in checkpoints/manifest (see checkpoints/README.md):';"
@@ -96,6 +101,42 @@ rule event_record:
     shell:
         "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --for 0.01"
         " --record {output.record} --record-every 1e-5 2> {log}"
+
+
+# What the junctions of each block carry just before the event, also after widening their phi.
+rule event_phi:
+    input:
+        h5=ancient(f"{DATA}/{{state}}.h5"),
+        sum=f"{DATA}/{{state}}.h5.sum",
+    output:
+        f"{DATA}/{{state}}-phi.json",
+    params:
+        code=CODE,
+    wildcard_constraints:
+        state=f"({EVENT})(/wider-start)?",
+    log:
+        f"{LOGS}/{{state}}-phi.log",
+    message:
+        "{wildcards.state}: measure the forces in the junctions"
+    shell:
+        "{BIN}/analyze phi {input.h5} --json > {output} 2> {log}"
+
+
+# What friction each block can bear just before the event.
+rule event_strength:
+    input:
+        h5=ancient(f"{DATA}/{{event}}.h5"),
+        sum=f"{DATA}/{{event}}.h5.sum",
+    output:
+        f"{DATA}/{{event}}-strength.json",
+    params:
+        code=CODE,
+    log:
+        f"{LOGS}/{{event}}-strength.log",
+    message:
+        "{wildcards.event}: measure the strength of each block"
+    shell:
+        "{BIN}/analyze strength {input.h5} --json > {output} 2> {log}"
 
 
 rule front:

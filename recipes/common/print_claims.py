@@ -9,6 +9,7 @@ from pathlib import Path
 
 from claims import NOT_COMPARABLE, VERDICTS, measured_parts, read_claims
 
+SUMMARY = "summary.txt"  # what a recipe has to say beyond claims, beside its claims.json
 WIDTH = 100
 GAP = "  "
 HEADS = ("claim", "paper", "measured", "acceptance", "verdict")
@@ -58,9 +59,13 @@ def main(paths):
             claims = read_claims(path)
         except (OSError, json.JSONDecodeError, TypeError, ValueError) as error:
             sys.exit(f"print_claims.py: {path} holds no table of claims ({error}).")
-        print(f"{path.resolve().parent.name}: {summary(claims)}")
+        folder = path.resolve().parent
+        print(f"{folder.name}: {summary(claims) or 'no claims of its own'}")
         print()
-        print_table(claims)
+        if claims:
+            print_table(claims)
+        if (folder / SUMMARY).exists():
+            print((folder / SUMMARY).read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

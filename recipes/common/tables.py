@@ -1,14 +1,41 @@
-"""Tables of sweeps (collect.py): columns of numbers, NaN where a cell is empty."""
+"""CSV tables with one line of names: those that the figures write and read again, as columns, and
+those of sweeps (collect.py), as rows whose cells may be empty."""
 
 import csv
+from pathlib import Path
 
 import numpy as np
 
 
+def write_table(path, names, rows):
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(names)
+        table.writerows(rows)
+
+
+def read_table(path):
+    """Columns by name; numbers where all are."""
+    with open(path, newline="", encoding="utf-8") as file:
+        names, *rows = csv.reader(file)
+    return {name: as_numbers(column) for name, column in zip(names, zip(*rows))}
+
+
+def as_numbers(column):
+    try:
+        return np.array(column, dtype=float)
+    except ValueError:
+        return np.array(column)
+
+
 def read_rows(path):
+    """Rows by name; all values are texts."""
     with open(path, newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
 
 def numbers(rows, column):
+    """One column of such rows; NaN where it is empty."""
     return np.array([float(row[column]) if row.get(column) else np.nan for row in rows])

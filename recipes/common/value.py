@@ -1,21 +1,30 @@
 #!/usr/bin/env python3
-"""Prints one value of a JSON file, for use in a command: value.py choice.json fast_slow_fast.t"""
+"""Prints one value of a JSON file, for use in a command: value.py choice.json fast_slow_fast.t
+
+Several names stand for the first of them that has a value: value.py front.json slow.t_to t_rupture.56
+"""
 
 import json
 import sys
 
 
-def main(path, name):
-    with open(path, encoding="utf-8") as file:
-        value = json.load(file)
+def find(tree, name):
+    """What `name` leads to; None where it leads nowhere."""
     try:
         for key in name.split("."):
-            value = value[int(key)] if isinstance(value, list) else value[key]
+            tree = tree[int(key)] if isinstance(tree, list) else tree[key]
     except (KeyError, IndexError, TypeError, ValueError):
-        sys.exit(f"value.py: {path} has no value '{name}'.")
-    if value is None:
-        sys.exit(f"value.py: '{name}' in {path} is null.")
-    print(value if isinstance(value, str) else json.dumps(value))
+        return None
+    return tree
+
+
+def main(path, *names):
+    with open(path, encoding="utf-8") as file:
+        tree = json.load(file)
+    found = [value for value in (find(tree, name) for name in names) if value is not None]
+    if not found:
+        sys.exit(f"value.py: {path} has no value {' or '.join(names)}.")
+    print(found[0] if isinstance(found[0], str) else json.dumps(found[0]))
 
 
 if __name__ == "__main__":

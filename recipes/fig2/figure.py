@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 
 from common.claims import Claim, verdict, write_claims
-from common.fronts import is_fast_only, is_fast_slow_fast
+from common.event_claims import claim_2A, slowest
+from common.fronts import is_fast_only
 from common.panels import draw_pinned, draw_pinned_scale
 from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 from common.records import Pinned, report, values
 
 EVENTS = {"fast-slow-fast": BLUE, "fast-only": VERMILION}
-LOADING_ZONE = 0.02  # [m]
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 
 
@@ -64,46 +64,13 @@ def write_table(path, fronts):
                 table.writerow([name, *row])
 
 
-def ratio_with_straddling_stencils(front):
-    """Fast over slow speed before the slow stretch if the stencils that straddle the transition
-    count, too (docs/decisions/0001-fast-speed.md)."""
-    slow, x, v_c = front["slow"], np.array(front["x"]), values(front["v_c"])
-    before = (x > LOADING_ZONE) & (x < slow["x_from"]) & ~np.isnan(v_c)
-    return np.median(v_c[before]) / slow["speed"]
-
-
-def claim_2A(front):
-    slow = front["slow"]
-    return Claim(
-        id="2A",
-        paper="fast (c_s/3), slow (c_s/100) for 1 ms from 0.4 L to 0.6 L, fast again",
-        measured={
-            "slow speed [m/s]": slow["speed"],
-            "c_s/slow speed": front["c_s"] / slow["speed"],
-            "duration [ms]": slow["duration"] * 1e3,
-            "from [L]": slow["x_from"] / front["L"],
-            "to [L]": slow["x_to"] / front["L"],
-            "fast before [m/s]": slow["fast_before"],
-            "fast after [m/s]": slow["fast_after"],
-            "fast/slow before": slow["fast_before"] / slow["speed"],
-            "the same with stencils across the transition": ratio_with_straddling_stencils(front),
-        },
-        acceptance="slow in [c_s/200, c_s/30] for 0.5-3 ms, transitions in [0.25, 0.55] L and"
-        " [0.5, 0.85] L, fast >= 10 x slow on both sides",
-        verdict=verdict(is_fast_slow_fast(front)),
-    )
-
-
 def claim_2B(front):
-    beyond = np.array(front["x"]) > LOADING_ZONE
-    v_c = values(front["v_c"])
-    forwards = v_c[beyond & (v_c > 0)]
     return Claim(
         id="2B",
         paper="other events are fast across the whole interface",
         measured={
-            "slowest stencil [m/s]": forwards.min(),
-            "c_s/slowest": front["c_s"] / forwards.min(),
+            "slowest stencil [m/s]": slowest(front),
+            "c_s/slowest": front["c_s"] / slowest(front),
         },
         acceptance="v_c >= c_s/20 at every stencil with x > 2 cm",
         verdict=verdict(is_fast_only(front)),

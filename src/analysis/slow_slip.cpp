@@ -93,6 +93,8 @@ std::optional<Relaxation> relax(const Parameters& p, std::uint32_t replica, Rebr
     if (block.next_time() > kLongest * t_R) return std::nullopt;
     const bool before = !block.all_returned();
     block.pin_next();
+    result.course.time.push_back(block.time() / t_R);
+    result.course.slip.push_back(block.slip());
     if (block.time() <= 2.0 * t_R) result.slip_after_two = block.slip();
     if (before && block.all_returned()) {
       result.duration = block.time() / t_R;

@@ -15,17 +15,27 @@ namespace {
 
 constexpr int kMostBlocks = 100000;
 
+/// The parameters with the seed of the random numbers that was asked for.
+Parameters seeded(Parameters p, const po::variables_map& values) {
+  if (values.count("seed") > 0) {
+    set_parameter(p, "numerics.seed", values["seed"].as<std::string>());
+  }
+  return p;
+}
+
 std::optional<RelaxationEnsemble> ensemble(const Parameters& p, const po::variables_map& values) {
   const int blocks = values["ensemble"].as<int>();
   if (blocks < 2 || blocks > kMostBlocks) {
     throw UsageError(
         fmt::format("--ensemble {} makes no sense: give 2 to {}", blocks, kMostBlocks));
   }
-  Parameters seeded = p;
-  if (values.count("seed") > 0) {
-    set_parameter(seeded, "numerics.seed", values["seed"].as<std::string>());
-  }
-  return relax_ensemble(seeded, blocks);
+  return relax_ensemble(p, blocks);
+}
+
+Json course_of(const std::optional<Relaxation>& relaxation) {
+  if (!relaxation) return {};
+  return {{"time_over_t_R", relaxation->course.time},
+          {"slip_over_f_slip_per_k_ij", relaxation->course.slip}};
 }
 
 void add_relaxation(Report& report, const std::optional<RelaxationEnsemble>& relaxation) {
@@ -92,7 +102,9 @@ int analyze_estimate(int argc, const char* const* argv) {
       "Eq. S1 at the mean normal force {:.5g} N, <t_R> = {:.5g} ms: {:.4f} "
       "mm/s\n",
       p_mean, mean_slipping_time(p) * 1e3, v_mean * 1e3);
-  add_relaxation(report, ensemble(p, parsed.values));
+  const Parameters with_seed = seeded(p, parsed.values);
+  add_relaxation(report, ensemble(with_seed, parsed.values));
+  report.json["relaxation"] = course_of(relax(with_seed, 0));
   report.json["block"] = {{"x", x}, {"p", normal}, {"v_slow_slip", v}};
   report.series = {column("x [m]", x), column("p [N]", normal), column("v_slow_slip [m/s]", v)};
   print(report, parsed.values);

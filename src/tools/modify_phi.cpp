@@ -45,7 +45,8 @@ Options setup(int argc, char** argv) {
       argc, argv,
       {"modify-phi", "modify-phi CHECKPOINT -o OUT [options]",
        "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
-       "keeps the mean force of each block, so that the stress state stays the same."},
+       "keeps the mean force of each block, so that the stress state stays the same. Prints the\n"
+       "width of each block's phi and the histogram of all changed blocks, before and after."},
       options, "checkpoint", UsesParameters::no);
   const auto& values = parsed.values;
   Options result;
@@ -84,6 +85,45 @@ void print_widths(const Parameters& p, const State& before, const State& after) 
   }
 }
 
+using Counts = std::vector<std::int64_t>;
+
+void add_histogram(Counts& sum, const BlockForces& block) {
+  const Counts counts = histogram(block, static_cast<int>(sum.size()));
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += counts[n];
+}
+
+std::string bar(std::int64_t count, std::int64_t largest) {
+  constexpr std::int64_t kLongest = 24;
+  return std::string(static_cast<std::size_t>((count * kLongest + largest - 1) / largest), '#');
+}
+
+/// phi(f_T/f_thres) of the blocks that were changed, all together.
+void print_histograms(const Parameters& p, const State& before, const State& after) {
+  constexpr int kBins = 20;
+  Counts old_counts(kBins), new_counts(kBins);
+  const auto old_blocks = block_forces(p, before);
+  const auto new_blocks = block_forces(p, after);
+  int changed = 0;
+  for (std::size_t i = 0; i < old_blocks.size(); ++i) {
+    if (old_blocks[i].forces == new_blocks[i].forces) continue;
+    ++changed;
+    add_histogram(old_counts, old_blocks[i]);
+    add_histogram(new_counts, new_blocks[i]);
+  }
+  say("junctions of the {} changed blocks by the force they carry\n", changed);
+  if (changed == 0) return;
+  const auto largest = std::max(*std::max_element(old_counts.begin(), old_counts.end()),
+                                *std::max_element(new_counts.begin(), new_counts.end()));
+  say("   f_T/f_thres   before                            after\n");
+  for (std::size_t n = 0; n < kBins; ++n) {
+    const double low = 2.0 * static_cast<double>(n) / kBins - 1.0;
+    const auto line =
+        fmt::format("  {:5.2f} {:6.2f} {:8} {:24} {:8} {}", low, low + 2.0 / kBins, old_counts[n],
+                    bar(old_counts[n], largest), new_counts[n], bar(new_counts[n], largest));
+    say("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  }
+}
+
 int run(const Options& options) {
   Checkpoint checkpoint = read_checkpoint(options.checkpoint);
   check_outputs({options.output.output}, options.output.if_exists, options.checkpoint);
@@ -98,6 +138,7 @@ int run(const Options& options) {
       write_checkpoint(options.output.output, checkpoint, options.output.if_exists);
   if (options.output.verbosity == Verbosity::quiet) return kDone;
   print_widths(p, before, checkpoint.state);
+  print_histograms(p, before, checkpoint.state);
   say("largest change of a block's friction force: {:.1e} of the largest\n", change);
   for (const auto& block : impossible) {
     say("left as it is: block at x = {:.4f} m, which can take sigma-bar <= {:.4f}\n", block.x,

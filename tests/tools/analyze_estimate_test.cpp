@@ -44,7 +44,7 @@ TEST_F(Strength, OfACheckpointFollowsItsJunctions) {
     EXPECT_NEAR(json["mu_eff"][i], 0.17 + 0.23 * json["mu_bar_eff"][i].get<double>(), 1e-12);
   }
   const auto rows = csv_of(output_of("analyze strength b.h5 --csv"));
-  EXPECT_EQ(rows.size(), 10U);
+  ASSERT_EQ(rows.size(), 10U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"x [m]", "slipping", "sigma_bar", "tau_bar_0",
                                                "mu_bar_eff", "mu_eff"}));
   EXPECT_EQ(lines_of(output_of("analyze strength b.h5")).size(), 10U);
@@ -115,6 +115,18 @@ TEST_F(Estimate, RelaxesOneBlock) {
   EXPECT_NEAR(json["quiet_after_over_t_R"], 5.7, 0.2);
 }
 
+TEST_F(Estimate, FollowsTheSlipOfOneBlock) {
+  const Json json = json_of("analyze estimate a.h5 --json");
+  const Values time = json["relaxation"]["time_over_t_R"];
+  const Values slip = json["relaxation"]["slip_over_f_slip_per_k_ij"];
+  ASSERT_EQ(time.size(), slip.size());
+  ASSERT_GT(time.size(), 100U) << "each junction is pinned once, and some again";
+  EXPECT_TRUE(std::is_sorted(time.begin(), time.end()));
+  EXPECT_TRUE(std::is_sorted(slip.begin(), slip.end()));
+  EXPECT_EQ(slip.front(), 1.0) << "the first pinned junction alone makes up for f_slip";
+  EXPECT_NEAR(slip.back(), json["net_slip_over_f_slip_per_k_ij"], 1e-12) << "equal for all seeds";
+}
+
 TEST_F(Estimate, DependsOnTheSeedAndOnNothingElse) {
   const std::string command = "analyze estimate a.h5 --json --ensemble 5";
   EXPECT_EQ(output_of(command), output_of(command));
@@ -126,13 +138,14 @@ TEST_F(Estimate, HasNoRelaxationThatNeverEnds) {
   output_of("load --config small.ini --set junctions.mu_d=0.39 -o b.h5 -q");
   const Json json = json_of("analyze estimate b.h5 --json");
   EXPECT_TRUE(json["net_slip_over_f_slip_per_k_ij"].is_null());
+  EXPECT_TRUE(json["relaxation"].is_null());
   EXPECT_GT(json["v_slow_slip"], 0.0);
   EXPECT_NE(output_of("analyze estimate b.h5").find("goes on for ever"), std::string::npos);
 }
 
 TEST_F(Estimate, PrintsBlocksAsATable) {
   const auto rows = csv_of(output_of("analyze estimate a.h5 --csv"));
-  EXPECT_EQ(rows.size(), 10U);
+  ASSERT_EQ(rows.size(), 10U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"x [m]", "p [N]", "v_slow_slip [m/s]"}));
   EXPECT_EQ(lines_of(output_of("analyze estimate a.h5")).size(), 1U + 9U + 1U + 4U);
 }
@@ -174,9 +187,18 @@ TEST_F(SteadyState, TakesParametersAndSeed) {
   EXPECT_NEAR(json_of(command + " --set junctions.mu_d=0.1")["mu"][0], 0.1, 0.01);
 }
 
+TEST_F(SteadyState, ComesCloserToTheTheoryWithShorterSteps) {
+  const auto off = [this](const std::string& steps) {
+    const Json json = json_of("analyze steady-state --points 1 --v-from 1 --json" + steps);
+    return std::abs(double(json["mu"][0]) - double(json["mu_theory"][0]));
+  };
+  EXPECT_GT(off(""), 1e-5) << "a junction is pinned for two steps only";
+  EXPECT_LT(off(" --steps-per-cycle 40000"), 5e-6);
+}
+
 TEST_F(SteadyState, PrintsATable) {
   const auto rows = csv_of(output_of("analyze steady-state --points 2 --csv"));
-  EXPECT_EQ(rows.size(), 3U);
+  ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"v [m/s]", "mu", "mu_error", "mu_theory"}));
   EXPECT_EQ(lines_of(output_of("analyze steady-state --points 2")).size(), 4U);
 }
@@ -191,6 +213,8 @@ TEST_F(SteadyState, RefusesWhatMakesNoSense) {
                  "the range of speeds is empty: --v-to is below --v-from");
   expect_refusal("analyze steady-state --points 0", kUsage,
                  "--points 0 makes no sense: give 1 to 10000");
+  expect_refusal("analyze steady-state --steps-per-cycle 99", kUsage,
+                 "--steps-per-cycle 99 makes no sense: give 100 to 10000000");
   expect_refusal("analyze steady-state a.h5", kUsage,
                  "'a.h5' is not expected: analyze steady-state reads no checkpoint; see analyze "
                  "steady-state --help");

@@ -1,6 +1,8 @@
 // modify-phi: new forces in the junctions, the same force on each block.
 #include <algorithm>
 #include <cmath>
+#include <regex>
+#include <sstream>
 
 #include "tool_test.hpp"
 
@@ -77,6 +79,47 @@ TEST_F(ModifyPhi, ChangesOnlyTheRegion) {
       EXPECT_EQ(after[i], before[i]) << out;
     }
   }
+}
+
+/// The printed histogram, from the lowest force to the highest.
+struct Histograms {
+  std::vector<int> before, after;
+};
+
+Histograms printed_histograms(const std::string& out) {
+  const std::regex row(R"( *-?\d\.\d\d +-?\d\.\d\d +(\d+) +#* +(\d+)( #+)?)");
+  Histograms result;
+  std::istringstream lines(out);
+  std::smatch numbers;
+  for (std::string line; std::getline(lines, line);) {
+    if (!std::regex_match(line, numbers, row)) continue;
+    result.before.push_back(std::stoi(numbers[1]));
+    result.after.push_back(std::stoi(numbers[2]));
+  }
+  return result;
+}
+
+TEST_F(ModifyPhi, PrintsTheHistogramOfTheChangedBlocksBeforeAndAfter) {
+  const std::string out =
+      output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.2 --x-from 0.05 --x-to 0.09");
+  const auto counted = [&](const std::string& file) {
+    const Json blocks = json_of("analyze phi " + file + " --json --bins 20");
+    std::vector<int> sum(20);
+    for (std::size_t i = 0; i < blocks["x"].size(); ++i) {
+      if (blocks["x"][i] < 0.05 || blocks["x"][i] > 0.09) continue;
+      for (std::size_t n = 0; n < 20; ++n) sum[n] += blocks["histogram"][i][n].get<int>();
+    }
+    return sum;
+  };
+  const Histograms printed = printed_histograms(out);
+  EXPECT_EQ(printed.before, counted("a.h5")) << out;
+  EXPECT_EQ(printed.after, counted("b.h5")) << out;
+}
+
+TEST_F(ModifyPhi, PrintsNoHistogramIfNothingChanged) {
+  const std::string out = output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 3");
+  EXPECT_NE(out.find("junctions of the 0 changed blocks"), std::string::npos) << out;
+  EXPECT_TRUE(printed_histograms(out).after.empty()) << out;
 }
 
 TEST_F(ModifyPhi, SlippingJunctionsAreKeptOrPinned) {

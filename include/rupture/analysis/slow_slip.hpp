@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "rupture/analysis/statistics.hpp"
 #include "rupture/model/parameters.hpp"
@@ -36,6 +37,12 @@ struct Relaxation {
                           ///< [f_slip / k_ij]
   double duration;        ///< time at which every junction has been pinned once [<t_R>]
   double quiet_time;      ///< time from which no junction slips any more [<t_R>]
+
+  /// How it came about: `slip` after each junction that was pinned, at `time`.
+  struct Course {
+    std::vector<double> time;  ///< [<t_R>]
+    std::vector<double> slip;  ///< [f_slip / k_ij]
+  } course;
 };
 
 /// One relaxation with the slipping times of block `replica`. No value if junctions still break

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""The SI's arithmetic of slow slip, its data and its claim:
+figure.py reference.json unbreakable.json results/estimate"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from common.claims import Claim, verdict, write_claims
+from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from common.records import report
+from common.tables import write_table
+
+NET_SLIP, MARGIN = 8.5, 0.4  # [f_slip/k_ij]
+HARMONIC = 5.187  # H_100, to the three digits of the acceptance [f_slip/k_ij]
+COEFFICIENT = 4.2  # of Eq. S1
+
+
+def net_slip(estimate):
+    return estimate["net_slip_over_f_slip_per_k_ij"]
+
+
+def claim_SI(reference, unbreakable):
+    accepted = (
+        abs(net_slip(reference) - NET_SLIP) <= MARGIN
+        and abs(net_slip(unbreakable) - HARMONIC) <= 0.0005
+    )
+    return Claim(
+        id="SI",
+        paper="net slow slip 8.5 f_slip/k_ij over about 2 <t_R>, H_100 = 5.2 without re-breaking",
+        measured={
+            "net slip [f_slip/k_ij]": net_slip(reference),
+            "net slip without re-breaking [f_slip/k_ij]": net_slip(unbreakable),
+            "all junctions have been pinned once after [<t_R>]": reference["duration_over_t_R"],
+            "with standard deviation [<t_R>]": reference["duration_over_t_R_deviation"],
+            "slip until then [f_slip/k_ij]": reference["slip_at_return_over_f_slip_per_k_ij"],
+            "slip in 2 <t_R> [f_slip/k_ij]": reference["slip_after_two_t_R_over_f_slip_per_k_ij"],
+            "none slips any more after [<t_R>]": reference["quiet_after_over_t_R"],
+        },
+        acceptance="8.5 +- 0.4 and 5.187 from the one-block relaxation",
+        verdict=verdict(accepted),
+        note="One block that moves until its force is back each time one of its 100 junctions is"
+        " pinned; means over 1000 blocks. The net slip is the same for all of them (it depends on the"
+        " order of events only); it counts everything until no junction slips any more, later than"
+        " the 2 <t_R> of Eq. S1. The acceptance names no duration.",
+    )
+
+
+def draw_relaxation(axes, reference, unbreakable):
+    longest = reference["relaxation"]["time_over_t_R"][-1]
+    for estimate, colour, line, label in (
+        (reference, BLUE, "-", "as in the model"),
+        (unbreakable, VERMILION, "--", "without re-breaking"),
+    ):
+        time = np.array([0.0, *estimate["relaxation"]["time_over_t_R"], longest])
+        slip = [0.0, *estimate["relaxation"]["slip_over_f_slip_per_k_ij"], net_slip(estimate)]
+        axes.step(time, slip, line, where="post", color=colour, label=label)
+    axes.plot([0, 2], [0, 2 * COEFFICIENT], color=BLACK, linestyle=":", label="Eq. S1")
+    axes.set(xlabel=r"time $[\langle t_R\rangle]$", ylabel=r"slip $[f_\mathrm{slip}/k_{ij}]$")
+    axes.set(xlim=(0, longest), ylim=(0, 9.5))
+    axes.legend(loc="lower right")
+
+
+def draw_blocks(axes, reference):
+    block = reference["block"]
+    axes.plot(block["x"], np.array(block["v_slow_slip"]) * 1e3, "o", color=BLUE)
+    axes.axhline(reference["v_slow_slip"] * 1e3, color=BLACK, linewidth=0.8)
+    axes.set(xlabel="$x$ [m]", ylabel="slow slip speed by Eq. S1 [mm/s]", xlim=(-0.002, 0.142))
+
+
+def draw(reference, unbreakable, stem):
+    fig, axes = figure(DOUBLE, 0.38 * DOUBLE, ncols=2)
+    draw_relaxation(axes[0], reference, unbreakable)
+    draw_blocks(axes[1], reference)
+    for axis, text in zip(axes, "AB"):
+        letter(axis, text)
+    save(fig, stem)
+
+
+def course_rows(**estimates):
+    for junctions, estimate in estimates.items():
+        course = estimate["relaxation"]
+        for row in zip(course["time_over_t_R"], course["slip_over_f_slip_per_k_ij"]):
+            yield junctions, *row
+
+
+def main(reference, unbreakable, results):
+    reference, unbreakable, results = report(reference), report(unbreakable), Path(results)
+    draw(reference, unbreakable, results / "estimate")
+    write_table(
+        results / "relaxation.csv",
+        ["junctions", "time [<t_R>]", "slip [f_slip/k_ij]"],
+        course_rows(reference=reference, unbreakable=unbreakable),
+    )
+    block = reference["block"]
+    write_table(
+        results / "blocks.csv",
+        ["x [m]", "p [N]", "v_slow_slip [m/s]"],
+        zip(block["x"], block["p"], block["v_slow_slip"]),
+    )
+    write_claims(results / "claims.json", [claim_SI(reference, unbreakable)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Tables and claims of Figure 1 D and E: curves.py results/data results/fig1"""
+
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from common.claims import Claim, verdict, write_claims
+from common.records import report, values
+from common.tables import write_table
+
+FIRST = 5  # events that count as "the first ones" (claim 1D)
+NEAR = 0.1e-3  # peak and rupture of a block, claim 1E [s]
+MIDDLE = 0.5  # of L; the block of panel E
+
+
+class Blocks:
+    """Friction of the interface blocks against time in a record: [samples][blocks]."""
+
+    def __init__(self, path):
+        with h5py.File(path) as file:
+            self.time = file["series/time"][()]  # [s]
+            self.p = file["series/p"][()]  # [N]
+            self.tau = file["series/tau"][()]  # [N]
+        self.ratio = self.tau / self.p
+
+
+def claim_1D(events):
+    first_spanning = [event["spanning"] for event in events].index(True)
+    precursors = [event["x_last"] for event in events[:first_spanning]]
+    drops = [e["F_T_before"] - e["F_T_after"] for e in events if e["spanning"]]
+    others = [e["F_T_before"] - e["F_T_after"] for e in events if not e["spanning"]]
+    first = precursors[:FIRST]
+    accepted = len(first) == FIRST and max(first) < 0.5 * events[0]["L"] and len(drops) >= 5
+    return Claim(
+        id="1D",
+        paper="elastic loading, then precursors, then interface-spanning events with large drops",
+        measured={
+            "arrest of the events before the first spanning one [mm]": [x * 1e3 for x in precursors],
+            "0.5 L [mm]": 0.5 * events[0]["L"] * 1e3,
+            "first spanning event at [s]": events[first_spanning]["t_start"],
+            "spanning events until 1.2 s": len(drops),
+            "drops of F_T in them [N]": drops,
+            "largest drop in any other event [N]": max(others),
+        },
+        acceptance="first events arrest before x = 0.5 L; >= 5 interface-spanning drops by t = 1.2 s",
+        verdict=verdict(accepted),
+        note=f"'First events' is read as the first {FIRST}. Of the {len(precursors)} events before the"
+        f" first spanning one, the last stops at {precursors[-1] * 1e3:.1f} mm, 0.5 L being"
+        f" {0.5 * events[0]['L'] * 1e3:.1f} mm: they grow until one spans. Arrested events go on"
+        " between the spanning ones later.",
+    )
+
+
+def claim_1E(blocks, front):
+    t_rupture = values(front["t_rupture"])
+    t_peak = blocks.time[np.argmax(blocks.ratio, axis=0)]
+    off = np.abs(t_peak - t_rupture)
+    i = middle(front)
+    ratio = blocks.ratio[:, i]
+    accepted = off[i] <= NEAR and ratio[0] < ratio.max() > ratio[-1]
+    return Claim(
+        id="1E",
+        paper="tau/p of one block rises, peaks at its rupture, falls",
+        measured={
+            "block at [L]": front["x"][i] / front["L"],
+            "tau/p 0.5 ms before the event": ratio[0],
+            "at its peak": ratio.max(),
+            "lowest afterwards": ratio[blocks.time > t_peak[i]].min(),
+            "peak minus rupture [ms]": (t_peak[i] - t_rupture[i]) * 1e3,
+            "median distance over all blocks [ms]": np.median(off) * 1e3,
+            "blocks within 0.1 ms": int((off <= NEAR).sum()),
+            "the others are at [mm]": np.array(front["x"])[off > NEAR] * 1e3,
+        },
+        acceptance="peak within the rupture +- 0.1 ms",
+        verdict=verdict(accepted),
+        note="The verdict is that of the block in the middle during the fast-slow-fast event of"
+        " Figure 2. A block ruptures when 70 % of its junctions have broken, and tau/p is largest just"
+        " before. The blocks farther off are in the loading zone, where later loading exceeds it or"
+        " junctions break gradually before the front starts, and where the front is slow or has just"
+        " been.",
+    )
+
+
+def middle(front):
+    return int(np.argmin(np.abs(np.array(front["x"]) - MIDDLE * front["L"])))
+
+
+def block_rows(blocks, front):
+    i = middle(front)
+    since_rupture = blocks.time - front["t_rupture"][i]
+    return zip(blocks.time, since_rupture, blocks.p[:, i], blocks.tau[:, i], blocks.ratio[:, i])
+
+
+def write_tables(results, loading, events, blocks, front):
+    write_table(
+        results / "loading.csv",
+        ["time [s]", "F_T/F_N"],
+        zip(loading["time"], np.array(loading["F_T"]) / loading["F_N"]),
+    )
+    fields = ["t_start", "t_end", "x_first", "x_last", "spanning", "type", "F_T_before", "F_T_after"]
+    units = [" [s]", " [s]", " [m]", " [m]", "", "", " [N]", " [N]"]
+    write_table(
+        results / "events.csv",
+        [field + unit for field, unit in zip(fields, units)],
+        ([event[field] for field in fields] for event in events),
+    )
+    write_table(
+        results / "block.csv",
+        ["time [s]", "time since the rupture [s]", "p [N]", "tau [N]", "tau/p"],
+        block_rows(blocks, front),
+    )
+
+
+def main(data, results):
+    data, results = Path(data), Path(results)
+    loading = report(data / "fig1/loading.json")
+    events = report(data / "events.json")["events"]
+    front = report(data / "fig1/event-front.json")
+    blocks = Blocks(data / "fig1/event-record.h5")
+    write_tables(results, loading, events, blocks, front)
+    write_claims(data / "fig1/claims-curves.json", [claim_1D(events), claim_1E(blocks, front)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

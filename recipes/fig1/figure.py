@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Figure 1 D-G from its tables: figure.py results/fig1"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from common.plotting import BLACK, BLUE, DOUBLE, GREEN, ORANGE, VERMILION, figure, letter, save
+from common.tables import read_table
+
+MU_S, MU_D = 0.4, 0.17
+SHOWN = (0.1e-3, 1.5)  # speeds drawn in G [m/s]
+
+
+def draw_loading(axes, loading, events):
+    axes.plot(loading["time [s]"], loading["F_T/F_N"], color=BLACK, linewidth=0.8)
+    peak = np.interp(events["t_start [s]"], loading["time [s]"], loading["F_T/F_N"])
+    spans = events["spanning"] == "True"
+    for chosen, colour, marker, label in (
+        (~spans, BLUE, "o", "arrested event"),
+        (spans, VERMILION, "v", "spans the interface"),
+    ):
+        axes.plot(
+            events["t_start [s]"][chosen],
+            peak[chosen] + 0.012,
+            marker,
+            color=colour,
+            markersize=3,
+            label=label,
+        )
+    axes.set(xlabel="$t$ [s]", ylabel="$F_T/F_N$", xlim=(0, 1.2), ylim=(0, 0.25))
+    axes.legend(loc="lower right")
+
+
+def draw_block(axes, block):
+    time = block["time since the rupture [s]"] * 1e3
+    axes.plot(time, block["tau/p"], color=BLUE)
+    axes.axvline(0, color=BLACK, linestyle=":", linewidth=0.8)
+    axes.annotate("rupture", (0, 0.27), xytext=(4, 0), textcoords="offset points")
+    axes.set(xlabel="time after the block's rupture [ms]", ylabel=r"$\tau/p$ at $x = 0.5\,L$")
+    axes.set(xlim=(time[0], time[-1]), ylim=(0.1, 0.285))
+
+
+def draw_junction(axes, junction):
+    u = junction["displacement [m]"] * 1e6
+    axes.plot(u, junction["f_T/f_N"], color=GREEN)
+    for level, name in ((MU_S, r"$\mu_s$"), (MU_D, r"$\mu_d$")):
+        axes.axhline(level, color=BLACK, linestyle=":", linewidth=0.8)
+        axes.annotate(name, (u[-1], level), xytext=(3, -3), textcoords="offset points")
+    axes.set(xlabel="displacement of the block [µm]", ylabel="$f_T/f_N$")
+    axes.set(xlim=(0, u[-1]), ylim=(-0.02, 0.45))
+
+
+def draw_speeds(axes, steady):
+    v = steady["v [m/s]"]
+    shown = (v > 0.9 * SHOWN[0]) & (v < SHOWN[1])
+    axes.plot(v[shown], steady["renewal theory"][shown], color=BLACK, linewidth=0.8, label="theory")
+    axes.plot(v[shown], steady["tau/p"][shown], "o", color=ORANGE, label="measured")
+    for level, name in ((MU_S / 2, r"$\mu_s/2$"), (MU_D, r"$\mu_d$")):
+        axes.axhline(level, color=BLACK, linestyle=":", linewidth=0.8)
+        axes.annotate(name, (0.4, level), xytext=(0, -9), textcoords="offset points")
+    axes.set(xscale="log", xlabel="sliding speed [m/s]", ylabel=r"$\tau/p$", ylim=(0.163, 0.203))
+    axes.legend(loc="center right")
+
+
+def main(results):
+    results = Path(results)
+    table = {
+        name: read_table(results / f"{name}.csv")
+        for name in ("loading", "events", "block", "junction", "steady-state")
+    }
+    fig, axes = figure(DOUBLE, 0.62 * DOUBLE, nrows=2, ncols=2)
+    draw_loading(axes[0, 0], table["loading"], table["events"])
+    draw_block(axes[0, 1], table["block"])
+    draw_junction(axes[1, 0], table["junction"])
+    draw_speeds(axes[1, 1], table["steady-state"])
+    for axis, text in zip(axes.flat, "DEFG"):
+        letter(axis, text)
+    save(fig, results / "fig1")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

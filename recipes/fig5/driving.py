@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Figure 5 A, its data and its claim: driving.py results/data results/fig5 CLAIMS.json"""
+
+import csv
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from common.claims import write_claims
+from common.event_claims import claim_5A, stop_time
+from common.panels import draw_pinned_scale
+from common.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
+from common.records import Pinned, report, values
+
+EVENT = "fast-slow-fast"
+MARGIN = 0.5  # shown before the first and after the last rupture [ms]
+STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured
+
+
+def loading_curve(path):
+    """Time [s] and F_T / F_N."""
+    with h5py.File(path) as file:
+        load = file["series/F_T"][()] / file["parameters/slider/F_N"][()]
+        return file["series/time"][()], load
+
+
+def draw_loading(axes, data, t_zero, t_stop):
+    time, load = loading_curve(data / f"{EVENT}-record.h5")
+    axes.plot((time - t_zero) * 1e3, load, color="0.6", linewidth=2.5, label="driven")
+    time, load = loading_curve(data / f"{EVENT}/undriven-record.h5")
+    axes.plot((time - t_zero) * 1e3, load, color=BLUE, label="driving stopped")
+    axes.axvline((t_stop - t_zero) * 1e3, color=VERMILION, linestyle=":", linewidth=0.9)
+    axes.set(xlabel="time [ms]", ylabel="$F_T/F_N$")
+    axes.legend(loc="upper right")
+
+
+def draw_map(axes, pinned, t_zero, colours, shown):
+    return axes.pcolormesh(
+        pinned.x_over_L,
+        (pinned.time - t_zero) * 1e3,
+        np.where(shown, pinned.fraction, np.nan),
+        cmap=colours,
+        vmin=0,
+        vmax=1,
+        shading="nearest",
+        rasterized=True,
+    )
+
+
+def draw_lines(axes, fronts, t_zero, t_stop):
+    """When the blocks rupture; those that had ruptured when the driving stopped only once."""
+    driven, undriven = (values(front["t_rupture"]) for front in fronts)
+    x = np.array(fronts[0]["x"]) / fronts[0]["L"]
+    axes.plot(x, (driven - t_zero) * 1e3, color=BLACK, linewidth=2, label="driven")
+    later = np.where(driven > t_stop, undriven, np.nan)
+    axes.plot(x, (later - t_zero) * 1e3, "--", color=VERMILION, label="driving stopped")
+    axes.legend(loc="lower right")
+
+
+def draw(data, fronts, t_stop, stem):
+    t_zero = np.nanmin(values(fronts[0]["t_rupture"]))
+    last = (np.nanmax(values(fronts[0]["t_rupture"])) - t_zero) * 1e3
+    fig, axes = figure(0.8 * DOUBLE, 0.36 * DOUBLE, ncols=2)
+    draw_loading(axes[0], data, t_zero, t_stop)
+    driven, undriven = (Pinned(data / f"{run}-record.h5") for run in (EVENT, f"{EVENT}/undriven"))
+    draw_map(axes[1], driven, t_zero, "gray", True)
+    image = draw_map(axes[1], undriven, t_zero, MAP, undriven.fraction < STILL)
+    draw_lines(axes[1], fronts, t_zero, t_stop)
+    axes[1].axhline((t_stop - t_zero) * 1e3, color=VERMILION, linestyle=":", linewidth=0.9)
+    axes[1].set(xlabel="$x/L$", ylabel="time [ms]", xlim=(0, 1), ylim=(-MARGIN, last + MARGIN))
+    draw_pinned_scale(fig, image, axes[1])
+    save(fig, stem)
+
+
+def write_table(path, fronts):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"])
+        for row in zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts)):
+            table.writerow(row)
+
+
+def main(data, results, claims):
+    data, results = Path(data), Path(results)
+    fronts = [report(data / f"{run}-front.json") for run in (EVENT, f"{EVENT}/undriven")]
+    t_stop = stop_time(data, EVENT)
+    draw(data, fronts, t_stop, results / "fig5A")
+    write_table(results / "rupture-lines.csv", fronts)
+    write_claims(claims, [claim_5A(*fronts, t_stop)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+"""Figure 5 B, its data and its claim: quasistatic.py results/data/fig5 results/fig5"""
+
+import csv
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+from quasistatic_stretch import read_ruptures
+
+from common.claims import Claim, verdict, write_claims
+from common.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
+from common.records import Pinned, report
+
+STOPPED_FOR = 20e-3  # [s]
+MIDDLE = 4  # of the branches
+SLIPPING = 0.05  # part of a block's junctions from which a stopped run is shown
+SHOWN_BEFORE, SHOWN_AFTER = 10e-3, 5e-3  # the dynamic events on either side [s]
+FASTEST = 1 / 1000  # of c_s
+FURTHEST = 2  # blocks
+
+
+def shear_wave_speed(path):
+    """c_s = sqrt(G / rho), with Poisson ratio 1/3."""
+    with h5py.File(path) as file:
+        p = {name: file[f"parameters/slider/{name}"][()] for name in "LHBME"}
+    return np.sqrt(p["E"] / (2 * (1 + 1 / 3)) / (p["M"] / (p["L"] * p["H"] * p["B"])))
+
+
+def furthest(ruptures, from_t, to_t):
+    """Furthest block that ruptures in a stretch of time; -1 if there is none."""
+    time, block, _ = ruptures
+    return max(block[(time > from_t) & (time <= to_t)], default=-1)
+
+
+def advances(load, stopped, interval_from, t_branch):
+    """Blocks by which the tip advances after a branch, with the driving and without it."""
+    until = t_branch + STOPPED_FOR
+    tip = furthest(load, interval_from, t_branch)
+    driven = max(furthest(load, t_branch, until) - tip, 0)
+    return {
+        "t": t_branch,
+        "tip": int(tip),
+        "driven": int(driven),
+        "stopped": int(max(furthest(stopped, t_branch, until) - tip, 0)),
+    }
+
+
+def loading(path):
+    """Time [s] and F_T / F_N."""
+    with h5py.File(path) as file:
+        return file["series/time"][()], file["series/F_T"][()] / file["parameters/slider/F_N"][()]
+
+
+def draw_loading(axes, load, stopped, window):
+    axes.plot(*loading(load), color="0.55", label="driven at $h = 0$")
+    axes.plot(*loading(stopped), color=VERMILION, label="driving stopped")
+    axes.axvspan(*window, color="0.93", linewidth=0)
+    axes.set(xlabel="time [s]", ylabel="$F_T/F_N$", xlim=(0, None), ylim=(0, None))
+    axes.legend(loc="lower right")
+
+
+def draw_image(axes, pinned, values, window, colours):
+    shown = (pinned.time >= window[0]) & (pinned.time <= window[1])
+    return axes.pcolormesh(
+        pinned.x_over_L,
+        pinned.time[shown],
+        values[shown],
+        cmap=colours,
+        vmin=0,
+        vmax=1,
+        shading="nearest",
+        rasterized=True,
+    )
+
+
+def draw_maps(fig, axes, load, stopped, window, t_branch):
+    pinned, after = Pinned(load), Pinned(stopped)
+    grey = draw_image(axes, pinned, pinned.fraction, window, "gray")
+    slipping = np.ma.masked_where(after.fraction > 1 - SLIPPING, after.fraction)
+    colour = draw_image(axes, after, slipping, window, MAP)
+    axes.axhline(t_branch, color=VERMILION, linewidth=0.8)
+    above = {"xytext": (0, 2), "textcoords": "offset points", "ha": "right"}
+    axes.annotate("$V = 0$", (0.99, t_branch), color=VERMILION, **above)
+    axes.set(xlabel="$x/L$", ylabel="time [s]", xlim=(0, 1), ylim=window)
+    fig.colorbar(colour, ax=axes, label="pinned junctions ($V = 0$)", aspect=30)
+    fig.colorbar(grey, ax=axes, label="pinned junctions (driven)", aspect=30)
+
+
+def draw_tip(axes, stretch, L):
+    time, tip = np.array(stretch["tip"]).T
+    axes.step(tip / L, time, where="pre", color=BLUE, linewidth=1, label="tip of the front")
+    axes.legend(loc="lower right", bbox_to_anchor=(1, 0.1))
+
+
+def draw(data, stretch, L, stem):
+    load = data / "quasistatic-load-record.h5"
+    stopped = data / f"quasistatic-stopped-{MIDDLE}-record.h5"
+    first, second = stretch["dynamic_events"][:2]
+    window = (first - SHOWN_BEFORE, second + SHOWN_AFTER)
+    fig, axes = figure(DOUBLE, 0.42 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
+    draw_loading(axes[0], load, stopped, window)
+    draw_maps(fig, axes[1], load, stopped, window, float(stretch["branches"][MIDDLE]))
+    draw_tip(axes[1], stretch, L)
+    letter(axes[0], "B")
+    save(fig, stem)
+
+
+def write_rows(path, heads, rows):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file).writerows([heads, *rows])
+
+
+def claim_5B(stretch, c_s, branches):
+    speed, middle = stretch["speed"], branches[MIDDLE]
+    start, end = stretch["tip"][0], stretch["tip"][-1]
+    return Claim(
+        id="5B",
+        paper="driven at h = 0: fronts over the inter-event time, which stop with the driving",
+        measured={
+            "mean speed [m/s]": speed,
+            "c_s/speed": c_s / speed,
+            "from [s]": start[0],
+            "to [s]": end[0],
+            "tip from [mm]": start[1] * 1e3,
+            "tip to [mm]": end[1] * 1e3,
+            "V = 0 from [s]": middle["t"],
+            "blocks in 20 ms, V = 0": middle["stopped"],
+            "blocks in 20 ms, driven": middle["driven"],
+            "all branches, V = 0": [branch["stopped"] for branch in branches],
+            "all branches, driven": [branch["driven"] for branch in branches],
+        },
+        acceptance="mean speed of the quasi-static stretch <= c_s/1000; with V = 0 the tip advances"
+        " <= 2 blocks in 20 ms",
+        verdict=verdict(speed <= FASTEST * c_s and middle["stopped"] <= FURTHEST),
+        note="The stretch lies between the first two dynamic events (more than half of the blocks"
+        " within 1 ms) and ends 10 ms before the second; the verdict is that of the branch in the"
+        " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the"
+        " checkpoints: in the last one the second event has begun to nucleate. The front creeps in"
+        " bursts of some ms; branched off within one (0.5965 s), it went on by 4 blocks in 3 ms"
+        " before it stopped.",
+    )
+
+
+def main(data, results):
+    data, results = Path(data), Path(results)
+    stretch = report(data / "quasistatic-stretch.json")
+    record = data / "quasistatic-load-record.h5"
+    load = read_ruptures(record)
+    branches = [
+        advances(
+            load,
+            read_ruptures(data / f"quasistatic-stopped-{n}-record.h5"),
+            stretch["interval_from"],
+            float(t_branch),
+        )
+        for n, t_branch in enumerate(stretch["branches"])
+    ]
+    draw(data, stretch, load[2][-1], results / "fig5B")
+    write_rows(results / "quasistatic-tip.csv", ["time [s]", "tip [m]"], stretch["tip"])
+    write_rows(
+        results / "quasistatic-branches.csv",
+        ["V = 0 from [s]", "tip [block]", "advance driven [blocks]", "advance with V = 0 [blocks]"],
+        [branch.values() for branch in branches],
+    )
+    c_s = shear_wave_speed(record)
+    write_claims(data / "claims-quasistatic.json", [claim_5B(stretch, c_s, branches)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

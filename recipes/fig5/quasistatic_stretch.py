@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Finds a quasi-static front: quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
+
+Dynamic events are times at which more than half of the blocks rupture within 1 ms. Between the
+first two of them, the tip is the furthest block that has ruptured since the earlier one. The
+stretch begins with the first rupture and ends 10 ms (5 t_R) before the later event, so that what
+nucleates that event is not counted. Prints when the tip was where, and the checkpoints nearest to
+each tenth of the stretch, where a run with the driving stopped can branch off.
+"""
+
+import json
+import sys
+
+import h5py
+import numpy as np
+
+WINDOW = 1e-3  # [s]
+BEFORE_EVENT = 10e-3  # [s]
+TENTHS = range(1, 10)
+
+
+def read_ruptures(path):
+    """Time [s] and block of each rupture, and the positions of the blocks [m]."""
+    with h5py.File(path) as file:
+        time, block = (file[f"ruptures/{name}"][()] for name in ("time", "block"))
+        x = np.linspace(0, file["parameters/slider/L"][()], file["parameters/slider/Nx"][()])
+    return time, block, x
+
+
+def dynamic_events(time, block, blocks):
+    """[start, end] of each dynamic event [s]."""
+    events = []
+    for start in time:
+        within = (time >= start) & (time <= start + WINDOW)
+        if len(np.unique(block[within])) <= blocks / 2:
+            continue
+        end = time[within][-1]
+        if events and start <= events[-1][1]:
+            events[-1][1] = end
+        else:
+            events.append([start, end])
+    return events
+
+
+def tip_advances(time, block, from_t, to_t):
+    """Times at which the tip advances after from_t, and the blocks that it then reaches."""
+    within = (time > from_t) & (time < to_t)
+    time, tip = time[within], np.maximum.accumulate(block[within])
+    first = np.diff(tip, prepend=-1) > 0
+    return time[first], tip[first]
+
+
+def branch_times(start, end, checkpoint_every):
+    tenths = [start + tenth / 10 * (end - start) for tenth in TENTHS]
+    return [f"{round(t / checkpoint_every) * checkpoint_every:.9f}" for t in tenths]
+
+
+def main(path, checkpoint_every):
+    time, block, x = read_ruptures(path)
+    events = dynamic_events(time, block, len(x))
+    if len(events) < 2:
+        sys.exit("this load has fewer than two dynamic events: load for longer")
+    (_, from_t), (next_event, _) = events[:2]
+    t, tip = tip_advances(time, block, from_t, next_event - BEFORE_EVENT)
+    stretch = {
+        "dynamic_events": [start for start, _ in events],
+        "interval_from": from_t,
+        "tip": [[when, x[b]] for when, b in zip(t, tip)],
+        "speed": (x[tip[-1]] - x[tip[0]]) / (t[-1] - t[0]),
+        "branches": branch_times(t[0], t[-1], float(checkpoint_every)),
+    }
+    print(json.dumps(stretch, indent=2))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""Figure S2, its data and its claim: figure.py results/data/figS2 results/figS2"""
+
+import csv
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from common.claims import Claim, verdict, write_claims
+from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from common.records import report, values
+
+LOADING_ZONE = 0.02  # [m]
+MARGIN = 0.5  # shown before the first and after the last rupture [ms]
+SPEEDS = {"event": (BLUE, "o", "slow slip"), "no-slow-slip-0": (VERMILION, "^", "no slow slip")}
+
+
+def has_fast_to_slow(front):
+    """Whether the front becomes slow anywhere beyond the loading zone."""
+    return front["slow"] is not None
+
+
+def friction_ratio(path):
+    """Time [s] and tau / p [samples][blocks]; NaN where there is no contact."""
+    with h5py.File(path) as file:
+        time, tau, p = (file[f"series/{name}"][()] for name in ("time", "tau", "p"))
+    return time, np.divide(tau, p, out=np.full_like(tau, np.nan), where=p > 0)
+
+
+def draw_map(axes, record, front, t_zero, window):
+    time, ratio = friction_ratio(record)
+    time = (time - t_zero) * 1e3
+    shown = (time >= window[0]) & (time <= window[1])
+    x = np.array(front["x"]) / front["L"]
+    image = axes.pcolormesh(
+        x, time[shown], ratio[shown], vmin=-0.1, vmax=0.4, shading="nearest", rasterized=True
+    )
+    line = (values(front["t_rupture"]) - t_zero) * 1e3
+    axes.plot(x, line, color="white", linewidth=1)
+    axes.set(xlabel="$x/L$", ylabel="time [ms]", xlim=(0, 1), ylim=window)
+    return image
+
+
+def draw_speeds(axes, fronts):
+    for name, (colour, marker, label) in SPEEDS.items():
+        front = fronts[name]
+        v_c, x = values(front["v_c"]), np.array(front["x"]) / front["L"]
+        forwards = v_c > 0
+        axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
+    front = fronts["event"]
+    axes.axhline(front["c_s"], color=BLACK, linewidth=0.8)
+    axes.annotate("$c_s$", (0.9, front["c_s"]), xytext=(0, 2), textcoords="offset points")
+    axes.axvspan(0, LOADING_ZONE / front["L"], color="0.9", linewidth=0)
+    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log")
+    axes.set(xlim=(0, 1), ylim=(1, None))
+    axes.legend(loc="lower left", bbox_to_anchor=(0.12, 0))
+
+
+def draw(data, fronts, stem):
+    ruptures = values(fronts["event"]["t_rupture"])
+    t_zero, last = np.nanmin(ruptures), np.nanmax(ruptures)
+    window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
+    fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=3)
+    for axis, name in zip(axes[::2], SPEEDS):
+        image = draw_map(axis, data / f"{name}-record.h5", fronts[name], t_zero, window)
+        axis.set_title(SPEEDS[name][2])
+    draw_speeds(axes[1], fronts)
+    fig.colorbar(image, ax=axes[2], label=r"friction to normal force $\tau/p$", aspect=30)
+    for axis, text in zip(axes, "ABC"):
+        letter(axis, text)
+    save(fig, stem)
+
+
+def write_speeds(path, fronts):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["run", "x [m]", "t_rupture [s]", "v_c [m/s]"])
+        for name, front in fronts.items():
+            for row in zip(front["x"], front["t_rupture"], front["v_c"]):
+                table.writerow([name, *row])
+
+
+def write_events(path, events, without):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(
+            ["t_start [s]", "slow from [m]", "fast before [m/s]", "slow speed [m/s]"]
+            + ["duration [s]", "without slow slip", "arrest without slow slip [m]"]
+        )
+        for event, front in zip(events, without):
+            slow = event["slow"]
+            measured = [slow[key] for key in ("x_from", "fast_before", "speed", "duration")]
+            table.writerow([event["event"], *measured, front["type"], front["x_arrest"]])
+
+
+def claim_S2(choice, event, without):
+    """`without` holds the front without slow slip of each fast-slow event; `event` is the first."""
+    slow, front = event["slow"], without[0]
+    lost = sum(not has_fast_to_slow(f) for f in without)
+    return Claim(
+        id="S2",
+        paper="simplified law, v_slow = 1.5 mm/s: a fast-slow event; none when slow slip is off",
+        measured={
+            "first fast-slow event at [s]": choice["events"][0]["event"],
+            "fast [m/s]": slow["fast_before"],
+            "slow [m/s]": slow["speed"],
+            "for [ms]": slow["duration"] * 1e3,
+            "transition [L]": slow["x_from"] / event["L"],
+            "without slow slip": front["type"],
+            "arrest [L]": front["x_arrest"] and front["x_arrest"] / front["L"],
+            "fast-slow events of the load": len(without),
+            "of them without a slow stretch when slow slip is off": lost,
+        },
+        acceptance="a fast-to-slow transition present / absent",
+        verdict=verdict(has_fast_to_slow(event) and not has_fast_to_slow(front)),
+        note="Present: the front crosses the interface and runs at least 10 times as fast between"
+        " the loading zone (x = 2 cm) and its slow stretch as within it. Absent: restarted with"
+        " v_slow = 0 from 0.5 ms before its first rupture, it has no stencil below c_s/20 beyond"
+        " the loading zone. The verdict is that of the first event.",
+    )
+
+
+def main(data, results):
+    data, results = Path(data), Path(results)
+    choice = report(data / "choice.json")
+    event = report(data / "event-front.json")
+    without = [
+        report(data / f"no-slow-slip-{n}-front.json") for n in range(len(choice["events"]))
+    ]
+    fronts = {"event": event, "no-slow-slip-0": without[0]}
+    draw(data, fronts, results / "figS2")
+    write_speeds(results / "front-speed.csv", fronts)
+    write_events(results / "events.csv", choice["events"], without)
+    write_claims(results / "claims.json", [claim_S2(choice, event, without)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

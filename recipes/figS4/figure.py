@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""Figure S4, its data and its claim: figure.py results/data results/figS4"""
+
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+from scipy import stats
+
+from common.claims import Claim, verdict, write_claims
+from common.event_claims import ROUNDING, largest_change_of_mean
+from common.junctions import Junctions
+from common.panels import draw_pinned, draw_pinned_scale
+from common.plotting import DOUBLE, VERMILION, figure, letter, save
+from common.records import Pinned, report, values
+
+EVENT = "fast-slow-fast"
+STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows
+TITLES = ("as it is", r"wider $\varphi$ beyond $0.25\,L$")
+REGION = 0.25  # phi was changed from here on, this block included [L]
+MARGIN = 0.5  # shown before the first and after the last rupture [ms]
+BINS = 30
+
+
+def wide_uniform(junctions, block):
+    """Centre and half-width of the widest uniform phi that keeps the mean of the block's pinned
+    junctions."""
+    mean = junctions.pinned(block).mean()
+    return mean, junctions.f_thres[block] - abs(mean)
+
+
+def kolmogorov_smirnov(junctions, block):
+    mean, half_width = wide_uniform(junctions, block)
+    uniform = stats.uniform(mean - half_width, 2 * half_width)
+    return stats.kstest(junctions.pinned(block), uniform.cdf).pvalue
+
+
+def distance_from_quantiles(junctions, block):
+    """Largest distance of a force from its exact quantile (j + 1/2)/n, over f_thres."""
+    mean, half_width = wide_uniform(junctions, block)
+    forces = junctions.pinned(block)
+    quantiles = (2 * np.arange(len(forces)) + 1) / len(forces) - 1
+    return np.max(np.abs(forces - mean - half_width * quantiles)) / junctions.f_thres[block]
+
+
+def force_edges(junctions):
+    """Edges of the bins, the same for both states [N]."""
+    lowest = min(state.force.min() for state in junctions)
+    return np.linspace(lowest, max(state.f_thres.max() for state in junctions), BINS + 1)
+
+
+def draw_phi(axes, junctions, edges):
+    """Histogram of the pinned junctions' forces per block. Returns the image."""
+    blocks = range(len(junctions.f_thres))
+    counts = np.array([np.histogram(junctions.pinned(block), edges)[0] for block in blocks]).T
+    image = axes.pcolormesh(
+        block_edges(junctions), edges, counts / counts.sum(axis=0), cmap="cividis", vmin=0, vmax=0.2
+    )
+    image.set_rasterized(True)
+    axes.stairs(junctions.f_thres, block_edges(junctions), baseline=None, color="white")
+    axes.axhline(0, color="white", linewidth=0.9)
+    axes.set(ylim=(edges[0], edges[-1]))
+    return image
+
+
+def draw_slipping(axes, junctions):
+    share = junctions.slipping.mean(axis=1)
+    axes.stairs(share, block_edges(junctions), color=VERMILION, fill=True)
+    axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, 1))
+
+
+def block_edges(junctions):
+    x = junctions.x_over_L
+    half = (x[1] - x[0]) / 2
+    return np.append(x - half, x[-1] + half)
+
+
+def draw(data, junctions, fronts, stem):
+    fig, axes = figure(
+        0.75 * DOUBLE,
+        0.66 * DOUBLE,
+        nrows=3,
+        ncols=2,
+        sharex=True,
+        sharey="row",
+        gridspec_kw={"height_ratios": (5, 5, 1)},
+    )
+    t_zero = min(np.nanmin(values(front["t_rupture"])) for front in fronts)
+    last = max(np.nanmax(values(front["t_rupture"])) for front in fronts)
+    window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
+    for column, (run, title) in enumerate(zip(STATES.values(), TITLES)):
+        pinned = draw_pinned(axes[0, column], Pinned(data / f"{run}-record.h5"), t_zero, window)
+        shares = draw_phi(axes[1, column], junctions[column], force_edges(junctions))
+        draw_slipping(axes[2, column], junctions[column])
+        axes[0, column].set(title=title, xlabel="")
+        letter(axes[0, column], "AB"[column])
+    axes[0, 1].set_ylabel("")
+    axes[1, 0].set_ylabel("force in a junction [N]")
+    axes[2, 0].set_ylabel("slipping")
+    draw_pinned_scale(fig, pinned, axes[0])
+    fig.colorbar(shares, ax=axes[1], label="share of the pinned junctions", aspect=30, extend="max")
+    save(fig, stem)
+
+
+def write_table(path, junctions, phis):
+    names = ["mean before [N]", "mean after [N]", "sigma before [N]", "sigma after [N]"]
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["x [m]", "f_thres [N]", "slipping", *names])
+        before, after = phis
+        for row in zip(
+            before["x"],
+            junctions[0].f_thres,
+            before["slipping"],
+            before["mean"],
+            after["mean"],
+            before["sigma"],
+            after["sigma"],
+        ):
+            table.writerow(row)
+
+
+def claim_S4(wider, phis):
+    changed = np.flatnonzero(wider.x_over_L > REGION - 1e-9)
+    change = largest_change_of_mean(*phis)
+    p_values = [kolmogorov_smirnov(wider, block) for block in changed]
+    return Claim(
+        id="S4",
+        paper="phi uniform and wider beyond 0.25 L, with the same mean on each block",
+        measured={
+            "largest relative change of a block's mean": change,
+            "changed blocks": len(changed),
+            "smallest Kolmogorov-Smirnov p": min(p_values),
+            "largest distance from exact quantiles [f_thres]": max(
+                distance_from_quantiles(wider, block) for block in changed
+            ),
+        },
+        acceptance="block means equal; new phi uniform (Kolmogorov-Smirnov p > 0.01 or exact quantiles)",
+        verdict=verdict(change <= ROUNDING and min(p_values) > 0.01),
+        note="Means over all junctions of a block; the slipping ones keep their force, the others"
+        " get the quantiles of the widest uniform distribution that f_thres allows.",
+    )
+
+
+def main(data, results):
+    data, results = Path(data), Path(results)
+    phis = [report(data / f"{state}-phi.json") for state in STATES]
+    junctions = [Junctions(data / f"{state}.h5", phi) for state, phi in zip(STATES, phis)]
+    fronts = [report(data / f"{run}-front.json") for run in STATES.values()]
+    draw(data, junctions, fronts, results / "figS4")
+    write_table(results / "phi.csv", junctions, phis)
+    write_claims(results / "claims.json", [claim_S4(junctions[1], phis)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Figure S5, its data and its claim: figure.py uniform.jsonl bell.jsonl results/figS5"""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+from quadrature import SHAPES, largest_mean_force, mean_force, sigma_of_unit_width, uniform_closed_form
+
+from common.claims import Claim, verdict, write_claims
+from common.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, figure, letter, save
+from common.tables import write_table
+
+CLOSE = 1e-6
+MU_S, MU_D = 0.4, 0.17  # reference parameters, as the tool's defaults
+DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
+MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average
+LINES = {"uniform": "-", "bell": "--"}
+
+
+class Strength:
+    """What the tool says of one shape, beside the formula or quadrature."""
+
+    def __init__(self, path):
+        reports = [json.loads(line) for line in Path(path).read_text(encoding="utf-8").splitlines()]
+        self.shape = reports[0]["shape"]
+        self.sigma_bar = np.array([r["sigma_bar"] for r in reports])
+        self.mu_bar = np.array([r["mu_bar_eff"] for r in reports])
+        self.mu = np.array([r["mu_eff"] for r in reports])
+        self.quadrature = np.array([largest_mean_force(self.shape, s) for s in self.sigma_bar])
+
+
+def curve(shape, sigma_bar):
+    """tau/p against the displacement of the block, in units of f_slip/k_ij."""
+    a = sigma_bar / sigma_of_unit_width(shape)
+    stretch = np.linspace(0, 1 + a, 400)  # of g; the last junction breaks at 1 + a
+    ratio = [MU_D + (MU_S - MU_D) * mean_force(shape, a, MEAN, d) for d in stretch]
+    return stretch * (MU_S - MU_D) / MU_D, np.array(ratio)
+
+
+def draw_distributions(axes):
+    for sigma_bar, colour in DRAWN.items():
+        for shape, line in LINES.items():
+            a = sigma_bar / sigma_of_unit_width(shape)
+            xi = np.linspace(-1.01 * a, 1.01 * a, 801)
+            f = MU_D + (MU_S - MU_D) * (MEAN + xi)
+            axes.plot(f, SHAPES[shape](xi, a) / (MU_S - MU_D), line, color=colour)
+    axes.set(xlabel="$f_T/f_N$", ylabel=r"$\phi$", ylim=(0, None))
+
+
+def draw_curves(axes, curves):
+    for (shape, sigma_bar), (d, ratio) in curves.items():
+        best = np.argmax(ratio)
+        axes.plot(d, ratio, LINES[shape], color=DRAWN[sigma_bar])
+        axes.plot(d[best], ratio[best], "os"[shape == "bell"], color=DRAWN[sigma_bar])
+    axes.set(xlabel=r"displacement $[f_\mathrm{slip}/k_{ij}]$", ylabel=r"$\tau/p$", xlim=(0, None))
+
+
+def draw_strength(axes, strengths):
+    for strength in strengths:
+        line = LINES[strength.shape]
+        axes.plot(strength.sigma_bar, strength.mu, line, color=BLACK, label=strength.shape)
+        for sigma_bar, colour in DRAWN.items():
+            n = np.argmin(np.abs(strength.sigma_bar - sigma_bar))
+            axes.plot(sigma_bar, strength.mu[n], "os"[strength.shape == "bell"], color=colour)
+    axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\mu_s^\mathrm{eff}$", xlim=(0, 1.2), ylim=(MU_D, MU_S))
+    axes.legend(loc="upper right")
+
+
+def draw(curves, strengths, stem):
+    fig, axes = figure(DOUBLE, 0.34 * DOUBLE, ncols=3)
+    draw_distributions(axes[0])
+    draw_curves(axes[1], curves)
+    draw_strength(axes[2], strengths)
+    for axis, text in zip(axes, "ABC"):
+        letter(axis, text)
+    save(fig, stem)
+
+
+def claim_S5(uniform, bell):
+    closed = np.array([uniform_closed_form(s) for s in uniform.sigma_bar])
+    off = {
+        "uniform - closed form": np.abs(uniform.mu_bar - closed).max(),
+        "uniform - quadrature": np.abs(uniform.mu_bar - uniform.quadrature).max(),
+        "bell - quadrature": np.abs(bell.mu_bar - bell.quadrature).max(),
+    }
+    falls = bool(np.all(np.diff(uniform.mu_bar) < 0) and np.all(np.diff(bell.mu_bar) < 0))
+    at = {f"{s.shape} at 0.1, 0.3, 1.0": s.mu_bar[[5, 15, 50]] for s in (uniform, bell)}
+    return Claim(
+        id="S5",
+        paper="mu_s^eff falls with sigma for uniform and bell phi",
+        measured={
+            "widths": len(uniform.sigma_bar),
+            "from, to sigma-bar": [uniform.sigma_bar[0], uniform.sigma_bar[-1]],
+            "falls from each to the next": "yes" if falls else "no",
+            **{f"mu-bar, largest |{name}|": value for name, value in off.items()},
+            **{f"mu-bar {name}": list(values) for name, values in at.items()},
+        },
+        acceptance="against a closed form where one exists and quadrature elsewhere, to 1e-6",
+        verdict=verdict(falls and max(off.values()) <= CLOSE),
+        note="Formula and quadrature are those of recipes/figS5/quadrature.py, made from the"
+        " definition of tau_max and independent of the tool.",
+    )
+
+
+def write_tables(results, curves, strengths):
+    write_table(
+        results / "strength.csv",
+        ["shape", "sigma-bar", "mu-bar", "mu_eff", "mu-bar by quadrature"],
+        (
+            (s.shape, *row)
+            for s in strengths
+            for row in zip(s.sigma_bar, s.mu_bar, s.mu, s.quadrature)
+        ),
+    )
+    write_table(
+        results / "displacement.csv",
+        ["shape", "sigma-bar", "displacement [f_slip/k_ij]", "tau/p"],
+        ((*name, *row) for name, points in curves.items() for row in zip(*points)),
+    )
+
+
+def main(uniform, bell, results):
+    results = Path(results)
+    strengths = [Strength(uniform), Strength(bell)]
+    curves = {(shape, sigma): curve(shape, sigma) for shape in LINES for sigma in DRAWN}
+    draw(curves, strengths, results / "figS5")
+    write_tables(results, curves, strengths)
+    write_claims(results / "claims.json", [claim_S5(*strengths)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

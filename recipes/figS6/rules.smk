@@ -1,0 +1,24 @@
+# Figure S6: the decaying law. One file per part; each adds its claims to FIGS6_PARTS.
+FIGS6_LAW = (
+    "--set junctions.law=decaying --set junctions.kappa=54.1e9"
+    " --set junctions.mu_d=0.28 --set junctions.mu_new=0.196"
+)
+FIGS6_PARTS = []
+
+
+include: "event.smk"
+
+
+rule figS6:
+    input:
+        parts=lambda wildcards: FIGS6_PARTS,
+        script="recipes/common/merge_claims.py",
+        common=COMMON,
+    output:
+        f"{RESULTS}/figS6/claims.json",
+    log:
+        f"{LOGS}/figS6.log",
+    message:
+        "figS6: join the claims of its parts"
+    shell:
+        "{PYTHON} {input.script} {input.parts} {output} 2> {log}"
