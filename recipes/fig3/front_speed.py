@@ -120,6 +120,13 @@ def write_table(path, rows):
             table.writerow(row | {"scaled slow slip [m/s]": scaled})
 
 
+def fit_with_other_widths(rows, phi):
+    """The full model's fit if the points at other widths of phi count, too."""
+    parts = [chosen(rows, "full", MARKERS), [row for row in phi if float(row["sigma-bar"]) != 0.1]]
+    x = np.concatenate([scale(part) * slip(part) for part in parts])
+    return fit_through_origin(x, np.concatenate([front(part) for part in parts]))
+
+
 def threshold(rows):
     return np.ones(len(rows))
 
@@ -155,6 +162,7 @@ def claim(rows, fits, phi):
             "points": [full.points, simplified.points],
             "R^2, both on one line": fit(rows).r_squared,
             "R^2, both, unscaled": fit_through_origin(slip(rows), front(rows)).r_squared,
+            "R^2, full, with other widths of phi too": fit_with_other_widths(rows, phi).r_squared,
             "slopes from blocks followed for <t_R>": [whole[m].slope for m in fits],
             "their R^2": [whole[m].r_squared for m in fits],
         },
