@@ -9,9 +9,16 @@ SWEEPS = {
 POINTS = {point.id: point for sweep in SWEEPS.values() for point in sweep.points}
 
 
+def base_of(point):
+    """What the point starts from. One that the recipes make counts by content (Snakefile)."""
+    if point.base.startswith(f"{DATA}/"):
+        return [ancient(point.base), f"{point.base}.sum"]
+    return [point.base] if point.base else []
+
+
 rule point:
     input:
-        base=lambda wildcards: ancient(POINTS[wildcards.id].base) if POINTS[wildcards.id].base else [],
+        base=lambda wildcards: base_of(POINTS[wildcards.id]),
         script="recipes/common/point.py",
     output:
         f"{DATA}/points/{{id}}.json",

@@ -1,4 +1,5 @@
-"""CSV tables with one line of names, as the figures write them and read them again."""
+"""CSV tables with one line of names: those that the figures write and read again, as columns, and
+those of sweeps (collect.py), as rows whose cells may be empty."""
 
 import csv
 from pathlib import Path
@@ -27,3 +28,14 @@ def as_numbers(column):
         return np.array(column, dtype=float)
     except ValueError:
         return np.array(column)
+
+
+def read_rows(path):
+    """Rows by name; all values are texts."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def numbers(rows, column):
+    """One column of such rows; NaN where it is empty."""
+    return np.array([float(row[column]) if row.get(column) else np.nan for row in rows])

@@ -1,9 +1,14 @@
 #include "rupture/analysis/slip.hpp"
 
+#include <algorithm>
+
+#include "rupture/model/derived.hpp"
+
 namespace rupture {
 namespace {
 
 constexpr double kFitFrom = 0.2, kFitTo = 0.8;  // of the slow slip
+constexpr std::size_t kHalfStencil = 2;         // blocks, see front.hpp
 
 /// First sample at or after t; the number of samples if there is none.
 std::size_t index_at(std::span<const double> time, double t) {
@@ -35,6 +40,22 @@ std::optional<std::size_t> arrest(const SlipHistory& h, double t_rupture, double
   return std::nullopt;
 }
 
+/// First and last sample of the part of the slip from sample `first` to the end that is fitted.
+struct FittedPart {
+  std::size_t from, to;
+};
+
+FittedPart fitted_part(const SlipHistory& h, std::size_t first) {
+  const double start = h.u_x[first], slip = h.u_x.back() - start;
+  return {first_reaching(h, first, start + kFitFrom * slip),
+          first_reaching(h, first, start + kFitTo * slip)};
+}
+
+std::optional<LineFit> fit(const SlipHistory& h, const FittedPart& part) {
+  const std::size_t count = part.to - part.from + 1;
+  return fit_line(h.time.subspan(part.from, count), h.u_x.subspan(part.from, count));
+}
+
 }  // namespace
 
 std::optional<SlipMeasure> measure_slip(const SlipHistory& h, double t_rupture,
@@ -46,12 +67,40 @@ std::optional<SlipMeasure> measure_slip(const SlipHistory& h, double t_rupture,
   m.t_arrest = h.time[*stop];
   m.fast_slip = u_arrest - h.u_x.front();
   m.slow_slip = h.u_x.back() - u_arrest;
-  const std::size_t from = first_reaching(h, *stop, u_arrest + kFitFrom * m.slow_slip);
-  const std::size_t to = first_reaching(h, *stop, u_arrest + kFitTo * m.slow_slip);
-  m.t_from = h.time[from];
-  m.t_to = h.time[to];
-  m.slow = fit_line(h.time.subspan(from, to - from + 1), h.u_x.subspan(from, to - from + 1));
+  const FittedPart part = fitted_part(h, *stop);
+  m.t_from = h.time[part.from];
+  m.t_to = h.time[part.to];
+  m.slow = fit(h, part);
   return m;
+}
+
+std::optional<SlowSlipTime> slow_slip_time(const Parameters& p, const Front& front,
+                                           std::size_t block, const SlowSlipCriteria& criteria) {
+  const auto& t_rupture = front.line.t_rupture[block];
+  if (!front.slow || !t_rupture) return std::nullopt;
+  const double t_R = mean_slipping_time(p);
+  SlowSlipTime time{};
+  time.from = std::max(*t_rupture, front.slow->t_from) + p.H / shear_wave_speed(p);
+  time.to = std::min(front.slow->t_to, time.from + criteria.longest * t_R);
+  if (time.to - time.from < criteria.shortest * t_R) return std::nullopt;
+  return time;
+}
+
+std::vector<std::size_t> blocks_well_inside(const Front& front) {
+  std::vector<std::size_t> blocks;
+  if (!front.slow) return blocks;
+  for (std::size_t i = kHalfStencil; i + kHalfStencil < front.line.x.size(); ++i) {
+    const bool begun = front.line.x[i - kHalfStencil] >= front.slow->x_from;
+    if (begun && front.line.x[i + kHalfStencil] <= front.slow->x_to) blocks.push_back(i);
+  }
+  return blocks;
+}
+
+std::optional<LineFit> fit_slow_slip(const SlipHistory& h, const SlowSlipTime& time) {
+  const std::size_t from = index_at(h.time, time.from), end = index_at(h.time, time.to);
+  if (end < from + 3) return std::nullopt;
+  const SlipHistory part = {h.time.subspan(from, end - from), h.u_x.subspan(from, end - from)};
+  return fit(part, fitted_part(part, 0));
 }
 
 }  // namespace rupture

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rupture/forces/reference_law.hpp"
+#include "rupture/forces/simplified_law.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "statics.hpp"
@@ -85,14 +86,15 @@ bool has_tipped_over(const Parameters& p, const State& state) {
   return state.u_z.blocks().abs().maxCoeff() >= block_spacing(p);
 }
 
-/// Attaches the junctions of block i where their forces add up to tau_i and follow phi.
+/// Attaches the junctions of block i where their forces add up to tau_i and follow phi. The single
+/// spring of the simplified law is stretched like each of the N_s junctions that it stands for.
 void attach(const Parameters& p, const Prestress& prestress, double tau_i, Eigen::Index i,
             State& state) {
   const double k_ij = junction_stiffness(p, mean_normal_force(p));
   const double half_width = prestress.sigma_bar * strength_range(p) / unit_sigma(prestress.shape);
-  const auto quantiles = unit_quantiles(prestress.shape, p.N_s);
+  const auto quantiles = unit_quantiles(prestress.shape, springs_per_block(p));
   const double mean = tau_i / static_cast<double>(p.N_s);
-  for (Eigen::Index j = 0; j < p.N_s; ++j) {
+  for (Eigen::Index j = 0; j < state.junctions.attachment.cols(); ++j) {
     const double f = mean + half_width * quantiles[static_cast<std::size_t>(j)];
     state.junctions.attachment(i, j) = state.u_x(i, 0) - f / k_ij;
   }
@@ -103,13 +105,19 @@ void depin(const Parameters& p, double tau_i, Eigen::Index i, State& state) {
   const double normal = mean_normal_force(p), u_x = state.u_x(i, 0);
   const double w = friction_stretch(p, normal);
   const double k_ij = junction_stiffness(p, normal);
+  const Eigen::Index springs = state.junctions.attachment.cols();
   double friction = 0.0;
-  for (Eigen::Index j = 0; j < p.N_s; ++j) {
+  for (Eigen::Index j = 0; j < springs; ++j) {
     state.junctions.attachment(i, j) = u_x - tau_i / static_cast<double>(p.N_s) / k_ij;
-    break_junction(p, state.junctions, i, j, u_x, w, 0.0);
+    if (p.law == Law::simplified) {
+      break_spring(p, state.junctions, i, u_x, w, 0.0);
+    } else {
+      break_junction(p, state.junctions, i, j, u_x, w, 0.0);
+    }
     friction += k_ij * (u_x - state.junctions.attachment(i, j));
   }
-  state.f_x(i, 0) = tau_i - friction;
+  const double junctions_in_each = static_cast<double>(p.N_s) / static_cast<double>(springs);
+  state.f_x(i, 0) = tau_i - junctions_in_each * friction;
 }
 
 /// Adds the junctions to a slider that rests under `tau`.
@@ -138,7 +146,7 @@ std::vector<double> prescribed_friction(const Parameters& p, const Prestress& pr
 }
 
 double largest_sigma_bar(const Parameters& p, const Prestress& prestress) {
-  const double outermost = unit_quantiles(prestress.shape, p.N_s).back();
+  const double outermost = unit_quantiles(prestress.shape, springs_per_block(p)).back();
   if (outermost == 0.0) return 0.0;  // one junction per block has no width
   const auto N_s = static_cast<double>(p.N_s);
   const double f_thres = p.mu_s * mean_normal_force(p) / N_s;

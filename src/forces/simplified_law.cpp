@@ -5,6 +5,15 @@
 
 namespace rupture {
 
+void break_spring(const Parameters& p, Junctions& junctions, Eigen::Index i, double u, double w,
+                  double t) {
+  double& a = junctions.attachment(i, 0);
+  const double direction = u > a ? 1.0 : -1.0;
+  a = u - direction * p.mu_d * w;
+  junctions.slow_until(i, 0) = direction * (t + p.t_R);
+  junctions.repin_time(i, 0) = Junctions::unknown;
+}
+
 SimplifiedLaw::SimplifiedLaw(const Parameters& p, Junctions& junctions)
     : parameters_(p), junctions_(junctions) {
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
@@ -26,7 +35,7 @@ void SimplifiedLaw::update_spring(Eigen::Index i, double u, double v, double w, 
                                   Changes& changes) {
   double& a = junctions_.attachment(i, 0);
   double& repin_time = junctions_.repin_time(i, 0);
-  double& slow_until = junctions_.slow_until(i, 0);
+  const double slow_until = junctions_.slow_until(i, 0);
   const double slip_stretch = parameters_.mu_d * w;
   if (t < std::abs(slow_until)) a += std::copysign(parameters_.v_slow * parameters_.dt, slow_until);
   if (!(w > 0.0)) a = u;
@@ -39,10 +48,7 @@ void SimplifiedLaw::update_spring(Eigen::Index i, double u, double v, double w, 
       ++changes.repinned;
     }
   } else if (std::abs(u - a) > parameters_.mu_s * w) {
-    const double direction = u > a ? 1.0 : -1.0;
-    a = u - direction * slip_stretch;
-    slow_until = direction * (t + parameters_.t_R);
-    repin_time = Junctions::unknown;
+    break_spring(parameters_, junctions_, i, u, w, t);
     pinned_[static_cast<std::size_t>(i)] = 0;
     ++changes.broken;
   }

@@ -18,6 +18,7 @@ const std::vector<Command> kCommands = {
     {"front", "rupture line, speed and type of the front in a record", analyze_front},
     {"classify", "the front's type alone: arrested, slow or fast", analyze_classify},
     {"slip", "fast and slow slip of one block in a record", analyze_slip},
+    {"slow-slip", "slip speed of the blocks behind the slow front in a record", analyze_slow_slip},
     {"loading", "driving force against time in a record", analyze_loading},
     {"stress", "normal and friction forces along the interface of a checkpoint", analyze_stress},
     {"phi", "distribution of junction forces in a checkpoint", analyze_phi},

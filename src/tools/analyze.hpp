@@ -20,6 +20,7 @@ struct Command {
 int analyze_events(int argc, const char* const* argv);
 int analyze_front(int argc, const char* const* argv);
 int analyze_classify(int argc, const char* const* argv);
+int analyze_slow_slip(int argc, const char* const* argv);
 int analyze_slip(int argc, const char* const* argv);
 int analyze_loading(int argc, const char* const* argv);
 

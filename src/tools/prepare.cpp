@@ -8,6 +8,7 @@
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/prepared.hpp"
+#include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "text.hpp"
 
@@ -94,7 +95,7 @@ void print_prestress(const Options& options, const State& state) {
       ++depinned;
       continue;
     }
-    const double tau = blocks[i].mean * static_cast<double>(p.N_s);
+    const double tau = blocks[i].mean * static_cast<double>(springs_per_block(p));
     error = std::max(error, std::abs(tau / wanted[i] - 1.0));
   }
   const auto& last = blocks.back();

@@ -132,6 +132,39 @@ TEST_F(Analyze, SlipStartsAtZeroAndGrows) {
   expect_csv("analyze slip rest.h5 --x 0.07", {"time [s]", "slip [m]"}, json["time"].size());
 }
 
+TEST_F(Analyze, SlowSlipOfBlocksBehindASlowFront) {
+  output_of("prepare --tau-bar 0.1 --sigma-bar 0.1 -o p.h5");
+  output_of("restart p.h5 -o q.h5 --until-quiet --record q-r.h5 --record-every 2e-5");
+  const std::string command = "analyze slow-slip q-r.h5 --skip-below-x 0.0275";
+  const Json json = json_of(command + " --json");
+  expect_fields(json, {"type", "slow", "blocks", "front_speed", "speed", "estimate", "per_block"});
+  expect_fields(json["per_block"],
+                {"x", "t_from", "t_to", "speed", "r_squared", "v_c", "estimate"});
+  EXPECT_EQ(json["per_block"]["x"].size(), 16U);
+  EXPECT_EQ(json["blocks"], 16);
+  EXPECT_NEAR(json["front_speed"], 9.07, 0.01);
+  EXPECT_NEAR(json["speed"]["mean"], 1.010e-3, 0.001e-3);
+  EXPECT_LT(json["speed"]["min"], json["speed"]["mean"]);
+  EXPECT_GT(json["speed"]["max"], json["speed"]["mean"]);
+  EXPECT_NEAR(json["estimate"], 1.0464e-3, 1e-7);
+  EXPECT_EQ(json_of(command + " --x-from 0.04 --x-to 0.05 --json")["blocks"], 5);
+  EXPECT_EQ(json_of(command + " --longest 2 --shortest 2 --json")["blocks"], 4);
+  expect_csv(
+      command,
+      {"x [m]", "t_from [s]", "t_to [s]", "speed [m/s]", "R^2", "v_c [m/s]", "estimate [m/s]"}, 16);
+}
+
+TEST_F(Analyze, SlowSlipOfNoBlockHasNoSpeed) {
+  const Json json = json_of("analyze slow-slip r.h5 --json");
+  EXPECT_EQ(json["blocks"], 0);
+  EXPECT_TRUE(json["speed"]["mean"].is_null());
+  EXPECT_TRUE(json["front_speed"].is_null());
+  EXPECT_TRUE(json["estimate"].is_null());
+  EXPECT_NE(output_of("analyze slow-slip r.h5").find("0 blocks slip at - mm/s"), std::string::npos);
+  expect_refusal("analyze slow-slip r.h5 --x-from 0.1 --x-to 0.05", kUsage,
+                 "there is no block between --x-from and --x-to");
+}
+
 TEST_F(Analyze, SlipCountsFromTheStartOfTheWindow) {
   const Json json = json_of("analyze slip rest.h5 --x 0.07 --from 1e-3 --to 2e-3 --json");
   EXPECT_NEAR(json["time"].front(), 1e-3, 1e-9);

@@ -68,6 +68,16 @@ TEST_F(Prepare, ItsEventRunsOrArrestsAsTheStressAllows) {
   EXPECT_EQ(json_of("analyze classify low-record.h5 --json")["type"], "arrested");
 }
 
+TEST_F(Prepare, TakesSingleSpringsToo) {
+  const std::string out =
+      output_of(kPrepare + "-o a.h5 --tau-bar 0.8 --set junctions.law=simplified");
+  const std::size_t within = out.find(" m, within ");
+  ASSERT_NE(within, std::string::npos) << out;
+  EXPECT_LT(std::stod(out.substr(within + 11)), 1e-12) << out;
+  output_of("restart a.h5 -o b.h5 --until-quiet 1e-3 --record r.h5");
+  EXPECT_EQ(json_of("analyze classify r.h5 --json")["type"], "fast");
+}
+
 TEST_F(Prepare, ItsSupportCannotChange) {
   output_of(kPrepare + "-o a.h5 --tau-bar 0.2");
   expect_refusal("restart a.h5 -o b.h5 --for 1e-5 --set slider.support=foundation", kUsage,

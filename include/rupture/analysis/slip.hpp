@@ -1,9 +1,12 @@
-// How far and how fast one block slips during an event: fast slip, arrest, slow slip (Fig. 3C).
+// How far and how fast one block slips during an event: fast slip, arrest, slow slip (Fig. 3C); and
+// how fast the blocks behind a slow front slip (Figs. 3C inset and 3D).
 #pragma once
 
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "rupture/analysis/front.hpp"
 #include "rupture/analysis/statistics.hpp"
 
 namespace rupture {
@@ -28,5 +31,29 @@ struct SlipMeasure {
 /// before the last sample.
 std::optional<SlipMeasure> measure_slip(const SlipHistory& history, double t_rupture,
                                         double fast_within);
+
+/// The stretch of time in which a block slips slowly while the front ahead of it is slow [s].
+struct SlowSlipTime {
+  double from, to;
+};
+
+/// How long slow slip is followed, in mean slipping times; the tools show these as options.
+struct SlowSlipCriteria {
+  double longest = 1.0;
+  double shortest = 0.5;  ///< a block with less time than this has no value
+};
+
+/// The slow slip of `block` begins when waves have had the time H/c_s to end the fast slip, counted
+/// from its rupture or, if that comes later, from the front's becoming slow. It is followed until
+/// the front leaves its slow stretch, but no longer than `longest`. No value without a slow stretch
+/// and for blocks that did not rupture or rupture too late.
+std::optional<SlowSlipTime> slow_slip_time(const Parameters& parameters, const Front& front,
+                                           std::size_t block, const SlowSlipCriteria& criteria);
+
+/// The blocks of the front's slow stretch without those whose stencils straddle its ends.
+std::vector<std::size_t> blocks_well_inside(const Front& front);
+
+/// Straight line through the slip between 20 % and 80 % of what happens in `time`; slope [m/s].
+std::optional<LineFit> fit_slow_slip(const SlipHistory& history, const SlowSlipTime& time);
 
 }  // namespace rupture

@@ -25,6 +25,11 @@
 
 namespace rupture {
 
+/// Breaks the spring of block i at u_x [m] and time t [s]: it slips with |tau| = mu_d p_i in the
+/// direction of its force, and its slow slip begins. `w` as in ContactView.
+void break_spring(const Parameters& parameters, Junctions& junctions, Eigen::Index i, double u_x,
+                  double w, double t);
+
 class SimplifiedLaw final : public InterfaceLaw {
  public:
   /// Works on `junctions`, which must outlive the law.

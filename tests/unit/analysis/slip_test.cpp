@@ -1,11 +1,13 @@
 // Slip measured in a made-up history: at rest until 1 ms, 0.1 ms of fast slip at 100 mm/s, 0.2 ms
-// at rest, then slow slip at 2 mm/s until 4 ms.
+// at rest, then slow slip at 2 mm/s until 4 ms. Slow slip behind a made-up front.
 #include "rupture/analysis/slip.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
+
+#include "rupture/model/derived.hpp"
 
 namespace rupture {
 namespace {
@@ -72,6 +74,85 @@ TEST(Slip, of_a_block_that_stays_arrested_has_no_slow_part) {
 TEST(Slip, after_the_last_sample_has_no_value) {
   const Samples samples = made_up();
   EXPECT_FALSE(measure_slip(samples.history(), 1.0, kFastWithin));
+}
+
+TEST(SlowSlip, is_fitted_between_20_and_80_percent_of_what_happens_in_its_time) {
+  Samples samples;  // 1 um/ms for 1 ms, 4 um/ms for 1 ms, 1 um/ms ever after
+  for (int n = 0; n <= 400; ++n) {
+    const double t = n * kInterval;
+    samples.time.push_back(t);
+    samples.u_x.push_back(1e-3 * t + 3e-3 * (std::clamp(t, 1e-3, 2e-3) - 1e-3));
+  }
+  // 6 um in 3 ms, 1.2 um to 4.8 um of which happen within the fast millisecond
+  const auto line = fit_slow_slip(samples.history(), {0.0, 3e-3});
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(line->slope, 4e-3, 0.05e-3);
+  const auto late = fit_slow_slip(samples.history(), {2.1e-3, 3e-3});
+  ASSERT_TRUE(late);
+  EXPECT_NEAR(late->slope, 1e-3, 1e-9);
+  EXPECT_FALSE(fit_slow_slip(samples.history(), {3e-3, 3.01e-3})) << "two samples";
+  EXPECT_FALSE(fit_slow_slip(samples.history(), {5e-3, 6e-3})) << "after the last sample";
+}
+
+/// Blocks 2.5 mm apart, of which 0..9 rupture at once, 10..29 one per 0.25 ms, the rest at once.
+Front made_up_front() {
+  Parameters p;
+  std::vector<Rupture> ruptures;
+  for (std::int64_t i = 0; i < p.Nx; ++i) {
+    const double slow_blocks = static_cast<double>(std::clamp<std::int64_t>(i - 9, 0, 21));
+    const double t = 1e-3 + 8e-6 * static_cast<double>(i) + 0.25e-3 * slow_blocks;
+    ruptures.push_back({static_cast<std::int64_t>(t / p.dt), t, i});
+  }
+  return measure_front(p, rupture_line(p, ruptures, 0.0, 1.0), {});
+}
+
+class SlowSlipBehindAFront : public ::testing::Test {
+ protected:
+  const Parameters p_;
+  const Front front_ = made_up_front();
+  const double wait_ = p_.H / shear_wave_speed(p_);
+  const double t_R_ = mean_slipping_time(p_);
+  const SlowSlipCriteria criteria_;
+};
+
+TEST_F(SlowSlipBehindAFront, begins_after_the_rupture_of_the_block) {
+  const auto time = slow_slip_time(p_, front_, 12, criteria_);
+  ASSERT_TRUE(time);
+  EXPECT_NEAR(time->from, *front_.line.t_rupture[12] + wait_, 1e-12);
+  EXPECT_NEAR(time->to, time->from + t_R_, 1e-12);
+}
+
+TEST_F(SlowSlipBehindAFront, begins_after_the_front_became_slow) {
+  const auto time = slow_slip_time(p_, front_, 3, criteria_);
+  ASSERT_TRUE(time);
+  EXPECT_NEAR(time->from, front_.slow->t_from + wait_, 1e-12);
+}
+
+TEST_F(SlowSlipBehindAFront, ends_when_the_front_becomes_fast) {
+  const auto time = slow_slip_time(p_, front_, 24, criteria_);
+  ASSERT_TRUE(time);
+  EXPECT_LT(time->to, time->from + t_R_);
+  EXPECT_EQ(time->to, front_.slow->t_to);
+}
+
+TEST_F(SlowSlipBehindAFront, needs_some_time) {
+  EXPECT_FALSE(slow_slip_time(p_, front_, 28, criteria_));
+  EXPECT_FALSE(slow_slip_time(p_, front_, 40, criteria_));
+  EXPECT_TRUE(slow_slip_time(p_, front_, 28, {1.0, 0.1}));
+}
+
+TEST_F(SlowSlipBehindAFront, needs_a_slow_front) {
+  Front fast = front_;
+  fast.slow.reset();
+  EXPECT_FALSE(slow_slip_time(p_, fast, 12, criteria_));
+  EXPECT_TRUE(blocks_well_inside(fast).empty());
+}
+
+TEST_F(SlowSlipBehindAFront, is_that_of_blocks_two_blocks_inside_the_slow_stretch) {
+  const auto blocks = blocks_well_inside(front_);
+  ASSERT_FALSE(blocks.empty());
+  EXPECT_NEAR(front_.line.x[blocks.front()] - front_.slow->x_from, 2 * 2.5e-3, 1e-12);
+  EXPECT_NEAR(front_.slow->x_to - front_.line.x[blocks.back()], 2 * 2.5e-3, 1e-12);
 }
 
 }  // namespace

@@ -131,6 +131,45 @@ TEST_F(Prepared, is_refused_beyond_the_largest_sigma_bar) {
   }
 }
 
+/// The reference slider with one spring per block, as strong and as stiff as its 100 junctions.
+class PreparedSprings : public ::testing::Test {
+ protected:
+  static Parameters parameters() {
+    Parameters p = under_ceiling({});
+    p.law = Law::simplified;
+    return p;
+  }
+  const Parameters p_ = parameters();
+  const double normal_ = p_.F_N / 57.0;
+};
+
+TEST_F(PreparedSprings, carry_what_the_junctions_of_the_reference_law_carry) {
+  const Prestress prestress = {0.2};
+  const State state = prepared_state(p_, prestress);
+  const State reference = prepared_state(under_ceiling({}), prestress);
+  ASSERT_EQ(state.junctions.attachment.cols(), 1);
+  const auto tau = friction_forces(p_, state);
+  const auto wanted = friction_forces(under_ceiling({}), reference);
+  for (std::size_t i = 0; i < tau.size(); ++i) {
+    EXPECT_NEAR(tau[i], wanted[i], 1e-11 * normal_) << "block " << i;
+  }
+  EXPECT_LT((state.f_x.blocks() - reference.f_x.blocks()).abs().maxCoeff(), 1e-11 * normal_);
+}
+
+TEST_F(PreparedSprings, of_the_trigger_region_have_just_broken) {
+  const State state = prepared_state(p_, {0.2});
+  for (Eigen::Index i = 0; i < p_.Nx; ++i) {
+    EXPECT_EQ(pinned_fraction(state.junctions, i), i < 9 ? 0.0 : 1.0);
+    EXPECT_EQ(state.junctions.slow_until(i, 0), i < 9 ? p_.t_R : 0.0);
+  }
+  EXPECT_EQ(state.junctions.draws.sum(), 0U);
+}
+
+TEST_F(PreparedSprings, have_no_width) {
+  EXPECT_EQ(largest_sigma_bar(p_, {0.2}), 0.0);
+  EXPECT_THROW(prepared_state(p_, {0.2, 0.1}), UsageError);
+}
+
 TEST(Preparing, ends_where_damped_relaxation_ends) {
   Parameters p = under_ceiling(testing::small_slider(13, 7));
   const Prestress prestress = {0.4, 0.1, PhiShape::uniform, 7e-3};

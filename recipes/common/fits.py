@@ -1,0 +1,24 @@
+"""Fits that several figures make."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class ProportionalFit:
+    """y = slope x. R^2 compares with the mean of y, as for a line with an intercept: it says how
+    much better the fit is than no dependence on x at all."""
+
+    slope: float
+    r_squared: float
+    points: int
+
+
+def fit_through_origin(x, y):
+    x, y = np.asarray(x, float), np.asarray(y, float)
+    if len(x) < 2:
+        return None
+    slope = (x @ y) / (x @ x)
+    residual = ((y - slope * x) ** 2).sum()
+    return ProportionalFit(slope, 1 - residual / ((y - y.mean()) ** 2).sum(), len(x))
