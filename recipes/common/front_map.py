@@ -5,13 +5,12 @@ A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, 
 `analyze front --json` reported, or None where no interface can be prepared.
 """
 
-import csv
 from pathlib import Path
 
 import numpy as np
 
 from common.records import report, values
-from common.tables import write_table
+from common.tables import read_rows, write_table
 
 SLOW_BELOW = 1 / 20  # of c_s: the default of `analyze front`
 SKIP_BELOW_X = 0.0275  # [m] stencils that touch the trigger region, as in the sweeps' commands
@@ -20,11 +19,6 @@ IMPOSSIBLE = "impossible"
 
 
 # --- reading -------------------------------------------------------------------------------
-
-
-def rows_of(table):
-    with open(table, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
 
 
 def place_of(row):
@@ -158,14 +152,14 @@ def band(types, sigma):
 def load_map(data, folder, parts):
     """All fronts, those of the regular grid (map.csv), and the boundary of the recipe `folder`;
     `parts` are the tables beside map.csv that hold more points."""
-    tables = {part: rows_of(Path(data) / folder / f"{part}.csv") for part in ("map", *parts)}
+    tables = {part: read_rows(Path(data) / folder / f"{part}.csv") for part in ("map", *parts)}
     points = Path(data) / "points"
     fronts = read_map([row for rows in tables.values() for row in rows], points)
     for seeds in fronts.values():
         if not all(map(is_like_analyze, seeds.values())):
             raise ValueError("front types differ from those of `analyze front`")
     grid = {place: {1: fronts[place][1]} for place in map(place_of, tables["map"])}
-    boundary = [place_of(row) for row in rows_of(Path(data) / folder / "boundary.csv")]
+    boundary = [place_of(row) for row in read_rows(Path(data) / folder / "boundary.csv")]
     return fronts, grid, boundary
 
 

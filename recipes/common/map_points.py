@@ -5,15 +5,15 @@ map_points.py between MAP.csv OUTPUT                  halfway between neighbours
 map_points.py boundary MAP.csv [BETWEEN.csv] OUTPUT   next to another type, given the former, too
 """
 
-import csv
 import sys
 
-from common.front_map import IMPOSSIBLE, boundary, place_of, rows_of, to_refine
+from common.front_map import IMPOSSIBLE, boundary, place_of, to_refine
+from common.tables import read_rows, write_table
 
 
 def types_in(table):
     """{place: type}; points that failed have none."""
-    return {place_of(row): row["type"] or IMPOSSIBLE for row in rows_of(table)}
+    return {place_of(row): row["type"] or IMPOSSIBLE for row in read_rows(table)}
 
 
 def main(which, grid, *rest):
@@ -24,10 +24,8 @@ def main(which, grid, *rest):
         "between": lambda: to_refine(grid_types),
         "boundary": lambda: boundary(grid_types, between_types),
     }[which]()
-    with open(output, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(["tau-bar", "sigma-bar"])
-        writer.writerows([f"{number:.12g}" for number in place] for place in places)
+    rows = ([f"{number:.12g}" for number in place] for place in places)
+    write_table(output, ["tau-bar", "sigma-bar"], rows)
 
 
 if __name__ == "__main__":

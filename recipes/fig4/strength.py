@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 
 from common.claims import Claim, verdict, write_claims
-from common.front_map import SLOW_BELOW, place_of, rows_of
+from common.front_map import SLOW_BELOW, place_of
 from common.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
 from common.rank_test import share_of_lower, signed_rank, van_elteren
 from common.records import report, values
-from common.tables import write_table
+from common.tables import read_rows, write_table
 
 SHOWN = {"fast-slow-fast": ("I", GREEN), "second-slow": ("II", VERMILION)}
 LOADING_ZONE = 0.02  # [m]
@@ -61,7 +61,7 @@ def blocks_of(data, event):
 
 def prepared_points(data):
     """Prepared interfaces: rows with numbers, without those that cannot be prepared."""
-    for row in rows_of(data / "fig4/strength.csv"):
+    for row in read_rows(data / "fig4/strength.csv"):
         if row["status"] == "done":
             yield {
                 "shape": row["shape"],
@@ -75,7 +75,7 @@ def prepared_points(data):
 def curves(data):
     """{shape: {sigma_bar: mu_bar_eff}}"""
     lines = {shape: {} for shape in CURVES}
-    for row in rows_of(data / "fig4/strength-curves.csv"):
+    for row in read_rows(data / "fig4/strength-curves.csv"):
         lines[row["shape"]][float(row["sigma-bar"])] = float(row["mu_bar_eff"])
     return lines
 
@@ -98,7 +98,7 @@ def from_nearest_curve(block, lines):
 
 def map_strata(data):
     """sigma_bar of slow and of fast grid points of Figure 4 D, by tau_bar_0."""
-    rows = rows_of(data / "fig4/map.csv")
+    rows = read_rows(data / "fig4/map.csv")
     for tau_bar in sorted({row["tau-bar"] for row in rows}):
         yield tuple(
             [place_of(row)[1] for row in rows if (row["tau-bar"], row["type"]) == (tau_bar, kind)]

@@ -7,10 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from common.claims import Claim, verdict, write_claims
-from common.front_map import rows_of
 from common.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 from common.records import report
-from common.tables import write_table
+from common.tables import read_rows, write_table
 
 MU_S, MU_D = 0.4, 0.17  # Table S1
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
@@ -108,7 +107,7 @@ def main(data, results):
         (float(row["tau-bar"]), float(row["sigma-bar"])): report(
             data / f"points/{row['point']}.json"
         )
-        for row in rows_of(data / "figS3/profiles.csv")
+        for row in read_rows(data / "figS3/profiles.csv")
     }
     draw(points, results / "figS3")
     names = ["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"]

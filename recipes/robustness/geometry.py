@@ -12,13 +12,12 @@ from common.front_map import (
     band,
     fast_below_left_of_arrested,
     read_map,
-    rows_of,
     types_of,
     types_of_seeds,
 )
 from common.map_panels import draw_regions, name_regions
 from common.plotting import DOUBLE, figure, letter, save
-from common.tables import write_table
+from common.tables import read_rows, write_table
 
 TITLES = {
     "L x 0.75": r"$0.75\,L$",
@@ -98,7 +97,7 @@ def rows(maps):
 
 def main(data, results):
     data, results = Path(data), Path(results)
-    table = rows_of(data / "robustness/geometry.csv")
+    table = read_rows(data / "robustness/geometry.csv")
     maps = {
         name: read_map([row for row in table if row["variant"] == name], data / "points")
         for name in TITLES
