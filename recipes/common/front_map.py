@@ -135,9 +135,10 @@ def fast_below_left_of_arrested(seed_types):
     ]
 
 
-def depends_on_seed(seeds, quantity):
-    """True if `quantity` of the fronts at one place is not the same for all seeds."""
-    return len({repr(quantity(front)) for front in seeds.values()}) > 1
+def spread_of_crossing(seeds):
+    """How far the times at which the front arrives differ between seeds, over their mean."""
+    times = [front["t_rupture"][-1] for front in seeds.values()]
+    return (max(times) - min(times)) / float(np.mean(times))
 
 
 def band(types, sigma):

@@ -1,11 +1,13 @@
 """What the claims about maps of front types (4D, S6B) measure and how they are judged."""
 
+import numpy as np
+
 from common.claims import Claim, verdict
 from common.front_map import (
     axes_of,
     band,
-    depends_on_seed,
     fast_below_left_of_arrested,
+    spread_of_crossing,
     types_of,
     types_of_seeds,
 )
@@ -34,17 +36,27 @@ def thresholds_compared(fronts, grid, slow_below):
         }
 
 
+def median_spread(fronts, places):
+    spreads = [spread_of_crossing(fronts[place]) for place in places]
+    return float(np.median(spreads)) if spreads else None
+
+
 def seeds_measured(fronts, boundary):
-    """What the seeds at the boundary say. Seeds matter through slipping times only: a front that is
-    through before it meets a repinned junction is the same for all of them."""
-    at = {place: fronts[place] for place in boundary}
-    mixed = [p for p, seeds in types_of_seeds(at).items() if len(set(seeds.values())) > 1]
-    same = [p for p in at if not depends_on_seed(at[p], lambda front: front["t_rupture"])]
+    """What the seeds at the boundary say. Seeds act through the slipping times only, so where few
+    junctions repin before the front has crossed, they hardly differ."""
+    kinds = types_of_seeds({place: fronts[place] for place in boundary})
+    definite = {place: set(seeds.values()) for place, seeds in kinds.items()}
+    spreads = {
+        f"median spread of crossing times over seeds, {kind}": median_spread(
+            fronts, [place for place in boundary if definite[place] == {kind}]
+        )
+        for kind in ("slow", "fast")
+    }
     return {
-        "boundary points": len(at),
-        "fewest seeds at one of them": min(map(len, at.values()), default=0),
-        "of these the type depends on the seed": len(mixed),
-        "of these the rupture line is the same for all seeds": len(same),
+        "boundary points": len(boundary),
+        "fewest seeds at one of them": min((len(fronts[place]) for place in boundary), default=0),
+        "of these the type depends on the seed": sum(len(k) > 1 for k in definite.values()),
+        **spreads,
     }
 
 

@@ -65,16 +65,14 @@ def draw_several_types(axes, seed_types):
 
 
 def name_regions(axes, types):
-    """The name of each region at the place that is deepest inside it."""
+    """The name of each region at its place next to the region's middle."""
+    scale = np.ptp(np.array(list(types)), axis=0)
     for kind in TYPES:
         inside = np.array([place for place, k in types.items() if k == kind])
-        outside = np.array([place for place, k in types.items() if k != kind])
-        if not len(inside) or not len(outside):
+        if not len(inside):
             continue
-        scale = np.ptp(np.array(list(types)), axis=0)
-        away = np.linalg.norm((inside[:, None] - outside[None]) / scale, axis=-1).min(axis=1)
-        edge = np.minimum(inside[:, 1] - min(inside[:, 1]), max(inside[:, 1]) - inside[:, 1])
-        tau, sigma = inside[np.argmax(np.minimum(away, edge / scale[1] + 0.02))]
+        away = np.linalg.norm((inside - np.median(inside, axis=0)) / scale, axis=1)
+        tau, sigma = inside[np.argmin(away)]
         halo = withStroke(linewidth=2.5, foreground=COLOURS[kind])
         axes.annotate(kind, (sigma, tau), ha="center", va="center", path_effects=[halo])
 

@@ -16,7 +16,7 @@ PAPER = "arrest at low tau_bar_0 and sigma_bar, fast at high, a slow region betw
 NOTE = (
     "Below-left: neither tau_bar_0 nor sigma_bar larger, over all points and seeds. Boundary: grid"
     " points and points halfway between them that are next to another type. Seeds act through the"
-    " slipping times only: a front that crosses before junctions repin is the same for all."
+    " slipping times only, so that fast fronts hardly depend on them."
 )
 
 
