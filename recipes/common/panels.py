@@ -1,8 +1,12 @@
 """Panels that several figures draw in the same way."""
 
-from common.plotting import MAP
+import numpy as np
+
+from common.plotting import BLACK, MAP
+from common.records import values
 
 RUPTURED = 0.3  # pinned fraction below which a block counts as ruptured
+LOADING_ZONE = 0.02  # [m]
 
 
 def draw_pinned(axes, pinned, t_zero, window):
@@ -35,3 +39,19 @@ def draw_pinned(axes, pinned, t_zero, window):
 def draw_pinned_scale(figure, image, axes):
     scale = figure.colorbar(image, ax=axes, label="fraction of pinned junctions", aspect=30)
     scale.ax.axhline(RUPTURED, color="white", linestyle="--", linewidth=0.8)
+
+
+def draw_front_speeds(axes, fronts, looks):
+    """Front speed against position. `fronts` holds reports of `analyze front` by name, `looks` label,
+    colour and marker by the same names. Grey: the loading zone, in which speeds do not count."""
+    for name, (label, colour, marker) in looks.items():
+        front = fronts[name]
+        v_c = values(front["v_c"])
+        x = np.array(front["x"]) / front["L"]
+        forwards = v_c > 0
+        axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
+    c_s = front["c_s"]
+    axes.axhline(c_s, color=BLACK, linewidth=0.8)
+    axes.annotate("$c_s$", (0.9, c_s), xytext=(0, 2), textcoords="offset points")
+    axes.axvspan(0, LOADING_ZONE / front["L"], color="0.9", linewidth=0)
+    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1))

@@ -16,6 +16,16 @@ def write_table(path, names, rows):
         table.writerows(rows)
 
 
+def write_fronts(path, fronts):
+    """Rupture line and speed of fronts: reports of `analyze front` by name."""
+    rows = (
+        [name, *row]
+        for name, front in fronts.items()
+        for row in zip(front["x"], front["t_rupture"], front["v_c"])
+    )
+    write_table(path, ["front", "x [m]", "t_rupture [s]", "v_c [m/s]"], rows)
+
+
 def read_table(path):
     """Columns by name; numbers where all are."""
     with open(path, newline="", encoding="utf-8") as file:

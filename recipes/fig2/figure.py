@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Figure 2, its data and its claims: figure.py results/data results/fig2"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -10,11 +9,15 @@ import numpy as np
 from common.claims import Claim, verdict, write_claims
 from common.event_claims import claim_2A, slowest
 from common.fronts import is_fast_only
-from common.panels import draw_pinned, draw_pinned_scale
-from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from common.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
+from common.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 from common.records import Pinned, report, values
+from common.tables import write_fronts
 
-EVENTS = {"fast-slow-fast": BLUE, "fast-only": VERMILION}
+EVENTS = {  # label, colour, marker
+    "fast-slow-fast": ("fast-slow-fast", BLUE, "o"),
+    "fast-only": ("fast-only", VERMILION, "^"),
+}
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 
 
@@ -29,18 +32,9 @@ def draw_map(axes, front, pinned):
 
 
 def draw_speeds(axes, fronts):
-    for name, colour in EVENTS.items():
-        front = fronts[name]
-        v_c = values(front["v_c"])
-        x = np.array(front["x"]) / front["L"]
-        forwards = v_c > 0
-        marker = "o" if name == "fast-slow-fast" else "^"
-        axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=name)
-    c_s = fronts["fast-only"]["c_s"]
-    axes.axhline(c_s, color=BLACK, linewidth=0.8)
-    axes.annotate("$c_s$", (0.5, c_s), xytext=(0, 2), textcoords="offset points")
-    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1), ylim=(1, None))
-    axes.legend(loc="lower left")
+    draw_front_speeds(axes, fronts, EVENTS)
+    axes.set(ylim=(1, None))
+    axes.legend(loc="lower left", bbox_to_anchor=(0.12, 0))
 
 
 def draw(data, fronts, stem):
@@ -53,15 +47,6 @@ def draw(data, fronts, stem):
     draw_speeds(axes[2], fronts)
     letter(axes[2], "C")
     save(fig, stem)
-
-
-def write_table(path, fronts):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["event", "x [m]", "t_rupture [s]", "v_c [m/s]"])
-        for name, front in fronts.items():
-            for row in zip(front["x"], front["t_rupture"], front["v_c"]):
-                table.writerow([name, *row])
 
 
 def claim_2B(front):
@@ -81,7 +66,7 @@ def main(data, results):
     data, results = Path(data), Path(results)
     fronts = {name: report(data / f"{name}-front.json") for name in EVENTS}
     draw(data, fronts, results / "fig2")
-    write_table(results / "front-speed.csv", fronts)
+    write_fronts(results / "front-speed.csv", fronts)
     write_claims(
         results / "claims.json",
         [claim_2A(fronts["fast-slow-fast"]), claim_2B(fronts["fast-only"])],

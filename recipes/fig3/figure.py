@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Figure 3 A-C, its data and its claims: figure.py results/data results/fig3 CLAIMS.json"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from common.event_claims import claim_3A, claim_3B, claim_3C
 from common.panels import draw_pinned, draw_pinned_scale
 from common.plotting import BLACK, BLUE, DOUBLE, GREEN, VERMILION, figure, letter, save
 from common.records import Pinned, report
+from common.tables import write_table
 
 EVENT = "fast-slow-fast"
 SLIPS = {  # run: label, colour, line style
@@ -52,13 +52,9 @@ def draw(data, fronts, slips, stem):
     save(fig, stem)
 
 
-def write_table(path, slips):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["run", "time [s]", "slip [m]"])
-        for run, slip in slips.items():
-            for row in zip(slip["time"], slip["slip"]):
-                table.writerow([run, *row])
+def write_slips(path, slips):
+    rows = ([run, *row] for run, slip in slips.items() for row in zip(slip["time"], slip["slip"]))
+    write_table(path, ["run", "time [s]", "slip [m]"], rows)
 
 
 def main(data, results, claims):
@@ -68,7 +64,7 @@ def main(data, results, claims):
     fronts = {run: report(data / f"{run}-front.json") for run in ("stopped", "no-slow-slip")}
     slips = {run: report(data / f"{run}-slip.json") for run in SLIPS}
     draw(data, fronts, slips, results / "fig3")
-    write_table(results / "slip.csv", slips)
+    write_slips(results / "slip.csv", slips)
     write_claims(
         claims,
         [

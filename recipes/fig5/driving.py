@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Figure 5 A, its data and its claim: driving.py results/data results/fig5 CLAIMS.json"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -13,6 +12,7 @@ from common.event_claims import claim_5A, stop_time
 from common.panels import draw_pinned_scale
 from common.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
 from common.records import Pinned, report, values
+from common.tables import write_table
 
 EVENT = "fast-slow-fast"
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
@@ -74,12 +74,9 @@ def draw(data, fronts, t_stop, stem):
     save(fig, stem)
 
 
-def write_table(path, fronts):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"])
-        for row in zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts)):
-            table.writerow(row)
+def write_ruptures(path, fronts):
+    names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]
+    write_table(path, names, zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts)))
 
 
 def main(data, results, claims):
@@ -87,7 +84,7 @@ def main(data, results, claims):
     fronts = [report(data / f"{run}-front.json") for run in (EVENT, f"{EVENT}/undriven")]
     t_stop = stop_time(data, EVENT)
     draw(data, fronts, t_stop, results / "fig5A")
-    write_table(results / "rupture-lines.csv", fronts)
+    write_ruptures(results / "rupture-lines.csv", fronts)
     write_claims(claims, [claim_5A(*fronts, t_stop)])
 
 

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Figure 5 B, its data and its claim: quasistatic.py results/data/fig5 results/fig5"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from quasistatic_stretch import read_ruptures
 from common.claims import Claim, verdict, write_claims
 from common.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
 from common.records import Pinned, report
+from common.tables import write_table
 
 STOPPED_FOR = 20e-3  # [s]
 MIDDLE = 4  # of the branches
@@ -107,11 +107,6 @@ def draw(data, stretch, L, stem):
     save(fig, stem)
 
 
-def write_rows(path, heads, rows):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        csv.writer(file).writerows([heads, *rows])
-
-
 def claim_5B(stretch, c_s, branches):
     speed, middle = stretch["speed"], branches[MIDDLE]
     start, end = stretch["tip"][0], stretch["tip"][-1]
@@ -158,8 +153,8 @@ def main(data, results):
         for n, t_branch in enumerate(stretch["branches"])
     ]
     draw(data, stretch, load[2][-1], results / "fig5B")
-    write_rows(results / "quasistatic-tip.csv", ["time [s]", "tip [m]"], stretch["tip"])
-    write_rows(
+    write_table(results / "quasistatic-tip.csv", ["time [s]", "tip [m]"], stretch["tip"])
+    write_table(
         results / "quasistatic-branches.csv",
         ["V = 0 from [s]", "tip [block]", "advance driven [blocks]", "advance with V = 0 [blocks]"],
         [branch.values() for branch in branches],

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Figure S2, its data and its claim: figure.py results/data/figS2 results/figS2"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -9,12 +8,16 @@ import h5py
 import numpy as np
 
 from common.claims import Claim, verdict, write_claims
-from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from common.panels import draw_front_speeds
+from common.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 from common.records import report, values
+from common.tables import write_fronts, write_table
 
-LOADING_ZONE = 0.02  # [m]
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
-SPEEDS = {"event": (BLUE, "o", "slow slip"), "no-slow-slip-0": (VERMILION, "^", "no slow slip")}
+SPEEDS = {  # label, colour, marker
+    "event": ("slow slip", BLUE, "o"),
+    "no-slow-slip-0": ("no slow slip", VERMILION, "^"),
+}
 
 
 def has_fast_to_slow(front):
@@ -44,17 +47,8 @@ def draw_map(axes, record, front, t_zero, window):
 
 
 def draw_speeds(axes, fronts):
-    for name, (colour, marker, label) in SPEEDS.items():
-        front = fronts[name]
-        v_c, x = values(front["v_c"]), np.array(front["x"]) / front["L"]
-        forwards = v_c > 0
-        axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
-    front = fronts["event"]
-    axes.axhline(front["c_s"], color=BLACK, linewidth=0.8)
-    axes.annotate("$c_s$", (0.9, front["c_s"]), xytext=(0, 2), textcoords="offset points")
-    axes.axvspan(0, LOADING_ZONE / front["L"], color="0.9", linewidth=0)
-    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log")
-    axes.set(xlim=(0, 1), ylim=(1, None))
+    draw_front_speeds(axes, fronts, SPEEDS)
+    axes.set(ylim=(1, None))
     axes.legend(loc="lower left", bbox_to_anchor=(0.12, 0))
 
 
@@ -65,7 +59,7 @@ def draw(data, fronts, stem):
     fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=3)
     for axis, name in zip(axes[::2], SPEEDS):
         image = draw_map(axis, data / f"{name}-record.h5", fronts[name], t_zero, window)
-        axis.set_title(SPEEDS[name][2])
+        axis.set_title(SPEEDS[name][0])
     draw_speeds(axes[1], fronts)
     fig.colorbar(image, ax=axes[2], label=r"friction to normal force $\tau/p$", aspect=30)
     for axis, text in zip(axes, "ABC"):
@@ -73,26 +67,14 @@ def draw(data, fronts, stem):
     save(fig, stem)
 
 
-def write_speeds(path, fronts):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["run", "x [m]", "t_rupture [s]", "v_c [m/s]"])
-        for name, front in fronts.items():
-            for row in zip(front["x"], front["t_rupture"], front["v_c"]):
-                table.writerow([name, *row])
-
-
 def write_events(path, events, without):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(
-            ["t_start [s]", "slow from [m]", "fast before [m/s]", "slow speed [m/s]"]
-            + ["duration [s]", "without slow slip", "arrest without slow slip [m]"]
-        )
-        for event, front in zip(events, without):
-            slow = event["slow"]
-            measured = [slow[key] for key in ("x_from", "fast_before", "speed", "duration")]
-            table.writerow([event["event"], *measured, front["type"], front["x_arrest"]])
+    names = ["t_start [s]", "slow from [m]", "fast before [m/s]", "slow speed [m/s]", "duration [s]"]
+    keys = ("x_from", "fast_before", "speed", "duration")
+    rows = (
+        [event["event"], *(event["slow"][key] for key in keys), front["type"], front["x_arrest"]]
+        for event, front in zip(events, without)
+    )
+    write_table(path, [*names, "without slow slip", "arrest without slow slip [m]"], rows)
 
 
 def claim_S2(choice, event, without):
@@ -131,7 +113,7 @@ def main(data, results):
     ]
     fronts = {"event": event, "no-slow-slip-0": without[0]}
     draw(data, fronts, results / "figS2")
-    write_speeds(results / "front-speed.csv", fronts)
+    write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", choice["events"], without)
     write_claims(results / "claims.json", [claim_S2(choice, event, without)])
 

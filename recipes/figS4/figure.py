@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Figure S4, its data and its claim: figure.py results/data results/figS4"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from common.junctions import Junctions
 from common.panels import draw_pinned, draw_pinned_scale
 from common.plotting import DOUBLE, VERMILION, figure, letter, save
 from common.records import Pinned, report, values
+from common.tables import write_table
 
 EVENT = "fast-slow-fast"
 STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows
@@ -103,22 +103,11 @@ def draw(data, junctions, fronts, stem):
     save(fig, stem)
 
 
-def write_table(path, junctions, phis):
+def write_phi(path, junctions, phis):
     names = ["mean before [N]", "mean after [N]", "sigma before [N]", "sigma after [N]"]
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["x [m]", "f_thres [N]", "slipping", *names])
-        before, after = phis
-        for row in zip(
-            before["x"],
-            junctions[0].f_thres,
-            before["slipping"],
-            before["mean"],
-            after["mean"],
-            before["sigma"],
-            after["sigma"],
-        ):
-            table.writerow(row)
+    columns = [phi[key] for key in ("mean", "sigma") for phi in phis]
+    rows = zip(phis[0]["x"], junctions[0].f_thres, phis[0]["slipping"], *columns)
+    write_table(path, ["x [m]", "f_thres [N]", "slipping", *names], rows)
 
 
 def claim_S4(wider, phis):
@@ -149,7 +138,7 @@ def main(data, results):
     junctions = [Junctions(data / f"{state}.h5", phi) for state, phi in zip(STATES, phis)]
     fronts = [report(data / f"{run}-front.json") for run in STATES.values()]
     draw(data, junctions, fronts, results / "figS4")
-    write_table(results / "phi.csv", junctions, phis)
+    write_phi(results / "phi.csv", junctions, phis)
     write_claims(results / "claims.json", [claim_S4(junctions[1], phis)])
 
 

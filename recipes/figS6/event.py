@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 """Figure S6 A, its data and its claim: event.py results/data/figS6 results/figS6"""
 
-import csv
 import sys
 from pathlib import Path
 
 import numpy as np
 
 from common.claims import Claim, verdict, write_claims
-from common.panels import draw_pinned, draw_pinned_scale
+from common.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
 from common.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
 from common.records import Pinned, report, values
+from common.tables import write_fronts, write_table
 
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 RUNS = {  # run: label, colour, marker
@@ -28,16 +28,11 @@ CAUSE = (
 
 
 def draw_speeds(axes, fronts):
-    for run, (label, colour, marker) in RUNS.items():
-        front = fronts[run]
-        v_c, x = values(front["v_c"]), np.array(front["x"]) / front["L"]
-        forwards = v_c > 0
-        axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
-    for speed, name in ((front["c_s"], "$c_s$"), (front["c_s"] / 8, "$c_s/8$")):
-        axes.axhline(speed, color=BLACK, linewidth=0.8)
-        axes.annotate(name, (0.01, speed), xytext=(0, 2), textcoords="offset points")
-    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log")
-    axes.set(xlim=(0, 1), ylim=(10, 1e4))
+    draw_front_speeds(axes, fronts, RUNS)
+    allowed = fronts["event"]["c_s"] / 8
+    axes.axhline(allowed, color=BLACK, linewidth=0.8)
+    axes.annotate("$c_s/8$", (0.9, allowed), xytext=(0, 2), textcoords="offset points")
+    axes.set(ylim=(10, 1e4))
     axes.legend(loc="upper left")
 
 
@@ -53,26 +48,16 @@ def draw(record, fronts, stem):
     save(fig, stem)
 
 
-def write_speeds(path, fronts):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["run", "x [m]", "t_rupture [s]", "v_c [m/s]"])
-        for run, front in fronts.items():
-            for row in zip(front["x"], front["t_rupture"], front["v_c"]):
-                table.writerow([run, *row])
-
-
 def write_events(path, events):
     keys = ("x_from", "x_to", "duration", "speed", "fast_before", "fast_after")
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(
-            ["t_start [s]", "slow from [m]", "to [m]", "duration [s]", "slow speed [m/s]"]
-            + ["fast before [m/s]", "fast after [m/s]", *(f"meets: {c}" for c in events[0]["met"])]
-        )
-        for event in events:
-            slow = event["slow"] or dict.fromkeys(keys)
-            table.writerow([event["t_start"], *(slow[key] for key in keys), *event["met"].values()])
+    names = ["t_start [s]", "slow from [m]", "to [m]", "duration [s]", "slow speed [m/s]"]
+    names += ["fast before [m/s]", "fast after [m/s]", *(f"meets: {c}" for c in events[0]["met"])]
+    rows = (
+        [event["t_start"], *(slow[key] for key in keys), *event["met"].values()]
+        for event in events
+        for slow in [event["slow"] or dict.fromkeys(keys)]
+    )
+    write_table(path, names, rows)
 
 
 def meets_all_but_ratios(event):
@@ -125,7 +110,7 @@ def main(data, results):
     events = report(data / "choice.json")["events"]
     fronts = {run: report(data / f"{run}-front-c_s-8.json") for run in RUNS}
     draw(data / "event-record.h5", fronts, results / "figS6A")
-    write_speeds(results / "front-speed.csv", fronts)
+    write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", events)
     write_claims(data / "claims-event.json", [claim_S6A(fronts, events)])
 

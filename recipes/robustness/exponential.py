@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Exponential slipping times, events and claim: exponential.py events.json results/robustness CLAIMS.json"""
 
-import csv
 import sys
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from common.claims import Claim, verdict, write_claims
 from common.fronts import criteria_2A, has_slow_stretch, is_fast_only, is_fast_slow_fast
 from common.plotting import BLUE, DOUBLE, VERMILION, figure, save
 from common.records import values
+from common.tables import write_table
 
 NOTE = (
     "Most events have a slow stretch, which is as slow as in the reference run and turns fast at"
@@ -38,15 +38,16 @@ def draw(events, stem):
     save(fig, stem)
 
 
-def write_table(path, events):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["t_start [s]", "type", *COLUMNS, "criteria of 2A not met"])
-        for event in events:
-            slow = event["slow"]
-            numbers = [slow[column] if slow else None for column in COLUMNS]
-            unmet = [name for name, met in criteria_2A(event).items() if not met] if slow else []
-            table.writerow([event["t_start"], event["type"], *numbers, "; ".join(unmet)])
+def row_of(event):
+    slow = event["slow"]
+    numbers = [slow[column] if slow else None for column in COLUMNS]
+    unmet = [name for name, met in criteria_2A(event).items() if not met] if slow else []
+    return [event["t_start"], event["type"], *numbers, "; ".join(unmet)]
+
+
+def write_events(path, events):
+    names = ["t_start [s]", "type", *COLUMNS, "criteria of 2A not met"]
+    write_table(path, names, map(row_of, events))
 
 
 def closest(events):
@@ -85,7 +86,7 @@ def main(events, results, claims):
     results = Path(results)
     spanning = [event for event in read_events(events) if event["spanning"]]
     draw(spanning, results / "exponential")
-    write_table(results / "exponential-events.csv", spanning)
+    write_events(results / "exponential-events.csv", spanning)
     write_claims(claims, [claim_Exp(spanning)])
 
 
