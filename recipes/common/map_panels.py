@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.colors import ListedColormap
+from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from scipy.interpolate import NearestNDInterpolator
 
@@ -75,6 +76,12 @@ def name_regions(axes, types):
         tau, sigma = inside[np.argmin(away)]
         halo = withStroke(linewidth=2.5, foreground=COLOURS[kind])
         axes.annotate(kind, (sigma, tau), ha="center", va="center", path_effects=[halo])
+
+
+def draw_key(axes):
+    """The colours of the regions, for maps too small for names in each."""
+    patches = [Patch(facecolor=COLOURS[kind], label=kind) for kind in reversed(TYPES)]
+    axes.legend(handles=patches, loc="upper right", frameon=True, framealpha=0.9)
 
 
 def draw_contours(axes, types, style):

@@ -15,7 +15,7 @@ from common.front_map import (
     types_of,
     types_of_seeds,
 )
-from common.map_panels import draw_regions, name_regions
+from common.map_panels import draw_key, draw_regions
 from common.plotting import DOUBLE, figure, letter, save
 from common.tables import read_rows, write_table
 
@@ -81,11 +81,11 @@ def draw(maps, stem):
     for axes, text, (name, fronts) in zip(panels, "ABCD", maps.items()):
         types = types_of(fronts)
         draw_regions(axes, types, types)
-        name_regions(axes, types)
         axes.set_title(TITLES[name])
         letter(axes, text)
         if text != "A":
             axes.set(ylabel="")
+    draw_key(panels[-1])
     save(fig, stem)
 
 
