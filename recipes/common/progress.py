@@ -3,6 +3,7 @@
 Snakemake calls log_handler() with each of its messages. Each command also goes to the log file.
 """
 
+import re
 import sys
 import time
 from pathlib import Path
@@ -10,7 +11,7 @@ from pathlib import Path
 LOG = Path("build/log/recipes.log")
 LAST_LINES = 30
 START = time.monotonic()
-done_of_total = ""  # known from the first finished step on
+steps = {"started": 0, "total": "?"}
 
 
 def log(text):
@@ -32,15 +33,18 @@ def describe(message):
     return message["name"] + (f" ({wildcards})" if wildcards else "")
 
 
+def on_plan(message):
+    """Snakemake's table of rules and how often each is to be run."""
+    total = re.search(r"^total\s+(\d+)", message["msg"], re.MULTILINE)
+    if total:
+        steps["total"] = total[1]
+
+
 def on_start(message):
+    steps["started"] += 1
     if message["output"]:  # a rule without one only collects
-        print(f"[{time.monotonic() - START:4.0f} s{done_of_total}] {describe(message)}", flush=True)
-
-
-def on_progress(message):
-    global done_of_total
-    total = str(message["total"])
-    done_of_total = f", {message['done']:{len(total)}} of {total}"
+        number = f"{steps['started']:{len(steps['total'])}}/{steps['total']}"
+        print(f"[{time.monotonic() - START:4.0f} s] {number} {describe(message)}", flush=True)
 
 
 def on_failure(message):
@@ -58,8 +62,8 @@ def log_handler(message):
     level = message["level"]
     if level == "job_info":
         on_start(message)
-    elif level == "progress":
-        on_progress(message)
+    elif level == "run_info":
+        on_plan(message)
     elif level == "job_error":
         on_failure(message)
     elif level == "error" and not message["msg"].startswith("Exiting because a job"):
