@@ -26,6 +26,7 @@ rule ensemble_run:
         record_sum=f"{DATA}/ensemble/run-{{seed}}-record.h5.sum",
         checkpoints=[f"{DATA}/ensemble/run-{{seed}}-t{t:.9f}.h5" for t in SEED_CHECKPOINTS],
         checkpoint_sums=[f"{DATA}/ensemble/run-{{seed}}-t{t:.9f}.h5.sum" for t in SEED_CHECKPOINTS],
+    priority: 80  # long: first
     params:
         code=CODE,
     log:

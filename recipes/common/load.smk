@@ -16,6 +16,7 @@ rule load:
         checkpoint_sums=[f"{path}.sum" for path in LOADED],
         last=f"{DATA}/load.h5",
         last_sum=f"{DATA}/load.h5.sum",
+    priority: 100  # long: first
     params:
         code=CODE,
     log:

@@ -24,6 +24,7 @@ rule quasistatic_load:
         checkpoint_sums=[f"{path}.sum" for path in QUASISTATIC_LOADED],
         last=f"{DATA}/fig5/quasistatic-load.h5",
         last_sum=f"{DATA}/fig5/quasistatic-load.h5.sum",
+    priority: 90  # long: first
     params:
         code=CODE,
     log:

@@ -24,6 +24,7 @@ rule figS2_load:
         checkpoint_sums=[f"{path}.sum" for path in FIGS2_LOADED],
         last=f"{DATA}/figS2/load.h5",
         last_sum=f"{DATA}/figS2/load.h5.sum",
+    priority: 90  # long: first
     params:
         code=CODE,
     log:

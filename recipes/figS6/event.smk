@@ -18,6 +18,7 @@ rule figS6_load:
         checkpoint_sums=[f"{path}.sum" for path in FIGS6_LOADED],
         last=f"{DATA}/figS6/load.h5",
         last_sum=f"{DATA}/figS6/load.h5.sum",
+    priority: 90  # long: first
     params:
         code=CODE,
         law=FIGS6_LAW,

@@ -14,6 +14,7 @@ rule robustness_exponential:
         sum=f"{DATA}/robustness/exponential.h5.sum",
         record=f"{DATA}/robustness/exponential-record.h5",
         record_sum=f"{DATA}/robustness/exponential-record.h5.sum",
+    priority: 90  # long: first
     params:
         code=CODE,
     log:
