@@ -1,6 +1,12 @@
 # Robustness of the results. Exponential slipping times here; what else there is has a file of its own
 # beside this one, which adds the claims it writes to ROBUSTNESS_PARTS. See README.md.
 ROBUSTNESS_PARTS = [f"{DATA}/robustness/claims-Exp.json"]
+ROBUSTNESS_EVENT = f"{DATA}/fast-slow-fast"
+
+
+rule robustness_start:
+    input:
+        f"{ROBUSTNESS_EVENT}.compared",
 
 
 # Until the first junction breaks, at 0.18 s, no slipping time is drawn: the reference run is also the
@@ -46,6 +52,8 @@ rule robustness_exponential_events:
 rule robustness_Exp:
     input:
         events=f"{DATA}/robustness/exponential-events.json",
+        unmodified=f"{ROBUSTNESS_EVENT}-front.json",
+        continued=f"{ROBUSTNESS_EVENT}/exponential-front.json",
         script="recipes/robustness/exponential.py",
         common=COMMON,
     output:
@@ -58,7 +66,8 @@ rule robustness_Exp:
     message:
         "robustness: draw the events with exponential slipping times, compare with the claim"
     shell:
-        "{PYTHON} {input.script} {input.events} {RESULTS}/robustness {output.claims} 2> {log}"
+        "{PYTHON} {input.script} {input.events} {input.unmodified} {input.continued}"
+        " {RESULTS}/robustness {output.claims} 2> {log}"
 
 
 for part in sorted(
