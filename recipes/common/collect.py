@@ -48,7 +48,9 @@ def main(sweep_file, folder, path):
     sweep = read_sweep(sweep_file)
     table = list(rows(sweep, folder))
     if table and all(row["status"] == "failed" for row in table):
-        sys.exit(f"collect.py: every point of {sweep_file} failed. The first: {table[0]['sentence']}")
+        sys.exit(
+            f"collect.py: every point of {sweep_file} failed. The first: {table[0]['sentence']}"
+        )
     names = [*names_of_values(sweep.points), "status", "sentence", *sweep.columns, "point"]
     write(path, names, table)
 

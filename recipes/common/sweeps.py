@@ -92,7 +92,11 @@ def evaluate(node):
         return OPERATORS[type(node.op)](evaluate(node.left), evaluate(node.right))
     if isinstance(node, ast.UnaryOp) and type(node.op) in OPERATORS:
         return OPERATORS[type(node.op)](evaluate(node.operand))
-    if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "sqrt" and len(node.args) == 1:
+    if (
+        isinstance(node, ast.Call)
+        and getattr(node.func, "id", "") == "sqrt"
+        and len(node.args) == 1
+    ):
         return math.sqrt(evaluate(node.args[0]))
     raise SweepError("an expression may use numbers, {names}, + - * / ** and sqrt() only")
 

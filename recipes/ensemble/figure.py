@@ -98,7 +98,9 @@ def claim_quantities(claims_of_events, claims_of_shown):
         shown = claims_of_shown[claim_id]
         accepted = [claim.verdict == REPRODUCED for claim in claims]
         rows.append(
-            share(claim_id, "share of seeds for which it holds", accepted, shown.verdict == REPRODUCED)
+            share(
+                claim_id, "share of seeds for which it holds", accepted, shown.verdict == REPRODUCED
+            )
         )
         for name, single in shown.measured.items():
             numbers = [c.measured[name] for c in claims if is_number(c.measured[name])]
@@ -221,14 +223,18 @@ def write_events(path, events_by_seed):
         for seed, events in events_by_seed.items():
             for event in events:
                 of_slow = [of(event) if event["slow"] else None for of in SLOW_STRETCH.values()]
-                kinds = ["yes" if of_kind(event) else "no" for of_kind in (slows_down, is_fast_slow_fast)]
+                kinds = [
+                    "yes" if of_kind(event) else "no" for of_kind in (slows_down, is_fast_slow_fast)
+                ]
                 table.writerow([seed, event["t_start"], event["type"], *kinds, *of_slow])
 
 
 def summary(rows, seeds, chosen):
     """Text for the terminal."""
     lines = [f"{seeds} seeds, {chosen} with an event that slows down", ""]
-    lines.append(f"{'claim':6}{'quantity':50}{'n':>4}{'median':>10}{'5 %':>10}{'95 %':>10}{'shown':>10}")
+    lines.append(
+        f"{'claim':6}{'quantity':50}{'n':>4}{'median':>10}{'5 %':>10}{'95 %':>10}{'shown':>10}"
+    )
     for row in rows:
         name = f"{row.quantity} [{row.unit}]" if row.unit else row.quantity
         shown = "" if row.single is None else f"{row.single:.4g}"

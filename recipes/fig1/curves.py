@@ -38,7 +38,9 @@ def claim_1D(events):
         id="1D",
         paper="elastic loading, then precursors, then interface-spanning events with large drops",
         measured={
-            "arrest of the events before the first spanning one [mm]": [x * 1e3 for x in precursors],
+            "arrest of the events before the first spanning one [mm]": [
+                x * 1e3 for x in precursors
+            ],
             "0.5 L [mm]": 0.5 * events[0]["L"] * 1e3,
             "first spanning event at [s]": events[first_spanning]["t_start"],
             "spanning events until 1.2 s": len(drops),
@@ -100,7 +102,16 @@ def write_tables(results, loading, events, blocks, front):
         ["time [s]", "F_T/F_N"],
         zip(loading["time"], np.array(loading["F_T"]) / loading["F_N"]),
     )
-    fields = ["t_start", "t_end", "x_first", "x_last", "spanning", "type", "F_T_before", "F_T_after"]
+    fields = [
+        "t_start",
+        "t_end",
+        "x_first",
+        "x_last",
+        "spanning",
+        "type",
+        "F_T_before",
+        "F_T_after",
+    ]
     units = [" [s]", " [s]", " [m]", " [m]", "", "", " [N]", " [N]"]
     write_table(
         results / "events.csv",

@@ -138,7 +138,9 @@ def main(prepared, record, *rest):
     *slipping, table, claims = rest
     pulled = Pulled(prepared, record, slipping)
     junctions = [Junction(pulled, i) for i in range(pulled.u.shape[1])]
-    write_table(table, ["time [s]", "displacement [m]", "f_T/f_N", "pinned"], rows(junctions[SHOWN]))
+    write_table(
+        table, ["time [s]", "displacement [m]", "f_T/f_N", "pinned"], rows(junctions[SHOWN])
+    )
     write_claims(claims, [claim_1F(junctions)])
 
 

@@ -37,7 +37,9 @@ class Levers:
         with h5py.File(checkpoint) as file:
             self.h = file["parameters/driving/h"][()]
             spacing = file["parameters/slider/L"][()] / (file["parameters/slider/Nx"][()] - 1)
-            u_x, u_z, f_x, f_z = (file[f"state/{name}"][()] for name in ("u_x", "u_z", "f_x", "f_z"))
+            u_x, u_z, f_x, f_z = (
+                file[f"state/{name}"][()] for name in ("u_x", "u_z", "f_x", "f_z")
+            )
         self.drive_height = self.h + u_z[round(self.h / spacing), 0]
         self.interface_x, self.interface_z = u_x[0], u_z[0]
         self.top_shift = u_x[-1].mean()

@@ -19,9 +19,7 @@ def is_fast_slow(front):
     slow = front["slow"]
     if front["type"] != "slow" or slow["fast_before"] is None:
         return False
-    return (
-        slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and slow["duration"] >= DURATION[0]
-    )
+    return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and slow["duration"] >= DURATION[0]
 
 
 def main(path, checkpoint_every):

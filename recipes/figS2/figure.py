@@ -68,7 +68,13 @@ def draw(data, fronts, stem):
 
 
 def write_events(path, events, without):
-    names = ["t_start [s]", "slow from [m]", "fast before [m/s]", "slow speed [m/s]", "duration [s]"]
+    names = [
+        "t_start [s]",
+        "slow from [m]",
+        "fast before [m/s]",
+        "slow speed [m/s]",
+        "duration [s]",
+    ]
     keys = ("x_from", "fast_before", "speed", "duration")
     rows = (
         [event["event"], *(event["slow"][key] for key in keys), front["type"], front["x_arrest"]]
@@ -108,9 +114,7 @@ def main(data, results):
     data, results = Path(data), Path(results)
     choice = report(data / "choice.json")
     event = report(data / "event-front.json")
-    without = [
-        report(data / f"no-slow-slip-{n}-front.json") for n in range(len(choice["events"]))
-    ]
+    without = [report(data / f"no-slow-slip-{n}-front.json") for n in range(len(choice["events"]))]
     fronts = {"event": event, "no-slow-slip-0": without[0]}
     draw(data, fronts, results / "figS2")
     write_fronts(results / "front-speed.csv", fronts)

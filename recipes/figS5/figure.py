@@ -6,7 +6,13 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from quadrature import SHAPES, largest_mean_force, mean_force, sigma_of_unit_width, uniform_closed_form
+from quadrature import (
+    SHAPES,
+    largest_mean_force,
+    mean_force,
+    sigma_of_unit_width,
+    uniform_closed_form,
+)
 
 from common.claims import Claim, verdict, write_claims
 from common.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, figure, letter, save
@@ -64,7 +70,9 @@ def draw_strength(axes, strengths):
         for sigma_bar, colour in DRAWN.items():
             n = np.argmin(np.abs(strength.sigma_bar - sigma_bar))
             axes.plot(sigma_bar, strength.mu[n], "os"[strength.shape == "bell"], color=colour)
-    axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\mu_s^\mathrm{eff}$", xlim=(0, 1.2), ylim=(MU_D, MU_S))
+    axes.set(
+        xlabel=r"$\bar\sigma$", ylabel=r"$\mu_s^\mathrm{eff}$", xlim=(0, 1.2), ylim=(MU_D, MU_S)
+    )
     axes.legend(loc="upper right")
 
 

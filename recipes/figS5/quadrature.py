@@ -40,7 +40,11 @@ def mean_force(shape, a, g_0, d):
     if top <= -a:
         return 0.0
     return quad(
-        lambda xi: (g_0 + xi + d) * SHAPES[shape](xi, a), -a, top, points=[min(0.0, top)], epsabs=1e-13
+        lambda xi: (g_0 + xi + d) * SHAPES[shape](xi, a),
+        -a,
+        top,
+        points=[min(0.0, top)],
+        epsabs=1e-13,
     )[0]
 
 

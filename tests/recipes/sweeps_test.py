@@ -66,7 +66,9 @@ class Reading(unittest.TestCase):
                 self.values(f"[values]\nb = 1\na = {text if '{' in text else text + ' * {b}'}")
 
     def test_variants_replace_common_values(self):
-        points = self.values("[values]\na = 1\nb = 2\n[variant one]\na = 5, 6\n[variant two]\nb = 7")
+        points = self.values(
+            "[values]\na = 1\nb = 2\n[variant one]\na = 5, 6\n[variant two]\nb = 7"
+        )
         found = [(p["variant"], p["a"], p["b"]) for p in points]
         self.assertEqual(found, [("one", "5", "2"), ("one", "6", "2"), ("two", "1", "7")])
 
@@ -81,7 +83,9 @@ class Reading(unittest.TestCase):
         self.assertEqual(self.read(text).points, [])
         table.write_text("a,b\n1,2\n3,4\n", encoding="utf-8")
         found = [(p.values["a"], p.values["b"], p.values["seed"]) for p in self.read(text).points]
-        self.assertEqual(found, [("1", "2", "1"), ("1", "2", "2"), ("3", "4", "1"), ("3", "4", "2")])
+        self.assertEqual(
+            found, [("1", "2", "1"), ("1", "2", "2"), ("3", "4", "1"), ("3", "4", "2")]
+        )
 
     def test_the_name_of_a_point_follows_from_its_commands_alone(self):
         few = self.read(f"[sweep]\ntitle = A\n{COMMANDS}[values]\na = 1").points
@@ -98,9 +102,11 @@ class Reading(unittest.TestCase):
 class Computing(unittest.TestCase):
     """With a stand-in for the tools."""
 
-    TOOL = '#!/bin/sh\nif [ "$1" = bad ]; then echo "tool: too large" >&2; exit 1; fi\n' \
-        'if [ "$1" = crash ]; then kill -9 $$; fi\n' \
+    TOOL = (
+        '#!/bin/sh\nif [ "$1" = bad ]; then echo "tool: too large" >&2; exit 1; fi\n'
+        'if [ "$1" = crash ]; then kill -9 $$; fi\n'
         'echo "abc  x.h5" > x.h5.sum; echo "{\\"v\\": {\\"w\\": [1, 2]}}"\n'
+    )
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -124,7 +130,9 @@ class Computing(unittest.TestCase):
         # The stand-in reads its first argument only.
         for point in read_sweep(self.sweep).points:
             line = point.commands["first"].replace("--kind ", "")
-            done = self.script("point.py", self.folder, self.folder / f"{point.id}.json", f"first={line}")
+            done = self.script(
+                "point.py", self.folder, self.folder / f"{point.id}.json", f"first={line}"
+            )
             if done.returncode:
                 return done
         return self.script("collect.py", self.sweep, self.folder, self.folder / "table.csv")
