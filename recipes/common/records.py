@@ -17,6 +17,13 @@ def values(numbers):
     return np.array([np.nan if number is None else number for number in numbers])
 
 
+def shear_wave_speed(path):
+    """c_s = sqrt(G / rho), with Poisson ratio 1/3."""
+    with h5py.File(path) as file:
+        p = {name: file[f"parameters/slider/{name}"][()] for name in "LHBME"}
+    return np.sqrt(p["E"] / (2 * (1 + 1 / 3)) / (p["M"] / (p["L"] * p["H"] * p["B"])))
+
+
 class Pinned:
     """Pinned fraction of each block against time: time [s], x / L, fraction [samples][blocks]."""
 

@@ -16,7 +16,7 @@ import numpy as np
 from scipy.stats import beta
 
 from common.choose_events import read_events
-from common.claims import REPRODUCED, write_claims
+from common.claims import REPRODUCED, read_claims, write_claims
 from common.event_claims import all_claims
 from common.fronts import counted, has_slow_stretch, is_fast_only, is_fast_slow_fast, slows_down
 from common.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
@@ -39,6 +39,13 @@ KINDS = {  # share of the spanning events that ...: (claim, which)
     "share of events that slow down": ("2A", slows_down),
     "share of events that meet all of 2A": ("2A", is_fast_slow_fast),
     "share of events that are fast everywhere": ("2B", is_fast_only),
+}
+
+QUASISTATIC = {  # quantity as claim 5B names it: as quasistatic_seeds.py does
+    "mean speed [m/s]": "speed",
+    "c_s/speed": "c_s/speed",
+    "blocks in 20 ms, V = 0": "stopped",
+    "blocks in 20 ms, driven": "driven",
 }
 
 
@@ -106,6 +113,16 @@ def claim_quantities(claims_of_events, claims_of_shown):
             numbers = [c.measured[name] for c in claims if is_number(c.measured[name])]
             if is_number(single) and numbers:
                 rows.append(distribution(claim_id, name, numbers, float(single)))
+    return rows
+
+
+def quasistatic_quantities(seeds, shown):
+    """Of claim 5B: `seeds` from fig5/quasistatic_seeds.py, `shown` the claim of the shown run."""
+    holds = [seed["c_s/speed"] >= 1000 and seed["stopped"] <= 2 for seed in seeds]
+    rows = [share("5B", "share of seeds for which it holds", holds, shown.verdict == REPRODUCED)]
+    for name, key in QUASISTATIC.items():
+        numbers = [seed[key] for seed in seeds]
+        rows.append(distribution("5B", name, numbers, float(shown.measured[name])))
     return rows
 
 
@@ -255,7 +272,14 @@ def main(data, results, *paths):
     claims_of_shown = by_id(all_claims(data, SHOWN))
     shown = report(data / f"{SHOWN}-front.json")
     draw(events, shown, claims_of_events, claims_of_shown, results / "ensemble")
-    rows = event_quantities(events, shown) + claim_quantities(claims_of_events, claims_of_shown)
+    rows = [
+        *event_quantities(events, shown),
+        *claim_quantities(claims_of_events, claims_of_shown),
+        *quasistatic_quantities(
+            report(data / "fig5/quasistatic-seeds.json"),
+            by_id(read_claims(data / "fig5/claims-quasistatic.json"))["5B"],
+        ),
+    ]
     write_quantities(results / "ensemble.csv", rows)
     write_events(results / "events.csv", events_by_seed)
     text = json.dumps([asdict(row) for row in rows], indent=2, allow_nan=False)

@@ -26,6 +26,8 @@ rule ensemble:
             for event in ENSEMBLE_MEASURED
             for state in ("", "/wider-start")
         ],
+        quasistatic=f"{DATA}/fig5/quasistatic-seeds.json",
+        quasistatic_shown=f"{DATA}/fig5/claims-quasistatic.json",
         script="recipes/ensemble/figure.py",
         common=COMMON,
     output:

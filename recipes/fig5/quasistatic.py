@@ -10,7 +10,7 @@ from quasistatic_stretch import read_ruptures
 
 from common.claims import Claim, verdict, write_claims
 from common.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
-from common.records import Pinned, report
+from common.records import Pinned, report, shear_wave_speed
 from common.tables import write_table
 
 STOPPED_FOR = 20e-3  # [s]
@@ -19,13 +19,6 @@ SLIPPING = 0.05  # part of a block's junctions from which a stopped run is shown
 SHOWN_BEFORE, SHOWN_AFTER = 10e-3, 5e-3  # the dynamic events on either side [s]
 FASTEST = 1 / 1000  # of c_s
 FURTHEST = 2  # blocks
-
-
-def shear_wave_speed(path):
-    """c_s = sqrt(G / rho), with Poisson ratio 1/3."""
-    with h5py.File(path) as file:
-        p = {name: file[f"parameters/slider/{name}"][()] for name in "LHBME"}
-    return np.sqrt(p["E"] / (2 * (1 + 1 / 3)) / (p["M"] / (p["L"] * p["H"] * p["B"])))
 
 
 def furthest(ruptures, from_t, to_t):
@@ -134,7 +127,8 @@ def claim_5B(stretch, c_s, branches):
         " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the"
         " checkpoints: in the last one the second event has begun to nucleate. The front creeps in"
         " bursts of some ms; branched off within one (0.5965 s), it went on by 4 blocks in 3 ms"
-        " before it stopped.",
+        " before it stopped. In the ensemble the driving always stops at the same moment, 0.57 s, which"
+        " for many seeds is within a burst.",
     )
 
 

@@ -79,6 +79,78 @@ rule quasistatic_stopped:
         " --record {output.record} --record-every 1e-3 2> {log}"
 
 
+# The same over seeds: other slipping times from shortly before the first dynamic event, which renews all
+# junctions; the driving stopped when it is in the shown run.
+QUASISTATIC_SEEDS_FROM = 0.48  # s
+QUASISTATIC_SEEDS_STOP = 0.57  # s
+QUASISTATIC_SEEDS_UNTIL = 0.59  # s
+
+
+rule quasistatic_seed:
+    input:
+        h5=ancient(f"{DATA}/fig5/quasistatic-load-t{QUASISTATIC_SEEDS_FROM:.9f}.h5"),
+        sum=f"{DATA}/fig5/quasistatic-load-t{QUASISTATIC_SEEDS_FROM:.9f}.h5.sum",
+    output:
+        h5=f"{DATA}/fig5/seed-{{seed}}.h5",
+        sum=f"{DATA}/fig5/seed-{{seed}}.h5.sum",
+        stop=f"{DATA}/fig5/seed-{{seed}}-t{QUASISTATIC_SEEDS_STOP:.9f}.h5",
+        stop_sum=f"{DATA}/fig5/seed-{{seed}}-t{QUASISTATIC_SEEDS_STOP:.9f}.h5.sum",
+        record=f"{DATA}/fig5/seed-{{seed}}-record.h5",
+        record_sum=f"{DATA}/fig5/seed-{{seed}}-record.h5.sum",
+    params:
+        code=CODE,
+    log:
+        f"{LOGS}/fig5/seed-{{seed}}.log",
+    message:
+        "fig5: drive the slider at h = 0 with seed {wildcards.seed}"
+    shell:
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --seed $((10#{wildcards.seed}))"
+        " --until {QUASISTATIC_SEEDS_UNTIL} --checkpoint-at {QUASISTATIC_SEEDS_STOP}"
+        " --record {output.record} --record-every 1e-3 2> {log}"
+
+
+rule quasistatic_seed_stopped:
+    input:
+        h5=ancient(f"{DATA}/fig5/seed-{{seed}}-t{QUASISTATIC_SEEDS_STOP:.9f}.h5"),
+        sum=f"{DATA}/fig5/seed-{{seed}}-t{QUASISTATIC_SEEDS_STOP:.9f}.h5.sum",
+    output:
+        h5=f"{DATA}/fig5/seed-{{seed}}-stopped.h5",
+        sum=f"{DATA}/fig5/seed-{{seed}}-stopped.h5.sum",
+        record=f"{DATA}/fig5/seed-{{seed}}-stopped-record.h5",
+        record_sum=f"{DATA}/fig5/seed-{{seed}}-stopped-record.h5.sum",
+    params:
+        code=CODE,
+    log:
+        f"{LOGS}/fig5/seed-{{seed}}-stopped.log",
+    message:
+        "fig5: stop the driving with seed {wildcards.seed}"
+    shell:
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --set driving.V=0"
+        " --until {QUASISTATIC_SEEDS_UNTIL} --record {output.record} --record-every 1e-3 2> {log}"
+
+
+rule quasistatic_seeds:
+    input:
+        driven=ancient([f"{DATA}/fig5/seed-{seed}-record.h5" for seed in SEEDS]),
+        driven_sums=[f"{DATA}/fig5/seed-{seed}-record.h5.sum" for seed in SEEDS],
+        stopped=ancient([f"{DATA}/fig5/seed-{seed}-stopped-record.h5" for seed in SEEDS]),
+        stopped_sums=[f"{DATA}/fig5/seed-{seed}-stopped-record.h5.sum" for seed in SEEDS],
+        script="recipes/fig5/quasistatic_seeds.py",
+        stretch_script="recipes/fig5/quasistatic_stretch.py",
+        common=COMMON,
+    output:
+        f"{DATA}/fig5/quasistatic-seeds.json",
+    params:
+        seeds=SEEDS,
+    log:
+        f"{LOGS}/fig5/quasistatic-seeds.log",
+    message:
+        "fig5: measure the quasi-static fronts of all seeds"
+    shell:
+        "{PYTHON} {input.script} {DATA}/fig5 {QUASISTATIC_SEEDS_STOP} {params.seeds}"
+        " > {output} 2> {log}"
+
+
 rule quasistatic:
     input:
         stretch=f"{DATA}/fig5/quasistatic-stretch.json",

@@ -2,9 +2,8 @@
 """Finds a quasi-static front: quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
 
 Dynamic events are times at which more than half of the blocks rupture within 1 ms. Between the
-first two of them, the tip is the furthest block that has ruptured since the earlier one. The
-stretch begins with the first rupture and ends 10 ms (5 t_R) before the later event, so that what
-nucleates that event is not counted. Prints when the tip was where, and the checkpoints nearest to
+first two of them, the tip is the furthest block that has ruptured. What happens within 10 ms (5 t_R)
+of either event belongs to that: single blocks rupture again, or the later event nucleates. Prints when the tip was where, and the checkpoints nearest to
 each tenth of the stretch, where a run with the driving stopped can branch off.
 """
 
@@ -15,7 +14,7 @@ import h5py
 import numpy as np
 
 WINDOW = 1e-3  # [s]
-BEFORE_EVENT = 10e-3  # [s]
+APART = 10e-3  # from a dynamic event [s]
 TENTHS = range(1, 10)
 
 
@@ -60,11 +59,11 @@ def main(path, checkpoint_every):
     events = dynamic_events(time, block, len(x))
     if len(events) < 2:
         sys.exit("this load has fewer than two dynamic events: load for longer")
-    (_, from_t), (next_event, _) = events[:2]
-    t, tip = tip_advances(time, block, from_t, next_event - BEFORE_EVENT)
+    (_, event), (next_event, _) = events[:2]
+    t, tip = tip_advances(time, block, event + APART, next_event - APART)
     stretch = {
         "dynamic_events": [start for start, _ in events],
-        "interval_from": from_t,
+        "interval_from": event + APART,
         "tip": [[when, x[b]] for when, b in zip(t, tip)],
         "speed": (x[tip[-1]] - x[tip[0]]) / (t[-1] - t[0]),
         "branches": branch_times(t[0], t[-1], float(checkpoint_every)),
