@@ -45,7 +45,6 @@ QUASISTATIC = {  # quantity as claim 5B names it: as quasistatic_seeds.py does
     "mean speed [m/s]": "speed",
     "c_s/speed": "c_s/speed",
     "blocks in 20 ms, V = 0": "stopped",
-    "blocks in 20 ms, driven": "driven",
 }
 
 

@@ -83,7 +83,6 @@ rule quasistatic_stopped:
 # junctions; the driving stopped when it is in the shown run.
 QUASISTATIC_SEEDS_FROM = 0.48  # s
 QUASISTATIC_SEEDS_STOP = 0.57  # s
-QUASISTATIC_SEEDS_UNTIL = 0.59  # s
 
 
 rule quasistatic_seed:
@@ -93,8 +92,6 @@ rule quasistatic_seed:
     output:
         h5=f"{DATA}/fig5/seed-{{seed}}.h5",
         sum=f"{DATA}/fig5/seed-{{seed}}.h5.sum",
-        stop=f"{DATA}/fig5/seed-{{seed}}-t{QUASISTATIC_SEEDS_STOP:.9f}.h5",
-        stop_sum=f"{DATA}/fig5/seed-{{seed}}-t{QUASISTATIC_SEEDS_STOP:.9f}.h5.sum",
         record=f"{DATA}/fig5/seed-{{seed}}-record.h5",
         record_sum=f"{DATA}/fig5/seed-{{seed}}-record.h5.sum",
     params:
@@ -105,14 +102,13 @@ rule quasistatic_seed:
         "fig5: drive the slider at h = 0 with seed {wildcards.seed}"
     shell:
         "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --seed $((10#{wildcards.seed}))"
-        " --until {QUASISTATIC_SEEDS_UNTIL} --checkpoint-at {QUASISTATIC_SEEDS_STOP}"
-        " --record {output.record} --record-every 1e-3 2> {log}"
+        " --until {QUASISTATIC_SEEDS_STOP} --record {output.record} --record-every 1e-3 2> {log}"
 
 
 rule quasistatic_seed_stopped:
     input:
-        h5=ancient(f"{DATA}/fig5/seed-{{seed}}-t{QUASISTATIC_SEEDS_STOP:.9f}.h5"),
-        sum=f"{DATA}/fig5/seed-{{seed}}-t{QUASISTATIC_SEEDS_STOP:.9f}.h5.sum",
+        h5=ancient(f"{DATA}/fig5/seed-{{seed}}.h5"),
+        sum=f"{DATA}/fig5/seed-{{seed}}.h5.sum",
     output:
         h5=f"{DATA}/fig5/seed-{{seed}}-stopped.h5",
         sum=f"{DATA}/fig5/seed-{{seed}}-stopped.h5.sum",
@@ -126,7 +122,7 @@ rule quasistatic_seed_stopped:
         "fig5: stop the driving with seed {wildcards.seed}"
     shell:
         "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --set driving.V=0"
-        " --until {QUASISTATIC_SEEDS_UNTIL} --record {output.record} --record-every 1e-3 2> {log}"
+        " --for 0.02 --record {output.record} --record-every 1e-3 2> {log}"
 
 
 rule quasistatic_seeds:
@@ -147,8 +143,7 @@ rule quasistatic_seeds:
     message:
         "fig5: measure the quasi-static fronts of all seeds"
     shell:
-        "{PYTHON} {input.script} {DATA}/fig5 {QUASISTATIC_SEEDS_STOP} {params.seeds}"
-        " > {output} 2> {log}"
+        "{PYTHON} {input.script} {DATA}/fig5 {params.seeds} > {output} 2> {log}"
 
 
 rule quasistatic:
