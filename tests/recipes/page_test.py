@@ -86,7 +86,7 @@ class Page(unittest.TestCase):
         self.project.make_ensemble("2A")
         row = re.search(r'<tbody id="result-2A".*?</tbody>', self.page(), re.S)[0]
         text = " ".join(row.split())
-        self.assertIn("slow speed, 20 seeds: 21.5 (18.25 to 26.12) m/s; shown: 22.9 m/s", text)
+        self.assertIn("slow speed, n = 20: 21.5 (18.25 to 26.12) m/s; shown: 22.9 m/s", text)
 
     def test_adds_up_times_counting_a_job_once(self):
         self.project.make_accounts()
