@@ -136,7 +136,11 @@ TEST_F(RecordFile, of_a_run_killed_at_any_moment_is_readable) {
       auto out = writer("r.h5", 4, IfExists::replace);  // is nearly always within a flush
       for (int n = 0;; ++n) append(out, n, n + 1);
     }
-    while (failure_of([&] { identify(file("r.h5.part")); }) != "(no failure)") usleep(500);
+    const auto not_yet_begun = [&] {
+      return failure_of([&] { identify(file("r.h5.part")); }) != "(no failure)";
+    };
+    for (int n = 0; n < 40000 && not_yet_begun(); ++n) usleep(500);
+    ASSERT_FALSE(not_yet_begun()) << "the writer has not begun within 20 s";
     usleep(static_cast<useconds_t>(10000 + 700 * trial));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
