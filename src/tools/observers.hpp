@@ -18,7 +18,7 @@ class Recorder : public Observer {
  public:
   /// `sampled`: the step of the last sample that the record has already; negative if it has none.
   Recorder(RecordWriter& writer, std::int64_t every, std::int64_t now, std::int64_t last_step,
-           std::int64_t sampled);
+           std::int64_t sampled = -1);
   std::int64_t next_step() const override { return next_; }
   void observe(const Simulation& simulation) override;
   /// Brings the record to the disk as it is now.
