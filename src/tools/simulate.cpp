@@ -92,10 +92,12 @@ int thread_count(int threads) {
 }
 
 /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
-Ending run_and_keep_record(Simulation& simulation, const StopRule& rule,
+Ending run_and_keep_record(Simulation& simulation, const StopRule& rule, Alarms& alarms,
                            const std::vector<Observer*>& observers, RecordWriter* writer) {
   try {
-    return rupture::run(simulation, rule, observers);
+    const Ending ending = rupture::run(simulation, rule, observers);
+    alarms.observe(simulation);
+    return ending;
   } catch (...) {
     if (writer != nullptr) writer->flush();
     throw;
@@ -117,6 +119,7 @@ void add_run_options(po::options_description& options) {
   add("threads", po::value<int>()->value_name("N"),
       "threads that share the work; default: as many as pay for this size of slider. Results do "
       "not depend on it");
+  add_alarm_option(options);
 }
 
 RunOptions run_options(const po::variables_map& values) {
@@ -131,6 +134,7 @@ RunOptions run_options(const po::variables_map& values) {
   if (values.count("record") > 0) run.record = values["record"].as<std::string>();
   run.record_every = non_negative(values, "record-every");
   if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
+  run.on_alarm = on_alarm(values);
   return run;
 }
 
@@ -160,9 +164,12 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
     const Checkpoint now = {p, simulation.state(), start.provenance};
     announce(output, path, write_checkpoint(path, now, output.if_exists));
   };
-  CheckpointSchedule schedule(steps,
-                              [&](const Simulation& s) { save(path_at(output.output, s.time())); });
-  std::vector<Observer*> observers = {&schedule};
+  Alarms alarms(simulation, rule.last_step, run.on_alarm, output, start.provenance.back().tool);
+  CheckpointSchedule schedule(steps, [&](const Simulation& s) {
+    alarms.observe(s);
+    save(path_at(output.output, s.time()));
+  });
+  std::vector<Observer*> observers = {&alarms, &schedule};
 
   std::unique_ptr<RecordWriter> writer;
   std::unique_ptr<Recorder> recorder;
@@ -177,7 +184,7 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
 
   const Energies before = simulation.energies();
   const auto clock = std::chrono::steady_clock::now();
-  const Ending ending = run_and_keep_record(simulation, rule, observers, writer.get());
+  const Ending ending = run_and_keep_record(simulation, rule, alarms, observers, writer.get());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - clock;
 
   if (show_progress) progress.finish();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "alarms.hpp"
 #include "command_line.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/run.hpp"
@@ -17,6 +18,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> record;
   double record_every = 1e-4;  ///< [s]
   std::optional<int> threads;  ///< none: as many as pay
+  OnAlarm on_alarm = OnAlarm::stop;
 };
 
 void add_run_options(po::options_description& options);
