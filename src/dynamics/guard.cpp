@@ -63,9 +63,11 @@ Maybe contact(const Simulation& simulation) {
                                "{:g} N; change the parameters less",
                                support, simulation.time(), p.F_N)};
   }
-  return Finding{Concern::contact, Severity::warning,
-                 fmt::format("{} of {} blocks do not touch the {} at t = {:.7g} s, block {} first",
-                             without, p.Nx, support, simulation.time(), first)};
+  return Finding{
+      Concern::contact, Severity::warning,
+      fmt::format("blocks that do not touch the {} at t = {:.7g} s: {} of {}, the first is "
+                  "block {}",
+                  support, simulation.time(), without, p.Nx, first)};
 }
 
 /// Junctions that bear more than they can, and the first of them.
@@ -103,12 +105,13 @@ Maybe strength(const Simulation& simulation, std::int64_t first_step) {
   const Overload found = overload(simulation);
   if (found.count == 0) return std::nullopt;
   const bool at_start = simulation.state().step == first_step;
-  return Finding{Concern::strength, at_start ? Severity::warning : Severity::alarm,
-                 fmt::format("{} junctions bear more than they can at t = {:.7g} s, the first in "
-                             "block {} with {:.4g} N, where {:.4g} N is the limit: {}",
-                             found.count, simulation.time(), found.block, found.f, found.limit,
-                             at_start ? "they break or slip in the first step"
-                                      : "that is a bug, please report it with the command")};
+  return Finding{
+      Concern::strength, at_start ? Severity::warning : Severity::alarm,
+      fmt::format("junctions that bear more than they can at t = {:.7g} s: {}, the first "
+                  "in block {} with {:.4g} N, where {:.4g} N is the limit; {}",
+                  simulation.time(), found.count, found.block, found.f, found.limit,
+                  at_start ? "they break or slip in the first step"
+                           : "that is a bug, please report it with the command")};
 }
 
 Place fastest_block(const State& state) {

@@ -69,8 +69,9 @@ TEST_F(Alarms, warn_of_lowered_strength_unless_quiet) {
   const Outcome outcome = run(command);
   EXPECT_EQ(outcome.exit_code, kDone);
   expect_one_sentence(outcome.err, "restart", "restart: warning: ");
-  expect_one_sentence(outcome.err, "restart",
-                      " junctions bear more than they can at t = 0.0001 s, the first in block 1");
+  expect_one_sentence(
+      outcome.err, "restart",
+      "junctions that bear more than they can at t = 0.0001 s: 200, the first in block 1");
   output_of(command + " --quiet");
 }
 

@@ -92,11 +92,12 @@ TEST(Guard, finds_a_block_pressed_so_hard_that_the_time_step_is_too_long) {
              {"block 3 bears p = ", "numerics.dt = 2e-07 s", "t = 0 s"});
 }
 
-/// Without damping, a driving spring that is all but too stiff and drawn by 1 um.
-Simulation stiffly_driven() {
+/// Without damping, a driving spring of modulus K [N/m], drawn by 1 um. One of 4e9 N/m would be too
+/// stiff for the time step.
+Simulation stiffly_driven(double K) {
   Parameters p = quick_slider();
   p.damping = 0.0;
-  p.K = 3.9e9;
+  p.K = K;
   p.V = 0.0;
   State state = normal_load_equilibrium(p);
   state.drive.origin_position += 1e-6;
@@ -105,13 +106,23 @@ Simulation stiffly_driven() {
 }
 
 TEST(Guard, finds_a_bounded_instability_in_the_energy_account) {
-  Simulation simulation = stiffly_driven();
+  Simulation simulation = stiffly_driven(3.9e9);
   expect_one(watch(simulation, 1, 5000), Concern::energy, Severity::alarm,
              {"from t = 0 s to 0.001 s", "1.2 % is the limit", "block, (0, 1), moves"});
 }
 
+TEST(Guard, says_nothing_about_a_vibration_that_stores_and_dissipates_next_to_nothing) {
+  Simulation simulation = stiffly_driven(2e7);
+  EXPECT_TRUE(watch(simulation, 40, 5000).empty());
+}
+
+TEST(Guard, finds_an_error_since_the_start_that_short_looks_allow) {
+  Simulation simulation = stiffly_driven(3.9e9);
+  expect_one(watch(simulation, 250, 4), Concern::energy, Severity::alarm, {"from t = 0 s to "});
+}
+
 TEST(Guard, reports_a_concern_once) {
-  Simulation simulation = stiffly_driven();
+  Simulation simulation = stiffly_driven(3.9e9);
   EXPECT_EQ(watch(simulation, 10, 5000).size(), 1U);
 }
 
@@ -146,7 +157,7 @@ TEST(Guard, warns_of_junctions_beyond_their_strength_at_the_start) {
   State state = normal_load_equilibrium(p);
   state.junctions.attachment.block(4, 7, 2, 3) -= 1e-4;
   expect_one(findings_at_once(p, state), Concern::strength, Severity::warning,
-             {"6 junctions", "t = 0 s", "in block 4", "first step"});
+             {"t = 0 s: 6, the first in block 4", "first step"});
 }
 
 TEST(Guard, warns_of_slipping_junctions_beyond_the_slipping_force_at_the_start) {
@@ -157,7 +168,7 @@ TEST(Guard, warns_of_slipping_junctions_beyond_the_slipping_force_at_the_start) 
   EXPECT_TRUE(findings_at_once(p, state).empty()) << "pinned, and below mu_s";
   state.junctions.repin_time(2, 0) = 1.0;
   expect_one(findings_at_once(p, state), Concern::strength, Severity::warning,
-             {"1 junctions", "in block 2"});
+             {"t = 0 s: 1, the first in block 2"});
 }
 
 TEST(Guard, calls_junctions_beyond_their_strength_after_the_start_a_bug) {
@@ -167,7 +178,7 @@ TEST(Guard, calls_junctions_beyond_their_strength_after_the_start_a_bug) {
   state.step = 1;
   state.junctions.attachment(4, 7) -= 1e-4;
   expect_one(guard.look(Simulation(p, state)), Concern::strength, Severity::alarm,
-             {"1 junctions", "in block 4", "bug"});
+             {"t = 2e-07 s: 1, the first in block 4", "bug"});
 }
 
 TEST(Guard, leaves_junctions_without_contact_alone) {
@@ -175,7 +186,8 @@ TEST(Guard, leaves_junctions_without_contact_alone) {
   State state = normal_load_equilibrium(p);
   state.u_z(4, 0) = 1e-7;
   state.junctions.attachment.row(4) -= 1e-4;
-  expect_one(findings_at_once(p, state), Concern::contact, Severity::warning, {"block 4 first"});
+  expect_one(findings_at_once(p, state), Concern::contact, Severity::warning,
+             {"1 of 9, the first is block 4"});
 }
 
 TEST(Guard, warns_of_blocks_without_contact) {
@@ -183,7 +195,7 @@ TEST(Guard, warns_of_blocks_without_contact) {
   State state = normal_load_equilibrium(p);
   state.u_z(7, 0) = state.u_z(8, 0) = 1e-7;
   expect_one(findings_at_once(p, state), Concern::contact, Severity::warning,
-             {"2 of 9 blocks do not touch the foundation at t = 0 s, block 7 first"});
+             {"do not touch the foundation at t = 0 s: 2 of 9, the first is block 7"});
 }
 
 TEST(Guard, finds_a_slider_that_touches_nothing) {
