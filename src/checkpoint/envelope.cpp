@@ -11,6 +11,8 @@
 namespace rupture {
 namespace {
 
+constexpr std::uint64_t kLargestFile = 1ULL << 62U;  // [bytes]
+
 constexpr std::string_view kOpenLines =
     "open: still being recorded, or interrupted; nothing protects its bytes\n"
     "An HDF5 file starts at byte 512.\n";
@@ -42,13 +44,6 @@ std::string_view line_after(std::string_view header, std::string_view key) {
   if (at == std::string_view::npos) return {};
   const std::string_view rest = header.substr(at + key.size());
   return rest.substr(0, rest.find('\n'));
-}
-
-std::uint64_t stated_size(std::string_view header) {
-  const std::string_view digits = line_after(header, "\nbytes ");
-  std::uint64_t size = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), size);
-  return size;
 }
 
 // True if `start`, the start of a file of any length, is that of a file of this kind.
@@ -111,6 +106,13 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   return starts_as(start, FileKind::checkpoint) ? FileKind::checkpoint : FileKind::record;
 }
 
+std::uint64_t stated_size(std::span<const std::byte> header) {
+  const std::string_view digits = line_after(as_text(header), "\nbytes ");
+  std::uint64_t size = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), size);
+  return std::min(size, kLargestFile);
+}
+
 FileKind check_envelope(std::span<const std::byte> file, const std::string& name) {
   const FileKind kind = header_kind(file, name);
   if (kind == FileKind::open_record) return kind;
@@ -118,7 +120,7 @@ FileKind check_envelope(std::span<const std::byte> file, const std::string& name
   const std::string body_sha256 = sha256(file.subspan(kHeaderSize));
   if (header == sealed_header(kind, file.size(), body_sha256)) return kind;
 
-  const std::uint64_t size = stated_size(header);
+  const std::uint64_t size = stated_size(file.first(kHeaderSize));
   if (file.size() < size && line_after(header, "\nsha256 ") != body_sha256) {
     throw Failure(
         fmt::format("{} is truncated: it holds {} of {} bytes; copy it again or write it anew",

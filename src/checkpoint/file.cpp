@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -17,11 +18,14 @@
 #include "hdf5_image.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/version.hpp"
 
 namespace rupture {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kUnknown = "a newer rupture";  // that wrote a file
 
 [[noreturn]] void fail_reading(const fs::path& path) {
   throw Failure(
@@ -67,12 +71,22 @@ std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
   return bytes;
 }
 
-void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
-  if (attributes.schema_version > kSchemaVersion) {
-    throw Failure(
-        fmt::format("written by schema version {}; this build reads up to {}: use a newer rupture",
-                    attributes.schema_version, kSchemaVersion));
+[[noreturn]] void refuse_newer(std::int64_t schema_version, const std::string& writer) {
+  throw Failure(fmt::format(
+      "written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}", writer,
+      schema_version, version, kSchemaVersion, writer + (writer == kUnknown ? "" : " or newer")));
+}
+
+// "rupture 0.9.0", of a file of a newer schema.
+std::string writer_of(const hdf5::Reader& reader) {
+  try {
+    return "rupture " + reader.writer_version();
+  } catch (const Failure&) {
+    return kUnknown;
   }
+}
+
+void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
   if (attributes.schema_version < 1 || attributes.format != format_name(kind)) {
     throw Failure(
         fmt::format("its header says {}, but its attributes say {}, schema version {}; "
@@ -94,6 +108,9 @@ void check_content(const Content& content, const std::string& stored) {
 
 ContentFile contents(const hdf5::Reader& reader, FileKind kind) {
   const hdf5::RootAttributes attributes = reader.attributes();
+  if (attributes.schema_version > kSchemaVersion) {
+    refuse_newer(attributes.schema_version, writer_of(reader));
+  }
   check_attributes(attributes, kind);
   return {kind, attributes.content_checksum, reader.content()};
 }
@@ -165,9 +182,18 @@ ContentFile read_file(const fs::path& path) {
   if (identify(path) == FileKind::open_record) {
     return naming(path, [&] { return contents(hdf5::Reader(path), FileKind::open_record); });
   }
-  const std::vector<std::byte> bytes = read_start(path, readable_size(path));
-  const FileKind kind = check_envelope(bytes, path.string());
-  return naming(path, [&] {
+  // One byte more than there should be is enough to notice that there is too much.
+  const std::uint64_t stated = stated_size(read_start(path, kHeaderSize));
+  return read_bytes(read_start(path, std::min(readable_size(path), stated + 1)), path.string());
+}
+
+ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name) {
+  const FileKind kind = check_envelope(bytes, name);
+  if (kind == FileKind::open_record) {
+    throw Failure(
+        fmt::format("{} is an unfinished record, which is only read from its file", name));
+  }
+  return naming(name, [&] {
     ContentFile file = contents(hdf5::Reader(bytes), kind);
     check_content(file.content, file.checksum);
     return file;

@@ -23,6 +23,7 @@ class Reader {
   explicit Reader(const std::filesystem::path& path);
 
   RootAttributes attributes() const;
+  std::string writer_version() const;
   Content content() const;
 
  private:
