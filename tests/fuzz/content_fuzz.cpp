@@ -97,7 +97,7 @@ void edit(Content& content, Edit edit, Bytes& input) {
       content.erase(std::string(path));
       return;
     case Edit::copy:
-      content["/" + input.text()] = dataset;
+      content[std::string(1, '/').append(input.text())] = dataset;
       return;
     case Edit::retype:
       changed.type = input.pick(kTypes);

@@ -183,6 +183,15 @@ TEST_F(BadFiles, NewerSchema) {
   expect_refused_as_any_file("newer.h5", sentence);
 }
 
+TEST_F(BadFiles, WhoseTextsHoldControlCharactersAreRefusedInOneLine) {
+  Content content = read_content(path("good.h5"));
+  content["/parameters/junctions/law"] = make_text("\n\x1b[2J");
+  write_content(path("wild.h5"), FileKind::checkpoint, content, IfExists::refuse);
+  expect_refused(
+      "wild.h5",
+      "wild.h5: junctions.law = '??[2J' is unknown: choose one of reference, simplified, decaying");
+}
+
 TEST_F(BadFiles, RecordWhereACheckpointIsExpected) {
   expect_refused("record.h5", "record.h5 is a record; expected a checkpoint");
 }
