@@ -34,7 +34,8 @@ class Bytes {
 
   /// A text of up to 255 bytes, its length first.
   std::string text() {
-    const std::size_t size = std::min<std::size_t>(take<std::uint8_t>(), left());
+    const std::size_t wanted = take<std::uint8_t>();
+    const std::size_t size = std::min(wanted, left());
     std::string text(reinterpret_cast<const char*>(at_), size);
     at_ += size;
     return text;

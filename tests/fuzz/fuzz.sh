@@ -8,7 +8,7 @@
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-readonly here skipped=77
+readonly here skipped=77 files=$here/../compatibility/schema-1
 
 usage() {
   sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
@@ -29,12 +29,14 @@ build() {
 
 # libhdf5 keeps memory until the process ends, which is no leak of ours.
 run() {
-  local found=$folder/found/$1
+  local found=$folder/found/$1 inputs=("$here/corpus/$1")
+  if [[ $1 == reader ]]; then inputs+=("$files"); fi
+  if [[ $1 == resealed ]]; then inputs=("$files"); fi
   mkdir -p "$found"
   echo "== $1"
   ASAN_OPTIONS=detect_leaks=0:${ASAN_OPTIONS-} "$folder/bin/fuzz_$1" -max_total_time="$seconds" \
     -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$folder/$1-" \
-    "$found" "$here/corpus/$1" >"$folder/$1.log" 2>&1 || { tail -n 40 "$folder/$1.log" && return 1; }
+    "$found" "${inputs[@]}" >"$folder/$1.log" 2>&1 || { tail -n 40 "$folder/$1.log" && return 1; }
   grep -E '^(stat::number_of_executed_units|Done)' "$folder/$1.log"
 }
 
