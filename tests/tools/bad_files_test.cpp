@@ -129,7 +129,7 @@ TEST_F(BadFiles, DamagedAnywhere) {
   const std::string whole = read("good.h5");
   for (std::size_t bit = 40; bit < 8 * whole.size(); bit += 1 + 8 * whole.size() / 60) {
     std::string bytes = whole;
-    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1U << bit % 8));
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ static_cast<char>(1U << bit % 8));
     write("flipped.h5", bytes);
     expect_refusal_with("analyze verify flipped.h5", kFailed, "flipped.h5 is ");
     expect_refusal_with("restart flipped.h5 -o out.h5 --for 1e-5", kFailed, "flipped.h5 is ");

@@ -21,7 +21,7 @@ void expect_every_flip_refused(std::string bytes) {
   for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
     char& byte = bytes[bit / 8];
     const char before = byte;
-    byte = static_cast<char>(byte ^ (1U << bit % 8));
+    byte = static_cast<char>(byte ^ static_cast<char>(1U << bit % 8));
     passed += is_refused(bytes_of(bytes)) ? 0 : 1;
     byte = before;
   }
