@@ -287,7 +287,7 @@ check_format() {
 check_sources() {
   ensure_packages check
   check_format || die "clang-format would change the files above (clang-format -i FILE)."
-  shellcheck reproduce.sh .ci/run tests/golden/*.sh || die "shellcheck found the faults above."
+  shellcheck reproduce.sh .ci/run tests/*/*.sh || die "shellcheck found the faults above."
   echo "The sources are laid out as they should be."
 }
 

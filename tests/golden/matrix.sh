@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the tools as a line of matrix.txt says and checks the golden checksums.
+# Builds the tools as a line of matrix.txt says and checks that they read the files of
+# tests/compatibility and give the golden checksums.
 #
 #   matrix.sh check BUILD FOLDER   builds in FOLDER/BUILD; exit code 0: the checksums are equal,
 #                                  1: they are not, 77: this machine lacks what the build needs
@@ -56,12 +57,18 @@ build_or_stop() {
   fi
 }
 
+# The last line is that of the goldens.
+compare() {
+  "$source/tests/compatibility/compatibility.sh" check "$1"
+  "$here/golden.sh" check "$1"
+}
+
 check_native() {
   local c_compiler=${compiler/%clang++/clang}
   c_compiler=${c_compiler/%g++/gcc}
   demand_programs "$compiler"
   build_or_stop -DCMAKE_C_COMPILER="$c_compiler" -DCMAKE_CXX_COMPILER="$compiler"
-  "$here/golden.sh" check "$build/bin"
+  compare "$build/bin"
 }
 
 # For each program of another processor, a script that runs it.
@@ -81,7 +88,7 @@ check_cross() {
   demand_sysroot
   build_or_stop --toolchain "$source/cmake/$processor.cmake" -DCMAKE_SYSROOT="$sysroot"
   emulate "qemu-$processor"
-  "$here/golden.sh" check "$build/emulated"
+  compare "$build/emulated"
 }
 
 check() {
