@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "observers.hpp"
+#include "rebuild.hpp"
 #include "rupture/model/error.hpp"
 #include "text.hpp"
 
@@ -157,7 +158,8 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
 
   Simulation simulation(p, std::move(start.state), run.threads.value_or(threads_that_pay(p)));
   const auto save = [&](const fs::path& path) {
-    const Checkpoint now = {p, simulation.state(), start.provenance};
+    const Checkpoint now = {p, simulation.state(),
+                            run_until(start.provenance, p, simulation.state().step)};
     announce(output, path, write_checkpoint(path, now, output.if_exists));
   };
   CheckpointSchedule schedule(steps,
@@ -167,7 +169,9 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
   std::unique_ptr<RecordWriter> writer;
   std::unique_ptr<Recorder> recorder;
   if (run.record) {
-    writer = std::make_unique<RecordWriter>(*run.record, p, start.provenance, output.if_exists);
+    writer = std::make_unique<RecordWriter>(
+        *run.record, p, recorded_until(start.provenance, p, rule.last_step, *every),
+        output.if_exists);
     recorder = std::make_unique<Recorder>(*writer, *every, first, rule.last_step);
     observers.push_back(recorder.get());
   }
@@ -183,7 +187,8 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
   if (show_progress) progress.finish();
   if (recorder) {
     recorder->finish(simulation);
-    announce(output, *run.record, writer->finish());
+    announce(output, *run.record,
+             writer->finish(recorded_until(start.provenance, p, simulation.state().step, *every)));
   }
   if (output.verbosity == Verbosity::normal) {
     print_invariants(simulation, ending,

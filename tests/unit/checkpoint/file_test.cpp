@@ -123,10 +123,10 @@ TEST_F(File, foreign_truncated_or_damaged_is_refused) {
 }
 
 TEST_F(File, of_a_newer_schema_is_refused_before_its_datasets_are_read) {
-  write_sealed(file("x.h5"), FileKind::checkpoint, {"rupture-checkpoint", 2, ""}, {});
+  write_sealed(file("x.h5"), FileKind::checkpoint, {"rupture-checkpoint", 3, ""}, {});
   EXPECT_EQ(reading(file("x.h5")),
             quoted("x.h5") +
-                ": written by schema version 2; this build reads up to 1: use a newer rupture");
+                ": written by schema version 3; this build reads up to 2: use a newer rupture");
 }
 
 TEST_F(File, whose_header_and_attributes_disagree_is_refused) {
