@@ -4,7 +4,7 @@
 
 #include <boost/any.hpp>
 
-#include "simulate.hpp"
+#include "run_options.hpp"
 
 namespace rupture::tools {
 namespace {

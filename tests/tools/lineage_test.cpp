@@ -144,6 +144,20 @@ TEST_F(Lineage, OfAChainOfFourTools) {
   expect_rebuilt("r.h5");
 }
 
+TEST_F(Lineage, OfAResumedRun) {
+  const std::string command =
+      "load --config small.ini -o a.h5 --until 2e-4 --checkpoint-every 1e-4 --record r.h5";
+  output_of(command);
+  const std::string whole = checksum_of("a.h5"), whole_record = checksum_of("r.h5");
+  for (const char* file : {"a.h5", "a.h5.sum", "a-t0.000200000.h5"}) fs::remove(path(file));
+  output_of(command + " --resume");
+  EXPECT_EQ(rebuilds_of("a.h5").back(), "restart --until 0.0002");
+  EXPECT_EQ(checksum_of("a.h5"), whole);
+  EXPECT_EQ(checksum_of("r.h5"), whole_record);
+  expect_rebuilt("a.h5");
+  expect_rebuilt("r.h5");
+}
+
 TEST_F(Lineage, OfModifyPhiAsWideAsPossible) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("modify-phi a.h5 -o b.h5");

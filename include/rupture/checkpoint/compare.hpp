@@ -25,11 +25,11 @@ struct Largest {
 struct Difference {
   std::string path;
   Change change = Change::values;
-  std::uint64_t count = 0;     ///< elements whose bits differ; 1 for a text
-  std::uint64_t first = 0;     ///< index of the first one in storage order; byte for a text
-  Largest<double> absolute;    ///< |a - b| in the dataset's unit
-  Largest<double> relative;    ///< |a - b| / max(|a|, |b|)
-  Largest<std::uint64_t> ulp;  ///< float64 only: representable numbers from one to the other
+  std::uint64_t count = 0;          ///< elements whose bits differ; 1 for a text
+  std::uint64_t first = 0;          ///< index of the first one in storage order; byte for a text
+  Largest<double> absolute = {};    ///< |a - b| in the dataset's unit
+  Largest<double> relative = {};    ///< |a - b| / max(|a|, |b|)
+  Largest<std::uint64_t> ulp = {};  ///< float64 only: representable numbers from one to the other
 };
 
 /// All datasets that differ, sorted by path; empty if the contents are equal. Units are not
