@@ -82,7 +82,8 @@ class Run {
       IfExists if_record_exists, std::optional<int> threads, const OutputOptions& output);
 
   /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
-  Ending go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps);
+  Ending go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
+            OnAlarm on_alarm);
   /// Completes the record and writes the last checkpoint.
   void finish();
   /// Saves everything that resuming needs.
@@ -121,10 +122,15 @@ Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
                                          last_step, last_sample(begin.rows));
 }
 
-Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps) {
-  std::vector<Observer*> observers;
-  if (recorder_) observers.push_back(recorder_.get());  // first: checkpoints include its sample
-  CheckpointSchedule schedule(checkpoint_steps, [&](const Simulation&) { save_on_the_way(); });
+Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
+               OnAlarm on_alarm) {
+  Alarms alarms(simulation_, rule.last_step, on_alarm, output_, provenance_.back().tool);
+  std::vector<Observer*> observers = {&alarms};
+  if (recorder_) observers.push_back(recorder_.get());  // checkpoints include its sample
+  CheckpointSchedule schedule(checkpoint_steps, [&](const Simulation& now) {
+    alarms.observe(now);
+    save_on_the_way();
+  });
   observers.push_back(&schedule);
   Progress progress(simulation_, rule.last_step);
   const bool show_progress = on_terminal() && output_.verbosity == Verbosity::normal;
@@ -135,6 +141,7 @@ Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint
   const auto clock = std::chrono::steady_clock::now();
   try {
     const Ending ending = run(simulation_, rule, observers);
+    alarms.observe(simulation_);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - clock;
     if (show_progress) progress.finish();
     if (output_.verbosity == Verbosity::normal) {
@@ -215,14 +222,16 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
   }
   const Resumption begin = beginning(std::move(start), files, options.resume);
   if (options.resume && talk) say_where_it_begins(begin);
-  std::erase_if(steps, [&](std::int64_t step) { return step <= begin.checkpoint.state.step; });
+  if (!begin.file.empty()) {  // what lies before was written already
+    std::erase_if(steps, [&](std::int64_t step) { return step <= begin.checkpoint.state.step; });
+  }
   const IfExists if_record_exists = options.resume ? IfExists::replace : output.if_exists;
   check_run_outputs(steps, files, p.dt, output.if_exists, if_record_exists, input);
 
   const InterruptionNoted noted;
   rule.interrupted = [] { return InterruptionNoted::signal() != 0; };
   Run run(begin, rule.last_step, files, if_record_exists, options.threads, output);
-  if (run.go(rule, steps) == Ending::interrupted) {
+  if (run.go(rule, steps, options.on_alarm) == Ending::interrupted) {
     run.save_on_the_way();
     throw Interrupted{InterruptionNoted::signal(),
                       fmt::format("interrupted, and saved; to go on: {}", command)};
