@@ -10,7 +10,7 @@
 
 int main(int argc, char** argv) {
   try {
-    const auto build = rupture::make_provenance("bench", {}, "");
+    const auto build = rupture::make_provenance("bench", {}, "", "");
     benchmark::AddCustomContext("rupture_version", build.version);
     benchmark::AddCustomContext("rupture_commit", build.commit);
     benchmark::AddCustomContext("compiler", build.compiler);

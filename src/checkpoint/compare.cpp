@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "rupture/checkpoint/checksum.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {
@@ -21,18 +22,24 @@ T element(const Dataset& dataset, std::size_t index) {
 }
 
 template <class T>
-void add_element(Difference& difference, T a, T b) {
+void keep_larger(Largest<T>& largest, T value, std::uint64_t index) {
+  if (value > largest.value) largest = {value, index};
+}
+
+template <class T>
+void add_element(Difference& difference, T a, T b, std::uint64_t index) {
+  if (difference.count++ == 0) {
+    difference.first = index;
+    difference.absolute = difference.relative = {0.0, index};
+    difference.ulp = {0, index};
+  }
   const auto x = static_cast<double>(a);
   const auto y = static_cast<double>(b);
   const double absolute = std::abs(x - y);
   const double scale = std::max(std::abs(x), std::abs(y));
-  difference.largest_absolute = std::max(difference.largest_absolute, absolute);
-  if (scale > 0) {
-    difference.largest_relative = std::max(difference.largest_relative, absolute / scale);
-  }
-  if constexpr (std::is_same_v<T, double>) {
-    difference.largest_ulp = std::max(difference.largest_ulp, ulp_distance(a, b));
-  }
+  keep_larger(difference.absolute, absolute, index);
+  if (scale > 0) keep_larger(difference.relative, absolute / scale, index);
+  if constexpr (std::is_same_v<T, double>) keep_larger(difference.ulp, ulp_distance(a, b), index);
 }
 
 template <class T>
@@ -41,8 +48,7 @@ void compare_elements(Difference& difference, const Dataset& a, const Dataset& b
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = i * sizeof(T);
     if (std::memcmp(a.bytes.data() + at, b.bytes.data() + at, sizeof(T)) == 0) continue;
-    if (difference.count++ == 0) difference.first = i;
-    add_element(difference, element<T>(a, i), element<T>(b, i));
+    add_element(difference, element<T>(a, i), element<T>(b, i), i);
   }
 }
 
@@ -77,6 +83,17 @@ std::optional<Change> change_between(const Dataset& a, const Dataset& b) {
   return std::nullopt;
 }
 
+bool differ_in_rows_only(const Dataset& a, const Dataset& b) {
+  return a.type == b.type && !a.shape.empty() && a.shape.size() == b.shape.size() &&
+         a.shape[0] != b.shape[0] &&
+         std::equal(a.shape.begin() + 1, a.shape.end(), b.shape.begin() + 1);
+}
+
+void keep_rows(Dataset& dataset, std::uint64_t rows) {
+  dataset.bytes.resize(dataset.bytes.size() / dataset.shape[0] * rows);
+  dataset.shape[0] = rows;
+}
+
 }  // namespace
 
 std::vector<Difference> diff(const Content& a, const Content& b) {
@@ -106,6 +123,18 @@ Content checksummed_part(const Content& content) {
   return part;
 }
 
+std::size_t keep_common_rows(Content& a, Content& b) {
+  std::size_t cut = 0;
+  for (auto& [path, dataset] : a) {
+    const auto other = b.find(path);
+    if (other == b.end() || !differ_in_rows_only(dataset, other->second)) continue;
+    Dataset& longer = dataset.shape[0] > other->second.shape[0] ? dataset : other->second;
+    keep_rows(longer, std::min(dataset.shape[0], other->second.shape[0]));
+    ++cut;
+  }
+  return cut;
+}
+
 std::uint64_t ulp_distance(double a, double b) {
   // Maps the bits to integers in the order of the numbers: ..., -min, -0, +0, +min, ...
   const auto ordered = [](double x) {
@@ -116,6 +145,30 @@ std::uint64_t ulp_distance(double a, double b) {
   const std::uint64_t x = ordered(a);
   const std::uint64_t y = ordered(b);
   return x > y ? x - y : y - x;
+}
+
+Number number_at(const Dataset& dataset, std::uint64_t index) {
+  switch (dataset.type) {
+    case DataType::float64:
+      return element<double>(dataset, index);
+    case DataType::int64:
+      return element<std::int64_t>(dataset, index);
+    case DataType::uint32:
+      return std::int64_t{element<std::uint32_t>(dataset, index)};
+    case DataType::uint16:
+      return std::int64_t{element<std::uint16_t>(dataset, index)};
+    case DataType::uint8:
+      return std::int64_t{element<std::uint8_t>(dataset, index)};
+    case DataType::text:
+      break;
+  }
+  throw Failure("a text has no numbers");
+}
+
+std::vector<std::uint64_t> indices_at(const Shape& shape, std::uint64_t index) {
+  std::vector<std::uint64_t> indices(shape.size());
+  for (std::size_t d = shape.size(); d-- > 0; index /= shape[d]) indices[d] = index % shape[d];
+  return indices;
 }
 
 }  // namespace rupture

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <set>
 
 #include "rupture/model/error.hpp"
 #include "rupture/version.hpp"
@@ -16,14 +16,17 @@ struct Member {
   std::string ProvenanceEntry::*value;
 };
 
-constexpr std::array<Member, 6> kMembers = {{
+constexpr std::array<Member, 7> kMembers = {{
     {"tool", &ProvenanceEntry::tool},
     {"version", &ProvenanceEntry::version},
     {"commit", &ProvenanceEntry::commit},
     {"command_line", &ProvenanceEntry::command_line},
     {"compiler", &ProvenanceEntry::compiler},
     {"parent_checksum", &ProvenanceEntry::parent_checksum},
+    {"rebuild", &ProvenanceEntry::rebuild},
 }};
+constexpr std::string_view kAddedInSchema2 = "rebuild";
+constexpr std::string_view kGroup = "/provenance/";
 
 std::string compiler_name() {
 #if defined(__clang__)
@@ -45,14 +48,31 @@ std::string shell_quoted(const std::string& argument) {
 }
 
 std::string entry_path(std::size_t index, std::string_view member) {
-  return fmt::format("/provenance/{:04}/{}", index, member);
+  return fmt::format("{}{:04}/{}", kGroup, index, member);
+}
+
+// Number of groups, whatever they are called.
+std::size_t count_entries(const Content& content) {
+  std::set<std::string> names;
+  for (const auto& [path, dataset] : content) {
+    if (path.starts_with(kGroup)) names.insert(path.substr(0, path.find('/', kGroup.size())));
+  }
+  return names.size();
+}
+
+void refuse_unknown(const Content& content, const Content& known) {
+  for (const auto& [path, dataset] : content) {
+    if (path.starts_with(kGroup) && !known.contains(path)) {
+      throw Failure(fmt::format("{} is not part of a provenance: use a newer rupture", path));
+    }
+  }
 }
 
 }  // namespace
 
 ProvenanceEntry make_provenance(const std::string& tool, const std::vector<std::string>& arguments,
-                                const std::string& parent_checksum) {
-  return {tool, version, commit, shell_line(arguments), compiler_name(), parent_checksum};
+                                const std::string& parent_checksum, const std::string& rebuild) {
+  return {tool, version, commit, shell_line(arguments), compiler_name(), parent_checksum, rebuild};
 }
 
 std::string shell_line(const std::vector<std::string>& arguments) {
@@ -75,17 +95,16 @@ Content provenance_content(const std::vector<ProvenanceEntry>& chain) {
 }
 
 std::vector<ProvenanceEntry> read_provenance(const Content& content) {
-  const auto datasets = std::count_if(content.begin(), content.end(), [](const auto& entry) {
-    return entry.first.starts_with("/provenance/");
-  });
   // Reading that many entries in sequence fails at the first that is incomplete or misplaced.
-  std::vector<ProvenanceEntry> chain((static_cast<std::size_t>(datasets) + kMembers.size() - 1) /
-                                     kMembers.size());
+  std::vector<ProvenanceEntry> chain(count_entries(content));
   for (std::size_t i = 0; i < chain.size(); ++i) {
     for (const Member& member : kMembers) {
-      chain[i].*member.value = read_text(content, entry_path(i, member.name));
+      const std::string path = entry_path(i, member.name);
+      if (member.name == kAddedInSchema2 && !content.contains(path)) continue;
+      chain[i].*member.value = read_text(content, path);
     }
   }
+  refuse_unknown(content, provenance_content(chain));
   return chain;
 }
 

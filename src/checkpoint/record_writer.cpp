@@ -165,10 +165,12 @@ void RecordWriter::sync() {
   part_->sync();
 }
 
-std::string RecordWriter::finish() {
+std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance) {
   flush();
   const std::filesystem::path part = part_path(path_);
-  std::string checksum = write_content(path_, FileKind::record, read_content(part), if_exists_);
+  Content content = provenance_content(provenance);
+  content.merge(read_content(part));
+  std::string checksum = write_content(path_, FileKind::record, content, if_exists_);
   if (std::error_code error; !std::filesystem::remove(part, error)) {
     throw Failure(fmt::format("could not remove {}: {}", part.string(), error.message()));
   }

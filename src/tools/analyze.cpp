@@ -27,9 +27,10 @@ const std::vector<Command> kCommands = {
     {"estimate", "slow slip to expect from a checkpoint's parameters", analyze_estimate},
     {"steady-state", "friction of a block that slides at constant speed", analyze_steady_state},
     {"checksum", "content checksum of a file", analyze_checksum},
-    {"verify", "check that files are intact, also against a manifest", analyze_verify},
+    {"verify", "check that files and folders are intact, also against a manifest", analyze_verify},
     {"diff", "where and by how much two files differ", analyze_diff},
     {"show", "parameters, time and provenance of a file", analyze_show},
+    {"lineage", "the steps that led to a file, also as a script", analyze_lineage},
 };
 
 std::string help() {

@@ -1,4 +1,4 @@
-// The commands of the analyze tool. Each parses its own arguments and reads at most two files.
+// The commands of the analyze tool. Each parses its own arguments.
 #pragma once
 
 #include <string>
@@ -38,5 +38,6 @@ int analyze_checksum(int argc, const char* const* argv);
 int analyze_verify(int argc, const char* const* argv);
 int analyze_diff(int argc, const char* const* argv);
 int analyze_show(int argc, const char* const* argv);
+int analyze_lineage(int argc, const char* const* argv);
 
 }  // namespace rupture::tools

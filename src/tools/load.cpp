@@ -1,4 +1,5 @@
 // load: the slider under its normal load, then driven from the side.
+#include "rebuild.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "simulate.hpp"
 
@@ -36,9 +37,11 @@ Options setup(int argc, char** argv) {
 
 int run(const Options& options) {
   if (!options.run.resume) check_output(options.output.output, options.output.if_exists);
-  Checkpoint start = {options.parameters,
-                      normal_load_equilibrium(options.parameters),
-                      {make_provenance("load", options.arguments, "")}};
+  Checkpoint start = {
+      options.parameters,
+      normal_load_equilibrium(options.parameters),
+      {make_provenance("load", options.arguments, "",
+                       shell_line(rebuild_command("load", Parameters{}, options.parameters)))}};
   simulate(std::move(start), {step_at(options.parameters, options.until), {}}, options.run,
            options.output, {});
   return kDone;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "command_line.hpp"
+#include "rebuild.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/error.hpp"
@@ -20,6 +21,7 @@ struct Options {
   PhiChange change;
   OutputOptions output;
   std::vector<std::string> arguments;
+  std::string rebuild;
 };
 
 Slipping slipping_named(const std::string& name) {
@@ -40,6 +42,7 @@ Options setup(int argc, char** argv) {
   add("x-to", po::value<double>()->value_name("X"), "change blocks up to this x [m]");
   add("slipping", po::value<std::string>()->default_value("keep")->value_name("keep|pin"),
       "slipping junctions: keep them slipping, or pin them and include them");
+  const po::options_description own = options;
   add_output_options(options);
   const Parsed parsed = parse(
       argc, argv,
@@ -61,6 +64,7 @@ Options setup(int argc, char** argv) {
   }
   result.output = output_options(values);
   result.arguments = parsed.arguments;
+  result.rebuild = shell_line(with_options({"modify-phi"}, own, values));
   return result;
 }
 
@@ -134,7 +138,7 @@ int run(const Options& options) {
       largest_change(friction_forces(p, before), friction_forces(p, checkpoint.state));
   checkpoint.run.reset();  // what follows is not the run that the input came from
   checkpoint.provenance.push_back(
-      make_provenance("modify-phi", options.arguments, checkpoint.checksum));
+      make_provenance("modify-phi", options.arguments, checkpoint.checksum, options.rebuild));
   const auto checksum =
       write_checkpoint(options.output.output, checkpoint, options.output.if_exists);
   if (options.output.verbosity == Verbosity::quiet) return kDone;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "command_line.hpp"
+#include "rebuild.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/prepared.hpp"
@@ -22,6 +23,7 @@ struct Options {
   Prestress prestress;
   OutputOptions output;
   std::vector<std::string> arguments;
+  std::string rebuild;
 };
 
 void add_prestress_options(po::options_description& options) {
@@ -54,10 +56,15 @@ Prestress prestress_of(const po::variables_map& values) {
 }
 
 /// The parameters of a prepared interface: under a ceiling, with the driving point at rest.
-Parameters prepared_parameters(const ParameterChanges& changes) {
+Parameters default_parameters() {
   Parameters p;
   p.support = Support::ceiling;
   p.V = 0.0;
+  return p;
+}
+
+Parameters prepared_parameters(const ParameterChanges& changes) {
+  Parameters p = default_parameters();
   apply(changes, p);
   if (p.V != 0.0) {
     throw UsageError(fmt::format(
@@ -71,6 +78,7 @@ Parameters prepared_parameters(const ParameterChanges& changes) {
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   add_prestress_options(options);
+  const po::options_description own = options;
   add_output_options(options);
   const Parsed parsed = parse(
       argc, argv,
@@ -79,8 +87,10 @@ Options setup(int argc, char** argv) {
        "with its trigger region just depinned: restart lets the event run. The normal force is\n"
        "the same on all interface blocks (slider.support = ceiling), and driving.V is 0."},
       options, "", UsesParameters::yes);
-  return {prepared_parameters(parsed.parameters), prestress_of(parsed.values),
-          output_options(parsed.values), parsed.arguments};
+  const Parameters parameters = prepared_parameters(parsed.parameters);
+  const auto command = rebuild_command("prepare", default_parameters(), parameters);
+  return {parameters, prestress_of(parsed.values), output_options(parsed.values), parsed.arguments,
+          shell_line(with_options(command, own, parsed.values))};
 }
 
 /// Says how well the pinned blocks carry what was asked for, and how wide phi could be.
@@ -109,9 +119,10 @@ void print_prestress(const Options& options, const State& state) {
 
 int run(const Options& options) {
   check_output(options.output.output, options.output.if_exists);
-  const Checkpoint prepared = {options.parameters,
-                               prepared_state(options.parameters, options.prestress),
-                               {make_provenance("prepare", options.arguments, "")}};
+  const Checkpoint prepared = {
+      options.parameters,
+      prepared_state(options.parameters, options.prestress),
+      {make_provenance("prepare", options.arguments, "", options.rebuild)}};
   const auto checksum = write_checkpoint(options.output.output, prepared, options.output.if_exists);
   if (options.output.verbosity == Verbosity::quiet) return kDone;
   print_prestress(options, prepared.state);

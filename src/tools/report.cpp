@@ -37,12 +37,16 @@ void print(const Report& report, const po::variables_map& values) {
   const bool json = values.count("json") > 0, csv = values.count("csv") > 0;
   if (json && csv) throw UsageError("--json and --csv exclude each other: give one");
   if (json) {
-    say("{}\n", report.json.dump());
+    say("{}\n", json_text(report.json));
   } else if (csv) {
     print_csv(report.series);
   } else {
     say("{}", report.text);
   }
+}
+
+std::string json_text(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Json json_of(const std::optional<double>& value) {

@@ -33,6 +33,9 @@ void add_format_options(po::options_description& options);
 /// Prints the form that was asked for to standard output. Throws UsageError for both forms at once.
 void print(const Report& report, const po::variables_map& values);
 
+/// The JSON in one line. Bytes that are no UTF-8, as file names may hold, become U+FFFD.
+std::string json_text(const Json& json);
+
 /// null where there is no value.
 Json json_of(const std::optional<double>& value);
 Json json_of(const std::vector<std::optional<double>>& values);

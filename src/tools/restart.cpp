@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "rebuild.hpp"
 #include "rupture/model/error.hpp"
 #include "simulate.hpp"
 
@@ -128,10 +129,12 @@ StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
 
 int run(const Options& options) {
   Checkpoint checkpoint = read_checkpoint(options.checkpoint);
-  const std::string parent = checkpoint.checksum;
+  const Parameters before = checkpoint.parameters;
   change_parameters(options.parameters, checkpoint);
   validate(checkpoint.parameters);
-  checkpoint.provenance.push_back(make_provenance("restart", options.arguments, parent));
+  checkpoint.provenance.push_back(
+      make_provenance("restart", options.arguments, checkpoint.checksum,
+                      shell_line(rebuild_command("restart", before, checkpoint.parameters))));
   const StopRule rule = stop_rule(options, checkpoint);
   simulate(std::move(checkpoint), rule, options.run, options.output, options.checkpoint);
   return kDone;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rupture/checkpoint/checkpoint.hpp"
 
@@ -23,8 +24,9 @@ std::filesystem::path path_at(const std::filesystem::path& output, double t);
 /// A run as it was at one of its checkpoints.
 struct Resumption {
   Checkpoint checkpoint;
-  std::filesystem::path file;  ///< that it was read from
-  Content rows;                ///< of its record up to there
+  std::filesystem::path file;                           ///< that it was read from
+  Content rows;                                         ///< of its record up to there
+  std::vector<ProvenanceEntry> record_provenance = {};  ///< the record begins where the run did
 };
 
 /// True if `checkpoint` lies on the run that begins with `start`: the same parameters, beginning

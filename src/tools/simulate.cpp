@@ -7,6 +7,7 @@
 
 #include "interruption.hpp"
 #include "observers.hpp"
+#include "rebuild.hpp"
 #include "resume.hpp"
 #include "rupture/model/error.hpp"
 #include "text.hpp"
@@ -49,11 +50,14 @@ void print_invariants(const Simulation& simulation, Ending ending, const EnergyB
 
 /// What a run begins with: `start`, or where it was interrupted.
 Resumption beginning(Checkpoint start, const RunFiles& files, bool resume) {
+  auto chain = start.provenance;
   auto found = resume ? find_resumption(start, files) : std::nullopt;
-  if (!found) return {std::move(start), {}, {}};
-  ProvenanceEntry entry = start.provenance.back();
+  if (!found) return {std::move(start), {}, {}, std::move(chain)};
+  ProvenanceEntry entry = chain.back();
   entry.parent_checksum = found->checkpoint.checksum;
+  entry.rebuild = "restart";
   found->checkpoint.provenance.push_back(std::move(entry));
+  found->record_provenance = std::move(chain);
   return std::move(*found);
 }
 
@@ -87,10 +91,13 @@ class Run {
 
  private:
   void save(const fs::path& path);
+  /// That of the record, if the run ends at `step`.
+  std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const;
 
   const RunFiles& files_;
   const OutputOptions& output_;
   const std::vector<ProvenanceEntry>& provenance_;
+  const std::vector<ProvenanceEntry>& record_provenance_;
   fs::path saved_;  // the latest checkpoint
   Simulation simulation_;
   std::unique_ptr<RecordWriter> writer_;
@@ -102,13 +109,15 @@ Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
     : files_(files),
       output_(output),
       provenance_(begin.checkpoint.provenance),
+      record_provenance_(begin.record_provenance),
       saved_(begin.file),
       simulation_(begin.checkpoint.parameters, begin.checkpoint.state,
                   threads.value_or(threads_that_pay(begin.checkpoint.parameters))) {
   simulation_.take_up(*begin.checkpoint.run);
   if (!files.record) return;
-  writer_ = std::make_unique<RecordWriter>(*files.record, begin.checkpoint.parameters, provenance_,
-                                           if_record_exists, begin.rows);
+  writer_ =
+      std::make_unique<RecordWriter>(*files.record, begin.checkpoint.parameters,
+                                     record_provenance(last_step), if_record_exists, begin.rows);
   recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, begin.checkpoint.state.step,
                                          last_step, last_sample(begin.rows));
 }
@@ -150,7 +159,7 @@ Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint
 void Run::finish() {
   if (recorder_) {
     recorder_->finish(simulation_);
-    announce(output_, *files_.record, writer_->finish());
+    announce(output_, *files_.record, writer_->finish(record_provenance(simulation_.state().step)));
   }
   save(files_.output);
 }
@@ -162,9 +171,14 @@ void Run::save_on_the_way() {
   save(path);
 }
 
+std::vector<ProvenanceEntry> Run::record_provenance(std::int64_t step) const {
+  return recorded_until(record_provenance_, simulation_.parameters(), step, files_.record_every);
+}
+
 void Run::save(const fs::path& path) {
-  const Checkpoint now = {simulation_.parameters(), simulation_.state(), provenance_,
-                          simulation_.run()};
+  const Parameters& p = simulation_.parameters();
+  const State& state = simulation_.state();
+  const Checkpoint now = {p, state, run_until(provenance_, p, state.step), simulation_.run()};
   announce(output_, path, write_checkpoint(path, now, output_.if_exists));
   saved_ = path;
 }
@@ -208,7 +222,9 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
   }
   const Resumption begin = beginning(std::move(start), files, options.resume);
   if (options.resume && talk) say_where_it_begins(begin);
-  std::erase_if(steps, [&](std::int64_t step) { return step <= begin.checkpoint.state.step; });
+  if (!begin.file.empty()) {  // what lies before was written already
+    std::erase_if(steps, [&](std::int64_t step) { return step <= begin.checkpoint.state.step; });
+  }
   const IfExists if_record_exists = options.resume ? IfExists::replace : output.if_exists;
   check_run_outputs(steps, files, p.dt, output.if_exists, if_record_exists, input);
 

@@ -247,7 +247,7 @@ TEST_F(Analyze, RefusesAWindowOutsideTheRecord) {
   expect_refusal_with("analyze slip r.h5 --x 0.07 --from 5", kUsage, "--from 5");
 }
 
-// --- checksum, verify, diff, show ---------------------------------------------------------------
+// --- checksum, show ---------------------------------------------------------------
 
 TEST_F(Analyze, ChecksumIs64DigitsAndANewline) {
   const std::string text = output_of("analyze checksum a.h5");
@@ -261,61 +261,6 @@ TEST_F(Analyze, ChecksumDoesNotDependOnTheCommandLine) {
       "load --set slider.Nx=9 --set slider.Nz=5 --set slider.H=0.07 --set driving.h=0.0175 "
       "--set driving.V=1 --output other.h5 --until 3e-4");
   EXPECT_EQ(checksum_of("other.h5"), checksum_of("a.h5"));
-  EXPECT_EQ(output_of("analyze diff other.h5 a.h5"), "equal\n");
-}
-
-TEST_F(Analyze, VerifyNamesEachIntactFile) {
-  EXPECT_EQ(output_of("analyze verify a.h5 r.h5"), "intact  " + checksum_of("a.h5") + "  a.h5\n" +
-                                                       "intact  " + checksum_of("r.h5") +
-                                                       "  r.h5\n");
-  expect_refusal("analyze verify", kUsage,
-                 "nothing to verify: name a checkpoint or record, or give --manifest");
-}
-
-TEST_F(Analyze, VerifyReadsManifestsRelativeToTheirFolder) {
-  fs::create_directory(path("lists"));
-  write("lists/m.txt", checksum_of("a.h5") + "  ../a.h5\n\n" + checksum_of("r.h5") + "  ../r.h5\n");
-  EXPECT_EQ(lines_of(output_of("analyze verify --manifest lists/m.txt")).size(), 2U);
-  EXPECT_EQ(lines_of(output_of("analyze verify --manifest a.h5.sum")).size(), 1U);
-}
-
-TEST_F(Analyze, VerifyReadsSumsOfFilesWithSpacesInTheirNames) {
-  run_words({"load", "--config", "small.ini", "-o", "with space.h5"});
-  const Outcome outcome = run_words({"analyze", "verify", "--manifest", "with space.h5.sum"});
-  EXPECT_EQ(outcome.exit_code, kDone);
-  EXPECT_EQ(outcome.err, "");
-}
-
-TEST_F(Analyze, VerifySeesOtherContentThanTheManifestSays) {
-  write("m.txt", checksum_of("a.h5") + "  half.h5\n");
-  expect_refusal("analyze verify --manifest m.txt", kFailed,
-                 "half.h5 is intact but has content checksum " + checksum_of("half.h5") + ", not " +
-                     checksum_of("a.h5") + " as the manifest says");
-  write("m.txt", checksum_of("a.h5") + "  gone.h5\n");
-  expect_refusal("analyze verify --manifest m.txt", kFailed,
-                 "gone.h5 does not exist; give the path of a checkpoint or record");
-  write("m.txt", "a.h5\n");
-  expect_refusal("analyze verify --manifest m.txt", kFailed,
-                 "m.txt is no manifest: 'a.h5' is not '<64 hex digits>  <file>'");
-  expect_refusal("analyze verify --manifest gone.txt", kFailed,
-                 "cannot read the manifest gone.txt");
-}
-
-TEST_F(Analyze, VerifyRefusesAnEmptyManifest) {
-  write("m.txt", "");
-  expect_refusal_with("analyze verify --manifest m.txt", kFailed, "m.txt");
-}
-
-TEST_F(Analyze, DiffTellsEqualFromDifferent) {
-  EXPECT_EQ(output_of("analyze diff a.h5 a.h5"), "equal\n");
-  const Outcome outcome = run("analyze diff a.h5 b.h5");
-  EXPECT_EQ(outcome.exit_code, kFailed);
-  EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(outcome.out.find("/parameters/driving/V"), std::string::npos);
-  EXPECT_NE(outcome.out.find("absolute"), std::string::npos);
-  EXPECT_NE(outcome.out.find("ULP"), std::string::npos);
-  EXPECT_NE(run("analyze diff a.h5 r.h5").out.find("only in the first file"), std::string::npos);
-  expect_refusal("analyze diff a.h5", kUsage, "1 files were given: name the two to compare");
 }
 
 TEST_F(Analyze, ShowNamesKindParametersAndProvenance) {

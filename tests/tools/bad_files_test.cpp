@@ -38,8 +38,11 @@ class BadFiles : public ToolTest {
   }
   /// The same of every tool that reads any file.
   void expect_refused_as_any_file(const std::string& file, const std::string& sentence) const {
-    for (const std::string command : {"checksum", "verify", "show", "diff good.h5"}) {
+    for (const std::string command : {"checksum", "show", "lineage", "diff good.h5"}) {
       expect_refusal("analyze " + command + " " + file, kFailed, sentence);
+    }
+    if (!fs::is_directory(path(file))) {  // verify looks into folders
+      expect_refusal("analyze verify " + file, kFailed, sentence);
     }
   }
   /// The same of every tool that reads a record.

@@ -53,8 +53,9 @@ const std::vector<Interface> kInterfaces = {
       "version"}},
     {"analyze checksum", {"help", "version"}},
     {"analyze verify", {"manifest", "help", "version"}},
-    {"analyze diff", {"help", "version"}},
+    {"analyze diff", {"common", "json", "help", "version"}},
     {"analyze show", {"json", "help", "version"}},
+    {"analyze lineage", {"commands", "output", "from", "json", "help", "version"}},
 };
 
 class EveryTool : public ToolTest, public ::testing::WithParamInterface<Interface> {};

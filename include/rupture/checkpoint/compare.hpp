@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "rupture/checkpoint/content.hpp"
@@ -12,15 +13,23 @@ namespace rupture {
 /// How a dataset differs between contents a and b.
 enum class Change { values, type, shape, only_in_a, only_in_b };
 
-/// One dataset that differs. The numbers are zero unless `change` is `values`.
+/// The largest of some numbers and the element that has it first, in storage order.
+template <class T>
+struct Largest {
+  T value{};
+  std::uint64_t index = 0;
+};
+
+/// One dataset that differs. The numbers are zero unless `change` is `values`; for a text there are
+/// only `count` and `first`.
 struct Difference {
   std::string path;
   Change change = Change::values;
-  std::uint64_t count = 0;        ///< elements whose bits differ; 1 for a text
-  std::uint64_t first = 0;        ///< index of the first one in storage order; byte for a text
-  double largest_absolute = 0;    ///< in the dataset's unit
-  double largest_relative = 0;    ///< |a - b| / max(|a|, |b|)
-  std::uint64_t largest_ulp = 0;  ///< float64 only: representable numbers from one to the other
+  std::uint64_t count = 0;          ///< elements whose bits differ; 1 for a text
+  std::uint64_t first = 0;          ///< index of the first one in storage order; byte for a text
+  Largest<double> absolute = {};    ///< |a - b| in the dataset's unit
+  Largest<double> relative = {};    ///< |a - b| / max(|a|, |b|)
+  Largest<std::uint64_t> ulp = {};  ///< float64 only: representable numbers from one to the other
 };
 
 /// All datasets that differ, sorted by path; empty if the contents are equal. Units are not
@@ -30,8 +39,19 @@ std::vector<Difference> diff(const Content& a, const Content& b);
 /// The datasets that the content checksum covers: what diff is usually asked about.
 Content checksummed_part(const Content& content);
 
+/// Cuts arrays that differ in their number of rows only to the rows that both have; returns how
+/// many. So a record can be compared with the start of a longer one.
+std::size_t keep_common_rows(Content& a, Content& b);
+
 /// Steps from one representable number to the other; at least 1 if their bits differ, so that
 /// -0 and +0 are one step apart.
 std::uint64_t ulp_distance(double a, double b);
+
+/// One element of a dataset of numbers; `index` in storage order.
+using Number = std::variant<double, std::int64_t>;
+Number number_at(const Dataset& dataset, std::uint64_t index);
+
+/// The indices of element `index`, slowest dimension first; none in a scalar.
+std::vector<std::uint64_t> indices_at(const Shape& shape, std::uint64_t index);
 
 }  // namespace rupture

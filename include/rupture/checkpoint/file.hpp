@@ -13,7 +13,7 @@
 
 namespace rupture {
 
-inline constexpr std::int64_t kSchemaVersion = 1;  ///< newest schema that this build knows
+inline constexpr std::int64_t kSchemaVersion = 2;  ///< newest schema that this build knows
 
 /// What to do if the file to be written is already there.
 enum class IfExists { refuse, replace };

@@ -83,7 +83,9 @@ class RecordWriter {
 
   /// Flushes, seals, renames to the final path, writes the .sum and returns the content checksum.
   /// Nothing may be appended afterwards. Throws Failure; the .part then stays.
-  std::string finish();
+  /// A `provenance` that is given replaces that of the .part, which could not know how the run
+  /// ends.
+  std::string finish(const std::vector<ProvenanceEntry>& provenance = {});
 
  private:
   class Buffers;

@@ -32,27 +32,76 @@ TEST(Diff, measures_values) {
   EXPECT_EQ(found[0].change, Change::values);
   EXPECT_EQ(found[0].count, 2U);
   EXPECT_EQ(found[0].first, 1U);
-  EXPECT_EQ(found[0].largest_absolute, 1.0);
-  EXPECT_EQ(found[0].largest_relative, 0.2);
-  EXPECT_EQ(found[0].largest_ulp, std::uint64_t{1} << 50U);
+  EXPECT_EQ(found[0].absolute.value, 1.0);
+  EXPECT_EQ(found[0].relative.value, 0.2);
+  EXPECT_EQ(found[0].ulp.value, std::uint64_t{1} << 50U);
+}
+
+TEST(Diff, says_where_each_difference_is_largest) {
+  const auto found = diff(with({1, 1, 1e3, 1e-300}), with({1, 2, 1e3 + 10, 1e-299}));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].first, 1U);
+  EXPECT_EQ(found[0].absolute.index, 2U);
+  EXPECT_EQ(found[0].relative.index, 3U);
+  EXPECT_EQ(found[0].ulp.index, 3U);
+}
+
+TEST(Diff, names_the_first_of_equal_differences) {
+  const auto found = diff(with({0, 1, 2, 3}), with({0, 1, 3, 4}));
+  EXPECT_EQ(found[0].absolute.index, 2U);
+  const auto zeros = diff(with({1, 0.0}), with({1, -0.0}));
+  EXPECT_EQ(zeros[0].absolute.index, 1U);
+}
+
+TEST(Diff, tells_indices_by_dimension) {
+  using Indices = std::vector<std::uint64_t>;
+  EXPECT_EQ(indices_at({}, 0), Indices{});
+  EXPECT_EQ(indices_at({5}, 3), Indices{3});
+  EXPECT_EQ(indices_at({31, 57}, 57), (Indices{1, 0}));
+  EXPECT_EQ(indices_at({2, 3, 4}, 23), (Indices{1, 2, 3}));
+}
+
+TEST(Diff, reads_numbers_of_every_type) {
+  EXPECT_EQ(number_at(with({1, 2.5}).at("/state/a"), 1), Number(2.5));
+  EXPECT_EQ(number_at(make_scalar<std::int64_t>(-7, "1"), 0), Number(std::int64_t{-7}));
+  EXPECT_EQ(number_at(make_scalar<std::uint32_t>(4000000000U, "1"), 0),
+            Number(std::int64_t{4000000000}));
+  EXPECT_EQ(number_at(make_scalar<std::uint16_t>(65535, "1"), 0), Number(std::int64_t{65535}));
+  EXPECT_EQ(number_at(make_scalar<std::uint8_t>(255, "1"), 0), Number(std::int64_t{255}));
+}
+
+TEST(Diff, of_common_rows_ignores_what_one_has_more) {
+  Content a = with({1, 2, 3});
+  Content b = with({1, 2});
+  const std::vector<double> four = {1, 2, 3, 4};
+  a["/state/m"] = make_array(std::span(four), {1, 4}, "m");
+  b["/state/m"] = make_array(std::span(four), {2, 2}, "m");
+  EXPECT_EQ(keep_common_rows(a, b), 1U);
+  const auto found = diff(a, b);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].path, "/state/m");
+  EXPECT_EQ(a.at("/state/a"), with({1, 2}).at("/state/a"));
+  Content c = with({1, 5, 3, 4});
+  keep_common_rows(b, c);
+  EXPECT_EQ(diff(b, c).front().first, 1U);
 }
 
 TEST(Diff, sees_the_sign_of_zero) {
   const auto found = diff(with({0.0}), with({-0.0}));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].count, 1U);
-  EXPECT_EQ(found[0].largest_absolute, 0.0);
-  EXPECT_EQ(found[0].largest_relative, 0.0);
-  EXPECT_EQ(found[0].largest_ulp, 1U);
+  EXPECT_EQ(found[0].absolute.value, 0.0);
+  EXPECT_EQ(found[0].relative.value, 0.0);
+  EXPECT_EQ(found[0].ulp.value, 1U);
 }
 
 TEST(Diff, measures_integers_without_ulp) {
   const auto found = diff({{"/n", make_scalar<std::uint32_t>(3, "1")}},
                           {{"/n", make_scalar<std::uint32_t>(5, "1")}});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].largest_absolute, 2.0);
-  EXPECT_EQ(found[0].largest_relative, 0.4);
-  EXPECT_EQ(found[0].largest_ulp, 0U);
+  EXPECT_EQ(found[0].absolute.value, 2.0);
+  EXPECT_EQ(found[0].relative.value, 0.4);
+  EXPECT_EQ(found[0].ulp.value, 0U);
 }
 
 TEST(Diff, finds_the_first_byte_of_a_text_that_differs) {

@@ -17,12 +17,14 @@ TEST(Provenance, quotes_arguments_as_a_shell_needs_them) {
 }
 
 TEST(Provenance, of_this_build_names_tool_version_commit_and_compiler) {
-  const ProvenanceEntry entry = make_provenance("load", {"load", "--until", "1 s"}, "abc");
+  const ProvenanceEntry entry =
+      make_provenance("load", {"load", "--until", "1 s"}, "abc", "load --until 1");
   EXPECT_EQ(entry.tool, "load");
   EXPECT_EQ(entry.version, version);
   EXPECT_EQ(entry.commit, commit);
   EXPECT_EQ(entry.command_line, "load --until '1 s'");
   EXPECT_EQ(entry.parent_checksum, "abc");
+  EXPECT_EQ(entry.rebuild, "load --until 1");
   EXPECT_TRUE(entry.compiler.starts_with("gcc ") || entry.compiler.starts_with("clang "));
 }
 
@@ -30,6 +32,21 @@ TEST(Provenance, chain_survives_being_content) {
   const auto chain = testing::small_checkpoint().provenance;
   EXPECT_EQ(read_provenance(provenance_content(chain)), chain);
   EXPECT_TRUE(read_provenance({}).empty());
+}
+
+TEST(Provenance, of_schema_1_has_nothing_to_rebuild_with) {
+  auto chain = testing::small_checkpoint().provenance;
+  chain[1].rebuild = "restart --until 1";
+  Content content = provenance_content(chain);
+  content.erase("/provenance/0000/rebuild");
+  EXPECT_EQ(read_provenance(content), chain);
+}
+
+TEST(Provenance, refuses_members_that_it_does_not_know) {
+  Content content = provenance_content(testing::small_checkpoint().provenance);
+  content["/provenance/0001/weather"] = make_text("fine");
+  expect_contains(failure_of([&] { read_provenance(content); }),
+                  "/provenance/0001/weather is not part of a provenance: use a newer rupture");
 }
 
 TEST(Provenance, refuses_gaps) {

@@ -78,7 +78,7 @@ TEST_F(Python, reads_values_units_and_attributes) {
       "print(f['state/junctions/draws'][4, 2], f['state/u_x'].shape)\n");
   EXPECT_EQ(output_of(std::string(kPython) + " " + file("show.py").string() + " " +
                       file("x.h5").string() + " 2>&1"),
-            "rupture-checkpoint 1\n0.04 m\n402 (4, 5)\n");
+            "rupture-checkpoint 2\n0.04 m\n402 (4, 5)\n");
 }
 
 }  // namespace

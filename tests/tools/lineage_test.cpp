@@ -1,0 +1,294 @@
+// analyze lineage: the commands that it prints are run and make the same content.
+#include <cstdlib>
+
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+class Lineage : public ToolTest {
+ protected:
+  /// Runs a script as a user would, in an empty folder, with the programs in the PATH.
+  Outcome run_script(const std::string& script) const {
+    const fs::path folder = path("again");
+    fs::remove_all(folder);
+    fs::create_directory(folder);
+    const std::string search = std::string(RUPTURE_BIN_DIR) + ":" + std::getenv("PATH");
+    return run_program({"/bin/bash", "-c", script},
+                       {.folder = folder, .environment = {{"PATH", search}}});
+  }
+
+  std::string script_for(const std::string& file, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words = {"analyze", "lineage", file, "--commands"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run_words(words);
+    EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
+    return outcome.out;
+  }
+
+  std::string checksum_in(const std::string& file) const {
+    return run_words({"analyze", "checksum", file}).out;
+  }
+
+  /// Demands that the commands for `file` make its content from nothing.
+  void expect_rebuilt(const std::string& file) const {
+    const std::string script = script_for(file);
+    const Outcome outcome = run_script(script);
+    EXPECT_EQ(outcome.exit_code, kDone) << script;
+    EXPECT_EQ(outcome.err, "") << script;
+    EXPECT_EQ(checksum_in("again/rebuilt.h5"), checksum_in(file)) << script;
+  }
+
+  /// Lets a file say that its steps were others.
+  void change_chain(const std::string& file,
+                    const std::function<void(std::vector<ProvenanceEntry>&)>& change) const {
+    Checkpoint checkpoint = read_checkpoint(path(file));
+    change(checkpoint.provenance);
+    write_checkpoint(path(file), checkpoint, IfExists::replace);
+  }
+
+  std::vector<std::string> rebuilds_of(const std::string& file) const {
+    std::vector<std::string> commands;
+    for (const auto& entry : read_checkpoint(path(file)).provenance) {
+      commands.push_back(entry.rebuild);
+    }
+    return commands;
+  }
+};
+
+TEST_F(Lineage, OfTheEquilibriumAlone) {
+  output_of("load -o a.h5");
+  EXPECT_EQ(rebuilds_of("a.h5"), std::vector<std::string>{"load --until 0"});
+  expect_rebuilt("a.h5");
+}
+
+TEST_F(Lineage, OfLoadDoesWithoutTheConfigurationFile) {
+  write("other.ini", read("small.ini") + "[numerics]\nseed = 12\ndt = 1.3e-7\n");
+  output_of("load --config other.ini -o a.h5 --until 2e-4 --set junctions.t_R=0.0021 --threads 2");
+  fs::remove(path("other.ini"));
+  EXPECT_EQ(rebuilds_of("a.h5").front(),
+            "load --set slider.H=0.07 --set slider.Nx=9 --set slider.Nz=5 --set driving.h=0.0175 "
+            "--set driving.V=1 --set junctions.t_R=0.0021 --set numerics.dt=1.3e-07 "
+            "--set numerics.seed=12 --until 0.0002");
+  expect_rebuilt("a.h5");
+}
+
+TEST_F(Lineage, OfACheckpointOnTheWayStopsThere) {
+  output_of(
+      "load --config small.ini -o a.h5 --until 3e-4 --checkpoint-at 1.2342e-4 --checkpoint-every "
+      "1.3e-4");
+  expect_rebuilt("a.h5");
+  expect_rebuilt("a-t0.000123400.h5");
+  expect_rebuilt("a-t0.000130000.h5");
+}
+
+TEST_F(Lineage, OfOtherLawsAndChoices) {
+  output_of("load --config small.ini -o a.h5 --until 2e-4 --set junctions.law=simplified");
+  expect_rebuilt("a.h5");
+  output_of(
+      "load --config small.ini -o b.h5 --until 2e-4 --set junctions.f_new=f_slip "
+      "--set junctions.slipping_times=exponential");
+  expect_rebuilt("b.h5");
+}
+
+TEST_F(Lineage, OfPrepareHoldsEveryOption) {
+  write("prepare.ini",
+        "tau-bar = 0.5\nshape = bell\n[slider]\nNx = 9\nNz = 5\nH = 0.07\n"
+        "[driving]\nh = 0.0175\n");
+  output_of("prepare --config prepare.ini --sigma-bar 0.1 -o a.h5");
+  EXPECT_EQ(
+      rebuilds_of("a.h5").front(),
+      "prepare --set slider.H=0.07 --set slider.Nx=9 --set slider.Nz=5 --set driving.h=0.0175 "
+      "--tau-bar 0.5 --sigma-bar 0.1 --shape bell --x-trigger 0.0225 --tau-bar-trigger 0.3");
+  expect_rebuilt("a.h5");
+  output_of("prepare --config prepare.ini --no-trigger --tau-bar -0.25 -o b.h5");
+  expect_rebuilt("b.h5");
+}
+
+TEST_F(Lineage, OfRestartHoldsWhatItChanged) {
+  output_of("load --config small.ini -o a.h5 --until 2e-4");
+  output_of("restart a.h5 -o b.h5 --for 1e-5 --set driving.V=-1 --set driving.K=3e6 --seed 5");
+  EXPECT_EQ(rebuilds_of("b.h5").back(),
+            "restart --set driving.K=3000000 --set driving.V=-1 --set numerics.seed=5 "
+            "--until 0.00021");
+  expect_rebuilt("b.h5");
+  output_of("restart b.h5 -o c.h5 --for 0 --set driving.V=1");
+  expect_rebuilt("c.h5");
+}
+
+TEST_F(Lineage, OfARunUntilQuietStopsWhereItStopped) {
+  output_of("load --config small.ini -o a.h5 --until 2e-4");
+  output_of("restart a.h5 -o b.h5 --set driving.V=0 --until-quiet 1e-3 --record r.h5");
+  EXPECT_EQ(rebuilds_of("b.h5").back(), "restart --set driving.V=0 --until 0.00026");
+  expect_rebuilt("b.h5");
+  expect_rebuilt("r.h5");
+}
+
+TEST_F(Lineage, OfRecords) {
+  output_of("load --config small.ini -o a.h5 --until 2e-4 --record r.h5 --record-every 1.3e-5");
+  output_of("restart a.h5 -o b.h5 --for 1e-5 --record s.h5 --record-every 1e-6");
+  expect_rebuilt("r.h5");
+  expect_rebuilt("s.h5");
+}
+
+TEST_F(Lineage, OfAChainOfFourTools) {
+  output_of("prepare --tau-bar 0.1 --sigma-bar 0.1 --set slider.Nx=57 -o a.h5");
+  output_of("restart a.h5 -o b.h5 --for 2e-4 --seed 9");
+  output_of(
+      "modify-phi b.h5 -o c.h5 --shape bell --sigma-bar 0.05 --x-from 0.03 --x-to 0.1 "
+      "--slipping pin");
+  output_of("restart c.h5 -o d.h5 --for 1e-4 --set driving.V=0.5 --record r.h5");
+  ASSERT_NE(checksum_of("c.h5"), checksum_of("b.h5"));
+  expect_rebuilt("d.h5");
+  expect_rebuilt("r.h5");
+}
+
+TEST_F(Lineage, OfAResumedRun) {
+  const std::string command =
+      "load --config small.ini -o a.h5 --until 2e-4 --checkpoint-every 1e-4 --record r.h5";
+  output_of(command);
+  const std::string whole = checksum_of("a.h5"), whole_record = checksum_of("r.h5");
+  for (const char* file : {"a.h5", "a.h5.sum", "a-t0.000200000.h5"}) fs::remove(path(file));
+  output_of(command + " --resume");
+  EXPECT_EQ(rebuilds_of("a.h5").back(), "restart --until 0.0002");
+  EXPECT_EQ(checksum_of("a.h5"), whole);
+  EXPECT_EQ(checksum_of("r.h5"), whole_record);
+  expect_rebuilt("a.h5");
+  expect_rebuilt("r.h5");
+}
+
+TEST_F(Lineage, OfModifyPhiAsWideAsPossible) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  output_of("modify-phi a.h5 -o b.h5");
+  ASSERT_NE(checksum_of("a.h5"), checksum_of("b.h5"));
+  expect_rebuilt("b.h5");
+}
+
+TEST_F(Lineage, TakesPathsWithSpacesAndQuotes) {
+  fs::create_directory(path("it's a folder"));
+  const std::string start = "it's a folder/$HOME.h5", end = "\"end\" of 'it'\n.h5";
+  run_words({"load", "--config", "small.ini", "-o", start, "--until", "1e-4"});
+  run_words({"restart", start, "-o", end, "--for", "1e-5"});
+  expect_rebuilt(end);
+  const std::string script = script_for(end, {"--from", path(start), "-o", "a 'new' $name.h5"});
+  const Outcome outcome = run_script(script);
+  EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
+  EXPECT_EQ(checksum_in("again/a 'new' $name.h5"), checksum_in(end)) << script;
+}
+
+TEST_F(Lineage, TakesPathsThatAreNoUtf8) {
+  run_words({"load", "--config", "small.ini", "-o", "\xff.h5"});
+  expect_rebuilt("\xff.h5");
+  for (const char* command : {"lineage", "show"}) {
+    const Outcome outcome = run_words({"analyze", command, "\xff.h5", "--json"});
+    EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["checksum"].dump(),
+              '"' + checksum_in("\xff.h5").substr(0, 64) + '"');
+  }
+}
+
+TEST_F(Lineage, ScriptChecksEveryFile) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  output_of("restart a.h5 -o b.h5 --for 1e-5");
+  const std::string good = script_for("b.h5");
+  for (const std::string& file : {std::string("step-0000.h5"), std::string("rebuilt.h5")}) {
+    std::string bad = good;
+    const std::size_t at = bad.find("check " + file + " ") + 7 + file.size();
+    bad[at] = bad[at] == '0' ? '1' : '0';
+    const Outcome outcome = run_script(bad);
+    EXPECT_EQ(outcome.exit_code, kFailed);
+    EXPECT_NE(outcome.err.find(file + " has another content checksum than"), std::string::npos)
+        << outcome.err;
+  }
+}
+
+TEST_F(Lineage, ShowsOneLinePerStep) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  output_of("restart a.h5 -o b.h5 --for 1e-5");
+  const auto lines = lines_of(output_of("analyze lineage b.h5"));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_TRUE(lines[0].starts_with("0 " + checksum_of("a.h5").substr(0, 12) + "  rupture "));
+  EXPECT_TRUE(lines[1].starts_with("1 " + checksum_of("b.h5").substr(0, 12) + "  rupture "));
+  EXPECT_TRUE(lines[1].ends_with(": restart --until 0.00011")) << lines[1];
+  const Json json = json_of("analyze lineage b.h5 --json");
+  EXPECT_EQ(json["kind"], "a checkpoint");
+  EXPECT_EQ(json["checksum"], checksum_of("b.h5"));
+  ASSERT_EQ(json["steps"].size(), 2U);
+  EXPECT_EQ(json["steps"][0]["checksum"], json["steps"][1]["parent_checksum"]);
+  EXPECT_EQ(json["steps"][1]["checksum"], json["checksum"]);
+  for (const char* field : {"tool", "version", "commit", "command_line", "compiler", "rebuild"}) {
+    EXPECT_NE(json["steps"][1][field], "") << field;
+  }
+}
+
+TEST_F(Lineage, OfFilesOfSchema1StartsFromTheLastOfThem) {
+  output_of("load --config small.ini -o old.h5 --until 1e-4");
+  change_chain("old.h5", [](auto& chain) { chain[0].rebuild = ""; });
+  output_of("restart old.h5 -o new.h5 --for 1e-5");
+  EXPECT_NE(output_of("analyze lineage new.h5").find("(as typed) "), std::string::npos);
+  expect_refusal("analyze lineage new.h5 --commands", kFailed,
+                 "new.h5: step 0 (load) has no command, because it was taken by a build with files "
+                 "of schema version 1: give the file it wrote, with content checksum " +
+                     checksum_of("old.h5") + ", as --from FILE");
+  expect_refusal("analyze lineage old.h5 --commands", kFailed,
+                 "old.h5: step 0 (load) has no command, because it was taken by a build with files "
+                 "of schema version 1; analyze show prints what was typed");
+  const Outcome outcome = run_script(script_for("new.h5", {"--from", path("old.h5")}));
+  EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
+  EXPECT_EQ(checksum_in("again/rebuilt.h5"), checksum_in("new.h5"));
+}
+
+TEST_F(Lineage, RefusesAChainWithoutBeginning) {
+  output_of("load --config small.ini -o a.h5");
+  change_chain("a.h5", [](auto& chain) { chain[0].parent_checksum = "abc"; });
+  expect_refusal("analyze lineage a.h5 --commands", kFailed,
+                 "a.h5: its first step started from a file of which only the content checksum is "
+                 "known, abc: give that file as --from FILE");
+  change_chain("a.h5", [](auto& chain) { chain.clear(); });
+  expect_refusal("analyze lineage a.h5 --commands", kFailed,
+                 "a.h5 does not say which steps led to it");
+}
+
+TEST_F(Lineage, RefusesToPrintCommandsOfOthers) {
+  output_of("load --config small.ini -o a.h5");
+  for (const std::string command : {"load; rm x", "rm -r x", "load\nrm x", "load $(rm x)"}) {
+    change_chain("a.h5", [&](auto& chain) { chain[0].rebuild = command; });
+    expect_refusal_with("analyze lineage a.h5 --commands", kFailed,
+                        "a.h5: step 0 is no command of rupture and will not be run: ");
+  }
+  change_chain("a.h5", [&](auto& chain) {
+    chain[0].rebuild = "load --until 0";
+    chain[0].command_line = chain[0].version = chain[0].compiler = "x\nexit 7";
+  });
+  EXPECT_EQ(script_for("a.h5").find("\nexit 7"), std::string::npos);
+}
+
+TEST_F(Lineage, RefusesAStartThatIsNoAncestor) {
+  output_of("load --config small.ini -o a.h5");
+  expect_refusal("analyze lineage a.h5 --commands --from a.h5", kFailed,
+                 "no step to a.h5 started from a.h5, whose content checksum is " +
+                     checksum_of("a.h5") + "; see analyze lineage a.h5");
+}
+
+TEST_F(Lineage, OfAnUnfinishedRecordHasNoCommands) {
+  output_of("load --config small.ini -o a.h5 --until 2e-4");
+  Checkpoint wild = read_checkpoint(path("a.h5"));
+  wild.state.v_x(3, 2) = 1e200;
+  write_checkpoint(path("wild.h5"), wild, IfExists::refuse);
+  EXPECT_EQ(run("restart wild.h5 -o b.h5 --for 1e-4 --record r.h5").exit_code, kFailed);
+  EXPECT_EQ(lines_of(output_of("analyze lineage r.h5.part")).size(), 2U);
+  expect_refusal("analyze lineage r.h5.part --commands", kFailed,
+                 "r.h5.part is an unfinished record, which has no checksum to reach");
+}
+
+TEST_F(Lineage, RefusesOptionsThatDoNotBelongTogether) {
+  output_of("load --config small.ini -o a.h5");
+  expect_refusal("analyze lineage a.h5 --commands --json", kUsage,
+                 "--commands and --json exclude each other: give one");
+  expect_refusal("analyze lineage a.h5 -o b.h5", kUsage,
+                 "--from and --output belong to --commands: give it, too");
+}
+
+}  // namespace
+}  // namespace rupture::test

@@ -1,0 +1,179 @@
+// analyze verify: files, folders and manifests.
+#include <unistd.h>
+
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+class Verify : public ToolTest {
+ protected:
+  Verify() {
+    output_of("load --config small.ini -o a.h5 --until 1e-5 --record r.h5 -q");
+    output_of("restart a.h5 -o b.h5 --for 1e-5 -q");
+  }
+
+  void damage(const std::string& file) const {
+    std::string bytes = read(file);
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    write(file, bytes);
+  }
+
+  std::string intact(const std::string& file) const {
+    return "intact  " + checksum_of(file) + "  " + file + "\n";
+  }
+
+  static std::string damage_sentence(const std::string& file) {
+    return file +
+           " is damaged: its bytes and the SHA-256 in its header do not agree; copy it again or "
+           "write it anew";
+  }
+};
+
+TEST_F(Verify, NamesEachIntactFile) {
+  EXPECT_EQ(output_of("analyze verify a.h5 r.h5"), intact("a.h5") + intact("r.h5") + "2 intact\n");
+  expect_refusal("analyze verify", kUsage,
+                 "nothing to verify: name a checkpoint, record or folder, or give --manifest");
+}
+
+TEST_F(Verify, ReadsManifestsRelativeToTheirFolder) {
+  fs::create_directory(path("lists"));
+  write("lists/m.txt", checksum_of("a.h5") + "  ../a.h5\n\n" + checksum_of("r.h5") + "  ../r.h5\n");
+  EXPECT_EQ(lines_of(output_of("analyze verify --manifest lists/m.txt")).size(), 3U);
+  EXPECT_EQ(lines_of(output_of("analyze verify --manifest a.h5.sum")).size(), 2U);
+}
+
+TEST_F(Verify, ReadsSumsOfFilesWithSpacesInTheirNames) {
+  run_words({"load", "--config", "small.ini", "-o", "with space.h5"});
+  const Outcome outcome = run_words({"analyze", "verify", "--manifest", "with space.h5.sum"});
+  EXPECT_EQ(outcome.exit_code, kDone);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Verify, SeesOtherContentThanTheManifestSays) {
+  write("m.txt", checksum_of("a.h5") + "  b.h5\n");
+  expect_refusal("analyze verify --manifest m.txt", kFailed,
+                 "b.h5 is intact but has content checksum " + checksum_of("b.h5") + ", not " +
+                     checksum_of("a.h5") + " as the manifest says");
+  write("m.txt", checksum_of("a.h5") + "  gone.h5\n");
+  expect_refusal("analyze verify --manifest m.txt", kFailed,
+                 "gone.h5 does not exist; give the path of a checkpoint or record");
+  write("m.txt", "a.h5\n");
+  expect_refusal("analyze verify --manifest m.txt", kFailed,
+                 "m.txt is no manifest: 'a.h5' is not '<64 hex digits>  <file>'");
+  expect_refusal("analyze verify --manifest gone.txt", kFailed,
+                 "cannot read the manifest gone.txt");
+}
+
+TEST_F(Verify, RefusesAnEmptyManifest) {
+  write("m.txt", "");
+  expect_refusal_with("analyze verify --manifest m.txt", kFailed, "m.txt");
+}
+
+TEST_F(Verify, LooksAtEveryFileWhateverIsWrongWithOthers) {
+  damage("a.h5");
+  const Outcome outcome = run("analyze verify a.h5 gone.h5 b.h5");
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  EXPECT_EQ(outcome.out,
+            "damaged  " + damage_sentence("a.h5") +
+                "\nmissing  gone.h5 does not exist; give the path of a checkpoint or record\n" +
+                intact("b.h5") + "1 intact, 1 damaged, 1 missing\n");
+  EXPECT_EQ(outcome.err, "analyze: not all is well: 1 intact, 1 damaged, 1 missing\n");
+}
+
+TEST_F(Verify, LooksAtAllOfAManifest) {
+  damage("a.h5");
+  write("m.txt", checksum_of("r.h5") + "  a.h5\n" + checksum_of("r.h5") + "  b.h5\n" +
+                     checksum_of("r.h5") + "  r.h5\n");
+  const Outcome outcome = run("analyze verify --manifest m.txt");
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  EXPECT_NE(outcome.out.find("1 intact, 1 differs, 1 damaged\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Verify, LooksIntoFoldersInOrder) {
+  fs::create_directories(path("f/m/empty"));
+  for (const char* name : {"f/z.h5", "f/m/y.h5", "f/a.h5"}) {
+    fs::copy_file(path("a.h5"), path(name));
+  }
+  write("f/notes.txt", "");
+  write("f/a.h5.sum", "");
+  EXPECT_EQ(output_of("analyze verify f"),
+            intact("f/a.h5") + intact("f/m/y.h5") + intact("f/z.h5") + "3 intact\n");
+  EXPECT_EQ(output_of("analyze verify b.h5 f/m/"),
+            intact("b.h5") + intact("f/m/y.h5") + "2 intact\n");
+  damage("f/m/y.h5");
+  expect_refusal("analyze verify f", kFailed, damage_sentence("f/m/y.h5"));
+}
+
+TEST_F(Verify, FollowsLinksToFilesButNotToFolders) {
+  fs::create_directory(path("f"));
+  fs::create_symlink(path("f"), path("f/loop"));
+  fs::create_symlink(path("a.h5"), path("f/a.h5"));
+  EXPECT_EQ(output_of("analyze verify f"), intact("f/a.h5") + "1 intact\n");
+  fs::create_symlink(path("gone.h5"), path("f/b.h5"));
+  expect_refusal("analyze verify f", kFailed,
+                 "f/b.h5 does not exist; give the path of a checkpoint or record");
+  fs::remove(path("f/b.h5"));
+  fs::create_symlink("b.h5", path("f/b.h5"));
+  expect_one_sentence(run("analyze verify f").err, "analyze",
+                      "could not read f/b.h5: Too many levels of symbolic links");
+}
+
+TEST_F(Verify, NamesUnfinishedRecordsInAFolder) {
+  fs::create_directory(path("f"));
+  write("f/r.h5.part", "");
+  write("f/film.part", "");
+  expect_refusal("analyze verify f", kFailed, "f holds no file *.h5");
+  fs::copy_file(path("a.h5"), path("f/a.h5"));
+  EXPECT_EQ(output_of("analyze verify f"), intact("f/a.h5") +
+                                               "skipped  f/r.h5.part is an unfinished record\n"
+                                               "1 intact, 1 skipped\n");
+}
+
+TEST_F(Verify, RefusesAnEmptyFolder) {
+  fs::create_directory(path("f"));
+  expect_refusal("analyze verify f", kFailed, "f holds no file *.h5");
+  expect_refusal("analyze verify a.h5 f", kFailed, "f holds no file *.h5");
+}
+
+TEST_F(Verify, NamesFoldersThatItCannotList) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can run a program as another user";
+  fs::create_directories(path("f/locked"));
+  fs::copy_file(path("a.h5"), path("f/a.h5"));
+  fs::permissions(path("f/locked"), fs::perms(0700));
+  fs::permissions(path("."), fs::perms(0755));
+  const RunOptions nobody = {.user = 65534};
+  if (run("load --version", nobody).exit_code == kCannotStart) {
+    GTEST_SKIP() << "another user cannot run the programs in this folder";
+  }
+  expect_refusal("analyze verify f", kFailed,
+                 "f/locked cannot be listed: Permission denied; check its permissions", nobody);
+  EXPECT_NE(run("analyze verify f", nobody).out.find("1 intact, 1 unreadable\n"),
+            std::string::npos);
+}
+
+TEST_F(Verify, SaysWhichFilesOfAFolderTheManifestDoesNotList) {
+  fs::create_directory(path("f"));
+  for (const char* name : {"a.h5", "b.h5"}) fs::copy_file(path(name), path("f") / name);
+  write("m.txt", checksum_of("a.h5") + "  f/a.h5\n" + checksum_of("b.h5") + "  f/../f/b.h5\n");
+  EXPECT_EQ(output_of("analyze verify f --manifest m.txt"),
+            "intact  " + checksum_of("a.h5") + "  f/a.h5\nintact  " + checksum_of("b.h5") +
+                "  f/../f/b.h5\n2 intact\n");
+  fs::copy_file(path("r.h5"), path("f/r.h5"));
+  expect_refusal("analyze verify f --manifest m.txt", kFailed,
+                 "f/r.h5 is intact, but the manifest does not list it");
+  damage("f/r.h5");
+  expect_refusal("analyze verify f --manifest m.txt", kFailed, damage_sentence("f/r.h5"));
+}
+
+TEST_F(Verify, PrintsWhatAManifestNeeds) {
+  std::string lines;
+  for (const auto& line : lines_of(output_of("analyze verify ."))) {
+    if (line.starts_with("intact  ")) lines += line.substr(8) + "\n";
+  }
+  write("m.txt", lines);
+  EXPECT_EQ(lines_of(output_of("analyze verify . --manifest m.txt")).back(), "3 intact");
+}
+
+}  // namespace
+}  // namespace rupture::test
