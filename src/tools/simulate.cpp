@@ -51,6 +51,7 @@ void print_invariants(const Simulation& simulation, Ending ending, const EnergyB
 Resumption beginning(Checkpoint start, const RunFiles& files, bool resume) {
   auto found = resume ? find_resumption(start, files) : std::nullopt;
   if (!found) return {std::move(start), {}, {}};
+  restore_sum(found->file);
   ProvenanceEntry entry = start.provenance.back();
   entry.parent_checksum = found->checkpoint.checksum;
   found->checkpoint.provenance.push_back(std::move(entry));
@@ -203,6 +204,7 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
   auto steps = checkpoint_steps(p, start.state.step, rule.last_step, options);
   start.run = {.first_step = start.state.step, .last_break = start.state.step};
   if (options.resume && is_complete(start, rule, files)) {
+    restore_sum(files.output);
     if (talk) say("{} is complete\n", output.output.string());
     return;
   }
