@@ -4,7 +4,21 @@ import errno
 import os
 import unittest
 
-from scenario import *
+from scenario import (
+    Folder,
+    LONG,
+    TEMPORARY,
+    faults_in_files,
+    faults_of_failure,
+    faults_of_next_run,
+    log_of,
+    main,
+    new_state,
+    run,
+    run_with_fault,
+    scenarios,
+    sums,
+)
 
 LASTING = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS)  # so do later calls that need room
 ONCE = (errno.EIO, errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS)

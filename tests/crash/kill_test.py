@@ -3,7 +3,17 @@
 import signal
 import unittest
 
-from scenario import *
+from scenario import (
+    Folder,
+    faults_in_files,
+    faults_of_next_run,
+    log_of,
+    main,
+    new_state,
+    readable_rows,
+    run_with_fault,
+    scenarios,
+)
 
 
 def moments(log):

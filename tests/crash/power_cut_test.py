@@ -1,9 +1,19 @@
 """The power fails after any call of a tool: whatever the disk kept, files are complete and verify."""
 
+import re
 import unittest
 
 from disk import Disk
-from scenario import *
+from scenario import (
+    Folder,
+    faults_in_files,
+    faults_of_next_run,
+    log_of,
+    main,
+    new_state,
+    readable_rows,
+    scenarios,
+)
 
 
 class PowerCut(unittest.TestCase):

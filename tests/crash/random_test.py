@@ -1,12 +1,24 @@
 """Real signals at random (seeded) moments of a run, among calls and between them."""
 
 import random
+import re
 import signal
 import subprocess
 import time
 import unittest
 
-from scenario import *
+from scenario import (
+    BIN,
+    CONFIGS,
+    Folder,
+    LONG,
+    faults_in_files,
+    made,
+    main,
+    readable_rows,
+    sums,
+    without_temporaries,
+)
 
 LOAD = (
     "load --config driven.ini --until 2e-3 --checkpoint-every 1e-4 --record r.h5 --record-every 2e-6"

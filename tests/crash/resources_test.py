@@ -3,10 +3,11 @@
 import errno
 import os
 import resource
+import shutil
 import subprocess
 import unittest
 
-from scenario import *
+from scenario import Folder, TEMPORARY, faults_in_files, faults_of_failure, main, run, scenarios
 
 NOBODY = 65534
 PAGE = 4096
