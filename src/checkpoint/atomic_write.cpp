@@ -38,28 +38,6 @@ class Descriptor {
   int fd_;
 };
 
-// Removes the temporary file unless it was renamed.
-class Temporary {
- public:
-  explicit Temporary(fs::path path) : path_(std::move(path)) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  Temporary(Temporary&&) = delete;
-  Temporary& operator=(Temporary&&) = delete;
-  ~Temporary() {
-    if (!renamed_) ::unlink(path_.c_str());
-  }
-  const fs::path& path() const { return path_; }
-  bool rename_to(const fs::path& target) {
-    renamed_ = ::rename(path_.c_str(), target.c_str()) == 0;
-    return renamed_;
-  }
-
- private:
-  fs::path path_;
-  bool renamed_ = false;
-};
-
 bool write_all(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(fd, bytes.data(), bytes.size());
@@ -70,20 +48,16 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
   return true;
 }
 
-void write_temporary(const Temporary& temporary, const fs::path& path,
-                     std::span<const std::byte> bytes) {
-  ::unlink(temporary.path().c_str());  // left by a killed process that had the same number
-  Descriptor file(::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.get() < 0) fail(path);
-  if (!write_all(file.get(), bytes)) fail(path);
-  if (::fsync(file.get()) != 0 || !file.close()) fail(path);
+fs::path temporary_for(const fs::path& path) {
+  return folder_of(path) / fmt::format(".{}.tmp.{}", path.filename().string(), ::getpid());
 }
 
-// Makes the rename itself durable. Some file systems cannot, and a folder may forbid reading; then
-// the file is in place all the same.
-void sync_folder(const fs::path& folder) {
-  const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() >= 0 && ::fsync(fd.get()) != 0 && errno != EINVAL) fail(folder);
+// Makes renames and removals durable. Some file systems cannot, and a folder may forbid reading;
+// then they are in place all the same.
+void sync_folder_of(const fs::path& path) {
+  const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.get() < 0 && errno == EACCES) return;
+  if (folder.get() < 0 || (::fsync(folder.get()) != 0 && errno != EINVAL)) fail(path);
 }
 
 sigset_t file_size_signal() {
@@ -113,13 +87,39 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-void write_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes)
+    : path_(std::move(path)), temporary_(temporary_for(path_)) {
   const FileSizeSignalBlocked guard;
-  const fs::path folder = folder_of(path);
-  Temporary temporary(folder / fmt::format(".{}.tmp.{}", path.filename().string(), ::getpid()));
-  write_temporary(temporary, path, bytes);
-  if (!temporary.rename_to(path)) fail(path);
-  sync_folder(folder);
+  ::unlink(temporary_.c_str());  // left by a killed process that had the same number
+  Descriptor file(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.get() < 0) fail(path_);
+  if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0 && file.close()) return;
+  const int reason = errno;
+  ::unlink(temporary_.c_str());
+  errno = reason;
+  fail(path_);
+}
+
+PendingFile::~PendingFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void PendingFile::commit() {
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_);
+  temporary_.clear();
+  sync_folder_of(path_);
+}
+
+void write_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+  PendingFile(path, bytes).commit();
+}
+
+void remove_durably(const fs::path& path) {
+  if (::unlink(path.c_str()) == 0) {
+    sync_folder_of(path);
+  } else if (errno != ENOENT) {
+    throw Failure(fmt::format("could not remove {}: {}", path.string(), std::strerror(errno)));
+  }
 }
 
 void append_to(const fs::path& path, std::span<const std::byte> bytes) {

@@ -26,10 +26,31 @@ class FileSizeSignalBlocked {
 /// Folder of a path, "." for a bare file name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 
-/// Writes a temporary file in the folder of `path`, brings it to disk and renames it to `path`.
-/// Throws Failure with the system's reason; the temporary is then removed and `path` is what it
-/// was.
+/// A file that appears complete or not at all: first under a hidden name in its folder, then, on
+/// commit(), under its own. Both throw Failure with the system's reason; without a commit nothing
+/// is left of it.
+class PendingFile {
+ public:
+  /// Writes the bytes and brings them to disk.
+  PendingFile(std::filesystem::path path, std::span<const std::byte> bytes);
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  PendingFile(PendingFile&&) = delete;
+  PendingFile& operator=(PendingFile&&) = delete;
+  ~PendingFile();
+
+  /// Renames it to its path, replacing what is there, and brings that to disk.
+  void commit();
+
+ private:
+  std::filesystem::path path_, temporary_;
+};
+
+/// Writes a file so in one go.
 void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Removes a file, if there is one, and brings that to disk. Throws Failure.
+void remove_durably(const std::filesystem::path& path);
 
 /// Adds to the end of an existing file, without bringing it to disk. Throws Failure with the
 /// system's reason; the file is then cut back to what it was.

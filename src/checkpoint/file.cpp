@@ -111,13 +111,26 @@ std::string sum_line(const std::string& checksum, const fs::path& path) {
   return fmt::format("{}  {}\n", checksum, path.filename().string());
 }
 
-void write_sum(const fs::path& path, const std::string& checksum) {
-  const fs::path sum = path.string() + ".sum";
-  const std::string line = sum_line(checksum, path);
-  std::ifstream file(sum, std::ios::binary);
-  const std::string present{std::istreambuf_iterator<char>(file), {}};
-  if (present == line) return;  // workflow rules go by its modification time
-  write_atomically(sum, std::as_bytes(std::span(line)));
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+fs::path sum_path(const fs::path& path) {
+  return path.string() + ".sum";
+}
+
+// Replaces a file and its .sum. Both are on the disk before anything is replaced, and no .sum is
+// there while it would be that of the other file.
+void replace(PendingFile file, const fs::path& sum, const std::string& line) {
+  if (text_of(sum) == line) {  // workflow rules go by its modification time
+    file.commit();
+    return;
+  }
+  PendingFile new_sum(sum, std::as_bytes(std::span(line)));
+  remove_durably(sum);
+  file.commit();
+  new_sum.commit();
 }
 
 }  // namespace
@@ -136,7 +149,7 @@ void check_output(const fs::path& path, IfExists if_exists) {
   if (exists && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode)) {
     throw Failure(fmt::format("{} is not a regular file; give another path", path.string()));
   }
-  const std::string sum = path.string() + ".sum";
+  const std::string sum = sum_path(path);
   if (::lstat(sum.c_str(), &info) == 0 && S_ISDIR(info.st_mode)) {
     throw Failure(fmt::format("{} is a folder where the checksum of {} belongs; give another path",
                               sum, path.string()));
@@ -180,8 +193,7 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
                           IfExists if_exists) {
   check_output(path, if_exists);
   const Sealed sealed = naming(path, [&] { return seal(kind, content); });
-  write_atomically(path, sealed.bytes);
-  write_sum(path, sealed.checksum);
+  replace(PendingFile(path, sealed.bytes), sum_path(path), sum_line(sealed.checksum, path));
   return sealed.checksum;
 }
 
@@ -204,6 +216,13 @@ ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name
 
 Content read_content(const fs::path& path) {
   return read_file(path).content;
+}
+
+void restore_sum(const fs::path& path) {
+  const std::string line = sum_line(read_file(path).checksum, path);
+  if (text_of(sum_path(path)) != line) {
+    write_atomically(sum_path(path), std::as_bytes(std::span(line)));
+  }
 }
 
 }  // namespace rupture

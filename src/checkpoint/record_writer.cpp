@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <system_error>
 #include <utility>
 
-#include "context.hpp"
+#include "atomic_write.hpp"
 #include "part_file.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -171,9 +170,7 @@ std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance)
   Content content = provenance_content(provenance);
   content.merge(read_content(part));
   std::string checksum = write_content(path_, FileKind::record, content, if_exists_);
-  if (std::error_code error; !std::filesystem::remove(part, error)) {
-    throw Failure(fmt::format("could not remove {}: {}", part.string(), error.message()));
-  }
+  remove_durably(part);
   return checksum;
 }
 

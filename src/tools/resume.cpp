@@ -28,8 +28,13 @@ std::vector<fs::path> checkpoints_beside(const fs::path& output) {
   const std::string prefix = output.stem().string() + "-t";
   std::vector<std::pair<double, fs::path>> found;
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
-  std::error_code unreadable;
-  for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
+  std::error_code error;
+  const fs::directory_iterator entries(folder, error);
+  if (error) {
+    throw Failure(fmt::format("could not look for checkpoints of {} in {}: {}", output.string(),
+                              folder.string(), error.message()));
+  }
+  for (const auto& entry : entries) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(prefix) || entry.path().extension() != output.extension()) continue;
     const double t = std::strtod(name.c_str() + prefix.size(), nullptr);

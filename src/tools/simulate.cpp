@@ -53,6 +53,7 @@ Resumption beginning(Checkpoint start, const RunFiles& files, bool resume) {
   auto chain = start.provenance;
   auto found = resume ? find_resumption(start, files) : std::nullopt;
   if (!found) return {std::move(start), {}, {}, std::move(chain)};
+  restore_sum(found->file);
   ProvenanceEntry entry = chain.back();
   entry.parent_checksum = found->checkpoint.checksum;
   entry.rebuild = "restart";
@@ -217,6 +218,7 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
   auto steps = checkpoint_steps(p, start.state.step, rule.last_step, options);
   start.run = {.first_step = start.state.step, .last_break = start.state.step};
   if (options.resume && is_complete(start, rule, files)) {
+    restore_sum(files.output);
     if (talk) say("{} is complete\n", output.output.string());
     return;
   }

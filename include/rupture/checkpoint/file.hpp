@@ -36,7 +36,8 @@ FileKind identify(const std::filesystem::path& path);
 /// Writes `content` and, beside it, `<path>.sum` with its checksum; returns the checksum. Each of
 /// the two appears complete or not at all, and the .sum is left alone if it already says the same.
 /// Throws Failure if a number is not finite, the path may not be written or the disk is full. The
-/// path then holds what it held before, unless it was only the .sum that could not be written.
+/// path then holds what it held before, unless it was only the .sum that could not be renamed. A
+/// process that is killed can leave a file without its .sum, but never with that of another.
 std::string write_content(const std::filesystem::path& path, FileKind kind, const Content& content,
                           IfExists if_exists);
 
@@ -53,5 +54,8 @@ Content read_content(const std::filesystem::path& path);
 /// Verifies a checkpoint or record as read_checkpoint() and read_record() do; returns its content
 /// checksum. Throws Failure if it is damaged, or an unfinished record, which cannot be verified.
 std::string verify_file(const std::filesystem::path& path);
+
+/// Writes the .sum of a file if it is missing or wrong. Throws Failure.
+void restore_sum(const std::filesystem::path& path);
 
 }  // namespace rupture

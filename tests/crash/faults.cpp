@@ -1,0 +1,312 @@
+// Preloaded into a tool (LD_PRELOAD), counts the calls that touch files of its working folder, and
+// ends the tool at one of them or lets one of them fail. What to do is in the environment:
+//
+//   FAULT_AT=n           the call to act on, counted from 1; 0 or absent: none
+//   FAULT=kill           SIGKILL just before it
+//   FAULT=tear           the same, but a write gets half of its bytes to the file first
+//   FAULT=short          a write takes half of its bytes only, which is no error
+//   FAULT=<errno>        it fails with this error, and nothing happens
+//   FAULT=<errno>+       the same, and so do all later calls that need room on the disk
+//   FAULT_LOG=file       one line per call, in order, by which power_cut.py replays them
+//
+// Paths of the working folder are the relative ones: the tests start the tools in it.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+namespace {
+
+enum class Fault { none, kill, tear, shorten, error, lasting_error };
+
+struct Plan {
+  long at = 0;
+  Fault fault = Fault::none;
+  int error = 0;
+  int log = -1;
+};
+
+template <class Function>
+Function* next(const char* name) {
+  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+Plan read_plan() {
+  Plan plan;
+  if (const char* log = std::getenv("FAULT_LOG")) {
+    // Far from the numbers that the tool gets, so that it sees the same ones as ever.
+    const int fd = next<int(const char*, int, ...)>("open")(
+        log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    plan.log = ::fcntl(fd, F_DUPFD_CLOEXEC, 900);
+  }
+  const char* at = std::getenv("FAULT_AT");
+  const char* fault = std::getenv("FAULT");
+  if (at == nullptr || fault == nullptr) return plan;
+  plan.at = std::atol(at);
+  const std::string word = fault;
+  plan.error = std::atoi(fault);
+  plan.fault = word == "kill"       ? Fault::kill
+               : word == "tear"     ? Fault::tear
+               : word == "short"    ? Fault::shorten
+               : word.back() == '+' ? Fault::lasting_error
+                                    : Fault::error;
+  return plan;
+}
+
+const Plan& plan() {
+  static const Plan read = read_plan();
+  return read;
+}
+
+long calls = 0;
+std::array<bool, 1024> watched{};  // descriptors of files in the working folder
+
+bool is_watched(int fd) {
+  return fd >= 0 && static_cast<std::size_t>(fd) < watched.size() &&
+         watched[static_cast<std::size_t>(fd)];
+}
+
+bool is_watched(const char* path) {
+  return path[0] != '/';
+}
+
+enum class Needs { nothing, room };
+
+// Counts a call; true if it is to fail, with errno set.
+bool fails(Needs needs) {
+  ++calls;
+  const bool now = calls == plan().at;
+  if (now && (plan().fault == Fault::kill || plan().fault == Fault::tear)) ::raise(SIGKILL);
+  const bool later =
+      plan().fault == Fault::lasting_error && calls > plan().at && needs == Needs::room;
+  if (plan().error == 0 || !(now || later)) return false;
+  errno = plan().error;
+  return true;
+}
+
+// A line of the log; the call's own errno stays.
+void log(const char* format, ...) __attribute__((format(printf, 1, 2)));
+void log(const char* format, ...) {
+  if (plan().log < 0) return;
+  const int error = errno;
+  va_list arguments;
+  va_start(arguments, format);
+  ::vdprintf(plan().log, format, arguments);
+  va_end(arguments);
+  errno = error;
+}
+
+std::string hexadecimal(const void* bytes, std::size_t size) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string text;
+  for (std::size_t i = 0; i < size; ++i) {
+    const unsigned byte = static_cast<const unsigned char*>(bytes)[i];
+    text += digits[byte >> 4U];
+    text += digits[byte & 15U];
+  }
+  return text;
+}
+
+// `done` is what the real call returned.
+int logged(int done, const char* call, const char* a, const char* b = "") {
+  log("%s%s %s %s\n", done == 0 ? "" : "failed-", call, a, b);
+  return done;
+}
+
+int logged(int done, const char* call, int fd) {
+  return logged(done, call, std::to_string(fd).c_str());
+}
+
+int opened(int fd, const char* path, int flags) {
+  const bool reads = (flags & O_ACCMODE) == O_RDONLY;
+  const char* how = reads ? "read" : (flags & O_TRUNC) != 0 ? "truncate" : "write";
+  log("%s %d %s %s\n", fd < 0 ? "failed-open" : "open", fd, path, how);
+  if (fd >= 0) watched.at(static_cast<std::size_t>(fd)) = true;
+  return fd;
+}
+
+using Open = int(const char*, int, ...);
+using OpenAt = int(int, const char*, int, ...);
+
+int open_with(Open* real, const char* path, int flags, mode_t mode) {
+  if (!is_watched(path)) return real(path, flags, mode);
+  if (fails((flags & O_CREAT) != 0 ? Needs::room : Needs::nothing)) return -1;
+  return opened(real(path, flags, mode), path, flags);
+}
+
+int openat_with(OpenAt* real, int folder, const char* path, int flags, mode_t mode) {
+  if (!is_watched(path)) return real(folder, path, flags, mode);
+  if (fails((flags & O_CREAT) != 0 ? Needs::room : Needs::nothing)) return -1;
+  return opened(real(folder, path, flags, mode), path, flags);
+}
+
+using PWrite = ssize_t(int, const void*, size_t, off_t);
+
+ssize_t write_at(PWrite* real, int fd, const void* bytes, std::size_t size, off_t offset) {
+  const bool now = calls + 1 == plan().at;
+  const bool half = now && (plan().fault == Fault::tear || plan().fault == Fault::shorten);
+  if (half && size > 1) size /= 2;
+  if (now && plan().fault == Fault::tear) real(fd, bytes, size, offset);
+  if (fails(Needs::room)) return -1;
+  const ssize_t written = real(fd, bytes, size, offset);
+  if (written < 0) {
+    log("failed-write %d\n", fd);
+  } else {
+    log("write %d %lld %s\n", fd, static_cast<long long>(offset),
+        hexadecimal(bytes, static_cast<std::size_t>(written)).c_str());
+  }
+  return written;
+}
+
+PWrite* real_pwrite() {
+  static auto* real = next<PWrite>("pwrite64");
+  return real;
+}
+
+// Where a write without an offset goes.
+off_t offset_of(int fd) {
+  const bool appends = (::fcntl(fd, F_GETFL) & O_APPEND) != 0;
+  return ::lseek(fd, 0, appends ? SEEK_END : SEEK_CUR);
+}
+
+ssize_t write_on(int fd, const void* bytes, std::size_t size) {
+  const off_t offset = offset_of(fd);
+  const ssize_t written = write_at(real_pwrite(), fd, bytes, size, offset);
+  if (written > 0) ::lseek(fd, offset + written, SEEK_SET);
+  return written;
+}
+
+int truncate_with(int (*real)(int, off_t), int fd, off_t length) {
+  if (!is_watched(fd)) return real(fd, length);
+  if (fails(Needs::room)) return -1;
+  const std::string arguments = std::to_string(fd) + " " + std::to_string(length);
+  return logged(real(fd, length), "truncate", arguments.c_str());
+}
+
+mode_t mode_of(int flags, va_list arguments) {
+  return (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+}
+
+int sync_with(int (*real)(int), int fd) {
+  if (!is_watched(fd)) return real(fd);
+  if (fails(Needs::nothing)) return -1;
+  return logged(real(fd), "fsync", fd);
+}
+
+}  // namespace
+
+// NOLINTBEGIN: the names and signatures are those of the C library
+extern "C" {
+
+#define FAULTS_OPEN(name)                          \
+  int name(const char* path, int flags, ...) {     \
+    static auto* real = next<Open>(#name);         \
+    va_list arguments;                             \
+    va_start(arguments, flags);                    \
+    const mode_t mode = mode_of(flags, arguments); \
+    va_end(arguments);                             \
+    return open_with(real, path, flags, mode);     \
+  }
+FAULTS_OPEN(open)
+FAULTS_OPEN(open64)
+
+#define FAULTS_OPENAT(name)                                \
+  int name(int folder, const char* path, int flags, ...) { \
+    static auto* real = next<OpenAt>(#name);               \
+    va_list arguments;                                     \
+    va_start(arguments, flags);                            \
+    const mode_t mode = mode_of(flags, arguments);         \
+    va_end(arguments);                                     \
+    return openat_with(real, folder, path, flags, mode);   \
+  }
+FAULTS_OPENAT(openat)
+FAULTS_OPENAT(openat64)
+
+ssize_t write(int fd, const void* bytes, size_t size) {
+  static auto* real = next<ssize_t(int, const void*, size_t)>("write");
+  return is_watched(fd) ? write_on(fd, bytes, size) : real(fd, bytes, size);
+}
+
+// As far as its first part: a caller must be able to take a short write anyway.
+ssize_t writev(int fd, const iovec* parts, int count) {
+  static auto* real = next<ssize_t(int, const iovec*, int)>("writev");
+  if (!is_watched(fd)) return real(fd, parts, count);
+  while (count > 1 && parts->iov_len == 0) ++parts, --count;
+  return write_on(fd, parts->iov_base, parts->iov_len);
+}
+
+ssize_t pwrite(int fd, const void* bytes, size_t size, off_t offset) {
+  return is_watched(fd) ? write_at(real_pwrite(), fd, bytes, size, offset)
+                        : real_pwrite()(fd, bytes, size, offset);
+}
+
+ssize_t pwrite64(int fd, const void* bytes, size_t size, off_t offset) {
+  return pwrite(fd, bytes, size, offset);
+}
+
+ssize_t read(int fd, void* bytes, size_t size) {
+  static auto* real = next<ssize_t(int, void*, size_t)>("read");
+  if (!is_watched(fd)) return real(fd, bytes, size);
+  if (fails(Needs::nothing)) return -1;
+  log("read %d\n", fd);
+  return real(fd, bytes, size);
+}
+
+int ftruncate(int fd, off_t length) {
+  static auto* real = next<int(int, off_t)>("ftruncate64");
+  return truncate_with(real, fd, length);
+}
+
+int ftruncate64(int fd, off_t length) {
+  return ftruncate(fd, length);
+}
+
+int fsync(int fd) {
+  static auto* real = next<int(int)>("fsync");
+  return sync_with(real, fd);
+}
+
+int fdatasync(int fd) {
+  static auto* real = next<int(int)>("fdatasync");
+  return sync_with(real, fd);
+}
+
+int close(int fd) {
+  static auto* real = next<int(int)>("close");
+  if (!is_watched(fd)) return real(fd);
+  watched[static_cast<std::size_t>(fd)] = false;
+  const bool failed = fails(Needs::nothing);
+  const int error = errno;
+  const int done = real(fd);  // Linux closes it also when it reports an error
+  if (!failed) return logged(done, "close", fd);
+  errno = error;
+  return -1;
+}
+
+int rename(const char* from, const char* to) {
+  static auto* real = next<int(const char*, const char*)>("rename");
+  if (!is_watched(from)) return real(from, to);
+  if (fails(Needs::nothing)) return -1;
+  return logged(real(from, to), "rename", from, to);
+}
+
+#define FAULTS_REMOVE(name)                            \
+  int name(const char* path) {                         \
+    static auto* real = next<int(const char*)>(#name); \
+    if (!is_watched(path)) return real(path);          \
+    if (fails(Needs::nothing)) return -1;              \
+    return logged(real(path), "unlink", path);         \
+  }
+FAULTS_REMOVE(unlink)
+FAULTS_REMOVE(remove)
+}
+// NOLINTEND
