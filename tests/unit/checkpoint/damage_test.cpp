@@ -67,7 +67,7 @@ TEST_F(Damage, by_truncation_of_a_record_to_any_length_is_refused) {
   expect_every_truncation_refused(record());
 }
 
-// A quarter of an hour, so only on request (docs/tests.md); from the folder with the checkpoints.
+// Five minutes of processor time, so only on request (docs/tests.md), in the folder checkpoints/.
 TEST(ShippedCheckpoint, DISABLED_with_any_single_bit_flipped_or_truncated_is_refused) {
   const std::string bytes = testing::slurp("fast-slow-fast.h5");
   expect_every_flip_refused(bytes);
