@@ -56,12 +56,17 @@ build_or_stop() {
   fi
 }
 
+check_checksums() {
+  "$source/src/tools/rupture-golden" check --tools "$1" --work "$build/golden" \
+    "$here/checksums.txt" "$here/chain.sh"
+}
+
 check_native() {
   local c_compiler=${compiler/%clang++/clang}
   c_compiler=${c_compiler/%g++/gcc}
   demand_programs "$compiler"
   build_or_stop -DCMAKE_C_COMPILER="$c_compiler" -DCMAKE_CXX_COMPILER="$compiler"
-  "$here/golden.sh" check "$build/bin"
+  check_checksums "$build/bin"
 }
 
 # For each program of another processor, a script that runs it.
@@ -81,7 +86,7 @@ check_cross() {
   demand_sysroot
   build_or_stop --toolchain "$source/cmake/$processor.cmake" -DCMAKE_SYSROOT="$sysroot"
   emulate "qemu-$processor"
-  "$here/golden.sh" check "$build/emulated"
+  check_checksums "$build/emulated"
 }
 
 check() {
