@@ -12,6 +12,7 @@ import math
 import sys
 
 from common.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast
+from common.records import report
 
 LEAD = 0.5e-3  # [s]
 
@@ -30,8 +31,7 @@ def start(event, checkpoint_every):
 
 
 def read_events(path):
-    with open(path, encoding="utf-8") as file:
-        return json.load(file)["events"]
+    return report(path)["events"]
 
 
 def main(path, checkpoint_every):

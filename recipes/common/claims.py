@@ -70,12 +70,18 @@ def number(value):
     return str(value)
 
 
+def split_unit(name):
+    """Quantity and unit of "speed [m/s]"."""
+    quantity, unit = re.fullmatch(r"(.*?)\s*(?:\[(.*)\])?", name).groups()
+    return quantity, unit or ""
+
+
 def measured_parts(measured):
     """{"speed [m/s]": 9.81} reads: speed = 9.81 m/s"""
     if not isinstance(measured, dict):
         return [str(measured)]
     parts = []
     for name, value in measured.items():
-        quantity, unit = re.fullmatch(r"(.*?)\s*(?:\[(.*)\])?", name).groups()
-        parts.append(f"{quantity} = {number(value)} {unit or ''}".rstrip())
+        quantity, unit = split_unit(name)
+        parts.append(f"{quantity} = {number(value)} {unit}".rstrip())
     return parts

@@ -5,22 +5,13 @@ One row per point: its values, its status (and the tool's sentence, if it failed
 the sweep's [table] names. Fails if every point failed.
 """
 
-import csv
-import json
-import os
 import sys
 from pathlib import Path
 
+from common.records import report
 from common.sweeps import read_sweep
-
-
-def look_up(report, path):
-    """front.slow.speed; null, and what is not there, is an empty cell."""
-    for key in path.split("."):
-        if report is None:
-            return None
-        report = report[int(key)] if isinstance(report, list) else report.get(key)
-    return report
+from common.tables import write_table
+from common.value import find
 
 
 def names_of_values(points):
@@ -29,19 +20,10 @@ def names_of_values(points):
 
 def rows(sweep, folder):
     for point in sweep.points:
-        report = json.loads((Path(folder) / f"{point.id}.json").read_text(encoding="utf-8"))
-        found = {heading: look_up(report, path) for heading, path in sweep.columns.items()}
-        state = {name: report[name] for name in ("status", "sentence")}
+        result = report(Path(folder) / f"{point.id}.json")
+        found = {heading: find(result, path) for heading, path in sweep.columns.items()}
+        state = {name: result[name] for name in ("status", "sentence")}
         yield {**point.values, **state, **found, "point": point.id}
-
-
-def write(path, names, table):
-    temporary = Path(f"{path}.part")
-    with temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, names, restval="")
-        writer.writeheader()
-        writer.writerows(table)
-    os.replace(temporary, path)
 
 
 def main(sweep_file, folder, path):
@@ -52,7 +34,7 @@ def main(sweep_file, folder, path):
             f"collect.py: every point of {sweep_file} failed. The first: {table[0]['sentence']}"
         )
     names = [*names_of_values(sweep.points), "status", "sentence", *sweep.columns, "point"]
-    write(path, names, table)
+    write_table(path, names, ([row.get(name) for name in names] for row in table))
 
 
 if __name__ == "__main__":

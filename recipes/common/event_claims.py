@@ -7,10 +7,9 @@ the folder results/data, `event` the name of the event there.
 import numpy as np
 
 from common.claims import Claim, verdict
-from common.fronts import is_fast_slow_fast
+from common.fronts import LOADING_ZONE, is_fast_slow_fast, middle_of_slow_stretch
 from common.records import report, values
 
-LOADING_ZONE = 0.02  # [m]
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
 ROUNDING = 1e-12
 
@@ -136,10 +135,9 @@ def claim_4AB(unmodified, wider, phi_before, phi_after):
     )
 
 
-def claim_5A(unmodified, undriven, t_stop):
-    """t_stop: when the driving stopped."""
+def claim_5A(unmodified, undriven):
     original, other = values(unmodified["t_rupture"]), values(undriven["t_rupture"])
-    to_come = original > t_stop
+    to_come = original > middle_of_slow_stretch(unmodified)
     difference = np.max(np.abs(other - original)[to_come])
     share = None if np.isnan(difference) else difference / unmodified["slow"]["duration"]
     return Claim(
@@ -155,12 +153,6 @@ def claim_5A(unmodified, undriven, t_stop):
         note="The driving stops in the middle of the slow stretch; the difference is the largest of"
         " all blocks that rupture later.",
     )
-
-
-def stop_time(data, event):
-    """The middle of the slow stretch, where the driving stops for claim 5A [s]."""
-    slow = report(data / f"{event}-front.json")["slow"]
-    return (slow["t_from"] + slow["t_to"]) / 2
 
 
 def all_claims(data, event):
@@ -181,5 +173,5 @@ def all_claims(data, event):
             report(data / f"{event}-phi.json"),
             of("wider-start", "phi"),
         ),
-        claim_5A(unmodified, of("undriven", "front"), stop_time(data, event)),
+        claim_5A(unmodified, of("undriven", "front")),
     ]

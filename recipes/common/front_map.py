@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
+from common.fronts import SLOW_BELOW
 from common.records import report, values
 from common.tables import read_rows, write_table
 
-SLOW_BELOW = 1 / 20  # of c_s: the default of `analyze front`
 SKIP_BELOW_X = 0.0275  # [m] stencils that touch the trigger region, as in the sweeps' commands
 TYPES = ("arrested", "slow", "fast")
 IMPOSSIBLE = "impossible"

@@ -8,20 +8,22 @@ DURATION = (0.5e-3, 3e-3)  # [s]
 TO_SLOW = (0.25, 0.55)  # of L
 TO_FAST = (0.5, 0.85)  # of L
 FAST_OVER_SLOW = 10
-FAST = 1 / 20  # of c_s; slower is slow (claim 2B)
+SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of `analyze front`
+LOADING_ZONE = 0.02  # [m]; speeds within it do not count
 
 
 def within(value, bounds):
     return bounds[0] <= value <= bounds[1]
 
 
-def criteria_2A(front):
-    """Which of the criteria of claim 2A a front with a slow stretch meets, by name."""
+def criteria_2A(front, slow_speed=SLOW_SPEED):
+    """Which of the criteria of claim 2A a front with a slow stretch meets, by name; S6A asks for the
+    same with another slow speed."""
     slow = front["slow"]
     fast = {side: slow[side] for side in ("fast_before", "fast_after")}
     return {
         "spans": front["type"] == "slow",
-        "slow speed": within(slow["speed"] / front["c_s"], SLOW_SPEED),
+        "slow speed": within(slow["speed"] / front["c_s"], slow_speed),
         "duration": within(slow["duration"], DURATION),
         "from": within(slow["x_from"] / front["L"], TO_SLOW),
         "to": within(slow["x_to"] / front["L"], TO_FAST),
@@ -37,13 +39,18 @@ def is_fast_slow_fast(front):
     return front["slow"] is not None and all(criteria_2A(front).values())
 
 
+def middle_of_slow_stretch(front):
+    """[s]; the driving stops there for claim 5A."""
+    return (front["slow"]["t_from"] + front["slow"]["t_to"]) / 2
+
+
 def slows_down(front):
     """Of the kind of claim 2A: fast, slow for as long as it says, and fast again, at whatever
     positions and however much faster."""
     slow = front["slow"]
     if front["type"] != "slow" or slow["fast_before"] is None or slow["fast_after"] is None:
         return False
-    fast = FAST * front["c_s"]
+    fast = SLOW_BELOW * front["c_s"]
     return (
         within(slow["duration"], DURATION)
         and slow["fast_before"] >= fast

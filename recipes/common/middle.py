@@ -3,14 +3,15 @@
 
 import sys
 
+from common.fronts import middle_of_slow_stretch
 from common.records import report
 
 
 def main(path):
-    slow = report(path)["slow"]
-    if slow is None:
+    front = report(path)
+    if front["slow"] is None:
         sys.exit(f"middle.py: the front in {path} has no slow stretch.")
-    print(f"{(slow['t_from'] + slow['t_to']) / 2:.7f}")
+    print(f"{middle_of_slow_stretch(front):.7f}")
 
 
 if __name__ == "__main__":

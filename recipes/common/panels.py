@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from common.fronts import LOADING_ZONE
 from common.plotting import BLACK, MAP
 from common.records import values
 
 RUPTURED = 0.3  # pinned fraction below which a block counts as ruptured
-LOADING_ZONE = 0.02  # [m]
 
 
 def draw_pinned(axes, pinned, t_zero, window):

@@ -2,18 +2,22 @@
 those of sweeps (collect.py), as rows whose cells may be empty."""
 
 import csv
+import os
 from pathlib import Path
 
 import numpy as np
 
 
 def write_table(path, names, rows):
+    """All or nothing."""
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", newline="", encoding="utf-8") as file:
+    temporary = path.with_name(path.name + ".part")
+    with temporary.open("w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
         table.writerow(names)
         table.writerows(rows)
+    os.replace(temporary, path)
 
 
 def write_fronts(path, fronts):

@@ -5,22 +5,22 @@ Reads the events of each seed, and the claims about the event of each seed that 
 (common/event_claims.py); compares them with the event that the figures show.
 """
 
-import csv
 import json
 import re
 import sys
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, astuple, dataclass
 from pathlib import Path
 
 import numpy as np
 from scipy.stats import beta
 
 from common.choose_events import read_events
-from common.claims import REPRODUCED, read_claims, write_claims
+from common.claims import REPRODUCED, read_claims, split_unit, write_claims
 from common.event_claims import all_claims
 from common.fronts import counted, has_slow_stretch, is_fast_only, is_fast_slow_fast, slows_down
 from common.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
 from common.records import report, values
+from common.tables import write_table
 
 SHOWN = "fast-slow-fast"
 TESTED = ("3A", "3B", "3C", "4AB", "5A")  # claims about an event's continuations
@@ -61,11 +61,6 @@ class Quantity:
     p5: float
     p95: float
     single: float | None
-
-
-def split_unit(name):
-    quantity, unit = re.fullmatch(r"(.*?)\s*(?:\[(.*)\])?", name).groups()
-    return quantity, unit or ""
 
 
 def distribution(claim_id, name, numbers, single):
@@ -117,7 +112,7 @@ def claim_quantities(claims_of_events, claims_of_shown):
 
 def quasistatic_quantities(seeds, shown):
     """Of claim 5B: `seeds` from fig5/quasistatic_seeds.py, `shown` the claim of the shown run."""
-    holds = [seed["c_s/speed"] >= 1000 and seed["stopped"] <= 2 for seed in seeds]
+    holds = [seed["holds"] for seed in seeds]
     rows = [share("5B", "share of seeds for which it holds", holds, shown.verdict == REPRODUCED)]
     for name, key in QUASISTATIC.items():
         numbers = [seed[key] for seed in seeds]
@@ -225,24 +220,20 @@ def draw(events, shown, claims_of_events, claims_of_shown, stem):
 
 
 def write_quantities(path, rows):
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, asdict(rows[0]))
-        table.writeheader()
-        table.writerows(map(asdict, rows))
+    write_table(path, asdict(rows[0]), map(astuple, rows))
+
+
+def row_of(event):
+    of_slow = [of(event) if event["slow"] else None for of in SLOW_STRETCH.values()]
+    kinds = ["yes" if of_kind(event) else "no" for of_kind in (slows_down, is_fast_slow_fast)]
+    return [event["t_start"], event["type"], *kinds, *of_slow]
 
 
 def write_events(path, events_by_seed):
     """Each event that counts; the first of a seed that slows down is its chosen one."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["seed", "t_start [s]", "type", "slows down", "meets 2A", *SLOW_STRETCH])
-        for seed, events in events_by_seed.items():
-            for event in events:
-                of_slow = [of(event) if event["slow"] else None for of in SLOW_STRETCH.values()]
-                kinds = [
-                    "yes" if of_kind(event) else "no" for of_kind in (slows_down, is_fast_slow_fast)
-                ]
-                table.writerow([seed, event["t_start"], event["type"], *kinds, *of_slow])
+    names = ["seed", "t_start [s]", "type", "slows down", "meets 2A", *SLOW_STRETCH]
+    rows = ([seed, *row_of(event)] for seed, events in events_by_seed.items() for event in events)
+    write_table(path, names, rows)
 
 
 def summary(rows, seeds, chosen):

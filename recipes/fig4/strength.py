@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 
 from common.claims import Claim, verdict, write_claims
-from common.front_map import SLOW_BELOW, place_of
+from common.front_map import place_of
+from common.fronts import LOADING_ZONE, SLOW_BELOW
 from common.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
 from common.rank_test import share_of_lower, signed_rank, van_elteren
 from common.records import report, values
 from common.tables import read_rows, write_table
 
 SHOWN = {"fast-slow-fast": ("I", GREEN), "second-slow": ("II", VERMILION)}
-LOADING_ZONE = 0.02  # [m]
 BINS = (
     0.1,
     0.05,

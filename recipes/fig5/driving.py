@@ -8,7 +8,8 @@ import h5py
 import numpy as np
 
 from common.claims import write_claims
-from common.event_claims import claim_5A, stop_time
+from common.event_claims import claim_5A
+from common.fronts import middle_of_slow_stretch
 from common.panels import draw_pinned_scale
 from common.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
 from common.records import Pinned, report, values
@@ -82,10 +83,10 @@ def write_ruptures(path, fronts):
 def main(data, results, claims):
     data, results = Path(data), Path(results)
     fronts = [report(data / f"{run}-front.json") for run in (EVENT, f"{EVENT}/undriven")]
-    t_stop = stop_time(data, EVENT)
+    t_stop = middle_of_slow_stretch(fronts[0])
     draw(data, fronts, t_stop, results / "fig5A")
     write_ruptures(results / "rupture-lines.csv", fronts)
-    write_claims(claims, [claim_5A(*fronts, t_stop)])
+    write_claims(claims, [claim_5A(*fronts)])
 
 
 if __name__ == "__main__":

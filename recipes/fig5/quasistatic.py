@@ -6,7 +6,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
-from quasistatic_stretch import read_ruptures
+from quasistatic_stretch import is_quasistatic, read_ruptures
 
 from common.claims import Claim, verdict, write_claims
 from common.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
@@ -17,8 +17,6 @@ STOPPED_FOR = 20e-3  # [s]
 MIDDLE = 4  # of the branches
 SLIPPING = 0.05  # part of a block's junctions from which a stopped run is shown
 SHOWN_BEFORE, SHOWN_AFTER = 10e-3, 5e-3  # the dynamic events on either side [s]
-FASTEST = 1 / 1000  # of c_s
-FURTHEST = 2  # blocks
 
 
 def furthest(ruptures, from_t, to_t):
@@ -121,7 +119,7 @@ def claim_5B(stretch, c_s, branches):
         },
         acceptance="mean speed of the quasi-static stretch <= c_s/1000; with V = 0 the tip advances"
         " <= 2 blocks in 20 ms",
-        verdict=verdict(speed <= FASTEST * c_s and middle["stopped"] <= FURTHEST),
+        verdict=verdict(is_quasistatic(c_s / speed, middle["stopped"])),
         note="The stretch lies between the first two dynamic events (more than half of the blocks"
         " within 1 ms) and ends 10 ms before the second; the verdict is that of the branch in the"
         " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the"

@@ -10,7 +10,13 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from quasistatic_stretch import APART, dynamic_events, read_ruptures, tip_advances
+from quasistatic_stretch import (
+    APART,
+    dynamic_events,
+    is_quasistatic,
+    read_ruptures,
+    tip_advances,
+)
 
 from common.records import shear_wave_speed
 
@@ -23,12 +29,15 @@ def measure(data, seed):
         sys.exit(f"seed {seed} has a second dynamic event: no quasi-static front to measure")
     t, tip = tip_advances(time, block, end + APART, np.inf)
     speed = (x[tip[-1]] - x[tip[0]]) / (t[-1] - t[0])
+    ratio = shear_wave_speed(record) / speed
     _, after, _ = read_ruptures(data / f"seed-{seed}-stopped-record.h5")
+    stopped = int(max(max(after, default=-1) - tip[-1], 0))
     return {
         "seed": seed,
         "speed": speed,
-        "c_s/speed": shear_wave_speed(record) / speed,
-        "stopped": int(max(max(after, default=-1) - tip[-1], 0)),
+        "c_s/speed": ratio,
+        "stopped": stopped,
+        "holds": bool(is_quasistatic(ratio, stopped)),
     }
 
 

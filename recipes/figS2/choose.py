@@ -11,7 +11,7 @@ its first rupture, by way of the last checkpoint before that.
 import json
 import sys
 
-from common.choose_events import start
+from common.choose_events import read_events, start
 from common.fronts import DURATION, FAST_OVER_SLOW
 
 
@@ -23,8 +23,7 @@ def is_fast_slow(front):
 
 
 def main(path, checkpoint_every):
-    with open(path, encoding="utf-8") as file:
-        events = json.load(file)["events"]
+    events = read_events(path)
     chosen = [event for event in events if is_fast_slow(event)]
     if not chosen:
         sys.exit(f"none of the {len(events)} events of this load is fast-slow: load for longer")

@@ -10,36 +10,28 @@ continue the one taken from: 0.5 ms before its first rupture, by way of the last
 import json
 import sys
 
-from common.choose_events import start
-from common.fronts import DURATION, FAST_OVER_SLOW, TO_FAST, TO_SLOW, within
+from common.choose_events import read_events, start
+from common.fronts import criteria_2A
 
-SLOW_SPEED = 1 / 8  # of c_s
-CRITERIA = ["slow speed", "duration", "to slow", "to fast", "fast before", "fast after"]
-
-
-def is_fast(speed, slow):
-    return speed is not None and speed >= FAST_OVER_SLOW * slow["speed"]
+SLOW_SPEED = (0, 1 / 8)  # of c_s
+CRITERIA = {  # of claim 2A, but for spanning, which all these events do: name here
+    "slow speed": "slow speed",
+    "duration": "duration",
+    "from": "to slow",
+    "to": "to fast",
+    "fast before": "fast before",
+    "fast after": "fast after",
+}
 
 
 def criteria(event):
     """Which of the criteria the event meets."""
-    slow = event["slow"]
-    if slow is None:
-        return dict.fromkeys(CRITERIA, False)
-    met = [
-        slow["speed"] <= SLOW_SPEED * event["c_s"],
-        within(slow["duration"], DURATION),
-        within(slow["x_from"] / event["L"], TO_SLOW),
-        within(slow["x_to"] / event["L"], TO_FAST),
-        is_fast(slow["fast_before"], slow),
-        is_fast(slow["fast_after"], slow),
-    ]
-    return dict(zip(CRITERIA, met))
+    met = criteria_2A(event, SLOW_SPEED) if event["slow"] else {}
+    return {name: met.get(criterion, False) for criterion, name in CRITERIA.items()}
 
 
 def main(path, checkpoint_every):
-    with open(path, encoding="utf-8") as file:
-        spanning = [event for event in json.load(file)["events"] if event["spanning"]]
+    spanning = [event for event in read_events(path) if event["spanning"]]
     if not spanning:
         sys.exit("no event of this load spans the interface: load for longer")
     judged = [

@@ -71,13 +71,11 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
 }
 
 void write_temporary(const Temporary& temporary, const fs::path& path,
-                     std::span<const std::span<const std::byte>> parts) {
+                     std::span<const std::byte> bytes) {
   ::unlink(temporary.path().c_str());  // left by a killed process that had the same number
   Descriptor file(::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.get() < 0) fail(path);
-  for (const std::span<const std::byte> part : parts) {
-    if (!write_all(file.get(), part)) fail(path);
-  }
+  if (!write_all(file.get(), bytes)) fail(path);
   if (::fsync(file.get()) != 0 || !file.close()) fail(path);
 }
 
@@ -115,21 +113,34 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-void write_atomically(const fs::path& path, std::span<const std::span<const std::byte>> parts) {
+void write_atomically(const fs::path& path, std::span<const std::byte> bytes) {
   const FileSizeSignalBlocked guard;
   const fs::path folder = folder_of(path);
   Temporary temporary(folder / fmt::format(".{}.tmp.{}", path.filename().string(), ::getpid()));
-  write_temporary(temporary, path, parts);
+  write_temporary(temporary, path, bytes);
   if (!temporary.rename_to(path)) fail(path);
   sync_folder(folder);
 }
 
-void overwrite_start(const fs::path& path, std::string_view bytes) {
+void append_to(const fs::path& path, std::span<const std::byte> bytes) {
   const FileSizeSignalBlocked guard;
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.get() < 0 || !write_all(file.get(), std::as_bytes(std::span(bytes))) || !file.close()) {
-    fail(path);
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  const off_t before = file.get() < 0 ? -1 : ::lseek(file.get(), 0, SEEK_END);
+  if (before < 0) fail(path);
+  if (write_all(file.get(), bytes)) {
+    if (!file.close()) fail(path);
+    return;
   }
+  const int reason = errno;
+  // If the file cannot be cut back either, its reader sees that what was begun is not whole.
+  [[maybe_unused]] const int ignored = ::ftruncate(file.get(), before);
+  errno = reason;
+  fail(path);
+}
+
+void sync_file(const fs::path& path) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (file.get() < 0 || ::fsync(file.get()) != 0) fail(path);
 }
 
 }  // namespace rupture

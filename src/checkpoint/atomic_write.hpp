@@ -1,11 +1,10 @@
-// Files that appear complete or not at all.
+// Files that appear complete or not at all, and files that only grow.
 #pragma once
 
 #include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <span>
-#include <string_view>
 
 namespace rupture {
 
@@ -27,13 +26,16 @@ class FileSizeSignalBlocked {
 /// Folder of a path, "." for a bare file name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 
-/// Writes the parts one after another to a temporary file in the folder of `path`, brings it to
-/// disk and renames it to `path`. Throws Failure with the system's reason; the temporary is then
-/// removed and `path` is what it was.
-void write_atomically(const std::filesystem::path& path,
-                      std::span<const std::span<const std::byte>> parts);
+/// Writes a temporary file in the folder of `path`, brings it to disk and renames it to `path`.
+/// Throws Failure with the system's reason; the temporary is then removed and `path` is what it
+/// was.
+void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Replaces the first bytes of an existing file.
-void overwrite_start(const std::filesystem::path& path, std::string_view bytes);
+/// Adds to the end of an existing file, without bringing it to disk. Throws Failure with the
+/// system's reason; the file is then cut back to what it was.
+void append_to(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Brings an existing file to disk. Throws Failure.
+void sync_file(const std::filesystem::path& path);
 
 }  // namespace rupture

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "rupture/checkpoint/checksum.hpp"
@@ -11,25 +12,25 @@
 namespace rupture {
 namespace {
 
-constexpr std::string_view kOpenLines =
-    "open: still being recorded, or interrupted; nothing protects its bytes\n"
-    "An HDF5 file starts at byte 512.\n";
+constexpr std::array kKinds = {FileKind::checkpoint, FileKind::record, FileKind::open_record};
 
 std::string padded(std::string text) {
   text.resize(kHeaderSize, '\n');
   return text;
 }
 
-std::string open_header() {
-  return padded(fmt::format("{}\n{}", format_name(FileKind::open_record), kOpenLines));
+std::string_view explanation(FileKind kind) {
+  if (kind == FileKind::open_record) {
+    return "One of the pieces of an unfinished record, which follow each other in this file.\n"
+           "An HDF5 file starts at byte 512 of each.\n";
+  }
+  return "An HDF5 file starts at byte 512; the SHA-256 is that of\n"
+         "tail -c +513 FILE | sha256sum\n";
 }
 
-std::string sealed_header(FileKind kind, std::uint64_t file_size, std::string_view body_sha256) {
-  return padded(
-      fmt::format("{}\nbytes {}\nsha256 {}\n"
-                  "An HDF5 file starts at byte 512; the SHA-256 is that of\n"
-                  "tail -c +513 FILE | sha256sum\n",
-                  format_name(kind), file_size, body_sha256));
+std::string sealed_header(FileKind kind, std::uint64_t size, std::string_view body_sha256) {
+  return padded(fmt::format("{}\nbytes {}\nsha256 {}\n{}", format_name(kind), size, body_sha256,
+                            explanation(kind)));
 }
 
 std::string_view as_text(std::span<const std::byte> bytes) {
@@ -73,7 +74,15 @@ bool starts_as(std::string_view start, FileKind kind) {
 }  // namespace
 
 std::string_view format_name(FileKind kind) {
-  return kind == FileKind::checkpoint ? "rupture-checkpoint" : "rupture-record";
+  switch (kind) {
+    case FileKind::checkpoint:
+      return "rupture-checkpoint";
+    case FileKind::record:
+      return "rupture-record";
+    case FileKind::open_record:
+      return "rupture-record-part";
+  }
+  throw Failure("a file is of a kind unknown to this build");
 }
 
 std::string_view kind_text(FileKind kind) {
@@ -89,7 +98,6 @@ std::string_view kind_text(FileKind kind) {
 }
 
 std::string header_text(FileKind kind, std::span<const std::byte> body) {
-  if (kind == FileKind::open_record) return open_header();
   return sealed_header(kind, kHeaderSize + body.size(), sha256(body));
 }
 
@@ -98,22 +106,29 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   if (start.empty()) {
     throw Failure(fmt::format("{} is empty; expected a checkpoint or record", name));
   }
-  if (!starts_as(start, FileKind::checkpoint) && !starts_as(start, FileKind::record)) {
-    refuse_foreign(start, name);
-  }
+  const auto kind =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](FileKind k) { return starts_as(start, k); });
+  if (kind == kKinds.end()) refuse_foreign(start, name);
   if (start.size() < kHeaderSize) {
     throw Failure(
         fmt::format("{} is truncated: it ends within its 512-byte header, after {} bytes; copy it "
                     "again or write it anew",
                     name, start.size()));
   }
-  if (start == open_header()) return FileKind::open_record;
-  return starts_as(start, FileKind::checkpoint) ? FileKind::checkpoint : FileKind::record;
+  return *kind;
+}
+
+std::size_t intact_piece(std::span<const std::byte> bytes) {
+  if (bytes.size() < kHeaderSize) return 0;
+  const std::string_view header = as_text(bytes.first(kHeaderSize));
+  const std::uint64_t size = stated_size(header);
+  if (size < kHeaderSize || size > bytes.size()) return 0;
+  const auto body = bytes.first(size).subspan(kHeaderSize);
+  return header == header_text(FileKind::open_record, body) ? size : 0;
 }
 
 FileKind check_envelope(std::span<const std::byte> file, const std::string& name) {
   const FileKind kind = header_kind(file, name);
-  if (kind == FileKind::open_record) return kind;
   const std::string_view header = as_text(file.first(kHeaderSize));
   const std::string body_sha256 = sha256(file.subspan(kHeaderSize));
   if (header == sealed_header(kind, file.size(), body_sha256)) return kind;

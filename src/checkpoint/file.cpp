@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -15,8 +14,10 @@
 #include "atomic_write.hpp"
 #include "context.hpp"
 #include "hdf5_image.hpp"
+#include "part_file.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
+#include "seal.hpp"
 
 namespace rupture {
 namespace {
@@ -92,12 +93,6 @@ void check_content(const Content& content, const std::string& stored) {
   }
 }
 
-ContentFile contents(const hdf5::Reader& reader, FileKind kind) {
-  const hdf5::RootAttributes attributes = reader.attributes();
-  check_attributes(attributes, kind);
-  return {kind, attributes.content_checksum, reader.content()};
-}
-
 std::string sum_line(const std::string& checksum, const fs::path& path) {
   return fmt::format("{}  {}\n", checksum, path.filename().string());
 }
@@ -108,7 +103,7 @@ void write_sum(const fs::path& path, const std::string& checksum) {
   std::ifstream file(sum, std::ios::binary);
   const std::string present{std::istreambuf_iterator<char>(file), {}};
   if (present == line) return;  // workflow rules go by its modification time
-  write_atomically(sum, std::array{std::as_bytes(std::span(line))});
+  write_atomically(sum, std::as_bytes(std::span(line)));
 }
 
 }  // namespace
@@ -145,33 +140,41 @@ FileKind identify(const fs::path& path) {
   return header_kind(read_start(path, kHeaderSize), path.string());
 }
 
+Sealed seal(FileKind kind, const Content& content) {
+  check_finite(content);
+  const std::string checksum = content_checksum(content);
+  std::vector<std::byte> bytes =
+      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum}, content);
+  const std::string header = header_text(kind, std::span(bytes).subspan(kHeaderSize));
+  std::memcpy(bytes.data(), header.data(), header.size());
+  return {checksum, std::move(bytes)};
+}
+
+ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
+  const hdf5::Reader reader(file);
+  const hdf5::RootAttributes attributes = reader.attributes();
+  check_attributes(attributes, kind);
+  ContentFile read = {kind, attributes.content_checksum, reader.content()};
+  check_content(read.content, read.checksum);
+  return read;
+}
+
 std::string write_content(const fs::path& path, FileKind kind, const Content& content,
                           IfExists if_exists) {
   check_output(path, if_exists);
-  const auto [checksum, image] = naming(path, [&] {
-    check_finite(content);
-    const std::string sum = content_checksum(content);
-    const hdf5::RootAttributes attributes{std::string(format_name(kind)), kSchemaVersion, sum};
-    return std::pair(sum, hdf5::make_image(attributes, content));
-  });
-  const auto body = std::span(image).subspan(kHeaderSize);
-  const std::string header = header_text(kind, body);
-  write_atomically(path, std::array{std::as_bytes(std::span(header)), body});
-  write_sum(path, checksum);
-  return checksum;
+  const Sealed sealed = naming(path, [&] { return seal(kind, content); });
+  write_atomically(path, sealed.bytes);
+  write_sum(path, sealed.checksum);
+  return sealed.checksum;
 }
 
 ContentFile read_file(const fs::path& path) {
-  if (identify(path) == FileKind::open_record) {
-    return naming(path, [&] { return contents(hdf5::Reader(path), FileKind::open_record); });
-  }
   const std::vector<std::byte> bytes = read_start(path, readable_size(path));
+  if (header_kind(bytes, path.string()) == FileKind::open_record) {
+    return {FileKind::open_record, "", naming(path, [&] { return read_pieces(bytes); })};
+  }
   const FileKind kind = check_envelope(bytes, path.string());
-  return naming(path, [&] {
-    ContentFile file = contents(hdf5::Reader(bytes), kind);
-    check_content(file.content, file.checksum);
-    return file;
-  });
+  return naming(path, [&] { return unseal(kind, bytes); });
 }
 
 Content read_content(const fs::path& path) {

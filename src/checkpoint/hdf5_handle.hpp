@@ -35,14 +35,6 @@ class Handle {
 
   operator Id() const { return id_; }
 
-  /// Never closes it: what is open stays as it is until the process ends.
-  void abandon() { id_ = kNone; }
-
-  /// Closes now and throws Failure if that fails, which for a file means that it is not on disk.
-  void close(std::string_view doing) {
-    if (id_ > kNone) check(close_(std::exchange(id_, kNone)), doing);
-  }
-
  private:
   static constexpr Id kNone = 0;  // library-wide constants such as H5P_DEFAULT are never owned
   Id id_ = kNone;

@@ -80,14 +80,6 @@ Reader::Reader(std::span<const std::byte> file) : size_(file.size()) {
   file_ = open_in_place(file);
 }
 
-Reader::Reader(const std::filesystem::path& path) : size_(std::filesystem::file_size(path)) {
-  prepare();
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "prepare to read");
-  check(H5Pset_file_locking(access, false, true), "do without file locks");
-  file_ = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose,
-                 "open the HDF5 part of the file");
-}
-
 RootAttributes Reader::attributes() const {
   return read_root_attributes(file_);
 }

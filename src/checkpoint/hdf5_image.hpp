@@ -1,8 +1,7 @@
-// Content to and from a complete HDF5 file in memory: for these libhdf5 never touches the disk.
+// Content to and from a complete HDF5 file in memory; libhdf5 never touches the disk.
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -19,8 +18,6 @@ class Reader {
  public:
   /// A verified file in memory, which must outlive the reader.
   explicit Reader(std::span<const std::byte> file);
-  /// A .part file, which may be growing.
-  explicit Reader(const std::filesystem::path& path);
 
   RootAttributes attributes() const;
   Content content() const;

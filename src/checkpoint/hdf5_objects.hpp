@@ -1,5 +1,4 @@
-// Datasets, attributes and file creation in terms of Content: what the in-memory image and the
-// growing .part file share.
+// Datasets, attributes and file creation in terms of Content.
 #pragma once
 
 #include <string>
@@ -14,22 +13,14 @@ namespace rupture::hdf5 {
 struct RootAttributes {
   std::string format;
   std::int64_t schema_version = 0;
-  std::string content_checksum;  ///< empty in an open record
+  std::string content_checksum;
 };
 
 /// Properties of a new file: no times, room for our header in front.
 Handle file_creation_properties();
-/// Properties of every new dataset: no times.
-Handle dataset_creation_properties();
 
 /// The stored type of an element; `text_length` [bytes] only matters for text.
 Handle stored_type(DataType type, std::size_t text_length);
-
-/// Creates the groups above `path` that do not exist yet.
-void create_groups(Id file, const std::string& path);
-
-/// Attaches the attribute `unit`.
-void write_unit(Id dataset, const std::string& unit);
 
 void write_root_attributes(Id file, const RootAttributes& attributes);
 void write_content(Id file, const Content& content);

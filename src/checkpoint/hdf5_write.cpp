@@ -31,6 +31,26 @@ void write_attribute(Id object, const std::string& name, const Dataset& value) {
   check(H5Awrite(attribute, type, value.bytes.data()), fmt::format("write {}", name));
 }
 
+void create_groups(Id file, const std::string& path) {
+  for (std::size_t end = path.find('/', 1); end != std::string::npos;
+       end = path.find('/', end + 1)) {
+    const std::string group = path.substr(0, end);
+    const std::string doing = fmt::format("create the group {}", group);
+    const auto exists = H5Lexists(file, group.c_str(), H5P_DEFAULT);
+    check(exists, doing);
+    if (exists > 0) continue;
+    const Handle properties = group_creation_properties();
+    const Handle created(H5Gcreate2(file, group.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT),
+                         H5Gclose, doing);
+  }
+}
+
+Handle dataset_creation_properties() {
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "prepare a dataset");
+  check(H5Pset_obj_track_times(properties, false), "switch off times");
+  return properties;
+}
+
 void write_dataset(Id file, const std::string& path, const Dataset& data) {
   create_groups(file, path);
   const std::string doing = fmt::format("write {}", path);
@@ -46,7 +66,7 @@ void write_dataset(Id file, const std::string& path, const Dataset& data) {
   const Handle dataset(
       H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
       doing);
-  write_unit(dataset, data.unit);
+  write_attribute(dataset, "unit", make_text(data.unit));
   if (!data.bytes.empty()) {
     check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.bytes.data()), doing);
   }
@@ -58,12 +78,6 @@ Handle file_creation_properties() {
   Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "prepare a file");
   check(H5Pset_obj_track_times(properties, false), "switch off times");
   check(H5Pset_userblock(properties, kHeaderSize), "leave room for the header");
-  return properties;
-}
-
-Handle dataset_creation_properties() {
-  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "prepare a dataset");
-  check(H5Pset_obj_track_times(properties, false), "switch off times");
   return properties;
 }
 
@@ -91,30 +105,10 @@ Handle stored_type(DataType type, std::size_t text_length) {
   throw Failure("a dataset has an element type unknown to this build");
 }
 
-void create_groups(Id file, const std::string& path) {
-  for (std::size_t end = path.find('/', 1); end != std::string::npos;
-       end = path.find('/', end + 1)) {
-    const std::string group = path.substr(0, end);
-    const std::string doing = fmt::format("create the group {}", group);
-    const auto exists = H5Lexists(file, group.c_str(), H5P_DEFAULT);
-    check(exists, doing);
-    if (exists > 0) continue;
-    const Handle properties = group_creation_properties();
-    const Handle created(H5Gcreate2(file, group.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT),
-                         H5Gclose, doing);
-  }
-}
-
-void write_unit(Id dataset, const std::string& unit) {
-  write_attribute(dataset, "unit", make_text(unit));
-}
-
 void write_root_attributes(Id file, const RootAttributes& attributes) {
   write_attribute(file, "format", make_text(attributes.format));
   write_attribute(file, "schema_version", make_scalar(attributes.schema_version, "1"));
-  if (!attributes.content_checksum.empty()) {
-    write_attribute(file, "content_checksum", make_text(attributes.content_checksum));
-  }
+  write_attribute(file, "content_checksum", make_text(attributes.content_checksum));
 }
 
 void write_content(Id file, const Content& content) {

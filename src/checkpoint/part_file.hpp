@@ -1,46 +1,35 @@
-// The .part file of a record: HDF5 on disk whose arrays grow along their first dimension.
+// The .part file of a record: small sealed records, the pieces, one after another.
 //
-// It is written in HDF5's SWMR order (single writer, multiple readers), data before the index that
-// leads to them, so that a reader finds everything up to the last flush whenever the run is killed
-// or the disk is full. With plain flushes 10 of 500 records killed while they flushed all the time
-// were unreadable; with SWMR none.
+// Each flush appends a piece, so that whatever happens to the process or the disk, the pieces
+// before stay as they are, and what is not whole behind them is seen by its SHA-256.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <map>
-#include <string>
+#include <span>
 
-#include "hdf5_handle.hpp"
 #include "rupture/checkpoint/content.hpp"
 
-namespace rupture::hdf5 {
+namespace rupture {
 
 class PartFile {
  public:
-  /// Creates the file, replacing one that is there, with `fixed` datasets that stay as they are and
-  /// `growing` ones, of which type, unit and row shape (all but the first length) are taken.
-  PartFile(std::filesystem::path path, const Content& fixed, const Content& growing);
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  PartFile(PartFile&&) = delete;
-  PartFile& operator=(PartFile&&) = delete;
-  ~PartFile();
+  /// Creates the file, replacing one that is there, with its first piece: every dataset of the
+  /// record. Throws Failure.
+  PartFile(std::filesystem::path path, const Content& first);
 
-  /// Adds the rows of `rows` to the growing datasets of the same paths and brings everything to
-  /// the operating system. Throws Failure naming the file.
-  void append(const Content& rows);
+  /// Adds a piece with further rows of some datasets. Throws Failure; the file then ends as it did.
+  void append(const Content& rows) const;
 
-  /// Closes the file; nothing may be appended afterwards.
-  void close();
+  /// Brings all pieces to the disk. Throws Failure.
+  void sync() const;
 
  private:
-  void create(const Content& fixed, const Content& growing);
-  void attempt(const std::function<void()>& work);
-
   std::filesystem::path path_;
-  Handle file_;
-  std::map<std::string, Handle> datasets_;
 };
 
-}  // namespace rupture::hdf5
+/// The datasets in the intact pieces at the start of `file`, those that grow put together. Throws
+/// Failure if not even the first is intact, or if they do not fit together.
+Content read_pieces(std::span<const std::byte> file);
+
+}  // namespace rupture

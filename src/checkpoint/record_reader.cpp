@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -21,20 +22,15 @@ std::uint64_t rows_in(const Content& content, const std::string& path) {
   return found == content.end() || found->second.shape.empty() ? 0 : found->second.shape[0];
 }
 
-// An interrupted flush may have lengthened some datasets of a group and not yet others: keep the
-// rows that all of them have.
-void cut_to_common_length(Content& content, const std::string& group) {
-  std::vector<Dataset*> datasets;
-  for (auto& [path, dataset] : content) {
-    if (path.starts_with(group) && !dataset.shape.empty()) datasets.push_back(&dataset);
-  }
-  if (datasets.empty()) return;
-  const auto shorter = [](const Dataset* a, const Dataset* b) { return a->shape[0] < b->shape[0]; };
-  const auto length = (*std::min_element(datasets.begin(), datasets.end(), shorter))->shape[0];
-  for (Dataset* dataset : datasets) {
-    if (dataset->shape[0] == length) continue;
-    dataset->bytes.resize(dataset->bytes.size() / dataset->shape[0] * length);
-    dataset->shape[0] = length;
+// Cuts the datasets of a group to the rows whose step is at most `last`.
+void cut(Content& rows, const std::string& group, const char* steps, std::int64_t last) {
+  const auto step = read_array<std::int64_t>(rows, steps, {rows_in(rows, steps)});
+  const auto length =
+      static_cast<std::uint64_t>(std::upper_bound(step.begin(), step.end(), last) - step.begin());
+  for (auto& [path, dataset] : rows) {
+    if (!path.starts_with(group) || step.empty()) continue;
+    dataset.bytes.resize(dataset.bytes.size() / step.size() * length);
+    dataset.shape[0] = length;
   }
 }
 
@@ -105,12 +101,20 @@ Record record_from_content(const Content& content, Complete complete) {
 }  // namespace
 
 Record record_from(const ContentFile& file) {
-  if (file.kind != FileKind::open_record) return record_from_content(file.content, Complete::yes);
-  Content content = file.content;
-  cut_to_common_length(content, layout::kSeriesGroup);
-  cut_to_common_length(content, layout::kRupturesGroup);
-  check_finite(content);
-  return record_from_content(content, Complete::no);
+  return record_from_content(file.content,
+                             file.kind == FileKind::open_record ? Complete::no : Complete::yes);
+}
+
+Content rows_until(const Content& record, std::int64_t step) {
+  Content rows;
+  std::copy_if(record.begin(), record.end(), std::inserter(rows, rows.end()),
+               [](const auto& entry) {
+                 return entry.first.starts_with(layout::kSeriesGroup) ||
+                        entry.first.starts_with(layout::kRupturesGroup);
+               });
+  cut(rows, layout::kSeriesGroup, layout::kStep, step);
+  cut(rows, layout::kRupturesGroup, layout::kRuptureStep, step);
+  return rows;
 }
 
 Record read_record(const std::filesystem::path& path) {

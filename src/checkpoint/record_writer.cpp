@@ -39,11 +39,12 @@ void check_count_range(const Parameters& parameters) {
   }
 }
 
-Content fixed_content(const Parameters& parameters,
-                      const std::vector<ProvenanceEntry>& provenance) {
-  Content content = parameters_content(parameters);
-  content.merge(provenance_content(provenance));
-  return content;
+// Everything a record holds: its rows so far and what stays as it is.
+Content first_piece(const Parameters& parameters, const std::vector<ProvenanceEntry>& provenance,
+                    Content rows) {
+  rows.merge(parameters_content(parameters));
+  rows.merge(provenance_content(provenance));
+  return rows;
 }
 
 }  // namespace
@@ -74,6 +75,7 @@ class RecordWriter::Buffers {
     rupture_block_.push_back(rupture.block);
   }
 
+  bool empty() const { return time_.empty() && rupture_time_.empty(); }
   bool full() const { return std::max(time_.size(), rupture_time_.size()) >= flush_every_; }
 
   Content content() const {
@@ -117,8 +119,8 @@ class RecordWriter::Buffers {
   std::vector<std::uint16_t> pinned_;
 };
 
-class RecordWriter::PartFile : public hdf5::PartFile {
-  using hdf5::PartFile::PartFile;
+class RecordWriter::Part : public PartFile {
+  using PartFile::PartFile;
 };
 
 std::filesystem::path part_path(const std::filesystem::path& path) {
@@ -127,14 +129,15 @@ std::filesystem::path part_path(const std::filesystem::path& path) {
 
 RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& parameters,
                            const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
-                           std::size_t flush_every)
+                           Content rows_before, std::size_t flush_every)
     : path_(std::move(path)), if_exists_(if_exists) {
   check_count_range(parameters);
   check_output(path_, if_exists);
   check_output(part_path(path_), if_exists);
   buffers_ = std::make_unique<Buffers>(static_cast<std::size_t>(parameters.Nx), flush_every);
-  part_ = std::make_unique<PartFile>(part_path(path_), fixed_content(parameters, provenance),
-                                     buffers_->content());
+  rows_before.merge(buffers_->content());  // all datasets are there, even if without rows
+  part_ = std::make_unique<Part>(part_path(path_),
+                                 first_piece(parameters, provenance, std::move(rows_before)));
 }
 
 RecordWriter::~RecordWriter() = default;
@@ -150,15 +153,20 @@ void RecordWriter::append(std::span<const Rupture> ruptures) {
 }
 
 void RecordWriter::flush() {
-  const Content rows = buffers_->content();
+  if (buffers_->empty()) return;
+  Content rows = buffers_->content();
   buffers_->clear();
-  naming(path_, [&] { check_finite(rows); });
+  std::erase_if(rows, [](const auto& entry) { return entry.second.bytes.empty(); });
   part_->append(rows);
+}
+
+void RecordWriter::sync() {
+  flush();
+  part_->sync();
 }
 
 std::string RecordWriter::finish() {
   flush();
-  part_->close();
   const std::filesystem::path part = part_path(path_);
   std::string checksum = write_content(path_, FileKind::record, read_content(part), if_exists_);
   if (std::error_code error; !std::filesystem::remove(part, error)) {

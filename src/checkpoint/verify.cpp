@@ -18,9 +18,7 @@ std::string verify_file(const std::filesystem::path& path) {
         record_from(file);
         return file.checksum;
       case FileKind::open_record:
-        throw Failure(
-            "an unfinished record cannot be verified: nothing protects its bytes until its run "
-            "ends");
+        throw Failure("an unfinished record cannot be verified: its run has not ended");
     }
     throw Failure("a file of this kind cannot be verified by this build");
   });

@@ -187,8 +187,7 @@ TEST_F(BadFiles, NumericalBlowUpKeepsTheLastCheckpoint) {
   EXPECT_FALSE(fs::exists(path("r.h5")));
   EXPECT_EQ(checksum_of("out-t0.000200000.h5"), checksum_of("wild.h5"));
   expect_refusal("analyze verify r.h5.part", kFailed,
-                 "r.h5.part: an unfinished record cannot be verified: nothing protects its bytes "
-                 "until its run ends");
+                 "r.h5.part: an unfinished record cannot be verified: its run has not ended");
 }
 
 TEST_F(BadFiles, NumericalBlowUpLosesNoSample) {

@@ -12,13 +12,14 @@
 
 namespace rupture {
 
-/// `open_record` is a record that is still being written or whose run was interrupted; nothing
-/// protects its bytes.
+/// `open_record` is a record that is still being written or whose run was interrupted: pieces that
+/// follow each other, each with a header of its own.
 enum class FileKind { checkpoint, record, open_record };
 
 inline constexpr std::size_t kHeaderSize = 512;  ///< [bytes]
 
-/// "rupture-checkpoint" or "rupture-record": first line of the header and root attribute `format`.
+/// "rupture-checkpoint", "rupture-record" or "rupture-record-part": first line of the header and
+/// root attribute `format`.
 std::string_view format_name(FileKind kind);
 
 /// "a checkpoint", "a record" or "an unfinished record".
@@ -32,8 +33,12 @@ std::string header_text(FileKind kind, std::span<const std::byte> body);
 /// file name for the message.
 FileKind header_kind(std::span<const std::byte> file, const std::string& name);
 
-/// Verifies header and body of a whole file. Throws Failure if the file is empty, not ours,
-/// truncated or damaged. An open record has nothing to verify.
+/// Length in bytes, header included, of the intact piece of an open record that `bytes` starts
+/// with; 0 if there is none.
+std::size_t intact_piece(std::span<const std::byte> bytes);
+
+/// Verifies header and body of a whole checkpoint or record. Throws Failure if it is empty, not
+/// ours, truncated or damaged.
 FileKind check_envelope(std::span<const std::byte> file, const std::string& name);
 
 }  // namespace rupture

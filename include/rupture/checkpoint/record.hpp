@@ -1,8 +1,8 @@
 // Records: time series that grow while a run goes on.
 //
-// While the run goes on they live in `<path>.part`, an HDF5 file that can be read at any time up to
-// its last flush; finish() turns it into `<path>`, sealed like a checkpoint. If the run is
-// interrupted the .part stays.
+// While the run goes on they live in `<path>.part`, which can be read at any time up to its last
+// flush; finish() turns it into `<path>`, sealed like a checkpoint. If the run is interrupted the
+// .part stays, and another run can begin with what it holds.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +34,8 @@ struct Sample {
   std::vector<double> u_x;            ///< displacement [m]
 };
 
-/// Whether a record was finished. An unfinished one ends at its last flush and is not protected
-/// against damage.
+/// Whether a record was finished. An unfinished one ends at its last flush, or before the first one
+/// that is damaged.
 enum class Complete { yes, no };
 
 struct Record {
@@ -61,11 +61,11 @@ std::filesystem::path part_path(const std::filesystem::path& path);
 /// the .part file.
 class RecordWriter {
  public:
-  /// Throws Failure if `path` or its .part may not be written, UsageError if N_s does not fit
-  /// the 16 bits of a pinned count.
+  /// Begins with `rows_before`, of rows_until(). Throws Failure if `path` or its .part may not be
+  /// written, UsageError if N_s does not fit the 16 bits of a pinned count.
   RecordWriter(std::filesystem::path path, const Parameters& parameters,
                const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
-               std::size_t flush_every = 256);
+               Content rows_before = {}, std::size_t flush_every = 256);
   ~RecordWriter();
   RecordWriter(const RecordWriter&) = delete;
   RecordWriter& operator=(const RecordWriter&) = delete;
@@ -78,6 +78,8 @@ class RecordWriter {
 
   /// Brings everything appended so far to the .part file.
   void flush();
+  /// The same, and the file to the disk.
+  void sync();
 
   /// Flushes, seals, renames to the final path, writes the .sum and returns the content checksum.
   /// Nothing may be appended afterwards. Throws Failure; the .part then stays.
@@ -85,11 +87,11 @@ class RecordWriter {
 
  private:
   class Buffers;
-  class PartFile;
+  class Part;
   std::filesystem::path path_;
   IfExists if_exists_;
   std::unique_ptr<Buffers> buffers_;
-  std::unique_ptr<PartFile> part_;
+  std::unique_ptr<Part> part_;
 };
 
 /// Reads a finished record or a .part. Throws Failure.
@@ -97,5 +99,9 @@ Record read_record(const std::filesystem::path& path);
 
 /// The record in a file that was read already. Throws Failure.
 Record record_from(const ContentFile& file);
+
+/// The samples and ruptures of a record up to and including a step, with which another one can
+/// begin.
+Content rows_until(const Content& record, std::int64_t step);
 
 }  // namespace rupture

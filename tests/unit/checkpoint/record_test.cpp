@@ -28,7 +28,7 @@ class RecordFile : public testing::InFolder {
   RecordWriter writer(const char* name, std::size_t flush_every = 256,
                       IfExists if_exists = IfExists::refuse) {
     return {file(name), small_parameters(), testing::small_checkpoint().provenance, if_exists,
-            flush_every};
+            {},         flush_every};
   }
 
   static void append(RecordWriter& record, int from, int to) {
@@ -149,14 +149,69 @@ TEST_F(RecordFile, of_a_run_killed_at_any_moment_is_readable) {
   }
 }
 
-TEST_F(RecordFile, interrupted_within_a_flush_keeps_the_rows_that_all_series_have) {
-  auto out = writer("r.h5", 8);
+TEST_F(RecordFile, in_the_making_ends_with_its_last_whole_piece) {
+  auto out = writer("r.h5", 4);
+  std::vector<std::size_t> sizes;
+  for (int n = 0; n <= 12; n += 4) {
+    append(out, n, n + 4);
+    sizes.push_back(fs::file_size(file("r.h5.part")));
+  }
+  const std::string whole = slurp(file("r.h5.part"));
+  for (std::size_t size = sizes[0]; size < whole.size(); size += 37) {
+    spill(file("cut.part"), whole.substr(0, size));
+    const auto pieces = std::upper_bound(sizes.begin(), sizes.end(), size) - sizes.begin();
+    expect_samples(read_record(file("cut.part")), static_cast<int>(4 * pieces));
+  }
+}
+
+TEST_F(RecordFile, in_the_making_ends_before_its_first_damaged_piece) {
+  auto out = writer("r.h5", 4);
+  append(out, 0, 4);
+  const std::size_t intact = fs::file_size(file("r.h5.part"));
+  append(out, 4, 12);
+  const std::string whole = slurp(file("r.h5.part"));
+  for (std::size_t at = intact; at < intact + kHeaderSize + 1000; at += 7) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    spill(file("damaged.part"), damaged);
+    expect_samples(read_record(file("damaged.part")), 4);
+  }
+}
+
+TEST_F(RecordFile, in_the_making_is_refused_if_its_first_piece_is_damaged) {
+  auto out = writer("r.h5", 4);
   append(out, 0, 8);
-  ContentFile part = read_file(file("r.h5.part"));
-  Dataset& time = part.content.at("/series/time");
-  time.shape = {10};
-  time.bytes.resize(80);
-  expect_samples(record_from(part), 8);
+  std::string bytes = slurp(file("r.h5.part"));
+  bytes[600] = static_cast<char>(bytes[600] ^ 1);
+  spill(file("damaged.part"), bytes);
+  EXPECT_EQ(
+      failure_of([&] { read_record(file("damaged.part")); }),
+      file("damaged.part").string() + ": the first piece of the unfinished record is damaged");
+}
+
+TEST_F(RecordFile, with_pieces_that_do_not_fit_together_is_refused) {
+  auto out = writer("r.h5", 4);
+  append(out, 0, 4);
+  Parameters wider = small_parameters();
+  wider.Nx = 6;
+  RecordWriter other(file("q.h5"), wider, {}, IfExists::refuse, {}, 4);
+  for (int n = 0; n < 4; ++n) other.append(small_sample(6, n));
+  spill(file("mixed.part"), slurp(file("r.h5.part")) + slurp(file("q.h5.part")));
+  expect_contains(failure_of([&] { read_record(file("mixed.part")); }),
+                  "do not continue those of the pieces before");
+}
+
+TEST_F(RecordFile, that_begins_with_the_rows_of_another_continues_it) {
+  auto whole = writer("whole.h5", 8);
+  append(whole, 0, 20);
+  const std::string checksum = whole.finish();
+  for (const int kept : {0, 1, 8, 13}) {
+    const Content rows = rows_until(read_content(file("whole.h5")), 100 * kept - 1);
+    auto out = RecordWriter(file("r.h5"), small_parameters(), {}, IfExists::replace, rows, 8);
+    expect_samples(read_record(file("r.h5.part")), kept);
+    append(out, kept, 20);
+    EXPECT_EQ(out.finish(), checksum) << kept;
+  }
 }
 
 TEST_F(RecordFile, is_not_started_where_it_could_not_be_finished) {
@@ -187,7 +242,7 @@ TEST_F(RecordFile, refuses_nan_at_the_next_flush) {
   Sample bad = small_sample(kNx, 3);
   bad.tau[2] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(failure_of([&] { out.append(bad); }),
-            file("r.h5").string() +
+            file("r.h5.part").string() +
                 ": /series/tau holds nan at index 17 of [4][5]; only finite numbers are stored");
 }
 
@@ -209,7 +264,7 @@ TEST_F(RecordFile, on_a_full_disk_fails_with_the_reason_and_keeps_the_part) {
     const rlimit limit{fs::file_size(file("r.h5.part")) + 1000, before.rlim_max};
     setrlimit(RLIMIT_FSIZE, &limit);
     const std::string message = failure_of([&] { append(out, 8, 20000); });
-    expect_contains(message, "r.h5.part: could not ");
+    expect_contains(message, "could not write " + file("r.h5.part").string());
     expect_contains(message, "File too large");
   }
   setrlimit(RLIMIT_FSIZE, &before);
@@ -224,7 +279,8 @@ TEST_F(RecordFile, that_cannot_even_be_begun_leaves_nothing_behind) {
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit limit{1000, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &limit);
-  expect_contains(failure_of([&] { writer("r.h5"); }), "r.h5.part: could not ");
+  expect_contains(failure_of([&] { writer("r.h5"); }),
+                  "could not write " + file("r.h5.part").string());
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_TRUE(names().empty());
 }
