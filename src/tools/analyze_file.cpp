@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 Parsed parse_files(int argc, const char* const* argv, const std::string& name,
                    const std::string& arguments, const std::string& purpose,
-                   po::options_description& options) {
+                   const po::options_description& options) {
   return parse(argc, argv,
                {"analyze " + name, "analyze " + name + " " + arguments + " [options]", purpose},
                options, "file", UsesParameters::no);

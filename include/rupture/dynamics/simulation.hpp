@@ -78,7 +78,7 @@ class Simulation {
   std::vector<double> top_;  // force from above on each top block, downwards [N]
   double F_T_ = 0;
   std::int64_t last_break_;
-  std::vector<char> ruptured_;
+  std::vector<bool> ruptured_;
   std::vector<Rupture> ruptures_;
   bool leading_edge_ruptured_ = false;
   Work work_;
