@@ -70,7 +70,7 @@ State evenly_compressed(const Parameters& p) {
 
 void expect_nothing_broke(benchmark::State& bench, const Simulation& simulation,
                           std::int64_t first_step) {
-  if (simulation.last_break() != first_step) bench.SkipWithError("a junction broke");
+  if (simulation.run().last_break != first_step) bench.SkipWithError("a junction broke");
 }
 
 double median(std::vector<double> values) {

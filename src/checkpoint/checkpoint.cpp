@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "context.hpp"
+#include "run_content.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
 
@@ -12,6 +13,13 @@ namespace {
 Content parameters_and_state(const Parameters& parameters, const State& state) {
   Content content = parameters_content(parameters);
   content.merge(state_content(state));
+  return content;
+}
+
+Content whole_content(const Checkpoint& checkpoint) {
+  Content content = parameters_and_state(checkpoint.parameters, checkpoint.state);
+  content.merge(provenance_content(checkpoint.provenance));
+  if (checkpoint.run) content.merge(run_content(*checkpoint.run));
   return content;
 }
 
@@ -32,9 +40,7 @@ std::string content_checksum(const Parameters& parameters, const State& state) {
 
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
                              IfExists if_exists) {
-  Content content = parameters_and_state(checkpoint.parameters, checkpoint.state);
-  content.merge(provenance_content(checkpoint.provenance));
-  return write_content(path, FileKind::checkpoint, content, if_exists);
+  return write_content(path, FileKind::checkpoint, whole_content(checkpoint), if_exists);
 }
 
 Checkpoint checkpoint_from(const Content& content) {
@@ -42,9 +48,8 @@ Checkpoint checkpoint_from(const Content& content) {
   checkpoint.parameters = read_parameters(content);
   checkpoint.state = read_state(content, checkpoint.parameters);
   checkpoint.provenance = read_provenance(content);
-  Content known = parameters_and_state(checkpoint.parameters, checkpoint.state);
-  known.merge(provenance_content(checkpoint.provenance));
-  refuse_leftovers(content, known);
+  checkpoint.run = read_run(content, checkpoint.state.step);
+  refuse_leftovers(content, whole_content(checkpoint));
   return checkpoint;
 }
 

@@ -11,27 +11,35 @@ void show(const Simulation& simulation, const std::vector<Observer*>& observers)
   }
 }
 
-std::optional<Ending> ending(const Simulation& simulation, const StopRule& rule) {
-  const std::int64_t step = simulation.state().step;
-  if (step >= rule.last_step) return Ending::last_step;
-  if (!rule.quiet_steps || step % kQuietCheck != 0) return std::nullopt;
-  if (simulation.leading_edge_ruptured()) return Ending::leading_edge;
-  if (step - simulation.last_break() >= *rule.quiet_steps) return Ending::quiet;
-  return std::nullopt;
+/// Steps that take about a tenth of a second.
+std::int64_t steps_between_questions(const Parameters& p) {
+  constexpr std::int64_t blocks_moved = 10'000'000;
+  return std::max<std::int64_t>(blocks_moved / (p.Nx * p.Nz), 1);
 }
 
 }  // namespace
 
+std::optional<Ending> ending_at(std::int64_t step, const RunSoFar& run, const StopRule& rule) {
+  if (step >= rule.last_step) return Ending::last_step;
+  if (!rule.quiet_steps || step % kQuietCheck != 0) return std::nullopt;
+  if (run.leading_edge_ruptured) return Ending::leading_edge;
+  if (step - run.last_break >= *rule.quiet_steps) return Ending::quiet;
+  return std::nullopt;
+}
+
 Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Observer*>& observers) {
   show(simulation, observers);
   for (;;) {
-    if (const auto end = ending(simulation, rule)) return *end;
+    const std::int64_t step = simulation.state().step;
+    if (const auto end = ending_at(step, simulation.run(), rule)) return *end;
     std::int64_t pause = rule.last_step;
-    if (rule.quiet_steps) {
-      pause = std::min(pause, (simulation.state().step / kQuietCheck + 1) * kQuietCheck);
+    if (rule.interrupted) {
+      if (rule.interrupted()) return Ending::interrupted;
+      pause = std::min(pause, step + steps_between_questions(simulation.parameters()));
     }
+    if (rule.quiet_steps) pause = std::min(pause, (step / kQuietCheck + 1) * kQuietCheck);
     for (const Observer* observer : observers) pause = std::min(pause, observer->next_step());
-    simulation.advance(std::max<std::int64_t>(pause - simulation.state().step, 1));
+    simulation.advance(std::max<std::int64_t>(pause - step, 1));
     show(simulation, observers);
   }
 }

@@ -39,7 +39,6 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads)
       w_(p_),
       tau_(p_),
       top_(p_.size(), mean_normal_force(parameters)),
-      last_break_(state_.step),
       ruptured_(p_.size()) {
   if (parameters.support == Support::ceiling) {
     const double p = mean_normal_force(parameters);
@@ -52,7 +51,7 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads)
   F_T_ = driving_force(parameters_, state_);
   note_ruptures();
   ruptures_.clear();  // blocks that had ruptured before this simulation began
-  leading_edge_ruptured_ = false;
+  run_ = {.first_step = state_.step, .last_break = state_.step};
   power_ = initial_power();
 }
 
@@ -99,7 +98,7 @@ void Simulation::move_interface() {
   const double* u_x = state_.u_x.row(0);
   const auto changes = law_->update(u_x, state_.v_x.row(0), contact(), time());
   law_->friction(u_x, contact(), tau_.data());
-  if (changes.broken > 0) last_break_ = state_.step;
+  if (changes.broken > 0) run_.last_break = state_.step;
   if (changes.broken + changes.repinned > 0) note_ruptures();
   F_T_ = driving_force(parameters_, state_);
 }
@@ -120,7 +119,8 @@ void Simulation::note_ruptures() {
     const bool now = law_->pinned()[i] < limit;
     if (now && !ruptured_[i]) {
       ruptures_.push_back({state_.step, time(), static_cast<std::int64_t>(i)});
-      leading_edge_ruptured_ |= i + 1 == ruptured_.size();
+      ++run_.ruptures;
+      run_.leading_edge_ruptured |= i + 1 == ruptured_.size();
     }
     ruptured_[i] = now;
   }

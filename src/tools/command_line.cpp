@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "interruption.hpp"
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/version.hpp"
@@ -172,8 +173,8 @@ OutputOptions output_options(const po::variables_map& values) {
   return options;
 }
 
-void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
-                   const std::filesystem::path& input) {
+void check_distinct(const std::vector<std::filesystem::path>& outputs,
+                    const std::filesystem::path& input) {
   namespace fs = std::filesystem;
   const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
   std::set<fs::path> taken;
@@ -189,7 +190,12 @@ void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists i
           fmt::format("two outputs would have the name {}: give different names", file.string()));
     }
   }
-  for (const fs::path& output : outputs) check_output(output, if_exists);
+}
+
+void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
+                   const std::filesystem::path& input) {
+  check_distinct(outputs, input);
+  for (const auto& output : outputs) check_output(output, if_exists);
 }
 
 double non_negative(const po::variables_map& values, const std::string& option) {
@@ -237,6 +243,9 @@ int run_tool(const std::string& name, const std::function<int()>& body) {
       return complain(name, "cannot write to standard output", kFailed);
     }
     return code;
+  } catch (const Interrupted& interrupted) {
+    complain(name, interrupted.message, kFailed);
+    end_by_signal(interrupted.signal);
   } catch (const UsageError& error) {
     return complain(name, error.what(), kUsage);
   } catch (const std::bad_alloc&) {

@@ -69,8 +69,13 @@ struct OutputOptions {
 void add_output_options(po::options_description& options);
 OutputOptions output_options(const po::variables_map& values);
 
-/// Throws unless all outputs may be written: UsageError if two of them, their .sum files included,
-/// have the same name or one is the input, which no tool ever changes; Failure as check_output().
+/// Throws UsageError if two outputs, their .sum files included, have the same name or one is the
+/// input, which no tool ever changes.
+void check_distinct(const std::vector<std::filesystem::path>& outputs,
+                    const std::filesystem::path& input);
+
+/// Throws unless all outputs may be written: UsageError as check_distinct(), Failure as
+/// check_output().
 void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
                    const std::filesystem::path& input);
 

@@ -35,7 +35,7 @@ Options setup(int argc, char** argv) {
 }
 
 int run(const Options& options) {
-  check_output(options.output.output, options.output.if_exists);
+  if (!options.run.resume) check_output(options.output.output, options.output.if_exists);
   Checkpoint start = {options.parameters,
                       normal_load_equilibrium(options.parameters),
                       {make_provenance("load", options.arguments, "")}};

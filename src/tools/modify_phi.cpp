@@ -132,6 +132,7 @@ int run(const Options& options) {
   const auto impossible = change_phi(p, checkpoint.state, options.change);
   const double change =
       largest_change(friction_forces(p, before), friction_forces(p, checkpoint.state));
+  checkpoint.run.reset();  // what follows is not the run that the input came from
   checkpoint.provenance.push_back(
       make_provenance("modify-phi", options.arguments, checkpoint.checksum));
   const auto checksum =

@@ -27,19 +27,36 @@ Sample sample_of(const Simulation& simulation) {
 
 }  // namespace
 
-Recorder::Recorder(RecordWriter& writer, std::int64_t every, std::int64_t first_step,
-                   std::int64_t last_step)
-    : writer_(writer), every_(every), last_step_(last_step), next_(first_step) {}
+Recorder::Recorder(RecordWriter& writer, std::int64_t every, std::int64_t now,
+                   std::int64_t last_step, std::int64_t sampled)
+    : writer_(writer),
+      every_(every),
+      last_step_(last_step),
+      sampled_(sampled),
+      next_(sampled < 0 ? now : sample_after(now)) {}
+
+std::int64_t Recorder::sample_after(std::int64_t step) const {
+  const std::int64_t next = (step / every_ + 1) * every_;
+  return step < last_step_ ? std::min(next, last_step_) : next;
+}
+
+void Recorder::append_ruptures(const Simulation& simulation) {
+  const std::span<const Rupture> ruptures = simulation.ruptures();
+  writer_.append(ruptures.subspan(ruptures_written_));
+  ruptures_written_ = ruptures.size();
+}
 
 void Recorder::observe(const Simulation& simulation) {
   const std::int64_t step = simulation.state().step;
-  const std::span<const Rupture> ruptures = simulation.ruptures();
   writer_.append(sample_of(simulation));
-  writer_.append(ruptures.subspan(ruptures_written_));
-  ruptures_written_ = ruptures.size();
+  append_ruptures(simulation);
   sampled_ = step;
-  next_ = (step / every_ + 1) * every_;
-  if (step < last_step_) next_ = std::min(next_, last_step_);
+  next_ = sample_after(step);
+}
+
+void Recorder::sync(const Simulation& simulation) {
+  append_ruptures(simulation);
+  writer_.sync();
 }
 
 void Recorder::finish(const Simulation& simulation) {

@@ -16,17 +16,23 @@ namespace rupture::tools {
 /// `every` steps counted from step 0, so that split runs sample the same steps.
 class Recorder : public Observer {
  public:
-  Recorder(RecordWriter& writer, std::int64_t every, std::int64_t first_step,
-           std::int64_t last_step);
+  /// `sampled`: the step of the last sample that the record has already; negative if it has none.
+  Recorder(RecordWriter& writer, std::int64_t every, std::int64_t now, std::int64_t last_step,
+           std::int64_t sampled = -1);
   std::int64_t next_step() const override { return next_; }
   void observe(const Simulation& simulation) override;
+  /// Brings the record to the disk as it is now.
+  void sync(const Simulation& simulation);
   /// Takes the last sample if the run ended before `last_step`.
   void finish(const Simulation& simulation);
 
  private:
+  void append_ruptures(const Simulation& simulation);
+  std::int64_t sample_after(std::int64_t step) const;
+
   RecordWriter& writer_;
   const std::int64_t every_, last_step_;
-  std::int64_t next_, sampled_ = -1;
+  std::int64_t sampled_, next_;
   std::size_t ruptures_written_ = 0;
 };
 

@@ -2,12 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 
+#include "interruption.hpp"
 #include "observers.hpp"
+#include "resume.hpp"
 #include "rupture/model/error.hpp"
 #include "text.hpp"
 
@@ -15,45 +15,6 @@ namespace rupture::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// load.h5 at 0.05 s becomes load-t0.050000000.h5.
-fs::path path_at(const fs::path& output, double t) {
-  const auto name =
-      fmt::format("{}-t{:.9f}{}", output.stem().string(), t, output.extension().string());
-  return output.parent_path() / name;
-}
-
-std::vector<std::int64_t> checkpoint_steps(const Parameters& p, std::int64_t first,
-                                           std::int64_t last, const RunOptions& run) {
-  std::vector<std::int64_t> steps;
-  for (const double t : run.checkpoint_at) {
-    const std::int64_t step = step_at(p, t);
-    if (step < first || step > last) {
-      throw UsageError(fmt::format("--checkpoint-at {:g} is outside the run, {:g} s to {:g} s", t,
-                                   static_cast<double>(first) * p.dt,
-                                   static_cast<double>(last) * p.dt));
-    }
-    steps.push_back(step);
-  }
-  if (run.checkpoint_every) {
-    const std::int64_t every = step_at(p, *run.checkpoint_every);
-    if (every < 1) throw UsageError("--checkpoint-every is shorter than one time step");
-    for (std::int64_t step = (first / every + 1) * every; step <= last; step += every) {
-      steps.push_back(step);
-    }
-  }
-  std::sort(steps.begin(), steps.end());
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
-  return steps;
-}
-
-/// Steps between samples, if there is a record.
-std::optional<std::int64_t> sampling_steps(const Parameters& p, const RunOptions& run) {
-  if (!run.record) return std::nullopt;
-  const std::int64_t every = step_at(p, run.record_every);
-  if (every < 1) throw UsageError("--record-every is shorter than one time step");
-  return every;
-}
 
 void announce(const OutputOptions& output, const fs::path& path, const std::string& checksum) {
   if (output.verbosity == Verbosity::normal) {
@@ -68,6 +29,8 @@ std::string_view reason(Ending ending) {
       return "no junction broke any more";
     case Ending::leading_edge:
       return "the front reached the leading edge";
+    case Ending::interrupted:
+      return "interrupted";
     case Ending::last_step:
       break;
   }
@@ -84,113 +47,173 @@ void print_invariants(const Simulation& simulation, Ending ending, const EnergyB
       balance.supplied, balance.stored, balance.dissipated, balance.relative_error());
 }
 
-int thread_count(int threads) {
-  constexpr int most = 1024;
-  if (threads >= 1 && threads <= most) return threads;
-  throw UsageError(
-      fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
+/// What a run begins with: `start`, or where it was interrupted.
+Resumption beginning(Checkpoint start, const RunFiles& files, bool resume) {
+  auto found = resume ? find_resumption(start, files) : std::nullopt;
+  if (!found) return {std::move(start), {}, {}};
+  ProvenanceEntry entry = start.provenance.back();
+  entry.parent_checksum = found->checkpoint.checksum;
+  found->checkpoint.provenance.push_back(std::move(entry));
+  return std::move(*found);
 }
 
-/// Runs; if that fails, what was sampled so far stays readable in the record's .part.
-Ending run_and_keep_record(Simulation& simulation, const StopRule& rule,
-                           const std::vector<Observer*>& observers, RecordWriter* writer) {
+/// True if the run has written its last checkpoint already, and the record before that.
+bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
+  if (!fs::exists(files.output) || (files.record && !fs::exists(*files.record))) return false;
+  const Checkpoint end = read_checkpoint(files.output);
+  return is_of_run(end, start) && ending_at(end.state.step, *end.run, rule);
+}
+
+/// The step of the last sample in these rows of a record; -1 if there is none.
+std::int64_t last_sample(const Content& rows) {
+  const auto found = rows.find("/series/step");
+  if (found == rows.end() || found->second.bytes.empty()) return -1;
+  return read_array<std::int64_t>(rows, found->first, found->second.shape).back();
+}
+
+/// A run with everything that it writes on its way.
+class Run {
+ public:
+  Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
+      IfExists if_record_exists, std::optional<int> threads, const OutputOptions& output);
+
+  /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
+  Ending go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps);
+  /// Completes the record and writes the last checkpoint.
+  void finish();
+  /// Saves everything that resuming needs.
+  void save_on_the_way();
+
+ private:
+  void save(const fs::path& path);
+
+  const RunFiles& files_;
+  const OutputOptions& output_;
+  const std::vector<ProvenanceEntry>& provenance_;
+  fs::path saved_;  // the latest checkpoint
+  Simulation simulation_;
+  std::unique_ptr<RecordWriter> writer_;
+  std::unique_ptr<Recorder> recorder_;
+};
+
+Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
+         IfExists if_record_exists, std::optional<int> threads, const OutputOptions& output)
+    : files_(files),
+      output_(output),
+      provenance_(begin.checkpoint.provenance),
+      saved_(begin.file),
+      simulation_(begin.checkpoint.parameters, begin.checkpoint.state,
+                  threads.value_or(threads_that_pay(begin.checkpoint.parameters))) {
+  simulation_.take_up(*begin.checkpoint.run);
+  if (!files.record) return;
+  writer_ = std::make_unique<RecordWriter>(*files.record, begin.checkpoint.parameters, provenance_,
+                                           if_record_exists, begin.rows);
+  recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, begin.checkpoint.state.step,
+                                         last_step, last_sample(begin.rows));
+}
+
+Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps) {
+  std::vector<Observer*> observers;
+  if (recorder_) observers.push_back(recorder_.get());  // first: checkpoints include its sample
+  CheckpointSchedule schedule(checkpoint_steps, [&](const Simulation&) { save_on_the_way(); });
+  observers.push_back(&schedule);
+  Progress progress(simulation_, rule.last_step);
+  const bool show_progress = on_terminal() && output_.verbosity == Verbosity::normal;
+  if (show_progress) observers.push_back(&progress);
+
+  const std::int64_t first = simulation_.state().step;
+  const Energies before = simulation_.energies();
+  const auto clock = std::chrono::steady_clock::now();
   try {
-    return rupture::run(simulation, rule, observers);
+    const Ending ending = run(simulation_, rule, observers);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - clock;
+    if (show_progress) progress.finish();
+    if (output_.verbosity == Verbosity::normal) {
+      print_invariants(simulation_, ending,
+                       energy_balance(before, simulation_.energies(), simulation_.work()),
+                       simulation_.state().step - first, elapsed.count());
+    }
+    return ending;
   } catch (...) {
-    if (writer != nullptr) writer->flush();
+    if (writer_) writer_->flush();
     throw;
+  }
+}
+
+void Run::finish() {
+  if (recorder_) {
+    recorder_->finish(simulation_);
+    announce(output_, *files_.record, writer_->finish());
+  }
+  save(files_.output);
+}
+
+void Run::save_on_the_way() {
+  const fs::path path = path_at(files_.output, simulation_.time());
+  if (path == saved_) return;
+  if (recorder_) recorder_->sync(simulation_);
+  save(path);
+}
+
+void Run::save(const fs::path& path) {
+  const Checkpoint now = {simulation_.parameters(), simulation_.state(), provenance_,
+                          simulation_.run()};
+  announce(output_, path, write_checkpoint(path, now, output_.if_exists));
+  saved_ = path;
+}
+
+void check_run_outputs(const std::vector<std::int64_t>& steps, const RunFiles& files, double dt,
+                       IfExists if_exists, IfExists if_record_exists, const fs::path& input) {
+  std::vector<fs::path> outputs = {files.output};
+  for (const std::int64_t step : steps) {
+    outputs.push_back(path_at(files.output, static_cast<double>(step) * dt));
+  }
+  std::vector<fs::path> all = outputs;
+  if (files.record) all.push_back(*files.record);
+  check_distinct(all, input);
+  for (const fs::path& path : outputs) check_output(path, if_exists);
+  if (files.record) check_output(*files.record, if_record_exists);
+}
+
+void say_where_it_begins(const Resumption& begin) {
+  if (begin.file.empty()) {
+    say("nothing to resume: no checkpoint of this run was found\n");
+  } else {
+    say("resuming from {}\n", begin.file.string());
   }
 }
 
 }  // namespace
 
-void add_run_options(po::options_description& options) {
-  auto add = options.add_options();
-  add("checkpoint-at", po::value<std::vector<double>>()->multitoken()->value_name("T..."),
-      "write checkpoints at these times [s], named OUT-tT.h5");
-  add("checkpoint-every", po::value<double>()->value_name("T"),
-      "write a checkpoint each time T [s] has passed");
-  add("record", po::value<std::string>()->value_name("FILE"),
-      "record time series of the interface in FILE");
-  add("record-every", po::value<double>()->default_value(1e-4, "1e-4")->value_name("T"),
-      "sampling interval of the record [s]; ruptures are recorded to the step");
-  add("threads", po::value<int>()->value_name("N"),
-      "threads that share the work; default: as many as pay for this size of slider. Results do "
-      "not depend on it");
-}
-
-RunOptions run_options(const po::variables_map& values) {
-  RunOptions run;
-  if (values.count("checkpoint-at") > 0) {
-    run.checkpoint_at = values["checkpoint-at"].as<std::vector<double>>();
-    for (const double t : run.checkpoint_at) {
-      if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
-    }
-  }
-  run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
-  if (values.count("record") > 0) run.record = values["record"].as<std::string>();
-  run.record_every = non_negative(values, "record-every");
-  if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
-  return run;
-}
-
-std::int64_t step_at(const Parameters& p, double t) {
-  const double step = std::round(t / p.dt);
-  if (!(std::abs(step) < 0x1p53)) {
-    throw UsageError(fmt::format("t = {:g} s is too long a time for steps of {:g} s", t, p.dt));
-  }
-  return static_cast<std::int64_t>(step);
-}
-
-void simulate(Checkpoint start, const StopRule& rule, const RunOptions& run,
+void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
               const OutputOptions& output, const fs::path& input) {
-  const Parameters& p = start.parameters;
-  const std::int64_t first = start.state.step;
-  const auto steps = checkpoint_steps(p, first, rule.last_step, run);
-  std::vector<fs::path> outputs = {output.output};
-  for (const std::int64_t step : steps) {
-    outputs.push_back(path_at(output.output, static_cast<double>(step) * p.dt));
+  const Parameters p = start.parameters;
+  const bool talk = output.verbosity == Verbosity::normal;
+  const std::string command =
+      start.provenance.back().command_line + (options.resume ? "" : " --resume");
+  const RunFiles files = {output.output, options.record,
+                          options.record ? sampling_steps(p, options) : 1};
+  auto steps = checkpoint_steps(p, start.state.step, rule.last_step, options);
+  start.run = {.first_step = start.state.step, .last_break = start.state.step};
+  if (options.resume && is_complete(start, rule, files)) {
+    if (talk) say("{} is complete\n", output.output.string());
+    return;
   }
-  if (run.record) outputs.push_back(*run.record);
-  const auto every = sampling_steps(p, run);
-  check_outputs(outputs, output.if_exists, input);
+  const Resumption begin = beginning(std::move(start), files, options.resume);
+  if (options.resume && talk) say_where_it_begins(begin);
+  std::erase_if(steps, [&](std::int64_t step) { return step <= begin.checkpoint.state.step; });
+  const IfExists if_record_exists = options.resume ? IfExists::replace : output.if_exists;
+  check_run_outputs(steps, files, p.dt, output.if_exists, if_record_exists, input);
 
-  Simulation simulation(p, std::move(start.state), run.threads.value_or(threads_that_pay(p)));
-  const auto save = [&](const fs::path& path) {
-    const Checkpoint now = {p, simulation.state(), start.provenance};
-    announce(output, path, write_checkpoint(path, now, output.if_exists));
-  };
-  CheckpointSchedule schedule(steps,
-                              [&](const Simulation& s) { save(path_at(output.output, s.time())); });
-  std::vector<Observer*> observers = {&schedule};
-
-  std::unique_ptr<RecordWriter> writer;
-  std::unique_ptr<Recorder> recorder;
-  if (run.record) {
-    writer = std::make_unique<RecordWriter>(*run.record, p, start.provenance, output.if_exists);
-    recorder = std::make_unique<Recorder>(*writer, *every, first, rule.last_step);
-    observers.push_back(recorder.get());
+  const InterruptionNoted noted;
+  rule.interrupted = [] { return InterruptionNoted::signal() != 0; };
+  Run run(begin, rule.last_step, files, if_record_exists, options.threads, output);
+  if (run.go(rule, steps) == Ending::interrupted) {
+    run.save_on_the_way();
+    throw Interrupted{InterruptionNoted::signal(),
+                      fmt::format("interrupted, and saved; to go on: {}", command)};
   }
-  Progress progress(simulation, rule.last_step);
-  const bool show_progress = on_terminal() && output.verbosity == Verbosity::normal;
-  if (show_progress) observers.push_back(&progress);
-
-  const Energies before = simulation.energies();
-  const auto clock = std::chrono::steady_clock::now();
-  const Ending ending = run_and_keep_record(simulation, rule, observers, writer.get());
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - clock;
-
-  if (show_progress) progress.finish();
-  if (recorder) {
-    recorder->finish(simulation);
-    announce(output, *run.record, writer->finish());
-  }
-  if (output.verbosity == Verbosity::normal) {
-    print_invariants(simulation, ending,
-                     energy_balance(before, simulation.energies(), simulation.work()),
-                     simulation.state().step - first, elapsed.count());
-  }
-  save(output.output);
+  run.finish();
 }
 
 }  // namespace rupture::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/checkpoint/provenance.hpp"
 #include "rupture/model/parameters.hpp"
+#include "rupture/model/run_so_far.hpp"
 #include "rupture/model/state.hpp"
 
 namespace rupture {
@@ -17,6 +19,7 @@ struct Checkpoint {
   Parameters parameters;
   State state;
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
+  std::optional<RunSoFar> run = {};         ///< of the run that wrote it, if it was a run
   std::string checksum = {};  ///< of the content of the file that was read; empty if none was
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -28,10 +29,15 @@ struct StopRule {
   /// leading edge, both counted from the start of this run. Looked at every kQuietCheck steps from
   /// step 0, so that the answer does not depend on what else pauses the run.
   std::optional<std::int64_t> quiet_steps;
+  /// Also stop once this is true, if it is given; asked some ten times a second.
+  std::function<bool()> interrupted = {};
 };
 inline constexpr std::int64_t kQuietCheck = 100;
 
-enum class Ending { last_step, quiet, leading_edge };
+enum class Ending { last_step, quiet, leading_edge, interrupted };
+
+/// Whether a run that is at `step` has come to its end; interruptions apart.
+std::optional<Ending> ending_at(std::int64_t step, const RunSoFar& run, const StopRule& rule);
 
 /// Advances until the stop rule says so. Observers see the state at each step they ask for, the
 /// step at which the run starts and the one at which it ends included.

@@ -19,6 +19,7 @@
 #include "rupture/dynamics/energy.hpp"
 #include "rupture/forces/bulk.hpp"
 #include "rupture/forces/interface_law.hpp"
+#include "rupture/model/run_so_far.hpp"
 #include "rupture/model/rupture.hpp"
 #include "rupture/model/state.hpp"
 
@@ -46,14 +47,13 @@ class Simulation {
   double x_drive() const { return drive_position(parameters_, state_.drive, state_.step); }
   const std::vector<std::int32_t>& pinned() const { return law_->pinned(); }
 
-  /// Step at which a junction last broke; the first step of this simulation if none has.
-  std::int64_t last_break() const { return last_break_; }
+  /// What happened since the run began: since this simulation was made, or before it as well.
+  const RunSoFar& run() const { return run_; }
+  /// Goes on with a run that another simulation began.
+  void take_up(const RunSoFar& run) { run_ = run; }
 
   /// Block ruptures since this simulation was made, in the order of time.
   const std::vector<Rupture>& ruptures() const { return ruptures_; }
-
-  /// True once the block at the leading edge has ruptured since this simulation was made.
-  bool leading_edge_ruptured() const { return leading_edge_ruptured_; }
 
   /// Energies now, and work done since the simulation was made.
   Energies energies() const;
@@ -77,10 +77,9 @@ class Simulation {
   std::vector<double> p_, k_ij_, w_, tau_;
   std::vector<double> top_;  // force from above on each top block, downwards [N]
   double F_T_ = 0;
-  std::int64_t last_break_;
   std::vector<bool> ruptured_;
   std::vector<Rupture> ruptures_;
-  bool leading_edge_ruptured_ = false;
+  RunSoFar run_;
   Work work_;
   Power power_;
   bool blown_up_ = false;

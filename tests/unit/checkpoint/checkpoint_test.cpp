@@ -203,6 +203,36 @@ Checkpoint single_springs() {
   return checkpoint;
 }
 
+TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {
+  Checkpoint written = small_checkpoint();
+  const std::string without = write(written);
+  EXPECT_FALSE(read_checkpoint(file("x.h5")).run);
+  written.run = {.first_step = 3, .last_break = 70, .ruptures = 5, .leading_edge_ruptured = true};
+  EXPECT_EQ(write(written), without) << "it is no part of the content that is checksummed";
+  EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);
+}
+
+TEST_F(CheckpointFile, of_an_impossible_run_is_refused) {
+  const auto refusal_with = [&](const char* path, const Dataset& dataset) {
+    return refusal_after([&](Content& content) {
+      for (const char* step : {"first_step", "last_break", "ruptures"}) {
+        content[std::string("/run/") + step] = make_scalar<std::int64_t>(7, "1");
+      }
+      content["/run/leading_edge_ruptured"] = make_scalar<std::uint8_t>(0, "1");
+      content[path] = dataset;
+    });
+  };
+  const auto integer = [](std::int64_t value) { return make_scalar(value, "1"); };
+  expect_contains(refusal_with("/run/first_step", integer(-1)),
+                  "/run/first_step = -1; expected 0 to 1234567");
+  expect_contains(refusal_with("/run/last_break", integer(6)),
+                  "/run/last_break = 6; expected 7 to 1234567");
+  expect_contains(refusal_with("/run/ruptures", integer(-2)), "/run/ruptures = -2; expected 0 to");
+  expect_contains(refusal_with("/run/leading_edge_ruptured", make_scalar<std::uint8_t>(2, "1")),
+                  "/run/leading_edge_ruptured = 2; expected 0 or 1");
+  expect_contains(refusal_with("/run/more", integer(0)), "/run/more is not part of a checkpoint");
+}
+
 TEST_F(CheckpointFile, of_single_springs_returns_the_same_bits) {
   const Checkpoint written = single_springs();
   const std::string checksum = write(written);

@@ -120,13 +120,13 @@ TEST(Simulation, notes_each_rupture_at_its_step) {
       }
       ruptured[static_cast<std::size_t>(i)] = now;
     }
-    ASSERT_EQ(simulation.leading_edge_ruptured(),
+    ASSERT_EQ(simulation.run().leading_edge_ruptured,
               std::any_of(expected.begin(), expected.end(),
                           [](const Rupture& rupture) { return rupture.block == 8; }));
   }
   EXPECT_EQ(simulation.ruptures(), expected);
   EXPECT_GE(expected.size(), 9U);
-  EXPECT_EQ(simulation.last_break(), last_break);
+  EXPECT_EQ(simulation.run().last_break, last_break);
 }
 
 TEST(Simulation, forgets_ruptures_from_before_it_began) {
@@ -135,8 +135,8 @@ TEST(Simulation, forgets_ruptures_from_before_it_began) {
   while (first.ruptures().size() < 9) first.advance();
   const Simulation second(p, first.state());
   EXPECT_TRUE(second.ruptures().empty());
-  EXPECT_FALSE(second.leading_edge_ruptured());
-  EXPECT_EQ(second.last_break(), first.state().step);
+  EXPECT_FALSE(second.run().leading_edge_ruptured);
+  EXPECT_EQ(second.run().last_break, first.state().step);
 }
 
 TEST(Simulation, refuses_parameters_that_make_no_sense) {

@@ -1,0 +1,52 @@
+#include "interruption.hpp"
+
+#include <array>
+#include <cstdlib>
+
+namespace rupture::tools {
+namespace {
+
+constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+
+volatile std::sig_atomic_t noted = 0;
+
+extern "C" void note(int signal) {
+  if (noted != 0) {
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+  }
+  noted = signal;
+}
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  sigaction(signal, nullptr, &action);
+  if (action.sa_handler == SIG_IGN) return;
+  action = {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+InterruptionNoted::InterruptionNoted() {
+  noted = 0;
+  for (const int signal : kSignals) handle(signal, note);
+}
+
+InterruptionNoted::~InterruptionNoted() {
+  for (const int signal : kSignals) handle(signal, SIG_DFL);
+}
+
+int InterruptionNoted::signal() {
+  return noted;
+}
+
+void end_by_signal(int signal) {
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+  std::abort();  // the signal ends the process
+}
+
+}  // namespace rupture::tools

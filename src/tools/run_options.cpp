@@ -1,0 +1,94 @@
+#include "run_options.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+int thread_count(int threads) {
+  constexpr int most = 1024;
+  if (threads >= 1 && threads <= most) return threads;
+  throw UsageError(
+      fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
+}
+
+}  // namespace
+
+void add_run_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("checkpoint-at", po::value<std::vector<double>>()->multitoken()->value_name("T..."),
+      "write checkpoints at these times [s], named OUT-tT.h5");
+  add("checkpoint-every", po::value<double>()->value_name("T"),
+      "write a checkpoint each time T [s] has passed");
+  add("record", po::value<std::string>()->value_name("FILE"),
+      "record time series of the interface in FILE");
+  add("record-every", po::value<double>()->default_value(1e-4, "1e-4")->value_name("T"),
+      "sampling interval of the record [s]; ruptures are recorded to the step");
+  add("threads", po::value<int>()->value_name("N"),
+      "threads that share the work; default: as many as pay for this size of slider. Results do "
+      "not depend on it");
+  add("resume",
+      "if the same run was interrupted, go on from its newest checkpoint OUT-tT.h5 and with its "
+      "record; the result is that of an uninterrupted run");
+}
+
+RunOptions run_options(const po::variables_map& values) {
+  RunOptions run;
+  if (values.count("checkpoint-at") > 0) {
+    run.checkpoint_at = values["checkpoint-at"].as<std::vector<double>>();
+    for (const double t : run.checkpoint_at) {
+      if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
+    }
+  }
+  run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
+  if (values.count("record") > 0) run.record = values["record"].as<std::string>();
+  run.record_every = non_negative(values, "record-every");
+  run.resume = values.count("resume") > 0;
+  if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
+  return run;
+}
+
+std::int64_t step_at(const Parameters& p, double t) {
+  const double step = std::round(t / p.dt);
+  if (!(std::abs(step) < 0x1p53)) {
+    throw UsageError(fmt::format("t = {:g} s is too long a time for steps of {:g} s", t, p.dt));
+  }
+  return static_cast<std::int64_t>(step);
+}
+
+std::vector<std::int64_t> checkpoint_steps(const Parameters& p, std::int64_t first,
+                                           std::int64_t last, const RunOptions& run) {
+  std::vector<std::int64_t> steps;
+  for (const double t : run.checkpoint_at) {
+    const std::int64_t step = step_at(p, t);
+    if (step < first || step > last) {
+      throw UsageError(fmt::format("--checkpoint-at {:g} is outside the run, {:g} s to {:g} s", t,
+                                   static_cast<double>(first) * p.dt,
+                                   static_cast<double>(last) * p.dt));
+    }
+    steps.push_back(step);
+  }
+  if (run.checkpoint_every) {
+    const std::int64_t every = step_at(p, *run.checkpoint_every);
+    if (every < 1) throw UsageError("--checkpoint-every is shorter than one time step");
+    for (std::int64_t step = (first / every + 1) * every; step <= last; step += every) {
+      steps.push_back(step);
+    }
+  }
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
+
+std::int64_t sampling_steps(const Parameters& p, const RunOptions& run) {
+  const std::int64_t every = step_at(p, run.record_every);
+  if (every < 1) throw UsageError("--record-every is shorter than one time step");
+  return every;
+}
+
+}  // namespace rupture::tools

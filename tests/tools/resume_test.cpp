@@ -1,0 +1,139 @@
+// --resume: an interrupted run goes on and ends with the bits of the uninterrupted one.
+//
+// What an interruption leaves is made here by deleting what the run wrote later; tests/crash
+// interrupts real processes.
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+constexpr const char* kRun =
+    "load --config small.ini -o x.h5 --until 6e-4 --checkpoint-every 1e-4 --record r.h5 "
+    "--record-every 3e-5";
+
+class Resume : public ToolTest {
+ protected:
+  /// Deletes a file and its checksum.
+  void forget(const std::string& file) const {
+    fs::remove(path(file));
+    fs::remove(path(file + ".sum"));
+  }
+  /// Leaves the checkpoints up to 1e-4 n s.
+  void interrupt_after(int n) const {
+    forget("x.h5");
+    for (int m = n + 1; m <= 6; ++m) forget("x-t0.000" + std::to_string(m) + "00000.h5");
+  }
+  std::string said(const std::string& command) const { return output_of(command + " --resume"); }
+};
+
+TEST_F(Resume, GivesTheBitsOfTheUninterruptedRun) {
+  output_of(kRun);
+  const Files whole = files();
+  for (const int n : {5, 2, 1}) {  // 2: in the middle of the rupture
+    interrupt_after(n);
+    EXPECT_NE(said(kRun).find("resuming from x-t0.000" + std::to_string(n)), std::string::npos);
+    for (const char* sum : {"x.h5.sum", "r.h5.sum", "x-t0.000600000.h5.sum"}) {
+      EXPECT_EQ(read(sum), whole.at(sum)) << n;
+    }
+    EXPECT_FALSE(fs::exists(path("r.h5.part")));
+  }
+}
+
+TEST_F(Resume, BeginsWhereThereIsNothingToResume) {
+  EXPECT_NE(said(kRun).find("nothing to resume"), std::string::npos);
+  const std::string resumed = read("x.h5.sum");
+  output_of(std::string(kRun) + " --force");
+  EXPECT_EQ(read("x.h5.sum"), resumed);
+}
+
+TEST_F(Resume, OfACompleteRunDoesNothing) {
+  output_of(kRun);
+  const Files before = files();
+  EXPECT_EQ(said(kRun), "x.h5 is complete\n");
+  EXPECT_TRUE(files() == before);
+}
+
+TEST_F(Resume, QuietRunEndsWhereTheUninterruptedOneEnds) {
+  output_of("load --config small.ini -o begin.h5 --until 1e-4");
+  const std::string run =
+      "restart begin.h5 -o x.h5 --until-quiet 1e-4 --checkpoint-every 1e-4 --set driving.V=0";
+  output_of(run);
+  const std::string whole = read("x.h5.sum");
+  for (const int n : {3, 2}) {
+    interrupt_after(n);
+    said(run);
+    EXPECT_EQ(read("x.h5.sum"), whole) << n;
+  }
+}
+
+TEST_F(Resume, ForCountsFromTheBeginningOfTheRun) {
+  output_of("load --config small.ini -o begin.h5 --until 1e-4");
+  const std::string run = "restart begin.h5 -o x.h5 --for 5e-4 --checkpoint-every 1e-4";
+  output_of(run);
+  const std::string whole = read("x.h5.sum");
+  interrupt_after(3);
+  said(run);
+  EXPECT_EQ(read("x.h5.sum"), whole);
+}
+
+TEST_F(Resume, UsesNoCheckpointOfAnotherRun) {
+  output_of(kRun);
+  interrupt_after(3);
+  const std::string other = "load --config small.ini -o x.h5 --until 6e-4 --seed 7 --resume";
+  EXPECT_NE(output_of(other).find("nothing to resume"), std::string::npos);
+  output_of("load --config small.ini -o y.h5 --until 6e-4 --seed 7");
+  EXPECT_EQ(checksum_of("x.h5"), checksum_of("y.h5"));
+}
+
+TEST_F(Resume, UsesNoModifiedCheckpoint) {
+  output_of(kRun);
+  interrupt_after(2);
+  output_of("modify-phi x-t0.000200000.h5 -o changed.h5 --sigma-bar 0.05");
+  forget("x-t0.000200000.h5");
+  fs::rename(path("changed.h5"), path("x-t0.000200000.h5"));
+  const std::string run = kRun;
+  EXPECT_NE(said(run + " --force").find("resuming from x-t0.000100000"), std::string::npos);
+}
+
+TEST_F(Resume, PassesOverADamagedCheckpointAndSaysSo) {
+  output_of(kRun);
+  const std::string whole = read("x.h5.sum");
+  interrupt_after(3);
+  write("x-t0.000300000.h5", read("x-t0.000300000.h5").substr(0, 5000));
+  const Outcome outcome = run(std::string(kRun) + " --resume --force");
+  EXPECT_EQ(outcome.exit_code, kDone);
+  EXPECT_NE(outcome.err.find("not used to resume: x-t0.000300000.h5 is truncated"),
+            std::string::npos);
+  EXPECT_NE(outcome.out.find("resuming from x-t0.000200000.h5"), std::string::npos);
+  EXPECT_EQ(read("x.h5.sum"), whole);
+}
+
+TEST_F(Resume, GoesBackToWhereTheRecordReaches) {
+  output_of(kRun);
+  const std::string whole = read("r.h5.sum");
+  interrupt_after(4);
+  const std::string shorter =
+      "load --config small.ini -o y.h5 --until 2.5e-4 --record r.h5 --record-every 3e-5 --force";
+  output_of(shorter);
+  EXPECT_NE(said(std::string(kRun) + " --force").find("resuming from x-t0.000200000"),
+            std::string::npos);
+  EXPECT_EQ(read("r.h5.sum"), whole);
+}
+
+TEST_F(Resume, BeginsAnewIfTheRecordWasMadeWithAnotherInterval) {
+  output_of(kRun);
+  interrupt_after(3);
+  const std::string finer =
+      "load --config small.ini -o x.h5 --until 6e-4 --record r.h5 --record-every 1e-5";
+  EXPECT_NE(said(finer).find("nothing to resume"), std::string::npos);
+}
+
+TEST_F(Resume, RefusesTheRecordOfAnotherRun) {
+  output_of("load --config small.ini -o other.h5 --until 1e-4 --seed 7 --record r.h5");
+  expect_refusal(std::string(kRun) + " --resume", kFailed,
+                 "r.h5 is the record of another run, not of the one to be resumed; move it away or "
+                 "give another --record");
+}
+
+}  // namespace
+}  // namespace rupture::test
