@@ -116,19 +116,6 @@ State compressed(const Parameters& p) {
   return state;
 }
 
-/// True if a block has passed its right or upper neighbour: static equations have such solutions, a
-/// slider does not.
-bool turned_inside_out(const Parameters& p, const State& state) {
-  const double l = block_spacing(p);
-  for (Eigen::Index j = 0; j < p.Nz; ++j) {
-    for (Eigen::Index i = 0; i < p.Nx; ++i) {
-      if (i + 1 < p.Nx && l + state.u_x(i + 1, j) - state.u_x(i, j) <= 0.0) return true;
-      if (j + 1 < p.Nz && l + state.u_z(i, j + 1) - state.u_z(i, j) <= 0.0) return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 InterfaceForces interface_forces(const Parameters& p, const Hold& hold, const State& state,
@@ -155,6 +142,18 @@ void static_forces(const Parameters& p, const Hold& hold, Bulk& bulk, const Stat
   if (hold.K > 0.0) f_x(0, driving_row(p)) -= hold.K * state.u_x(0, driving_row(p));
 }
 
+std::optional<Place> passed_block(const Parameters& p, const State& state) {
+  const double l = block_spacing(p);
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      const bool right = i + 1 < p.Nx && l + state.u_x(i + 1, j) - state.u_x(i, j) <= 0.0;
+      const bool above = j + 1 < p.Nz && l + state.u_z(i, j + 1) - state.u_z(i, j) <= 0.0;
+      if (right || above) return Place{i, j};
+    }
+  }
+  return std::nullopt;
+}
+
 double largest(const Field& f_x, const Field& f_z) {
   return std::max(f_x.blocks().abs().maxCoeff(), f_z.blocks().abs().maxCoeff());
 }
@@ -172,7 +171,7 @@ std::optional<State> solve_statics(const Parameters& p, const Hold& hold) {
     const double residual = largest(f_x, f_z);
     if (!std::isfinite(residual)) break;
     if (residual <= tolerance) {
-      if (turned_inside_out(p, state)) break;
+      if (passed_block(p, state)) break;
       return state;
     }
     if (residual > 0.1 * previous_residual) {

@@ -32,6 +32,15 @@ InterfaceForces interface_forces(const Parameters& p, const Hold& hold, const St
 void static_forces(const Parameters& p, const Hold& hold, Bulk& bulk, const State& state,
                    Field& f_x, Field& f_z);
 
+/// A block of the lattice: column i, row j.
+struct Place {
+  Eigen::Index i, j;
+};
+
+/// The first block that has passed its right or upper neighbour: static equations have such
+/// solutions, a slider does not.
+std::optional<Place> passed_block(const Parameters& p, const State& state);
+
 /// Largest component of a vector field.
 double largest(const Field& f_x, const Field& f_z);
 

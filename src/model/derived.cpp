@@ -69,11 +69,14 @@ double friction_stretch(const Parameters& p, double p_i) {
 }
 
 double stable_time_step(const Parameters& p) {
+  const double edge_pressure = 4.0;  // corner blocks bear a few times the mean normal force
+  return stable_time_step(p, edge_pressure * mean_normal_force(p));
+}
+
+double stable_time_step(const Parameters& p, double largest_p) {
   const double k = bulk_stiffness(p);
   const double m = block_mass(p);
-  const double edge_pressure = 4.0;  // corner blocks bear a few times the mean normal force
-  const double k_i =
-      static_cast<double>(p.N_s) * junction_stiffness(p, edge_pressure * mean_normal_force(p));
+  const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, largest_p);
   const double interface = driving_row(p) == 0 ? k_i + p.K : k_i;
   const double surface = std::max({interface, foundation_stiffness(p), p.K});
   const double omega = std::sqrt(std::max(6.0 * k, 5.0 * k + surface)) / std::sqrt(m);

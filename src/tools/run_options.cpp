@@ -32,6 +32,7 @@ void add_run_options(po::options_description& options) {
   add("threads", po::value<int>()->value_name("N"),
       "threads that share the work; default: as many as pay for this size of slider. Results do "
       "not depend on it");
+  add_alarm_option(options);
   add("resume",
       "if the same run was interrupted, go on from its newest checkpoint OUT-tT.h5 and with its "
       "record; the result is that of an uninterrupted run");
@@ -48,6 +49,7 @@ RunOptions run_options(const po::variables_map& values) {
   run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
   if (values.count("record") > 0) run.record = values["record"].as<std::string>();
   run.record_every = non_negative(values, "record-every");
+  run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0;
   if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
   return run;

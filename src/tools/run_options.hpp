@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "alarms.hpp"
 #include "command_line.hpp"
 
 namespace rupture::tools {
@@ -16,7 +17,8 @@ struct RunOptions {
   std::optional<std::filesystem::path> record;
   double record_every = 1e-4;  ///< [s]
   std::optional<int> threads;  ///< none: as many as pay
-  bool resume = false;         ///< go on with what the same run has left, if it was interrupted
+  OnAlarm on_alarm = OnAlarm::stop;
+  bool resume = false;  ///< go on with what the same run has left, if it was interrupted
 };
 
 void add_run_options(po::options_description& options);

@@ -78,7 +78,8 @@ class Run {
       IfExists if_record_exists, std::optional<int> threads, const OutputOptions& output);
 
   /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
-  Ending go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps);
+  Ending go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
+            OnAlarm on_alarm);
   /// Completes the record and writes the last checkpoint.
   void finish();
   /// Saves everything that resuming needs.
@@ -112,10 +113,15 @@ Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
                                          last_step, last_sample(begin.rows));
 }
 
-Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps) {
-  std::vector<Observer*> observers;
-  if (recorder_) observers.push_back(recorder_.get());  // first: checkpoints include its sample
-  CheckpointSchedule schedule(checkpoint_steps, [&](const Simulation&) { save_on_the_way(); });
+Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
+               OnAlarm on_alarm) {
+  Alarms alarms(simulation_, rule.last_step, on_alarm, output_, provenance_.back().tool);
+  std::vector<Observer*> observers = {&alarms};
+  if (recorder_) observers.push_back(recorder_.get());  // checkpoints include its sample
+  CheckpointSchedule schedule(checkpoint_steps, [&](const Simulation& now) {
+    alarms.observe(now);
+    save_on_the_way();
+  });
   observers.push_back(&schedule);
   Progress progress(simulation_, rule.last_step);
   const bool show_progress = on_terminal() && output_.verbosity == Verbosity::normal;
@@ -126,6 +132,7 @@ Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint
   const auto clock = std::chrono::steady_clock::now();
   try {
     const Ending ending = run(simulation_, rule, observers);
+    alarms.observe(simulation_);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - clock;
     if (show_progress) progress.finish();
     if (output_.verbosity == Verbosity::normal) {
@@ -208,7 +215,7 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
   const InterruptionNoted noted;
   rule.interrupted = [] { return InterruptionNoted::signal() != 0; };
   Run run(begin, rule.last_step, files, if_record_exists, options.threads, output);
-  if (run.go(rule, steps) == Ending::interrupted) {
+  if (run.go(rule, steps, options.on_alarm) == Ending::interrupted) {
     run.save_on_the_way();
     throw Interrupted{InterruptionNoted::signal(),
                       fmt::format("interrupted, and saved; to go on: {}", command)};

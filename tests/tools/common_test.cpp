@@ -22,14 +22,15 @@ std::ostream& operator<<(std::ostream& out, const Interface& interface) {
 
 const std::vector<Interface> kInterfaces = {
     {"load",
-     {"until", "checkpoint-at", "checkpoint-every", "record", "record-every", "threads", "output",
-      "force", "quiet", "config", "set", "seed", "help", "version"}},
+     {"until", "checkpoint-at", "checkpoint-every", "record", "record-every", "threads", "on-alarm",
+      "output", "force", "quiet", "config", "set", "seed", "help", "version"}},
     {"prepare",
      {"tau-bar", "sigma-bar", "shape", "x-trigger", "tau-bar-trigger", "no-trigger", "output",
       "force", "quiet", "config", "set", "seed", "help", "version"}},
     {"restart",
      {"until", "for", "until-quiet", "checkpoint-at", "checkpoint-every", "record", "record-every",
-      "threads", "output", "force", "quiet", "config", "set", "seed", "help", "version"}},
+      "threads", "on-alarm", "output", "force", "quiet", "config", "set", "seed", "help",
+      "version"}},
     {"modify-phi",
      {"shape", "sigma-bar", "x-from", "x-to", "slipping", "output", "force", "quiet", "help",
       "version"}},

@@ -26,6 +26,10 @@ struct Power {
 /// which is how velocity Verlet itself adds up work.
 using Work = Power;
 
+inline Work operator-(const Work& a, const Work& b) {
+  return {a.driving - b.driving, a.damping - b.damping, a.junctions - b.junctions};
+}
+
 /// What the account of a run says [J].
 struct EnergyBalance {
   double supplied = 0;    ///< work of the driving point and of F_N

@@ -49,6 +49,10 @@ double friction_stretch(const Parameters& p, double p_i);
 /// With damping taken at the half-kicked velocity a mode of frequency omega and damping rate c is
 /// stable for dt < (sqrt(c^2 + 4 omega^2) - c) / omega^2. The stiffest bulk mode has omega^2 = 6
 /// k/m and c = 12 eta/m (wave vector (pi, 0)); a bottom block adds its junctions or the foundation.
+/// No block is taken to bear more than 4 F_N / Nx.
 double stable_time_step(const Parameters& p);
+
+/// The same where no block bears more than `largest_p` [N].
+double stable_time_step(const Parameters& p, double largest_p);
 
 }  // namespace rupture

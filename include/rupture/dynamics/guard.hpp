@@ -1,0 +1,60 @@
+// Watches whether the numbers of a run still mean something (docs/guard.md says what, and where the
+// limits come from).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rupture/dynamics/simulation.hpp"
+
+namespace rupture {
+
+/// A warning is worth knowing; with an alarm the result is meaningless.
+enum class Severity { warning, alarm };
+
+/// What is watched.
+enum class Concern { time_step, energy, strength, contact, lattice };
+
+/// One thing that was found.
+struct Finding {
+  Concern concern;
+  Severity severity;
+  std::string sentence;  ///< when and where, what was found, the limit, what to do
+};
+
+/// Largest error of the energy account over `steps` steps, relative to what it accounts for. A
+/// breaking junction is booked to the step, so that a short account is less exact.
+inline double energy_tolerance(std::int64_t steps) {
+  return 0.01 * (1.0 + 1000.0 / static_cast<double>(steps));
+}
+
+/// Looks at a simulation from time to time. Never changes it.
+class Guard {
+ public:
+  /// Opens the energy account.
+  explicit Guard(const Simulation& simulation);
+
+  /// What is wrong now, or in the energy account since the start or the last look. Each concern is
+  /// reported once per severity.
+  std::vector<Finding> look(const Simulation& simulation);
+
+ private:
+  /// What the energy account needs to know of one instant.
+  struct Entry {
+    std::int64_t step;
+    Energies energies;
+    Work work;
+  };
+  static Entry entry_of(const Simulation& simulation);
+  std::optional<Finding> energy(const Simulation& simulation, const Entry& from,
+                                const Entry& to) const;
+  bool is_new(const Finding& finding);
+
+  const Entry start_;
+  Entry last_;
+  std::vector<Finding> reported_;
+};
+
+}  // namespace rupture

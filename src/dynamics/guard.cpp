@@ -1,0 +1,180 @@
+#include "rupture/dynamics/guard.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rupture/model/derived.hpp"
+#include "statics.hpp"
+
+namespace rupture {
+namespace {
+
+using Maybe = std::optional<Finding>;
+
+/// Part of the stored energy below which the energy account is not judged: at rest all its terms
+/// are rounding.
+constexpr double kRest = 1e-6;
+
+Maybe time_step(const Simulation& simulation) {
+  const Parameters& p = simulation.parameters();
+  const auto most = std::max_element(simulation.p().begin(), simulation.p().end());
+  const double limit = stable_time_step(p, *most);
+  if (p.dt <= limit) return std::nullopt;
+  return Finding{Concern::time_step, Severity::alarm,
+                 fmt::format("numerics.dt = {:g} s is unstable at t = {:.7g} s: block {} bears p = "
+                             "{:.4g} N, which makes its junctions so stiff that the limit is "
+                             "{:.4g} s; start anew with a smaller numerics.dt, or change the "
+                             "parameters less",
+                             p.dt, simulation.time(), most - simulation.p().begin(), *most, limit)};
+}
+
+Maybe lattice(const Simulation& simulation) {
+  const auto passed = passed_block(simulation.parameters(), simulation.state());
+  if (!passed) return std::nullopt;
+  return Finding{Concern::lattice, Severity::alarm,
+                 fmt::format("block ({}, {}) has passed its neighbour at t = {:.7g} s, which no "
+                             "solid does: lower slider.F_N or raise slider.E",
+                             passed->i, passed->j, simulation.time())};
+}
+
+/// Displacement that presses column i against what bears the slider, if it is above 0 [m].
+double pressed(const Simulation& simulation, Eigen::Index i) {
+  const Parameters& p = simulation.parameters();
+  const Field& u_z = simulation.state().u_z;
+  return p.support == Support::foundation ? -u_z(i, 0) : u_z(i, p.Nz - 1);
+}
+
+Maybe contact(const Simulation& simulation) {
+  const Parameters& p = simulation.parameters();
+  std::int64_t without = 0, first = 0;
+  for (std::int64_t i = p.Nx - 1; i >= 0; --i) {
+    if (pressed(simulation, i) > 0.0) continue;
+    ++without;
+    first = i;
+  }
+  if (without == 0) return std::nullopt;
+  const auto support = parameter_text(p, find_parameter("slider.support"));
+  if (without == p.Nx) {
+    return Finding{Concern::contact, Severity::alarm,
+                   fmt::format("no block touches the {} at t = {:.7g} s: nothing bears the load of "
+                               "{:g} N; change the parameters less",
+                               support, simulation.time(), p.F_N)};
+  }
+  return Finding{
+      Concern::contact, Severity::warning,
+      fmt::format("blocks that do not touch the {} at t = {:.7g} s: {} of {}, the first is "
+                  "block {}",
+                  support, simulation.time(), without, p.Nx, first)};
+}
+
+/// Junctions that bear more than they can, and the first of them.
+struct Overload {
+  std::int64_t count = 0;
+  std::int64_t block = 0;
+  double f = 0, limit = 0;  // [N]
+};
+
+Overload overload(const Simulation& simulation) {
+  const Parameters& p = simulation.parameters();
+  const Junctions& junctions = simulation.state().junctions;
+  Overload result;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const double normal = simulation.p()[static_cast<std::size_t>(i)];
+    const double u = simulation.state().u_x(i, 0), w = friction_stretch(p, normal);
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(u);
+    if (!(w > 0.0)) continue;
+    for (Eigen::Index j = 0; j < junctions.attachment.cols(); ++j) {
+      const double mu = is_slipping(junctions.repin_time(i, j)) ? p.mu_d : p.mu_s;
+      const double stretch = std::abs(u - junctions.attachment(i, j));
+      if (stretch <= mu * w * (1.0 + 1e-9) + rounding) continue;
+      if (result.count++ > 0) continue;
+      const double k_ij = junction_stiffness(p, normal);
+      result.block = i;
+      result.f = k_ij * stretch;
+      result.limit = k_ij * mu * w;
+    }
+  }
+  return result;
+}
+
+/// A step leaves no such junction; a changed or foreign checkpoint may have them.
+Maybe strength(const Simulation& simulation, std::int64_t first_step) {
+  const Overload found = overload(simulation);
+  if (found.count == 0) return std::nullopt;
+  const bool at_start = simulation.state().step == first_step;
+  return Finding{
+      Concern::strength, at_start ? Severity::warning : Severity::alarm,
+      fmt::format("junctions that bear more than they can at t = {:.7g} s: {}, the first "
+                  "in block {} with {:.4g} N, where {:.4g} N is the limit; {}",
+                  simulation.time(), found.count, found.block, found.f, found.limit,
+                  at_start ? "they break or slip in the first step"
+                           : "that is a bug, please report it with the command")};
+}
+
+Place fastest_block(const State& state) {
+  Place place = {0, 0};
+  const RowMajorArray squares = state.v_x.blocks().square() + state.v_z.blocks().square();
+  squares.maxCoeff(&place.j, &place.i);
+  return place;
+}
+
+/// Error of the account relative to what it accounts for: what flowed, or was in motion.
+double relative_error(const Energies& before, const Energies& after, const Work& work) {
+  const EnergyBalance balance = energy_balance(before, after, work);
+  const double scale =
+      std::max({std::abs(balance.supplied), std::abs(balance.stored), std::abs(balance.dissipated),
+                before.kinetic, after.kinetic, kRest * (after.total() - after.load)});
+  return scale > 0.0 ? std::abs(balance.error()) / scale : 0.0;
+}
+
+}  // namespace
+
+Guard::Guard(const Simulation& simulation) : start_(entry_of(simulation)), last_(start_) {}
+
+Guard::Entry Guard::entry_of(const Simulation& simulation) {
+  return {simulation.state().step, simulation.energies(), simulation.work()};
+}
+
+std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& from,
+                                     const Entry& to) const {
+  if (to.step == from.step) return std::nullopt;
+  const double error = relative_error(from.energies, to.energies, to.work - from.work);
+  const double limit = energy_tolerance(to.step - from.step);
+  if (error <= limit) return std::nullopt;
+  const Parameters& p = simulation.parameters();
+  const State& state = simulation.state();
+  const Place place = fastest_block(state);
+  return Finding{Concern::energy, Severity::alarm,
+                 fmt::format("the energy account from t = {:.7g} s to {:.7g} s is off by {:.3g} %, "
+                             "where {:.2g} % is the limit: numerics.dt = {:g} s is too long for "
+                             "what happens (the fastest block, ({}, {}), moves at {:.2g} m/s); "
+                             "start anew with a smaller numerics.dt, or change the parameters less",
+                             static_cast<double>(from.step) * p.dt, simulation.time(),
+                             100.0 * error, 100.0 * limit, p.dt, place.i, place.j,
+                             std::hypot(state.v_x(place.i, place.j), state.v_z(place.i, place.j)))};
+}
+
+bool Guard::is_new(const Finding& finding) {
+  const bool known = std::any_of(reported_.begin(), reported_.end(), [&](const Finding& other) {
+    return other.concern == finding.concern && other.severity == finding.severity;
+  });
+  if (!known) reported_.push_back(finding);
+  return !known;
+}
+
+std::vector<Finding> Guard::look(const Simulation& simulation) {
+  const Entry now = entry_of(simulation);
+  std::vector<Finding> found;
+  for (const Maybe& finding : {time_step(simulation), lattice(simulation), contact(simulation),
+                               strength(simulation, start_.step), energy(simulation, last_, now),
+                               energy(simulation, start_, now)}) {
+    if (finding && is_new(*finding)) found.push_back(*finding);
+  }
+  last_ = now;
+  return found;
+}
+
+}  // namespace rupture

@@ -1,0 +1,92 @@
+// Alarms: a run whose result is meaningless ends with a sentence, unless the user lets it go on.
+#include "tool_test.hpp"
+
+namespace rupture::test {
+namespace {
+
+/// Makes the driving spring all but too stiff for the time step; nothing damps it.
+constexpr std::string_view kUnstable = " --set slider.damping=0 --set driving.K=1.6e11";
+class Alarms : public ToolTest {
+ protected:
+  Alarms() { output_of("load --config small.ini -o a.h5 --until 1e-4"); }
+
+  Outcome restart_unstable(const std::string& options) const {
+    return run("restart a.h5 -o b.h5 " + options + std::string(kUnstable));
+  }
+};
+
+TEST_F(Alarms, stop_a_bounded_instability_and_keep_what_was_written_before) {
+  const Outcome outcome =
+      restart_unstable("--for 2e-3 --checkpoint-at 1.01e-4 1.5e-3 --record r.h5");
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  expect_one_sentence(outcome.err, "restart",
+                      "restart: the energy account from t = 0.000101 s to 0.001 s is off by ");
+  expect_one_sentence(outcome.err, "restart", "(the fastest block, (0, 1), moves at ");
+  expect_one_sentence(outcome.err, "restart", "; --on-alarm report goes on nevertheless");
+  EXPECT_FALSE(fs::exists(path("b.h5")));
+  EXPECT_FALSE(fs::exists(path("b-t0.001500000.h5")));
+  output_of("analyze verify b-t0.000101000.h5");
+  EXPECT_FALSE(fs::exists(path("r.h5")));
+  const std::vector<double> time = json_of("analyze loading r.h5.part --json")["time"];
+  ASSERT_FALSE(time.empty());
+  EXPECT_NEAR(time.back(), 9e-4, 1.1e-4);
+}
+
+TEST_F(Alarms, are_looked_for_at_the_end_of_a_run_too) {
+  for (const char* end : {"--for 7e-4", "--for 1e-2 --until-quiet 7e-4"}) {
+    const Outcome outcome = restart_unstable(end);
+    EXPECT_EQ(outcome.exit_code, kFailed) << end;
+    expect_one_sentence(outcome.err, "restart",
+                        "restart: the energy account from t = 0.0001 s to ");
+    EXPECT_FALSE(fs::exists(path("b.h5")));
+  }
+}
+
+TEST_F(Alarms, are_looked_for_before_a_checkpoint_is_written) {
+  const Outcome outcome = restart_unstable("--for 2e-3 --checkpoint-at 8e-4");
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  expect_one_sentence(outcome.err, "restart", "from t = 0.0001 s to 0.0008 s");
+  EXPECT_FALSE(fs::exists(path("b-t0.000800000.h5")));
+}
+
+TEST_F(Alarms, are_reported_once_where_the_user_goes_on) {
+  for (const std::string quiet : {"", "--quiet "}) {
+    const Outcome outcome = restart_unstable(quiet + "--force --for 3e-3 --on-alarm report");
+    EXPECT_EQ(outcome.exit_code, kDone);
+    expect_one_sentence(outcome.err, "restart", "alarm: the energy account from ");
+    output_of("analyze verify b.h5");
+  }
+}
+
+TEST_F(Alarms, do_not_change_the_result) {
+  output_of("restart a.h5 -o b.h5 --for 2e-3");
+  output_of("restart a.h5 -o c.h5 --for 2e-3 --on-alarm report");
+  EXPECT_EQ(checksum_of("b.h5"), checksum_of("c.h5"));
+}
+
+TEST_F(Alarms, warn_of_lowered_strength_unless_quiet) {
+  const std::string command = "restart a.h5 -o b.h5 --force --for 1e-3 --set junctions.mu_s=0.18";
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.exit_code, kDone);
+  expect_one_sentence(outcome.err, "restart", "restart: warning: ");
+  expect_one_sentence(
+      outcome.err, "restart",
+      "junctions that bear more than they can at t = 0.0001 s: 200, the first in block 1");
+  output_of(command + " --quiet");
+}
+
+TEST_F(Alarms, stop_a_run_that_load_starts_too) {
+  const Outcome outcome =
+      run("load --config small.ini -o b.h5 --until 2e-3" + std::string(kUnstable));
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  expect_one_sentence(outcome.err, "load", "the energy account from t = 0 s to 0.001 s is off by ");
+  EXPECT_FALSE(fs::exists(path("b.h5")));
+}
+
+TEST_F(Alarms, refuse_another_word) {
+  expect_refusal("restart a.h5 -o b.h5 --for 1e-3 --on-alarm ignore", kUsage,
+                 "--on-alarm ignore is unknown: choose stop or report");
+}
+
+}  // namespace
+}  // namespace rupture::test
