@@ -94,7 +94,6 @@ void Progress::observe(const Simulation& simulation) {
   std::fflush(stderr);
 }
 
-// NOLINTNEXTLINE(*-convert-member-functions-to-static): it ends what this object shows
 void Progress::finish() const {
   fmt::print(stderr, "\r{:78}\r", "");
 }
