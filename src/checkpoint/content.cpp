@@ -20,6 +20,17 @@ std::string describe(DataType type, const Shape& shape) {
   return fmt::format("{} of shape {}", type_name(type), shape_text(shape));
 }
 
+// Whether there are as many bytes as type and shape need, without overflow.
+bool fills_its_shape(const Dataset& dataset) {
+  if (dataset.type == DataType::text) return !dataset.bytes.empty();
+  std::size_t bytes = element_size(dataset.type);
+  for (const std::uint64_t length : dataset.shape) {
+    if (length != 0 && bytes > dataset.bytes.size() / length) return false;
+    bytes *= length;
+  }
+  return bytes == dataset.bytes.size();
+}
+
 }  // namespace
 
 std::string_view type_name(DataType type) {
@@ -36,6 +47,22 @@ std::string_view type_name(DataType type) {
       return "uint8";
     case DataType::text:
       return "text";
+  }
+  throw Failure("a dataset has an element type unknown to this build");
+}
+
+std::size_t element_size(DataType type) {
+  switch (type) {
+    case DataType::float64:
+    case DataType::int64:
+      return 8;
+    case DataType::uint32:
+      return 4;
+    case DataType::uint16:
+      return 2;
+    case DataType::uint8:
+    case DataType::text:
+      return 1;
   }
   throw Failure("a dataset has an element type unknown to this build");
 }
@@ -74,7 +101,23 @@ const Dataset& expect(const Content& content, const std::string& path, DataType 
     throw Failure(fmt::format("{} holds {}; expected {}", path,
                               describe(dataset.type, dataset.shape), describe(type, shape)));
   }
+  if (!fills_its_shape(dataset)) {
+    throw Failure(fmt::format("{} holds {} bytes, which is not {}", path, dataset.bytes.size(),
+                              describe(type, shape)));
+  }
   return dataset;
+}
+
+void expect_as_written(const Content& content, const Content& written) {
+  for (const auto& [path, dataset] : written) {
+    const auto found = content.find(path);
+    if (found == content.end() || found->second == dataset) continue;
+    if (found->second.unit != dataset.unit) {
+      throw Failure(
+          fmt::format("{} is in {}; expected {}", path, found->second.unit, dataset.unit));
+    }
+    throw Failure(fmt::format("{} holds its value in a form that rupture never writes", path));
+  }
 }
 
 void read_array_bytes(const Content& content, const std::string& path, DataType type,

@@ -13,6 +13,7 @@ namespace rupture {
 namespace {
 
 constexpr std::array kKinds = {FileKind::checkpoint, FileKind::record, FileKind::open_record};
+constexpr std::uint64_t kLargestFile = 1ULL << 62U;  // [bytes]
 
 std::string padded(std::string text) {
   text.resize(kHeaderSize, '\n');
@@ -43,13 +44,6 @@ std::string_view line_after(std::string_view header, std::string_view key) {
   if (at == std::string_view::npos) return {};
   const std::string_view rest = header.substr(at + key.size());
   return rest.substr(0, rest.find('\n'));
-}
-
-std::uint64_t stated_size(std::string_view header) {
-  const std::string_view digits = line_after(header, "\nbytes ");
-  std::uint64_t size = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), size);
-  return size;
 }
 
 // True if `start`, the start of a file of any length, is that of a file of this kind.
@@ -118,10 +112,18 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   return *kind;
 }
 
+std::uint64_t stated_size(std::span<const std::byte> header) {
+  const std::string_view digits =
+      line_after(as_text(header.first(std::min(header.size(), kHeaderSize))), "\nbytes ");
+  std::uint64_t size = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), size);
+  return std::min(size, kLargestFile);
+}
+
 std::size_t intact_piece(std::span<const std::byte> bytes) {
   if (bytes.size() < kHeaderSize) return 0;
   const std::string_view header = as_text(bytes.first(kHeaderSize));
-  const std::uint64_t size = stated_size(header);
+  const std::uint64_t size = stated_size(bytes);
   if (size < kHeaderSize || size > bytes.size()) return 0;
   const auto body = bytes.first(size).subspan(kHeaderSize);
   return header == header_text(FileKind::open_record, body) ? size : 0;
@@ -133,7 +135,7 @@ FileKind check_envelope(std::span<const std::byte> file, const std::string& name
   const std::string body_sha256 = sha256(file.subspan(kHeaderSize));
   if (header == sealed_header(kind, file.size(), body_sha256)) return kind;
 
-  const std::uint64_t size = stated_size(header);
+  const std::uint64_t size = stated_size(file.first(kHeaderSize));
   if (file.size() < size && line_after(header, "\nsha256 ") != body_sha256) {
     throw Failure(
         fmt::format("{} is truncated: it holds {} of {} bytes; copy it again or write it anew",

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -17,12 +18,15 @@
 #include "part_file.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/version.hpp"
 #include "seal.hpp"
 
 namespace rupture {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kUnknown = "a newer rupture";  // that wrote a file
 
 [[noreturn]] void fail_reading(const fs::path& path) {
   throw Failure(
@@ -68,12 +72,22 @@ std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
   return bytes;
 }
 
-void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
-  if (attributes.schema_version > kSchemaVersion) {
-    throw Failure(
-        fmt::format("written by schema version {}; this build reads up to {}: use a newer rupture",
-                    attributes.schema_version, kSchemaVersion));
+[[noreturn]] void refuse_newer(std::int64_t schema_version, const std::string& writer) {
+  throw Failure(fmt::format(
+      "written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}", writer,
+      schema_version, version, kSchemaVersion, writer + (writer == kUnknown ? "" : " or newer")));
+}
+
+// "rupture 0.9.0", of a file of a newer schema.
+std::string writer_of(const hdf5::Reader& reader) {
+  try {
+    return "rupture " + reader.writer_version();
+  } catch (const Failure&) {
+    return kUnknown;
   }
+}
+
+void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
   if (attributes.schema_version < 1 || attributes.format != format_name(kind)) {
     throw Failure(
         fmt::format("its header says {}, but its attributes say {}, schema version {}; "
@@ -153,6 +167,9 @@ Sealed seal(FileKind kind, const Content& content) {
 ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   const hdf5::Reader reader(file);
   const hdf5::RootAttributes attributes = reader.attributes();
+  if (attributes.schema_version > kSchemaVersion) {
+    refuse_newer(attributes.schema_version, writer_of(reader));
+  }
   check_attributes(attributes, kind);
   ContentFile read = {kind, attributes.content_checksum, reader.content()};
   check_content(read.content, read.checksum);
@@ -169,12 +186,20 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
 }
 
 ContentFile read_file(const fs::path& path) {
-  const std::vector<std::byte> bytes = read_start(path, readable_size(path));
-  if (header_kind(bytes, path.string()) == FileKind::open_record) {
-    return {FileKind::open_record, "", naming(path, [&] { return read_pieces(bytes); })};
+  if (identify(path) == FileKind::open_record) {
+    return read_bytes(read_start(path, readable_size(path)), path.string());
   }
-  const FileKind kind = check_envelope(bytes, path.string());
-  return naming(path, [&] { return unseal(kind, bytes); });
+  // One byte more than there should be is enough to notice that there is too much.
+  const std::uint64_t stated = stated_size(read_start(path, kHeaderSize));
+  return read_bytes(read_start(path, std::min(readable_size(path), stated + 1)), path.string());
+}
+
+ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name) {
+  if (header_kind(bytes, name) == FileKind::open_record) {
+    return {FileKind::open_record, "", naming(name, [&] { return read_pieces(bytes); })};
+  }
+  const FileKind kind = check_envelope(bytes, name);
+  return naming(name, [&] { return unseal(kind, bytes); });
 }
 
 Content read_content(const fs::path& path) {

@@ -84,6 +84,10 @@ RootAttributes Reader::attributes() const {
   return read_root_attributes(file_);
 }
 
+std::string Reader::writer_version() const {
+  return read_writer_version(file_);
+}
+
 Content Reader::content() const {
   return read_datasets(file_, size_);
 }

@@ -20,6 +20,7 @@ class Reader {
   explicit Reader(std::span<const std::byte> file);
 
   RootAttributes attributes() const;
+  std::string writer_version() const;
   Content content() const;
 
  private:

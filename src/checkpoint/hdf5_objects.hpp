@@ -28,8 +28,12 @@ void write_content(Id file, const Content& content);
 /// Throws Failure if an attribute is missing or of the wrong kind.
 RootAttributes read_root_attributes(Id file);
 
-/// All datasets. Throws Failure if one claims more than `size_limit` bytes, or if there is anything
-/// but groups and datasets of known types.
-Content read_datasets(Id file, std::size_t size_limit);
+/// The version of rupture that wrote the file, which is at the same place in every schema. Throws
+/// Failure if it is not there.
+std::string read_writer_version(Id file);
+
+/// All datasets. Throws Failure if they claim more than `file_size` bytes together, or if there is
+/// anything but groups and datasets of known types that are stored in the file as we do.
+Content read_datasets(Id file, std::size_t file_size);
 
 }  // namespace rupture::hdf5

@@ -2,6 +2,7 @@
 #include <hdf5.h>
 
 #include <array>
+#include <utility>
 
 #include "hdf5_objects.hpp"
 #include "rupture/model/error.hpp"
@@ -10,18 +11,26 @@ namespace rupture::hdf5 {
 namespace {
 
 constexpr int kDeepest = 8;  // levels of groups; stops at links that lead back to their own group
+constexpr std::size_t kSmallestObject = 16;   // [bytes] less than the header of any object
+constexpr std::size_t kLongestVersion = 100;  // [bytes]
+
+// Whether the file is a record in the making.
+enum class Growing { yes, no };
 
 DataType data_type(Id type, const std::string& path) {
-  if (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0) return DataType::text;
-  constexpr std::array numbers = {DataType::float64, DataType::int64, DataType::uint32,
-                                  DataType::uint16, DataType::uint8};
-  for (const DataType candidate : numbers) {
-    if (H5Tequal(type, stored_type(candidate, 0)) > 0) return candidate;
+  constexpr std::array types = {DataType::float64, DataType::int64, DataType::uint32,
+                                DataType::uint16,  DataType::uint8, DataType::text};
+  for (const DataType candidate : types) {
+    if (H5Tequal(type, stored_type(candidate, H5Tget_size(type))) > 0) return candidate;
   }
   throw Failure(fmt::format("{} has an element type that rupture never writes", path));
 }
 
 Shape shape_of(Id space, const std::string& path) {
+  if (H5Sget_simple_extent_type(space) == H5S_NULL) {
+    throw Failure(
+        fmt::format("{} is empty, without even a shape, which rupture never writes", path));
+  }
   const int rank = H5Sget_simple_extent_ndims(space);
   check(rank, fmt::format("read the shape of {}", path));
   std::vector<hsize_t> lengths(static_cast<std::size_t>(rank));
@@ -31,26 +40,26 @@ Shape shape_of(Id space, const std::string& path) {
 }
 
 // Bytes of an array, without the overflow that a nonsensical shape could cause.
-std::size_t byte_count(const Shape& shape, std::size_t element_size, std::size_t size_limit,
+std::size_t byte_count(const Shape& shape, std::size_t element_size, std::size_t room,
                        const std::string& path) {
   std::size_t bytes = element_size;
+  bool fits = bytes <= room;
   for (const std::uint64_t length : shape) {
-    if (length != 0 && bytes > size_limit / length) {
-      throw Failure(fmt::format("{} claims the shape {}, more than the file can hold", path,
-                                shape_text(shape)));
-    }
+    fits = fits && (length == 0 || bytes <= room / length);
     bytes *= length;
   }
-  return bytes;
+  if (fits) return bytes;
+  throw Failure(fmt::format("{} claims {} elements of {} bytes, more than the file can hold", path,
+                            shape.empty() ? "[1]" : shape_text(shape), element_size));
 }
 
-// Type, shape and room for the bytes of a dataset or attribute.
-Dataset described(Id type, Id space, std::size_t size_limit, const std::string& path) {
+// Type, shape and memory for the bytes, at most `room`, of a dataset or attribute.
+Dataset described(Id type, Id space, std::size_t room, const std::string& path) {
   Dataset data{"", data_type(type, path), shape_of(space, path), {}};
   if (data.type == DataType::text && !data.shape.empty()) {
     throw Failure(fmt::format("{} is an array of texts, which rupture never writes", path));
   }
-  data.bytes.resize(byte_count(data.shape, H5Tget_size(type), size_limit, path));
+  data.bytes.resize(byte_count(data.shape, H5Tget_size(type), room, path));
   return data;
 }
 
@@ -66,51 +75,109 @@ Dataset read_attribute(Id object, const std::string& name, const std::string& wh
   return data;
 }
 
-Dataset read_dataset(Id dataset, const std::string& path, std::size_t size_limit) {
+std::string read_unit(Id dataset, const std::string& path) {
+  const std::string name = fmt::format("the attribute unit of {}", path);
+  return read_text({{name, read_attribute(dataset, "unit", path)}}, name);
+}
+
+// Only a record in the making is chunked; nothing is ever compressed or kept outside the file.
+void check_storage(Id dataset, const std::string& path, Growing growing) {
+  const Handle properties(H5Dget_create_plist(dataset), H5Pclose, "read " + path);
+  const H5D_layout_t layout = H5Pget_layout(properties);
+  const bool in_one_piece = layout == H5D_COMPACT || layout == H5D_CONTIGUOUS;
+  const bool growing_chunks = growing == Growing::yes && layout == H5D_CHUNKED;
+  if ((in_one_piece || growing_chunks) && H5Pget_external_count(properties) == 0 &&
+      H5Pget_nfilters(properties) == 0) {
+    return;
+  }
+  throw Failure(fmt::format("{} is not stored as rupture does, in one piece in this file", path));
+}
+
+// An array of which nothing was ever written would be read as zeros.
+void check_stored_size(Id dataset, const std::string& path, const Dataset& data, Growing growing) {
+  const hsize_t stored = H5Dget_storage_size(dataset);
+  if (growing == Growing::yes || stored == data.bytes.size()) return;
+  throw Failure(fmt::format("{} holds {} bytes, but its shape {} needs {}", path, stored,
+                            shape_text(data.shape), data.bytes.size()));
+}
+
+Dataset read_dataset(Id dataset, const std::string& path, std::size_t room, Growing growing) {
   const std::string doing = fmt::format("read {}", path);
+  check_storage(dataset, path, growing);
   const Handle type(H5Dget_type(dataset), H5Tclose, doing);
   const Handle space(H5Dget_space(dataset), H5Sclose, doing);
-  Dataset data = described(type, space, size_limit, path);
-  data.unit = read_text({{"unit", read_attribute(dataset, "unit", path)}}, "unit");
+  Dataset data = described(type, space, room, path);
+  check_stored_size(dataset, path, data, growing);
+  data.unit = read_unit(dataset, path);
   if (!data.bytes.empty()) {
     check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.bytes.data()), doing);
   }
   return data;
 }
 
-std::string link_name(Id group, hsize_t index, const std::string& doing) {
-  const auto get = [&](char* buffer, std::size_t size) {
-    const ssize_t length = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, index, buffer,
-                                              size, H5P_DEFAULT);
-    check(length, doing);
-    return static_cast<std::size_t>(length);
+// Names of what is in a group. Links that are followed by name could lead out of the file.
+std::vector<std::string> names_in(Id group, const std::string& where) {
+  struct Links {
+    std::vector<std::string> names;
+    bool followed_by_name = false;
+  } links;
+  const auto keep = [](hid_t, const char* name, const H5L_info_t* link, void* found) {
+    static_cast<Links*>(found)->names.emplace_back(name);
+    static_cast<Links*>(found)->followed_by_name |= link->type != H5L_TYPE_HARD;
+    return herr_t{0};
   };
-  std::string name(get(nullptr, 0), '\0');
-  get(name.data(), name.size() + 1);
-  return name;
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &links), "list " + where);
+  if (links.followed_by_name) {
+    throw Failure(fmt::format("{} holds a symbolic link, which rupture never writes", where));
+  }
+  return links.names;
 }
 
-void collect(Id group, const std::string& prefix, int depth, std::size_t size_limit,
-             Content& content) {
-  const std::string doing = fmt::format("list {}/", prefix);
-  if (depth > kDeepest) throw Failure(fmt::format("could not {}: groups too deep", doing));
-  H5G_info_t info{};
-  check(H5Gget_info(group, &info), doing);
-  for (hsize_t i = 0; i < info.nlinks; ++i) {
-    const std::string name = link_name(group, i, doing);
-    const std::string path = fmt::format("{}/{}", prefix, name);
+// Walks through all groups. What the datasets and objects claim must fit into the file together:
+// otherwise a few bytes, linked or claimed again and again, could keep it busy for ever.
+class Collector {
+ public:
+  Collector(std::size_t file_size, Growing growing) : room_(file_size), growing_(growing) {}
+
+  void collect(Id group, const std::string& prefix, int depth) {
+    const std::string where = prefix + "/";
+    if (depth > kDeepest) throw Failure(fmt::format("{} is too deep a group", where));
+    for (const std::string& name : names_in(group, where)) add(group, name, where + name, depth);
+  }
+
+  Content content;
+
+ private:
+  void add(Id group, const std::string& name, const std::string& path, int depth) {
     const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "open " + path);
-    switch (H5Iget_type(object)) {
-      case H5I_GROUP:
-        collect(object, path, depth + 1, size_limit, content);
-        break;
-      case H5I_DATASET:
-        content.emplace(path, read_dataset(object, path, size_limit));
-        break;
-      default:
-        throw Failure(fmt::format("{} is neither a group nor a dataset", path));
+    take(kSmallestObject, path);
+    const H5I_type_t type = H5Iget_type(object);
+    if (type == H5I_GROUP) {
+      collect(object, path, depth + 1);
+    } else if (type == H5I_DATASET) {
+      Dataset dataset = read_dataset(object, path, room_, growing_);
+      take(dataset.bytes.size(), path);
+      content.emplace(path, std::move(dataset));
+    } else {
+      throw Failure(fmt::format("{} is neither a group nor a dataset", path));
     }
   }
+
+  void take(std::size_t bytes, const std::string& path) {
+    if (bytes > room_) {
+      throw Failure(fmt::format("{} and what comes before it need more than the file holds", path));
+    }
+    room_ -= bytes;
+  }
+
+  std::size_t room_;  // bytes of the file that nothing has claimed yet
+  Growing growing_;
+};
+
+Growing growing(Id file) {
+  unsigned intent = 0;
+  check(H5Fget_intent(file, &intent), "ask how the file was opened");
+  return (intent & (H5F_ACC_SWMR_READ | H5F_ACC_SWMR_WRITE)) != 0 ? Growing::yes : Growing::no;
 }
 
 }  // namespace
@@ -130,10 +197,20 @@ RootAttributes read_root_attributes(Id file) {
   return root;
 }
 
-Content read_datasets(Id file, std::size_t size_limit) {
-  Content content;
-  collect(file, "", 0, size_limit, content);
-  return content;
+std::string read_writer_version(Id file) {
+  const std::string chain = "/provenance";
+  const Handle group(H5Gopen2(file, chain.c_str(), H5P_DEFAULT), H5Gclose, "open " + chain);
+  const std::vector<std::string> entries = names_in(group, chain);
+  if (entries.empty()) throw Failure("there is no provenance");
+  const std::string path = fmt::format("{}/{}/version", chain, entries.back());
+  const Handle version(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
+  return read_text({{path, read_dataset(version, path, kLongestVersion, Growing::no)}}, path);
+}
+
+Content read_datasets(Id file, std::size_t file_size) {
+  Collector collector(file_size, growing(file));
+  collector.collect(file, "", 0);
+  return collector.content;
 }
 
 }  // namespace rupture::hdf5

@@ -85,6 +85,7 @@ Parameters read_parameters(const Content& content) {
       set_parameter(parameters, info.name, stored_text(content, info));
     }
     validate(parameters);
+    expect_as_written(content, parameters_content(parameters));
   } catch (const UsageError& error) {
     throw Failure(error.what());
   }

@@ -38,6 +38,7 @@ template <class Array>
 Array read_per_block(const Content& content, const char* path, std::uint64_t samples,
                      std::int64_t Nx) {
   using T = typename Array::Scalar;
+  expect(content, path, DataTypeOf<T>::value, {samples, static_cast<std::uint64_t>(Nx)});
   Array array(static_cast<Eigen::Index>(samples), Nx);
   read_array_bytes(
       content, path, DataTypeOf<T>::value, {samples, static_cast<std::uint64_t>(Nx)},

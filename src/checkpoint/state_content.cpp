@@ -25,6 +25,8 @@ constexpr std::array<FieldRow, 6> kFields = {{
     {"/state/f_z", "N", &State::f_z},
 }};
 
+constexpr std::int64_t kLastStep = std::int64_t{1} << 53U;  // beyond it times are not exact
+
 constexpr const char* kStep = "/state/step";
 constexpr const char* kOriginStep = "/state/drive/origin_step";
 constexpr const char* kOriginPosition = "/state/drive/origin_position";
@@ -106,9 +108,11 @@ void read_slow_slip(const Content& content, Junctions& junctions) {
   }
 }
 
-std::int64_t read_step(const Content& content, const char* path) {
+std::int64_t read_step(const Content& content, const char* path, std::int64_t last) {
   const auto step = read_scalar<std::int64_t>(content, path);
-  if (step < 0) throw Failure(fmt::format("{} = {}; expected 0 or more", path, step));
+  if (step < 0 || step > last) {
+    throw Failure(fmt::format("{} = {}; expected 0 or more and at most {}", path, step, last));
+  }
   return step;
 }
 
@@ -140,14 +144,15 @@ State read_state(const Content& content, const Parameters& parameters) {
          shape_of(parameters.Nx, springs_per_block(parameters)));
   expect(content, kFields[0].path, DataType::float64, shape_of(parameters.Nz, parameters.Nx));
   State state(parameters);
-  state.step = read_step(content, kStep);
-  state.drive.origin_step = read_step(content, kOriginStep);
+  state.step = read_step(content, kStep, kLastStep);
+  state.drive.origin_step = read_step(content, kOriginStep, state.step);
   state.drive.origin_position = read_scalar<double>(content, kOriginPosition);
   for (const FieldRow& row : kFields) read_field(content, row.path, state.*row.field);
   read_junctions(content, kAttachment, state.junctions.attachment);
   read_repin_times(content, state.junctions.repin_time);
   read_junctions(content, kDraws, state.junctions.draws);
   read_slow_slip(content, state.junctions);
+  expect_as_written(content, state_content(state));
   return state;
 }
 

@@ -217,7 +217,7 @@ void validate(const Parameters& p) {
         l, l_z, l * static_cast<double>(p.Nz - 1)));
   }
   const double row = p.h / l;
-  if (std::abs(row - std::round(row)) > 1e-6 || driving_row(p) >= p.Nz) {
+  if (!(std::abs(row - std::round(row)) <= 1e-6 && std::round(row) < static_cast<double>(p.Nz))) {
     throw UsageError(fmt::format(
         "driving.h = {:g} m is on no row of blocks: give a multiple of the spacing {:g} m below "
         "slider.H",

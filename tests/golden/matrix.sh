@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the tools as a line of matrix.txt says and checks the golden checksums.
+# Builds the tools as a line of matrix.txt says and checks that they read the files of
+# tests/compatibility and give the golden checksums.
 #
 #   matrix.sh check BUILD FOLDER   builds in FOLDER/BUILD; exit code 0: the checksums are equal,
 #                                  1: they are not, 77: this machine lacks what the build needs
@@ -56,7 +57,9 @@ build_or_stop() {
   fi
 }
 
-check_checksums() {
+# The last line is that of the goldens.
+compare() {
+  "$source/tests/compatibility/compatibility.sh" check "$1"
   "$source/src/tools/rupture-golden" check --tools "$1" --work "$build/golden" \
     "$here/checksums.txt" "$here/chain.sh"
 }
@@ -66,7 +69,7 @@ check_native() {
   c_compiler=${c_compiler/%g++/gcc}
   demand_programs "$compiler"
   build_or_stop -DCMAKE_C_COMPILER="$c_compiler" -DCMAKE_CXX_COMPILER="$compiler"
-  check_checksums "$build/bin"
+  compare "$build/bin"
 }
 
 # For each program of another processor, a script that runs it.
@@ -86,7 +89,7 @@ check_cross() {
   demand_sysroot
   build_or_stop --toolchain "$source/cmake/$processor.cmake" -DCMAKE_SYSROOT="$sysroot"
   emulate "qemu-$processor"
-  check_checksums "$build/emulated"
+  compare "$build/emulated"
 }
 
 check() {

@@ -6,6 +6,7 @@
 
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/envelope.hpp"
+#include "rupture/version.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::test {
@@ -123,6 +124,23 @@ TEST_F(BadFiles, Damaged) {
                  "it again or write it anew");
 }
 
+/// A sample of the bits and lengths; all of them are in tests/unit/checkpoint/damage_test.cpp.
+TEST_F(BadFiles, DamagedAnywhere) {
+  const std::string whole = read("good.h5");
+  for (std::size_t bit = 40; bit < 8 * whole.size(); bit += 1 + 8 * whole.size() / 60) {
+    std::string bytes = whole;
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ static_cast<char>(1U << bit % 8));
+    write("flipped.h5", bytes);
+    expect_refusal_with("analyze verify flipped.h5", kFailed, "flipped.h5 is ");
+    expect_refusal_with("restart flipped.h5 -o out.h5 --for 1e-5", kFailed, "flipped.h5 is ");
+  }
+  for (std::size_t size = 1; size < whole.size(); size += 1 + whole.size() / 20) {
+    write("short.h5", whole.substr(0, size));
+    expect_refusal_with("analyze verify short.h5", kFailed, "short.h5 is truncated: it ");
+    expect_refusal_with("restart short.h5 -o out.h5 --for 1e-5", kFailed, "short.h5 is truncated");
+  }
+}
+
 TEST_F(BadFiles, DamagedRecord) {
   std::string bytes = read("record.h5");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
@@ -156,10 +174,22 @@ TEST_F(BadFiles, NewerSchema) {
   const auto body = std::as_bytes(std::span(bytes)).subspan(kHeaderSize);
   bytes.replace(0, kHeaderSize, header_text(FileKind::checkpoint, body));
   write("newer.h5", bytes);
-  const std::string sentence =
-      "newer.h5: written by schema version 2; this build reads up to 1: use a newer rupture";
+  const std::string version = "rupture " + std::string(rupture::version);
+  const std::string sentence = "newer.h5: written by " + version + " (schema " +
+                               std::to_string(kSchemaVersion + 1) + "); this is " + version +
+                               ", which reads up to schema " + std::to_string(kSchemaVersion) +
+                               ": use " + version + " or newer";
   expect_refused("newer.h5", sentence);
   expect_refused_as_any_file("newer.h5", sentence);
+}
+
+TEST_F(BadFiles, WhoseTextsHoldControlCharactersAreRefusedInOneLine) {
+  Content content = read_content(path("good.h5"));
+  content["/parameters/junctions/law"] = make_text("\n\x1b[2J");
+  write_content(path("wild.h5"), FileKind::checkpoint, content, IfExists::refuse);
+  expect_refused(
+      "wild.h5",
+      "wild.h5: junctions.law = '??[2J' is unknown: choose one of reference, simplified, decaying");
 }
 
 TEST_F(BadFiles, RecordWhereACheckpointIsExpected) {

@@ -21,6 +21,9 @@ enum class DataType { float64, int64, uint32, uint16, uint8, text };
 /// "float64", "int64", "uint32", "uint16", "uint8" or "text", as in the canonical form.
 std::string_view type_name(DataType type);
 
+/// Bytes per element; 1 for text.
+std::size_t element_size(DataType type);
+
 using Shape = std::vector<std::uint64_t>;  ///< lengths per dimension, slowest first; empty: scalar
 
 /// Number of elements of a shape; 1 for a scalar.
@@ -80,8 +83,8 @@ Dataset make_scalar(T value, std::string_view unit) {
 /// A text dataset. An empty text is stored as one null. Throws Failure if `text` contains a null.
 Dataset make_text(std::string_view text);
 
-/// The dataset at `path`. Throws Failure, naming path, found and expected, if it is missing or of
-/// another type or shape.
+/// The dataset at `path`. Throws Failure, naming path, found and expected, if it is missing, of
+/// another type or shape, or if its bytes do not fill its shape.
 const Dataset& expect(const Content& content, const std::string& path, DataType type,
                       const Shape& shape);
 
@@ -107,6 +110,10 @@ T read_scalar(const Content& content, const std::string& path) {
 }
 
 std::string read_text(const Content& content, const std::string& path);
+
+/// Throws Failure if a dataset of `content` differs, be it in its unit or in a bit that does not
+/// matter, from what would be `written` in its place. Datasets that are missing are accepted.
+void expect_as_written(const Content& content, const Content& written);
 
 /// Throws Failure, naming dataset and index, if a float64 anywhere is NaN or infinite.
 void check_finite(const Content& content);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,9 @@ std::string header_text(FileKind kind, std::span<const std::byte> body);
 /// whole file or its start. Throws Failure if it is empty, too short or not ours; `name` is the
 /// file name for the message.
 FileKind header_kind(std::span<const std::byte> file, const std::string& name);
+
+/// The size of the file that its header states [bytes]; 0 if it states none.
+std::uint64_t stated_size(std::span<const std::byte> header);
 
 /// Length in bytes, header included, of the intact piece of an open record that `bytes` starts
 /// with; 0 if there is none.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "rupture/checkpoint/content.hpp"
@@ -42,6 +43,9 @@ std::string write_content(const std::filesystem::path& path, FileKind kind, cons
 /// Reads a file and verifies everything that can be verified without knowing what the datasets
 /// mean: its bytes, schema version, content checksum and finite numbers. Throws Failure.
 ContentFile read_file(const std::filesystem::path& path);
+
+/// The same for a file in memory; `name` is what messages call it. Throws Failure.
+ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name);
 
 /// The datasets of any of our files, verified.
 Content read_content(const std::filesystem::path& path);

@@ -184,9 +184,30 @@ TEST_F(CheckpointFile, with_contradictory_junctions_is_refused) {
   };
   expect_contains(refusal_after(set_slipping(2)), "junction 0 of block 0 has");
   expect_contains(refusal_after(set_slipping(0)), "expected 0 and 0 s if it is pinned");
-  expect_contains(
-      refusal_after([](Content& c) { c["/state/step"] = make_scalar<std::int64_t>(-1, "1"); }),
-      "/state/step = -1; expected 0 or more");
+}
+
+TEST_F(CheckpointFile, at_an_impossible_step_is_refused) {
+  const auto refusal_at = [&](const char* path, std::int64_t step) {
+    return refusal_after([&](Content& c) { c[path] = make_scalar(step, "1"); });
+  };
+  expect_contains(refusal_at("/state/step", -1),
+                  "/state/step = -1; expected 0 or more and at most 9007199254740992");
+  expect_contains(refusal_at("/state/step", (std::int64_t{1} << 53U) + 1),
+                  "/state/step = 9007199254740993; expected 0");
+  expect_contains(refusal_at("/state/drive/origin_step", -1), "/state/drive/origin_step = -1");
+  expect_contains(refusal_at("/state/drive/origin_step", 1234568),
+                  "/state/drive/origin_step = 1234568; expected 0 or more and at most 1234567");
+}
+
+TEST_F(CheckpointFile, whose_datasets_are_not_as_written_is_refused) {
+  expect_contains(refusal_after([](Content& c) { c.at("/state/u_x").unit = "mm"; }),
+                  "x.h5: /state/u_x is in mm; expected m");
+  expect_contains(refusal_after([](Content& c) { c.at("/parameters/slider/L").unit = "km"; }),
+                  "x.h5: /parameters/slider/L is in km; expected m");
+  expect_contains(refusal_after([](Content& c) {
+                    c.at("/parameters/junctions/law").bytes.push_back(std::byte{0});
+                  }),
+                  "/parameters/junctions/law holds its value in a form that rupture never writes");
 }
 
 /// Of the simplified law: springs 0, 2 and 4 are slipping, spring 1 has never broken.

@@ -58,7 +58,7 @@ TEST(Content, refuses_an_array_whose_bytes_do_not_fill_its_shape) {
   EXPECT_EQ(failure_of([&] {
               read_array<double>(content, "/state/a", {2, 3});
             }),
-            "/state/a holds 47 bytes; expected 48");
+            "/state/a holds 47 bytes, which is not float64 of shape [2][3]");
 }
 
 TEST(Content, finds_nan_and_infinity_in_any_float64) {

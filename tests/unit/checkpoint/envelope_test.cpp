@@ -41,36 +41,6 @@ TEST(Envelope, passes_what_it_sealed) {
   }
 }
 
-// Every bit of the file, one at a time.
-TEST_F(SmallCheckpointFile, with_any_single_bit_flipped_is_refused) {
-  std::string bytes = this->bytes();
-  ASSERT_EQ(refusal(bytes), "(no failure)");
-  std::size_t passed = 0;
-  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
-    const auto mask = static_cast<char>(1U << (bit % 8));
-    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ mask);
-    try {
-      check_envelope(bytes_of(bytes), "x.h5");
-      ++passed;
-    } catch (const Failure&) {
-    }
-    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ mask);
-  }
-  EXPECT_EQ(passed, 0U);
-  RecordProperty("bits", std::to_string(8 * bytes.size()));
-}
-
-TEST_F(SmallCheckpointFile, truncated_anywhere_is_refused_as_truncated) {
-  const std::string bytes = this->bytes();
-  EXPECT_EQ(refusal(""), "x.h5 is empty; expected a checkpoint or record");
-  for (std::size_t size = 1; size < bytes.size(); ++size) {
-    expect_contains(refusal(bytes.substr(0, size)), "x.h5 is truncated: it ");
-  }
-  EXPECT_EQ(refusal(bytes.substr(0, 600)), "x.h5 is truncated: it holds 600 of " +
-                                               std::to_string(bytes.size()) +
-                                               " bytes; copy it again or write it anew");
-}
-
 TEST_F(SmallCheckpointFile, with_bytes_behind_its_end_is_refused) {
   expect_contains(refusal(bytes() + '\0'), "x.h5 is damaged");
 }

@@ -1,6 +1,7 @@
 // Files on disk: what is refused, what is left behind, and what is left alone.
 #include "rupture/checkpoint/file.hpp"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include "../../../src/checkpoint/hdf5_image.hpp"
 #include "fixtures.hpp"
 #include "rupture/checkpoint/checksum.hpp"
+#include "rupture/version.hpp"
 
 namespace rupture {
 namespace {
@@ -123,10 +125,23 @@ TEST_F(File, foreign_truncated_or_damaged_is_refused) {
 }
 
 TEST_F(File, of_a_newer_schema_is_refused_before_its_datasets_are_read) {
-  write_sealed(file("x.h5"), FileKind::checkpoint, {"rupture-checkpoint", 2, ""}, {});
-  EXPECT_EQ(reading(file("x.h5")),
-            quoted("x.h5") +
-                ": written by schema version 2; this build reads up to 1: use a newer rupture");
+  const auto refusal_with = [&](const Content& content) {
+    write_sealed(file("x.h5"), FileKind::checkpoint, {"rupture-checkpoint", kSchemaVersion + 1, ""},
+                 content);
+    return reading(file("x.h5"));
+  };
+  const std::string newer =
+      fmt::format(" (schema {}); this is rupture {}, which reads up to schema {}: use ",
+                  kSchemaVersion + 1, version, kSchemaVersion);
+  const Content unknown = {{"/state/u_x", make_scalar(std::nan(""), "m")}};
+  EXPECT_EQ(refusal_with(unknown),
+            quoted("x.h5") + ": written by a newer rupture" + newer + "a newer rupture");
+  Content named = unknown;
+  named["/provenance/0000/version"] = make_text("0.8.0");
+  named["/provenance/0001/version"] = make_text("0.9.0");
+  named["/provenance/0001/news"] = make_text("of schema 3");
+  EXPECT_EQ(refusal_with(named),
+            quoted("x.h5") + ": written by rupture 0.9.0" + newer + "rupture 0.9.0 or newer");
 }
 
 TEST_F(File, whose_header_and_attributes_disagree_is_refused) {

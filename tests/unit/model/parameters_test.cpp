@@ -179,6 +179,19 @@ TEST(Validate, wants_a_square_lattice) {
             "change slider.L, slider.H, slider.Nx or slider.Nz (for instance slider.H = 0.075)");
 }
 
+// The smallest positive number halves to 0: no spacing, and a row of blocks beyond all integers.
+TEST(Validate, wants_a_spacing_above_zero) {
+  Parameters p;
+  p.L = std::numeric_limits<double>::denorm_min();
+  p.H = std::numeric_limits<double>::denorm_min();
+  for (const double h : {0.0, 0.005}) {
+    p.h = h;
+    EXPECT_TRUE(refusal(p).ends_with(
+        " is on no row of blocks: give a multiple of the spacing 0 m below slider.H"))
+        << refusal(p);
+  }
+}
+
 TEST(Validate, wants_the_driving_height_on_a_row) {
   Parameters p;
   const std::string end =
