@@ -21,7 +21,7 @@ Commands
   all                       the same for everything, and the report
   report                    write results/index.html: all figures and claims on one page
   test                      build and run the tests
-  check                     check the layout of the sources
+  check                     look for faults in the sources and in their layout
   list                      list the figures and other recipes
   clean                     delete build/ and results/ (never checkpoints/)
 
@@ -54,7 +54,7 @@ print_list() {
     printf '  %-10s %s\n' "$name" "$(title_of "$name")"
   done
   printf '  %-10s %s\n' all 'everything above' report 'the page of all figures and claims' \
-    test 'the tests' check 'the layout of the sources' list 'this list' clean 'delete build/ and results/'
+    test 'the tests' check 'faults and layout of the sources' list 'this list' clean 'delete build/ and results/'
 }
 
 # --- how it speaks -------------------------------------------------------------------------
@@ -284,11 +284,28 @@ check_format() {
     xargs -0 --no-run-if-empty clang-format --dry-run -Werror
 }
 
+# The compiler sees the headers of libraries; without them this takes seconds, not minutes.
+check_with_cppcheck() {
+  cppcheck --quiet -j "$cores" --std=c++20 --language=c++ --enable=warning,style,performance,portability \
+    --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1 \
+    -I include -I src -I src/tools -I tests -I tests/tools include src tests benchmarks
+}
+
+# Of its error stream, the counts of what it found in the headers of libraries are left out.
+check_with_clang_tidy() {
+  quietly configure-check "Configuring" cmake --preset check
+  find src -name '*.cpp' -print0 |
+    xargs -0 -P "$cores" -n 1 clang-tidy -p build/check --quiet 2> >(grep -v ' warnings\? ' >&2)
+}
+
 check_sources() {
-  ensure_packages check
+  ensure_packages run check
   check_format || die "clang-format would change the files above (clang-format -i FILE)."
-  shellcheck reproduce.sh .ci/run tests/*/*.sh || die "shellcheck found the faults above."
-  echo "The sources are laid out as they should be."
+  shellcheck reproduce.sh .ci/run src/tools/rupture-golden tests/*/*.sh tests/regression/project/*.sh ||
+    die "shellcheck found the faults above."
+  check_with_cppcheck || die "cppcheck found the faults above (.cppcheck has what it may not say)."
+  check_with_clang_tidy || die "clang-tidy found the faults above (.clang-tidy has what it may not say)."
+  echo "The sources are laid out as they should be, and no fault was found in them."
 }
 
 clean() {

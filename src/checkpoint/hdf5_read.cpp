@@ -14,9 +14,6 @@ constexpr int kDeepest = 8;  // levels of groups; stops at links that lead back 
 constexpr std::size_t kSmallestObject = 16;   // [bytes] less than the header of any object
 constexpr std::size_t kLongestVersion = 100;  // [bytes]
 
-// Whether the file is a record in the making.
-enum class Growing { yes, no };
-
 DataType data_type(Id type, const std::string& path) {
   constexpr std::array types = {DataType::float64, DataType::int64, DataType::uint32,
                                 DataType::uint16,  DataType::uint8, DataType::text};
@@ -80,34 +77,30 @@ std::string read_unit(Id dataset, const std::string& path) {
   return read_text({{name, read_attribute(dataset, "unit", path)}}, name);
 }
 
-// Only a record in the making is chunked; nothing is ever compressed or kept outside the file.
-void check_storage(Id dataset, const std::string& path, Growing growing) {
+// Nothing is ever chunked, compressed or kept outside the file.
+void check_storage(Id dataset, const std::string& path) {
   const Handle properties(H5Dget_create_plist(dataset), H5Pclose, "read " + path);
   const H5D_layout_t layout = H5Pget_layout(properties);
   const bool in_one_piece = layout == H5D_COMPACT || layout == H5D_CONTIGUOUS;
-  const bool growing_chunks = growing == Growing::yes && layout == H5D_CHUNKED;
-  if ((in_one_piece || growing_chunks) && H5Pget_external_count(properties) == 0 &&
-      H5Pget_nfilters(properties) == 0) {
-    return;
-  }
+  if (in_one_piece && H5Pget_external_count(properties) == 0) return;
   throw Failure(fmt::format("{} is not stored as rupture does, in one piece in this file", path));
 }
 
 // An array of which nothing was ever written would be read as zeros.
-void check_stored_size(Id dataset, const std::string& path, const Dataset& data, Growing growing) {
+void check_stored_size(Id dataset, const std::string& path, const Dataset& data) {
   const hsize_t stored = H5Dget_storage_size(dataset);
-  if (growing == Growing::yes || stored == data.bytes.size()) return;
+  if (stored == data.bytes.size()) return;
   throw Failure(fmt::format("{} holds {} bytes, but its shape {} needs {}", path, stored,
                             shape_text(data.shape), data.bytes.size()));
 }
 
-Dataset read_dataset(Id dataset, const std::string& path, std::size_t room, Growing growing) {
+Dataset read_dataset(Id dataset, const std::string& path, std::size_t room) {
   const std::string doing = fmt::format("read {}", path);
-  check_storage(dataset, path, growing);
+  check_storage(dataset, path);
   const Handle type(H5Dget_type(dataset), H5Tclose, doing);
   const Handle space(H5Dget_space(dataset), H5Sclose, doing);
   Dataset data = described(type, space, room, path);
-  check_stored_size(dataset, path, data, growing);
+  check_stored_size(dataset, path, data);
   data.unit = read_unit(dataset, path);
   if (!data.bytes.empty()) {
     check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.bytes.data()), doing);
@@ -137,7 +130,7 @@ std::vector<std::string> names_in(Id group, const std::string& where) {
 // otherwise a few bytes, linked or claimed again and again, could keep it busy for ever.
 class Collector {
  public:
-  Collector(std::size_t file_size, Growing growing) : room_(file_size), growing_(growing) {}
+  explicit Collector(std::size_t file_size) : room_(file_size) {}
 
   void collect(Id group, const std::string& prefix, int depth) {
     const std::string where = prefix + "/";
@@ -155,7 +148,7 @@ class Collector {
     if (type == H5I_GROUP) {
       collect(object, path, depth + 1);
     } else if (type == H5I_DATASET) {
-      Dataset dataset = read_dataset(object, path, room_, growing_);
+      Dataset dataset = read_dataset(object, path, room_);
       take(dataset.bytes.size(), path);
       content.emplace(path, std::move(dataset));
     } else {
@@ -171,14 +164,7 @@ class Collector {
   }
 
   std::size_t room_;  // bytes of the file that nothing has claimed yet
-  Growing growing_;
 };
-
-Growing growing(Id file) {
-  unsigned intent = 0;
-  check(H5Fget_intent(file, &intent), "ask how the file was opened");
-  return (intent & (H5F_ACC_SWMR_READ | H5F_ACC_SWMR_WRITE)) != 0 ? Growing::yes : Growing::no;
-}
 
 }  // namespace
 
@@ -204,11 +190,11 @@ std::string read_writer_version(Id file) {
   if (entries.empty()) throw Failure("there is no provenance");
   const std::string path = fmt::format("{}/{}/version", chain, entries.back());
   const Handle version(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
-  return read_text({{path, read_dataset(version, path, kLongestVersion, Growing::no)}}, path);
+  return read_text({{path, read_dataset(version, path, kLongestVersion)}}, path);
 }
 
 Content read_datasets(Id file, std::size_t file_size) {
-  Collector collector(file_size, growing(file));
+  Collector collector(file_size);
   collector.collect(file, "", 0);
   return collector.content;
 }

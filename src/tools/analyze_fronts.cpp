@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -162,8 +163,8 @@ int analyze_events(int argc, const char* const* argv) {
   report.text = "  t_start [s]    t_end [s]  reaches x [m]      type   drop of F_T [N]\n";
   for (const Event& event : events) {
     report.json["events"].push_back(event_json(p, event));
-    const double values[] = {event.t_start, event.t_end,      event.x_first,
-                             event.x_last,  event.F_T_before, event.F_T_after};
+    const std::array values = {event.t_start, event.t_end,      event.x_first,
+                               event.x_last,  event.F_T_before, event.F_T_after};
     for (std::size_t c = 0; c < report.series.size(); ++c) {
       report.series[c].values.emplace_back(values[c]);
     }

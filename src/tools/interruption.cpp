@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
+// NOLINTNEXTLINE(*-avoid-non-const-global-variables): nothing else can a signal handler write
 volatile std::sig_atomic_t noted = 0;
 
 extern "C" void note(int signal) {

@@ -21,7 +21,7 @@ struct Column {
 Column column(std::string name, const std::vector<double>& values);
 
 /// Everything a command has to say.
-struct Report {
+struct Report {  // NOLINT(bugprone-exception-escape): Json's move, which throws nothing
   std::string text;
   Json json;
   std::vector<Column> series;  ///< what --csv prints: columns of equal length

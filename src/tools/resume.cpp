@@ -43,6 +43,7 @@ std::vector<fs::path> checkpoints_beside(const fs::path& output) {
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<fs::path> paths;
+  paths.reserve(found.size());
   for (auto& [t, path] : found) paths.push_back(std::move(path));
   return paths;
 }

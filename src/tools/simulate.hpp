@@ -13,7 +13,7 @@ namespace rupture::tools {
 /// Nothing is run if an output may not be written or would replace `input` (empty for none). The
 /// provenance of `start` already names this tool. Throws Interrupted if a signal came; the run can
 /// then be resumed.
-void simulate(Checkpoint start, StopRule rule, const RunOptions& run, const OutputOptions& output,
-              const std::filesystem::path& input);
+void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
+              const OutputOptions& output, const std::filesystem::path& input);
 
 }  // namespace rupture::tools

@@ -60,7 +60,8 @@ build_or_stop() {
 # The last line is that of the goldens.
 compare() {
   "$source/tests/compatibility/compatibility.sh" check "$1"
-  "$here/golden.sh" check "$1"
+  "$source/src/tools/rupture-golden" check --tools "$1" --work "$build/golden" \
+    "$here/checksums.txt" "$here/chain.sh"
 }
 
 check_native() {

@@ -93,9 +93,11 @@ Histograms printed_histograms(const std::string& out) {
     std::istringstream row(line);
     double from = 0, to = 0;
     int before = 0, after = 0;
-    std::string bar;
     if (!(row >> from >> to >> before >> std::ws)) continue;
-    if (row.peek() == '#') row >> bar;
+    if (row.peek() == '#') {
+      std::string bar;
+      row >> bar;
+    }
     if (!(row >> after)) continue;
     result.before.push_back(before);
     result.after.push_back(after);

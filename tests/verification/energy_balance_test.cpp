@@ -130,7 +130,7 @@ TEST(EnergyBalance, of_a_run_that_was_restarted_during_the_rupture) {
 TEST(EnergyBalance, of_the_event_on_a_prepared_interface) {
   Parameters p = testing::prepared_slider();
   std::array<double, 2> errors = {};
-  for (const std::size_t n : {0, 1}) {
+  for (const std::size_t n : {0U, 1U}) {
     p.dt = n == 0 ? kTimeStep : kTimeStep / 2.0;
     Simulation simulation(p, prepared_state(p, testing::quick_prestress()));
     const Energies before = simulation.energies();

@@ -9,11 +9,11 @@
 namespace rupture {
 
 struct Event {
-  double t_start, t_end;   ///< first and last block rupture [s]
-  double x_first, x_last;  ///< position of the first rupture, and furthest position reached [m]
+  double t_start = 0, t_end = 0;   ///< first and last block rupture [s]
+  double x_first = 0, x_last = 0;  ///< first rupture, and furthest position reached [m]
   Front front;
-  double F_T_before, F_T_after;  ///< driving force at t_start, and its minimum until the quiet time
-                                 ///< after t_end is over [N]
+  double F_T_before = 0, F_T_after = 0;  ///< driving force at t_start, and its minimum until the
+                                         ///< quiet time after t_end is over [N]
 };
 
 /// A time series of the driving force.

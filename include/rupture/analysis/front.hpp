@@ -38,9 +38,9 @@ std::string_view front_type_name(FrontType type);
 
 /// A stretch of consecutive blocks over which the front is slow.
 struct SlowStretch {
-  double x_from, x_to;  ///< first and last block of the stretch [m]
-  double t_from, t_to;  ///< when these two ruptured [s]
-  double speed;         ///< median of v_c over the stretch [m/s]
+  double x_from = 0, x_to = 0;  ///< first and last block of the stretch [m]
+  double t_from = 0, t_to = 0;  ///< when these two ruptured [s]
+  double speed = 0;             ///< median of v_c over the stretch [m/s]
 
   double duration() const { return t_to - t_from; }  ///< [s]
 

@@ -18,11 +18,11 @@ struct SlipHistory {
 };
 
 struct SlipMeasure {
-  double t_arrest;   ///< end of fast slip: first sample after the fastest at which the block does
-                     ///< not move forwards [s]
-  double fast_slip;  ///< displacement from the first sample until t_arrest [m]
-  double slow_slip;  ///< displacement from t_arrest to the last sample [m]
-  double t_from, t_to;          ///< when 20 % and 80 % of the slow slip had happened [s]
+  double t_arrest = 0;   ///< end of fast slip: first sample after the fastest at which the block
+                         ///< does not move forwards [s]
+  double fast_slip = 0;  ///< displacement from the first sample until t_arrest [m]
+  double slow_slip = 0;  ///< displacement from t_arrest to the last sample [m]
+  double t_from = 0, t_to = 0;  ///< when 20 % and 80 % of the slow slip had happened [s]
   std::optional<LineFit> slow;  ///< straight line through the slip in [t_from, t_to]; slope [m/s]
 };
 

@@ -31,12 +31,12 @@ enum class Rebreaking { on, off };
 /// broken in the same order, they are interchangeable, so the slip after n such changes is the same
 /// for all seeds; only its course in time is random.
 struct Relaxation {
-  double net_slip;        ///< when no junction slips any more [f_slip / k_ij]
-  double slip_after_two;  ///< at t = 2 <t_R> [f_slip / k_ij]
-  double slip_at_return;  ///< when every junction has been pinned once, at t = `duration`
-                          ///< [f_slip / k_ij]
-  double duration;        ///< time at which every junction has been pinned once [<t_R>]
-  double quiet_time;      ///< time from which no junction slips any more [<t_R>]
+  double net_slip = 0;        ///< when no junction slips any more [f_slip / k_ij]
+  double slip_after_two = 0;  ///< at t = 2 <t_R> [f_slip / k_ij]
+  double slip_at_return = 0;  ///< when every junction has been pinned once, at t = `duration`
+                              ///< [f_slip / k_ij]
+  double duration = 0;        ///< time at which every junction has been pinned once [<t_R>]
+  double quiet_time = 0;      ///< time from which no junction slips any more [<t_R>]
 
   /// How it came about: `slip` after each junction that was pinned, at `time`.
   struct Course {

@@ -77,7 +77,7 @@ class Simulation {
   std::vector<double> p_, k_ij_, w_, tau_;
   std::vector<double> top_;  // force from above on each top block, downwards [N]
   double F_T_ = 0;
-  std::vector<char> ruptured_;
+  std::vector<bool> ruptured_;
   std::vector<Rupture> ruptures_;
   RunSoFar run_;
   Work work_;

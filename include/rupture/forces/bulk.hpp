@@ -49,8 +49,8 @@ class Bulk {
   LatticeShape shape_;
   double mass_, half_kick_, dt_;
   AlignedVector rows_;  // what Springs and Dampers point to
-  Springs springs_;
-  Dampers dampers_;
+  Springs springs_{};
+  Dampers dampers_{};
   AlignedVector scratch_;
   std::vector<Band> bands_;
   AlignedVector damping_power_, bottom_velocity_;

@@ -38,7 +38,8 @@ inline constexpr int kTensionTerms = 6;
 
 /// The bulk springs.
 struct Springs {
-  double l;                      ///< lattice spacing [m]
+  double l;  ///< lattice spacing [m]
+  // NOLINTNEXTLINE(*-avoid-c-arrays): std::array has functions, which the kernels may not use
   double series[kTensionTerms];  ///< c_n / l^(2n+2): the tension's series in powers of s l^2
   double small;                  ///< the series serves up to (s l^2)^2 = small [m^4]
   const double* small_right;     ///< the same, and infinite where there is no block to the right

@@ -51,8 +51,7 @@ struct History {
 
 class RandomHistory : public ::testing::TestWithParam<History> {
  protected:
-  RandomHistory() {
-    p_ = hand_made(GetParam().N_s);
+  RandomHistory() : p_(hand_made(GetParam().N_s)) {
     p_.f_new = GetParam().f_new;
     p_.delta_t_R = 0.6e-3;
     block_.emplace(p_);

@@ -1,0 +1,22 @@
+# What `cmake --install` copies: the tools, the library with its headers, and the CMake package
+# through which other projects use them (docs/regression-tests.md).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/rupture)
+
+install(TARGETS load prepare restart modify-phi analyze)
+install(PROGRAMS src/tools/rupture-golden DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+install(TARGETS rupture rupture_flags EXPORT ruptureTargets
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/rupture ${RUPTURE_GENERATED_DIR}/rupture
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT ruptureTargets NAMESPACE rupture:: DESTINATION ${_package})
+
+configure_package_config_file(cmake/ruptureConfig.cmake.in ruptureConfig.cmake
+                              INSTALL_DESTINATION ${_package})
+write_basic_package_version_file(ruptureConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ruptureConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/ruptureConfigVersion.cmake
+              cmake/RuptureCheckpointTest.cmake
+        DESTINATION ${_package})

@@ -1,0 +1,101 @@
+"""The installed CMake package, as the project of a user (project/) uses it.
+
+package_test.py BUILD COMPILER
+"""
+
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BUILD, COMPILER = sys.argv[1:3]
+PROJECT = Path(__file__).resolve().parent / "project"
+
+
+def run(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+class Package(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.prefix = Path(folder.name) / "prefix"
+        self.source = Path(folder.name) / "project"
+        self.build = Path(folder.name) / "build"
+        shutil.copytree(PROJECT, self.source)
+        self.done("cmake", "--install", BUILD, "--prefix", self.prefix)
+
+    def done(self, *command):
+        result = run(*command)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        return result.stdout
+
+    def configure(self):
+        return run(
+            *("cmake", "-S", self.source, "-B", self.build, "-G", "Ninja"),
+            *(f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_COMPILER={COMPILER}"),
+        )
+
+    def ctest(self):
+        return run("ctest", "--test-dir", self.build, "--output-on-failure")
+
+    def regenerate(self):
+        return self.done("cmake", "--build", self.build, "--target", "rupture_regenerate_goldens")
+
+    def replace(self, file, old, new):
+        text = (self.source / file).read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        (self.source / file).write_text(text.replace(old, new), encoding="utf-8")
+
+    def test_a_project_notices_that_its_results_changed(self):
+        result = self.configure()
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.done("cmake", "--build", self.build)
+        self.assertIn("there is no golden file", self.ctest().stdout)
+
+        self.regenerate()
+        self.assertIn("100% tests passed, 0 tests failed out of 2", self.ctest().stdout)
+        before = (self.source / "my_pipeline.sums").read_text(encoding="utf-8")
+
+        self.replace("my_slider.ini", "N_s = 37", "N_s = 38")
+        said = self.ctest().stdout
+        self.assertIn("50% tests passed, 1 tests failed out of 2", said)
+        self.assertIn("0 of 3 content checksums are equal, all but: event-record.h5 event.h5", said)
+        self.assertIn(f"{self.prefix}/bin/analyze diff {self.build}/my_pipeline.files/equal", said)
+
+        said = self.regenerate()
+        self.assertIn("my_program.sums is current", said)
+        self.assertIn("100% tests passed", self.ctest().stdout)
+        old = self.source / "my_pipeline.sums.old1"
+        self.assertEqual(old.read_text(encoding="utf-8"), before)
+
+    def test_a_project_without_compiled_languages_needs_the_tools_alone(self):
+        (self.source / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(mine LANGUAGES NONE)\nenable_testing()\n"
+            "find_package(rupture REQUIRED)\n"
+            "rupture_add_checkpoint_test(NAME mine PIPELINE my_pipeline.sh GOLDEN mine.sums)\n",
+            encoding="utf-8",
+        )
+        result = self.configure()
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.regenerate()
+        self.assertIn("100% tests passed, 0 tests failed out of 1", self.ctest().stdout)
+
+    def test_wrong_arguments_are_named(self):
+        for old, new, sentence in (
+            ("GOLDEN my_pipeline.sums", "", "GOLDEN is missing"),
+            ("NAME my_pipeline", "twice NAME my_pipeline", "'twice' is neither NAME"),
+            ("COMPONENTS library", "COMPONENTS libary", "libary"),
+        ):
+            shutil.copytree(PROJECT, self.source, dirs_exist_ok=True)
+            self.replace("CMakeLists.txt", old, new)
+            result = self.configure()
+            self.assertNotEqual(result.returncode, 0)
+            self.assertIn(sentence, " ".join(result.stderr.split()))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
