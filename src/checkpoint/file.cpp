@@ -14,19 +14,14 @@
 
 #include "atomic_write.hpp"
 #include "context.hpp"
-#include "hdf5_image.hpp"
 #include "part_file.hpp"
-#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
-#include "rupture/version.hpp"
 #include "seal.hpp"
 
 namespace rupture {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kUnknown = "a newer rupture";  // that wrote a file
 
 [[noreturn]] void fail_reading(const fs::path& path) {
   throw Failure(
@@ -70,41 +65,6 @@ std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
   if (got < 0) fail_reading(path);
   bytes.resize(have);
   return bytes;
-}
-
-[[noreturn]] void refuse_newer(std::int64_t schema_version, const std::string& writer) {
-  throw Failure(fmt::format(
-      "written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}", writer,
-      schema_version, version, kSchemaVersion, writer + (writer == kUnknown ? "" : " or newer")));
-}
-
-// "rupture 0.9.0", of a file of a newer schema.
-std::string writer_of(const hdf5::Reader& reader) {
-  try {
-    return "rupture " + reader.writer_version();
-  } catch (const Failure&) {
-    return kUnknown;
-  }
-}
-
-void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
-  if (attributes.schema_version < 1 || attributes.format != format_name(kind)) {
-    throw Failure(
-        fmt::format("its header says {}, but its attributes say {}, schema version {}; "
-                    "write it anew",
-                    format_name(kind), attributes.format, attributes.schema_version));
-  }
-}
-
-void check_content(const Content& content, const std::string& stored) {
-  check_finite(content);
-  const std::string computed = content_checksum(content);
-  if (stored != computed) {
-    throw Failure(
-        fmt::format("its content has the checksum {}, but {} is stored in it; write it "
-                    "anew",
-                    computed, stored));
-  }
 }
 
 std::string sum_line(const std::string& checksum, const fs::path& path) {
@@ -165,28 +125,6 @@ void check_output(const fs::path& path, IfExists if_exists) {
 FileKind identify(const fs::path& path) {
   readable_size(path);
   return header_kind(read_start(path, kHeaderSize), path.string());
-}
-
-Sealed seal(FileKind kind, const Content& content) {
-  check_finite(content);
-  const std::string checksum = content_checksum(content);
-  std::vector<std::byte> bytes =
-      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum}, content);
-  const std::string header = header_text(kind, std::span(bytes).subspan(kHeaderSize));
-  std::memcpy(bytes.data(), header.data(), header.size());
-  return {checksum, std::move(bytes)};
-}
-
-ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
-  const hdf5::Reader reader(file);
-  const hdf5::RootAttributes attributes = reader.attributes();
-  if (attributes.schema_version > kSchemaVersion) {
-    refuse_newer(attributes.schema_version, writer_of(reader));
-  }
-  check_attributes(attributes, kind);
-  ContentFile read = {kind, attributes.content_checksum, reader.content()};
-  check_content(read.content, read.checksum);
-  return read;
 }
 
 std::string write_content(const fs::path& path, FileKind kind, const Content& content,

@@ -10,6 +10,7 @@
 namespace rupture::hdf5 {
 namespace {
 
+constexpr const char* kNoFile = "/dev/null/rupture-image";  // HDF5 tries to open what it is told
 constexpr std::size_t kGrowth = 1U << 20U;  // [bytes] step in which the image in memory grows
 
 // HDF5's oldest format, its default: newer ones have a checksum in their first block, which
@@ -18,8 +19,7 @@ Handle create_file_in_memory() {
   const Handle creation = file_creation_properties();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "prepare a file");
   check(H5Pset_fapl_core(access, kGrowth, false), "create a file in memory");
-  return {H5Fcreate("rupture-image", H5F_ACC_TRUNC, creation, access), H5Fclose,
-          "create a file in memory"};
+  return {H5Fcreate(kNoFile, H5F_ACC_TRUNC, creation, access), H5Fclose, "create a file in memory"};
 }
 
 // HDF5 hands out its part of the file without the user block in front.
@@ -60,7 +60,7 @@ Handle open_in_place(std::span<const std::byte> file) {
   check(H5Pset_file_image_callbacks(access, &callbacks), "read from memory");
   check(H5Pset_file_image(access, image, file.size()), "read from memory");
   // HDF5 takes files in memory for the same if they have the same name.
-  const std::string name = fmt::format("rupture-image-{}", fmt::ptr(image));
+  const std::string name = fmt::format("{}-{}", kNoFile, fmt::ptr(image));
   return {H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose,
           "open the HDF5 part of the file"};
 }
