@@ -17,16 +17,17 @@ struct ProvenanceEntry {
   std::string parent_checksum;  ///< content checksum of the checkpoint read; empty if there is none
   /// The command that makes this file's content from its parent alone: quoted as command_line,
   /// without the names of files and without options that change no bit of the content. Empty in
-  /// files of schema version 1.
+  /// files of schema version 1 and of programs that are not ours.
   std::string rebuild = {};
 
   bool operator==(const ProvenanceEntry&) const = default;
 };
 
-/// The entry for this build. `arguments` are argv, program name included; `rebuild` is the command
-/// of ProvenanceEntry::rebuild.
+/// The entry for this build. `arguments` are argv, program name included; `rebuild` is that of
+/// ProvenanceEntry, which only our own tools can give.
 ProvenanceEntry make_provenance(const std::string& tool, const std::vector<std::string>& arguments,
-                                const std::string& parent_checksum, const std::string& rebuild);
+                                const std::string& parent_checksum,
+                                const std::string& rebuild = {});
 
 /// The arguments as one line that a POSIX shell splits into the same arguments.
 std::string shell_line(const std::vector<std::string>& arguments);
