@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -120,6 +121,19 @@ void remove_durably(const fs::path& path) {
   } else if (errno != ENOENT) {
     throw Failure(fmt::format("could not remove {}: {}", path.string(), std::strerror(errno)));
   }
+}
+
+WriterLock::WriterLock(const fs::path& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (fd_ < 0) fail(path);
+  if (::flock(fd_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(fd_);
+  throw Failure(
+      fmt::format("another run is writing {}; wait until it has ended, or give another --record",
+                  path.string()));
+}
+
+WriterLock::~WriterLock() {
+  ::close(fd_);
 }
 
 void append_to(const fs::path& path, std::span<const std::byte> bytes) {

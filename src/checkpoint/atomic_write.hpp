@@ -52,6 +52,22 @@ void write_atomically(const std::filesystem::path& path, std::span<const std::by
 /// Removes a file, if there is one, and brings that to disk. Throws Failure.
 void remove_durably(const std::filesystem::path& path);
 
+/// While it lives, no other process, and no other lock of this one, locks the file.
+class WriterLock {
+ public:
+  /// Throws Failure if somebody else has locked the file. Where the file system has no locks,
+  /// nothing is locked.
+  explicit WriterLock(const std::filesystem::path& path);
+  WriterLock(const WriterLock&) = delete;
+  WriterLock& operator=(const WriterLock&) = delete;
+  WriterLock(WriterLock&&) = delete;
+  WriterLock& operator=(WriterLock&&) = delete;
+  ~WriterLock();
+
+ private:
+  int fd_;
+};
+
 /// Adds to the end of an existing file, without bringing it to disk. Throws Failure with the
 /// system's reason; the file is then cut back to what it was.
 void append_to(const std::filesystem::path& path, std::span<const std::byte> bytes);

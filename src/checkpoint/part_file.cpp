@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "atomic_write.hpp"
 #include "context.hpp"
 #include "rupture/checkpoint/envelope.hpp"
 #include "rupture/model/error.hpp"
@@ -38,7 +37,14 @@ void append_piece(Content& whole, const Content& piece) {
 }  // namespace
 
 PartFile::PartFile(std::filesystem::path path, const Content& first) : path_(std::move(path)) {
-  write_atomically(path_, naming(path_, [&] { return seal(FileKind::open_record, first); }).bytes);
+  const auto piece = naming(path_, [&] { return seal(FileKind::open_record, first); }).bytes;
+  if (std::filesystem::exists(path_)) const WriterLock nobody_else(path_);
+  write_atomically(path_, piece);
+  lock_.emplace(path_);
+  // Another process may have replaced it in the moment before it was locked.
+  if (std::filesystem::file_size(path_) != piece.size()) {
+    throw Failure(fmt::format("another run has begun to write {}", path_.string()));
+  }
 }
 
 void PartFile::append(const Content& rows) const {

@@ -6,8 +6,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 
+#include "atomic_write.hpp"
 #include "rupture/checkpoint/content.hpp"
 
 namespace rupture {
@@ -15,7 +17,7 @@ namespace rupture {
 class PartFile {
  public:
   /// Creates the file, replacing one that is there, with its first piece: every dataset of the
-  /// record. Throws Failure.
+  /// record. Throws Failure, also if another process is writing the file.
   PartFile(std::filesystem::path path, const Content& first);
 
   /// Adds a piece with further rows of some datasets. Throws Failure; the file then ends as it did.
@@ -26,6 +28,7 @@ class PartFile {
 
  private:
   std::filesystem::path path_;
+  std::optional<WriterLock> lock_;
 };
 
 /// The datasets in the intact pieces at the start of `file`, those that grow put together. Throws

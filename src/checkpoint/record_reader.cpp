@@ -51,6 +51,12 @@ void read_series(const Content& content, Record& record) {
   const std::int64_t Nx = record.parameters.Nx;
   record.time = read_array<double>(content, layout::kTime, {n});
   record.step = read_array<std::int64_t>(content, layout::kStep, {n});
+  const auto misplaced = std::adjacent_find(record.step.begin(), record.step.end(),
+                                            [](auto a, auto b) { return a >= b; });
+  if (misplaced != record.step.end()) {
+    throw Failure(fmt::format("{} holds {} and then {}; expected ascending steps", layout::kStep,
+                              misplaced[0], misplaced[1]));
+  }
   record.F_T = read_array<double>(content, layout::kDrivingForce, {n});
   record.x_drive = read_array<double>(content, layout::kDrivePosition, {n});
   record.pinned = read_per_block<Record::Counts>(content, layout::kPinned, n, Nx);

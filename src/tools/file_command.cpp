@@ -9,7 +9,7 @@ constexpr const char* kFiles = "file";
 
 Parsed parse_file_command(int argc, const char* const* argv, const std::string& name,
                           const std::string& arguments, const std::string& purpose,
-                          po::options_description& options) {
+                          const po::options_description& options) {
   return parse(argc, argv,
                {"analyze " + name, "analyze " + name + " " + arguments + " [options]", purpose},
                options, kFiles, UsesParameters::no);

@@ -12,7 +12,7 @@ namespace rupture::tools {
 /// synopsis, are files.
 Parsed parse_file_command(int argc, const char* const* argv, const std::string& name,
                           const std::string& arguments, const std::string& purpose,
-                          po::options_description& options);
+                          const po::options_description& options);
 
 /// All files that were named.
 std::vector<std::string> files_of(const Parsed& parsed);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <ctime>
 
 namespace rupture::tools {
 namespace {
@@ -10,13 +11,19 @@ constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
 // NOLINTNEXTLINE(*-avoid-non-const-global-variables): nothing else can a signal handler write
 volatile std::sig_atomic_t noted = 0;
+volatile double noted_at = 0.0;  // [s]
 
 extern "C" void note(int signal) {
-  if (noted != 0) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const double seconds = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  if (noted == 0) {
+    noted = signal;
+    noted_at = seconds;
+  } else if (seconds - noted_at > 0.5) {
     std::signal(signal, SIG_DFL);
     raise(signal);
   }
-  noted = signal;
 }
 
 void handle(int signal, void (*handler)(int)) {

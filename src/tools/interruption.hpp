@@ -6,8 +6,9 @@
 
 namespace rupture::tools {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP is only noted; a second one ends the process
-/// at once. Signals that were ignored, as under nohup, stay ignored. One at a time.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP is only noted; one that comes more than half
+/// a second later ends the process at once (a closed terminal sends two within a moment). Signals
+/// that were ignored, as under nohup, stay ignored. One at a time.
 class InterruptionNoted {
  public:
   InterruptionNoted();

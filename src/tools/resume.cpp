@@ -3,6 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "rupture/checkpoint/record.hpp"
@@ -15,12 +18,38 @@ namespace fs = std::filesystem;
 
 using Chain = std::vector<ProvenanceEntry>;
 
-/// True if `chain` begins as `start` does: the same tools on the same checkpoints.
-bool begins_as(const Chain& chain, const Chain& start) {
-  return chain.size() >= start.size() &&
-         std::equal(start.begin(), start.end(), chain.begin(), [](const auto& a, const auto& b) {
-           return a.tool == b.tool && a.parent_checksum == b.parent_checksum;
-         });
+bool same_step(const ProvenanceEntry& a, const ProvenanceEntry& b) {
+  return a.tool == b.tool && a.parent_checksum == b.parent_checksum;
+}
+
+/// True if `chain` is that of the run whose first file has the chain `start`: the same tools on the
+/// same checkpoints, and behind them nothing but resumptions.
+bool is_chain_of(const Chain& chain, const Chain& start) {
+  const auto is_resumption = [&](const ProvenanceEntry& entry) {
+    return entry.tool == start.back().tool && !entry.parent_checksum.empty() &&
+           entry.rebuild.starts_with("restart --until ");
+  };
+  if (chain.size() < start.size()) return false;
+  const auto rest = chain.begin() + static_cast<std::ptrdiff_t>(start.size());
+  return std::equal(start.begin(), start.end(), chain.begin(), same_step) &&
+         std::all_of(rest, chain.end(), is_resumption);
+}
+
+/// True if `checkpoint` lies on the run that begins with `start`.
+bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start) {
+  return checkpoint.run && checkpoint.run->first_step == start.state.step &&
+         is_chain_of(checkpoint.provenance, start.provenance) &&
+         parameters_content(checkpoint.parameters) == parameters_content(start.parameters);
+}
+
+/// True if a run with this rule would have ended before `step`. When a front reached the leading
+/// edge is not known; then it is true.
+bool is_beyond_end(std::int64_t step, const RunSoFar& run, const StopRule& rule) {
+  if (step > rule.last_step) return true;
+  if (!rule.quiet_steps) return false;
+  const std::int64_t quiet_from = run.last_break + *rule.quiet_steps;
+  const std::int64_t end = (quiet_from + kQuietCheck - 1) / kQuietCheck * kQuietCheck;
+  return run.leading_edge_ruptured || step > end;
 }
 
 /// Files OUT-t*.h5, those of the latest times first.
@@ -36,10 +65,10 @@ std::vector<fs::path> checkpoints_beside(const fs::path& output) {
   }
   for (const auto& entry : entries) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix) || entry.path().extension() != output.extension()) continue;
+    if (!name.starts_with(prefix)) continue;
     const double t = std::strtod(name.c_str() + prefix.size(), nullptr);
     const fs::path path = path_at(output, t);
-    if (path.filename() == name) found.emplace_back(t, path);
+    if (std::isfinite(t) && path.filename() == name) found.emplace_back(t, path);
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<fs::path> paths;
@@ -59,36 +88,73 @@ auto read_if_intact(const Read& read) -> std::optional<decltype(read())> {
   }
 }
 
-/// What the run has recorded so far; empty if there is nothing.
-Content recorded(const Checkpoint& start, const fs::path& record) {
-  const fs::path part = part_path(record);
-  const fs::path path = fs::exists(part) ? part : record;
-  if (!fs::exists(path)) return {};
-  const auto file = read_if_intact([&] { return read_file(path); });
-  if (!file) return {};
-  const Record so_far = record_from(*file);
-  if (parameters_content(so_far.parameters) != parameters_content(start.parameters) ||
-      !begins_as(so_far.provenance, start.provenance)) {
-    throw Failure(
-        fmt::format("{} is the record of another run, not of the one to be resumed; move it "
-                    "away or give another --record",
-                    path.string()));
-  }
-  return file->content;
+std::vector<std::int64_t> sampled_steps(const Content& rows) {
+  const auto found = rows.find("/series/step");
+  if (found == rows.end()) return {};
+  return read_array<std::int64_t>(rows, found->first, found->second.shape);
 }
 
-std::int64_t multiples_up_to(std::int64_t step, std::int64_t every) {
-  return step / every;
+/// Sample number n of a run: its first step, then multiples of `every`.
+std::int64_t sample_step(std::int64_t first, std::int64_t every, std::size_t n) {
+  return n == 0 ? first : (first / every + static_cast<std::int64_t>(n)) * every;
+}
+
+/// True if these are the steps that the run samples; the last one may be that of an earlier end.
+bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
+                    std::int64_t every) {
+  for (std::size_t n = 0; n < steps.size(); ++n) {
+    const std::int64_t due = sample_step(first, every, n);
+    const bool is_last = n > 0 && n + 1 == steps.size();
+    if (steps[n] != due && !(is_last && steps[n] > steps[n - 1] && steps[n] < due)) return false;
+  }
+  return true;
+}
+
+/// What `path`, a record or its .part, holds of the run; empty if there is no such file. Throws
+/// Failure if it holds anything else.
+Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
+                 std::int64_t every) {
+  if (!fs::exists(path)) return {};
+  ContentFile file = read_file(path);
+  const Record record = record_from(file);
+  if (parameters_content(record.parameters) != parameters_content(start.parameters) ||
+      !is_chain_of(record.provenance, start.provenance) ||
+      !samples_of_run(record.step, start.state.step, every) ||
+      (!record.step.empty() && record.step.back() > rule.last_step)) {
+    throw Failure(
+        fmt::format("{} is not what the run to be resumed has recorded, but the record of another "
+                    "run, interval or end; move it away or give another --record",
+                    path.string()));
+  }
+  return std::move(file.content);
+}
+
+/// The same of the .part, or else of the record; both must be of the run.
+Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
+  if (!files.record) return {};
+  Content finished = recorded(*files.record, start, rule, files.record_every);
+  Content part = recorded(part_path(*files.record), start, rule, files.record_every);
+  return part.empty() ? std::move(finished) : std::move(part);
 }
 
 /// True if these rows are all that the run had recorded when it wrote the checkpoint.
 bool reach(const Content& rows, const Checkpoint& checkpoint, std::int64_t every) {
-  if (rows.empty()) return false;
   const RunSoFar& run = *checkpoint.run;
-  const std::int64_t samples =
-      1 + multiples_up_to(checkpoint.state.step, every) - multiples_up_to(run.first_step, every);
-  return rows.at("/series/step").shape[0] == static_cast<std::uint64_t>(samples) &&
+  const std::int64_t now = checkpoint.state.step;
+  const auto steps = sampled_steps(rows);
+  const auto samples = static_cast<std::size_t>(1 + now / every - run.first_step / every);
+  return steps.size() == samples &&
+         steps.back() == sample_step(run.first_step, every, samples - 1) &&
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(run.ruptures);
+}
+
+/// The command without --resume.
+std::string first_command(std::string command) {
+  constexpr std::string_view option = " --resume";
+  if (const auto at = command.find(option); at != std::string::npos) {
+    command.erase(at, option.size());
+  }
+  return command;
 }
 
 }  // namespace
@@ -99,22 +165,51 @@ fs::path path_at(const fs::path& output, double t) {
   return output.parent_path() / name;
 }
 
-bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start) {
-  return checkpoint.run && checkpoint.run->first_step == start.state.step &&
-         begins_as(checkpoint.provenance, start.provenance) &&
-         parameters_content(checkpoint.parameters) == parameters_content(start.parameters);
-}
-
-std::optional<Resumption> find_resumption(const Checkpoint& start, const RunFiles& files) {
-  const Content record = files.record ? recorded(start, *files.record) : Content{};
+std::optional<Resumption> find_resumption(const Checkpoint& start, const StopRule& rule,
+                                          const RunFiles& files) {
+  const Content record = recorded_so_far(start, rule, files);
+  bool too_new = false;
   for (const fs::path& path : checkpoints_beside(files.output)) {
     auto checkpoint = read_if_intact([&] { return read_checkpoint(path); });
     if (!checkpoint || !is_of_run(*checkpoint, start)) continue;
-    Content rows = record.empty() ? Content{} : rows_until(record, checkpoint->state.step);
-    if (files.record && !reach(rows, *checkpoint, files.record_every)) continue;
-    return Resumption{std::move(*checkpoint), path, std::move(rows)};
+    const std::int64_t step = checkpoint->state.step;
+    if (is_beyond_end(step, *checkpoint->run, rule)) continue;
+    Content rows = record.empty() ? Content{} : rows_until(record, step);
+    if (!files.record || reach(rows, *checkpoint, files.record_every)) {
+      return Resumption{std::move(*checkpoint), path, std::move(rows), {}};
+    }
+    if (!std::exchange(too_new, true)) {
+      fmt::print(stderr, "not used to resume: {}, which the record does not reach\n",
+                 path.string());
+    }
   }
   return std::nullopt;
+}
+
+bool is_complete(const Checkpoint& start, const RunFiles& files) {
+  if (!fs::exists(files.output)) return false;
+  const auto end = read_if_intact([&] { return read_checkpoint(files.output); });
+  if (!end || !is_of_run(*end, start)) return false;
+  if (first_command(end->provenance.back().command_line) !=
+      first_command(start.provenance.back().command_line)) {
+    return false;
+  }
+  if (!files.record) return true;
+  const StopRule until_then = {.last_step = end->state.step, .quiet_steps = {}};
+  return last_sample(recorded(*files.record, start, until_then, files.record_every)) ==
+         end->state.step;
+}
+
+bool may_write(const fs::path& path, const Checkpoint& start) {
+  if (!fs::exists(path)) return true;
+  if (identify(path) != FileKind::checkpoint) return false;
+  const auto checkpoint = read_if_intact([&] { return read_checkpoint(path); });
+  return !checkpoint || is_of_run(*checkpoint, start);
+}
+
+std::int64_t last_sample(const Content& rows) {
+  const auto steps = sampled_steps(rows);
+  return steps.empty() ? -1 : steps.back();
 }
 
 }  // namespace rupture::tools

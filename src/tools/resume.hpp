@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
 
@@ -29,12 +30,20 @@ struct Resumption {
   std::vector<ProvenanceEntry> record_provenance = {};  ///< the record begins where the run did
 };
 
-/// True if `checkpoint` lies on the run that begins with `start`: the same parameters, beginning
-/// and first tools.
-bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start);
+/// The run at its newest checkpoint that is intact, not beyond its end, and that its record
+/// reaches; none if there is no such checkpoint. Throws Failure if there is a record that is not
+/// this run's.
+std::optional<Resumption> find_resumption(const Checkpoint& start, const StopRule& rule,
+                                          const RunFiles& files);
 
-/// The run at its newest checkpoint that is intact and that its record reaches; none if there is no
-/// such checkpoint. Throws Failure if the record in place is not of this run.
-std::optional<Resumption> find_resumption(const Checkpoint& start, const RunFiles& files);
+/// True if the very same command has completed the run already, and everything is still there.
+bool is_complete(const Checkpoint& start, const RunFiles& files);
+
+/// True if `path`, a checkpoint on the way, may be written by the run that begins with `start` when
+/// it is resumed: there is nothing, or a checkpoint of this run, or a damaged one.
+bool may_write(const std::filesystem::path& path, const Checkpoint& start);
+
+/// The step of the last sample in these rows of a record; -1 if there is none.
+std::int64_t last_sample(const Content& rows);
 
 }  // namespace rupture::tools

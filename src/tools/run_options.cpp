@@ -78,6 +78,12 @@ std::vector<std::int64_t> checkpoint_steps(const Parameters& p, std::int64_t fir
   if (run.checkpoint_every) {
     const std::int64_t every = step_at(p, *run.checkpoint_every);
     if (every < 1) throw UsageError("--checkpoint-every is shorter than one time step");
+    constexpr std::int64_t most = 1'000'000;
+    if ((last - first) / every > most) {
+      throw UsageError(
+          fmt::format("--checkpoint-every {:g} would write {} checkpoints: give a longer time",
+                      *run.checkpoint_every, (last - first) / every));
+    }
     for (std::int64_t step = (first / every + 1) * every; step <= last; step += every) {
       steps.push_back(step);
     }

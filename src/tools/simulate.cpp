@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 
 #include "interruption.hpp"
@@ -49,9 +51,9 @@ void print_invariants(const Simulation& simulation, Ending ending, const EnergyB
 }
 
 /// What a run begins with: `start`, or where it was interrupted.
-Resumption beginning(Checkpoint start, const RunFiles& files, bool resume) {
+Resumption beginning(Checkpoint start, const StopRule& rule, const RunFiles& files, bool resume) {
   auto chain = start.provenance;
-  auto found = resume ? find_resumption(start, files) : std::nullopt;
+  auto found = resume ? find_resumption(start, rule, files) : std::nullopt;
   if (!found) return {std::move(start), {}, {}, std::move(chain)};
   restore_sum(found->file);
   ProvenanceEntry entry = chain.back();
@@ -62,25 +64,15 @@ Resumption beginning(Checkpoint start, const RunFiles& files, bool resume) {
   return std::move(*found);
 }
 
-/// True if the run has written its last checkpoint already, and the record before that.
-bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
-  if (!fs::exists(files.output) || (files.record && !fs::exists(*files.record))) return false;
-  const Checkpoint end = read_checkpoint(files.output);
-  return is_of_run(end, start) && ending_at(end.state.step, *end.run, rule);
-}
-
-/// The step of the last sample in these rows of a record; -1 if there is none.
-std::int64_t last_sample(const Content& rows) {
-  const auto found = rows.find("/series/step");
-  if (found == rows.end() || found->second.bytes.empty()) return -1;
-  return read_array<std::int64_t>(rows, found->first, found->second.shape).back();
-}
+/// What to do if a checkpoint on the way is there already.
+using IfCheckpointExists = std::function<IfExists(const fs::path&)>;
 
 /// A run with everything that it writes on its way.
 class Run {
  public:
   Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
-      IfExists if_record_exists, std::optional<int> threads, const OutputOptions& output);
+      IfCheckpointExists if_exists, IfExists if_record_exists, std::optional<int> threads,
+      const OutputOptions& output);
 
   /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
   Ending go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
@@ -89,13 +81,17 @@ class Run {
   void finish();
   /// Saves everything that resuming needs.
   void save_on_the_way();
+  /// True once there is anything that was not there before.
+  bool has_moved() const { return simulation_.state().step > first_step_; }
 
  private:
-  void save(const fs::path& path);
+  void save(const fs::path& path, IfExists if_exists);
   /// That of the record, if the run ends at `step`.
   std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const;
 
   const RunFiles& files_;
+  const IfCheckpointExists if_exists_;
+  const std::int64_t first_step_;
   const OutputOptions& output_;
   const std::vector<ProvenanceEntry>& provenance_;
   const std::vector<ProvenanceEntry>& record_provenance_;
@@ -106,8 +102,11 @@ class Run {
 };
 
 Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
-         IfExists if_record_exists, std::optional<int> threads, const OutputOptions& output)
+         IfCheckpointExists if_exists, IfExists if_record_exists, std::optional<int> threads,
+         const OutputOptions& output)
     : files_(files),
+      if_exists_(std::move(if_exists)),
+      first_step_(begin.checkpoint.state.step),
       output_(output),
       provenance_(begin.checkpoint.provenance),
       record_provenance_(begin.record_provenance),
@@ -162,44 +161,54 @@ void Run::finish() {
     recorder_->finish(simulation_);
     announce(output_, *files_.record, writer_->finish(record_provenance(simulation_.state().step)));
   }
-  save(files_.output);
+  save(files_.output, output_.if_exists);
 }
 
 void Run::save_on_the_way() {
   const fs::path path = path_at(files_.output, simulation_.time());
   if (path == saved_) return;
   if (recorder_) recorder_->sync(simulation_);
-  save(path);
+  save(path, if_exists_(path));
 }
 
 std::vector<ProvenanceEntry> Run::record_provenance(std::int64_t step) const {
   return recorded_until(record_provenance_, simulation_.parameters(), step, files_.record_every);
 }
 
-void Run::save(const fs::path& path) {
+void Run::save(const fs::path& path, IfExists if_exists) {
   const Parameters& p = simulation_.parameters();
   const State& state = simulation_.state();
   const Checkpoint now = {p, state, run_until(provenance_, p, state.step), simulation_.run()};
-  announce(output_, path, write_checkpoint(path, now, output_.if_exists));
+  announce(output_, path, write_checkpoint(path, now, if_exists));
   saved_ = path;
 }
 
 void check_run_outputs(const std::vector<std::int64_t>& steps, const RunFiles& files, double dt,
-                       IfExists if_exists, IfExists if_record_exists, const fs::path& input) {
-  std::vector<fs::path> outputs = {files.output};
+                       IfExists if_output_exists, const IfCheckpointExists& if_exists,
+                       IfExists if_record_exists, const fs::path& input) {
+  std::vector<fs::path> on_the_way;
   for (const std::int64_t step : steps) {
-    outputs.push_back(path_at(files.output, static_cast<double>(step) * dt));
+    on_the_way.push_back(path_at(files.output, static_cast<double>(step) * dt));
   }
-  std::vector<fs::path> all = outputs;
+  std::vector<fs::path> all = on_the_way;
+  all.push_back(files.output);
   if (files.record) all.push_back(*files.record);
   check_distinct(all, input);
-  for (const fs::path& path : outputs) check_output(path, if_exists);
+  check_output(files.output, if_output_exists);
+  for (const fs::path& path : on_the_way) check_output(path, if_exists(path));
   if (files.record) check_output(*files.record, if_record_exists);
+}
+
+/// The command that goes on with the run. What follows " -- " are files.
+std::string resuming_command(const Checkpoint& start, bool resume) {
+  std::string command = start.provenance.back().command_line;
+  if (!resume) command.insert(std::min(command.find(" -- "), command.size()), " --resume");
+  return command;
 }
 
 void say_where_it_begins(const Resumption& begin) {
   if (begin.file.empty()) {
-    say("nothing to resume: no checkpoint of this run was found\n");
+    say("nothing to resume from: the run begins anew\n");
   } else {
     say("resuming from {}\n", begin.file.string());
   }
@@ -211,34 +220,39 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
               const OutputOptions& output, const fs::path& input) {
   const Parameters p = start.parameters;
   const bool talk = output.verbosity == Verbosity::normal;
-  const std::string command =
-      start.provenance.back().command_line + (options.resume ? "" : " --resume");
+  const std::string command = resuming_command(start, options.resume);
   const RunFiles files = {output.output, options.record,
                           options.record ? sampling_steps(p, options) : 1};
   auto steps = checkpoint_steps(p, start.state.step, rule.last_step, options);
   start.run = {.first_step = start.state.step, .last_break = start.state.step};
-  if (options.resume && is_complete(start, rule, files)) {
+  if (options.resume && is_complete(start, files)) {
     restore_sum(files.output);
     if (talk) say("{} is complete\n", output.output.string());
     return;
   }
-  const Resumption begin = beginning(std::move(start), files, options.resume);
+  const auto if_exists = [&](const fs::path& path) {
+    return options.resume && may_write(path, start) ? IfExists::replace : output.if_exists;
+  };
+  const Resumption begin = beginning(start, rule, files, options.resume);
   if (options.resume && talk) say_where_it_begins(begin);
   if (!begin.file.empty()) {  // what lies before was written already
     std::erase_if(steps, [&](std::int64_t step) { return step <= begin.checkpoint.state.step; });
   }
   const IfExists if_record_exists = options.resume ? IfExists::replace : output.if_exists;
-  check_run_outputs(steps, files, p.dt, output.if_exists, if_record_exists, input);
+  check_run_outputs(steps, files, p.dt, output.if_exists, if_exists, if_record_exists, input);
 
   const InterruptionNoted noted;
   rule.interrupted = [] { return InterruptionNoted::signal() != 0; };
-  Run run(begin, rule.last_step, files, if_record_exists, options.threads, output);
+  Run run(begin, rule.last_step, files, if_exists, if_record_exists, options.threads, output);
   if (run.go(rule, steps, options.on_alarm) == Ending::interrupted) {
-    run.save_on_the_way();
+    if (run.has_moved()) run.save_on_the_way();
     throw Interrupted{InterruptionNoted::signal(),
                       fmt::format("interrupted, and saved; to go on: {}", command)};
   }
   run.finish();
+  if (const int signal = InterruptionNoted::signal()) {
+    throw Interrupted{signal, "interrupted when everything was done and written"};
+  }
 }
 
 }  // namespace rupture::tools

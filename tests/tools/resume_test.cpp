@@ -100,8 +100,8 @@ TEST_F(Resume, PassesOverADamagedCheckpointAndSaysSo) {
   const std::string whole = read("x.h5.sum");
   interrupt_after(3);
   write("x-t0.000300000.h5", read("x-t0.000300000.h5").substr(0, 5000));
-  const Outcome outcome = run(std::string(kRun) + " --resume --force");
-  EXPECT_EQ(outcome.exit_code, kDone);
+  const Outcome outcome = run(std::string(kRun) + " --resume");
+  EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
   EXPECT_NE(outcome.err.find("not used to resume: x-t0.000300000.h5 is truncated"),
             std::string::npos);
   EXPECT_NE(outcome.out.find("resuming from x-t0.000200000.h5"), std::string::npos);
@@ -115,24 +115,70 @@ TEST_F(Resume, GoesBackToWhereTheRecordReaches) {
   const std::string shorter =
       "load --config small.ini -o y.h5 --until 2.5e-4 --record r.h5 --record-every 3e-5 --force";
   output_of(shorter);
-  EXPECT_NE(said(std::string(kRun) + " --force").find("resuming from x-t0.000200000"),
+  const Outcome outcome = run(std::string(kRun) + " --resume");
+  EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("resuming from x-t0.000200000"), std::string::npos);
+  EXPECT_NE(outcome.err.find("x-t0.000400000.h5, which the record does not reach"),
             std::string::npos);
   EXPECT_EQ(read("r.h5.sum"), whole);
 }
 
-TEST_F(Resume, BeginsAnewIfTheRecordWasMadeWithAnotherInterval) {
+TEST_F(Resume, RefusesTheRecordOfAnotherIntervalRunOrEnd) {
+  const std::string sentence =
+      " is not what the run to be resumed has recorded, but the record of another run, interval or "
+      "end; move it away or give another --record";
   output_of(kRun);
   interrupt_after(3);
-  const std::string finer =
-      "load --config small.ini -o x.h5 --until 6e-4 --record r.h5 --record-every 1e-5";
-  EXPECT_NE(said(finer).find("nothing to resume"), std::string::npos);
+  const std::string load = "load --config small.ini -o x.h5 --resume --record r.h5 ";
+  expect_refusal(load + "--until 6e-4 --record-every 4e-5", kFailed, "r.h5" + sentence);
+  expect_refusal(load + "--until 3e-4 --record-every 3e-5", kFailed, "r.h5" + sentence);
+  expect_refusal(load + "--until 6e-4 --record-every 3e-5 --seed 7", kFailed, "r.h5" + sentence);
 }
 
-TEST_F(Resume, RefusesTheRecordOfAnotherRun) {
-  output_of("load --config small.ini -o other.h5 --until 1e-4 --seed 7 --record r.h5");
-  expect_refusal(std::string(kRun) + " --resume", kFailed,
-                 "r.h5 is the record of another run, not of the one to be resumed; move it away or "
-                 "give another --record");
+TEST_F(Resume, NeverReplacesWhatIsNoRecord) {
+  write("notes.txt", "precious");
+  expect_refusal_with("load --config small.ini -o x.h5 --resume --record notes.txt", kFailed,
+                      "notes.txt is not a rupture file");
+}
+
+TEST_F(Resume, GoesNotBeyondTheEndThatIsAskedFor) {
+  output_of("load --config small.ini -o short.h5 --until 2.5e-4");
+  const std::string all = "load --config small.ini -o x.h5 --checkpoint-every 1e-4 --until ";
+  output_of(all + "6e-4");
+  expect_refusal(all + "2.5e-4 --resume", kFailed, "x.h5 exists; give --force to replace it");
+  forget("x.h5");
+  EXPECT_NE(said(all + "2.5e-4").find("resuming from x-t0.000200000.h5"), std::string::npos);
+  EXPECT_EQ(checksum_of("x.h5"), checksum_of("short.h5"));
+}
+
+TEST_F(Resume, UsesNoCheckpointBehindTheEndOfAQuietRun) {
+  output_of("load --config small.ini -o begin.h5 --until 1e-4");
+  const std::string run = "restart begin.h5 -o x.h5 --checkpoint-every 1e-4 --set driving.V=0";
+  output_of(run + " --until-quiet 1e-4 --force");
+  const std::string whole = read("x.h5.sum");
+  output_of(run + " --until 8e-4 --force");
+  expect_refusal(run + " --until-quiet 1e-4 --resume", kFailed,
+                 "x.h5 exists; give --force to replace it");
+  forget("x.h5");
+  said(run + " --until-quiet 1e-4");
+  EXPECT_EQ(read("x.h5.sum"), whole);
+}
+
+TEST_F(Resume, UsesNoCheckpointThatFollowsAModifiedOne) {
+  output_of("load --config small.ini -o begin.h5");
+  output_of("modify-phi begin.h5 -o changed.h5 --shape bell");
+  output_of("restart changed.h5 -o x.h5 --until 6e-4 --checkpoint-at 3e-4");
+  const std::string load = "load --config small.ini -o x.h5 --until 6e-4 --resume";
+  expect_refusal(load, kFailed, "x.h5 exists; give --force to replace it");
+  forget("x.h5");
+  EXPECT_NE(output_of(load).find("nothing to resume"), std::string::npos);
+}
+
+TEST_F(Resume, FindsCheckpointsOfAnOutputWithoutExtension) {
+  const std::string load = "load --config small.ini -o x --until 6e-4 --checkpoint-at 3e-4";
+  output_of(load);
+  forget("x");
+  EXPECT_NE(said(load).find("resuming from x-t0.000300000"), std::string::npos);
 }
 
 }  // namespace

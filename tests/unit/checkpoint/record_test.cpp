@@ -236,6 +236,23 @@ TEST_F(RecordFile, does_not_overwrite_a_file_that_appeared_meanwhile) {
   expect_samples(read_record(file("r.h5.part")), 3);
 }
 
+TEST_F(RecordFile, has_one_writer_at_a_time) {
+  auto out = writer("r.h5", 4);
+  append(out, 0, 4);
+  expect_contains(failure_of([&] { writer("r.h5", 4, IfExists::replace); }),
+                  "another run is writing " + file("r.h5.part").string());
+  expect_samples(read_record(file("r.h5.part")), 4);
+}
+
+TEST_F(RecordFile, whose_steps_do_not_ascend_is_refused) {
+  auto out = writer("r.h5");
+  append(out, 0, 4);
+  append(out, 2, 4);
+  out.finish();
+  expect_contains(failure_of([&] { read_record(file("r.h5")); }),
+                  "/series/step holds 300 and then 200; expected ascending steps");
+}
+
 TEST_F(RecordFile, refuses_nan_at_the_next_flush) {
   auto out = writer("r.h5", 4);
   append(out, 0, 3);
