@@ -15,6 +15,7 @@ std::vector<ManifestLine> read_manifest(const std::filesystem::path& path) {
   std::vector<ManifestLine> lines;
   std::string text;
   while (std::getline(file, text)) {
+    if (text.ends_with('\r')) text.pop_back();
     std::istringstream words(text);
     ManifestLine line;
     std::string name;

@@ -115,8 +115,7 @@ bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
 Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
                  std::int64_t every) {
   if (!fs::exists(path)) return {};
-  ContentFile file = read_file(path);
-  const Record record = record_from(file);
+  const Record record = read_record(path);
   if (parameters_content(record.parameters) != parameters_content(start.parameters) ||
       !is_chain_of(record.provenance, start.provenance) ||
       !samples_of_run(record.step, start.state.step, every) ||
@@ -126,7 +125,7 @@ Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& 
                     "run, interval or end; move it away or give another --record",
                     path.string()));
   }
-  return std::move(file.content);
+  return read_content(path);
 }
 
 /// The same of the .part, or else of the record; both must be of the run.
