@@ -185,14 +185,14 @@ std::optional<Resumption> find_resumption(const Checkpoint& start, const StopRul
   return std::nullopt;
 }
 
-bool is_complete(const Checkpoint& start, const RunFiles& files) {
+bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
   if (!fs::exists(files.output)) return false;
   const auto end = read_if_intact([&] { return read_checkpoint(files.output); });
   if (!end || !is_of_run(*end, start)) return false;
-  if (first_command(end->provenance.back().command_line) !=
-      first_command(start.provenance.back().command_line)) {
-    return false;
-  }
+  const bool same_command = first_command(end->provenance.back().command_line) ==
+                            first_command(start.provenance.back().command_line);
+  const bool at_last_step = !rule.quiet_steps && end->state.step == rule.last_step;
+  if (!same_command && !at_last_step) return false;
   if (!files.record) return true;
   const StopRule until_then = {.last_step = end->state.step, .quiet_steps = {}};
   return last_sample(recorded(*files.record, start, until_then, files.record_every)) ==

@@ -36,8 +36,9 @@ struct Resumption {
 std::optional<Resumption> find_resumption(const Checkpoint& start, const StopRule& rule,
                                           const RunFiles& files);
 
-/// True if the very same command has completed the run already, and everything is still there.
-bool is_complete(const Checkpoint& start, const RunFiles& files);
+/// True if the run has been completed already, and everything is still there. Of a run until
+/// quiet that is only known if the command was the very same.
+bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files);
 
 /// True if `path`, a checkpoint on the way, may be written by the run that begins with `start` when
 /// it is resumed: there is nothing, or a checkpoint of this run, or a damaged one.

@@ -225,7 +225,7 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
                           options.record ? sampling_steps(p, options) : 1};
   auto steps = checkpoint_steps(p, start.state.step, rule.last_step, options);
   start.run = {.first_step = start.state.step, .last_break = start.state.step};
-  if (options.resume && is_complete(start, files)) {
+  if (options.resume && is_complete(start, rule, files)) {
     restore_sum(files.output);
     if (talk) say("{} is complete\n", output.output.string());
     return;

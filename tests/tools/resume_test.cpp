@@ -50,6 +50,7 @@ TEST_F(Resume, OfACompleteRunDoesNothing) {
   output_of(kRun);
   const Files before = files();
   EXPECT_EQ(said(kRun), "x.h5 is complete\n");
+  EXPECT_EQ(said(std::string(kRun) + " --threads 2"), "x.h5 is complete\n");
   EXPECT_TRUE(files() == before);
 }
 
