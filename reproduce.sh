@@ -22,6 +22,7 @@ Commands
   report                    write results/index.html: all figures and claims on one page
   test                      build and run the tests
   check                     look for faults in the sources and in their layout
+  tidy                      look for more of them, with clang-tidy (some minutes)
   list                      list the figures and other recipes
   clean                     delete build/ and results/ (never checkpoints/)
 
@@ -54,7 +55,8 @@ print_list() {
     printf '  %-10s %s\n' "$name" "$(title_of "$name")"
   done
   printf '  %-10s %s\n' all 'everything above' report 'the page of all figures and claims' \
-    test 'the tests' check 'faults and layout of the sources' list 'this list' clean 'delete build/ and results/'
+    test 'the tests' check 'faults and layout of the sources' \
+    tidy 'more faults' list 'this list' clean 'delete build/ and results/'
 }
 
 # --- how it speaks -------------------------------------------------------------------------
@@ -115,7 +117,7 @@ check_commands() {
   fi
   for name in "${command_names[@]}"; do
     is_recipe "$name" && continue
-    [[ $name =~ ^(all|report|test|check|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
+    [[ $name =~ ^(all|report|test|check|tidy|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
     ((${#command_names[@]} == 1)) || usage_error "'$name' cannot be combined with other commands."
   done
 }
@@ -293,6 +295,7 @@ check_with_cppcheck() {
 
 # Of its error stream, the counts of what it found in the headers of libraries are left out.
 check_with_clang_tidy() {
+  ensure_packages run check
   quietly configure-check "Configuring" cmake --preset check
   find src -name '*.cpp' -print0 |
     xargs -0 -P "$cores" -n 1 clang-tidy -p build/check --quiet 2> >(grep -v ' warnings\? ' >&2)
@@ -304,8 +307,12 @@ check_sources() {
   shellcheck reproduce.sh .ci/run src/tools/rupture-golden tests/*/*.sh tests/regression/project/*.sh ||
     die "shellcheck found the faults above."
   check_with_cppcheck || die "cppcheck found the faults above (.cppcheck has what it may not say)."
-  check_with_clang_tidy || die "clang-tidy found the faults above (.clang-tidy has what it may not say)."
   echo "The sources are laid out as they should be, and no fault was found in them."
+}
+
+tidy_sources() {
+  check_with_clang_tidy || die "clang-tidy found the faults above (.clang-tidy has what it may not say)."
+  echo "clang-tidy found no fault in the sources."
 }
 
 clean() {
@@ -331,6 +338,7 @@ main() {
     report) take_turn && report ;;
     test) take_turn && run_tests ;;
     check) take_turn && check_sources ;;
+    tidy) take_turn && tidy_sources ;;
     clean) take_turn && clean ;;
     all)
       take_turn

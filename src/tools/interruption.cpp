@@ -9,9 +9,10 @@ namespace {
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
-// NOLINTNEXTLINE(*-avoid-non-const-global-variables): nothing else can a signal handler write
+// NOLINTBEGIN(*-avoid-non-const-global-variables): nothing else can a signal handler write
 volatile std::sig_atomic_t noted = 0;
 volatile double noted_at = 0.0;  // [s]
+// NOLINTEND(*-avoid-non-const-global-variables)
 
 extern "C" void note(int signal) {
   timespec now{};
