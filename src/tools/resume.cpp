@@ -120,10 +120,10 @@ Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& 
       !is_chain_of(record.provenance, start.provenance) ||
       !samples_of_run(record.step, start.state.step, every) ||
       (!record.step.empty() && record.step.back() > rule.last_step)) {
-    throw Failure(
-        fmt::format("{} is not what the run to be resumed has recorded, but the record of another "
-                    "run, interval or end; move it away or give another --record",
-                    path.string()));
+    throw Failure(fmt::format(
+        "{} is not what the run to be resumed has recorded, but the record of another "
+        "run, interval or end; move it away, give another --record, or --force to replace it",
+        path.string()));
   }
   return read_content(path);
 }
@@ -131,8 +131,13 @@ Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& 
 /// The same of the .part, or else of the record; both must be of the run.
 Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
   if (!files.record) return {};
-  Content finished = recorded(*files.record, start, rule, files.record_every);
-  Content part = recorded(part_path(*files.record), start, rule, files.record_every);
+  const auto held_by = [&](const fs::path& path) {
+    const auto read = [&] { return recorded(path, start, rule, files.record_every); };
+    if (files.if_exists == IfExists::refuse) return read();
+    return read_if_intact(read).value_or(Content{});
+  };
+  Content finished = held_by(*files.record);
+  Content part = held_by(part_path(*files.record));
   return part.empty() ? std::move(finished) : std::move(part);
 }
 

@@ -222,7 +222,7 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
   const bool talk = output.verbosity == Verbosity::normal;
   const std::string command = resuming_command(start, options.resume);
   const RunFiles files = {output.output, options.record,
-                          options.record ? sampling_steps(p, options) : 1};
+                          options.record ? sampling_steps(p, options) : 1, output.if_exists};
   auto steps = checkpoint_steps(p, start.state.step, rule.last_step, options);
   start.run = {.first_step = start.state.step, .last_break = start.state.step};
   if (options.resume && is_complete(start, rule, files)) {
@@ -247,7 +247,8 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
   if (run.go(rule, steps, options.on_alarm) == Ending::interrupted) {
     if (run.has_moved()) run.save_on_the_way();
     throw Interrupted{InterruptionNoted::signal(),
-                      fmt::format("interrupted, and saved; to go on: {}", command)};
+                      fmt::format("interrupted{}; to go on: {}",
+                                  run.has_moved() ? ", and saved" : " at its first step", command)};
   }
   run.finish();
   if (const int signal = InterruptionNoted::signal()) {

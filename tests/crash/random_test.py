@@ -109,10 +109,11 @@ class Random(unittest.TestCase):
                 code, words = self.interrupt(folder, LOAD, number, moments)
                 self.assertIn(code, (0, -number), words)
                 told = re.fullmatch(r"load: [^\n]+ to go on: \S+/(load [^\n]+)\n", words)
-                if code != 0 and words:
+                if code != 0 and words and "everything was done" not in words:
                     self.assertTrue(told, words)
-                    self.assertIsNotNone(newest_checkpoint(folder.files()))
-                    saved += 1
+                    if "at its first step" not in words:
+                        self.assertIsNotNone(newest_checkpoint(folder.files()))
+                        saved += 1
                 folder.must_run(told[1] if told else RESUME)
                 self.check_end(folder)
         self.assertGreater(saved, 0, "every run was over before its signal")

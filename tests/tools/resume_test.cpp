@@ -127,13 +127,15 @@ TEST_F(Resume, GoesBackToWhereTheRecordReaches) {
 TEST_F(Resume, RefusesTheRecordOfAnotherIntervalRunOrEnd) {
   const std::string sentence =
       " is not what the run to be resumed has recorded, but the record of another run, interval or "
-      "end; move it away or give another --record";
+      "end; move it away, give another --record, or --force to replace it";
   output_of(kRun);
   interrupt_after(3);
   const std::string load = "load --config small.ini -o x.h5 --resume --record r.h5 ";
   expect_refusal(load + "--until 6e-4 --record-every 4e-5", kFailed, "r.h5" + sentence);
   expect_refusal(load + "--until 3e-4 --record-every 3e-5", kFailed, "r.h5" + sentence);
-  expect_refusal(load + "--until 6e-4 --record-every 3e-5 --seed 7", kFailed, "r.h5" + sentence);
+  const std::string other = load + "--until 6e-4 --record-every 3e-5 --seed 7";
+  expect_refusal(other, kFailed, "r.h5" + sentence);
+  EXPECT_EQ(run(other + " --force").exit_code, kDone);
 }
 
 TEST_F(Resume, NeverReplacesWhatIsNoRecord) {
