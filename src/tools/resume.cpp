@@ -132,9 +132,12 @@ Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& 
 Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
   if (!files.record) return {};
   const auto held_by = [&](const fs::path& path) {
-    const auto read = [&] { return recorded(path, start, rule, files.record_every); };
-    if (files.if_exists == IfExists::refuse) return read();
-    return read_if_intact(read).value_or(Content{});
+    try {
+      return recorded(path, start, rule, files.record_every);
+    } catch (const Failure&) {
+      if (files.if_exists == IfExists::refuse) throw;
+      return Content{};  // and it will be replaced
+    }
   };
   Content finished = held_by(*files.record);
   Content part = held_by(part_path(*files.record));
