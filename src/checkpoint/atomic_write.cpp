@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -68,7 +69,20 @@ sigset_t file_size_signal() {
   return set;
 }
 
-}  // namespace
+// While it lives, writing past the file size limit (ulimit -f) fails with EFBIG in this thread
+// instead of killing the process.
+class FileSizeSignalBlocked {
+ public:
+  FileSizeSignalBlocked();
+  ~FileSizeSignalBlocked();
+  FileSizeSignalBlocked(const FileSizeSignalBlocked&) = delete;
+  FileSizeSignalBlocked& operator=(const FileSizeSignalBlocked&) = delete;
+  FileSizeSignalBlocked(FileSizeSignalBlocked&&) = delete;
+  FileSizeSignalBlocked& operator=(FileSizeSignalBlocked&&) = delete;
+
+ private:
+  sigset_t before_{};
+};
 
 FileSizeSignalBlocked::FileSizeSignalBlocked() {
   const sigset_t set = file_size_signal();
@@ -83,6 +97,8 @@ FileSizeSignalBlocked::~FileSizeSignalBlocked() {
   }
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
+
+}  // namespace
 
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");

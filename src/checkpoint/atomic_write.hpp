@@ -1,27 +1,11 @@
 // Files that appear complete or not at all, and files that only grow.
 #pragma once
 
-#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <span>
 
 namespace rupture {
-
-/// While it lives, writing past the file size limit (ulimit -f) fails with EFBIG in this thread
-/// instead of killing the process.
-class FileSizeSignalBlocked {
- public:
-  FileSizeSignalBlocked();
-  ~FileSizeSignalBlocked();
-  FileSizeSignalBlocked(const FileSizeSignalBlocked&) = delete;
-  FileSizeSignalBlocked& operator=(const FileSizeSignalBlocked&) = delete;
-  FileSizeSignalBlocked(FileSizeSignalBlocked&&) = delete;
-  FileSizeSignalBlocked& operator=(FileSizeSignalBlocked&&) = delete;
-
- private:
-  sigset_t before_{};
-};
 
 /// Folder of a path, "." for a bare file name.
 std::filesystem::path folder_of(const std::filesystem::path& path);

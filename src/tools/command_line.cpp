@@ -96,13 +96,6 @@ int body_or_help(const std::function<int()>& body) {
   }
 }
 
-// What a file or its name says may hold anything, also what a terminal obeys.
-std::string in_one_line(std::string message) {
-  const auto control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
-  std::replace_if(message.begin(), message.end(), control, '?');
-  return message;
-}
-
 int complain(const std::string& name, const std::string& message, ExitCode code) {
   std::fflush(stdout);
   fmt::print(stderr, "{}: {}\n", name, in_one_line(message));

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "rupture/model/error.hpp"
+#include "text.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -28,13 +29,6 @@ std::string short_checksum(const std::string& checksum) {
   return checksum.empty() ? std::string("(unfinished)") : checksum.substr(0, digits);
 }
 
-/// Text that cannot leave its line, whatever a file says.
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  return text;
-}
-
 /// Whether running the text can do no more than run one of rupture's tools: our commands hold
 /// names, numbers and words, nothing that a shell would interpret.
 bool is_our_command(const std::string& text) {
@@ -46,7 +40,7 @@ bool is_our_command(const std::string& text) {
 }
 
 std::string build_text(const ProvenanceEntry& entry) {
-  return one_line(fmt::format("rupture {}, commit {}", entry.version, entry.commit));
+  return in_one_line(fmt::format("rupture {}, commit {}", entry.version, entry.commit));
 }
 
 /// The step that started from this file; the last of them, for the shortest way.
@@ -64,7 +58,7 @@ std::size_t step_from(const Lineage& lineage, const Start& start) {
   const std::string text = fmt::format(
       "{}: step {} ({}) has no command, because it was taken by a build with files of schema "
       "version 1",
-      lineage.name, step, one_line(lineage.chain[step].tool));
+      lineage.name, step, in_one_line(lineage.chain[step].tool));
   if (step + 1 == lineage.chain.size()) {
     throw Failure(text + "; analyze show prints what was typed");
   }
@@ -79,7 +73,7 @@ void check_steps(const Lineage& lineage, std::size_t first) {
     if (command.empty()) fail_at_unknown(lineage, i);
     if (is_our_command(command)) continue;
     throw Failure(fmt::format("{}: step {} is no command of rupture and will not be run: {}",
-                              lineage.name, i, one_line(command)));
+                              lineage.name, i, in_one_line(command)));
   }
 }
 
@@ -108,7 +102,7 @@ std::string lineage_text(const Lineage& lineage) {
     const std::string command =
         entry.rebuild.empty() ? "(as typed) " + entry.command_line : entry.rebuild;
     text += fmt::format("{} {}  {}: {}\n", i, short_checksum(lineage.checksum_after(i)),
-                        build_text(entry), one_line(command));
+                        build_text(entry), in_one_line(command));
   }
   return text;
 }
@@ -150,8 +144,8 @@ std::string rebuild_script(const Lineage& lineage, const std::string& output,
     if (last && lineage.kind == FileKind::record) files = {"-o", checkpoint, "--record", output};
     if (!input.empty()) files.insert(files.begin(), input);
     input = files.back();
-    script += fmt::format("\n# {}, {}: {}\n", build_text(entry), one_line(entry.compiler),
-                          one_line(entry.command_line));
+    script += fmt::format("\n# {}, {}: {}\n", build_text(entry), in_one_line(entry.compiler),
+                          in_one_line(entry.command_line));
     script += fmt::format("{} {}\n", entry.rebuild, shell_line(files));
     script += fmt::format("check {}\n", shell_line({input, lineage.checksum_after(i)}));
   }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "rupture/model/nearest.hpp"
@@ -32,6 +33,12 @@ std::string unknown_option_text(const std::string& option,
   }
   return fmt::format("unknown option '{}': did you mean '{}'? See {} --help", option,
                      nearest(option, {names.begin(), names.end()}), tool);
+}
+
+std::string in_one_line(std::string message) {
+  const auto control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  std::replace_if(message.begin(), message.end(), control, '?');
+  return message;
 }
 
 }  // namespace rupture::tools

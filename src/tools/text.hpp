@@ -25,4 +25,8 @@ std::string unknown_option_text(const std::string& option,
                                 const boost::program_options::options_description& known,
                                 const std::string& tool);
 
+/// The text with its control characters as question marks: what a file or its name says may hold
+/// anything, also what a terminal or a shell obeys.
+std::string in_one_line(std::string text);
+
 }  // namespace rupture::tools
