@@ -5,12 +5,14 @@ set -euo pipefail
 
 script=$(readlink -f "${BASH_SOURCE[0]}")
 root=$(dirname "$script")
-readonly script root
+readonly script root caller=$PWD
 readonly logs=build/log
 
 command_names=()
 cores=
 from_scratch=0
+profile=
+programs=
 
 print_help() {
   cat <<'EOF'
@@ -29,7 +31,10 @@ Commands
 Options
   --from-scratch            compute the checkpoints that the figures start from, too,
                             instead of using those in checkpoints/
-  --cores N                 use N cores (default: all)
+  --profile NAME            where commands run: local (the default), slurm, or another folder of
+                            recipes/profiles/, or the path of one (docs/cluster.md)
+  --programs FOLDER         use the programs there instead of building them
+  --cores N                 use N cores of this machine (default: all)
   -h, --help                print this text
 EOF
 }
@@ -72,6 +77,11 @@ usage_error() {
   exit 2
 }
 
+option_error() {
+  printf 'reproduce.sh: %s See --help.\n' "$1" >&2
+  exit 2
+}
+
 # Runs a command with its output in a log file, and shows the end of it only if the command fails.
 quietly() {
   local log=$logs/$1.log what=$2
@@ -89,8 +99,22 @@ duration() {
 # --- the command line ----------------------------------------------------------------------
 
 set_cores() {
-  [[ $1 =~ ^[1-9][0-9]{0,3}$ ]] || usage_error "--cores needs a whole number from 1, not '$1'."
+  [[ $1 =~ ^[1-9][0-9]{0,3}$ ]] || option_error "--cores needs a whole number from 1, not '$1'."
   cores=$1
+}
+
+# A path as the caller meant it; everything here happens in the project's folder.
+of_caller() { if [[ $1 == /* ]]; then echo "$1"; else echo "$caller/$1"; fi; }
+
+set_profile() {
+  profile=$1
+  if [[ $1 == */* ]]; then profile=$(of_caller "$1"); else profile=$root/recipes/profiles/$1; fi
+  [[ -n $1 && -e $profile/config.yaml ]] || option_error "--profile '$1' is none: $profile/config.yaml does not exist."
+}
+
+set_programs() {
+  programs=$(of_caller "$1")
+  [[ -n $1 && -x $programs/load ]] || option_error "--programs '$1' is no folder with rupture's programs: $programs/load does not exist."
 }
 
 parse() {
@@ -98,14 +122,19 @@ parse() {
     case $1 in
       -h | --help) print_help && exit 0 ;;
       --from-scratch) from_scratch=1 ;;
+      --profile=*) set_profile "${1#*=}" ;;
+      --profile) set_profile "${2-}" && shift ;;
+      --programs=*) set_programs "${1#*=}" ;;
+      --programs) set_programs "${2-}" && shift ;;
       --cores=*) set_cores "${1#*=}" ;;
       --cores) set_cores "${2-}" && shift ;;
-      -*) usage_error "there is no option '$1' (see --help)." ;;
+      -*) option_error "there is no option '$1'." ;;
       *) command_names+=("$1") ;;
     esac
     shift
   done
   [[ -n $cores ]] || cores=$(getconf _NPROCESSORS_ONLN)
+  [[ -n $profile ]] || set_profile local
 }
 
 # One command, or several figures.
@@ -191,11 +220,15 @@ clean_environment() {
 
 # A stale lock of Snakemake's own must not stop the next run: take_turn has locked the folder.
 recipes() {
-  local snakemake
+  local snakemake where
   snakemake=$(debian_or_path snakemake) || die "Snakemake 7 is needed; Debian's package is enough."
-  "$snakemake" "$@" --snakefile "$root/recipes/Snakefile" --directory "$root" \
-    --profile recipes/profiles/local --nolock --cores "$cores" \
-    --config from_scratch="$from_scratch"
+  if [[ -e $profile/srun.ini ]]; then
+    where=(--config srun="$profile/srun.ini")
+  else
+    where=(--cores "$cores" --config)
+  fi
+  "$snakemake" "$@" --snakefile "$root/recipes/Snakefile" --directory "$root" --profile "$profile" \
+    --nolock "${where[@]}" from_scratch="$from_scratch" ${programs:+bin="$programs"}
 }
 
 # Rules *_start, where they exist, make what decides about later steps: checkpoints that a figure
@@ -242,11 +275,19 @@ show() {
   done
 }
 
+where_it_runs() {
+  if [[ -e $profile/srun.ini ]]; then
+    echo "on the cluster (jobs' logs: $root/results/log/slurm)"
+  else
+    echo "with $cores cores"
+  fi
+}
+
 reproduce() {
   ensure_packages run
-  build tools
+  [[ -n $programs ]] || build tools
   clean_environment
-  echo "Computing $* with $cores cores ..."
+  echo "Computing $* $(where_it_runs) ..."
   local started=$EPOCHSECONDS
   compute "$@" || die "$* could not be completed; the message above says why (log: $logs/recipes.log)."
   note_run "$started" "$@"

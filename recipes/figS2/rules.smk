@@ -25,6 +25,8 @@ rule figS2_load:
         last=f"{DATA}/figS2/load.h5",
         last_sum=f"{DATA}/figS2/load.h5.sum",
     priority: 90  # long: first
+    resources:
+        runtime=30,  # [min]
     params:
         code=CODE,
     log:

@@ -21,6 +21,8 @@ rule robustness_exponential:
         record=f"{DATA}/robustness/exponential-record.h5",
         record_sum=f"{DATA}/robustness/exponential-record.h5.sum",
     priority: 90  # long: first
+    resources:
+        runtime=30,  # [min]
     params:
         code=CODE,
     log:

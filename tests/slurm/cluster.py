@@ -1,0 +1,184 @@
+"""A SLURM cluster of one node, this machine, without systemd and apart from any that is installed.
+
+As a program it starts one, runs a command in it and stops it again:
+
+    cluster.py ./reproduce.sh fig3 --profile slurm
+"""
+
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+PROGRAMS = ("munged", "slurmctld", "slurmd", "srun", "scancel", "sinfo", "squeue", "sacct")
+START_WITHIN = 60  # [s]
+
+CONFIGURATION = """\
+ClusterName=rupture
+SlurmctldHost={host}(127.0.0.1)
+SlurmUser={user}
+SlurmdUser={user}
+AuthType=auth/munge
+AuthInfo=socket={folder}/munge/socket
+CredType=cred/munge
+SlurmctldPort={ports[0]}
+SlurmdPort={ports[1]}
+StateSaveLocation={folder}/state
+SlurmdSpoolDir={folder}/spool
+SlurmctldPidFile={folder}/slurmctld.pid
+SlurmdPidFile={folder}/slurmd.pid
+SlurmctldLogFile={folder}/slurmctld.log
+SlurmdLogFile={folder}/slurmd.log
+JobCompType=jobcomp/filetxt
+JobCompLoc={folder}/jobs.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SchedulerParameters=sched_min_interval=100000,batch_sched_delay=0
+MinJobAge=86400
+ReturnToService=2
+SlurmdParameters=config_overrides
+NodeName={host} NodeAddr=127.0.0.1 CPUs={cores} RealMemory=16000 State=UNKNOWN
+PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+"""
+
+
+def missing_programs():
+    return [name for name in PROGRAMS if not shutil.which(name, path=search_path())]
+
+
+def search_path():
+    return os.pathsep.join([os.environ.get("PATH", os.defpath), "/usr/sbin", "/sbin"])
+
+
+def free_ports(count):
+    sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
+    ports = [each.getsockname()[1] for each in sockets]
+    for each in sockets:
+        each.close()
+    return ports
+
+
+class Cluster:
+    """Its daemons are this process's children, and end by their process ids."""
+
+    def __init__(self, folder, cores):
+        self.folder = Path(folder)
+        self.host = socket.gethostname().split(".")[0]
+        self.processes = {}
+        for name in ("munge", "state", "spool"):
+            (self.folder / name).mkdir(mode=0o700)
+        os.chmod(self.folder, 0o755)  # munged wants to trust every folder above its socket
+        os.chmod(self.folder / "munge", 0o755)
+        key = self.folder / "munge/key"
+        key.write_bytes(os.urandom(128))
+        key.chmod(0o600)
+        user = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True)
+        configuration = self.folder / "slurm.conf"
+        configuration.write_text(
+            CONFIGURATION.format(
+                host=self.host,
+                user=user.stdout.strip(),
+                folder=self.folder,
+                ports=free_ports(2),
+                cores=cores,
+            )
+        )
+        self.environment = os.environ | {
+            "SLURM_CONF": str(configuration),
+            "PATH": search_path(),
+        }
+
+    def start(self):
+        munge = self.folder / "munge"
+        self.launch(
+            "munged",
+            *("--foreground", "--force", f"--socket={munge}/socket", f"--key-file={munge}/key"),
+            *(f"--pid-file={munge}/pid", f"--log-file={munge}/log", f"--seed-file={munge}/seed"),
+        )
+        self.wait_for(lambda: (munge / "socket").exists(), "munged has made no socket")
+        self.launch("slurmctld", "-D")
+        self.launch("slurmd", "-D", "-N", self.host)
+        self.wait_for(self.is_idle, "the node has not become idle")
+
+    def launch(self, name, *arguments):
+        with open(self.folder / f"{name}.out", "ab") as output:
+            self.processes[name] = subprocess.Popen(
+                [name, *arguments],
+                env=self.environment,
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=output,
+                start_new_session=True,  # what ends the caller does not end it
+            )
+
+    def is_idle(self):
+        return self.run("sinfo", "--noheader", "--format=%t").strip() == "idle"
+
+    def wait_for(self, condition, complaint):
+        end = time.monotonic() + START_WITHIN
+        while not condition():
+            for name, process in self.processes.items():
+                if process.poll() is not None:
+                    raise RuntimeError(f"{name} ended with {process.returncode}: {self.logs()}")
+            if time.monotonic() > end:
+                raise RuntimeError(f"{complaint} within {START_WITHIN} s: {self.logs()}")
+            time.sleep(0.1)
+
+    def logs(self):
+        files = [*self.folder.glob("*.log"), *self.folder.glob("*.out")]
+        return "\n".join(path.read_text(errors="replace")[-2000:] for path in files)
+
+    def run(self, *command):
+        """Standard output of a command of SLURM's."""
+        done = subprocess.run(
+            command, env=self.environment, capture_output=True, text=True, check=False
+        )
+        return done.stdout
+
+    def kill(self, name):
+        """At once, as a power cut would."""
+        self.processes[name].kill()
+        self.processes.pop(name).wait()
+
+    def stop(self):
+        self.run("scancel", "--full", f"--user={os.getuid()}")
+        for name in ("slurmd", "slurmctld", "munged"):
+            process = self.processes.pop(name, None)
+            if process:
+                process.terminate()
+                try:
+                    process.wait(20)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.wait()
+
+    def __enter__(self):
+        try:
+            self.start()
+        except BaseException:
+            self.stop()
+            raise
+        return self
+
+    def __exit__(self, *_):
+        self.stop()
+
+
+def main(*command):
+    if missing_programs():
+        sys.exit(f"cluster.py: {', '.join(missing_programs())}: install slurm-wlm and munge")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    with tempfile.TemporaryDirectory(prefix="rupture-slurm-") as folder:
+        with Cluster(folder, os.cpu_count()) as cluster:
+            return subprocess.run(command, env=cluster.environment, check=False).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
