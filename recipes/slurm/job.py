@@ -1,0 +1,154 @@
+"""A SLURM job that runs some commands, one after the other."""
+
+import math
+import os
+import re
+import shlex
+import signal
+import subprocess
+import threading
+import time
+from dataclasses import dataclass, field, replace
+
+UNREACHABLE = re.compile(r"Unable to contact slurm controller|Socket timed out|Connection refused")
+RETRY_EVERY = 10.0  # [s]
+RETRY_FOR = 900.0  # [s]
+STRICT = "set -euo pipefail; "  # as Snakemake's own shell
+LAST_LINES = 5
+REASONS = [  # the most telling first
+    re.compile(pattern, re.M)
+    for pattern in (r"\*\*\* (.*?) \*\*\*", r"^srun: error: (.*)", r"^srun: (.*)")
+]
+
+
+@dataclass(frozen=True)
+class Needs:
+    """What a job is for and what it asks for. Equal needs may share a job."""
+
+    rule: str
+    threads: int
+    memory: int  # [MB]
+    time: int  # [min]
+
+
+@dataclass(eq=False)
+class Command:
+    text: str
+    needs: Needs
+    log: list  # files
+    attempts: int = 0
+    since: float = 0.0  # when it began to wait
+    ended: threading.Event = field(default_factory=threading.Event)
+    code: int = 1
+
+    def end(self, code):
+        self.code = code
+        self.ended.set()
+
+    def more(self):
+        """What it asks for when it is tried again: it may have had too little."""
+        ratio = (self.attempts + 1) / self.attempts
+        self.needs = replace(
+            self.needs,
+            memory=math.ceil(self.needs.memory * ratio),
+            time=math.ceil(self.needs.time * ratio),
+        )
+
+
+def script(commands):
+    """Runs the commands one after the other and reports `number code` after each. One that a signal
+    ended has no code of its own: then the job is being ended, or had too little memory."""
+    lines = ["exec 3>&1 >&2", 'echo "job $SLURM_JOB_ID on $(hostname)"']
+    for number, command in enumerate(commands):
+        lines += [
+            f"echo; echo {shlex.quote(command.text)}",
+            f"code=0; bash -c {shlex.quote(STRICT + command.text)} 3>&- || code=$?",
+            'echo "$(date +%T) ended with $code"; ((code <= 128)) || exit "$code"',
+            f'echo "{number} $code" >&3',
+        ]
+    return "\n".join([*lines, 'exit "$code"', ""])
+
+
+def srun(settings, name, needs, count):
+    return [
+        "srun",
+        f"--job-name={name}",
+        f"--comment={settings.label}",
+        "--nodes=1",
+        "--ntasks=1",
+        f"--cpus-per-task={needs.threads}",
+        f"--mem={needs.memory}",
+        f"--time={needs.time * count}",
+        "--input=none",
+        "--mpi=none",
+        "--exact",  # within an allocation: no more than this
+        "--quit-on-interrupt",
+        *settings.options,
+    ]
+
+
+class Job:
+    def __init__(self, settings, number, commands):
+        self.commands = commands
+        self.needs = commands[0].needs
+        self.name = f"{self.needs.rule}-{number:04d}"
+        self.log = settings.logs / f"{self.name}.log"
+        self.script = settings.logs / f"{self.name}.sh"
+        self.srun = [*srun(settings, self.name, self.needs, len(commands)), "bash", self.script]
+        self.code = None
+        self.process = None
+
+    def run(self):
+        """Returns when all its commands have ended, or it has itself."""
+        self.script.write_text(script(self.commands), encoding="utf-8")
+        self.note(shlex.join(map(str, self.srun)))
+        give_up = time.monotonic() + RETRY_FOR
+        self.attempt()
+        while self.is_unreachable() and time.monotonic() < give_up:
+            self.note(f"the controller cannot be reached; trying again in {RETRY_EVERY:.0f} s")
+            time.sleep(RETRY_EVERY)
+            self.attempt()
+
+    def attempt(self):
+        environment = os.environ | {"OMP_NUM_THREADS": str(self.needs.threads)}
+        with self.log.open("a", encoding="utf-8") as log, subprocess.Popen(
+            self.srun,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=log,
+            text=True,
+            env=environment,
+        ) as process:
+            self.process = process
+            for line in process.stdout:
+                number, code = map(int, line.split())
+                self.commands[number].end(code)
+        self.code = process.returncode
+        self.note(f"ended with {self.code}")
+
+    def interrupt(self):
+        if self.process:
+            self.process.send_signal(signal.SIGINT)
+
+    def left(self):
+        """The commands that have not ended."""
+        return [command for command in self.commands if not command.ended.is_set()]
+
+    def is_unreachable(self):
+        """True if the job was not even submitted."""
+        return len(self.left()) == len(self.commands) and UNREACHABLE.search(self.last_words())
+
+    def last_words(self):
+        return "\n".join(self.log.read_text(errors="replace").splitlines()[-LAST_LINES:])
+
+    def reason(self):
+        """What SLURM said, if anything."""
+        log = self.log.read_text(errors="replace")
+        for kind in REASONS:
+            if said := kind.findall(log):
+                return said[-1]
+        return f"srun ended with {self.code}"
+
+    def note(self, text):
+        with self.log.open("a", encoding="utf-8") as log:
+            print(time.strftime("%F %T"), text, file=log)

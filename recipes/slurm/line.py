@@ -1,0 +1,138 @@
+"""The commands that wait to become jobs, and the jobs that run."""
+
+import math
+import threading
+import time
+
+from slurm.job import Job
+from slurm.queue import cancel, end_leftovers, jobs_of
+
+GROUPED = {"point"}  # rules with many short commands
+GATHERING = 1.0  # [s] without a new command, after which a group is complete
+GATHERING_AT_MOST = 5.0  # [s]
+TEND_EVERY = 30.0  # [s]
+WAKE_EVERY = 0.5  # [s]
+ATTEMPTS = 3  # of a command whose job SLURM ends
+
+
+class Line:
+    """Commands that wait to become jobs."""
+
+    def __init__(self, settings):
+        self.settings = settings
+        self.groups = {}  # Needs: commands that wait
+        self.running = {}  # name: job
+        self.started = 0
+        self.closed = False
+        self.changed = threading.Condition()
+
+    def open(self):
+        self.settings.logs.mkdir(parents=True, exist_ok=True)
+        end_leftovers(self.settings.label)
+        for task in (self.serve, self.tend):
+            threading.Thread(target=task, daemon=True).start()
+
+    def run(self, command):
+        """The command's exit code, when it has ended."""
+        with self.changed:
+            self.add(command)
+        while not command.ended.wait(WAKE_EVERY):
+            if self.closed:
+                raise KeyboardInterrupt
+        return command.code
+
+    def add(self, command):
+        command.attempts += 1
+        command.since = time.monotonic()
+        self.groups.setdefault(command.needs, []).append(command)
+        self.changed.notify()
+
+    def close(self):
+        """Nothing is started any more, and what runs is ended."""
+        self.closed = True
+        for job in list(self.running.values()):
+            job.interrupt()
+
+    def serve(self):
+        while True:
+            with self.changed:
+                while not (commands := self.next_group()):
+                    self.changed.wait(GATHERING / 4 if self.groups else None)
+                self.started += 1
+                job = Job(self.settings, self.started, commands)
+                self.running[job.name] = job
+            threading.Thread(target=self.start, args=[job], daemon=True).start()
+
+    def start(self, job):
+        try:
+            job.run()
+        finally:
+            with self.changed:
+                del self.running[job.name]
+                self.settle(job)
+                self.changed.notify()
+
+    def tend(self):
+        """Ends jobs whose srun has ended while the controller could not be reached: they would keep
+        their cores until their time is up."""
+        before = set()
+        while True:
+            time.sleep(TEND_EVERY)
+            idle = {
+                n for n, name in jobs_of(self.settings.label).items() if name not in self.running
+            }
+            cancel(idle & before)
+            before = idle
+
+    def settle(self, job):
+        """What SLURM has ended is tried again."""
+        if self.closed:
+            return
+        left = job.left()
+        again = [command for command in left if command.attempts < ATTEMPTS]
+        if again:
+            print(
+                f"SLURM ended {job.name} ({job.reason()});"
+                f" {len(again)} of its {len(job.commands)} commands wait again",
+                flush=True,
+            )
+        for command in left:
+            if command in again:
+                command.more()
+                self.add(command)
+            else:
+                self.give_up(command, job)
+
+    def give_up(self, command, job):
+        """The rule's own log says why."""
+        for path in command.log:
+            with open(path, "a", encoding="utf-8") as log:
+                print(f"SLURM ended the job ({job.log}):\n{job.last_words()}", file=log)
+        command.end(1)
+
+    def next_group(self):
+        """Takes the commands of the next job out of the line, if there may be one now."""
+        free = self.settings.jobs - len(self.running)
+        for needs, waiting in self.groups.items():
+            if free > 0 and not self.closed and self.is_gathered(needs, waiting):
+                size = self.group_size(needs, len(waiting), free)
+                group, self.groups[needs] = waiting[:size], waiting[size:]
+                if not self.groups[needs]:
+                    del self.groups[needs]
+                return group
+        return []
+
+    def is_gathered(self, needs, waiting):
+        now = time.monotonic()
+        return (
+            needs.rule not in GROUPED
+            or now - waiting[-1].since > GATHERING
+            or now - waiting[0].since > GATHERING_AT_MOST
+        )
+
+    def group_size(self, needs, waiting, free):
+        """Commands are shared out among all jobs that may still start."""
+        if needs.rule not in GROUPED:
+            return 1
+        longest = max(1, self.settings.group_time // needs.time)
+        return min(math.ceil(waiting / free), self.settings.group, longest)
