@@ -5,12 +5,14 @@ set -euo pipefail
 
 script=$(readlink -f "${BASH_SOURCE[0]}")
 root=$(dirname "$script")
-readonly script root
+readonly script root caller=$PWD
 readonly logs=build/log
 
 command_names=()
 cores=
 from_scratch=0
+dry_run=0
+plan=
 
 print_help() {
   cat <<'EOF'
@@ -19,6 +21,8 @@ Usage: ./reproduce.sh COMMAND [OPTION]...
 Commands
   fig3 (or another figure)  install what is missing, build, compute, draw, print the claims
   all                       the same for everything, and the report
+  sweep FILE.ini            run the model for all values that the file lists, and write a table and
+                            a picture (docs/sweeps.md)
   report                    write results/index.html: all figures and claims on one page
   test                      build and run the tests
   check                     look for faults in the sources and in their layout
@@ -29,6 +33,7 @@ Commands
 Options
   --from-scratch            compute the checkpoints that the figures start from, too,
                             instead of using those in checkpoints/
+  --dry-run                 of a sweep: say how many points there are, and compute none
   --cores N                 use N cores (default: all)
   -h, --help                print this text
 EOF
@@ -54,7 +59,7 @@ print_list() {
   for name in $(recipe_names); do
     printf '  %-10s %s\n' "$name" "$(title_of "$name")"
   done
-  printf '  %-10s %s\n' all 'everything above' report 'the page of all figures and claims' \
+  printf '  %-10s %s\n' all 'everything above' sweep 'a sweep of your own' report 'the page of all figures and claims' \
     test 'the tests' check 'faults and layout of the sources' \
     tidy 'more faults' list 'this list' clean 'delete build/ and results/'
 }
@@ -69,6 +74,11 @@ die() {
 usage_error() {
   printf 'reproduce.sh: %s There are:\n' "$1" >&2
   print_list >&2
+  exit 2
+}
+
+option_error() {
+  printf 'reproduce.sh: %s See --help.\n' "$1" >&2
   exit 2
 }
 
@@ -98,6 +108,7 @@ parse() {
     case $1 in
       -h | --help) print_help && exit 0 ;;
       --from-scratch) from_scratch=1 ;;
+      --dry-run) dry_run=1 ;;
       --cores=*) set_cores "${1#*=}" ;;
       --cores) set_cores "${2-}" && shift ;;
       -*) usage_error "there is no option '$1' (see --help)." ;;
@@ -115,6 +126,11 @@ check_commands() {
     print_help >&2
     exit 2
   fi
+  if [[ ${command_names[0]} == sweep ]]; then
+    ((${#command_names[@]} == 2)) || option_error "'sweep' needs one file, as in ./reproduce.sh sweep my.ini."
+    return
+  fi
+  ((dry_run == 0)) || option_error "--dry-run is for 'sweep' only."
   for name in "${command_names[@]}"; do
     is_recipe "$name" && continue
     [[ $name =~ ^(all|report|test|check|tidy|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
@@ -195,7 +211,7 @@ recipes() {
   snakemake=$(debian_or_path snakemake) || die "Snakemake 7 is needed; Debian's package is enough."
   "$snakemake" "$@" --snakefile "$root/recipes/Snakefile" --directory "$root" \
     --profile recipes/profiles/local --nolock --cores "$cores" \
-    --config from_scratch="$from_scratch"
+    --config from_scratch="$from_scratch" ${plan:+sweep="$plan"}
 }
 
 # Rules *_start, where they exist, make what decides about later steps: checkpoints that a figure
@@ -252,6 +268,35 @@ reproduce() {
   note_run "$started" "$@"
   show "$@"
 }
+
+# --- a user's sweep ------------------------------------------------------------------------
+
+sweep_step() {
+  local step=$1
+  shift
+  PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1 \
+    "$(debian_or_path python3)" "recipes/sweep/$step.py" "$@"
+}
+
+preview_sweep() { recipes sweep --summary | awk -F '\t' '$7 == "update pending"' | sweep_step preview "$plan" "$1"; }
+
+# The table is written even if points could not be computed: it says which, and why.
+sweep() {
+  local file=$1 tools=${programs:-build/release/bin}
+  [[ $file == /* ]] || file=$caller/$file
+  ensure_packages run
+  [[ -n ${programs:-} ]] || build tools
+  clean_environment
+  plan=$(sweep_step plan "$file" "$tools" results) || exit
+  if ((dry_run)); then
+    preview_sweep "$tools"
+  else
+    recipes sweep || true
+    sweep_step report "$plan" results
+  fi
+}
+
+# --- the report, tests and checks ----------------------------------------------------------
 
 write_report() {
   PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1 \
@@ -335,6 +380,7 @@ main() {
   check_commands
   case ${command_names[0]} in
     list) print_list ;;
+    sweep) take_turn && sweep "${command_names[1]}" ;;
     report) take_turn && report ;;
     test) take_turn && run_tests ;;
     check) take_turn && check_sources ;;

@@ -209,6 +209,10 @@ def lists_of(section):
     return {name: values_of(text) for name, text in section.items()}
 
 
+def is_values(section):
+    return section == "values" or section.startswith("variant ")
+
+
 def combinations(ini):
     """The products whose elements are the points."""
     common = lists_of(ini["values"]) if "values" in ini else {}
@@ -252,25 +256,26 @@ def parse_ini(path):
     return ini
 
 
+def sweep_of(ini, name):
+    """The sweep that a parsed file of this name describes."""
+    for section in ("sweep", "commands"):
+        if section not in ini:
+            raise SweepError(f"it has no section [{section}]")
+    base = ini["sweep"].get("base", "")
+    commands = dict(ini["commands"])
+    products = combinations(ini)
+    points = [make_point(commands, values, base) for lists in products for values in product(lists)]
+    title = ini["sweep"].get("title", name)
+    columns, units = (dict(ini[name]) if name in ini else {} for name in ("table", "units"))
+    return Sweep(title, points, columns, needs_of(ini["sweep"]), varied_in(products, points), units)
+
+
 def read_sweep(path):
-    """The sweep that an INI file describes."""
+    """The sweep that an INI file describes. SweepErrors name the file."""
     try:
-        ini = parse_ini(path)
-        for section in ("sweep", "commands"):
-            if section not in ini:
-                raise SweepError(f"it has no section [{section}]")
-        base = ini["sweep"].get("base", "")
-        commands = dict(ini["commands"])
-        products = combinations(ini)
-        points = [
-            make_point(commands, values, base) for lists in products for values in product(lists)
-        ]
-        needs = needs_of(ini["sweep"])
+        return sweep_of(parse_ini(path), Path(path).stem)
     except (OSError, ValueError, configparser.Error) as error:
         raise SweepError(f"{path}: {sentence_of(error)}") from None
-    title = ini["sweep"].get("title", Path(path).stem)
-    columns, units = (dict(ini[name]) if name in ini else {} for name in ("table", "units"))
-    return Sweep(title, points, columns, needs, varied_in(products, points), units)
 
 
 def sentence_of(error):

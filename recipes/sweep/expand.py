@@ -3,7 +3,7 @@ instead of base, prepare, load and restart in [sweep], [quantities] and [analyze
 
 import shlex
 
-from common.sweeps import SweepError
+from common.sweeps import SweepError, is_values
 from sweep.names import CHECKPOINT, RECORD
 
 STARTS = ("base", "prepare", "load")
@@ -42,10 +42,12 @@ def start_of(sweep):
 def chain(start, sweep):
     """The commands that run the model, and the names of the last checkpoint and the record."""
     restart = sweep.get("restart")
-    goes_on = words("-o end.h5 --record record.h5 --quiet")
+    goes_on = "-o end.h5 --record record.h5 --quiet"
     if start == "base":
         if restart is None:
-            raise SweepError("[sweep] has a base, but not how it goes on, as in restart = --for 0.01")
+            raise SweepError(
+                "[sweep] has a base, but not how it goes on, as in restart = --for 0.01"
+            )
         return {"restart": words("restart {base}", restart, "{values}", goes_on)}, "end.h5", True
     if start == "load" and restart is None:
         return {"load": words("load", sweep["load"], "{values}", goes_on)}, "end.h5", True
@@ -78,7 +80,7 @@ def expand(ini, names):
     for key in ("prepare", "load", "restart"):
         check_options(key, sweep.get(key, ""), values if key in (start, "restart") else ())
     for path in quantities.values():
-        names.quantity_unit(path)
+        names.quantity_unit(path, of_file=True)
     commands, checkpoint, has_record = chain(start, sweep)
     analyses = sorted({path.split(".")[0] for path in quantities.values()})
     for name in options:
@@ -90,7 +92,3 @@ def expand(ini, names):
         commands[name] = words("analyze", name, file, options.get(name), "--json")
     kept = {key: text for key, text in sweep.items() if key not in ("prepare", "load", "restart")}
     return {"sweep": kept, "commands": commands, "table": quantities}
-
-
-def is_values(section):
-    return section == "values" or section.startswith("variant ")

@@ -21,7 +21,7 @@ OPTIONS = {
     "load": {"until": "s", "record-every": "s", "seed": "1"},
     "restart": {"until": "s", "for": "s", "until-quiet": "s", "record-every": "s", "seed": "1"},
     "prepare": {**SHAPE, "tau-bar": "1", "x-trigger": "m", "tau-bar-trigger": "1", "seed": "1"},
-    "modify-phi": {**SHAPE, "x-from": "m", "x-to": "m", "seed": "1"},
+    "modify-phi": {**SHAPE, "x-from": "m", "x-to": "m", "slipping": ""},
     "analyze classify": WINDOW | FRONT,
     "analyze events": {**FRONT, "quiet-time": "s"},
     "analyze front": WINDOW | FRONT,
@@ -57,12 +57,14 @@ class Names:
     parameters: dict  # name: unit
     quantities: dict  # name: unit; * stands for an index
 
-    def quantity_unit(self, name):
+    def quantity_unit(self, name, of_file):
+        """`analyze strength` reports numbers of a shape, but lists of a file."""
         keys = ["*" if re.fullmatch(r"-?\d+", key) else key for key in name.split(".")]
         pattern = ".".join(keys)
-        if pattern in self.quantities:
+        is_list = f"{pattern}.*" in self.quantities
+        if pattern in self.quantities and not (is_list and of_file):
             return self.quantities[pattern]
-        if f"{pattern}.*" in self.quantities:
+        if is_list:
             raise SweepError(f"'{name}' is a list: name one of its elements, as in {name}.0")
         raise SweepError(
             f"analyze reports no '{name}'{suggestion(pattern, self.quantities)}"
