@@ -85,7 +85,7 @@ def limits(axis):
     return np.exp(ends) if axis.scale == "log" else ends
 
 
-def mark_failed(axes, places):
+def mark_not_done(axes, places):
     """At the bottom, below all dots."""
     axes.margins(y=0.12)
     bottom = np.full(len(places), 0.04)
@@ -102,7 +102,7 @@ def draw_line(axes, x, y, done):
     if not x.categories:
         axes.set_xlim(limits(x))
     if not done.all():
-        mark_failed(axes, np.unique(x.positions[~done]))
+        mark_not_done(axes, np.unique(x.positions[~done]))
 
 
 # --- two values vary -----------------------------------------------------------------------
@@ -141,21 +141,21 @@ def draw_values(fig, axes, borders, z, grid):
         scale.set_ticks(range(len(z.categories)), labels=z.categories)
 
 
-def hatch_failed(axes, borders, failed):
+def hatch(axes, borders, grid):
     look = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
-    axes.pcolor(*borders, np.ma.masked_invalid(failed), **look)
+    axes.pcolor(*borders, np.ma.masked_invalid(grid), **look)
 
 
 def draw_map(fig, axes, x, y, z, done):
-    """Medians as colours; hatched where every point failed."""
+    """Medians as colours; hatched where no point is done."""
     *borders, medians = cells(x, y, lambda here: middle(z, z.positions[here]))
-    failed = cells(x, y, lambda here: np.nan if done[here].any() else 0.0)[2]
+    not_done = cells(x, y, lambda here: np.nan if done[here].any() else 0.0)[2]
     if np.isfinite(medians).any():
         draw_values(fig, axes, borders, z, medians)
     else:
         axes.set_title(f"{z.label}: no value")
-    if np.isfinite(failed).any():
-        hatch_failed(axes, borders, failed)
+    if np.isfinite(not_done).any():
+        hatch(axes, borders, not_done)
     set_axis(axes, "x", x)
     set_axis(axes, "y", y)
 
@@ -178,10 +178,13 @@ def draw(stem, sweep, columns):
     """Writes the picture, or says why there is none."""
     for suffix in (".png", ".pdf"):
         Path(f"{stem}{suffix}").unlink(missing_ok=True)
+    by_name = {column.name: column for column in columns}
     varied = [name for name in sweep.varied if name not in SEEDS]
     if len(varied) not in (1, 2):
         return f"No picture: {len(varied)} values vary; pictures are drawn of one or two."
-    by_name = {column.name: column for column in columns}
+    for name in varied:
+        if None in by_name[name].cells:
+            return f"No picture: some points have no {name}."
     done = np.array([status == "done" for status in by_name["status"].cells])
     over = [axis_of(by_name[name]) for name in varied]
     fig, all_axes = panels(len(sweep.columns))
@@ -190,7 +193,7 @@ def draw(stem, sweep, columns):
             draw_line(axes, *over, axis_of(by_name[name]), done)
         else:
             draw_map(fig, axes, *over, axis_of(by_name[name]), done)
-    sign = "crosses" if len(varied) == 1 else "hatched"
-    fig.suptitle(sweep.title + ("" if done.all() else f" ({sign}: failed)"), fontsize=8)
+    note = "" if done.all() else f" ({'crosses' if len(varied) == 1 else 'hatched'}: not done)"
+    fig.suptitle(sweep.title + note, fontsize=8)
     save(fig, stem)
     return ""

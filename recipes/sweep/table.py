@@ -1,4 +1,4 @@
-"""The table of a user's sweep as CSV and as HDF5: the same columns, names, units and order. Numbers are
+"""The table of a user's sweep as CSV and as HDF5: the same columns and units. Numbers are
 written with all their digits; equal tables are equal bytes."""
 
 from dataclasses import dataclass
@@ -55,7 +55,7 @@ def set_attribute(item, name, text):
 
 
 def write_hdf5(path, title, columns):
-    with replacing(path) as part, h5py.File(part, "w", track_order=True) as file:
+    with replacing(path) as part, h5py.File(part, "w") as file:
         set_attribute(file, "title", title)
         for column in columns:
             dataset = file.create_dataset(column.name, data=array_of(column), track_times=False)
