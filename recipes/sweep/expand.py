@@ -1,13 +1,11 @@
 """From the short form of a user's sweep to the long one of common/sweeps.py: [commands] and [table]
 instead of base, prepare, load and restart in [sweep], [quantities] and [analyze]."""
 
-import shlex
-
 from common.sweeps import SweepError, is_values
-from sweep.names import CHECKPOINT, RECORD
+from sweep.names import CHECKPOINT, RECORD, options_in
 
 STARTS = ("base", "prepare", "load")
-GIVEN_BY_THE_SWEEP = ("-o", "--output", "--record", "-f", "--force", "--resume", "--json", "--csv")
+GIVEN_BY_THE_SWEEP = ("o", "output", "record", "f", "force", "resume", "json", "csv", "dry-run")
 
 
 def words(*texts):
@@ -16,16 +14,11 @@ def words(*texts):
 
 def check_options(key, text, values):
     """Options of the file that the chain gives itself, or that have values in [values]."""
-    try:
-        given = {word.split("=")[0] for word in shlex.split(text)}
-    except ValueError as error:
-        raise SweepError(f"'{key} = {text}' cannot be split into words ({error})") from None
-    for option in GIVEN_BY_THE_SWEEP:
-        if option in given:
-            raise SweepError(f"'{key}' must not have {option}, which the sweep gives itself")
-    for name in values:
-        if f"--{name}" in given:
-            raise SweepError(f"--{name} is both in '{key}' and in [values]; remove one of them")
+    for option in options_in(text):
+        if option in GIVEN_BY_THE_SWEEP:
+            raise SweepError(f"'{key}' must not have '{option}', which the sweep gives itself")
+        if option in values:
+            raise SweepError(f"--{option} is both in '{key}' and in [values]; remove one of them")
 
 
 def start_of(sweep):

@@ -1,10 +1,8 @@
 """What a user's sweep file may have: its sections and keys, before their content is looked at."""
 
-import shlex
-
 from common.sweeps import SweepError, is_values
 from sweep.expand import STARTS
-from sweep.names import suggestion
+from sweep.names import ONE_NEEDED, options_in, options_of, program_of, suggestion
 
 SHORT = ("sweep", "values", "quantities", "analyze")
 LONG = ("sweep", "values", "commands", "quantities", "table")
@@ -32,19 +30,33 @@ def check_sections(ini, known):
         raise SweepError("it has no section [sweep]")
 
 
-def check_commands(commands):
-    for name, line in commands.items():
-        if name in KEYS_OF_A_POINT:
-            raise SweepError(f"a command cannot be called '{name}'; take another name")
-        try:
-            words = shlex.split(line)
-        except ValueError as error:
-            raise SweepError(f"'{line}' cannot be split into words ({error})") from None
-        if any(word.split("=")[0] == "--config" for word in words):
-            raise SweepError(
-                f"'{line}' must not have --config: points would not follow what is in that file;"
-                " give the parameters with --set or in [values]"
-            )
+def check_name(name):
+    if name in KEYS_OF_A_POINT:
+        raise SweepError(f"a command cannot be called '{name}'; take another name")
+
+
+def check_command(line, tools):
+    """Its program and options."""
+    given = options_in(line)
+    if "config" in given:
+        raise SweepError(
+            f"'{line}' must not have --config: points would not follow what is in that file;"
+            " give the parameters with --set or in [values]"
+        )
+    program = program_of(line)
+    known = options_of(program, tools)
+    for name in given:
+        if name not in known:
+            raise SweepError(f"{program} has no option '{name}'{suggestion(name, known)}")
+
+
+def check_needed(line, values):
+    """Options without which its program does nothing. `values` are those of the points."""
+    program = program_of(line)
+    needed = ONE_NEEDED.get(program, ())
+    if needed and not {*needed} & {*options_in(line), *(values if "{values}" in line else ())}:
+        options = " or ".join(f"--{name}" for name in needed)
+        raise SweepError(f"{program} needs {options}, which '{line}' does not have")
 
 
 def check_form(ini):

@@ -4,6 +4,7 @@ quantities` lists them, and options of the programs. Unit 1: a dimensionless num
 import difflib
 import json
 import re
+import shlex
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -40,6 +41,32 @@ OPTIONS = {
     },
 }
 
+ONE_NEEDED = {
+    "prepare": ("tau-bar",),
+    "restart": ("until", "for", "until-quiet"),
+    "analyze slip": ("x",),
+}
+
+
+def options_in(text):
+    """Names of the options in a command or a part of one, such as --until 0.5 and -o."""
+    try:
+        words = shlex.split(text)
+    except ValueError as error:
+        raise SweepError(f"'{text}' cannot be split into words ({error})") from None
+    options = [re.match(r"-(?:-([a-z][a-z-]*)|([a-z]))", word) for word in words]
+    return [match[1] or match[2] for match in options if match]
+
+
+def options_of(program, tools):
+    """The names in its --help."""
+    if program not in OPTIONS:
+        raise SweepError(f"there is no program '{program}'{suggestion(program, OPTIONS)}")
+    tool, *command = program.split()
+    help_of = [Path(tools) / tool, *command, "--help"]
+    text = subprocess.run(help_of, capture_output=True, check=True, text=True).stdout
+    return [long or short for long, short in re.findall(r"--([a-z][a-z-]*)|\s-([a-z])\b", text)]
+
 
 def program_of(command):
     """Its first word, or the first two of `analyze front ...`."""
@@ -48,7 +75,9 @@ def program_of(command):
 
 
 def suggestion(name, known):
-    near = difflib.get_close_matches(name, known, n=1)
+    """Rather a name that differs in capitals only than a similar one."""
+    same = [other for other in known if other.lower() == name.lower()]
+    near = [*same, *difflib.get_close_matches(name, known, n=1)]
     return f"; did you mean '{near[0]}'?" if near else ""
 
 

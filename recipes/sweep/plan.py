@@ -18,7 +18,7 @@ from common.sweeps import SweepError, is_values, parse_ini, sentence_of, sweep_o
 from common.tables import replacing
 from sweep.columns import check_values, settle_columns, units_of_values
 from sweep.expand import expand
-from sweep.form import check_commands, check_form
+from sweep.form import check_command, check_form, check_name, check_needed
 from sweep.names import names_of
 
 
@@ -79,13 +79,17 @@ def make_plan(path, names, tools, results):
         )
     ini = parse_ini(path)
     plan = long_form(ini, names)
-    check_commands(plan["commands"])
+    for name, line in plan["commands"].items():
+        check_name(name)
+        check_command(line, tools)
     plan["table"], units = settle_columns(plan["table"], plan["commands"], names)
     settle_files(plan["sweep"], path.parent, tools, results)
     plan |= {name: dict(ini[name]) for name in ini.sections() if is_values(name)}
     points = sweep_of(parser_of(plan), path.stem).points
     units_in_points = units_of_values(points, plan["commands"], names)
     check_values(points, units_in_points, plan["table"])
+    for line in plan["commands"].values():
+        check_needed(line, units_in_points)
     plan["units"] = units_in_points | units
     output = Path(results) / "sweeps" / path.stem / f"{path.stem}.ini"
     with replacing(output) as part, part.open("w", encoding="utf-8") as file:

@@ -25,7 +25,11 @@ def why_unfinished(log):
     said = [line.strip() for line in lines if line.strip()]
     errors = [line for line in said if "error:" in line.lower()]
     last = [*said, *errors][-1:]
-    return last[0].removeprefix("point.py: ").rstrip(": ") if last else "its job ended without a message"
+    return (
+        last[0].removeprefix("point.py: ").rstrip(": ")
+        if last
+        else "its job ended without a message"
+    )
 
 
 def result_of(point, results):

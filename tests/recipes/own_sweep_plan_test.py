@@ -14,7 +14,7 @@ BIN = Path(os.environ.get("RUPTURE_BIN", ROOT / "build/release/bin"))
 sys.path.insert(0, str(ROOT / "recipes"))
 
 from common.sweeps import SweepError, read_sweep  # noqa: E402
-from sweep.names import CHECKPOINT, OPTIONS, RECORD, names_of  # noqa: E402
+from sweep.names import CHECKPOINT, ONE_NEEDED, OPTIONS, RECORD, names_of  # noqa: E402
 from sweep.plan import make_plan  # noqa: E402
 
 NAMES = names_of(BIN)
@@ -89,7 +89,7 @@ class ShortForm(Planning):
     def test_units(self):
         text = PREPARED + VALUES + "junctions.t_R = 1e-3\njunctions.law = reference\n"
         units = self.plan(
-            f"{text}[quantities]\nv = front.v_c.3\ntype = front.type\nr = slip.slow_r_squared"
+            f"{text}[quantities]\nv = front.v_c.3\ntype = front.type\nr = strength.mu_eff.0"
         ).units
         expected = {"tau-bar": "1", "junctions.t_R": "s", "junctions.law": ""}
         self.assertEqual(units, expected | {"v": "m/s", "type": "", "r": "1"})
@@ -182,7 +182,7 @@ class Mistakes(Planning):
             "[sweep]\nprepare =\n" + VALUES + FRONT, "reads the record of a run, and there is none"
         )
         self.refuse(
-            PREPARED.replace("--until-quiet", "-o x.h5") + VALUES + FRONT, "must not have -o"
+            PREPARED.replace("--until-quiet", "-o x.h5") + VALUES + FRONT, "must not have 'o'"
         )
         self.refuse(
             PREPARED.replace("0.1", "0.1 --tau-bar 1") + VALUES + FRONT, "both in 'prepare' and in"
@@ -191,6 +191,32 @@ class Mistakes(Planning):
             PREPARED.replace("0.1", "0.1 --config x") + VALUES + FRONT, "must not have --config"
         )
         self.refuse(PREPARED.replace("0.1", "'") + VALUES + FRONT, "cannot be split into words")
+
+    def test_options(self):
+        self.refuse(
+            PREPARED.replace("--until-quiet", "--fro 1") + VALUES + FRONT,
+            "restart has no option 'fro'; did you mean 'for'",
+        )
+        self.refuse(
+            PREPARED.replace("--until-quiet", "--record-every 1") + VALUES + FRONT,
+            "restart needs --until or --for or --until-quiet, which",
+        )
+        self.refuse(
+            PREPARED + VALUES + FRONT + "[analyze]\nfront = --slowbelow 0.1\n",
+            "analyze front has no option 'slowbelow'; did you mean 'slow-below'",
+        )
+        self.refuse(PREPARED + "[values]\nsigma-bar = 1\n" + FRONT, "both in 'prepare' and in")
+        self.refuse(
+            "[sweep]\nprepare =\n[values]\nseed = 1\n" + STRESS.replace("measured", "stress"),
+            "prepare needs --tau-bar, which",
+        )
+        self.refuse(
+            PREPARED + VALUES + "[quantities]\nx = slip.x\n", "analyze slip needs --x, which"
+        )
+        self.refuse(
+            "[sweep]\n" + LONG.replace("prepare", "prepar") + VALUES + STRESS,
+            "no program 'prepar'; did you mean 'prepare'",
+        )
 
     def test_bases(self):
         values = "[values]\nseed = 1\n"
@@ -216,8 +242,8 @@ class Mistakes(Planning):
         self.refuse(PREPARED + FRONT, "no points")
         self.refuse(PREPARED + "[values]\n" + FRONT, "no points")
         self.refuse(
-            PREPARED + "[values]\ndriving.W = 1\n" + FRONT,
-            "no parameter 'driving.W'; did you mean 'driving.",
+            PREPARED + "[values]\ndriving.v = 1\n" + FRONT,
+            "no parameter 'driving.v'; did you mean 'driving.V'",
         )
         self.refuse(
             PREPARED + "[values]\ntaubar = 1\n" + FRONT,
@@ -309,6 +335,19 @@ class Options(unittest.TestCase):
         for program, options in OPTIONS.items():
             with self.subTest(program):
                 self.assertEqual(options, self.options_in_help(program))
+
+    def test_needed_options_are_needed(self):
+        commands = {"prepare": ["-o", "x.h5"], "restart": [BASE, "-o", "x.h5"]}
+        for program in ONE_NEEDED:
+            tool, *command = program.split()
+            done = subprocess.run(
+                [BIN / tool, *command, *commands.get(program, [BASE])],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertEqual(done.returncode, 2, program)
+            self.assertRegex(done.stderr, "|".join(ONE_NEEDED[program]))
 
     def test_what_analyze_reads(self):
         for commands, kind in ((RECORD, "RECORD"), (CHECKPOINT, "CHECKPOINT")):
