@@ -9,10 +9,10 @@ readonly script root caller=$PWD
 readonly logs=build/log
 
 command_names=()
-cores=
-from_scratch=0
 dry_run=0
 plan=
+cores=
+from_scratch=0
 
 print_help() {
   cat <<'EOF'
@@ -31,9 +31,9 @@ Commands
   clean                     delete build/ and results/ (never checkpoints/)
 
 Options
+  --dry-run                 of a sweep: say how many points there are, and compute none
   --from-scratch            compute the checkpoints that the figures start from, too,
                             instead of using those in checkpoints/
-  --dry-run                 of a sweep: say how many points there are, and compute none
   --cores N                 use N cores (default: all)
   -h, --help                print this text
 EOF
@@ -107,8 +107,8 @@ parse() {
   while (($#)); do
     case $1 in
       -h | --help) print_help && exit 0 ;;
-      --from-scratch) from_scratch=1 ;;
       --dry-run) dry_run=1 ;;
+      --from-scratch) from_scratch=1 ;;
       --cores=*) set_cores "${1#*=}" ;;
       --cores) set_cores "${2-}" && shift ;;
       -*) usage_error "there is no option '$1' (see --help)." ;;
