@@ -9,6 +9,8 @@ readonly script root caller=$PWD
 readonly logs=build/log
 
 command_names=()
+dry_run=0
+plan=
 cores=
 from_scratch=0
 profile=
@@ -21,6 +23,8 @@ Usage: ./reproduce.sh COMMAND [OPTION]...
 Commands
   fig3 (or another figure)  install what is missing, build, compute, draw, print the claims
   all                       the same for everything, and the report
+  sweep FILE.ini            run the model for all values that the file lists, and write a table and
+                            a picture (docs/sweeps.md)
   report                    write results/index.html: all figures and claims on one page
   test                      build and run the tests
   check                     look for faults in the sources and in their layout
@@ -29,6 +33,7 @@ Commands
   clean                     delete build/ and results/ (never checkpoints/)
 
 Options
+  --dry-run                 of a sweep: say how many points there are, and compute none
   --from-scratch            compute the checkpoints that the figures start from, too,
                             instead of using those in checkpoints/
   --profile NAME            where commands run: local (the default), slurm, or another folder of
@@ -59,7 +64,7 @@ print_list() {
   for name in $(recipe_names); do
     printf '  %-10s %s\n' "$name" "$(title_of "$name")"
   done
-  printf '  %-10s %s\n' all 'everything above' report 'the page of all figures and claims' \
+  printf '  %-10s %s\n' all 'everything above' sweep 'a sweep of your own' report 'the page of all figures and claims' \
     test 'the tests' check 'faults and layout of the sources' \
     tidy 'more faults' list 'this list' clean 'delete build/ and results/'
 }
@@ -121,6 +126,7 @@ parse() {
   while (($#)); do
     case $1 in
       -h | --help) print_help && exit 0 ;;
+      --dry-run) dry_run=1 ;;
       --from-scratch) from_scratch=1 ;;
       --profile=*) set_profile "${1#*=}" ;;
       --profile) set_profile "${2-}" && shift ;;
@@ -144,6 +150,11 @@ check_commands() {
     print_help >&2
     exit 2
   fi
+  if [[ ${command_names[0]} == sweep ]]; then
+    ((${#command_names[@]} == 2)) || option_error "'sweep' needs one file, as in ./reproduce.sh sweep my.ini."
+    return
+  fi
+  ((dry_run == 0)) || option_error "--dry-run is for 'sweep' only."
   for name in "${command_names[@]}"; do
     is_recipe "$name" && continue
     [[ $name =~ ^(all|report|test|check|tidy|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
@@ -228,7 +239,8 @@ recipes() {
     where=(--cores "$cores" --config)
   fi
   "$snakemake" "$@" --snakefile "$root/recipes/Snakefile" --directory "$root" --profile "$profile" \
-    --nolock "${where[@]}" from_scratch="$from_scratch" ${programs:+bin="$programs"}
+    --nolock "${where[@]}" from_scratch="$from_scratch" \
+    ${programs:+bin="$programs"} ${plan:+sweep="$plan"}
 }
 
 # Rules *_start, where they exist, make what decides about later steps: checkpoints that a figure
@@ -261,8 +273,8 @@ compute() {
 note_run() {
   local started=$1
   shift
-  printf '{"recipes": "%s", "cores": %d, "started": %d, "seconds": %d}\n' \
-    "$*" "$cores" "$started" $((EPOCHSECONDS - started)) >>results/runs.jsonl
+  printf '{"recipes": "%s", "where": "%s", "started": %d, "seconds": %d}\n' \
+    "$*" "$(where_it_runs)" "$started" $((EPOCHSECONDS - started)) >>results/runs.jsonl
 }
 
 show() {
@@ -277,7 +289,7 @@ show() {
 
 where_it_runs() {
   if [[ -e $profile/srun.ini ]]; then
-    echo "on the cluster (jobs' logs: $root/results/log/slurm)"
+    echo "as jobs of SLURM (profile ${profile##*/})"
   else
     echo "with $cores cores"
   fi
@@ -293,6 +305,35 @@ reproduce() {
   note_run "$started" "$@"
   show "$@"
 }
+
+# --- a user's sweep ------------------------------------------------------------------------
+
+sweep_step() {
+  local step=$1
+  shift
+  PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1 \
+    "$(debian_or_path python3)" "recipes/sweep/$step.py" "$@"
+}
+
+preview_sweep() { recipes sweep --summary | awk -F '\t' '$7 == "update pending"' | sweep_step preview "$plan" "$1"; }
+
+# The table is written even if points could not be computed: it says which, and why.
+sweep() {
+  local file tools=${programs:-build/release/bin}
+  file=$(of_caller "$1")
+  ensure_packages run
+  [[ -n $programs ]] || build tools
+  clean_environment
+  plan=$(sweep_step plan "$file" "$tools" results) || exit
+  if ((dry_run)); then
+    preview_sweep "$tools"
+  else
+    recipes sweep || true
+    sweep_step report "$plan" results
+  fi
+}
+
+# --- the report, tests and checks ----------------------------------------------------------
 
 write_report() {
   PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1 \
@@ -376,6 +417,7 @@ main() {
   check_commands
   case ${command_names[0]} in
     list) print_list ;;
+    sweep) take_turn && sweep "${command_names[1]}" ;;
     report) take_turn && report ;;
     test) take_turn && run_tests ;;
     check) take_turn && check_sources ;;

@@ -9,18 +9,15 @@ import sys
 from pathlib import Path
 
 from common.records import report
-from common.sweeps import read_sweep
+from common.sweeps import names_of_values, read_sweep
 from common.tables import write_table
 from common.value import find
 
 
-def names_of_values(points):
-    return list(dict.fromkeys(name for point in points for name in point.values))
-
-
-def rows(sweep, folder):
+def rows(sweep, result_of):
+    """One dict per point; result_of(point) is what its file has."""
     for point in sweep.points:
-        result = report(Path(folder) / f"{point.id}.json")
+        result = result_of(point)
         found = {heading: find(result, path) for heading, path in sweep.columns.items()}
         state = {name: result[name] for name in ("status", "sentence")}
         yield {**point.values, **state, **found, "point": point.id}
@@ -28,7 +25,7 @@ def rows(sweep, folder):
 
 def main(sweep_file, folder, path):
     sweep = read_sweep(sweep_file)
-    table = list(rows(sweep, folder))
+    table = list(rows(sweep, lambda point: report(Path(folder) / f"{point.id}.json")))
     if table and all(row["status"] == "failed" for row in table):
         sys.exit(
             f"collect.py: every point of {sweep_file} failed. The first: {table[0]['sentence']}"

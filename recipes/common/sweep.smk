@@ -1,4 +1,6 @@
-# Sweeps (sweeps.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv.
+# Sweeps (sweeps.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv. Of a user's
+# own sweep (--config sweep=FILE), only the points are made here: its table is written even if a point
+# cannot be computed (recipes/sweep/).
 from common.sweeps import is_sweep, read_sweep
 
 SWEEPS = {
@@ -6,7 +8,14 @@ SWEEPS = {
     for path in sorted(Path("recipes").glob("*/*.ini"))
     if is_sweep(path)
 }
-POINTS = {point.id: point for sweep in SWEEPS.values() for point in sweep.points}
+OWN = read_sweep(config["sweep"]) if "sweep" in config else None
+ALL_SWEEPS = [*([OWN] if OWN else []), *SWEEPS.values()]
+POINTS = {point.id: point for sweep in ALL_SWEEPS for point in sweep.points}
+NEEDS = {point.id: sweep.needs for sweep in reversed(ALL_SWEEPS) for point in sweep.points}
+
+
+def files_of(sweep):
+    return [f"{DATA}/points/{point.id}.json" for point in sweep.points]
 
 
 def base_of(point):
@@ -32,6 +41,10 @@ rule point:
         ),
     wildcard_constraints:
         id="[0-9a-f]{16}",
+    threads: lambda wildcards: NEEDS[wildcards.id].threads
+    resources:
+        runtime=lambda wildcards: NEEDS[wildcards.id].minutes,
+        mem_mb=lambda wildcards: NEEDS[wildcards.id].megabytes,
     log:
         f"{LOGS}/points/{{id}}.log",
     message:
@@ -42,9 +55,7 @@ rule point:
 
 rule table:
     input:
-        points=lambda wildcards: [
-            f"{DATA}/points/{point.id}.json" for point in SWEEPS[wildcards.sweep].points
-        ],
+        points=lambda wildcards: files_of(SWEEPS[wildcards.sweep]),
         sweep="recipes/{sweep}.ini",
         script="recipes/common/collect.py",
         common=COMMON,
@@ -58,3 +69,8 @@ rule table:
         "{wildcards.sweep}: collect the points"
     shell:
         "{PYTHON} {input.script} {input.sweep} {DATA}/points {output} 2> {log}"
+
+
+rule sweep:
+    input:
+        files_of(OWN) if OWN else [],

@@ -18,15 +18,18 @@
     slow speed [m/s] = front.slow.speed
 
 A name without a dot is an option (--tau-bar 0.1), one with a dot a parameter (--set
-numerics.seed=1). Values are a list, a range (`a to b by step`, `a to b in n`: n values, both ends
-included), or an arithmetic expression of other values: `0.3 * {junctions.t_R}`. Sections
-[variant NAME] add to or replace those of [values]; each is a product of its own, and its name
-becomes the column `variant`. `points = FILE.csv` in [sweep] takes the points from a table instead,
-whose columns are names; columns in [values] are combined with each of its rows. `base = FILE` in
-[sweep] names a checkpoint that the commands use as {base}.
+numerics.seed=1). Values are a list, a range (`a to b`: in ones, `a to b by step`, `a to b in n`:
+n values, both ends included), or an arithmetic expression of other values: `0.3 * {junctions.t_R}`.
+Sections [variant NAME] add to or replace those of [values]; each is a product of its own, and its
+name becomes the column `variant`. `points = FILE.csv` in [sweep] takes the points from a table
+instead, whose columns are names; columns in [values] are combined with each of its rows. `base =
+FILE` in [sweep] names a checkpoint that the commands use as {base}; `time`, `memory` and `threads`
+say what the computer is to provide for a point (needs.py). A comment begins with # or ;.
 
 Each point is one file, results/data/points/ID.json, where ID follows from its commands: what is
 there already is not computed again, whichever sweep it belonged to, and adding values adds points.
+
+A user's own file (docs/sweeps.md) may be shorter: recipes/sweep/ expands it to one like this.
 """
 
 import ast
@@ -41,7 +44,9 @@ import string
 from dataclasses import dataclass
 from pathlib import Path
 
-RANGE = re.compile(r"(?P<first>\S+)\s+to\s+(?P<last>\S+)\s+(?P<how>by|in)\s+(?P<number>\S+)")
+from common.needs import Needs, needs_of
+
+RANGE = re.compile(r"(?P<first>\S+)\s+to\s+(?P<last>\S+)(\s+(?P<how>by|in)\s+(?P<number>\S+))?")
 OPERATORS = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -68,6 +73,9 @@ class Sweep:
     title: str
     points: list
     columns: dict  # heading: path inside the point's file
+    needs: Needs  # of each point
+    varied: list  # names of the values that differ between points, without those that follow others
+    units: dict  # of values and columns, where the file has them
 
 
 class SweepError(ValueError):
@@ -135,8 +143,8 @@ def values_of(text):
     match = RANGE.fullmatch(text.strip())
     try:
         if match:
-            numbers = [float(match[group]) for group in ("first", "last", "number")]
-            return span(numbers[0], numbers[1], match["how"], numbers[2])
+            first, last = float(match["first"]), float(match["last"])
+            return span(first, last, match["how"] or "by", float(match["number"] or 1))
     except ValueError as error:
         raise SweepError(f"'{text}' is no range ({error})") from None
     listed = [part.strip() for part in text.split(",")]
@@ -201,6 +209,10 @@ def lists_of(section):
     return {name: values_of(text) for name, text in section.items()}
 
 
+def is_values(section):
+    return section == "values" or section.startswith("variant ")
+
+
 def combinations(ini):
     """The products whose elements are the points."""
     common = lists_of(ini["values"]) if "values" in ini else {}
@@ -216,27 +228,72 @@ def combinations(ini):
     ]
 
 
-def read_sweep(path):
-    """The sweep that an INI file describes."""
-    ini = configparser.ConfigParser(interpolation=None, delimiters=("=",))
+def names_of_values(points):
+    return list(dict.fromkeys(name for point in points for name in point.values))
+
+
+def varied_in(products, points):
+    follows = {
+        name
+        for lists in products
+        for name, texts in lists.items()
+        if len(texts) == 1 and references(texts[0])
+    }
+    return [
+        name
+        for name in names_of_values(points)
+        if name not in follows and len({point.values.get(name) for point in points}) > 1
+    ]
+
+
+def parse_ini(path):
+    ini = configparser.ConfigParser(
+        interpolation=None, delimiters=("=",), inline_comment_prefixes=("#", ";")
+    )
     ini.optionxform = str  # names are case-sensitive
+    with open(path, encoding="utf-8-sig") as file:
+        ini.read_file(file)
+    return ini
+
+
+def sweep_of(ini, name):
+    """The sweep that a parsed file of this name describes."""
+    for section in ("sweep", "commands"):
+        if section not in ini:
+            raise SweepError(f"it has no section [{section}]")
+    base = ini["sweep"].get("base", "")
+    commands = dict(ini["commands"])
+    products = combinations(ini)
+    points = [make_point(commands, values, base) for lists in products for values in product(lists)]
+    title = ini["sweep"].get("title", name)
+    columns, units = (dict(ini[name]) if name in ini else {} for name in ("table", "units"))
+    return Sweep(title, points, columns, needs_of(ini["sweep"]), varied_in(products, points), units)
+
+
+def read_sweep(path):
+    """The sweep that an INI file describes. SweepErrors name the file."""
     try:
-        if not ini.read(path, encoding="utf-8"):
-            raise SweepError("there is no such file")
-        for section in ("sweep", "commands"):
-            if section not in ini:
-                raise SweepError(f"it has no section [{section}]")
-        base = ini["sweep"].get("base", "")
-        commands = dict(ini["commands"])
-        points = [
-            make_point(commands, values, base)
-            for lists in combinations(ini)
-            for values in product(lists)
-        ]
-    except (SweepError, configparser.Error) as error:
-        raise SweepError(f"{path}: {error}") from None
-    columns = dict(ini["table"]) if "table" in ini else {}
-    return Sweep(ini["sweep"].get("title", Path(path).stem), points, columns)
+        return sweep_of(parse_ini(path), Path(path).stem)
+    except (OSError, ValueError, configparser.Error) as error:
+        raise SweepError(f"{path}: {sentence_of(error)}") from None
+
+
+def sentence_of(error):
+    """One line; the caller has named the file."""
+    if isinstance(error, OSError):
+        return f"it cannot be read ({error.strerror})"
+    if isinstance(error, UnicodeDecodeError):
+        return "it is no text in UTF-8"
+    if isinstance(error, configparser.MissingSectionHeaderError):
+        return f"line {error.lineno} comes before the first section, which begins with [sweep]"
+    if isinstance(error, configparser.DuplicateSectionError):
+        return f"section [{error.section}] is there twice (line {error.lineno})"
+    if isinstance(error, configparser.DuplicateOptionError):
+        return f"'{error.option}' is in [{error.section}] twice (line {error.lineno})"
+    if isinstance(error, configparser.ParsingError):
+        number, line = error.errors[0]
+        return f"line {number} is neither [SECTION] nor NAME = VALUE: {line}"
+    return str(error)
 
 
 def is_sweep(path):

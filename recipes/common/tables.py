@@ -3,21 +3,31 @@ those of sweeps (collect.py), as rows whose cells may be empty."""
 
 import csv
 import os
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
 
 
-def write_table(path, names, rows):
-    """All or nothing."""
+@contextmanager
+def replacing(path):
+    """A temporary path, whose file becomes that of `path` at the end: all or nothing."""
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(path.name + ".part")
-    with temporary.open("w", newline="", encoding="utf-8") as file:
+    try:
+        yield temporary
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def write_table(path, names, rows):
+    """All or nothing."""
+    with replacing(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
         table.writerow(names)
         table.writerows(rows)
-    os.replace(temporary, path)
 
 
 def write_fronts(path, fronts):

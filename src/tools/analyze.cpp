@@ -26,6 +26,8 @@ const std::vector<Command> kCommands = {
      analyze_strength},
     {"estimate", "slow slip to expect from a checkpoint's parameters", analyze_estimate},
     {"steady-state", "friction of a block that slides at constant speed", analyze_steady_state},
+    {"quantities", "names and units of all parameters and of what these commands measure",
+     analyze_quantities},
     {"checksum", "content checksum of a file", analyze_checksum},
     {"verify", "check that files and folders are intact, also against a manifest", analyze_verify},
     {"diff", "where and by how much two files differ", analyze_diff},

@@ -33,6 +33,9 @@ int analyze_estimate(int argc, const char* const* argv);
 // of parameters
 int analyze_steady_state(int argc, const char* const* argv);
 
+// of nothing: what all these measure
+int analyze_quantities(int argc, const char* const* argv);
+
 // of any file
 int analyze_checksum(int argc, const char* const* argv);
 int analyze_verify(int argc, const char* const* argv);

@@ -12,6 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
+from common.needs import Needs  # noqa: E402
 from common.sweeps import SweepError, read_sweep, values_of  # noqa: E402
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
@@ -35,6 +36,7 @@ class Reading(unittest.TestCase):
         self.assertEqual(values_of("0 to 0.3 in 4"), ["0", "0.1", "0.2", "0.3"])
         self.assertEqual(values_of("5 to 1 by -2"), ["5", "3", "1"])
         self.assertEqual(values_of("2 to 2 in 1"), ["2"])
+        self.assertEqual(values_of("1 to 3"), ["1", "2", "3"])
 
     def test_a_step_that_does_not_fit_stops_before_the_end(self):
         self.assertEqual(values_of("0 to 1 by 0.4"), ["0", "0.4", "0.8"])
@@ -94,9 +96,45 @@ class Reading(unittest.TestCase):
         self.assertNotEqual(many[0].id, many[1].id)
 
     def test_what_is_wrong_is_said_with_the_file(self):
-        for text in ("", "[sweep]\n", f"[sweep]\n{COMMANDS}x = load {{other}}\n", "no section"):
-            with self.subTest(text), self.assertRaisesRegex(SweepError, "sweep.ini: "):
+        whole = f"[sweep]\n{COMMANDS}"
+        wrong = {
+            "": "no section .sweep.",
+            "[sweep]\n": "no section .commands.",
+            f"{whole}x = load {{other}}\n": "may refer to {values} only",
+            "no section": "line 1 comes before the first section",
+            f"{whole}[values]\na\n": "line 5 is neither",
+            f"{whole}[values]\na = 1\na = 2\n": "'a' is in .values. twice",
+            f"{whole}[values]\n[values]\n": "section .values. is there twice",
+        }
+        for text, sentence in wrong.items():
+            with self.subTest(text), self.assertRaisesRegex(SweepError, f"sweep.ini: .*{sentence}"):
                 self.read(text)
+
+    def test_comments_may_follow_on_the_line(self):
+        self.assertEqual(self.values("[values]\na = 1, 2  # both\n"), [{"a": "1"}, {"a": "2"}])
+
+    def test_varied_are_values_that_differ_and_do_not_follow_others(self):
+        sweep = self.read(f"[sweep]\n{COMMANDS}[values]\na = 1, 2\nb = 3\nc = 2 * {{a}}\nd = x, y")
+        self.assertEqual(sweep.varied, ["a", "d"])
+
+    def test_needs_of_a_point(self):
+        def needs(text):
+            return self.read(f"[sweep]\n{text}\n{COMMANDS}").needs
+
+        self.assertEqual(needs(""), Needs(minutes=10, megabytes=1000, threads=1))
+        found = needs("time = 1.5 h\nmemory = 2.5 GB\nthreads = 4")
+        self.assertEqual(found, Needs(minutes=90, megabytes=2500, threads=4))
+        self.assertEqual(needs("time = 61 s").minutes, 2)
+        for text in ("time = 10", "time = 0 min", "memory = 2 kg", "memory = .", "threads = 0"):
+            with self.subTest(text), self.assertRaisesRegex(SweepError, "is not understood: give"):
+                needs(text)
+
+    def test_needs_and_title_do_not_name_points(self):
+        points = [
+            self.read(f"[sweep]\n{text}\n{COMMANDS}[values]\na = 1").points[0].id
+            for text in ("", "time = 1 h\nmemory = 3 GB\nthreads = 2\ntitle = T")
+        ]
+        self.assertEqual(points[0], points[1])
 
 
 class Computing(unittest.TestCase):

@@ -51,6 +51,7 @@ const std::vector<Interface> kInterfaces = {
     {"analyze steady-state",
      {"v-from", "v-to", "points", "steps-per-cycle", "json", "csv", "config", "set", "seed", "help",
       "version"}},
+    {"analyze quantities", {"json", "help", "version"}},
     {"analyze checksum", {"help", "version"}},
     {"analyze verify", {"manifest", "help", "version"}},
     {"analyze diff", {"common", "json", "help", "version"}},

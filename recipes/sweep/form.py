@@ -1,0 +1,73 @@
+"""What a user's sweep file may have: its sections and keys, before their content is looked at."""
+
+from common.sweeps import SweepError, is_values
+from sweep.expand import STARTS
+from sweep.names import ONE_NEEDED, options_in, options_of, program_of, suggestion
+
+SHORT = ("sweep", "values", "quantities", "analyze")
+LONG = ("sweep", "values", "commands", "quantities", "table")
+EVERY_SWEEP = ("title", "base", "points", "time", "memory", "threads")
+SHORT_SWEEP = tuple(dict.fromkeys((*EVERY_SWEEP, *STARTS, "restart")))
+MAY_BE_EMPTY = ("sweep", "analyze")
+KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums")  # point.py
+
+
+def check_known(name, known, what):
+    if name not in known:
+        raise SweepError(
+            f"there is no {what} '{name}'{suggestion(name, known)} (there are {', '.join(known)})"
+        )
+
+
+def check_sections(ini, known):
+    for section in [*ini.sections(), *(["DEFAULT"] if ini.defaults() else [])]:
+        if not is_values(section):
+            check_known(section, known, "section")
+        for name, text in ini[section].items():
+            if not text and section not in MAY_BE_EMPTY:
+                raise SweepError(f"'{name}' in [{section}] has no value")
+    if "sweep" not in ini:
+        raise SweepError("it has no section [sweep]")
+
+
+def check_name(name):
+    if name in KEYS_OF_A_POINT:
+        raise SweepError(f"a command cannot be called '{name}'; take another name")
+
+
+def check_command(line, tools):
+    """Its program and options."""
+    given = options_in(line)
+    if "config" in given:
+        raise SweepError(
+            f"'{line}' must not have --config: points would not follow what is in that file;"
+            " give the parameters with --set or in [values]"
+        )
+    program = program_of(line)
+    known = options_of(program, tools)
+    for name in given:
+        if name not in known:
+            raise SweepError(f"{program} has no option '{name}'{suggestion(name, known)}")
+
+
+def check_needed(line, values):
+    """Options without which its program does nothing. `values` are those of the points."""
+    program = program_of(line)
+    needed = ONE_NEEDED.get(program, ())
+    if needed and not {*needed} & {*options_in(line), *(values if "{values}" in line else ())}:
+        options = " or ".join(f"--{name}" for name in needed)
+        raise SweepError(f"{program} needs {options}, which '{line}' does not have")
+
+
+def check_form(ini):
+    """Raises SweepError. Returns the section that names the columns."""
+    is_long = "commands" in ini
+    check_sections(ini, LONG if is_long else SHORT)
+    for key in ini["sweep"]:
+        check_known(key, EVERY_SWEEP if is_long else SHORT_SWEEP, "key in [sweep]")
+    tables = [name for name in ("quantities", "table") if name in ini and ini[name]]
+    if len(tables) != 1:
+        raise SweepError(
+            "it needs a section [quantities] that says what to measure, as in type = front.type"
+        )
+    return tables[0]

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""Plans a user's sweep: plan.py SWEEP.ini FOLDER_OF_TOOLS RESULTS
+
+Checks the file, expands its short form and writes RESULTS/sweeps/NAME/NAME.ini, which Snakemake and
+report.py read, and whose path is printed. In it, all is settled that is not in the file itself: the
+base is a copy that is named after its content, so that a point's name follows from that; every
+column has a unit. What cannot be understood gives one sentence and exit code 2.
+"""
+
+import configparser
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from common.sweeps import SweepError, is_values, parse_ini, sentence_of, sweep_of
+from common.tables import replacing
+from sweep.columns import check_values, settle_columns, units_of_values
+from sweep.expand import expand
+from sweep.form import check_command, check_form, check_name, check_needed
+from sweep.names import names_of
+
+
+def keep_base(path, tools, results):
+    """A copy whose name is that of its content, with its .sum."""
+    done = subprocess.run(
+        [Path(tools) / "analyze", "checksum", path], capture_output=True, text=True, check=False
+    )
+    if done.returncode:
+        raise SweepError(
+            f"the base cannot be used: {done.stderr.strip().removeprefix('analyze: ')}"
+        )
+    if not path.read_bytes().startswith(b"rupture-checkpoint\n"):
+        raise SweepError(f"the base {path} is a record; runs go on from checkpoints")
+    checksum = done.stdout.strip()
+    copy = Path(results) / "data/bases" / f"{checksum[:16]}.h5"
+    with replacing(copy) as part:
+        shutil.copyfile(path, part)
+    with replacing(f"{copy}.sum") as part:
+        part.write_text(f"{checksum}  {copy.name}\n", encoding="utf-8")
+    return copy
+
+
+def settle_files(sweep, folder, tools, results):
+    """Paths in [sweep] are relative to the folder of the file."""
+    if "base" in sweep:
+        sweep["base"] = str(keep_base(folder / sweep["base"], tools, results))
+    if "points" in sweep:
+        sweep["points"] = str(folder / sweep["points"])
+        if not Path(sweep["points"]).is_file():
+            raise SweepError(f"there is no table of points {sweep['points']}")
+
+
+def long_form(ini, names):
+    """{section: {key: text}}, as in the recipes."""
+    table = check_form(ini)
+    if "commands" not in ini:
+        return expand(ini, names)
+    return {
+        "sweep": dict(ini["sweep"]),
+        "commands": dict(ini["commands"]),
+        "table": dict(ini[table]),
+    }
+
+
+def parser_of(sections):
+    ini = configparser.ConfigParser(interpolation=None, delimiters=("=",))
+    ini.optionxform = str
+    ini.read_dict(sections)
+    return ini
+
+
+def make_plan(path, names, tools, results):
+    """The path of the plan, which replaces the former one once nothing is wrong."""
+    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", path.stem):
+        raise SweepError(
+            "the results get the name of the file: use letters, digits, '.', '_' and '-' for it"
+        )
+    ini = parse_ini(path)
+    plan = long_form(ini, names)
+    for name, line in plan["commands"].items():
+        check_name(name)
+        check_command(line, tools)
+    plan["table"], units = settle_columns(plan["table"], plan["commands"], names)
+    settle_files(plan["sweep"], path.parent, tools, results)
+    plan |= {name: dict(ini[name]) for name in ini.sections() if is_values(name)}
+    points = sweep_of(parser_of(plan), path.stem).points
+    units_in_points = units_of_values(points, plan["commands"], names)
+    check_values(points, units_in_points, plan["table"])
+    for line in plan["commands"].values():
+        check_needed(line, units_in_points)
+    plan["units"] = units_in_points | units
+    output = Path(results) / "sweeps" / path.stem / f"{path.stem}.ini"
+    with replacing(output) as part, part.open("w", encoding="utf-8") as file:
+        parser_of(plan).write(file)
+    return output
+
+
+def main(path, tools, results):
+    names = names_of(tools)
+    try:
+        print(make_plan(Path(path), names, tools, results))
+    except (OSError, ValueError, configparser.Error) as error:
+        print(f"reproduce.sh: {path}: {sentence_of(error)}", file=sys.stderr)
+        sys.exit(2)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

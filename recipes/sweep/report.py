@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Collects the points of a user's sweep that there are: report.py PLAN.ini RESULTS
+
+Writes NAME.csv, NAME.h5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan, and
+prints what came out. A point that is not there is `unfinished`; exit code 1 if there is one.
+"""
+
+import os
+import sys
+from collections import Counter
+from pathlib import Path
+
+from common.collect import rows
+from common.records import report
+from common.sweeps import names_of_values, read_sweep
+from sweep.picture import draw
+from sweep.table import Column, write_csv, write_hdf5
+
+SHOWN = 5  # sentences of failed points
+
+
+def why_unfinished(log):
+    """What the job said last; rather an error, such as SLURM's about time or memory."""
+    lines = log.read_text(errors="replace").split("\n") if log.exists() else []
+    said = [line.strip() for line in lines if line.strip()]
+    errors = [line for line in said if "error:" in line.lower()]
+    last = [*said, *errors][-1:]
+    return (
+        last[0].removeprefix("point.py: ").rstrip(": ")
+        if last
+        else "its job ended without a message"
+    )
+
+
+def result_of(point, results):
+    """What the point's file has. Paths in a sentence are those of this folder."""
+    path = results / "data/points" / f"{point.id}.json"
+    if not path.exists():
+        log = results / "log/points" / f"{point.id}.log"
+        return {"status": "unfinished", "sentence": why_unfinished(log)}
+    result = report(path)
+    return result | {"sentence": result["sentence"].replace(f"{os.getcwd()}/", "")}
+
+
+def columns_of(sweep, table):
+    names = [*names_of_values(sweep.points), *sweep.columns, "status", "sentence", "point"]
+    return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
+
+
+def computed_since(plan, sweep, results):
+    """How many points are younger than the plan, which is written before they are computed."""
+    paths = {results / "data/points" / f"{point.id}.json" for point in sweep.points}
+    written = plan.stat().st_mtime_ns
+    return sum(path.exists() and path.stat().st_mtime_ns > written for path in paths)
+
+
+def plural(number, noun):
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def print_sentences(table, status):
+    said = Counter(row["sentence"] for row in table if row["status"] == status)
+    if said:
+        print(f"{status.capitalize()}:")
+    for sentence, times in said.most_common(SHOWN):
+        print(f"  {times} x {sentence}")
+    if len(said) > SHOWN:
+        print(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has them all")
+
+
+def print_summary(sweep, table, computed):
+    counts = Counter(row["status"] for row in table)
+    states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", "unfinished") if counts[s])
+    there = len(table) - counts["unfinished"] - computed
+    print(f"\n{sweep.title}: {plural(len(table), 'point')}: {states}.")
+    print(f"Computed now: {computed}; there before: {there}.")
+    for status in ("failed", "unfinished"):
+        print_sentences(table, status)
+    return counts["unfinished"]
+
+
+def main(plan, results):
+    plan, results = Path(plan), Path(results)
+    sweep = read_sweep(plan)
+    table = list(rows(sweep, lambda point: result_of(point, results)))
+    columns = columns_of(sweep, table)
+    write_csv(plan.with_suffix(".csv"), columns)
+    write_hdf5(plan.with_suffix(".h5"), sweep.title, columns)
+    no_picture = draw(plan.with_suffix(""), sweep, columns)
+    unfinished = print_summary(sweep, table, computed_since(plan, sweep, results))
+    print(f"Table: {plan.with_suffix('.csv')} and .h5")
+    print(no_picture or f"Picture: {plan.with_suffix('.png')} and .pdf")
+    if unfinished:
+        print("The same command tries unfinished points again.", file=sys.stderr)
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,121 @@
+"""A user's sweep from its file to its table, with the programs: what fails, what crashes, what is
+computed when the file changes (recipes/sweep/, recipes/common/sweep.smk, reproduce.sh)."""
+
+import csv
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BIN = Path(os.environ.get("RUPTURE_BIN", ROOT / "build/release/bin"))
+SNAKEMAKE = shutil.which("snakemake", path="/usr/bin") or shutil.which("snakemake")
+
+# Small and fast. A prestress of 2 is more than junctions can carry.
+SMALL = "--set slider.Nx=15 --set slider.Nz=9 --set slider.H=0.08 --set driving.h=0.01"
+SWEEP = f"""[sweep]
+title   = Prestress
+prepare = --sigma-bar 0.1 --set numerics.dt=1e-6 {SMALL}
+restart = --for 1e-4 {{threads}}
+
+[values]
+tau-bar = {{values}}
+
+[quantities]
+type = front.type
+{{quantities}}
+"""
+
+# Stands in for restart: dies like a process without memory where the test says so.
+RESTART = """#!/bin/sh
+case "$RUPTURE_CRASH" in die) kill -9 $$;; esac
+exec {restart} "$@"
+"""
+
+
+class Running(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        (self.root / "recipes").symlink_to(ROOT / "recipes")
+        tools = self.root / "bin"
+        tools.mkdir()
+        for tool in ("prepare", "analyze"):
+            (tools / tool).symlink_to(BIN / tool)
+        (tools / "restart").write_text(RESTART.format(restart=BIN / "restart"), encoding="utf-8")
+        (tools / "restart").chmod(0o755)
+
+    def call(self, *command, crash=""):
+        environment = dict(os.environ, PYTHONPATH="recipes", RUPTURE_CRASH=crash)
+        return subprocess.run(
+            command, cwd=self.root, env=environment, capture_output=True, text=True, check=False
+        )
+
+    def sweep(self, values, quantities="", threads="", crash=""):
+        """As ./reproduce.sh does it, without the build. What the report said."""
+        path = self.root / "own.ini"
+        text = SWEEP.format(values=values, quantities=quantities, threads=threads)
+        path.write_text(text, encoding="utf-8")
+        step = (sys.executable, "-B")
+        plan = self.call(*step, "recipes/sweep/plan.py", path, "bin", "results")
+        self.assertEqual(plan.stderr, "")
+        snakemake = self.call(
+            *(SNAKEMAKE, "sweep", "--snakefile", "recipes/Snakefile", "--cores", "2", "--nolock"),
+            *("--profile", "recipes/profiles/local"),
+            *("--config", "bin=bin", f"sweep={plan.stdout.strip()}"),
+            crash=crash,
+        )
+        self.computed = snakemake.stdout.count("point: ")
+        return self.call(*step, "recipes/sweep/report.py", plan.stdout.strip(), "results")
+
+    def rows(self):
+        with open(self.root / "results/sweeps/own/own.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def files(self):
+        return {path.suffix for path in (self.root / "results/sweeps/own").iterdir()}
+
+    def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(self):
+        crashed = self.sweep("0.1, 2", crash="die")
+        crash, refused = self.rows()
+        self.assertEqual((crash["status"], refused["status"]), ("unfinished", "failed"))
+        self.assertRegex(crash["sentence"], "^'restart start.h5 .*' ended with -9$")
+        self.assertRegex(refused["sentence"], "^prepare: tau-bar = 2 would put junctions beyond")
+        self.assertEqual(crashed.returncode, 1)
+        self.assertIn("2 points: 1 failed, 1 unfinished.", crashed.stdout)
+        self.assertIn("The same command tries unfinished points again.", crashed.stderr)
+        self.assertEqual(self.files(), {".ini", ".csv", ".h5", ".png", ".pdf"})
+
+        again = self.sweep("0.1, 2")
+        self.assertEqual((again.returncode, again.stderr, self.computed), (0, "", 1))
+        self.assertIn(
+            "2 points: 1 done, 1 failed.\nComputed now: 1; there before: 1.", again.stdout
+        )
+        self.assertEqual(self.rows()[0]["type"], "arrested")
+
+        self.sweep("0.1, 2, 0.2", quantities="x = front.x_arrest\nL = front.L")
+        self.assertEqual(self.computed, 1, "of a new value and new quantities, only the value")
+        self.assertEqual([row["L [m]"] for row in self.rows()], ["0.14", "", "0.14"])
+
+        last = self.sweep("0.2", threads="\nthreads = 2\ntime = 1 h")
+        self.assertEqual(self.computed, 0, "a point less, and other needs")
+        self.assertEqual([row["tau-bar"] for row in self.rows()], ["0.2"])
+        self.assertIn("Computed now: 0; there before: 1.", last.stdout)
+
+
+class CommandLine(unittest.TestCase):
+    def test_wrong_calls_are_usage_errors(self):
+        for arguments in (["sweep"], ["sweep", "a.ini", "b.ini"], ["--dry-run", "fig3"]):
+            with self.subTest(arguments):
+                command = [ROOT / "reproduce.sh", *arguments]
+                done = subprocess.run(command, capture_output=True, text=True, check=False)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertRegex(done.stderr, "^reproduce.sh: .* See --help.\n$")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
