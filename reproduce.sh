@@ -27,6 +27,7 @@ Commands
                             a picture (docs/sweeps.md)
   report                    write results/index.html: all figures and claims on one page
   test                      build and run the tests
+  test-slurm                install SLURM, start it here and compute through it (two minutes)
   check                     look for faults in the sources and in their layout
   tidy                      look for more of them, with clang-tidy (some minutes)
   list                      list the figures and other recipes
@@ -65,7 +66,7 @@ print_list() {
     printf '  %-10s %s\n' "$name" "$(title_of "$name")"
   done
   printf '  %-10s %s\n' all 'everything above' sweep 'a sweep of your own' report 'the page of all figures and claims' \
-    test 'the tests' check 'faults and layout of the sources' \
+    test 'the tests' test-slurm 'the tests of SLURM' check 'faults and layout of the sources' \
     tidy 'more faults' list 'this list' clean 'delete build/ and results/'
 }
 
@@ -157,7 +158,7 @@ check_commands() {
   ((dry_run == 0)) || option_error "--dry-run is for 'sweep' only."
   for name in "${command_names[@]}"; do
     is_recipe "$name" && continue
-    [[ $name =~ ^(all|report|test|check|tidy|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
+    [[ $name =~ ^(all|report|test|test-slurm|check|tidy|list|clean)$ ]] || usage_error "there is no figure or command '$name'."
     ((${#command_names[@]} == 1)) || usage_error "'$name' cannot be combined with other commands."
   done
 }
@@ -361,6 +362,16 @@ run_tests() {
   return "$status"
 }
 
+# Where SLURM cannot be installed, ctest says that this was skipped.
+test_slurm() {
+  rm -f "$logs/slurm.log"
+  ensure_packages run
+  (ensure_packages slurm) || echo "Going on without them."
+  build tools
+  clean_environment
+  ctest --preset slurm --no-tests=error --output-log "$root/$logs/slurm.log"
+}
+
 check_format() {
   clang-format --version | grep -q 'version 14\.' ||
     die "The layout is defined by clang-format 14, which is not the one installed here."
@@ -420,6 +431,7 @@ main() {
     sweep) take_turn && sweep "${command_names[1]}" ;;
     report) take_turn && report ;;
     test) take_turn && run_tests ;;
+    test-slurm) take_turn && test_slurm ;;
     check) take_turn && check_sources ;;
     tidy) take_turn && tidy_sources ;;
     clean) take_turn && clean ;;
