@@ -50,6 +50,16 @@ def units_of_values(points, commands, names):
     }
 
 
+def check_value(name, text, unit):
+    try:
+        if unit:
+            float(text)
+    except ValueError:
+        raise SweepError(f"{name} is a number, which '{text}' is not") from None
+    if name != "variant" and shlex.quote(text) != text:
+        raise SweepError(f"'{text}' is no value of {name}: use one word without quotation marks")
+
+
 def check_values(points, units, columns):
     if not any(point.values for point in points):
         raise SweepError("there are no points: [values] says for which values to run")
@@ -58,8 +68,6 @@ def check_values(points, units, columns):
     for name in units:
         if name in columns:
             raise SweepError(f"'{name}' is in [values] and the heading of a quantity; rename that")
-    for name, text in ((n, t) for point in points for n, t in point.values.items() if units[n]):
-        try:
-            float(text)
-        except ValueError:
-            raise SweepError(f"{name} is a number, which '{text}' is not") from None
+    for point in points:
+        for name, text in point.values.items():
+            check_value(name, text, units[name])

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from common.sweeps import SweepError
 
+KINDS = ("parameters", "quantities")
 RECORD = ("classify", "events", "front", "loading", "slip", "slow-slip")  # what they read
 CHECKPOINT = ("estimate", "phi", "strength", "stress")
 
@@ -121,10 +122,9 @@ class Names:
 def names_of(folder_of_tools):
     """As the programs in this folder have them."""
     command = [Path(folder_of_tools) / "analyze", "quantities", "--json"]
-    listed = json.loads(subprocess.run(command, capture_output=True, check=True).stdout)
-    return Names(
-        *(
-            {entry["name"]: entry["unit"] for entry in listed[kind]}
-            for kind in ("parameters", "quantities")
-        )
-    )
+    done = subprocess.run(command, capture_output=True, check=False)
+    if done.returncode:
+        raise SweepError(f"{command[0]} is too old for sweeps: it has no command 'quantities'")
+    listed = json.loads(done.stdout)
+    units = [{entry["name"]: entry["unit"] for entry in listed[kind]} for kind in KINDS]
+    return Names(*units)

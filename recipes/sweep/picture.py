@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.colors import ListedColormap
 
+from common.front_map import TYPES
+from common.map_panels import COLOURS
 from common.plotting import DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, save
 
 SEEDS = ("seed", "numerics.seed")
@@ -17,7 +19,8 @@ PANEL = 62 * MM  # height [inch]
 
 @dataclass(frozen=True)
 class Axis:
-    """A quantity along an axis: numbers, or texts in the order in which they appear."""
+    """A quantity along an axis: numbers; or texts, first those of fronts from arrested to fast, then
+    others in the order in which they appear."""
 
     label: str
     positions: np.ndarray  # of each point
@@ -34,7 +37,8 @@ class Axis:
 def axis_of(column):
     if column.unit:
         return Axis(column.heading, column.numbers, [])
-    categories = [text for text in dict.fromkeys(column.texts) if text]
+    present = [text for text in dict.fromkeys(column.texts) if text]
+    categories = [text for text in dict.fromkeys((*TYPES, *present)) if text in present]
     places = {text: place for place, text in enumerate(categories)}
     positions = np.array([places.get(text, np.nan) for text in column.texts])
     return Axis(column.heading, positions, categories)
@@ -132,7 +136,7 @@ def cells(x, y, value_at):
 def draw_values(fig, axes, borders, z, grid):
     look = {"cmap": MAP, "norm": z.scale}
     if z.categories:
-        colours = [LINES[place % len(LINES)] for place in range(len(z.categories))]
+        colours = [COLOURS.get(text, LINES[n % len(LINES)]) for n, text in enumerate(z.categories)]
         look = {"cmap": ListedColormap(colours), "vmin": -0.5, "vmax": len(colours) - 0.5}
     image = axes.pcolormesh(*borders, np.ma.masked_invalid(grid), **look)
     scale = fig.colorbar(image, ax=axes, label=z.label)

@@ -98,9 +98,8 @@ def make_plan(path, names, tools, results):
 
 
 def main(path, tools, results):
-    names = names_of(tools)
     try:
-        print(make_plan(Path(path), names, tools, results))
+        print(make_plan(Path(path), names_of(tools), tools, results))
     except (OSError, ValueError, configparser.Error) as error:
         print(f"reproduce.sh: {path}: {sentence_of(error)}", file=sys.stderr)
         sys.exit(2)

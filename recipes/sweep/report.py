@@ -24,12 +24,9 @@ def why_unfinished(log):
     lines = log.read_text(errors="replace").split("\n") if log.exists() else []
     said = [line.strip() for line in lines if line.strip()]
     errors = [line for line in said if "error:" in line.lower()]
-    last = [*said, *errors][-1:]
-    return (
-        last[0].removeprefix("point.py: ").rstrip(": ")
-        if last
-        else "its job ended without a message"
-    )
+    if not said:
+        return "its job ended without a message"
+    return (errors or said)[-1].removeprefix("point.py: ").rstrip(": ")
 
 
 def result_of(point, results):
@@ -88,8 +85,9 @@ def main(plan, results):
     write_hdf5(plan.with_suffix(".h5"), sweep.title, columns)
     no_picture = draw(plan.with_suffix(""), sweep, columns)
     unfinished = print_summary(sweep, table, computed_since(plan, sweep, results))
-    print(f"Table: {plan.with_suffix('.csv')} and .h5")
-    print(no_picture or f"Picture: {plan.with_suffix('.png')} and .pdf")
+    stem = plan.resolve().with_suffix("")
+    print(f"Table: {stem}.csv and .h5")
+    print(no_picture or f"Picture: {stem}.png and .pdf")
     if unfinished:
         print("The same command tries unfinished points again.", file=sys.stderr)
         sys.exit(1)

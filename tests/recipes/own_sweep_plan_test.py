@@ -261,6 +261,13 @@ class Mistakes(Planning):
             "no command has {values}",
         )
 
+    def test_words(self):
+        for value in ("uniform bell", "'uniform'", "$HOME", "a;b"):
+            self.refuse(
+                PREPARED + VALUES + f"shape = {value}\n" + FRONT,
+                "is no value of shape: use one word",
+            )
+
     def test_quantities(self):
         def with_quantity(text):
             return PREPARED + VALUES + f"[quantities]\n{text}\n"
