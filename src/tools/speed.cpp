@@ -1,0 +1,69 @@
+#include "speed.hpp"
+
+#include <chrono>
+#include <vector>
+
+#include "rupture/analysis/statistics.hpp"
+#include "rupture/dynamics/equilibrium.hpp"
+#include "rupture/dynamics/simulation.hpp"
+#include "rupture/model/derived.hpp"
+
+namespace rupture::tools {
+namespace {
+
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// The median over stretches of steps.
+double time_per_step(Simulation& simulation) {
+  constexpr double whole = 0.5, stretch = 0.01;  // [s]
+  std::vector<double> times;
+  std::int64_t steps = 1;
+  for (double sum = 0.0; sum < whole || times.empty();) {
+    const double t = seconds_of([&] { simulation.advance(steps); });
+    sum += t;
+    if (t < stretch) {
+      steps *= 2;
+    } else {
+      times.push_back(t / static_cast<double>(steps));
+    }
+  }
+  return *median(times);
+}
+
+}  // namespace
+
+State roughly_loaded(const Parameters& p) {
+  State state(p);
+  const double sink = mean_normal_force(p) / foundation_stiffness(p);
+  const double strain = p.F_N / (p.L * p.B) / p.E;
+  for (std::int64_t j = 0; j < p.Nz; ++j) {
+    const double z = static_cast<double>(j) * block_spacing(p);
+    for (std::int64_t i = 0; i < p.Nx; ++i) {
+      // Also sideways: where nothing at all moves, steps would take another time.
+      state.u_x(i, j) = kPoissonRatio * strain * (block_position(p, i) - 0.5 * p.L);
+      state.u_z(i, j) =
+          p.support == Support::foundation ? -sink - strain * z : sink + strain * (p.H - z);
+    }
+  }
+  for (std::int64_t i = 0; i < p.Nx; ++i) {
+    state.junctions.attachment.row(i).setConstant(state.u_x(i, 0));
+  }
+  state.drive.origin_position = state.u_x(0, driving_row(p));
+  return state;
+}
+
+Speed measure_speed(const Workload& work, const State& state) {
+  Simulation simulation(work.parameters, state, work.threads);
+  Speed speed = {.time_per_step = time_per_step(simulation)};
+  if (work.start == Start::equilibrium) {
+    speed.reference = seconds_of([] { normal_load_equilibrium(reference_slider()); });
+  }
+  return speed;
+}
+
+}  // namespace rupture::tools
