@@ -27,17 +27,17 @@ class DryRun : public ToolTest {
     return size;
   }
 
-  /// Demands that the forecast of memory and disk is within 20 % of what the run needs.
+  /// Demands that the forecast of memory and disk is within 15 % of what the run needs.
   void expect_forecast_holds(const std::string& command) const {
     const Json json = forecast(command);
     const Files before = files();
     const Outcome outcome = run(command + " -q");
     ASSERT_EQ(outcome.exit_code, kDone) << outcome.err;
     const double disk = size_of_new_files(before);
-    EXPECT_NEAR(json["disk"], disk, 0.2 * disk) << command;
+    EXPECT_NEAR(json["disk"], disk, 0.15 * disk) << command;
     if (RUPTURE_SANITIZED) return;  // needs several times the memory
     const auto memory = static_cast<double>(outcome.peak_memory);
-    EXPECT_NEAR(json["memory"], memory, 0.2 * memory) << command;
+    EXPECT_NEAR(json["memory"], memory, 0.15 * memory) << command;
   }
 };
 
@@ -53,7 +53,7 @@ TEST_F(DryRun, MemoryAndDiskOfLoad) {
 TEST_F(DryRun, MemoryAndDiskOfRestart) {
   output_of(std::string("load -o a.h5 -q") + kWide);
   expect_forecast_holds("restart a.h5 -o b.h5 --for 1e-5 --checkpoint-every 2e-6");
-  expect_forecast_holds("restart a.h5 -o c.h5 --for 2e-4 --record c-r.h5 --record-every 1e-7");
+  expect_forecast_holds("restart a.h5 -o c.h5 --for 5e-4 --record c-r.h5 --record-every 1e-7");
 }
 
 TEST_F(DryRun, CountsWhatTheRunWillDo) {
@@ -101,10 +101,11 @@ TEST_F(DryRun, OfAResumedRunIsWhatIsLeft) {
   const std::string half = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-every 5e-5";
   const std::string whole = "load --config small.ini -o a.h5 --until 3e-4 --checkpoint-every 5e-5";
   output_of(half);
+  fs::remove(path("a.h5.sum"));  // a run that resumes writes it
   EXPECT_EQ(forecast(half + " --resume")["steps"], 0);
   EXPECT_EQ(forecast(half + " --resume")["checkpoints"], 0);
   fs::remove(path("a.h5"));
-  fs::remove(path("a-t0.000100000.h5.sum"));  // a run that resumes writes it
+  fs::remove(path("a-t0.000100000.h5.sum"));
   const Json json = forecast(whole + " --resume");
   EXPECT_EQ(json["steps"], 1000);
   EXPECT_EQ(json["checkpoints"], 5);
