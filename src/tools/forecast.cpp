@@ -46,7 +46,7 @@ double run_memory(const Parameters& p, double record) {
 
 /// The factorisation fills in the more the wider the lattice is.
 double equilibrium_memory(const Parameters& p) {
-  const double side = static_cast<double>(std::min(p.Nx, p.Nz));
+  const auto side = static_cast<double>(std::min(p.Nx, p.Nz));
   return 12.0 * kMB + 1300.0 * blocks(p) * std::log2(side);
 }
 
