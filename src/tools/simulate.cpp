@@ -187,6 +187,7 @@ void check_run_outputs(const std::vector<std::int64_t>& steps, const RunFiles& f
                        const IfCheckpointExists& if_exists, IfExists if_record_exists,
                        const fs::path& input) {
   std::vector<fs::path> on_the_way;
+  on_the_way.reserve(steps.size());
   for (const std::int64_t step : steps) {
     on_the_way.push_back(path_at(files.output, static_cast<double>(step) * p.dt));
   }
