@@ -126,13 +126,18 @@ std::filesystem::path part_path(const std::filesystem::path& path) {
   return path.string() + ".part";
 }
 
+void check_record(const std::filesystem::path& path, const Parameters& parameters,
+                  IfExists if_exists) {
+  check_count_range(parameters);
+  check_output(path, if_exists);
+  check_output(part_path(path), if_exists);
+}
+
 RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& parameters,
                            const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
                            Content rows_before, std::size_t flush_every)
     : path_(std::move(path)), if_exists_(if_exists) {
-  check_count_range(parameters);
-  check_output(path_, if_exists);
-  check_output(part_path(path_), if_exists);
+  check_record(path_, parameters, if_exists);
   buffers_ = std::make_unique<Buffers>(static_cast<std::size_t>(parameters.Nx), flush_every);
   rows_before.merge(buffers_->content());  // all datasets are there, even if without rows
   part_ = std::make_unique<Part>(part_path(path_),

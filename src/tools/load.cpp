@@ -2,6 +2,7 @@
 #include "rebuild.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "simulate.hpp"
+#include "speed.hpp"
 
 namespace {
 
@@ -37,13 +38,13 @@ Options setup(int argc, char** argv) {
 
 int run(const Options& options) {
   if (!options.run.resume) check_output(options.output.output, options.output.if_exists);
-  Checkpoint start = {
-      options.parameters,
-      normal_load_equilibrium(options.parameters),
-      {make_provenance("load", options.arguments, "",
-                       shell_line(rebuild_command("load", Parameters{}, options.parameters)))}};
-  simulate(std::move(start), {step_at(options.parameters, options.until), {}}, options.run,
-           options.output, {});
+  const Parameters& p = options.parameters;
+  const bool dry = options.run.dry_run != DryRun::no;
+  Checkpoint start = {p,
+                      dry ? roughly_loaded(p) : normal_load_equilibrium(p),
+                      {make_provenance("load", options.arguments, "",
+                                       shell_line(rebuild_command("load", Parameters{}, p)))}};
+  simulate(std::move(start), {step_at(p, options.until), {}}, options.run, options.output, {});
   return kDone;
 }
 

@@ -17,6 +17,13 @@ int thread_count(int threads) {
       fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
 }
 
+DryRun dry_run(const po::variables_map& values) {
+  const bool dry = values.count("dry-run") > 0, json = values.count("json") > 0;
+  if (json && !dry) throw UsageError("--json belongs to --dry-run: give both or neither");
+  if (!dry) return DryRun::no;
+  return json ? DryRun::json : DryRun::text;
+}
+
 }  // namespace
 
 void add_run_options(po::options_description& options) {
@@ -36,6 +43,12 @@ void add_run_options(po::options_description& options) {
   add("resume",
       "if the same run was interrupted, go on from its newest checkpoint OUT-tT.h5 and with its "
       "record; the result is that of an uninterrupted run");
+  add("dry-run",
+      "write nothing: check the command and print about how much time, memory and disk it needs. "
+      "The time per step is measured now, for half a second, from the checkpoint or, for load, "
+      "near "
+      "the equilibrium, which is not solved for");
+  add("json", "with --dry-run: print one JSON object");
 }
 
 RunOptions run_options(const po::variables_map& values) {
@@ -51,6 +64,7 @@ RunOptions run_options(const po::variables_map& values) {
   run.record_every = non_negative(values, "record-every");
   run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0;
+  run.dry_run = dry_run(values);
   if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
   return run;
 }

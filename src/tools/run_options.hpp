@@ -11,6 +11,9 @@
 
 namespace rupture::tools {
 
+/// Whether to run, or only to say what the run would need, and how.
+enum class DryRun { no, text, json };
+
 struct RunOptions {
   std::vector<double> checkpoint_at;       ///< [s]
   std::optional<double> checkpoint_every;  ///< [s]
@@ -19,6 +22,7 @@ struct RunOptions {
   std::optional<int> threads;  ///< none: as many as pay
   OnAlarm on_alarm = OnAlarm::stop;
   bool resume = false;  ///< go on with what the same run has left, if it was interrupted
+  DryRun dry_run = DryRun::no;
 };
 
 void add_run_options(po::options_description& options);

@@ -12,6 +12,7 @@
 #include "rebuild.hpp"
 #include "resume.hpp"
 #include "rupture/model/error.hpp"
+#include "speed.hpp"
 #include "text.hpp"
 
 namespace rupture::tools {
@@ -55,7 +56,6 @@ Resumption beginning(Checkpoint start, const StopRule& rule, const RunFiles& fil
   auto chain = start.provenance;
   auto found = resume ? find_resumption(start, rule, files) : std::nullopt;
   if (!found) return {std::move(start), {}, {}, std::move(chain)};
-  restore_sum(found->file);
   ProvenanceEntry entry = chain.back();
   entry.parent_checksum = found->checkpoint.checksum;
   entry.rebuild = "restart";
@@ -71,7 +71,7 @@ using IfCheckpointExists = std::function<IfExists(const fs::path&)>;
 class Run {
  public:
   Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
-      IfCheckpointExists if_exists, IfExists if_record_exists, std::optional<int> threads,
+      IfCheckpointExists if_exists, IfExists if_record_exists, int threads,
       const OutputOptions& output);
 
   /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
@@ -102,7 +102,7 @@ class Run {
 };
 
 Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
-         IfCheckpointExists if_exists, IfExists if_record_exists, std::optional<int> threads,
+         IfCheckpointExists if_exists, IfExists if_record_exists, int threads,
          const OutputOptions& output)
     : files_(files),
       if_exists_(std::move(if_exists)),
@@ -111,8 +111,7 @@ Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
       provenance_(begin.checkpoint.provenance),
       record_provenance_(begin.record_provenance),
       saved_(begin.file),
-      simulation_(begin.checkpoint.parameters, begin.checkpoint.state,
-                  threads.value_or(threads_that_pay(begin.checkpoint.parameters))) {
+      simulation_(begin.checkpoint.parameters, begin.checkpoint.state, threads) {
   simulation_.take_up(*begin.checkpoint.run);
   if (!files.record) return;
   writer_ =
@@ -183,12 +182,14 @@ void Run::save(const fs::path& path, IfExists if_exists) {
   saved_ = path;
 }
 
-void check_run_outputs(const std::vector<std::int64_t>& steps, const RunFiles& files, double dt,
-                       IfExists if_output_exists, const IfCheckpointExists& if_exists,
-                       IfExists if_record_exists, const fs::path& input) {
+void check_run_outputs(const std::vector<std::int64_t>& steps, const RunFiles& files,
+                       const Parameters& p, IfExists if_output_exists,
+                       const IfCheckpointExists& if_exists, IfExists if_record_exists,
+                       const fs::path& input) {
   std::vector<fs::path> on_the_way;
+  on_the_way.reserve(steps.size());
   for (const std::int64_t step : steps) {
-    on_the_way.push_back(path_at(files.output, static_cast<double>(step) * dt));
+    on_the_way.push_back(path_at(files.output, static_cast<double>(step) * p.dt));
   }
   std::vector<fs::path> all = on_the_way;
   all.push_back(files.output);
@@ -196,7 +197,7 @@ void check_run_outputs(const std::vector<std::int64_t>& steps, const RunFiles& f
   check_distinct(all, input);
   check_output(files.output, if_output_exists);
   for (const fs::path& path : on_the_way) check_output(path, if_exists(path));
-  if (files.record) check_output(*files.record, if_record_exists);
+  if (files.record) check_record(*files.record, p, if_record_exists);
 }
 
 /// The command that goes on with the run. What follows " -- " are files.
@@ -214,6 +215,12 @@ void say_where_it_begins(const Resumption& begin) {
   }
 }
 
+/// Prints what a run needs that does this and takes its steps from `state`.
+void print_forecast(const Workload& work, const State& state, DryRun how) {
+  const Forecast needs = forecast(work, measure_speed(work, state));
+  say("{}", how == DryRun::json ? json_text(json_of(needs)) + "\n" : text_of(needs));
+}
+
 }  // namespace
 
 void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
@@ -225,7 +232,15 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
                           options.record ? sampling_steps(p, options) : 1, output.if_exists};
   auto steps = checkpoint_steps(p, start.state.step, rule.last_step, options);
   start.run = {.first_step = start.state.step, .last_break = start.state.step};
+  const bool dry = options.dry_run != DryRun::no;
+  // Nothing is left to do unless it is found below that there is.
+  Workload work = {.parameters = p,
+                   .start = input.empty() ? Start::equilibrium : Start::checkpoint,
+                   .first_step = rule.last_step,
+                   .last_step = rule.last_step,
+                   .threads = options.threads.value_or(threads_that_pay(p))};
   if (options.resume && is_complete(start, rule, files)) {
+    if (dry) return print_forecast(work, start.state, options.dry_run);
     restore_sum(files.output);
     if (talk) say("{} is complete\n", output.output.string());
     return;
@@ -234,16 +249,27 @@ void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
     return options.resume && may_write(path, start) ? IfExists::replace : output.if_exists;
   };
   const Resumption begin = beginning(start, rule, files, options.resume);
-  if (options.resume && talk) say_where_it_begins(begin);
+  if (options.resume && talk && options.dry_run != DryRun::json) say_where_it_begins(begin);
   if (!begin.file.empty()) {  // what lies before was written already
     std::erase_if(steps, [&](std::int64_t step) { return step <= begin.checkpoint.state.step; });
   }
   const IfExists if_record_exists = options.resume ? IfExists::replace : output.if_exists;
-  check_run_outputs(steps, files, p.dt, output.if_exists, if_exists, if_record_exists, input);
+  check_run_outputs(steps, files, p, output.if_exists, if_exists, if_record_exists, input);
+
+  if (dry) {
+    work.first_step = begin.checkpoint.state.step;
+    work.end = rule.quiet_steps ? End::at_the_latest : End::known;
+    work.checkpoints = static_cast<std::int64_t>(steps.size()) + 1;
+    if (files.record) {
+      work.samples = sample_count(start.run->first_step, rule.last_step, files.record_every);
+    }
+    return print_forecast(work, begin.checkpoint.state, options.dry_run);
+  }
+  if (!begin.file.empty()) restore_sum(begin.file);
 
   const InterruptionNoted noted;
   rule.interrupted = [] { return InterruptionNoted::signal() != 0; };
-  Run run(begin, rule.last_step, files, if_exists, if_record_exists, options.threads, output);
+  Run run(begin, rule.last_step, files, if_exists, if_record_exists, work.threads, output);
   if (run.go(rule, steps, options.on_alarm) == Ending::interrupted) {
     if (run.has_moved()) run.save_on_the_way();
     throw Interrupted{InterruptionNoted::signal(),

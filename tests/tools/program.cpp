@@ -74,12 +74,17 @@ bool redirect(const RunOptions& options, int out, int err) {
   ::_exit(kCannotStart);
 }
 
-int exit_code_of(pid_t child) {
+/// The exit code and the peak of the memory, once the program has ended.
+Outcome end_of(pid_t child) {
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0) {
+  rusage usage{};
+  while (::wait4(child, &status, 0, &usage) < 0) {
     if (errno != EINTR) throw std::runtime_error("the program was lost");
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  Outcome outcome;
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  outcome.peak_memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  return outcome;
 }
 
 }  // namespace
@@ -94,8 +99,10 @@ Outcome run_program(const std::vector<std::string>& arguments, const RunOptions&
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("no process could be started");
   if (child == 0) become_program(argv.data(), options, out.fd(), err.fd());
-  const int exit_code = exit_code_of(child);
-  return {exit_code, out.text(), err.text()};
+  Outcome outcome = end_of(child);
+  outcome.out = out.text();
+  outcome.err = err.text();
+  return outcome;
 }
 
 }  // namespace rupture::test

@@ -22,6 +22,7 @@ struct RunOptions {
 struct Outcome {
   int exit_code = 0;  ///< minus the signal's number if one ended the program
   std::string out, err;
+  std::uint64_t peak_memory = 0;  ///< [bytes]; at least that of the test's own process
 };
 
 inline constexpr int kCannotStart = 127;  ///< exit code if the program could not be executed

@@ -57,12 +57,17 @@ struct Record {
 /// `<path>.part`, where the record lives until it is finished.
 std::filesystem::path part_path(const std::filesystem::path& path);
 
+/// Throws unless a run with these parameters may write this record: Failure as check_output(), also
+/// of its .part; UsageError if N_s does not fit the 16 bits of a pinned count.
+void check_record(const std::filesystem::path& path, const Parameters& parameters,
+                  IfExists if_exists);
+
 /// Writes one record. append() only copies into buffers; every `flush_every` samples they go to
 /// the .part file.
 class RecordWriter {
  public:
-  /// Begins with `rows_before`, of rows_until(). Throws Failure if `path` or its .part may not be
-  /// written, UsageError if N_s does not fit the 16 bits of a pinned count.
+  /// Begins with `rows_before`, of rows_until(). Throws as check_record(), and Failure if the .part
+  /// cannot be written.
   RecordWriter(std::filesystem::path path, const Parameters& parameters,
                const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
                Content rows_before = {}, std::size_t flush_every = 256);
