@@ -116,6 +116,8 @@ set_profile() {
   profile=$1
   if [[ $1 == */* ]]; then profile=$(of_caller "$1"); else profile=$root/recipes/profiles/$1; fi
   [[ -n $1 && -e $profile/config.yaml ]] || option_error "--profile '$1' is none: $profile/config.yaml does not exist."
+  [[ ! -e $profile/srun.ini ]] || command -v srun >/dev/null ||
+    die "--profile $1 needs SLURM's srun, which is not on the PATH; use it where jobs are submitted."
 }
 
 set_programs() {
