@@ -30,7 +30,9 @@ def run(folder_of_tools, command, folder):
         check=False,
     )
     if done.returncode not in (0, *USER_ERRORS):
-        sys.exit(f"point.py: '{command}' ended with {done.returncode}: {done.stderr.strip()}")
+        code = done.returncode
+        print(f"point.py: '{command}' ended with {code}: {done.stderr.strip()}", file=sys.stderr)
+        sys.exit(128 - code if code < 0 else code)  # of a signal, as a shell says it
     return done
 
 

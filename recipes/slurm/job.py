@@ -56,14 +56,14 @@ class Command:
 
 
 def script(commands):
-    """Runs the commands one after the other and reports `number code` after each. One that a signal
-    ended has no code of its own: then the job is being ended, or had too little memory."""
+    """Runs the commands one after the other and reports `number code` after each. One that SIGKILL or
+    SIGTERM ended has no code of its own: the job is being ended, or has too little memory."""
     lines = ["exec 3>&1 >&2", 'echo "job $SLURM_JOB_ID on $(hostname)"']
     for number, command in enumerate(commands):
         lines += [
             f"echo; echo {shlex.quote(command.text)}",
             f"code=0; bash -c {shlex.quote(STRICT + command.text)} 3>&- || code=$?",
-            'echo "$(date +%T) ended with $code"; ((code <= 128)) || exit "$code"',
+            'echo "$(date +%T) ended with $code"; [[ $code != 137 && $code != 143 ]] || exit "$code"',
             f'echo "{number} $code" >&3',
         ]
     return "\n".join([*lines, 'exit "$code"', ""])

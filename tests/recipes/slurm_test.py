@@ -113,8 +113,12 @@ class Scripts(WithSlurm):
             self.codes("false | true", "echo $nothing", "false; true")[0], ["0 1", "1 1", "2 1"]
         )
 
-    def test_a_command_that_a_signal_ended_ends_the_job_without_a_report(self):
+    def test_a_command_that_was_killed_ends_the_job_without_a_report(self):
         self.assertEqual(self.codes("true", "kill -9 $$", "true"), (["0 0"], 137))
+        self.assertEqual(self.codes("true", "exit 143", "true"), (["0 0"], 143))
+
+    def test_a_crash_is_the_commands_own(self):
+        self.assertEqual(self.codes("kill -SEGV $$", "true"), (["0 139", "1 0"], 0))
 
 
 class Sharing(unittest.TestCase):

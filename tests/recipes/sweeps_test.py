@@ -194,7 +194,7 @@ class Computing(unittest.TestCase):
 
     def test_a_crash_leaves_no_point(self):
         done = self.compute("crash")
-        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.returncode, 128 + 9)
         self.assertIn("ended with -9", done.stderr)
         self.assertEqual(list(self.folder.glob("*.json*")), [])
 
