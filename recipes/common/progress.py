@@ -1,4 +1,5 @@
-"""What Snakemake says on the terminal: one line per step, and everything about a failure.
+"""What Snakemake says on the terminal: one line per step, and everything about a failure. On a cluster,
+where all steps that can begin wait in line at once, the line says what is going on (slurm/line.py).
 
 Snakemake calls log_handler() with each of its messages. Each command also goes to the log file.
 """
@@ -10,6 +11,7 @@ from pathlib import Path
 
 LOG = Path("build/log/recipes.log")
 LAST_LINES = 30
+ON_CLUSTER = any(argument.startswith("srun=") for argument in sys.argv)  # reproduce.sh
 START = time.monotonic()
 steps = {"started": 0, "total": "?"}
 
@@ -38,11 +40,13 @@ def on_plan(message):
     total = re.search(r"^total\s+(\d+)", message["msg"], re.MULTILINE)
     if total:
         steps["total"] = total[1]
+        if ON_CLUSTER:
+            print(f"{total[1]} steps", flush=True)
 
 
 def on_start(message):
     steps["started"] += 1
-    if message["output"]:  # a rule without one only collects
+    if message["output"] and not ON_CLUSTER:  # a rule without one only collects
         number = f"{steps['started']:{len(steps['total'])}}/{steps['total']}"
         print(f"[{time.monotonic() - START:4.0f} s] {number} {describe(message)}", flush=True)
 

@@ -11,6 +11,8 @@ GROUPED = {"point"}  # rules with many short commands
 GATHERING = 1.0  # [s] without a new command, after which a group is complete
 GATHERING_AT_MOST = 5.0  # [s]
 TEND_EVERY = 30.0  # [s]
+TELL_EVERY = 5.0  # [s]
+SHOWN = 3  # names of jobs
 WAKE_EVERY = 0.5  # [s]
 ATTEMPTS = 3  # of a command whose job SLURM ends
 
@@ -23,13 +25,14 @@ class Line:
         self.groups = {}  # Needs: commands that wait
         self.running = {}  # name: job
         self.started = 0
+        self.ended = 0  # commands
         self.closed = False
         self.changed = threading.Condition()
 
     def open(self):
         self.settings.logs.mkdir(parents=True, exist_ok=True)
         end_leftovers(self.settings.label)
-        for task in (self.serve, self.tend):
+        for task in (self.serve, self.tend, self.tell):
             threading.Thread(target=task, daemon=True).start()
 
     def run(self, command):
@@ -39,6 +42,7 @@ class Line:
         while not command.ended.wait(WAKE_EVERY):
             if self.closed:
                 raise KeyboardInterrupt
+        self.ended += 1
         return command.code
 
     def add(self, command):
@@ -83,6 +87,23 @@ class Line:
             }
             cancel(idle & before)
             before = idle
+
+    def tell(self):
+        """What is going on, as long as it changes."""
+        opened, told = time.monotonic(), ""
+        while True:
+            time.sleep(TELL_EVERY)
+            now = self.state()
+            if now != told:
+                print(f"[{time.monotonic() - opened:4.0f} s] {now}", flush=True)
+            told = now
+
+    def state(self):
+        with self.changed:
+            jobs = list(self.running)
+            waiting = sum(map(len, self.groups.values()))
+        names = ", ".join(jobs[:SHOWN]) + (", ..." if len(jobs) > SHOWN else "")
+        return f"{self.ended} done, {len(jobs)} jobs in the queue ({names}), {waiting} waiting"
 
     def settle(self, job):
         """What SLURM has ended is tried again."""
