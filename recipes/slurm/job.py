@@ -97,6 +97,7 @@ class Job:
         self.srun = [*srun(settings, self.name, self.needs, len(commands)), "bash", self.script]
         self.code = None
         self.process = None
+        self.interrupted = False
 
     def run(self):
         """Returns when all its commands have ended, or it has itself."""
@@ -120,6 +121,8 @@ class Job:
             env=environment,
         ) as process:
             self.process = process
+            if self.interrupted:
+                self.interrupt()
             for line in process.stdout:
                 number, code = map(int, line.split())
                 self.commands[number].end(code)
@@ -127,6 +130,7 @@ class Job:
         self.note(f"ended with {self.code}")
 
     def interrupt(self):
+        self.interrupted = True
         if self.process:
             self.process.send_signal(signal.SIGINT)
 

@@ -13,7 +13,6 @@ GATHERING_AT_MOST = 5.0  # [s]
 TEND_EVERY = 30.0  # [s]
 TELL_EVERY = 5.0  # [s]
 SHOWN = 3  # names of jobs
-WAKE_EVERY = 0.5  # [s]
 ATTEMPTS = 3  # of a command whose job SLURM ends
 
 
@@ -22,6 +21,7 @@ class Line:
 
     def __init__(self, settings):
         self.settings = settings
+        self.commands = set()  # all that have not ended
         self.groups = {}  # Needs: commands that wait
         self.running = {}  # name: job
         self.started = 0
@@ -38,11 +38,15 @@ class Line:
     def run(self, command):
         """The command's exit code, when it has ended."""
         with self.changed:
+            self.commands.add(command)
             self.add(command)
-        while not command.ended.wait(WAKE_EVERY):
-            if self.closed:
-                raise KeyboardInterrupt
-        self.ended += 1
+        if not self.closed:
+            command.ended.wait()
+        if self.closed:
+            raise KeyboardInterrupt
+        with self.changed:
+            self.commands.remove(command)
+            self.ended += 1
         return command.code
 
     def add(self, command):
@@ -52,8 +56,10 @@ class Line:
         self.changed.notify()
 
     def close(self):
-        """Nothing is started any more, and what runs is ended."""
+        """Nothing is started any more, and what runs is ended. For a signal: it takes no lock."""
         self.closed = True
+        for command in list(self.commands):
+            command.ended.set()
         for job in list(self.running.values()):
             job.interrupt()
 

@@ -58,7 +58,6 @@ class WithSlurm(unittest.TestCase):
             mock.patch.dict(os.environ, PATH=path),
             mock.patch.object(job_module, "RETRY_EVERY", 0.05),
             mock.patch.object(line_module, "GATHERING", 0.1),
-            mock.patch.object(line_module, "WAKE_EVERY", 0.02),
             mock.patch.object(sys, "stdout", io.StringIO()),
         ):
             patch.start()
