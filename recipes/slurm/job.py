@@ -58,7 +58,7 @@ class Command:
 def script(commands):
     """Runs the commands one after the other and reports `number code` after each. One that SIGKILL or
     SIGTERM ended has no code of its own: the job is being ended, or has too little memory."""
-    lines = ["exec 3>&1 >&2", 'echo "job $SLURM_JOB_ID on $(hostname)"']
+    lines = ["exec 3>&1 >&2", 'echo "job ${SLURM_JOB_ID-} on ${SLURMD_NODENAME-}"']
     for number, command in enumerate(commands):
         lines += [
             f"echo; echo {shlex.quote(command.text)}",

@@ -139,7 +139,7 @@ def draw_values(fig, axes, borders, z, grid):
         colours = [COLOURS.get(text, LINES[n % len(LINES)]) for n, text in enumerate(z.categories)]
         look = {"cmap": ListedColormap(colours), "vmin": -0.5, "vmax": len(colours) - 0.5}
     image = axes.pcolormesh(*borders, np.ma.masked_invalid(grid), **look)
-    scale = fig.colorbar(image, ax=axes, label=z.label)
+    scale = fig.colorbar(image, ax=axes)
     if z.categories:
         scale.ax.minorticks_off()
         scale.set_ticks(range(len(z.categories)), labels=z.categories)
@@ -154,10 +154,10 @@ def draw_map(fig, axes, x, y, z, done):
     """Medians as colours; hatched where no point is done."""
     *borders, medians = cells(x, y, lambda here: middle(z, z.positions[here]))
     not_done = cells(x, y, lambda here: np.nan if done[here].any() else 0.0)[2]
-    if np.isfinite(medians).any():
+    measured = np.isfinite(medians).any()
+    axes.set_title(z.label if measured else f"{z.label}: no value")
+    if measured:
         draw_values(fig, axes, borders, z, medians)
-    else:
-        axes.set_title(f"{z.label}: no value")
     if np.isfinite(not_done).any():
         hatch(axes, borders, not_done)
     set_axis(axes, "x", x)
