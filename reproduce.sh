@@ -116,8 +116,17 @@ set_profile() {
   profile=$1
   if [[ $1 == */* ]]; then profile=$(of_caller "$1"); else profile=$root/recipes/profiles/$1; fi
   [[ -n $1 && -e $profile/config.yaml ]] || option_error "--profile '$1' is none: $profile/config.yaml does not exist."
-  [[ ! -e $profile/srun.ini ]] || command -v srun >/dev/null ||
-    die "--profile $1 needs SLURM's srun, which is not on the PATH; use it where jobs are submitted."
+  profile=$(cd "$profile" && pwd)
+}
+
+# What keeps a profile for a cluster from working here.
+check_profile() {
+  [[ -e $profile/srun.ini ]] || return 0
+  command -v srun >/dev/null ||
+    die "the profile ${profile##*/} needs SLURM's srun, which is not on the PATH; use it where jobs are submitted."
+  [[ ! ${SLURM_STEP_ID-} =~ ^[0-9]{1,6}$ ]] ||
+    die "inside a step of a job (srun), further steps would wait for its cores for ever; use the usual profile here, or salloc or sbatch."
+  "$(debian_or_path python3)" recipes/slurm/settings.py "$profile/srun.ini" || exit
 }
 
 set_programs() {
@@ -154,6 +163,7 @@ check_commands() {
     exit 2
   fi
   if [[ ${command_names[0]} == sweep ]]; then
+    ((from_scratch == 0)) || option_error "--from-scratch is for figures; a sweep starts from what its file says."
     ((${#command_names[@]} == 2)) || option_error "'sweep' needs one file, as in ./reproduce.sh sweep my.ini."
     return
   fi
@@ -246,6 +256,31 @@ recipes() {
     ${programs:+bin="$programs"} ${plan:+sweep="$plan"}
 }
 
+# A signal has to reach Snakemake and what it runs, too: they get a process group of their own (set -m),
+# to which it is passed on.
+computing=
+
+stop_computing() {
+  local code=$1
+  trap '' INT TERM HUP
+  if [[ -n $computing ]]; then
+    kill -INT -- "-$computing" 2>/dev/null || true
+    wait "$computing" || true
+  fi
+  exit "$code"
+}
+
+run_recipes() {
+  local code=0
+  set -m
+  recipes "$@" </dev/null &
+  computing=$!
+  set +m
+  wait "$computing" || code=$?
+  computing=
+  return "$code"
+}
+
 # Rules *_start, where they exist, make what decides about later steps: checkpoints that a figure
 # starts from, or a coarse map that is to be refined; rules *_refine what follows from those. Run
 # first, on their own, they let everything after them see what came out (recipes/Snakefile).
@@ -265,11 +300,11 @@ compute() {
   local stage rules gone
   for stage in start refine; do
     mapfile -t rules < <(stage_rules_of "$stage" "$@")
-    if ((${#rules[@]} > 0)); then recipes "${rules[@]}" || return; fi
+    if ((${#rules[@]} > 0)); then run_recipes "${rules[@]}" || return; fi
   done
   gone=$(gone_of "$@") || return
   mapfile -t gone <<<"$gone"
-  recipes "$@" ${gone[0]:+"${gone[@]}"}
+  run_recipes "$@" ${gone[0]:+"${gone[@]}"}
 }
 
 # For the report: which recipes, with how many cores, when, and for how long.
@@ -302,6 +337,7 @@ reproduce() {
   ensure_packages run
   [[ -n $programs ]] || build tools
   clean_environment
+  check_profile
   echo "Computing $* $(where_it_runs) ..."
   local started=$EPOCHSECONDS
   compute "$@" || die "$* could not be completed; the message above says why (log: $logs/recipes.log)."
@@ -318,7 +354,12 @@ sweep_step() {
     "$(debian_or_path python3)" "recipes/sweep/$step.py" "$@"
 }
 
-preview_sweep() { recipes sweep --summary | awk -F '\t' '$7 == "update pending"' | sweep_step preview "$plan" "$1"; }
+# Which points are to be computed, as Snakemake lists them.
+pending_points() {
+  local summary
+  summary=$(recipes sweep --summary) || die "Snakemake could not plan the sweep; the message above says why."
+  awk -F '\t' '$7 == "update pending"' <<<"$summary"
+}
 
 # The table is written even if points could not be computed: it says which, and why.
 sweep() {
@@ -327,11 +368,14 @@ sweep() {
   ensure_packages run
   [[ -n $programs ]] || build tools
   clean_environment
+  check_profile
   plan=$(sweep_step plan "$file" "$tools" results) || exit
   if ((dry_run)); then
-    preview_sweep "$tools"
+    local pending
+    pending=$(pending_points) || exit
+    sweep_step preview "$plan" "$tools" <<<"$pending"
   else
-    recipes sweep || true
+    run_recipes sweep || pending_points >/dev/null || exit
     sweep_step report "$plan" results
   fi
 }
@@ -425,7 +469,9 @@ take_turn() {
 
 main() {
   cd "$root"
-  trap 'exit 130' INT
+  trap 'stop_computing 130' INT
+  trap 'stop_computing 143' TERM
+  trap 'stop_computing 129' HUP
   parse "$@"
   check_commands
   case ${command_names[0]} in

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Computes one point of a sweep (sweeps.py): point.py FOLDER_OF_TOOLS OUTPUT NAME=COMMAND...
+"""Computes one point of a sweep (sweeps.py): point.py FOLDER_OF_TOOLS OUTPUT BASE NAME=COMMAND...
 
-The commands run one after the other in an empty folder, which is deleted at the end. OUTPUT
+The commands run one after the other in an empty folder, which is deleted at the end. BASE is the
+file from outside that they read, or empty. OUTPUT
 is a JSON file with the commands, the checksum of every file that they wrote, what those with
 --json reported, under their names, and a status: done, or failed with the tool's sentence.
 """
@@ -18,10 +19,10 @@ from pathlib import Path
 USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request cannot be met
 
 
-def run(folder_of_tools, command, folder):
-    """The command's output. Relative paths of files that exist here stay what they are."""
+def run(folder_of_tools, command, base, folder):
+    """The command's output."""
     tool, *arguments = shlex.split(command)
-    arguments = [os.path.abspath(a) if os.path.exists(a) else a for a in arguments]
+    arguments = [os.path.abspath(base) if a == base else a for a in arguments]
     done = subprocess.run(
         [Path(folder_of_tools).resolve() / tool, *arguments],
         cwd=folder,
@@ -42,11 +43,11 @@ def checksums(folder):
     return {name: checksum for checksum, name in lines}
 
 
-def compute(folder_of_tools, commands):
+def compute(folder_of_tools, base, commands):
     point = {"commands": list(commands.values()), "status": "done", "sentence": ""}
     with tempfile.TemporaryDirectory(prefix="rupture-point-") as folder:
         for name, command in commands.items():
-            done = run(folder_of_tools, command, folder)
+            done = run(folder_of_tools, command, base, folder)
             if done.returncode:
                 sentence = done.stderr.strip().splitlines()
                 point |= {"status": "failed", "sentence": sentence[-1] if sentence else command}
@@ -57,9 +58,9 @@ def compute(folder_of_tools, commands):
     return point
 
 
-def main(folder_of_tools, output, *commands):
+def main(folder_of_tools, output, base, *commands):
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the folder is deleted
-    point = compute(folder_of_tools, dict(command.split("=", 1) for command in commands))
+    point = compute(folder_of_tools, base, dict(command.split("=", 1) for command in commands))
     temporary = Path(f"{output}.part")
     temporary.write_text(json.dumps(point) + "\n", encoding="utf-8")
     os.replace(temporary, output)

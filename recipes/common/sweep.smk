@@ -25,6 +25,10 @@ def base_of(point):
     return [point.base] if point.base else []
 
 
+def values_of(point):
+    return ", ".join(f"{name} {value}" for name, value in point.values.items())
+
+
 rule point:
     input:
         base=lambda wildcards: base_of(POINTS[wildcards.id]),
@@ -36,21 +40,20 @@ rule point:
         commands=lambda wildcards: [
             f"{name}={line}" for name, line in POINTS[wildcards.id].commands.items()
         ],
-        values=lambda wildcards: ", ".join(
-            f"{name} {value}" for name, value in POINTS[wildcards.id].values.items()
-        ),
+        base=lambda wildcards: shlex.quote(POINTS[wildcards.id].base),  # also if there is none
     wildcard_constraints:
         id="[0-9a-f]{16}",
     threads: lambda wildcards: NEEDS[wildcards.id].threads
     resources:
         runtime=lambda wildcards: NEEDS[wildcards.id].minutes,
         mem_mb=lambda wildcards: NEEDS[wildcards.id].megabytes,
+        values=lambda wildcards: values_of(POINTS[wildcards.id]),  # not among the params: any sweep's
     log:
         f"{LOGS}/points/{{id}}.log",
     message:
-        "point: {params.values}"
+        "point: {resources.values}"
     shell:
-        "{PYTHON} {input.script} {BIN} {output} {params.commands:q} 2> {log}"
+        "{PYTHON} {input.script} {BIN} {output} {params.base} {params.commands:q} 2> {log}"
 
 
 rule table:

@@ -10,10 +10,16 @@ import threading
 import time
 from dataclasses import dataclass, field, replace
 
-UNREACHABLE = re.compile(r"Unable to contact slurm controller|Socket timed out|Connection refused")
+AWAY = re.compile(  # said by srun when asking again later may help
+    r"Unable to contact slurm controller|Socket timed out|Connection refused|submit limit"
+)
+SUBMITTED = re.compile(r"\bjob (allocation )?\d+|StepId=|JobId=", re.I)
+TOO_LITTLE = re.compile(r"DUE TO TIME LIMIT|out.of.memory|oom.kill", re.I)
 RETRY_EVERY = 10.0  # [s]
 RETRY_FOR = 900.0  # [s]
 STRICT = "set -euo pipefail; "  # as Snakemake's own shell
+REPORT = re.compile(r"rupture: (\d+) (\d+)$")
+BEGUN = "rupture: begun"
 LAST_LINES = 5
 REASONS = [  # the most telling first
     re.compile(pattern, re.M)
@@ -45,8 +51,8 @@ class Command:
         self.code = code
         self.ended.set()
 
-    def more(self):
-        """What it asks for when it is tried again: it may have had too little."""
+    def ask_for_more(self):
+        """Twice as much as at first, then three times."""
         ratio = (self.attempts + 1) / self.attempts
         self.needs = replace(
             self.needs,
@@ -56,15 +62,18 @@ class Command:
 
 
 def script(commands):
-    """Runs the commands one after the other and reports `number code` after each. One that SIGKILL or
+    """Runs the commands one after the other and reports their codes, each when it ends. One that SIGKILL or
     SIGTERM ended has no code of its own: the job is being ended, or has too little memory."""
-    lines = ["exec 3>&1 >&2", 'echo "job ${SLURM_JOB_ID-} on ${SLURMD_NODENAME-}"']
+    lines = [
+        f"exec 3>&1 >&2; echo {BEGUN} >&3",
+        'echo "job ${SLURM_JOB_ID-} on ${SLURMD_NODENAME-}"',
+    ]
     for number, command in enumerate(commands):
         lines += [
             f"echo; echo {shlex.quote(command.text)}",
             f"code=0; bash -c {shlex.quote(STRICT + command.text)} 3>&- || code=$?",
             'echo "$(date +%T) ended with $code"; [[ $code != 137 && $code != 143 ]] || exit "$code"',
-            f'echo "{number} $code" >&3',
+            f'echo "rupture: {number} $code" >&3',
         ]
     return "\n".join([*lines, 'exit "$code"', ""])
 
@@ -73,7 +82,7 @@ def srun(settings, name, needs, count):
     return [
         "srun",
         f"--job-name={name}",
-        f"--comment={settings.label}",
+        f"--comment={settings.run}",
         "--nodes=1",
         "--ntasks=1",
         f"--cpus-per-task={needs.threads}",
@@ -98,6 +107,7 @@ class Job:
         self.code = None
         self.process = None
         self.interrupted = False
+        self.begun = False
 
     def run(self):
         """Returns when all its commands have ended, or it has itself."""
@@ -105,8 +115,8 @@ class Job:
         self.note(shlex.join(map(str, self.srun)))
         give_up = time.monotonic() + RETRY_FOR
         self.attempt()
-        while self.is_unreachable() and time.monotonic() < give_up:
-            self.note(f"the controller cannot be reached; trying again in {RETRY_EVERY:.0f} s")
+        while self.is_away() and time.monotonic() < give_up:
+            self.note(f"trying again in {RETRY_EVERY:.0f} s")
             time.sleep(RETRY_EVERY)
             self.attempt()
 
@@ -119,15 +129,21 @@ class Job:
             stderr=log,
             text=True,
             env=environment,
+            start_new_session=True,  # Ctrl-C ends it through interrupt() only
         ) as process:
             self.process = process
             if self.interrupted:
                 self.interrupt()
             for line in process.stdout:
-                number, code = map(int, line.split())
-                self.commands[number].end(code)
+                self.hear(line.rstrip("\n"))
         self.code = process.returncode
         self.note(f"ended with {self.code}")
+
+    def hear(self, line):
+        """What the script said, and others on its way."""
+        self.begun = self.begun or line == BEGUN
+        if report := REPORT.match(line):
+            self.commands[int(report[1])].end(int(report[2]))
 
     def interrupt(self):
         self.interrupted = True
@@ -138,19 +154,33 @@ class Job:
         """The commands that have not ended."""
         return [command for command in self.commands if not command.ended.is_set()]
 
-    def is_unreachable(self):
-        """True if the job was not even submitted."""
-        return len(self.left()) == len(self.commands) and UNREACHABLE.search(self.last_words())
+    def is_away(self):
+        return not self.interrupted and not self.begun and AWAY.search(self.last_words())
+
+    def is_refused(self):
+        """True if SLURM did not take it."""
+        return not self.begun and not SUBMITTED.search(self.said())
+
+    def had_too_little(self):
+        """Time or memory. The kernel may have killed a command without a word of SLURM's."""
+        said = self.said()
+        return TOO_LITTLE.search(said) or (self.code == 137 and "CANCELLED" not in said)
+
+    def said(self):
+        try:
+            return self.log.read_text(errors="replace")
+        except OSError as error:
+            return str(error)
 
     def last_words(self):
-        return "\n".join(self.log.read_text(errors="replace").splitlines()[-LAST_LINES:])
+        return "\n".join(self.said().splitlines()[-LAST_LINES:])
 
     def reason(self):
         """What SLURM said, if anything."""
-        log = self.log.read_text(errors="replace")
+        said = self.said()
         for kind in REASONS:
-            if said := kind.findall(log):
-                return said[-1]
+            if found := kind.findall(said):
+                return found[-1]
         return f"srun ended with {self.code}"
 
     def note(self, text):

@@ -1,6 +1,7 @@
 """The commands that wait to become jobs, and the jobs that run."""
 
 import math
+import re
 import threading
 import time
 
@@ -13,6 +14,9 @@ GATHERING_AT_MOST = 5.0  # [s]
 TEND_EVERY = 30.0  # [s]
 TELL_EVERY = 5.0  # [s]
 SHOWN = 3  # names of jobs
+NEVER = re.compile(  # reasons for which a job waits in vain
+    r"Partition(Time|Node)Limit|PartitionConfig|BadConstraints|(Assoc|QOS)\w*Max(Wall|Cpu|Mem|Node)\w*Per"
+)
 ATTEMPTS = 3  # of a command whose job SLURM ends
 
 
@@ -23,6 +27,7 @@ class Line:
         self.settings = settings
         self.commands = set()  # all that have not ended
         self.groups = {}  # Needs: commands that wait
+        self.refused = {}  # Needs: the job for which SLURM said so
         self.running = {}  # name: job
         self.started = 0
         self.ended = 0  # commands
@@ -31,7 +36,7 @@ class Line:
 
     def open(self):
         self.settings.logs.mkdir(parents=True, exist_ok=True)
-        end_leftovers(self.settings.label)
+        end_leftovers(self.settings.folder)
         for task in (self.serve, self.tend, self.tell):
             threading.Thread(target=task, daemon=True).start()
 
@@ -50,6 +55,8 @@ class Line:
         return command.code
 
     def add(self, command):
+        if refusal := self.refused.get(command.needs):
+            return self.give_up(command, refusal)
         command.attempts += 1
         command.since = time.monotonic()
         self.groups.setdefault(command.needs, []).append(command)
@@ -76,6 +83,10 @@ class Line:
     def start(self, job):
         try:
             job.run()
+        except OSError as error:  # such as a full disk
+            print(f"{job.name}: {error}", flush=True)
+            for command in job.left():
+                command.end(1)
         finally:
             with self.changed:
                 del self.running[job.name]
@@ -84,15 +95,21 @@ class Line:
 
     def tend(self):
         """Ends jobs whose srun has ended while the controller could not be reached: they would keep
-        their cores until their time is up."""
-        before = set()
+        their cores until their time is up. Says which jobs will never start."""
+        before, told = set(), set()
         while True:
             time.sleep(TEND_EVERY)
-            idle = {
-                n for n, name in jobs_of(self.settings.label).items() if name not in self.running
-            }
-            cancel(idle & before)
+            jobs = jobs_of(self.settings.folder) or []
+            idle = {job.number for job in jobs if not self.is_mine(job)}
+            cancel(sorted(idle & before))
             before = idle
+            for job in jobs:
+                if NEVER.search(job.reason) and job.number not in told:
+                    told.add(job.number)
+                    print(f"{job.name} cannot start: {job.reason} (docs/cluster.md)", flush=True)
+
+    def is_mine(self, job):
+        return job.run == self.settings.run and job.name in self.running
 
     def tell(self):
         """What is going on, as long as it changes."""
@@ -106,17 +123,23 @@ class Line:
 
     def state(self):
         with self.changed:
-            jobs = list(self.running)
+            jobs = list(self.running.values())
             waiting = sum(map(len, self.groups.values()))
-        names = ", ".join(jobs[:SHOWN]) + (", ..." if len(jobs) > SHOWN else "")
-        return f"{self.ended} done, {len(jobs)} jobs in the queue ({names}), {waiting} waiting"
+        run = [job.name for job in jobs if job.begun]
+        names = f" ({', '.join(run[:SHOWN])}{', ...' if len(run) > SHOWN else ''})" if run else ""
+        queued = len(jobs) - len(run)
+        return f"{self.ended} done; jobs: {len(run)} running{names}, {queued} in the queue; {waiting} waiting"
 
     def settle(self, job):
         """What SLURM has ended is tried again."""
-        if self.closed:
-            return
         left = job.left()
-        again = [command for command in left if command.attempts < ATTEMPTS]
+        if self.closed or not left:
+            return
+        if job.is_refused():
+            self.refused[job.needs] = job
+            left += self.groups.pop(job.needs, [])
+            print(f"SLURM refused {job.name}: {job.reason()}", flush=True)
+        again = [command for command in left if self.may_try_again(command, job)]
         if again:
             print(
                 f"SLURM ended {job.name} ({job.reason()});"
@@ -124,18 +147,24 @@ class Line:
                 flush=True,
             )
         for command in left:
-            if command in again:
-                command.more()
-                self.add(command)
-            else:
+            if command not in again:
                 self.give_up(command, job)
+                continue
+            if job.had_too_little():
+                command.ask_for_more()
+            self.add(command)
+
+    def may_try_again(self, command, job):
+        return command.attempts < ATTEMPTS and command.needs not in self.refused
 
     def give_up(self, command, job):
         """The rule's own log says why."""
-        for path in command.log:
-            with open(path, "a", encoding="utf-8") as log:
-                print(f"SLURM ended the job ({job.log}):\n{job.last_words()}", file=log)
-        command.end(1)
+        try:
+            for path in command.log:
+                with open(path, "a", encoding="utf-8") as log:
+                    print(f"SLURM ended the job ({job.log}):\n{job.last_words()}", file=log)
+        finally:
+            command.end(1)
 
     def next_group(self):
         """Takes the commands of the next job out of the line, if there may be one now."""

@@ -3,20 +3,32 @@
 import os
 import subprocess
 import time
+from dataclasses import dataclass
 
-LEAVING = 120.0  # [s] that cancelled jobs may take to be gone
+PATIENCE = 900.0  # [s] with a controller that is away, and with jobs that take long to end
+ASK_EVERY = 2.0  # [s]
 
 
-def jobs_of(label):
-    """{number: name} of this folder's jobs in the queue."""
+@dataclass(frozen=True)
+class Queued:
+    number: str
+    name: str
+    reason: str  # why it waits; None if it does not
+    run: str
+
+
+def jobs_of(folder):
+    """This folder's jobs; None if squeue does not know."""
     listed = subprocess.run(
-        ["squeue", "--noheader", f"--user={os.getuid()}", "--format=%A %j %k"],
+        ["squeue", "--noheader", f"--user={os.getuid()}", "--format=%A %j %r %k"],
         capture_output=True,
         text=True,
         check=False,
     )
-    lines = (line.split(maxsplit=2) for line in listed.stdout.splitlines())
-    return {line[0]: line[1] for line in lines if line[2:] == [label]}
+    if listed.returncode:
+        return None
+    lines = (line.split(maxsplit=3) for line in listed.stdout.splitlines())
+    return [Queued(*line) for line in lines if line[3:] and line[3].startswith(folder)]
 
 
 def cancel(numbers):
@@ -24,10 +36,11 @@ def cancel(numbers):
         subprocess.run(["scancel", *numbers], check=False)
 
 
-def end_leftovers(label):
+def end_leftovers(folder):
     """Ends jobs of this folder from a run that was killed: they would write the same files."""
-    left = jobs_of(label)
-    cancel(left)
-    give_up = time.monotonic() + LEAVING
-    while left and jobs_of(label) and time.monotonic() < give_up:
-        time.sleep(0.5)
+    give_up = time.monotonic() + PATIENCE
+    while (left := jobs_of(folder)) != [] and time.monotonic() < give_up:
+        cancel([job.number for job in left or []])
+        time.sleep(ASK_EVERY)
+    if left != []:
+        raise RuntimeError("jobs of an earlier run in this folder may still be there (squeue)")

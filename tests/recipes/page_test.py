@@ -96,8 +96,18 @@ class Page(unittest.TestCase):
 
     def test_shows_the_last_run_that_computed_anything(self):
         self.project.make_accounts()
-        run = {"recipes": "fig2 fig3", "where": "with 2 cores", "started": int(START), "seconds": 65}
-        idle = {"recipes": "fig3", "where": "with 1 cores", "started": int(START) + 1000, "seconds": 4}
+        run = {
+            "recipes": "fig2 fig3",
+            "where": "with 2 cores",
+            "started": int(START),
+            "seconds": 65,
+        }
+        idle = {
+            "recipes": "fig3",
+            "where": "with 1 cores",
+            "started": int(START) + 1000,
+            "seconds": 4,
+        }
         spill(self.project.root / "results/runs.jsonl", f"{json.dumps(run)}\n{json.dumps(idle)}\n")
         text = " ".join(self.section("build").split())
         self.assertIn("fig2 fig3 with 2 cores, 3 jobs in 65 s from start to end", text)

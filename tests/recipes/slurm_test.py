@@ -33,8 +33,14 @@ cd - > /dev/null
 [[ $plan != down ]] || { echo 'srun: error: Unable to contact slurm controller (connect failure)' >&2; exit 1; }
 [[ $plan != refuse ]] || { echo 'srun: error: Invalid partition name specified' >&2; exit 1; }
 while [[ $1 == -* ]]; do shift; done
-[[ $plan != limit ]] || set -- timeout --signal=KILL 0.5 "$@"
-"$@" || exit
+if [[ $plan == limit || $plan == cancel ]]; then
+  timeout --signal=KILL 0.5 "$@"
+  [[ $plan != limit ]] || echo 'slurmstepd: error: *** STEP 7.0 ON n CANCELLED AT 12:00 DUE TO TIME LIMIT ***' >&2
+  [[ $plan != cancel ]] || echo 'slurmstepd: error: *** STEP 7.0 ON n CANCELLED AT 12:00 ***' >&2
+  exit 137
+fi
+[[ $plan != noise ]] || echo Welcome
+exec "$@"
 """
 SQUEUE = "#!/bin/bash\ncat $(dirname $0)/queue\n"
 SCANCEL = """#!/bin/bash
@@ -66,7 +72,9 @@ class WithSlurm(unittest.TestCase):
 
     def settings(self, jobs=4, group=20, group_time=120):
         return Settings(
-            ["--partition=x"], jobs, group, group_time, self.folder / "logs", "rupture:/x"
+            ["--partition=x"],
+            *(jobs, group, group_time, self.folder / "logs"),
+            *("rupture:/x:", "rupture:/x:now"),
         )
 
     def open(self, **settings):
@@ -102,7 +110,9 @@ class Scripts(WithSlurm):
             capture_output=True,
             text=True,
         )
-        return done.stdout.split("\n")[:-1], done.returncode
+        begun, *reports = done.stdout.splitlines()
+        self.assertEqual(begun, "rupture: begun")
+        return [report.removeprefix("rupture: ") for report in reports], done.returncode
 
     def test_the_end_of_each_command_is_reported(self):
         self.assertEqual(self.codes("true", "exit 3", "echo noise"), (["0 0", "1 3", "2 0"], 0))
@@ -122,7 +132,7 @@ class Scripts(WithSlurm):
 
 class Sharing(unittest.TestCase):
     def size(self, needs, waiting, free, group=20, group_time=120):
-        settings = Settings([], 50, group, group_time, Path("x"), "x")
+        settings = Settings([], 50, group, group_time, Path("x"), "x", "x")
         return Line(settings).group_size(needs, waiting, free)
 
     def test_commands_are_shared_out_among_the_jobs_that_may_start(self):
@@ -143,7 +153,7 @@ class Running(WithSlurm):
         self.assertEqual(self.run_all([self.command("echo $OMP_NUM_THREADS >&2; true", LOAD)]), [0])
         words = self.calls()[0].split()
         for word in (
-            *("--job-name=load-0001", "--comment=rupture:/x", "--cpus-per-task=2", "--mem=800"),
+            *("--job-name=load-0001", "--comment=rupture:/x:now", "--cpus-per-task=2", "--mem=800"),
             *("--time=30", "--partition=x", "--ntasks=1"),
         ):
             self.assertIn(word, words)
@@ -193,11 +203,28 @@ class Running(WithSlurm):
         )
         self.assertIn("SLURM ended the job", (self.folder / "rule.log").read_text())
 
-    def test_a_request_that_is_refused_says_why(self):
-        self.plan(*["refuse"] * 3)
+    def test_a_cancelled_job_is_tried_again_with_the_same(self):
+        self.plan("cancel")
         self.open()
-        self.assertEqual(self.run_all([self.command("true", LOAD)]), [1])
+        self.assertEqual(self.run_all([self.command("sleep 1", LOAD)]), [0])
+        self.assertIn("--mem=800 --time=30", self.calls()[1])
+
+    def test_a_refusal_is_final_for_all_that_need_the_same(self):
+        self.plan(*["refuse"] * 60)
+        self.open(jobs=1)
+        self.assertEqual(self.run_all([self.command("true") for _ in range(60)]), [1] * 60)
+        self.assertEqual(len(self.calls()), 1)
         self.assertIn("Invalid partition", (self.folder / "rule.log").read_text())
+
+    def test_other_words_on_the_way_do_not_matter(self):
+        self.plan("noise")
+        self.open()
+        self.assertEqual(self.run_all([self.command("true", LOAD)]), [0])
+
+    def test_without_a_place_for_logs_commands_fail(self):
+        self.open()
+        (self.folder / "logs").rmdir()
+        self.assertEqual(self.run_all([self.command("true", LOAD)]), [1])
 
     def test_a_controller_that_is_away_is_waited_for(self):
         self.plan(*["down"] * 5)
@@ -234,7 +261,8 @@ class Running(WithSlurm):
 class Queue(WithSlurm):
     def test_jobs_of_a_killed_run_are_cancelled(self):
         (self.folder / "queue").write_text(
-            "7 point-0001 rupture:/x\n8 other (null)\n9 point-0001 rupture:/x y\n11 load-0002 rupture:/x\n"
+            "7 point-0001 None rupture:/x:then\n8 other None (null)\n"
+            "9 point-0001 None rupture:/y:now\n11 load-0002 None rupture:/x:then\n"
         )
         self.open()
         self.assertEqual(self.lines_of("cancelled"), ["7 11"])
@@ -242,7 +270,7 @@ class Queue(WithSlurm):
     def test_a_job_without_srun_is_cancelled(self):
         with mock.patch.object(line_module, "TEND_EVERY", 0.1):
             self.open()
-            (self.folder / "queue").write_text("7 point-0001 rupture:/x\n")
+            (self.folder / "queue").write_text("7 point-0001 None rupture:/x:now\n")
             end = time.monotonic() + 10
             while not self.lines_of("cancelled") and time.monotonic() < end:
                 time.sleep(0.05)
@@ -253,8 +281,21 @@ class Profile(WithSlurm):
     def test_the_profile_can_be_read(self):
         path = Path(__file__).resolve().parents[2] / "recipes/profiles/slurm/srun.ini"
         settings = read_settings(path, "/x", self.folder)
-        self.assertEqual((settings.options, settings.label), ([], "rupture:/x"))
-        self.assertGreaterEqual(settings.jobs, 1)
+        self.assertEqual((settings.options, settings.folder), ([], "rupture:/x:"))
+
+    def test_mistakes_are_one_sentence(self):
+        path = self.folder / "srun.ini"
+        for text in (
+            "",
+            "x",
+            "[srun]\njobs = 0",
+            "[srun]\njobs = many",
+            "[srun]\njbos = 3",
+            "[srun]\noptions = '",
+        ):
+            path.write_text(text)
+            with self.subTest(text), self.assertRaisesRegex(ValueError, "^[^\n]+$"):
+                read_settings(path, "/x", self.folder)
 
 
 if __name__ == "__main__":

@@ -169,7 +169,7 @@ class Computing(unittest.TestCase):
         for point in read_sweep(self.sweep).points:
             line = point.commands["first"].replace("--kind ", "")
             done = self.script(
-                "point.py", self.folder, self.folder / f"{point.id}.json", f"first={line}"
+                "point.py", self.folder, self.folder / f"{point.id}.json", "", f"first={line}"
             )
             if done.returncode:
                 return done

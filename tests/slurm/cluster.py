@@ -159,6 +159,19 @@ class Cluster:
                     process.kill()
                     process.wait()
 
+        for number in self.users():
+            os.kill(number, signal.SIGKILL)
+
+    def users(self):
+        """Processes that still use it, such as a srun whose run was killed."""
+        mark = f"SLURM_CONF={self.environment['SLURM_CONF']}\0".encode()
+        for folder in Path("/proc").glob("[0-9]*"):
+            try:
+                if mark in (folder / "environ").read_bytes() and int(folder.name) != os.getpid():
+                    yield int(folder.name)
+            except OSError:
+                continue  # it has just ended, or is another user's
+
     def __enter__(self):
         try:
             self.start()
