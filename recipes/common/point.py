@@ -59,7 +59,8 @@ def compute(folder_of_tools, base, commands):
 
 
 def main(folder_of_tools, output, base, *commands):
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the folder is deleted
+    for number in (signal.SIGINT, signal.SIGTERM):  # so that the folder is deleted
+        signal.signal(number, lambda which, _: sys.exit(128 + which))
     point = compute(folder_of_tools, base, dict(command.split("=", 1) for command in commands))
     temporary = Path(f"{output}.part")
     temporary.write_text(json.dumps(point) + "\n", encoding="utf-8")

@@ -1,10 +1,10 @@
 """Commands of rules as SLURM jobs: what stands for Snakemake's shell() when a profile has a srun.ini.
 
 Snakemake runs as on one machine, with many commands at a time. Each waits here until it may be a
-job, started by srun, which ends with it; nobody has to ask how it is. Short
-commands that wait together share a job, one after the other; the job reports the end of each, so
-that what is finished stays finished if the job is ended. Jobs are named after their rules and have
-a log each in results/log/slurm/.
+job, started by srun, which ends with it; nobody has to ask how it is. Short commands that wait
+together share a job, one after the other; the job reports the end of each, so that what is
+finished stays finished if the job is ended. Jobs are named after their rules and have a log each
+in results/log/slurm/.
 """
 
 import inspect
