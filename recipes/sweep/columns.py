@@ -65,6 +65,8 @@ def check_values(points, units, columns):
         raise SweepError("there are no points: [values] says for which values to run")
     if len({tuple(point.values.items()) for point in points}) < len(points):
         raise SweepError("a point is there twice; remove the value that is repeated")
+    if any({"seed", "numerics.seed"} <= {*point.values} for point in points):
+        raise SweepError("seed and numerics.seed are the same; remove one of them from [values]")
     for name in units:
         if name in columns:
             raise SweepError(f"'{name}' is in [values] and the heading of a quantity; rename that")

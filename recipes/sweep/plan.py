@@ -18,7 +18,7 @@ from common.sweeps import SweepError, is_values, parse_ini, sentence_of, sweep_o
 from common.tables import replacing
 from sweep.columns import check_values, settle_columns, units_of_values
 from sweep.expand import expand
-from sweep.form import check_command, check_form, check_name, check_needed
+from sweep.form import check_command, check_form, check_given_once, check_name, check_needed
 from sweep.names import names_of
 
 
@@ -90,6 +90,7 @@ def make_plan(path, names, tools, results):
     check_values(points, units_in_points, plan["table"])
     for line in plan["commands"].values():
         check_needed(line, units_in_points)
+        check_given_once(line, units_in_points)
     plan["units"] = units_in_points | units
     output = Path(results) / "sweeps" / path.stem / f"{path.stem}.ini"
     with replacing(output) as part, part.open("w", encoding="utf-8") as file:

@@ -185,7 +185,8 @@ class Mistakes(Planning):
             PREPARED.replace("--until-quiet", "-o x.h5") + VALUES + FRONT, "must not have 'o'"
         )
         self.refuse(
-            PREPARED.replace("0.1", "0.1 --tau-bar 1") + VALUES + FRONT, "both in 'prepare' and in"
+            PREPARED.replace("0.1", "0.1 --tau-bar 1") + VALUES + FRONT,
+            "tau-bar is both in .values. and in 'prepare --sigma-bar",
         )
         self.refuse(
             PREPARED.replace("0.1", "0.1 --config x") + VALUES + FRONT, "must not have --config"
@@ -205,7 +206,10 @@ class Mistakes(Planning):
             PREPARED + VALUES + FRONT + "[analyze]\nfront = --slowbelow 0.1\n",
             "analyze front has no option 'slowbelow'; did you mean 'slow-below'",
         )
-        self.refuse(PREPARED + "[values]\nsigma-bar = 1\n" + FRONT, "both in 'prepare' and in")
+        self.refuse(
+            PREPARED + "[values]\ntau-bar = 0\nsigma-bar = 1\n" + FRONT,
+            "sigma-bar is both in .values. and in 'prepare",
+        )
         self.refuse(
             "[sweep]\nprepare =\n[values]\nseed = 1\n" + STRESS.replace("measured", "stress"),
             "prepare needs --tau-bar, which",
@@ -217,6 +221,35 @@ class Mistakes(Planning):
             "[sweep]\n" + LONG.replace("prepare", "prepar") + VALUES + STRESS,
             "no program 'prepar'; did you mean 'prepare'",
         )
+
+    def test_options_that_the_sweep_gives_or_that_compute_nothing(self):
+        for option in ("-q", "--quiet", "--record x.h5", "--json"):
+            text = PREPARED.replace("--until-quiet", f"--until-quiet {option}")
+            self.refuse(text + VALUES + FRONT, "'restart' must not have '.*the sweep gives itself")
+        for option in ("-f", "--force", "--resume", "--dry-run", "--help", "-h", "--version"):
+            text = LONG.replace("-o s.h5", f"-o s.h5 {option}")
+            self.refuse("[sweep]\n" + text + VALUES + STRESS, f"must not have {option}: ")
+            text = PREPARED.replace("0.1", f"0.1 {option}")
+            self.refuse(text + VALUES + FRONT, f"must not have {option}: ")
+
+    def test_a_value_is_given_once(self):
+        given = {
+            "--set driving.V=1": "driving.V = 1, 2",
+            "--set=driving.V=1": "driving.V = 1, 2",
+            "--seed 1": "numerics.seed = 1, 2",
+            "--set numerics.seed=1": "seed = 1, 2",
+            "--sigma-bar=0.1": "sigma-bar = 0, 0.1",
+        }
+        for option, values in given.items():
+            text = LONG.replace("{values}", f"{{values}} {option}") + VALUES + values + "\n"
+            self.refuse("[sweep]\n" + text + STRESS, "is both in .values. and in 'prepare")
+        self.refuse(
+            self.based() + "[values]\nseed = 1\nnumerics.seed = 2\n" + FRONT, "are the same"
+        )
+
+    def test_a_later_command_may_set_again_what_varies(self):
+        text = "[sweep]\nload = --until 0.5\nrestart = --for 0.1 --set driving.V=0\n"
+        self.assertEqual(len(self.plan(text + "[values]\ndriving.V = 1, 2\n" + FRONT).points), 2)
 
     def test_bases(self):
         values = "[values]\nseed = 1\n"
