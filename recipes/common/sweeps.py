@@ -251,8 +251,11 @@ def parse_ini(path):
         interpolation=None, delimiters=("=",), inline_comment_prefixes=("#", ";")
     )
     ini.optionxform = str  # names are case-sensitive
-    with open(path, encoding="utf-8-sig") as file:
-        ini.read_file(file)
+    try:
+        with open(path, encoding="utf-8-sig") as file:
+            ini.read_file(file)
+    except OSError as error:
+        raise SweepError(f"it cannot be read ({error.strerror})") from None
     return ini
 
 
@@ -281,7 +284,7 @@ def read_sweep(path):
 def sentence_of(error):
     """One line; the caller has named the file."""
     if isinstance(error, OSError):
-        return f"it cannot be read ({error.strerror})"
+        return f"{error.filename} cannot be read ({error.strerror})"
     if isinstance(error, UnicodeDecodeError):
         return "it is no text in UTF-8"
     if isinstance(error, configparser.MissingSectionHeaderError):

@@ -62,7 +62,9 @@ def check_value(name, text, unit):
 
 def check_values(points, units, columns):
     if not any(point.values for point in points):
-        raise SweepError("there are no points: [values] says for which values to run")
+        raise SweepError(
+            "there are no points: [values] or a table of points says for which values to run"
+        )
     if len({tuple(point.values.items()) for point in points}) < len(points):
         raise SweepError("a point is there twice; remove the value that is repeated")
     if any({"seed", "numerics.seed"} <= {*point.values} for point in points):

@@ -146,6 +146,29 @@ class Bases(Planning):
         self.assertTrue(checksum.stdout.startswith(copy.stem))
 
 
+class TablesOfPoints(Planning):
+    def table(self, content, folder="tables"):
+        """The text of a sweep whose points are in points.csv, in a folder beside it."""
+        (self.folder / folder).mkdir(exist_ok=True)
+        (self.folder / folder / "points.csv").write_bytes(content)
+        return f"[sweep]\nprepare =\nrestart = --until-quiet\npoints = {folder}/points.csv\n"
+
+    def test_the_plan_has_its_own_copy(self):
+        sweep = self.plan(self.table(b"tau-bar\n0.1\n0.2\n") + FRONT)
+        (self.folder / "tables/points.csv").write_text("tau-bar\n0.3\n")
+        again = read_sweep(self.folder / "results/sweeps/sweep/sweep.ini")
+        self.assertEqual([point.id for point in sweep.points], [point.id for point in again.points])
+        self.assertEqual(len(again.points), 2)
+
+    def test_any_folder_will_do(self):
+        for folder in ("a #b", "a ;b"):
+            (self.folder / folder).mkdir()
+            path = self.folder / folder / "sweep.ini"
+            path.write_text(self.table(b"tau-bar\n0.1\n", folder).replace(f"{folder}/", "") + FRONT)
+            sweep = read_sweep(make_plan(path, NAMES, BIN, self.folder / "results"))
+            self.assertEqual(len(sweep.points), 1)
+
+
 class Mistakes(Planning):
     def refuse(self, text, sentence, name="sweep"):
         with self.subTest(sentence):
@@ -336,12 +359,22 @@ class Mistakes(Planning):
         )
 
     def test_the_program_ends_with_one_sentence_and_2(self):
-        path = self.folder / "none.ini"
-        environment = dict(os.environ, PYTHONPATH=str(ROOT / "recipes"))
-        script = [sys.executable, "-B", ROOT / "recipes/sweep/plan.py", path, BIN, self.folder]
-        done = subprocess.run(script, env=environment, capture_output=True, text=True, check=False)
+        def said(path, results):
+            environment = dict(os.environ, PYTHONPATH=str(ROOT / "recipes"))
+            script = [sys.executable, "-B", ROOT / "recipes/sweep/plan.py", path, BIN, results]
+            done = subprocess.run(
+                script, env=environment, capture_output=True, text=True, check=False
+            )
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            return done.stderr
+
+        path, file = self.folder / "none.ini", self.folder / "file"
         sentence = f"reproduce.sh: {path}: it cannot be read (No such file or directory)\n"
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (2, "", sentence))
+        self.assertEqual(said(path, self.folder), sentence)
+        path.write_text(PREPARED + VALUES + FRONT)
+        file.write_text("")
+        sentence = f"{file}/sweeps/none/none.ini cannot be written (Not a directory)\n"
+        self.assertEqual(said(path, file), f"reproduce.sh: {path}: {sentence}")
 
 
 class Options(unittest.TestCase):
