@@ -160,6 +160,28 @@ class TablesOfPoints(Planning):
         self.assertEqual([point.id for point in sweep.points], [point.id for point in again.points])
         self.assertEqual(len(again.points), 2)
 
+    def test_a_byte_order_mark_and_windows_lines_change_nothing(self):
+        content = b"tau-bar,seed\n0.1,2\n"
+        text = self.table(content) + FRONT
+        expected = [point.id for point in self.plan(text).points]
+        self.table(b"\xef\xbb\xbf" + content.replace(b"\n", b"\r\n"))
+        found = self.plan("\ufeff" + text.replace("\n", "\r\n"))
+        self.assertEqual([point.id for point in found.points], expected)
+
+    def test_wrong_tables(self):
+        wrong = {
+            b"tau-bar,seed\n0.1\n": "points.csv, line 2: it has 1 cells, the first line has 2",
+            b"tau-bar,seed\n0.1,1\n\n0.2,1,5\n": "points.csv, line 4: it has 3 cells",
+            b"tau-bar,tau-bar\n0.1,1\n": "points.csv: each column needs a heading of its own",
+            b"tau-bar,\n0.1,1\n": "points.csv: each column needs a heading of its own",
+            b"tau-bar\n\xff\n": "points.csv is no table of CSV in UTF-8",
+            b"tau-bar\n": "there are no points",
+            b"": "there are no points",
+        }
+        for content, sentence in wrong.items():
+            with self.subTest(sentence), self.assertRaisesRegex(SweepError, sentence):
+                self.plan(self.table(content) + FRONT)
+
     def test_any_folder_will_do(self):
         for folder in ("a #b", "a ;b"):
             (self.folder / folder).mkdir()
@@ -308,9 +330,14 @@ class Mistakes(Planning):
         self.refuse(PREPARED + "[values]\nuntil = 1\n" + FRONT, "prepare has no option 'until'")
         self.refuse(
             PREPARED + "[values]\ntau-bar = 0.1, high\n" + FRONT,
-            "tau-bar is a number, which 'high' is not",
+            "tau-bar is a finite number, which 'high' is not",
         )
-        self.refuse(PREPARED + "[values]\ntau-bar = 0.1, 0.1\n" + FRONT, "a point is there twice")
+        for value in ("nan", "inf", "-inf", "1e999"):
+            text = PREPARED + f"[values]\ntau-bar = 0.1, {value}\n" + FRONT
+            self.refuse(text, "tau-bar is a finite number, which")
+        for values in ("0.1, 0.1", "1, 1.0", "1e-4, 0.0001"):
+            text = PREPARED + f"[values]\ntau-bar = {values}\n" + FRONT
+            self.refuse(text, "a point is there twice")
         self.refuse(PREPARED + "points = p.csv\n" + FRONT, "no table of points .*p.csv")
         self.refuse(
             "[sweep]\n" + LONG.replace("{values}", "--tau-bar 1") + VALUES + STRESS,
