@@ -56,7 +56,8 @@ def calculate(expression, values):
     try:
         number = evaluate(ast.parse(filled, mode="eval"))
     except (ArithmeticError, MemoryError, RecursionError, SyntaxError, ValueError) as error:
-        raise SweepError(f"'{expression}' cannot be calculated ({error}), as {filled}") from None
+        why = ", ".join(text for text in error.args if isinstance(text, str))
+        raise SweepError(f"'{expression}' cannot be calculated ({why}), as {filled}") from None
     if isinstance(number, complex) or not math.isfinite(number):
         raise SweepError(f"'{expression}' is no finite real number, as {filled}")
     return text_of(number)
