@@ -32,29 +32,18 @@ there already is not computed again, whichever sweep it belonged to, and adding 
 A user's own file (docs/sweeps.md) may be shorter: recipes/sweep/ expands it to one like this.
 """
 
-import ast
 import configparser
 import csv
 import hashlib
 import itertools
 import math
-import operator
 import re
 import string
 from dataclasses import dataclass
 from pathlib import Path
 
 from common.needs import Needs, needs_of
-
-RANGE = re.compile(r"(?P<first>\S+)\s+to\s+(?P<last>\S+)(\s+(?P<how>by|in)\s+(?P<number>\S+))?")
-OPERATORS = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.Div: operator.truediv,
-    ast.Pow: operator.pow,
-    ast.USub: operator.neg,
-}
+from common.sweep_values import LIMIT, SweepError, calculate, references, values_of
 
 
 @dataclass(frozen=True)
@@ -76,81 +65,6 @@ class Sweep:
     needs: Needs  # of each point
     varied: list  # names of the values that differ between points, without those that follow others
     units: dict  # of values and columns, where the file has them
-
-
-class SweepError(ValueError):
-    """A sweep file that cannot be understood."""
-
-
-# --- numbers -------------------------------------------------------------------------------
-
-
-def text_of(number):
-    """12 digits: 0.1 + 0.2 is 0.3."""
-    return f"{number:.12g}"
-
-
-def evaluate(node):
-    """A syntax tree of numbers, + - * / ** and sqrt()."""
-    if isinstance(node, ast.Expression):
-        return evaluate(node.body)
-    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
-        return node.value
-    if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
-        return OPERATORS[type(node.op)](evaluate(node.left), evaluate(node.right))
-    if isinstance(node, ast.UnaryOp) and type(node.op) in OPERATORS:
-        return OPERATORS[type(node.op)](evaluate(node.operand))
-    if (
-        isinstance(node, ast.Call)
-        and getattr(node.func, "id", "") == "sqrt"
-        and len(node.args) == 1
-    ):
-        return math.sqrt(evaluate(node.args[0]))
-    raise SweepError("an expression may use numbers, {names}, + - * / ** and sqrt() only")
-
-
-def calculate(expression, values):
-    filled = expression
-    for name in references(expression):
-        if name not in values:
-            raise SweepError(f"'{expression}' refers to {{{name}}}, which has no value")
-        filled = filled.replace(f"{{{name}}}", f"({values[name]})")
-    try:
-        return text_of(evaluate(ast.parse(filled, mode="eval")))
-    except (SyntaxError, ZeroDivisionError, OverflowError) as error:
-        raise SweepError(f"'{expression}' cannot be calculated ({error})") from None
-
-
-def references(text):
-    return re.findall(r"\{([^{}]+)\}", text)
-
-
-def span(first, last, how, number):
-    """Values from first to last, so many of them or so far apart."""
-    if how == "in":
-        count = int(number)
-        step = (last - first) / (count - 1) if count > 1 else 0.0
-    else:
-        step = number
-        count = math.floor((last - first) / step * (1 + 1e-12)) + 1 if step else 0
-    if count < 1:
-        raise SweepError("there is no value in it")
-    return [text_of(first + i * step) for i in range(count)]
-
-
-def values_of(text):
-    """The values that one line of [values] lists, as texts; an expression stays as it is."""
-    match = RANGE.fullmatch(text.strip())
-    try:
-        if match:
-            first, last = float(match["first"]), float(match["last"])
-            return span(first, last, match["how"] or "by", float(match["number"] or 1))
-    except ValueError as error:
-        raise SweepError(f"'{text}' is no range ({error})") from None
-    listed = [part.strip() for part in text.split(",")]
-    if not all(listed):
-        raise SweepError(f"'{text}' has an empty value")
-    return listed
 
 
 # --- points --------------------------------------------------------------------------------
@@ -187,7 +101,7 @@ def options(values):
 def fill(command, fields):
     try:
         return string.Formatter().vformat(command, (), fields)
-    except (KeyError, IndexError, ValueError):
+    except (AttributeError, KeyError, IndexError, TypeError, ValueError):
         known = " and ".join(f"{{{name}}}" for name in fields)
         raise SweepError(f"'{command}' may refer to {known} only") from None
 
@@ -197,12 +111,31 @@ def make_point(commands, values, base):
     return Point(values, {name: fill(line, fields) for name, line in commands.items()}, base)
 
 
+def lines_of(path):
+    """(number, cells) of each line of a CSV file."""
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            table = csv.reader(file)
+            return [(table.line_num, cells) for cells in table if cells]
+    except OSError as error:
+        raise SweepError(f"{path} cannot be read ({error.strerror})") from None
+    except (UnicodeDecodeError, csv.Error):
+        raise SweepError(f"{path} is no table of CSV in UTF-8") from None
+
+
 def rows_of(path):
     """The points of a table, each as lists of one value; none while the table is still to come."""
     if not Path(path).exists():
         return []
-    with open(path, newline="", encoding="utf-8") as file:
-        return [{name: [value] for name, value in row.items()} for row in csv.DictReader(file)]
+    (_, names), *lines = lines_of(path) or [(0, [])]
+    if len({*names}) < len(names) or "" in names:
+        raise SweepError(f"{path}: each column needs a heading of its own")
+    for number, cells in lines:
+        if len(cells) != len(names):
+            raise SweepError(
+                f"{path}, line {number}: it has {len(cells)} cells, the first line has {len(names)}"
+            )
+    return [{name: [cell] for name, cell in zip(names, cells)} for _, cells in lines]
 
 
 def lists_of(section):
@@ -251,8 +184,11 @@ def parse_ini(path):
         interpolation=None, delimiters=("=",), inline_comment_prefixes=("#", ";")
     )
     ini.optionxform = str  # names are case-sensitive
-    with open(path, encoding="utf-8-sig") as file:
-        ini.read_file(file)
+    try:
+        with open(path, encoding="utf-8-sig") as file:
+            ini.read_file(file)
+    except OSError as error:
+        raise SweepError(f"it cannot be read ({error.strerror})") from None
     return ini
 
 
@@ -264,6 +200,9 @@ def sweep_of(ini, name):
     base = ini["sweep"].get("base", "")
     commands = dict(ini["commands"])
     products = combinations(ini)
+    count = sum(math.prod(len(texts) for texts in lists.values()) for lists in products)
+    if count > LIMIT:
+        raise SweepError(f"there are {count:,} points; at most {LIMIT:,} are possible")
     points = [make_point(commands, values, base) for lists in products for values in product(lists)]
     title = ini["sweep"].get("title", name)
     columns, units = (dict(ini[name]) if name in ini else {} for name in ("table", "units"))
@@ -281,7 +220,7 @@ def read_sweep(path):
 def sentence_of(error):
     """One line; the caller has named the file."""
     if isinstance(error, OSError):
-        return f"it cannot be read ({error.strerror})"
+        return f"{error.filename} cannot be read ({error.strerror})"
     if isinstance(error, UnicodeDecodeError):
         return "it is no text in UTF-8"
     if isinstance(error, configparser.MissingSectionHeaderError):

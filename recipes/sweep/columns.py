@@ -1,5 +1,6 @@
 """The columns of a user's table, and their units."""
 
+import math
 import re
 import shlex
 
@@ -50,21 +51,35 @@ def units_of_values(points, commands, names):
     }
 
 
-def check_value(name, text, unit):
+def number_or_text(text, unit):
+    """1e-4 and 0.0001 are the same number."""
     try:
-        if unit:
-            float(text)
+        return float(text) if unit else text
     except ValueError:
-        raise SweepError(f"{name} is a number, which '{text}' is not") from None
+        return text
+
+
+def check_value(name, text, unit):
+    value = number_or_text(text, unit)
+    if unit and not (isinstance(value, float) and math.isfinite(value)):
+        raise SweepError(f"{name} is a finite number, which '{text}' is not")
     if name != "variant" and shlex.quote(text) != text:
         raise SweepError(f"'{text}' is no value of {name}: use one word without quotation marks")
 
 
 def check_values(points, units, columns):
     if not any(point.values for point in points):
-        raise SweepError("there are no points: [values] says for which values to run")
-    if len({tuple(point.values.items()) for point in points}) < len(points):
+        raise SweepError(
+            "there are no points: [values] or a table of points says for which values to run"
+        )
+    settings = {
+        tuple((name, number_or_text(text, units[name])) for name, text in point.values.items())
+        for point in points
+    }
+    if len(settings) < len(points):
         raise SweepError("a point is there twice; remove the value that is repeated")
+    if any({"seed", "numerics.seed"} <= {*point.values} for point in points):
+        raise SweepError("seed and numerics.seed are the same; remove one of them from [values]")
     for name in units:
         if name in columns:
             raise SweepError(f"'{name}' is in [values] and the heading of a quantity; rename that")

@@ -1,24 +1,22 @@
 """From the short form of a user's sweep to the long one of common/sweeps.py: [commands] and [table]
 instead of base, prepare, load and restart in [sweep], [quantities] and [analyze]."""
 
-from common.sweeps import SweepError, is_values
+from common.sweeps import SweepError
 from sweep.names import CHECKPOINT, RECORD, options_in
 
 STARTS = ("base", "prepare", "load")
-GIVEN_BY_THE_SWEEP = ("o", "output", "record", "f", "force", "resume", "json", "csv", "dry-run")
+GIVEN_BY_THE_SWEEP = ("o", "output", "record", "q", "quiet", "json", "csv")
 
 
 def words(*texts):
     return " ".join(text for text in texts if text)
 
 
-def check_options(key, text, values):
-    """Options of the file that the chain gives itself, or that have values in [values]."""
+def check_options(key, text):
+    """Options that the chain gives itself."""
     for option in options_in(text):
         if option in GIVEN_BY_THE_SWEEP:
             raise SweepError(f"'{key}' must not have '{option}', which the sweep gives itself")
-        if option in values:
-            raise SweepError(f"--{option} is both in '{key}' and in [values]; remove one of them")
 
 
 def start_of(sweep):
@@ -68,10 +66,9 @@ def expand(ini, names):
     """{section: {key: text}} of the long form. Raises SweepError."""
     sweep, quantities = ini["sweep"], dict(ini["quantities"])
     options = dict(ini["analyze"]) if "analyze" in ini else {}
-    values = {name for section in ini.values() if is_values(section.name) for name in section}
     start = start_of(sweep)
     for key in ("prepare", "load", "restart"):
-        check_options(key, sweep.get(key, ""), values if key in (start, "restart") else ())
+        check_options(key, sweep.get(key, ""))
     for path in quantities.values():
         names.quantity_unit(path, of_file=True)
     commands, checkpoint, has_record = chain(start, sweep)
@@ -80,7 +77,7 @@ def expand(ini, names):
         if name not in analyses:
             raise SweepError(f"[analyze] has options for '{name}', of which there is no quantity")
     for name in analyses:
-        check_options(name, options.get(name, ""), ())
+        check_options(name, options.get(name, ""))
         file = reads(name, checkpoint, has_record)
         commands[name] = words("analyze", name, file, options.get(name), "--json")
     kept = {key: text for key, text in sweep.items() if key not in ("prepare", "load", "restart")}

@@ -2,7 +2,15 @@
 
 from common.sweeps import SweepError, is_values
 from sweep.expand import STARTS
-from sweep.names import ONE_NEEDED, options_in, options_of, program_of, suggestion
+from sweep.names import (
+    ONE_NEEDED,
+    options_in,
+    options_of,
+    parameters_in,
+    program_of,
+    setting,
+    suggestion,
+)
 
 SHORT = ("sweep", "values", "quantities", "analyze")
 LONG = ("sweep", "values", "commands", "quantities", "table")
@@ -10,6 +18,15 @@ EVERY_SWEEP = ("title", "base", "points", "time", "memory", "threads")
 SHORT_SWEEP = tuple(dict.fromkeys((*EVERY_SWEEP, *STARTS, "restart")))
 MAY_BE_EMPTY = ("sweep", "analyze")
 KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums")  # point.py
+
+NOTHING_COMPUTED = "it computes nothing then"
+NO_FILES_OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"
+REFUSED = {
+    "config": "points would not follow what is in that file;"
+    " give the parameters with --set or in [values]",
+    **dict.fromkeys(("f", "force", "resume"), NO_FILES_OUTSIDE),
+    **dict.fromkeys(("h", "help", "version", "dry-run"), NOTHING_COMPUTED),
+}
 
 
 def check_known(name, known, what):
@@ -38,11 +55,10 @@ def check_name(name):
 def check_command(line, tools):
     """Its program and options."""
     given = options_in(line)
-    if "config" in given:
-        raise SweepError(
-            f"'{line}' must not have --config: points would not follow what is in that file;"
-            " give the parameters with --set or in [values]"
-        )
+    for name in given:
+        if name in REFUSED:
+            dashes = "-" if len(name) == 1 else "--"
+            raise SweepError(f"'{line}' must not have {dashes}{name}: {REFUSED[name]}")
     program = program_of(line)
     known = options_of(program, tools)
     for name in given:
@@ -57,6 +73,14 @@ def check_needed(line, values):
     if needed and not {*needed} & {*options_in(line), *(values if "{values}" in line else ())}:
         options = " or ".join(f"--{name}" for name in needed)
         raise SweepError(f"{program} needs {options}, which '{line}' does not have")
+
+
+def check_given_once(line, values):
+    """What varies must not be set beside {values}, too: all points would be the same run."""
+    varied = {setting(name) for name in values} if "{values}" in line else ()
+    for name in (*options_in(line), *parameters_in(line)):
+        if setting(name) in varied:
+            raise SweepError(f"{name} is both in [values] and in '{line}'; remove one of them")
 
 
 def check_form(ini):

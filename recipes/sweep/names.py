@@ -49,14 +49,27 @@ ONE_NEEDED = {
 }
 
 
-def options_in(text):
-    """Names of the options in a command or a part of one, such as --until 0.5 and -o."""
+def words_of(text):
     try:
-        words = shlex.split(text)
+        return shlex.split(text)
     except ValueError as error:
         raise SweepError(f"'{text}' cannot be split into words ({error})") from None
-    options = [re.match(r"-(?:-([a-z][a-z-]*)|([a-z]))", word) for word in words]
+
+
+def options_in(text):
+    """Names of the options in a command or a part of one, such as --until 0.5 and -o."""
+    options = [re.match(r"-(?:-([a-z][a-z-]*)|([a-z]))", word) for word in words_of(text)]
     return [match[1] or match[2] for match in options if match]
+
+
+def parameters_in(text):
+    """Names of the parameters that a command sets."""
+    return re.findall(r"(?:^| )--set[ =](\S+?)=", " ".join(words_of(text)))
+
+
+def setting(name):
+    """What an option or a parameter sets: `--seed 1` is short for `--set numerics.seed=1`."""
+    return "numerics.seed" if name == "seed" else name
 
 
 def options_of(program, tools):

@@ -15,6 +15,12 @@ from common.plotting import DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, s
 SEEDS = ("seed", "numerics.seed")
 TWO_DECADES = 100
 PANEL = 62 * MM  # height [inch]
+SUFFIXES = (".png", ".pdf")
+
+
+def plain(text):
+    """For Matplotlib, which takes what is between two $ for a formula."""
+    return text.replace("$", r"\$")
 
 
 @dataclass(frozen=True)
@@ -36,12 +42,12 @@ class Axis:
 
 def axis_of(column):
     if column.unit:
-        return Axis(column.heading, column.numbers, [])
+        return Axis(plain(column.heading), column.numbers, [])
     present = [text for text in dict.fromkeys(column.texts) if text]
     categories = [text for text in dict.fromkeys((*TYPES, *present)) if text in present]
     places = {text: place for place, text in enumerate(categories)}
     positions = np.array([places.get(text, np.nan) for text in column.texts])
-    return Axis(column.heading, positions, categories)
+    return Axis(plain(column.heading), positions, categories)
 
 
 def set_axis(axes, which, axis):
@@ -180,7 +186,7 @@ def panels(number):
 
 def draw(stem, sweep, columns):
     """Writes the picture, or says why there is none."""
-    for suffix in (".png", ".pdf"):
+    for suffix in SUFFIXES:
         Path(f"{stem}{suffix}").unlink(missing_ok=True)
     by_name = {column.name: column for column in columns}
     varied = [name for name in sweep.varied if name not in SEEDS]
@@ -198,6 +204,6 @@ def draw(stem, sweep, columns):
         else:
             draw_map(fig, axes, *over, axis_of(by_name[name]), done)
     note = "" if done.all() else f" ({'crosses' if len(varied) == 1 else 'hatched'}: not done)"
-    fig.suptitle(sweep.title + note, fontsize=8)
+    fig.suptitle(plain(sweep.title) + note, fontsize=8)
     save(fig, stem)
     return ""

@@ -3,23 +3,32 @@
 
 Checks the file, expands its short form and writes RESULTS/sweeps/NAME/NAME.ini, which Snakemake and
 report.py read, and whose path is printed. In it, all is settled that is not in the file itself: the
-base is a copy that is named after its content, so that a point's name follows from that; every
-column has a unit. What cannot be understood gives one sentence and exit code 2.
+base is a copy that is named after its content, so that a point's name follows from that; a table of
+points is a copy, too; every column has a unit. What cannot be understood gives one sentence and exit code 2.
 """
 
 import configparser
 import re
-import shutil
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 from common.sweeps import SweepError, is_values, parse_ini, sentence_of, sweep_of
 from common.tables import replacing
 from sweep.columns import check_values, settle_columns, units_of_values
 from sweep.expand import expand
-from sweep.form import check_command, check_form, check_name, check_needed
+from sweep.form import check_command, check_form, check_given_once, check_name, check_needed
 from sweep.names import names_of
+
+
+@contextmanager
+def writing(path):
+    try:
+        with replacing(path) as part:
+            yield part
+    except OSError as error:
+        raise SweepError(f"{path} cannot be written ({error.strerror})") from None
 
 
 def keep_base(path, tools, results):
@@ -31,13 +40,14 @@ def keep_base(path, tools, results):
         raise SweepError(
             f"the base cannot be used: {done.stderr.strip().removeprefix('analyze: ')}"
         )
-    if not path.read_bytes().startswith(b"rupture-checkpoint\n"):
+    content = path.read_bytes()
+    if not content.startswith(b"rupture-checkpoint\n"):
         raise SweepError(f"the base {path} is a record; runs go on from checkpoints")
     checksum = done.stdout.strip()
     copy = Path(results) / "data/bases" / f"{checksum[:16]}.h5"
-    with replacing(copy) as part:
-        shutil.copyfile(path, part)
-    with replacing(f"{copy}.sum") as part:
+    with writing(copy) as part:
+        part.write_bytes(content)
+    with writing(f"{copy}.sum") as part:
         part.write_text(f"{checksum}  {copy.name}\n", encoding="utf-8")
     return copy
 
@@ -50,6 +60,14 @@ def settle_files(sweep, folder, tools, results):
         sweep["points"] = str(folder / sweep["points"])
         if not Path(sweep["points"]).is_file():
             raise SweepError(f"there is no table of points {sweep['points']}")
+
+
+def keep_points(path, copy):
+    """What a user changes in the table during a run is for the next one."""
+    content = Path(path).read_bytes()
+    with writing(copy) as part:
+        part.write_bytes(content)
+    return str(copy)
 
 
 def long_form(ini, names):
@@ -90,9 +108,13 @@ def make_plan(path, names, tools, results):
     check_values(points, units_in_points, plan["table"])
     for line in plan["commands"].values():
         check_needed(line, units_in_points)
+        check_given_once(line, units_in_points)
     plan["units"] = units_in_points | units
     output = Path(results) / "sweeps" / path.stem / f"{path.stem}.ini"
-    with replacing(output) as part, part.open("w", encoding="utf-8") as file:
+    if "points" in plan["sweep"]:
+        copy = output.with_name(f"{path.stem}-points.csv")
+        plan["sweep"]["points"] = keep_points(plan["sweep"]["points"], copy)
+    with writing(output) as part, part.open("w", encoding="utf-8") as file:
         parser_of(plan).write(file)
     return output
 

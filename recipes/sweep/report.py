@@ -13,7 +13,8 @@ from pathlib import Path
 from common.collect import rows
 from common.records import report
 from common.sweeps import names_of_values, read_sweep
-from sweep.picture import draw
+from sweep.picture import SUFFIXES, draw
+from sweep.plural import plural
 from sweep.table import Column, write_csv, write_hdf5
 
 SHOWN = 5  # sentences of failed points
@@ -51,10 +52,6 @@ def computed_since(plan, sweep, results):
     return sum(path.exists() and path.stat().st_mtime_ns > written for path in paths)
 
 
-def plural(number, noun):
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
 def print_sentences(table, status):
     said = Counter(row["sentence"] for row in table if row["status"] == status)
     if said:
@@ -65,6 +62,13 @@ def print_sentences(table, status):
         print(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has them all")
 
 
+def print_without_value(sweep, table):
+    """Such as the front speed at a block that is not there."""
+    for heading, path in sweep.columns.items():
+        if all(row[heading] is None for row in table):
+            print(f"No point has a value of {path} ({heading}).")
+
+
 def print_summary(sweep, table, computed):
     counts = Counter(row["status"] for row in table)
     states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", "unfinished") if counts[s])
@@ -73,7 +77,20 @@ def print_summary(sweep, table, computed):
     print(f"Computed now: {computed}; there before: {there}.")
     for status in ("failed", "unfinished"):
         print_sentences(table, status)
+    if counts["done"]:
+        print_without_value(sweep, table)
     return counts["unfinished"]
+
+
+def picture(stem, sweep, columns):
+    """What came out, in a line: of a picture that cannot be drawn, why. The table is there already."""
+    try:
+        no_picture = draw(stem, sweep, columns)
+    except Exception as error:  # of Matplotlib, any
+        for suffix in SUFFIXES:
+            Path(f"{stem}{suffix}").unlink(missing_ok=True)
+        no_picture = f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"
+    return no_picture or f"Picture: {stem}.png and .pdf"
 
 
 def main(plan, results):
@@ -83,11 +100,10 @@ def main(plan, results):
     columns = columns_of(sweep, table)
     write_csv(plan.with_suffix(".csv"), columns)
     write_hdf5(plan.with_suffix(".h5"), sweep.title, columns)
-    no_picture = draw(plan.with_suffix(""), sweep, columns)
     unfinished = print_summary(sweep, table, computed_since(plan, sweep, results))
     stem = plan.resolve().with_suffix("")
-    print(f"Table: {stem}.csv and .h5")
-    print(no_picture or f"Picture: {stem}.png and .pdf")
+    print(f"Table: {stem}.csv and .h5", flush=True)  # before anything of Matplotlib
+    print(picture(stem, sweep, columns))
     if unfinished:
         print("The same command tries unfinished points again.", file=sys.stderr)
         sys.exit(1)

@@ -1,11 +1,15 @@
 """Tables and pictures of a user's sweep (recipes/sweep/table.py, picture.py) from made-up results."""
 
 import csv
+import io
 import sys
 import tempfile
 import time
 import unittest
+from contextlib import redirect_stdout
+from dataclasses import replace
 from pathlib import Path
+from unittest import mock
 
 import h5py
 import matplotlib.image
@@ -16,6 +20,7 @@ sys.path.insert(0, str(ROOT / "recipes"))
 
 from common.sweeps import Sweep  # noqa: E402
 from sweep.picture import axis_of, draw, edges, limits, middle  # noqa: E402
+from sweep.report import picture, print_summary  # noqa: E402
 from sweep.table import Column, write_csv, write_hdf5  # noqa: E402
 
 COLUMNS = [
@@ -76,6 +81,23 @@ class Tables(InFolder):
         self.assertEqual([path.name for path in self.folder.iterdir()], ["t.h5"])
 
 
+class Summary(unittest.TestCase):
+    def said(self, *rows):
+        table = [dict(zip(("status", "sentence", "v"), row)) for row in rows]
+        with redirect_stdout(io.StringIO()) as output:
+            print_summary(Sweep("A", [], {"v": "front.v_c.999"}, None, [], {}), table, 0)
+        return output.getvalue()
+
+    def test_a_quantity_that_no_point_has(self):
+        sentence = "No point has a value of front.v_c.999 (v)."
+        self.assertIn(sentence, self.said(("done", "", None), ("failed", "x", None)))
+        self.assertNotIn(sentence, self.said(("done", "", 1.0), ("done", "", None)))
+        self.assertNotIn(sentence, self.said(("failed", "x", None)))
+
+    def test_failures_of_all_points_are_said(self):
+        self.assertIn("A: 2 points: 2 failed.", self.said(*[("failed", "x", None)] * 2))
+
+
 class Pictures(InFolder):
     SPEED = ("speed", "m/s")
     TYPE = ("type", "")
@@ -120,6 +142,21 @@ class Pictures(InFolder):
             results = {self.SPEED: [None, None], self.TYPE: [None, None]}
             said, png = self.draw(values, results, ["failed", "failed"])
             self.assertEqual((said, png.exists()), ("", True))
+
+    def test_a_dollar_sign_begins_no_formula(self):
+        values = {("V $_{$", "m/s"): ["1", "2"]}
+        sweep, columns = self.sweep(values, {(r"$\frac{$", "1"): [1.0, 2.0]}, ["done"] * 2)
+        said = draw(self.folder / "picture", replace(sweep, title="$^$"), columns)
+        self.assertEqual(said, "")
+
+    def test_what_cannot_be_drawn_is_one_line_and_leaves_no_file(self):
+        values, results = {("V", "1"): ["1", "2"]}, {self.SPEED: [1.0, 2.0]}
+        stem = self.folder / "picture"
+        for error, why in ((ValueError("no\nmore"), "no"), (MemoryError(), "MemoryError")):
+            Path(f"{stem}.png").write_text("half")
+            with mock.patch("sweep.report.draw", side_effect=error):
+                said = picture(stem, *self.sweep(values, results, ["done"] * 2))
+            self.assertEqual((said, [*self.folder.iterdir()]), (f"No picture: {why}", []))
 
     def test_other_numbers_of_values_have_no_picture_and_a_former_one_goes(self):
         values = {(name, "1"): ["1", "2"] for name in "ab"}

@@ -146,6 +146,51 @@ class Bases(Planning):
         self.assertTrue(checksum.stdout.startswith(copy.stem))
 
 
+class TablesOfPoints(Planning):
+    def table(self, content, folder="tables"):
+        """The text of a sweep whose points are in points.csv, in a folder beside it."""
+        (self.folder / folder).mkdir(exist_ok=True)
+        (self.folder / folder / "points.csv").write_bytes(content)
+        return f"[sweep]\nprepare =\nrestart = --until-quiet\npoints = {folder}/points.csv\n"
+
+    def test_the_plan_has_its_own_copy(self):
+        sweep = self.plan(self.table(b"tau-bar\n0.1\n0.2\n") + FRONT)
+        (self.folder / "tables/points.csv").write_text("tau-bar\n0.3\n")
+        again = read_sweep(self.folder / "results/sweeps/sweep/sweep.ini")
+        self.assertEqual([point.id for point in sweep.points], [point.id for point in again.points])
+        self.assertEqual(len(again.points), 2)
+
+    def test_a_byte_order_mark_and_windows_lines_change_nothing(self):
+        content = b"tau-bar,seed\n0.1,2\n"
+        text = self.table(content) + FRONT
+        expected = [point.id for point in self.plan(text).points]
+        self.table(b"\xef\xbb\xbf" + content.replace(b"\n", b"\r\n"))
+        found = self.plan("\ufeff" + text.replace("\n", "\r\n"))
+        self.assertEqual([point.id for point in found.points], expected)
+
+    def test_wrong_tables(self):
+        wrong = {
+            b"tau-bar,seed\n0.1\n": "points.csv, line 2: it has 1 cells, the first line has 2",
+            b"tau-bar,seed\n0.1,1\n\n0.2,1,5\n": "points.csv, line 4: it has 3 cells",
+            b"tau-bar,tau-bar\n0.1,1\n": "points.csv: each column needs a heading of its own",
+            b"tau-bar,\n0.1,1\n": "points.csv: each column needs a heading of its own",
+            b"tau-bar\n\xff\n": "points.csv is no table of CSV in UTF-8",
+            b"tau-bar\n": "there are no points",
+            b"": "there are no points",
+        }
+        for content, sentence in wrong.items():
+            with self.subTest(sentence), self.assertRaisesRegex(SweepError, sentence):
+                self.plan(self.table(content) + FRONT)
+
+    def test_any_folder_will_do(self):
+        for folder in ("a #b", "a ;b"):
+            (self.folder / folder).mkdir()
+            path = self.folder / folder / "sweep.ini"
+            path.write_text(self.table(b"tau-bar\n0.1\n", folder).replace(f"{folder}/", "") + FRONT)
+            sweep = read_sweep(make_plan(path, NAMES, BIN, self.folder / "results"))
+            self.assertEqual(len(sweep.points), 1)
+
+
 class Mistakes(Planning):
     def refuse(self, text, sentence, name="sweep"):
         with self.subTest(sentence):
@@ -185,7 +230,8 @@ class Mistakes(Planning):
             PREPARED.replace("--until-quiet", "-o x.h5") + VALUES + FRONT, "must not have 'o'"
         )
         self.refuse(
-            PREPARED.replace("0.1", "0.1 --tau-bar 1") + VALUES + FRONT, "both in 'prepare' and in"
+            PREPARED.replace("0.1", "0.1 --tau-bar 1") + VALUES + FRONT,
+            "tau-bar is both in .values. and in 'prepare --sigma-bar",
         )
         self.refuse(
             PREPARED.replace("0.1", "0.1 --config x") + VALUES + FRONT, "must not have --config"
@@ -205,7 +251,10 @@ class Mistakes(Planning):
             PREPARED + VALUES + FRONT + "[analyze]\nfront = --slowbelow 0.1\n",
             "analyze front has no option 'slowbelow'; did you mean 'slow-below'",
         )
-        self.refuse(PREPARED + "[values]\nsigma-bar = 1\n" + FRONT, "both in 'prepare' and in")
+        self.refuse(
+            PREPARED + "[values]\ntau-bar = 0\nsigma-bar = 1\n" + FRONT,
+            "sigma-bar is both in .values. and in 'prepare",
+        )
         self.refuse(
             "[sweep]\nprepare =\n[values]\nseed = 1\n" + STRESS.replace("measured", "stress"),
             "prepare needs --tau-bar, which",
@@ -217,6 +266,35 @@ class Mistakes(Planning):
             "[sweep]\n" + LONG.replace("prepare", "prepar") + VALUES + STRESS,
             "no program 'prepar'; did you mean 'prepare'",
         )
+
+    def test_options_that_the_sweep_gives_or_that_compute_nothing(self):
+        for option in ("-q", "--quiet", "--record x.h5", "--json"):
+            text = PREPARED.replace("--until-quiet", f"--until-quiet {option}")
+            self.refuse(text + VALUES + FRONT, "'restart' must not have '.*the sweep gives itself")
+        for option in ("-f", "--force", "--resume", "--dry-run", "--help", "-h", "--version"):
+            text = LONG.replace("-o s.h5", f"-o s.h5 {option}")
+            self.refuse("[sweep]\n" + text + VALUES + STRESS, f"must not have {option}: ")
+            text = PREPARED.replace("0.1", f"0.1 {option}")
+            self.refuse(text + VALUES + FRONT, f"must not have {option}: ")
+
+    def test_a_value_is_given_once(self):
+        given = {
+            "--set driving.V=1": "driving.V = 1, 2",
+            "--set=driving.V=1": "driving.V = 1, 2",
+            "--seed 1": "numerics.seed = 1, 2",
+            "--set numerics.seed=1": "seed = 1, 2",
+            "--sigma-bar=0.1": "sigma-bar = 0, 0.1",
+        }
+        for option, values in given.items():
+            text = LONG.replace("{values}", f"{{values}} {option}") + VALUES + values + "\n"
+            self.refuse("[sweep]\n" + text + STRESS, "is both in .values. and in 'prepare")
+        self.refuse(
+            self.based() + "[values]\nseed = 1\nnumerics.seed = 2\n" + FRONT, "are the same"
+        )
+
+    def test_a_later_command_may_set_again_what_varies(self):
+        text = "[sweep]\nload = --until 0.5\nrestart = --for 0.1 --set driving.V=0\n"
+        self.assertEqual(len(self.plan(text + "[values]\ndriving.V = 1, 2\n" + FRONT).points), 2)
 
     def test_bases(self):
         values = "[values]\nseed = 1\n"
@@ -252,9 +330,14 @@ class Mistakes(Planning):
         self.refuse(PREPARED + "[values]\nuntil = 1\n" + FRONT, "prepare has no option 'until'")
         self.refuse(
             PREPARED + "[values]\ntau-bar = 0.1, high\n" + FRONT,
-            "tau-bar is a number, which 'high' is not",
+            "tau-bar is a finite number, which 'high' is not",
         )
-        self.refuse(PREPARED + "[values]\ntau-bar = 0.1, 0.1\n" + FRONT, "a point is there twice")
+        for value in ("nan", "inf", "-inf", "1e999"):
+            text = PREPARED + f"[values]\ntau-bar = 0.1, {value}\n" + FRONT
+            self.refuse(text, "tau-bar is a finite number, which")
+        for values in ("0.1, 0.1", "1, 1.0", "1e-4, 0.0001"):
+            text = PREPARED + f"[values]\ntau-bar = {values}\n" + FRONT
+            self.refuse(text, "a point is there twice")
         self.refuse(PREPARED + "points = p.csv\n" + FRONT, "no table of points .*p.csv")
         self.refuse(
             "[sweep]\n" + LONG.replace("{values}", "--tau-bar 1") + VALUES + STRESS,
@@ -303,12 +386,22 @@ class Mistakes(Planning):
         )
 
     def test_the_program_ends_with_one_sentence_and_2(self):
-        path = self.folder / "none.ini"
-        environment = dict(os.environ, PYTHONPATH=str(ROOT / "recipes"))
-        script = [sys.executable, "-B", ROOT / "recipes/sweep/plan.py", path, BIN, self.folder]
-        done = subprocess.run(script, env=environment, capture_output=True, text=True, check=False)
+        def said(path, results):
+            environment = dict(os.environ, PYTHONPATH=str(ROOT / "recipes"))
+            script = [sys.executable, "-B", ROOT / "recipes/sweep/plan.py", path, BIN, results]
+            done = subprocess.run(
+                script, env=environment, capture_output=True, text=True, check=False
+            )
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            return done.stderr
+
+        path, file = self.folder / "none.ini", self.folder / "file"
         sentence = f"reproduce.sh: {path}: it cannot be read (No such file or directory)\n"
-        self.assertEqual((done.returncode, done.stdout, done.stderr), (2, "", sentence))
+        self.assertEqual(said(path, self.folder), sentence)
+        path.write_text(PREPARED + VALUES + FRONT)
+        file.write_text("")
+        sentence = f"{file}/sweeps/none/none.ini cannot be written (Not a directory)\n"
+        self.assertEqual(said(path, file), f"reproduce.sh: {path}: {sentence}")
 
 
 class Options(unittest.TestCase):

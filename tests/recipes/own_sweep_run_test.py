@@ -52,7 +52,13 @@ class Running(unittest.TestCase):
     def call(self, *command, crash=""):
         environment = dict(os.environ, PYTHONPATH="recipes", RUPTURE_CRASH=crash)
         return subprocess.run(
-            command, cwd=self.root, env=environment, capture_output=True, text=True, check=False
+            command,
+            cwd=self.root,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            check=False,
         )
 
     def sweep(self, values, quantities="", threads="", crash=""):
@@ -100,6 +106,11 @@ class Running(unittest.TestCase):
         self.sweep("0.1, 2, 0.2", quantities="x = front.x_arrest\nL = front.L")
         self.assertEqual(self.computed, 1, "of a new value and new quantities, only the value")
         self.assertEqual([row["L [m]"] for row in self.rows()], ["0.14", "", "0.14"])
+
+        preview = "recipes/sweep/preview.py", "results/sweeps/own/own.ini", "bin"
+        self.sweep("0.2")
+        said = self.call(sys.executable, "-B", *preview)
+        self.assertEqual(said.stdout, "Prestress: 1 point, 1 there, 0 to compute.\n")
 
         last = self.sweep("0.2", threads="\nthreads = 2\ntime = 1 h")
         self.assertEqual(self.computed, 0, "a point less, and other needs")

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -48,6 +49,26 @@ class Reading(unittest.TestCase):
         for text in ("0 to 1 by 0", "0 to 1 by -1", "0 to x by 1", "0 to 1 in 0", "1,,2", ""):
             with self.subTest(text), self.assertRaises(SweepError):
                 values_of(text)
+        finite, many = "its numbers must be finite", "more than 100,000 values"
+        wrong = {
+            "1 to inf": finite,
+            "0 to 1 in inf": finite,
+            "0 to 1 in 1e400": finite,
+            "0 to 1 by nan": finite,
+            "-1e308 to 1e308": finite,
+            "0 to 1 in 2.5": "must be whole",
+            "0 to 1 in 1e300": many,
+            "1 to 1e7": many,
+            "1 to 1e300 by 1e-300": many,
+            "1 to -1e300 by 1e-300": "no value in it",
+        }
+        for text, sentence in wrong.items():
+            with self.subTest(text), self.assertRaisesRegex(SweepError, f"'{text}'.*{sentence}"):
+                values_of(text)
+
+    def test_the_number_of_points_is_limited(self):
+        with self.assertRaisesRegex(SweepError, "1,000,000,000,000 points; at most 100,000"):
+            self.values("".join(["[values]\n", *(f"{n} = 1 to 1e3\n" for n in "abcd")]))
 
     def test_every_combination_is_a_point(self):
         points = self.values("[values]\na = 1, 2\nb = 3, 4")
@@ -66,6 +87,19 @@ class Reading(unittest.TestCase):
         for text in wrong:
             with self.subTest(text), self.assertRaises(SweepError):
                 self.values(f"[values]\nb = 1\na = {text if '{' in text else text + ' * {b}'}")
+
+    def test_expressions_without_a_finite_real_number_are_named(self):
+        wrong = (
+            "{b}**{b}**{b}**{b}",
+            "sqrt({b} - 10)",
+            "({b} - 10) ** 0.5",
+            "{b} * 1e308 * 10",
+            "{b} + x",
+        )
+        for text in wrong:
+            expected = re.escape(f"sweep.ini: '{text}' ")
+            with self.subTest(text), self.assertRaisesRegex(SweepError, expected):
+                self.values(f"[values]\nb = 9\na = {text}")
 
     def test_variants_replace_common_values(self):
         points = self.values(
@@ -101,6 +135,7 @@ class Reading(unittest.TestCase):
             "": "no section .sweep.",
             "[sweep]\n": "no section .commands.",
             f"{whole}x = load {{other}}\n": "may refer to {values} only",
+            f"{whole}x = load {{values.x}}\n": "may refer to {values} only",
             "no section": "line 1 comes before the first section",
             f"{whole}[values]\na\n": "line 5 is neither",
             f"{whole}[values]\na = 1\na = 2\n": "'a' is in .values. twice",
