@@ -277,6 +277,16 @@ class Queue(WithSlurm):
         self.assertEqual(self.lines_of("cancelled"), ["7"])
 
 
+    def test_a_job_that_can_never_start_is_named(self):
+        with mock.patch.object(line_module, "TEND_EVERY", 0.05):
+            self.open()
+            (self.folder / "queue").write_text("7 load-0001 PartitionTimeLimit rupture:/x:now\n")
+            end = time.monotonic() + 10
+            while "load-0001 cannot start: PartitionTimeLimit" not in sys.stdout.getvalue():
+                self.assertLess(time.monotonic(), end)
+                time.sleep(0.05)
+
+
 class Profile(WithSlurm):
     def test_the_profile_can_be_read(self):
         path = Path(__file__).resolve().parents[2] / "recipes/profiles/slurm/srun.ini"
