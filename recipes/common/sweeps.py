@@ -37,7 +37,6 @@ import csv
 import hashlib
 import itertools
 import math
-import re
 import string
 from dataclasses import dataclass
 from pathlib import Path
@@ -133,7 +132,7 @@ def rows_of(path):
     for number, cells in lines:
         if len(cells) != len(names):
             raise SweepError(
-                f"{path}, line {number}: it has {len(cells)} cells, the first line has {len(names)}"
+                f"{path}, line {number}: the number of cells is {len(cells)}, in the first line {len(names)}"
             )
     return [{name: [cell] for name, cell in zip(names, cells)} for _, cells in lines]
 

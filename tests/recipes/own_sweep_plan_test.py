@@ -170,8 +170,8 @@ class TablesOfPoints(Planning):
 
     def test_wrong_tables(self):
         wrong = {
-            b"tau-bar,seed\n0.1\n": "points.csv, line 2: it has 1 cells, the first line has 2",
-            b"tau-bar,seed\n0.1,1\n\n0.2,1,5\n": "points.csv, line 4: it has 3 cells",
+            b"tau-bar,seed\n0.1\n": "points.csv, line 2: the number of cells is 1, in the first line 2",
+            b"tau-bar,seed\n0.1,1\n\n0.2,1,5\n": "points.csv, line 4: the number of cells is 3",
             b"tau-bar,tau-bar\n0.1,1\n": "points.csv: each column needs a heading of its own",
             b"tau-bar,\n0.1,1\n": "points.csv: each column needs a heading of its own",
             b"tau-bar\n\xff\n": "points.csv is no table of CSV in UTF-8",
