@@ -2,9 +2,9 @@
 """Computes one point of a sweep (sweeps.py): point.py FOLDER_OF_TOOLS OUTPUT BASE NAME=COMMAND...
 
 The commands run one after the other in an empty folder, which is deleted at the end. BASE is the
-file from outside that they read, or empty. OUTPUT
-is a JSON file with the commands, the checksum of every file that they wrote, what those with
---json reported, under their names, and a status: done, or failed with the tool's sentence.
+file from outside that they read, or empty. OUTPUT is a JSON file with the commands, the checksum of
+every file that they wrote, what those with --json reported, under their names, and a status: done,
+or failed with the tool's sentence.
 """
 
 import json

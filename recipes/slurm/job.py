@@ -62,8 +62,9 @@ class Command:
 
 
 def script(commands):
-    """Runs the commands one after the other and reports their codes, each when it ends. One that SIGKILL or
-    SIGTERM ended has no code of its own: the job is being ended, or has too little memory."""
+    """Runs the commands one after the other and reports their codes, each when it ends. One that
+    SIGKILL or SIGTERM ended has no code of its own: the job is being ended, or has too little
+    memory."""
     lines = [
         f"exec 3>&1 >&2; echo {BEGUN} >&3",
         'echo "job ${SLURM_JOB_ID-} on ${SLURMD_NODENAME-}"',

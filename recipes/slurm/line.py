@@ -128,7 +128,8 @@ class Line:
         run = [job.name for job in jobs if job.begun]
         names = f" ({', '.join(run[:SHOWN])}{', ...' if len(run) > SHOWN else ''})" if run else ""
         queued = len(jobs) - len(run)
-        return f"{self.ended} done; jobs: {len(run)} running{names}, {queued} in the queue; {waiting} waiting"
+        of_jobs = f"jobs: {len(run)} running{names}, {queued} in the queue"
+        return f"{self.ended} done; {of_jobs}; {waiting} waiting"
 
     def settle(self, job):
         """What SLURM has ended is tried again."""
@@ -139,7 +140,7 @@ class Line:
             self.refused[job.needs] = job
             left += self.groups.pop(job.needs, [])
             print(f"SLURM refused {job.name}: {job.reason()}", flush=True)
-        again = [command for command in left if self.may_try_again(command, job)]
+        again = [command for command in left if self.may_try_again(command)]
         if again:
             print(
                 f"SLURM ended {job.name} ({job.reason()});"
@@ -154,7 +155,7 @@ class Line:
                 command.ask_for_more()
             self.add(command)
 
-    def may_try_again(self, command, job):
+    def may_try_again(self, command):
         return command.attempts < ATTEMPTS and command.needs not in self.refused
 
     def give_up(self, command, job):

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture {
@@ -102,7 +103,8 @@ void add_displacement(const Parameters& p, const Vector& change, State& state) {
   }
 }
 
-/// Uniaxial compression under F_N against the support: a start from which Newton converges.
+}  // namespace
+
 State compressed(const Parameters& p) {
   State state(p);
   const double sink = mean_normal_force(p) / foundation_stiffness(p);
@@ -115,8 +117,6 @@ State compressed(const Parameters& p) {
   }
   return state;
 }
-
-}  // namespace
 
 InterfaceForces interface_forces(const Parameters& p, const Hold& hold, const State& state,
                                  Eigen::Index i) {

@@ -5,6 +5,10 @@
 
 namespace rupture {
 
+/// Uniaxial compression under F_N against the support, nothing moved sideways: near the
+/// equilibrium, and a start from which Newton's method converges to it.
+State compressed(const Parameters& parameters);
+
 /// The slider at rest under F_N, F_T = 0, all junctions attached at x_ij = x_i(undeformed) and
 /// forbidden to break; the driving point is placed so that F_T = 0.
 ///
