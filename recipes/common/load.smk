@@ -17,8 +17,6 @@ rule load:
         last=f"{DATA}/load.h5",
         last_sum=f"{DATA}/load.h5.sum",
     priority: 100  # long: first
-    resources:
-        runtime=30,  # [min]
     params:
         code=CODE,
     log:

@@ -1,31 +1,29 @@
-"""What a point of a sweep needs of the computer: time, memory and threads, in [sweep] of its file."""
+"""What a point of a sweep needs of the computer: memory and threads, in [sweep] of its file."""
 
 import math
 import re
 from dataclasses import dataclass
 
-MINUTES = {"s": 1 / 60, "min": 1, "h": 60}
 MEGABYTES = {"MB": 1, "GB": 1000}
 
 
 @dataclass(frozen=True)
 class Needs:
-    minutes: int = 10
     megabytes: int = 1000
     threads: int = 1
 
 
-def amount(key, text, units, example):
-    """A positive quantity in the smallest whole number of what `units` has as 1."""
+def megabytes(text):
+    """A positive number of them."""
     match = re.fullmatch(r"([0-9.]+)\s*([A-Za-z]+)", text)
     try:
-        number = math.ceil(float(match[1]) * units[match[2]])
+        number = math.ceil(float(match[1]) * MEGABYTES[match[2]])
     except (TypeError, KeyError, ValueError):
         number = 0
     if number < 1:
         raise ValueError(
-            f"'{key} = {text}' is not understood: give a number and {' or '.join(units)},"
-            f" as in {key} = {example}"
+            f"'memory = {text}' is not understood: give a number and {' or '.join(MEGABYTES)},"
+            " as in memory = 2 GB"
         )
     return number
 
@@ -33,10 +31,8 @@ def amount(key, text, units, example):
 def needs_of(section):
     """Those that a section [sweep] states, else the usual ones. Raises ValueError."""
     stated = {}
-    if "time" in section:
-        stated["minutes"] = amount("time", section["time"], MINUTES, "10 min")
     if "memory" in section:
-        stated["megabytes"] = amount("memory", section["memory"], MEGABYTES, "2 GB")
+        stated["megabytes"] = megabytes(section["memory"])
     if "threads" in section:
         if not re.fullmatch("[1-9][0-9]{0,3}", section["threads"]):
             raise ValueError(

@@ -1,19 +1,22 @@
-"""What Snakemake says on the terminal: one line per step, and everything about a failure. On a cluster,
-where all steps that can begin wait in line at once, the line says what is going on (slurm/line.py).
+"""What Snakemake says on the terminal: one line per step, and everything about a failure.
 
-Snakemake calls log_handler() with each of its messages. Each command also goes to the log file.
+Snakemake calls log_handler() with each of its messages. Each command also goes to the log file, and what
+was done, by which command and in which time, to results/jobs.jsonl, for the report.
 """
 
+import json
 import re
 import sys
 import time
 from pathlib import Path
 
 LOG = Path("build/log/recipes.log")
+JOBS = Path("results/jobs.jsonl")
 LAST_LINES = 30
-ON_CLUSTER = any(argument.startswith("srun=") for argument in sys.argv)  # reproduce.sh
+COLLECTING = ("all", "refine", "start", "sweep")  # rules that make nothing themselves
 START = time.monotonic()
 steps = {"started": 0, "total": "?"}
+jobs = {}  # number: what is known of a job that runs
 
 
 def log(text):
@@ -37,22 +40,44 @@ def describe(message):
 
 def on_plan(message):
     """Snakemake's table of rules and how often each is to be run."""
-    total = re.search(r"^total\s+(\d+)", message["msg"], re.MULTILINE)
-    if total:
-        steps["total"] = total[1]
-        if ON_CLUSTER:
-            print(f"{total[1]} steps", flush=True)
+    counts = dict(re.findall(r"^(\w+)\s+(\d+)", message["msg"], re.MULTILINE))
+    if "total" in counts:
+        collecting = sum(int(counts.get(name, 0)) for name in COLLECTING)
+        steps["total"] = str(int(counts["total"]) - collecting)
 
 
 def on_start(message):
-    steps["started"] += 1
-    if message["output"] and not ON_CLUSTER:  # a rule without one only collects
+    jobs[message["jobid"]] = {
+        "description": describe(message),
+        "rule": message["name"],
+        "started": time.time(),
+        "command": "",
+        **{name: [str(path) for path in message[name]] for name in ("input", "output")},
+    }
+    if message["name"] not in COLLECTING:
+        steps["started"] += 1
         number = f"{steps['started']:{len(steps['total'])}}/{steps['total']}"
         print(f"[{time.monotonic() - START:4.0f} s] {number} {describe(message)}", flush=True)
 
 
+def on_command(message):
+    """It follows the start of its job."""
+    text = " ".join(message["msg"].split())
+    jobs[next(reversed(jobs))]["command"] = text
+    log(text)
+
+
+def on_end(message):
+    job = jobs.pop(message["jobid"])
+    if job["output"]:
+        job["seconds"] = time.time() - job["started"]
+        JOBS.parent.mkdir(exist_ok=True)
+        with JOBS.open("a", encoding="utf-8") as file:
+            print(json.dumps(job), file=file)
+
+
 def on_failure(message):
-    complain(f"\nFailed: {describe(message)}")
+    complain(f"\nFailed: {jobs.pop(message['jobid'])['description']}")
     complain(f"  to make: {' '.join(message['output'])}")
     if message["shellcmd"]:
         complain(f"  command: {' '.join(message['shellcmd'].split())}")
@@ -66,6 +91,8 @@ def log_handler(message):
     level = message["level"]
     if level == "job_info":
         on_start(message)
+    elif level == "job_finished":
+        on_end(message)
     elif level == "run_info":
         on_plan(message)
     elif level == "job_error":
@@ -73,4 +100,7 @@ def log_handler(message):
     elif level == "error" and not message["msg"].startswith("Exiting because a job"):
         complain(message["msg"])
     elif level == "shellcmd" and message["msg"]:
-        log(" ".join(message["msg"].split()))
+        on_command(message)
+    elif level == "info" and message["msg"].startswith("Trying to restart"):
+        steps["started"] -= 1
+        complain("It is tried again.")

@@ -1,79 +1,100 @@
 # Sweeps (sweeps.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv. Of a user's
-# own sweep (--config sweep=FILE), only the points are made here: its table is written even if a point
+# own sweep (--config sweep=PLAN), only the points are made here: its table is written even if a point
 # cannot be computed (recipes/sweep/).
-from common.sweeps import is_sweep, read_sweep
+#
+# A job computes a batch of points and makes one small file, which has a digest of each result. The
+# results themselves are no outputs of the job, so that those that are done outlive one that is ended.
+from common.sweeps import batches_of, is_sweep, read_sweep
 
-SWEEPS = {
-    f"{path.parent.name}/{path.stem}": read_sweep(path)
+SWEEP_FILES = {
+    f"{path.parent.name}/{path.stem}": path
     for path in sorted(Path("recipes").glob("*/*.ini"))
-    if is_sweep(path)
+    if is_sweep(path) and "sweep" not in config
 }
-OWN = read_sweep(config["sweep"]) if "sweep" in config else None
-ALL_SWEEPS = [*([OWN] if OWN else []), *SWEEPS.values()]
-POINTS = {point.id: point for sweep in ALL_SWEEPS for point in sweep.points}
-NEEDS = {point.id: sweep.needs for sweep in reversed(ALL_SWEEPS) for point in sweep.points}
+TABLES = list(SWEEP_FILES)
+OWN = [f"sweeps/{Path(config['sweep']).stem}"] if "sweep" in config else []
+SWEEP_FILES |= {name: Path(config["sweep"]) for name in OWN}
+SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
+BATCHES = {
+    f"{DATA}/batches/{name}-{number:04d}.sum": (name, batch)
+    for name, sweep in SWEEPS.items()
+    for number, batch in enumerate(batches_of(sweep.points), 1)
+}
+POINTS = f"{DATA}/points"
+
+# A result that was deleted is to be computed again.
+for path, (_, batch) in BATCHES.items():
+    if not all(Path(f"{POINTS}/{point.id}.json").exists() for point in batch):
+        Path(path).unlink(missing_ok=True)
 
 
-def files_of(sweep):
-    return [f"{DATA}/points/{point.id}.json" for point in sweep.points]
+def batches_of_sweep(name):
+    return [path for path, (of, _) in BATCHES.items() if of == name]
 
 
-def base_of(point):
-    """What the point starts from. One that the recipes make counts by content (Snakefile)."""
-    if point.base.startswith(f"{DATA}/"):
-        return [ancient(point.base), f"{point.base}.sum"]
-    return [point.base] if point.base else []
+def batch_at(wildcards):
+    return BATCHES[f"{DATA}/batches/{wildcards.batch}.sum"][1]
 
 
-def values_of(point):
-    return ", ".join(f"{name} {value}" for name, value in point.values.items())
+def sweep_at(wildcards):
+    return BATCHES[f"{DATA}/batches/{wildcards.batch}.sum"][0]
 
 
-rule point:
+def base_of(batch):
+    """What its points start from. One that the recipes make counts by content (Snakefile)."""
+    base = batch[0].base
+    if base.startswith(f"{DATA}/"):
+        return [ancient(base), f"{base}.sum"]
+    return [base] if base else []
+
+
+def described(name, batch):
+    if len(batch) > 1:
+        return f"{name}: {len(batch)} points"
+    return "point: " + ", ".join(f"{name} {value}" for name, value in batch[0].values.items())
+
+
+rule batch:
     input:
-        base=lambda wildcards: base_of(POINTS[wildcards.id]),
-        script="recipes/common/point.py",
+        base=lambda wildcards: base_of(batch_at(wildcards)),
+        script="recipes/common/batch.py",
     output:
-        f"{DATA}/points/{{id}}.json",
+        f"{DATA}/batches/{{batch}}.sum",
     params:
         code=CODE,
-        commands=lambda wildcards: [
-            f"{name}={line}" for name, line in POINTS[wildcards.id].commands.items()
-        ],
-        base=lambda wildcards: shlex.quote(POINTS[wildcards.id].base),  # also if there is none
-    wildcard_constraints:
-        id="[0-9a-f]{16}",
-    threads: lambda wildcards: NEEDS[wildcards.id].threads
+        sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[sweep_at(wildcards)])),
+        ids=lambda wildcards: [point.id for point in batch_at(wildcards)],
+    threads: lambda wildcards: SWEEPS[sweep_at(wildcards)].needs.threads
     resources:
-        runtime=lambda wildcards: NEEDS[wildcards.id].minutes,
-        mem_mb=lambda wildcards: NEEDS[wildcards.id].megabytes,
-        values=lambda wildcards: values_of(POINTS[wildcards.id]),  # not among the params: any sweep's
+        mem_mb=lambda wildcards: SWEEPS[sweep_at(wildcards)].needs.megabytes,
+        points=lambda wildcards: described(sweep_at(wildcards), batch_at(wildcards)),  # message
     log:
-        f"{LOGS}/points/{{id}}.log",
+        f"{LOGS}/batches/{{batch}}.log",
     message:
-        "point: {resources.values}"
+        "{resources.points}"
     shell:
-        "{PYTHON} {input.script} {BIN} {output} {params.base} {params.commands:q} 2> {log}"
+        "{PYTHON} {input.script} {BIN} {params.sweep} {POINTS} {params.code} {output} {params.ids}"
+        " 2> {log}"
 
 
 rule table:
     input:
-        points=lambda wildcards: files_of(SWEEPS[wildcards.sweep]),
+        points=lambda wildcards: batches_of_sweep(wildcards.sweep),
         sweep="recipes/{sweep}.ini",
         script="recipes/common/collect.py",
         common=COMMON,
     output:
         f"{DATA}/{{sweep}}.csv",
     wildcard_constraints:
-        sweep="|".join(SWEEPS) or "none",
+        sweep="|".join(TABLES) or "none",
     log:
         f"{LOGS}/{{sweep}}.log",
     message:
         "{wildcards.sweep}: collect the points"
     shell:
-        "{PYTHON} {input.script} {input.sweep} {DATA}/points {output} 2> {log}"
+        "{PYTHON} {input.script} {input.sweep} {POINTS} {output} 2> {log}"
 
 
 rule sweep:
     input:
-        files_of(OWN) if OWN else [],
+        [path for name in OWN for path in batches_of_sweep(name)],

@@ -23,8 +23,8 @@ n values, both ends included), or an arithmetic expression of other values: `0.3
 Sections [variant NAME] add to or replace those of [values]; each is a product of its own, and its
 name becomes the column `variant`. `points = FILE.csv` in [sweep] takes the points from a table
 instead, whose columns are names; columns in [values] are combined with each of its rows. `base =
-FILE` in [sweep] names a checkpoint that the commands use as {base}; `time`, `memory` and `threads`
-say what the computer is to provide for a point (needs.py). A comment begins with # or ;.
+FILE` in [sweep] names a checkpoint that the commands use as {base}; `memory` and `threads` say what
+the computer is to provide for a point (needs.py). A comment begins with # or ;.
 
 Each point is one file, results/data/points/ID.json, where ID follows from its commands: what is
 there already is not computed again, whichever sweep it belonged to, and adding values adds points.
@@ -43,6 +43,9 @@ from pathlib import Path
 
 from common.needs import Needs, needs_of
 from common.sweep_values import LIMIT, SweepError, calculate, references, values_of
+
+BATCHES = 64  # of a large sweep, so that many cores have work until its end
+LARGEST_BATCH = 20  # points
 
 
 @dataclass(frozen=True)
@@ -158,6 +161,13 @@ def combinations(ini):
         for name in variants
         for row in rows
     ]
+
+
+def batches_of(points):
+    """Points that one job computes. Neighbours, which take about the same time, go to different jobs."""
+    size = min(LARGEST_BATCH, math.ceil(len(points) / BATCHES))
+    count = math.ceil(len(points) / size) if points else 0
+    return [points[number::count] for number in range(count)]
 
 
 def names_of_values(points):

@@ -4,10 +4,10 @@ ENSEMBLE_RUNS = ["stopped", "no-slow-slip", "wider", "undriven"]
 ENSEMBLE_MEASURED = ["fast-slow-fast", *ENSEMBLE_EVENTS]
 
 
-rule ensemble_start:
-    input:
-        f"{DATA}/ensemble/choice.json",
-        f"{DATA}/fast-slow-fast.compared",
+STAGES["start"]["ensemble"] = [
+    f"{DATA}/ensemble/choice.json",
+    f"{DATA}/fast-slow-fast.compared",
+]
 
 
 rule ensemble:

@@ -5,9 +5,7 @@ ESTIMATES = {
 }
 
 
-rule estimate_start:
-    input:
-        f"{DATA}/fast-slow-fast.compared",
+STAGES["start"]["estimate"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 # A force 600 times f_slip is out of reach in the relaxation.

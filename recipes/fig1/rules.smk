@@ -15,9 +15,7 @@ FIG1_SPEEDS = {
 }
 
 
-rule fig1_start:
-    input:
-        f"{DATA}/fast-slow-fast.compared",
+STAGES["start"]["fig1"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 rule fig1_loading:

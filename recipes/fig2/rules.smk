@@ -2,9 +2,7 @@
 FIG2_EVENTS = ["fast-slow-fast", "fast-only"]
 
 
-rule fig2_start:
-    input:
-        [f"{DATA}/{event}.compared" for event in EVENTS],
+STAGES["start"]["fig2"] = [f"{DATA}/{event}.compared" for event in EVENTS]
 
 
 rule fig2:

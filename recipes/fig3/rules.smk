@@ -6,9 +6,7 @@ FIG3_EVENT = f"{DATA}/fast-slow-fast"
 FIG3_PARTS = [f"{DATA}/fig3/claims-ABC.json"]
 
 
-rule fig3_start:
-    input:
-        f"{DATA}/fast-slow-fast.compared",
+STAGES["start"]["fig3"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 rule fig3_ABC:

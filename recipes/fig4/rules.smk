@@ -9,16 +9,14 @@ include: "wider.smk"
 # The map of front types: a grid with one seed, then places halfway between fast neighbours and
 # others, then five seeds at all places next to another type. Each decides where the next is needed.
 # The ensemble's choice decides which of its events there are for C.
-rule fig4_start:
-    input:
-        f"{DATA}/fig4/between.csv",
-        f"{DATA}/ensemble/choice.json",
-        [f"{DATA}/{event}.compared" for event in FIG4_SHOWN],
+STAGES["start"]["fig4"] = [
+    f"{DATA}/fig4/between.csv",
+    f"{DATA}/ensemble/choice.json",
+    *[f"{DATA}/{event}.compared" for event in FIG4_SHOWN],
+]
 
 
-rule fig4_refine:
-    input:
-        f"{DATA}/fig4/boundary.csv",
+STAGES["refine"]["fig4"] = [f"{DATA}/fig4/boundary.csv"]
 
 
 rule fig4_between:

@@ -25,8 +25,6 @@ rule quasistatic_load:
         last=f"{DATA}/fig5/quasistatic-load.h5",
         last_sum=f"{DATA}/fig5/quasistatic-load.h5.sum",
     priority: 90  # long: first
-    resources:
-        runtime=30,  # [min]
     params:
         code=CODE,
     log:

@@ -5,9 +5,7 @@ FIG5_PARTS = [f"{DATA}/fig5/claims-A.json"]
 FIG5_RUNS = ["fast-slow-fast", "fast-slow-fast/undriven"]
 
 
-rule fig5_start:
-    input:
-        f"{DATA}/fast-slow-fast.compared",
+STAGES["start"]["fig5"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 rule fig5_driving:

@@ -6,9 +6,7 @@ FIGS1_STATES = {
 }
 
 
-rule figS1_start:
-    input:
-        f"{DATA}/fast-slow-fast.compared",
+STAGES["start"]["figS1"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 rule figS1_unloaded:

@@ -25,8 +25,6 @@ rule figS2_load:
         last=f"{DATA}/figS2/load.h5",
         last_sum=f"{DATA}/figS2/load.h5.sum",
     priority: 90  # long: first
-    resources:
-        runtime=30,  # [min]
     params:
         code=CODE,
     log:
@@ -71,9 +69,7 @@ rule figS2_choice:
         "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
 
-rule figS2_start:
-    input:
-        FIGS2_CHOICE.as_posix(),
+STAGES["start"]["figS2"] = [FIGS2_CHOICE.as_posix()]
 
 
 rule figS2_before:

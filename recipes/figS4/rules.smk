@@ -3,9 +3,7 @@ FIGS4_STATES = ["fast-slow-fast", "fast-slow-fast/wider-start"]
 FIGS4_RECORDS = ["fast-slow-fast", "fast-slow-fast/wider"]
 
 
-rule figS4_start:
-    input:
-        f"{DATA}/fast-slow-fast.compared",
+STAGES["start"]["figS4"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 rule figS4:

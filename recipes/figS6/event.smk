@@ -19,8 +19,6 @@ rule figS6_load:
         last=f"{DATA}/figS6/load.h5",
         last_sum=f"{DATA}/figS6/load.h5.sum",
     priority: 90  # long: first
-    resources:
-        runtime=30,  # [min]
     params:
         code=CODE,
         law=FIGS6_LAW,

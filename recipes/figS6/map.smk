@@ -3,9 +3,7 @@
 FIGS6_PARTS.append(f"{DATA}/figS6/claims-map.json")
 
 
-rule figS6_start:
-    input:
-        f"{DATA}/figS6/boundary.csv",
+STAGES["start"]["figS6"] = [f"{DATA}/figS6/boundary.csv"]
 
 
 rule figS6_boundary:

@@ -1,8 +1,6 @@
-"""What Snakemake ran, from the account it keeps of every output in .snakemake/metadata: command,
-inputs, start and end. (7.21 names each file there after the output, in URL-safe Base64.)"""
+"""What Snakemake ran, as recipes/common/progress.py noted it in results/jobs.jsonl: rule, command,
+inputs, outputs, start and time of each job."""
 
-import base64
-import binascii
 import json
 from dataclasses import dataclass
 from pathlib import Path
@@ -40,50 +38,40 @@ def steps(jobs):
     return [Step(rule, rule_jobs) for rule, rule_jobs in by_rule.items()]
 
 
-def output_name(path, folder):
-    """The output that an account belongs to; names that are too long are cut into folders @..."""
-    code = "".join(part.lstrip("@") for part in path.relative_to(folder).parts)
-    return base64.urlsafe_b64decode(code).decode()
-
-
-def read_accounts(folder):
+def read_accounts(path):
+    """{output: what is noted of the job that made it last}"""
     accounts = {}
-    for path in sorted(folder.rglob("*")):
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    for line in lines:
         try:
-            if path.is_file():
-                name = output_name(path, folder)
-                accounts[name] = json.loads(path.read_text(encoding="utf-8"))
-        except (binascii.Error, ValueError):
-            continue  # a file that Snakemake did not finish
+            job = json.loads(line)
+        except ValueError:
+            continue  # its end is missing: the run was killed
+        accounts |= {output: job for output in job["output"]}
     return accounts
 
 
 class Accounts:
     def __init__(self, root):
-        self.by_output = read_accounts(Path(root) / ".snakemake/metadata")
+        self.by_output = read_accounts(Path(root) / "results/jobs.jsonl")
 
     def files_behind(self, recipe):
         """The results of a recipe and all files they were made from, directly or not."""
         waiting = [path for path in self.by_output if path.startswith(f"results/{recipe}/")]
         found = set(waiting)
         while waiting:
-            inputs = self.by_output.get(waiting.pop(), {}).get("input") or []
+            inputs = self.by_output.get(waiting.pop(), {}).get("input", [])
             new = set(inputs) - found
             found |= new
             waiting.extend(new)
         return found
 
     def jobs(self, files):
-        """The jobs that made the files, in the order in which they started. A job has an account
-        for each of its outputs."""
-        found = {}
-        for path in files:
-            account = self.by_output.get(path)
-            if account and account.get("starttime"):
-                started = account["starttime"]
-                key = account["rule"], account["shellcmd"], *account["log"]
-                seconds = max(account["endtime"] - started, 0)
-                if key not in found or found[key].seconds < seconds:
-                    command = " ".join((account["shellcmd"] or "").split())
-                    found[key] = Job(account["rule"], command, started, seconds)
-        return sorted(found.values(), key=lambda job: (job.started, job.rule))
+        """The jobs that made the files, in the order in which they started."""
+        accounts = [self.by_output[path] for path in files if path in self.by_output]
+        found = {(job["rule"], *job["output"]): job for job in accounts}
+        jobs = [
+            Job(job["rule"], job["command"], job["started"], job["seconds"])
+            for job in found.values()
+        ]
+        return sorted(jobs, key=lambda job: (job.started, job.rule))

@@ -81,7 +81,8 @@ def checksums(root, files):
     for name in sorted(files, key=natural):
         path = root / name
         if name.startswith("results/data/") and path.suffix == ".sum" and path.exists():
-            checksum, *_ = path.read_text(encoding="utf-8").split() or ["empty"]
+            words = path.read_text(encoding="utf-8").split()
+            checksum = words[-2] if len(words) > 1 else "empty"
             found.append((name.removeprefix("results/data/").removesuffix(".sum"), checksum))
     return found
 

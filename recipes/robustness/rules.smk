@@ -4,9 +4,7 @@ ROBUSTNESS_PARTS = [f"{DATA}/robustness/claims-Exp.json"]
 ROBUSTNESS_EVENT = f"{DATA}/fast-slow-fast"
 
 
-rule robustness_start:
-    input:
-        f"{ROBUSTNESS_EVENT}.compared",
+STAGES["start"]["robustness"] = [f"{ROBUSTNESS_EVENT}.compared"]
 
 
 # Until the first junction breaks, at 0.18 s, no slipping time is drawn: the reference run is also the
@@ -21,8 +19,6 @@ rule robustness_exponential:
         record=f"{DATA}/robustness/exponential-record.h5",
         record_sum=f"{DATA}/robustness/exponential-record.h5.sum",
     priority: 90  # long: first
-    resources:
-        runtime=30,  # [min]
     params:
         code=CODE,
     log:

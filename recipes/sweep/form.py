@@ -14,10 +14,10 @@ from sweep.names import (
 
 SHORT = ("sweep", "values", "quantities", "analyze")
 LONG = ("sweep", "values", "commands", "quantities", "table")
-EVERY_SWEEP = ("title", "base", "points", "time", "memory", "threads")
+EVERY_SWEEP = ("title", "base", "points", "memory", "threads")
 SHORT_SWEEP = tuple(dict.fromkeys((*EVERY_SWEEP, *STARTS, "restart")))
 MAY_BE_EMPTY = ("sweep", "analyze")
-KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums")  # point.py
+KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # point_store.py
 
 NOTHING_COMPUTED = "it computes nothing then"
 NO_FILES_OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"

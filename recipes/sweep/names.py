@@ -78,8 +78,12 @@ def options_of(program, tools):
         raise SweepError(f"there is no program '{program}'{suggestion(program, OPTIONS)}")
     tool, *command = program.split()
     help_of = [Path(tools) / tool, *command, "--help"]
-    text = subprocess.run(help_of, capture_output=True, check=True, text=True).stdout
-    return [long or short for long, short in re.findall(r"--([a-z][a-z-]*)|\s-([a-z])\b", text)]
+    done = subprocess.run(help_of, capture_output=True, check=False, text=True)
+    if done.returncode:
+        raise SweepError(f"'{program} --help' ended with {done.returncode}: the program cannot be used")
+    return [
+        long or short for long, short in re.findall(r"--([a-z][a-z-]*)|\s-([a-z])\b", done.stdout)
+    ]
 
 
 def program_of(command):

@@ -1,16 +1,14 @@
-#!/usr/bin/env python3
-"""Plans a user's sweep: plan.py SWEEP.ini FOLDER_OF_TOOLS RESULTS
+"""Plans a user's sweep.
 
 Checks the file, expands its short form and writes RESULTS/sweeps/NAME/NAME.ini, which Snakemake and
-report.py read, and whose path is printed. In it, all is settled that is not in the file itself: the
-base is a copy that is named after its content, so that a point's name follows from that; a table of
-points is a copy, too; every column has a unit. What cannot be understood gives one sentence and exit code 2.
+report.py read. In it, all is settled that is not in the file itself: the base is a copy that is named
+after its content, so that a point's name follows from that; a table of points is a copy, too; every
+column has a unit.
 """
 
 import configparser
 import re
 import subprocess
-import sys
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -48,7 +46,7 @@ def keep_base(path, tools, results):
     with writing(copy) as part:
         part.write_bytes(content)
     with writing(f"{copy}.sum") as part:
-        part.write_text(f"{checksum}  {copy.name}\n", encoding="utf-8")
+        part.write_text(f"content-sha256 {checksum}  {copy.name}\n", encoding="utf-8")
     return copy
 
 
@@ -119,13 +117,9 @@ def make_plan(path, names, tools, results):
     return output
 
 
-def main(path, tools, results):
+def plan_sweep(path, tools, results):
+    """The path of the plan. What cannot be understood is a SweepError with the file and one sentence."""
     try:
-        print(make_plan(Path(path), names_of(tools), tools, results))
+        return make_plan(path, names_of(tools), tools, results)
     except (OSError, ValueError, configparser.Error) as error:
-        print(f"reproduce.sh: {path}: {sentence_of(error)}", file=sys.stderr)
-        sys.exit(2)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+        raise SweepError(f"{path}: {sentence_of(error)}") from None

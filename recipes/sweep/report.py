@@ -1,8 +1,7 @@
-#!/usr/bin/env python3
-"""Collects the points of a user's sweep that there are: report.py PLAN.ini RESULTS
+"""Collects the points of a user's sweep that there are.
 
 Writes NAME.csv, NAME.h5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan, and
-prints what came out. A point that is not there is `unfinished`; exit code 1 if there is one.
+prints what came out. A point that is not there is `unfinished`.
 """
 
 import os
@@ -11,7 +10,7 @@ from collections import Counter
 from pathlib import Path
 
 from common.collect import rows
-from common.records import report
+from common.point_store import PointStore
 from common.sweeps import names_of_values, read_sweep
 from sweep.picture import SUFFIXES, draw
 from sweep.plural import plural
@@ -20,23 +19,14 @@ from sweep.table import Column, write_csv, write_hdf5
 SHOWN = 5  # sentences of failed points
 
 
-def why_unfinished(log):
-    """What the job said last; rather an error, such as SLURM's about time or memory."""
-    lines = log.read_text(errors="replace").split("\n") if log.exists() else []
-    said = [line.strip() for line in lines if line.strip()]
-    errors = [line for line in said if "error:" in line.lower()]
-    if not said:
-        return "its job ended without a message"
-    return (errors or said)[-1].removeprefix("point.py: ").rstrip(": ")
+NOT_REACHED = "it was not reached, or its process was ended"
 
 
-def result_of(point, results):
-    """What the point's file has. Paths in a sentence are those of this folder."""
-    path = results / "data/points" / f"{point.id}.json"
-    if not path.exists():
-        log = results / "log/points" / f"{point.id}.log"
-        return {"status": "unfinished", "sentence": why_unfinished(log)}
-    result = report(path)
+def result_of(point, store):
+    """What the point gave. Paths in a sentence are those of this folder."""
+    result = store.result(point)
+    if result is None:
+        result = {"status": "unfinished", "sentence": store.crash(point) or NOT_REACHED}
     return result | {"sentence": result["sentence"].replace(f"{os.getcwd()}/", "")}
 
 
@@ -45,11 +35,10 @@ def columns_of(sweep, table):
     return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
 
 
-def computed_since(plan, sweep, results):
-    """How many points are younger than the plan, which is written before they are computed."""
-    paths = {results / "data/points" / f"{point.id}.json" for point in sweep.points}
-    written = plan.stat().st_mtime_ns
-    return sum(path.exists() and path.stat().st_mtime_ns > written for path in paths)
+def count_computed(sweep, store, started):
+    """How many results are younger than `started` [s]."""
+    paths = {store.path(point) for point in sweep.points if store.result(point)}
+    return sum(path.stat().st_mtime >= started for path in paths)
 
 
 def print_sentences(table, status):
@@ -93,21 +82,18 @@ def picture(stem, sweep, columns):
     return no_picture or f"Picture: {stem}.png and .pdf"
 
 
-def main(plan, results):
-    plan, results = Path(plan), Path(results)
-    sweep = read_sweep(plan)
-    table = list(rows(sweep, lambda point: result_of(point, results)))
+def report_sweep(plan, results, code, started):
+    """The exit code: 1 if points are unfinished. `code`: fingerprint of the sources or programs;
+    `started`: when computing began [s since 1970]."""
+    sweep, store = read_sweep(plan), PointStore(results / "data/points", code)
+    table = list(rows(sweep, lambda point: result_of(point, store)))
     columns = columns_of(sweep, table)
     write_csv(plan.with_suffix(".csv"), columns)
     write_hdf5(plan.with_suffix(".h5"), sweep.title, columns)
-    unfinished = print_summary(sweep, table, computed_since(plan, sweep, results))
+    unfinished = print_summary(sweep, table, count_computed(sweep, store, started))
     stem = plan.resolve().with_suffix("")
     print(f"Table: {stem}.csv and .h5", flush=True)  # before anything of Matplotlib
-    print(picture(stem, sweep, columns))
+    print(picture(stem, sweep, columns), flush=True)
     if unfinished:
         print("The same command tries unfinished points again.", file=sys.stderr)
-        sys.exit(1)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return 1 if unfinished else 0

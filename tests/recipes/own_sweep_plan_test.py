@@ -15,7 +15,7 @@ sys.path.insert(0, str(ROOT / "recipes"))
 
 from common.sweeps import SweepError, read_sweep  # noqa: E402
 from sweep.names import CHECKPOINT, ONE_NEEDED, OPTIONS, RECORD, names_of  # noqa: E402
-from sweep.plan import make_plan  # noqa: E402
+from sweep.plan import make_plan, plan_sweep  # noqa: E402
 
 NAMES = names_of(BIN)
 BASE = ROOT / "checkpoints/fast-only.h5"
@@ -141,7 +141,7 @@ class Bases(Planning):
             [BIN / "analyze", "checksum", copy], capture_output=True, text=True, check=True
         )
         self.assertEqual(
-            Path(f"{copy}.sum").read_text(), f"{checksum.stdout.strip()}  {copy.name}\n"
+            Path(f"{copy}.sum").read_text(), f"content-sha256 {checksum.stdout.strip()}  {copy.name}\n"
         )
         self.assertTrue(checksum.stdout.startswith(copy.stem))
 
@@ -216,7 +216,8 @@ class Mistakes(Planning):
         self.refuse(
             PREPARED + VALUES + FRONT + "[analyze]\nslip = --x 0\n", "'slip', of which there is no"
         )
-        self.refuse(PREPARED + "time = soon\n" + VALUES + FRONT, "'time = soon' is not understood")
+        self.refuse(PREPARED + "memory = much\n" + VALUES + FRONT, "'memory = much' is not understood")
+        self.refuse(PREPARED + "time = 1 h\n" + VALUES + FRONT, "no key in .sweep. 'time'")
         self.refuse(PREPARED + VALUES + FRONT, "the results get the name", name="my sweep")
 
     def test_starts(self):
@@ -385,23 +386,19 @@ class Mistakes(Planning):
             "cannot be called 'status'",
         )
 
-    def test_the_program_ends_with_one_sentence_and_2(self):
+    def test_what_cannot_be_read_or_written_is_said_with_the_file(self):
         def said(path, results):
-            environment = dict(os.environ, PYTHONPATH=str(ROOT / "recipes"))
-            script = [sys.executable, "-B", ROOT / "recipes/sweep/plan.py", path, BIN, results]
-            done = subprocess.run(
-                script, env=environment, capture_output=True, text=True, check=False
-            )
-            self.assertEqual((done.returncode, done.stdout), (2, ""))
-            return done.stderr
+            with self.assertRaises(SweepError) as caught:
+                plan_sweep(path, BIN, results)
+            return str(caught.exception)
 
         path, file = self.folder / "none.ini", self.folder / "file"
-        sentence = f"reproduce.sh: {path}: it cannot be read (No such file or directory)\n"
+        sentence = f"{path}: it cannot be read (No such file or directory)"
         self.assertEqual(said(path, self.folder), sentence)
         path.write_text(PREPARED + VALUES + FRONT)
         file.write_text("")
-        sentence = f"{file}/sweeps/none/none.ini cannot be written (Not a directory)\n"
-        self.assertEqual(said(path, file), f"reproduce.sh: {path}: {sentence}")
+        sentence = f"{file}/sweeps/none/none.ini cannot be written (Not a directory)"
+        self.assertEqual(said(path, file), f"{path}: {sentence}")
 
 
 class Options(unittest.TestCase):

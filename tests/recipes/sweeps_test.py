@@ -1,4 +1,4 @@
-"""Reading sweep files (recipes/common/sweeps.py) and computing points (point.py, collect.py)."""
+"""Reading sweep files (recipes/common/sweeps.py) and computing points (batch.py, collect.py)."""
 
 import csv
 import json
@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
 from common.needs import Needs  # noqa: E402
-from common.sweeps import SweepError, read_sweep, values_of  # noqa: E402
+from common.sweeps import SweepError, batches_of, read_sweep, values_of  # noqa: E402
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
 
@@ -156,29 +156,42 @@ class Reading(unittest.TestCase):
         def needs(text):
             return self.read(f"[sweep]\n{text}\n{COMMANDS}").needs
 
-        self.assertEqual(needs(""), Needs(minutes=10, megabytes=1000, threads=1))
-        found = needs("time = 1.5 h\nmemory = 2.5 GB\nthreads = 4")
-        self.assertEqual(found, Needs(minutes=90, megabytes=2500, threads=4))
-        self.assertEqual(needs("time = 61 s").minutes, 2)
-        for text in ("time = 10", "time = 0 min", "memory = 2 kg", "memory = .", "threads = 0"):
+        self.assertEqual(needs(""), Needs(megabytes=1000, threads=1))
+        found = needs("memory = 2.5 GB\nthreads = 4")
+        self.assertEqual(found, Needs(megabytes=2500, threads=4))
+        for text in ("memory = 10", "memory = 0 MB", "memory = 2 kg", "memory = .", "threads = 0"):
             with self.subTest(text), self.assertRaisesRegex(SweepError, "is not understood: give"):
                 needs(text)
 
     def test_needs_and_title_do_not_name_points(self):
         points = [
             self.read(f"[sweep]\n{text}\n{COMMANDS}[values]\na = 1").points[0].id
-            for text in ("", "time = 1 h\nmemory = 3 GB\nthreads = 2\ntitle = T")
+            for text in ("", "memory = 3 GB\nthreads = 2\ntitle = T")
         ]
         self.assertEqual(points[0], points[1])
+
+
+class Batches(unittest.TestCase):
+    def test_every_point_is_in_one_batch(self):
+        for number in (0, 1, 24, 64, 65, 859, 2000):
+            batches = batches_of(list(range(number)))
+            self.assertEqual(sorted(sum(batches, [])), list(range(number)))
+
+    def test_short_sweeps_have_a_job_per_point_and_long_ones_at_most_20_points_per_job(self):
+        self.assertEqual(len(batches_of(list(range(64)))), 64)
+        self.assertEqual(max(map(len, batches_of(list(range(100_000))))), 20)
+
+    def test_neighbours_are_apart(self):
+        self.assertEqual(batches_of(list(range(130)))[0], [0, 44, 88])
 
 
 class Computing(unittest.TestCase):
     """With a stand-in for the tools."""
 
     TOOL = (
-        '#!/bin/sh\nif [ "$1" = bad ]; then echo "tool: too large" >&2; exit 1; fi\n'
-        'if [ "$1" = crash ]; then kill -9 $$; fi\n'
-        'echo "abc  x.h5" > x.h5.sum; echo "{\\"v\\": {\\"w\\": [1, 2]}}"\n'
+        '#!/bin/sh\necho "$2" >> "$CALLS"\n'
+        'case "$2" in bad) echo "tool: too large" >&2; exit 1;; $CRASH) kill -9 $$;; esac\n'
+        'echo "content-sha256 abc  x.h5" > x.h5.sum; echo "{\\"v\\": {\\"w\\": [1, 2]}}"\n'
     )
 
     def setUp(self):
@@ -189,33 +202,38 @@ class Computing(unittest.TestCase):
         tool.write_text(self.TOOL)
         tool.chmod(0o755)
         self.sweep = self.folder / "sweep.ini"
+        self.calls = self.folder / "calls"
 
-    def script(self, name, *arguments):
-        environment = dict(os.environ, PYTHONPATH=str(ROOT / "recipes"))
+    def script(self, name, *arguments, crash="none"):
+        environment = dict(
+            os.environ, PYTHONPATH=str(ROOT / "recipes"), CALLS=str(self.calls), CRASH=crash
+        )
         command = [sys.executable, ROOT / "recipes/common" / name, *arguments]
         return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
 
-    def compute(self, first_values):
+    def batch(self, values, code="1", **options):
+        """Computes all values; self.computed: those that were not there."""
         self.sweep.write_text(
-            "[sweep]\n[commands]\nfirst = tool {values} --json\n[values]\nkind = "
-            f"{first_values}\n[table]\nw = first.v.w.1\nnone = first.v.x.y\n"
+            f"[sweep]\nbase = {self.folder}/base\n[commands]\nfirst = tool {{values}} --json\n"
+            f"[values]\nkind = {values}\n[table]\nw = first.v.w.1\nnone = first.v.x.y\n"
         )
-        # The stand-in reads its first argument only.
-        for point in read_sweep(self.sweep).points:
-            line = point.commands["first"].replace("--kind ", "")
-            done = self.script(
-                "point.py", self.folder, self.folder / f"{point.id}.json", "", f"first={line}"
-            )
-            if done.returncode:
-                return done
-        return self.script("collect.py", self.sweep, self.folder, self.folder / "table.csv")
+        (self.folder / "base").touch()
+        self.calls.write_text("")
+        ids = [point.id for point in read_sweep(self.sweep).points]
+        arguments = (self.folder, self.sweep, self.folder, code, self.folder / "batch.sum")
+        done = self.script("batch.py", *arguments, *ids, **options)
+        self.computed = self.calls.read_text().split()
+        return done
 
     def table(self):
+        done = self.script("collect.py", self.sweep, self.folder, self.folder / "table.csv")
+        if done.returncode:
+            return done.stderr
         with open(self.folder / "table.csv", newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
     def test_a_failed_point_keeps_its_sentence(self):
-        self.assertEqual(self.compute("good, bad").returncode, 0)
+        self.assertEqual(self.batch("good, bad").returncode, 0)
         good, bad = self.table()
         self.assertEqual((good["status"], good["w"], good["none"]), ("done", "2", ""))
         self.assertEqual((bad["status"], bad["sentence"]), ("failed", "tool: too large"))
@@ -223,15 +241,49 @@ class Computing(unittest.TestCase):
         self.assertEqual(report["checksums"], {"x.h5": "abc"})
 
     def test_nothing_but_failures_is_a_failure(self):
-        done = self.compute("bad")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("tool: too large", done.stderr)
+        self.batch("bad")
+        self.assertIn("tool: too large", self.table())
 
-    def test_a_crash_leaves_no_point(self):
-        done = self.compute("crash")
-        self.assertEqual(done.returncode, 128 + 9)
+    def test_a_crash_leaves_no_point_and_keeps_the_others(self):
+        done = self.batch("a, b, c", crash="b")
+        self.assertEqual((done.returncode, self.computed), (1, ["a", "b", "c"]))
         self.assertIn("ended with -9", done.stderr)
-        self.assertEqual(list(self.folder.glob("*.json*")), [])
+        self.assertEqual(len(list(self.folder.glob("*.json"))), 2)
+        self.assertFalse((self.folder / "batch.sum").exists())
+        (why,) = self.folder.glob("*.why")
+        self.assertIn("ended with -9", why.read_text())
+        self.assertEqual((self.batch("a, b, c").returncode, self.computed), (0, ["b"]))
+        self.assertEqual(list(self.folder.glob("*.why")), [])
+
+    def test_what_is_there_is_not_computed_again(self):
+        self.batch("a, b")
+        first = (self.folder / "batch.sum").read_text()
+        self.batch("a, b, c")
+        self.assertEqual(self.computed, ["c"])
+        self.assertTrue((self.folder / "batch.sum").read_text().startswith(first))
+
+    def test_other_sources_or_another_base_compute_anew_and_equal_results_say_so(self):
+        self.batch("a")
+        first = (self.folder / "batch.sum").read_text()
+        self.batch("a", code="2")
+        self.assertEqual(self.computed, ["a"])
+        (self.folder / "base").write_text("other")
+        self.batch("a", code="2")
+        self.assertEqual(self.computed, ["a"])
+        self.assertEqual((self.folder / "batch.sum").read_text(), first)
+
+    def test_a_damaged_result_is_computed_anew(self):
+        self.batch("a")
+        (path,) = self.folder.glob("*.json")
+        for text in ("", "[]", "null", '{"status": "done"}'):
+            path.write_text(text)
+            self.batch("a")
+            self.assertEqual(self.computed, ["a"], text)
+
+    def test_an_interruption_ends_it_at_once(self):
+        tool = self.folder / "tool"
+        tool.write_text('#!/bin/sh\necho "$2" >> "$CALLS"\nkill -INT $$\n')
+        self.assertEqual((self.batch("a, b").returncode, self.computed), (130, ["a"]))
 
 
 if __name__ == "__main__":

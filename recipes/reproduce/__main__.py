@@ -1,0 +1,90 @@
+"""./reproduce.sh COMMAND [OPTION]..."""
+
+import os
+import shutil
+import sys
+import time
+from pathlib import Path
+
+from reproduce import checks, compute
+from reproduce.command_line import HELP, listing, natural, parse
+from reproduce.processes import Processes
+from reproduce.project import LOGS, ROOT, Failure, UsageError, complain, recipe_names, say
+from reproduce.set_up import ensure_packages
+
+
+def clean(*_):
+    for folder in ("build", "results", ".snakemake"):
+        shutil.rmtree(folder, ignore_errors=True)
+    say("Deleted build/ and results/.")
+
+
+def duration(seconds):
+    seconds = round(seconds)
+    return f"{seconds} s" if seconds < 60 else f"{seconds // 60} min {seconds % 60} s"
+
+
+def recipes(request, processes):
+    started = time.monotonic()
+    compute.reproduce(request, request.recipes, processes)
+    say(f"\nDone in {duration(time.monotonic() - started)}.")
+
+
+def everything(request, processes):
+    started = time.monotonic()
+    compute.reproduce(request, sorted(recipe_names(), key=natural), processes)
+    say()
+    code = compute.write_report(processes)
+    say(f"\nDone in {duration(time.monotonic() - started)}.")
+    return code
+
+
+def report(_, processes):
+    ensure_packages(processes, "run")
+    return compute.write_report(processes)
+
+
+RUN = {
+    "recipes": recipes,
+    "all": everything,
+    "sweep": compute.run_sweep,
+    "report": report,
+    "test": checks.run_tests,
+    "test-slurm": checks.test_slurm,
+    "check": checks.check_sources,
+    "tidy": checks.tidy_sources,
+    "clean": clean,
+}
+
+
+def main(*words):
+    caller = Path.cwd()
+    os.chdir(ROOT)
+    request = parse(words, caller)
+    if request is None:
+        print(HELP, end="")
+    elif request.command == "list":
+        print(listing())
+    else:
+        LOGS.mkdir(parents=True, exist_ok=True)
+        return RUN[request.command](request, Processes())
+    return 0
+
+
+def main_or_sentence(*words):
+    """The exit code: 1 if a command failed, 2 if the command line makes no sense."""
+    try:
+        return main(*words)
+    except UsageError as error:
+        if str(error):
+            complain(error)
+        else:
+            print(HELP, end="", file=sys.stderr)
+        return 2
+    except Failure as failure:
+        complain(failure)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main_or_sentence(*sys.argv[1:]))

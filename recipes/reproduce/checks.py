@@ -1,0 +1,99 @@
+"""Tests of the programs, and looking for faults in the sources: ./reproduce.sh test, check, tidy."""
+
+import re
+import subprocess
+from pathlib import Path
+
+from reproduce.project import LOGS, Failure, say, use_own_caches
+from reproduce.set_up import build, ensure_packages, set_up
+
+CPPCHECK = (
+    "cppcheck --quiet --std=c++20 --language=c++ --enable=warning,style,performance,portability"
+    " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"
+    " -I include -I src -I src/tools -I tests -I tests/tools"
+).split()
+SHELL_SCRIPTS = (
+    *("reproduce.sh", ".ci/run", "src/tools/rupture-golden", "recipes/*/*.sh"),
+    *("recipes/profiles/*/job.sh", "recipes/profiles/*/step", "tests/*/*.sh"),
+    "tests/regression/project/*.sh",
+)
+
+
+def run_ctest(processes, preset, log, cores):
+    log = (LOGS / log).absolute()
+    return processes.run(
+        [
+            *("ctest", "--preset", preset, "--parallel", str(cores)),
+            *("--no-tests=error", "--output-log", log),
+        ]
+    )
+
+
+def run_tests(request, processes):
+    (LOGS / "test.log").unlink(missing_ok=True)
+    ensure_packages(processes, "run", "test")
+    build(processes, request.cores, "all")
+    use_own_caches()
+    code = run_ctest(processes, "release", "test.log", request.cores)
+    say()
+    return processes.run(["tests/golden/matrix.sh", "table", "build/release/matrix"]) or code
+
+
+def test_slurm(request, processes):
+    """Where SLURM cannot be installed, ctest says that this was skipped."""
+    (LOGS / "slurm.log").unlink(missing_ok=True)
+    ensure_packages(processes, "run")
+    try:
+        ensure_packages(processes, "slurm")
+    except SystemExit:
+        say("Going on without them.")
+    build(processes, request.cores, "tools")
+    use_own_caches()
+    return run_ctest(processes, "slurm", "slurm.log", 1)
+
+
+def sources(*endings):
+    folders = ("include", "src", "tests", "benchmarks")
+    found = (path for folder in folders for path in Path(folder).rglob("*"))
+    return sorted(str(path) for path in found if path.suffix in endings and path.is_file())
+
+
+def check_format(processes):
+    version = subprocess.run(["clang-format", "--version"], capture_output=True, check=True).stdout
+    if b"version 14." not in version:
+        raise Failure(
+            "The layout is defined by clang-format 14, which is not the one installed here."
+        )
+    files = sources(".cpp", ".hpp", ".h")
+    if processes.run(["clang-format", "--dry-run", "-Werror", *files]):
+        raise Failure("clang-format would change the files above (clang-format -i FILE).")
+
+
+def check_shell(processes):
+    files = [str(path) for pattern in SHELL_SCRIPTS for path in sorted(Path(".").glob(pattern))]
+    if processes.run(["shellcheck", *files]):
+        raise Failure("shellcheck found the faults above.")
+
+
+def check_sources(request, processes):
+    """The compiler sees the headers of libraries; without them cppcheck takes seconds, not minutes."""
+    ensure_packages(processes, "run", "check")
+    check_format(processes)
+    check_shell(processes)
+    if processes.run([*CPPCHECK, "-j", str(request.cores), "include", "src", "tests", "benchmarks"]):
+        raise Failure("cppcheck found the faults above (.cppcheck has what it may not say).")
+    say("The sources are laid out as they should be, and no fault was found in them.")
+
+
+def tidy_sources(request, processes):
+    """Of what clang-tidy says, the counts of what it found in the headers of libraries are left out."""
+    ensure_packages(processes, "run", "check")
+    set_up(processes, "configure", "check")
+    files = "\n".join(path for path in sources(".cpp") if path.startswith("src/"))
+    tidy = (
+        f"xargs -P {request.cores} -n 1 clang-tidy -p build/check --quiet <<< \"$0\""
+        " 2> >(grep -v ' warnings\\? ' >&2)"
+    )
+    if processes.run(["bash", "-c", tidy, files]):
+        raise Failure("clang-tidy found the faults above (.clang-tidy has what it may not say).")
+    say("clang-tidy found no fault in the sources.")

@@ -1,0 +1,109 @@
+"""Figures and sweeps: ./reproduce.sh fig3, all, sweep, report."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from common.fingerprint import fingerprint_of_programs
+from common.sweeps import SweepError
+from reproduce.place import place_of
+from reproduce.project import (
+    LOGS,
+    PROGRAMS,
+    ROOT,
+    Failure,
+    UsageError,
+    debian_or_path,
+    say,
+    use_own_caches,
+)
+from reproduce.set_up import build, ensure_packages
+
+RESULTS = Path("results")
+
+
+def prepare(request, processes):
+    """Where the commands run, once there is everything that they need."""
+    ensure_packages(processes, "run")
+    if not request.programs:
+        build(processes, request.cores, "tools")
+    use_own_caches()
+    return place_of(request)
+
+
+def options_of_snakemake(request, place, **config):
+    """A stale lock of Snakemake's own must not stop the next run: only one has its turn anyway."""
+    settings = {"from_scratch": int(request.from_scratch), **config}
+    if request.programs:
+        settings["bin"] = request.programs
+    if place.shell:
+        settings["shell"] = place.shell
+    options = ["--snakefile", ROOT / "recipes/Snakefile", "--directory", ROOT, "--nolock"]
+    options += ["--profile", request.profile, "--cores", place.cores]
+    if place.megabytes:
+        options += ["--resources", f"mem_mb={place.megabytes}"]
+    return [*options, "--config", *(f"{name}={value}" for name, value in settings.items())]
+
+
+def run_pipeline(processes, targets, options):
+    """Its exit code."""
+    command = [debian_or_path("python3"), "-m", "reproduce.pipeline", *targets, "--", *options]
+    return processes.run([str(word) for word in command])
+
+
+def note_run(recipes, place, started):
+    """For the report: which recipes, with how many cores, when, and for how long."""
+    run = {"recipes": " ".join(recipes), "where": str(place), "started": int(started)}
+    run["seconds"] = int(time.time() - started)
+    with open(RESULTS / "runs.jsonl", "a", encoding="utf-8") as file:
+        print(json.dumps(run), file=file)
+
+
+def print_claims(recipe):
+    say()
+    script = "recipes/common/print_claims.py"
+    command = [sys.executable, script, RESULTS / recipe / "claims.json"]
+    if subprocess.run(command, check=False).returncode:
+        raise Failure(f"the claims of {recipe} cannot be shown.")
+    say(f"Pictures and data: {ROOT / RESULTS / recipe}/")
+
+
+def reproduce(request, recipes, processes):
+    place = prepare(request, processes)
+    names = " ".join(recipes)
+    say(f"Computing {names} {place} ...")
+    started = time.time()
+    options = options_of_snakemake(request, place, recipes=names)
+    if run_pipeline(processes, recipes, options):
+        raise Failure(
+            f"{names} could not be completed; the message above says why (log: {LOGS}/recipes.log)."
+        )
+    note_run(recipes, place, started)
+    for recipe in recipes:
+        print_claims(recipe)
+
+
+def run_sweep(request, processes):
+    """The table is written even if points could not be computed: it says which, and why."""
+    from sweep import plan, preview, report
+
+    place = prepare(request, processes)
+    tools = request.programs or PROGRAMS
+    try:
+        path = plan.plan_sweep(request.file, tools, RESULTS)
+    except SweepError as error:
+        raise UsageError(error) from None
+    code = fingerprint_of_programs(request.programs)
+    if request.dry_run:
+        preview.preview(path, tools, RESULTS, code)
+        return 0
+    started = time.time()
+    run_pipeline(processes, ["sweep"], options_of_snakemake(request, place, sweep=path))
+    return report.report_sweep(path, RESULTS, code, started)
+
+
+def write_report(processes):
+    command = [sys.executable, "recipes/report/report.py"]
+    return processes.run(command)

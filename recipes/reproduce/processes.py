@@ -1,0 +1,127 @@
+"""Programs that ./reproduce.sh starts, of which nothing is to be left behind.
+
+Each has a process group of its own. A signal to ./reproduce.sh is passed on to the group. A guard, which
+outlives ./reproduce.sh, ends the group if ./reproduce.sh was killed, and holds the lock of the folder until
+then. So the next call can wait for that.
+"""
+
+import fcntl
+import os
+import signal
+import subprocess
+import sys
+import time
+
+from reproduce.project import Failure, say
+
+LOCK = "build/.lock"
+SIGNALS = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
+WAIT_FOR_GUARD = 30.0  # [s]
+
+# Reads the number of the group that runs, or an empty line; the end of its input is that of ./reproduce.sh.
+GUARD = """\
+while read -r line; do group=$line; done
+[ -n "$group" ] || exit 0
+kill -INT "-$group" 2>/dev/null
+for _ in $(seq 100); do kill -0 "-$group" 2>/dev/null || exit 0; sleep 0.1; done
+kill -KILL "-$group" 2>/dev/null
+"""
+
+
+def is_running(number):
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        pass  # it is another user's
+    return True
+
+
+def take_lock(lock):
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    return True
+
+
+def holder_of(lock):
+    """The ./reproduce.sh that has the lock, or had it last."""
+    text = os.pread(lock, 20, 0).decode()
+    return int(text) if text.isdecimal() else None
+
+
+class Processes:
+    """Two runs in the same folder would overwrite each other's files, so only one has its turn."""
+
+    def __init__(self):
+        self.group = None
+        self.received = None
+        self.lock = os.open(LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+        self.take_turn()
+        self.guard = subprocess.Popen(
+            ["sh", "-c", GUARD], stdin=subprocess.PIPE, start_new_session=True, pass_fds=[self.lock]
+        )
+        for number in SIGNALS:
+            if signal.getsignal(number) != signal.SIG_IGN:  # nohup
+                signal.signal(number, self.receive)
+
+    def take_turn(self):
+        if not take_lock(self.lock):
+            self.wait_for_guard()
+        os.ftruncate(self.lock, 0)
+        os.pwrite(self.lock, str(os.getpid()).encode(), 0)
+
+    def wait_for_guard(self):
+        """If the run that had the lock was killed, its guard ends what is left."""
+        holder = holder_of(self.lock)
+        if holder is None or is_running(holder):
+            raise Failure("another ./reproduce.sh is running in this folder; wait until it is done.")
+        say("Waiting for the end of what an earlier run, which was killed, has left behind ...")
+        end = time.monotonic() + WAIT_FOR_GUARD
+        while not take_lock(self.lock):
+            if time.monotonic() > end:
+                raise Failure("programs of an earlier run, which was killed, are still running here.")
+            time.sleep(0.1)
+
+    def receive(self, number, _):
+        """The first signal lets programs save what they have; the next one ends them."""
+        is_first = self.received is None
+        self.received = self.received or number
+        if self.group is None:
+            sys.exit(128 + self.received)
+        self.end_group(signal.SIGINT if is_first else signal.SIGKILL)
+
+    def end_group(self, number):
+        try:
+            os.killpg(self.group, number)
+        except ProcessLookupError:
+            pass
+
+    def tell_guard(self, text):
+        self.guard.stdin.write(f"{text}\n".encode())
+        self.guard.stdin.flush()
+
+    def run(self, command, **options):
+        """The exit code of a program. What it has left running is ended with it."""
+        with subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL,
+            start_new_session=True,
+            pass_fds=[self.lock],
+            **options,
+        ) as process:
+            self.group = process.pid
+            self.tell_guard(process.pid)
+            if self.received:  # just before
+                self.end_group(signal.SIGINT)
+            code = process.wait()
+        if self.received:
+            sys.exit(128 + self.received)  # and the guard looks after what is left
+        if code < 0:
+            self.end_group(signal.SIGINT)
+        else:
+            self.tell_guard("")
+        self.group = None
+        return code

@@ -1,0 +1,43 @@
+"""Where things are, and how the commands fail."""
+
+import os
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LOGS = Path("build/log")
+PROGRAMS = Path("build/release/bin")
+PROFILES = Path("recipes/profiles")
+
+
+class Failure(Exception):
+    """A command failed; the text says why."""
+
+
+class UsageError(Exception):
+    """The command line makes no sense; the text says why."""
+
+
+def recipe_names():
+    """The figures, and recipes that belong to none."""
+    return [path.parent.name for path in Path("recipes").glob("*/rules.smk")]
+
+
+def debian_or_path(program):
+    """Debian's program comes first, as its Python does."""
+    return f"/usr/bin/{program}" if os.access(f"/usr/bin/{program}", os.X_OK) else program
+
+
+def use_own_caches():
+    cache = ROOT / "build/cache"
+    (cache / "matplotlib").mkdir(parents=True, exist_ok=True)
+    os.environ.update(XDG_CACHE_HOME=str(cache), MPLCONFIGDIR=str(cache / "matplotlib"))
+
+
+def say(text=""):
+    """At once: the programs that are started next print, too."""
+    print(text, flush=True)
+
+
+def complain(text):
+    print(f"reproduce.sh: {text}", file=sys.stderr, flush=True)

@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# Installs packages and builds programs, for ./reproduce.sh:
+#
+#   set-up.sh packages PURPOSE...    those of packages.txt for these purposes (run, test, check, slurm)
+#   set-up.sh build CORES TARGET     a target of the release build
+#   set-up.sh configure PRESET
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
+readonly logs=build/log
+readonly patience=900  # [s] with another program that is installing packages
+
+die() {
+  printf 'reproduce.sh: %s\n' "$1" >&2
+  exit 1
+}
+
+# Runs a command with its output in a log file, and shows the end of it only if the command fails.
+quietly() {
+  local log=$logs/$1.log what=$2
+  shift 2
+  if ! "$@" >"$log" 2>&1; then
+    tail -n 60 "$log" >&2
+    die "$what failed; the whole output is in $PWD/$log."
+  fi
+}
+
+# --- packages ------------------------------------------------------------------------------
+
+packages_for() { awk -v purposes=" $* " 'index(purposes, " " $1 " ") { print $2 }' packages.txt; }
+
+# Those of the packages that are not installed, nor provided by one that is: on arm64, g++ provides
+# g++-aarch64-linux-gnu.
+missing_of() {
+  comm -23 <(printf '%s\n' "$@" | sort -u) \
+    <(dpkg-query -W -f='${db:Status-Status} ${Package} ${Provides}\n' "$@" 2>/dev/null |
+      sed -n 's/^installed //p' | tr -s ' ,' '\n' | sort -u)
+}
+
+# apt-get waits for dpkg's lock when asked to, but not for that of the package lists.
+update_lists() {
+  local end=$((SECONDS + patience)) errors=$logs/apt-errors.log
+  until LC_ALL=C apt-get update 2>"$errors"; do
+    cat "$errors"
+    grep -q 'Could not get lock' "$errors" && ((SECONDS < end)) || return 1
+    sleep 2
+  done
+}
+
+install_packages() {
+  update_lists &&
+    apt-get -o DPkg::Lock::Timeout="$patience" install -y --no-install-recommends "$@"
+}
+
+ensure_packages() {
+  local wanted missing
+  mapfile -t wanted < <(packages_for "$@")
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    echo "This is not a Debian system: what packages.txt names has to be installed already."
+    return
+  fi
+  mapfile -t missing < <(missing_of "${wanted[@]}")
+  ((${#missing[@]} > 0)) || return 0
+  if ((EUID == 0)); then
+    echo "Installing ${#missing[@]} Debian packages (log: $logs/packages.log) ..."
+    export DEBIAN_FRONTEND=noninteractive
+    quietly packages "Installing packages" install_packages "${missing[@]}"
+  else
+    echo "Some Debian packages are missing. Install them with this command, then start again:" >&2
+    echo "sudo apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+}
+
+# --- building ------------------------------------------------------------------------------
+
+configure() { quietly "configure-$1" "Configuring" cmake --preset "$1"; }
+
+# Says so only if there is something to compile or to link.
+run_build() {
+  local cores=$1 target=$2
+  cmake --build --preset release --parallel "$cores" --target "$target" 2>&1 |
+    tee "$logs/build.log" |
+    awk -v path="$logs/build.log" \
+      '/\] (Building|Linking)/ && !said { print "Building (log: " path ") ..."; fflush(); said = 1 }'
+}
+
+build() {
+  configure release
+  run_build "$@" || {
+    tail -n 60 "$logs/build.log" >&2
+    die "The build failed; the whole output is in $PWD/$logs/build.log."
+  }
+}
+
+mkdir -p "$logs"
+case $1 in
+  packages) shift && ensure_packages "$@" ;;
+  configure) configure "$2" ;;
+  build) build "$2" "$3" ;;
+esac

@@ -1,0 +1,20 @@
+"""Packages and building, by set-up.sh."""
+
+import sys
+from pathlib import Path
+
+SCRIPT = Path(__file__).with_name("set-up.sh")
+
+
+def set_up(processes, *words):
+    """The script has said why, if it fails."""
+    if code := processes.run([SCRIPT, *map(str, words)]):
+        sys.exit(code)
+
+
+def ensure_packages(processes, *purposes):
+    set_up(processes, "packages", *purposes)
+
+
+def build(processes, cores, target):
+    set_up(processes, "build", cores, target)

@@ -1,0 +1,314 @@
+"""./reproduce.sh itself: what may be typed, installing and building (with stand-ins for apt-get and cmake),
+and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import unittest.mock
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "recipes"))
+
+from reproduce.place import count_cores, memory_of_allocation  # noqa: E402
+
+WITHIN = 60  # [s]
+SWEEP = """[sweep]
+prepare =
+[values]
+tau-bar = 0.1, 0.2
+[quantities]
+F_T = stress.F_T
+"""
+# Knows enough of analyze for a sweep to be planned.
+ANALYZE = """#!/bin/sh
+case "$*" in
+  *quantities*) echo '{"parameters": [], "quantities": [{"name": "stress.F_T", "unit": "N"}]}';;
+  *--help*) echo "--json --tau-bar";;
+  *) echo '{"F_T": 1}';;
+esac
+"""
+# Waits for long, unless there is a file `go` in the project's folder.
+PREPARE = """#!/bin/sh
+case "$*" in *--help*) echo "--tau-bar -o --output --quiet --sum"; exit;; esac
+echo $$ >> {root}/running
+[ -e {root}/go ] || exec sleep 300
+"""
+
+
+def write_program(path, text):
+    path.write_text(text, encoding="utf-8")
+    path.chmod(0o755)
+
+
+class Project(unittest.TestCase):
+    """A copy of the command, with stand-ins for programs in bin/."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        self.bin = self.root / "bin"
+        self.bin.mkdir()
+        shutil.copytree(ROOT / "recipes", self.root / "recipes")
+        for name in ("reproduce.sh", "packages.txt"):
+            shutil.copy2(ROOT / name, self.root / name)
+
+    def start(self, *arguments):
+        path = f"{self.bin}{os.pathsep}{os.environ['PATH']}"
+        return subprocess.Popen(
+            [self.root / "reproduce.sh", *arguments],
+            cwd=self.root,
+            env=dict(os.environ, PATH=path),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def call(self, *arguments):
+        process = self.start(*arguments)
+        output, errors = process.communicate(timeout=WITHIN)
+        return subprocess.CompletedProcess(arguments, process.returncode, output, errors)
+
+
+class CommandLine(Project):
+    def refuse(self, arguments, sentence):
+        done = self.call(*arguments)
+        self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
+        self.assertRegex(done.stderr, f"^reproduce.sh: {sentence}")
+
+    def test_wrong_calls_are_usage_errors_of_one_sentence(self):
+        for arguments, sentence in (
+            (["sweep"], "'sweep' needs one file"),
+            (["sweep", "a.ini", "b.ini"], "'sweep' needs one file"),
+            (["sweep", "a.ini", "--from-scratch"], "--from-scratch is for figures"),
+            (["--dry-run", "fig3"], "--dry-run is for 'sweep' only"),
+            (["fig3", "--cores", "0"], "--cores needs a whole number from 1, not '0'"),
+            (["fig3", "--cores=1e9"], "--cores needs a whole number from 1, not '1e9'"),
+            (["fig3", "--cores"], "--cores needs a value"),
+            (["fig3", "--fast"], "there is no option '--fast'"),
+            (["fig3", "--from"], "there is no option '--from'"),
+            (["fig3", "--dry-run=1"], "--dry-run takes no value"),
+            (["fig3", "--profile", "nope"], "--profile 'nope' is none: .*/nope/config.yaml does"),
+            (["fig3", "--profile="], "--profile '' is none"),
+            (["fig3", "--programs", "/nope"], "--programs '/nope' is no folder with rupture's"),
+            (["fig3", "--programs="], "--programs '' is no folder"),
+        ):
+            with self.subTest(arguments):
+                self.refuse(arguments, f"{sentence}.*See --help.\n$")
+
+    def test_what_there_is_follows_an_unknown_name(self):
+        self.refuse(["fig33"], "there is no figure or command 'fig33'. There are:\n  ensemble ")
+        self.refuse(["test", "fig3"], "'test' cannot be combined with other commands. There are:")
+
+    def test_help_and_list(self):
+        done = self.call("fig3", "-h")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue(done.stdout.startswith("Usage: ./reproduce.sh COMMAND"))
+        done = self.call()
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertTrue(done.stderr.startswith("Usage: ./reproduce.sh COMMAND"))
+        names = re.findall(r"^  (\S+) ", self.call("list").stdout, re.M)
+        self.assertEqual(names[names.index("fig1") :][:3], ["fig1", "fig2", "fig3"])
+
+    def test_nothing_is_made_for_help_and_mistakes(self):
+        before = sorted(self.root.iterdir())
+        for arguments in (["-h"], ["list"], ["nope"]):
+            self.call(*arguments)
+        self.assertEqual(sorted(self.root.iterdir()), before)
+
+
+class SettingUp(Project):
+    def set_up(self, *words):
+        path = f"{self.bin}{os.pathsep}{os.environ['PATH']}"
+        return subprocess.run(
+            [self.root / "recipes/reproduce/set-up.sh", *words],
+            env=dict(os.environ, PATH=path),
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=WITHIN,
+        )
+
+    def make_cmake(self, says):
+        """Notes how it is called. Its list of targets is too long for a pipe that is closed early."""
+        text = (
+            '#!/bin/bash\necho "$*" >> calls\n'
+            'case "$*" in *"target help"*) echo "tools: phony"; seq 1000000;;'
+            f" *--build*) printf '%b' '{says}';; esac\n"
+        )
+        write_program(self.bin / "cmake", text)
+
+    def calls(self):
+        return (self.root / "calls").read_text(encoding="utf-8")
+
+    def test_figures_and_sweeps_build_the_programs_only(self):
+        self.make_cmake("ninja: no work to do.\\n")
+        (self.root / "my.ini").write_text(SWEEP)
+        for _ in range(20):
+            self.call("sweep", "my.ini", "--dry-run")
+        targets = re.findall(r"--target (?!help)(\S+)", self.calls())
+        self.assertEqual(targets, 20 * ["tools"])
+
+    def test_building_is_said_when_something_is_built(self):
+        self.make_cmake("[0/1] Re-checking globbed directories...\\nninja: no work to do.\\n")
+        self.assertEqual(self.set_up("build", "2", "tools").stdout, "")
+        self.make_cmake("[1/2] Building CXX object x.o\\n[2/2] Linking CXX executable x\\n")
+        said = self.set_up("build", "2", "tools").stdout
+        self.assertEqual(said, "Building (log: build/log/build.log) ...\n")
+
+    def test_a_failed_build_shows_its_end(self):
+        write_program(self.bin / "cmake", "#!/bin/sh\necho error: x\n! [ $1 = --build ]\n")
+        done = self.set_up("build", "2", "tools")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("error: x\nreproduce.sh: The build failed; the whole output is in", done.stderr)
+
+    @unittest.skipIf(os.geteuid() != 0, "installs packages, if only with stand-ins")
+    def test_other_programs_that_install_are_waited_for(self):
+        write_program(self.bin / "dpkg-query", "#!/bin/sh\n")
+        write_program(
+            self.bin / "apt-get",
+            '#!/bin/bash\necho "$*" >> calls\n[[ $* != update || $(wc -l < calls) -gt 1 ]] || {\n'
+            "  echo 'E: Could not get lock /var/lib/apt/lists/lock. It is held' >&2; exit 100; }\n",
+        )
+        done = self.set_up("packages", "bench")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(
+            self.calls(),
+            "^update\nupdate\n-o DPkg::Lock::Timeout=[0-9]+ install -y .* lammps\n$",
+        )
+
+    @unittest.skipIf(os.geteuid() != 0, "installs packages, if only with stand-ins")
+    def test_other_failures_of_apt_get_are_final(self):
+        write_program(self.bin / "dpkg-query", "#!/bin/sh\n")
+        write_program(self.bin / "apt-get", "#!/bin/sh\necho 'E: no network' >&2; exit 100\n")
+        done = self.set_up("packages", "bench")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no network\nreproduce.sh: Installing packages failed", done.stderr)
+
+
+class Ending(Project):
+    def setUp(self):
+        super().setUp()
+        (self.root / "my.ini").write_text(SWEEP)
+        for name in ("load", "modify-phi", "restart"):
+            write_program(self.bin / name, "#!/bin/sh\n")
+        write_program(self.bin / "analyze", ANALYZE)
+        write_program(self.bin / "prepare", PREPARE.format(root=self.root))
+
+    def sweep(self):
+        return self.start("sweep", "my.ini", "--programs", "bin", "--cores", "2")
+
+    def wait_for(self, condition):
+        end = time.monotonic() + WITHIN
+        while not condition():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.05)
+
+    def running(self):
+        """Programs of points that have not ended."""
+        path = self.root / "running"
+        numbers = path.read_text().split() if path.exists() else []
+        return [number for number in numbers if self.is_alive(number)]
+
+    def is_alive(self, number):
+        try:
+            return Path(f"/proc/{number}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+        except OSError:
+            return False
+
+    def started(self):
+        process = self.sweep()
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.wait_for(lambda: len(self.running()) == 2 or process.poll() is not None)
+        self.assertIsNone(process.poll())
+        return process
+
+    def test_a_signal_ends_all_that_runs(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
+            with self.subTest(number.name):
+                process = self.started()
+                process.send_signal(number)
+                self.assertEqual(process.wait(WITHIN), code)
+                self.assertEqual(self.running(), [])
+
+    def test_a_second_run_is_refused_while_the_first_one_runs(self):
+        self.started()
+        done = self.call("sweep", "my.ini", "--programs", "bin")
+        sentence = "reproduce.sh: another ./reproduce.sh is running in this folder; wait until"
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1))
+        self.assertIn(sentence, done.stderr)
+
+    def test_what_a_killed_run_leaves_behind_ends_by_itself(self):
+        process = self.started()
+        process.kill()
+        process.wait()
+        self.wait_for(lambda: not self.running())
+
+    def test_after_a_killed_run_the_same_command_goes_on(self):
+        process = self.started()
+        process.kill()
+        process.wait()
+        (self.root / "go").touch()
+        done = self.call("sweep", "my.ini", "--programs", "bin")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2 points: 2 done.", done.stdout)
+
+    def test_snakemake_alone_may_be_killed(self):
+        process = self.started()
+        (pipeline,) = [
+            int(folder.name)
+            for folder in Path("/proc").glob("[0-9]*")
+            if self.is_child(folder, process.pid) and self.runs_pipeline(folder)
+        ]
+        os.kill(pipeline, signal.SIGKILL)
+        self.assertEqual(process.wait(WITHIN), 1)
+        self.wait_for(lambda: not self.running())
+
+    def is_child(self, folder, parent):
+        try:
+            return (folder / "stat").read_text().rsplit(")", 1)[1].split()[1] == str(parent)
+        except OSError:
+            return False
+
+    def runs_pipeline(self, folder):
+        return b"reproduce.pipeline" in (folder / "cmdline").read_bytes()
+
+
+class Places(unittest.TestCase):
+    def test_cores_of_all_nodes(self):
+        for text, cores in (("2", 2), ("16(x3)", 48), ("16(x2),8", 40), ("1,2(x2),3", 8)):
+            self.assertEqual(count_cores(text), cores)
+
+    def test_memory_as_far_as_it_is_known(self):
+        per_core = {"SLURM_MEM_PER_CPU": "500"}
+        per_node = {"SLURM_MEM_PER_NODE": "3000", "SLURM_JOB_NUM_NODES": "2"}
+        self.assertEqual(memory_of_allocation(per_core, 4), 2000)
+        self.assertEqual(memory_of_allocation(per_node, 4), 6000)
+        self.assertIsNone(memory_of_allocation({}, 4))
+
+
+class Profiles(Project):
+    def test_outside_an_allocation_and_inside_a_step_slurm_is_refused(self):
+        for name in ("analyze", "load", "modify-phi", "prepare", "restart"):
+            write_program(self.bin / name, "#!/bin/sh\n")
+        for variables, sentence in (
+            ({}, "the profile slurm computes in an allocation of SLURM; give the command to sbatch"),
+            ({"SLURM_JOB_ID": "7", "SLURM_STEP_ID": "0"}, "inside a step of a job"),
+        ):
+            with unittest.mock.patch.dict(os.environ, variables):
+                done = self.call("fig3", "--profile", "slurm", "--programs", "bin")
+            self.assertEqual(done.returncode, 1)
+            self.assertTrue(done.stderr.startswith(f"reproduce.sh: {sentence}"), done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
