@@ -18,7 +18,7 @@ Commands
                             a picture (docs/sweeps.md)
   report                    write results/index.html: all figures and claims on one page
   test                      build and run the tests
-  test-slurm                install SLURM, start it here and compute through it (two minutes)
+  test-slurm                install SLURM, start it here and compute through it (some minutes)
   check                     look for faults in the sources and in their layout
   tidy                      look for more of them, with clang-tidy (some minutes)
   list                      list the figures and other recipes
