@@ -135,7 +135,7 @@ TEST_F(Common, QuietToolsPrintNothing) {
             "");
   EXPECT_EQ(output_of("restart a.h5 -o b.h5 --for 1e-5 --record b-r.h5 -q"), "");
   EXPECT_EQ(output_of("prepare --tau-bar 0.1 -o d.h5 -q"), "");
-  EXPECT_EQ(output_of("modify-phi a.h5 -o c.h5 --sigma-bar 100 -q"), "");
+  EXPECT_EQ(output_of("modify-phi a.h5 -o c.h5 --sigma-bar 0.1 -q"), "");
 }
 
 TEST_F(Common, WritingToolsPrintTheChecksumOfWhatTheyWrote) {
