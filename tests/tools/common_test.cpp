@@ -123,10 +123,22 @@ TEST_F(Common, AnalyzeHelpNamesEveryCommand) {
   EXPECT_NE(output_of("analyze --version").find("analyze (rupture "), std::string::npos);
 }
 
+TEST_F(Common, AnalyzeHelpIsACommandToo) {
+  EXPECT_EQ(output_of("analyze help"), output_of("analyze --help"));
+  EXPECT_EQ(output_of("analyze help help"), output_of("analyze --help"));
+  for (const std::string command : {"events", "slow-slip", "diff"}) {
+    EXPECT_EQ(output_of("analyze help " + command), output_of("analyze " + command + " --help"));
+  }
+  expect_refusal("analyze help stres", kUsage,
+                 "unknown command 'stres': did you mean 'stress'? See analyze --help");
+  expect_refusal("analyze help front slip", kUsage,
+                 "'slip' is one word too many: name one command");
+}
+
 TEST_F(Common, AnalyzeSuggestsACommand) {
   expect_refusal("analyze stres a.h5", kUsage,
                  "unknown command 'stres': did you mean 'stress'? See analyze --help");
-  expect_refusal("analyze", kUsage, "no command was given; see analyze --help");
+  expect_refusal_with("analyze", kUsage, "no command was given: name one of ");
 }
 
 TEST_F(Common, QuietToolsPrintNothing) {
