@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <variant>
+
 #include "rupture/model/error.hpp"
 #include "text.hpp"
 
@@ -47,6 +49,11 @@ void print(const Report& report, const po::variables_map& values) {
 
 std::string json_text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json json_of(const Parameters& parameters, const ParameterInfo& info) {
+  if (!choices(info).empty()) return parameter_text(parameters, info);
+  return std::visit([&](auto member) { return Json(parameters.*member); }, info.member);
 }
 
 Json json_of(const std::optional<double>& value) {

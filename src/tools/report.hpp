@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
 
@@ -35,6 +36,9 @@ void print(const Report& report, const po::variables_map& values);
 
 /// The JSON in one line. Bytes that are no UTF-8, as file names may hold, become U+FFFD.
 std::string json_text(const Json& json);
+
+/// The value of a parameter: a number, or the word that was chosen.
+Json json_of(const Parameters& parameters, const ParameterInfo& info);
 
 /// null where there is no value.
 Json json_of(const std::optional<double>& value);

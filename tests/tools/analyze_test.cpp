@@ -268,7 +268,11 @@ TEST_F(Analyze, ShowNamesKindParametersAndProvenance) {
   EXPECT_EQ(json["kind"], "a record");
   EXPECT_EQ(json["checksum"], checksum_of("r.h5"));
   EXPECT_EQ(json["parameters"].size(), 27U);
-  EXPECT_EQ(json["parameters"]["driving.V"], "1");
+  EXPECT_EQ(json["parameters"]["driving.V"], 1.0);
+  EXPECT_TRUE(json["parameters"]["driving.V"].is_number_float());
+  EXPECT_EQ(json["parameters"]["slider.Nx"], 9);
+  EXPECT_TRUE(json["parameters"]["slider.Nx"].is_number_integer());
+  EXPECT_EQ(json["parameters"]["junctions.law"], "reference");
   EXPECT_EQ(json["provenance"].size(), 1U);
   const std::string text = output_of("analyze show a.h5");
   EXPECT_NE(text.find("a.h5: checkpoint at t = 0.0003 s, step 1500"), std::string::npos) << text;
