@@ -19,7 +19,7 @@ const std::vector<Command> kCommands = {
     {"help", "this list, or what analyze COMMAND --help says", analyze_help},
     {"events", "rupture events in a record", analyze_events},
     {"front", "rupture line, speed and type of the front in a record", analyze_front},
-    {"classify", "the front's type alone: arrested, slow or fast", analyze_classify},
+    {"classify", "the front's type alone: none, arrested, slow or fast", analyze_classify},
     {"slip", "fast and slow slip of one block in a record", analyze_slip},
     {"slow-slip", "slip speed of the blocks behind the slow front in a record", analyze_slow_slip},
     {"loading", "driving force against time in a record", analyze_loading},

@@ -10,16 +10,21 @@
 namespace rupture::tools {
 namespace {
 
+std::string cell(const Column& column, std::size_t row) {
+  if (!column.texts.empty()) return column.texts[row];
+  const auto& value = column.values[row];
+  return value ? fmt::format("{}", *value) : "";
+}
+
 void print_csv(const std::vector<Column>& series) {
   for (std::size_t c = 0; c < series.size(); ++c) {
     say("{}{}", c == 0 ? "" : ",", series[c].name);
   }
   say("\n");
-  const std::size_t rows = series.empty() ? 0 : series.front().values.size();
+  const std::size_t rows = series.empty() ? 0 : series.front().size();
   for (std::size_t r = 0; r < rows; ++r) {
     for (std::size_t c = 0; c < series.size(); ++c) {
-      const auto& value = series[c].values[r];
-      say("{}{}", c == 0 ? "" : ",", value ? fmt::format("{}", *value) : "");
+      say("{}{}", c == 0 ? "" : ",", cell(series[c], r));
     }
     say("\n");
   }

@@ -17,6 +17,9 @@ using Json = nlohmann::ordered_json;
 struct Column {
   std::string name;
   std::vector<std::optional<double>> values;
+  std::vector<std::string> texts = {};  ///< in place of `values` where they are no numbers
+
+  std::size_t size() const { return values.size() + texts.size(); }
 };
 
 Column column(std::string name, const std::vector<double>& values);

@@ -65,7 +65,7 @@ TEST_F(Prepare, ItsEventRunsOrArrestsAsTheStressAllows) {
               "-record.h5");
   }
   EXPECT_EQ(json_of("analyze classify high-record.h5 --json")["type"], "fast");
-  EXPECT_EQ(json_of("analyze classify low-record.h5 --json")["type"], "arrested");
+  EXPECT_EQ(json_of("analyze classify low-record.h5 --json")["type"], "none");
 }
 
 TEST_F(Prepare, TakesSingleSpringsToo) {
