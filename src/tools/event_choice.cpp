@@ -30,13 +30,14 @@ std::vector<std::size_t> numbers_in_window(const RecordCommand& command, const B
 /// "0 at 0.183 s, 1 at 0.241 s, 2 at 0.307 s, ..., 28 at 1.19 s".
 std::string list_of(const Bursts& bursts, const std::vector<std::size_t>& numbers) {
   constexpr std::size_t kNamed = 3;
+  const auto name = [&](std::size_t number) {
+    return fmt::format("{} at {:.4g} s", number, bursts[number].front().time);
+  };
+  const std::size_t named = std::min(kNamed, numbers.size() - 1);
   std::vector<std::string> names;
-  for (std::size_t n = 0; n < numbers.size(); ++n) {
-    const bool last = n + 1 == numbers.size();
-    if (n == kNamed && !last) names.emplace_back("...");
-    if (n >= kNamed && !last) continue;
-    names.push_back(fmt::format("{} at {:.4g} s", numbers[n], bursts[numbers[n]].front().time));
-  }
+  for (std::size_t n = 0; n < named; ++n) names.push_back(name(numbers[n]));
+  if (named + 1 < numbers.size()) names.emplace_back("...");
+  names.push_back(name(numbers.back()));
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
