@@ -45,7 +45,7 @@ def claim_2A(front):
 
 
 def claim_3A(unmodified, stopped):
-    spans = stopped["type"] != "arrested"
+    spans = stopped["type"] in ("slow", "fast")
     slow, reference = stopped["slow"], unmodified["slow"]
     ratio = slow and slow["speed"] / reference["speed"]
     return Claim(

@@ -139,6 +139,7 @@ rule event_strength:
         "{BIN}/analyze strength {input.h5} --json > {output} 2> {log}"
 
 
+# The event from shortly before which, or amid which, the run goes on is the first in its record.
 rule front:
     input:
         h5=ancient(f"{DATA}/{{run}}-record.h5"),
@@ -152,4 +153,4 @@ rule front:
     message:
         "{wildcards.run}: measure the front"
     shell:
-        "{BIN}/analyze front {input.h5} --json > {output} 2> {log}"
+        "{BIN}/analyze front {input.h5} --event 0 --json > {output} 2> {log}"

@@ -37,6 +37,12 @@ def read_map(rows, points):
 # --- types ---------------------------------------------------------------------------------
 
 
+def type_on_map(kind):
+    """The type that `analyze front` names, on a map: a front that never left the trigger region is
+    arrested there."""
+    return "arrested" if kind == "none" else kind
+
+
 def front_type(front, slow_below=SLOW_BELOW):
     """The type by another threshold than the one `analyze front` was called with."""
     if front is None:
@@ -63,7 +69,7 @@ def types_of(fronts, slow_below=SLOW_BELOW):
 
 def is_like_analyze(front):
     """The types above must be those of `analyze front` at its default threshold."""
-    return front is None or front_type(front) == front["type"]
+    return front is None or front_type(front) == type_on_map(front["type"])
 
 
 # --- where the type changes ----------------------------------------------------------------

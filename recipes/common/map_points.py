@@ -7,13 +7,13 @@ map_points.py boundary MAP.csv [BETWEEN.csv] OUTPUT   next to another type, give
 
 import sys
 
-from common.front_map import IMPOSSIBLE, boundary, place_of, to_refine
+from common.front_map import IMPOSSIBLE, boundary, place_of, to_refine, type_on_map
 from common.tables import read_rows, write_table
 
 
 def types_in(table):
     """{place: type}; points that failed have none."""
-    return {place_of(row): row["type"] or IMPOSSIBLE for row in read_rows(table)}
+    return {place_of(row): type_on_map(row["type"]) or IMPOSSIBLE for row in read_rows(table)}
 
 
 def main(which, grid, *rest):

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from common.claims import Claim, verdict, write_claims
-from common.front_map import place_of
+from common.front_map import place_of, type_on_map
 from common.fronts import LOADING_ZONE, SLOW_BELOW
 from common.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
 from common.rank_test import share_of_lower, signed_rank, van_elteren
@@ -65,7 +65,7 @@ def prepared_points(data):
         if row["status"] == "done":
             yield {
                 "shape": row["shape"],
-                "type": row["type"],
+                "type": type_on_map(row["type"]),
                 "tau_bar_0": float(row["tau-bar"]),
                 "sigma_bar": float(row["sigma_bar in the middle"]),
                 "mu_bar_eff": float(row["mu_bar_eff in the middle"]),

@@ -127,7 +127,8 @@ rule figS6_front:
     message:
         "figS6: measure the front ({wildcards.run})"
     shell:
-        "{BIN}/analyze front {input.h5} --slow-below {FIGS6_SLOW_BELOW} --json > {output} 2> {log}"
+        "{BIN}/analyze front {input.h5} --event 0 --slow-below {FIGS6_SLOW_BELOW} --json"
+        " > {output} 2> {log}"
 
 
 rule figS6_event:

@@ -16,6 +16,7 @@ RECORD = ("classify", "events", "front", "loading", "slip", "slow-slip")  # what
 CHECKPOINT = ("estimate", "phi", "strength", "stress")
 
 WINDOW = {"from": "s", "to": "s"}
+EVENT = {**WINDOW, "event": "", "quiet-time": "s"}
 FRONT = {"slow-below": "1", "skip-below-x": "m"}
 SHAPE = {"shape": "", "sigma-bar": "1"}
 
@@ -24,13 +25,13 @@ OPTIONS = {
     "restart": {"until": "s", "for": "s", "until-quiet": "s", "record-every": "s", "seed": "1"},
     "prepare": {**SHAPE, "tau-bar": "1", "x-trigger": "m", "tau-bar-trigger": "1", "seed": "1"},
     "modify-phi": {**SHAPE, "x-from": "m", "x-to": "m", "slipping": ""},
-    "analyze classify": WINDOW | FRONT,
+    "analyze classify": EVENT | FRONT,
     "analyze events": {**FRONT, "quiet-time": "s"},
-    "analyze front": WINDOW | FRONT,
+    "analyze front": EVENT | FRONT,
     "analyze loading": {"x": "m"},
     "analyze slip": {**WINDOW, "x": "m"},
     "analyze slow-slip": {
-        **WINDOW | FRONT,
+        **EVENT | FRONT,
         **{"x-from": "m", "x-to": "m", "longest": "1", "shortest": "1"},
     },
     "analyze estimate": {"ensemble": "1", "seed": "1"},

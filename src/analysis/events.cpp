@@ -42,15 +42,24 @@ Event describe(const Parameters& p, std::span<const Rupture> ruptures, const Loa
 
 }  // namespace
 
+std::vector<std::span<const Rupture>> split_at_pauses(std::span<const Rupture> ruptures,
+                                                      double quiet) {
+  std::vector<std::span<const Rupture>> parts;
+  std::size_t first = 0;
+  for (std::size_t n = 1; n <= ruptures.size(); ++n) {
+    if (n < ruptures.size() && ruptures[n].time - ruptures[n - 1].time <= quiet) continue;
+    parts.push_back(ruptures.subspan(first, n - first));
+    first = n;
+  }
+  return parts;
+}
+
 std::vector<Event> find_events(const Parameters& p, std::span<const Rupture> ruptures,
                                const LoadingCurve& loading, double quiet,
                                const FrontCriteria& criteria) {
   std::vector<Event> events;
-  std::size_t first = 0;
-  for (std::size_t n = 1; n <= ruptures.size(); ++n) {
-    if (n < ruptures.size() && ruptures[n].time - ruptures[n - 1].time <= quiet) continue;
-    events.push_back(describe(p, ruptures.subspan(first, n - first), loading, quiet, criteria));
-    first = n;
+  for (const auto part : split_at_pauses(ruptures, quiet)) {
+    events.push_back(describe(p, part, loading, quiet, criteria));
   }
   return events;
 }

@@ -95,9 +95,15 @@ std::string_view front_type_name(FrontType type) {
     case FrontType::fast:
       return "fast";
     case FrontType::arrested:
+      return "arrested";
+    case FrontType::none:
       break;
   }
-  return "arrested";
+  return "none";
+}
+
+bool spans(FrontType type) {
+  return type == FrontType::slow || type == FrontType::fast;
 }
 
 Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& criteria) {
@@ -107,6 +113,7 @@ Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& 
   for (std::size_t i = 0; i < front.line.x.size(); ++i) {
     if (front.line.t_rupture[i]) front.x_arrest = front.line.x[i];
   }
+  if (front.x_arrest) front.type = FrontType::arrested;
   const auto stretches =
       slow_stretches(front, criteria.slow_below * shear_wave_speed(p), criteria.skip_below_x);
   const auto longest =

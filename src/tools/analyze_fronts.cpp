@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "analyze.hpp"
+#include "event_choice.hpp"
 #include "record_command.hpp"
 #include "rupture/analysis/events.hpp"
 #include "rupture/analysis/slip.hpp"
@@ -49,12 +50,13 @@ std::string slow_text(const std::optional<SlowStretch>& slow, double c_s) {
                      c_s / slow->speed);
 }
 
-Json event_json(const Parameters& p, const Event& event) {
-  return {{"t_start", event.t_start},
+Json event_json(const Parameters& p, const Event& event, std::size_t number) {
+  return {{"number", number},
+          {"t_start", event.t_start},
           {"t_end", event.t_end},
           {"x_first", event.x_first},
           {"x_last", event.x_last},
-          {"spanning", event.front.type != FrontType::arrested},
+          {"spanning", spans(event.front.type)},
           {"type", front_type_name(event.front.type)},
           {"slow", slow_json(event.front.slow)},
           {"F_T_before", event.F_T_before},
@@ -64,10 +66,73 @@ Json event_json(const Parameters& p, const Event& event) {
           {"t_rupture", json_of(event.front.line.t_rupture)}};
 }
 
-Front front_of(const RecordCommand& command) {
+Front front_of(const RecordCommand& command, const ChosenEvent& event) {
   const Parameters& p = command.record.parameters;
-  return measure_front(p, rupture_line(p, command.record.ruptures, command.from, command.to),
+  return measure_front(p, rupture_line(p, event.ruptures, event.from, event.to),
                        criteria(command.parsed.values));
+}
+
+/// What --csv prints of an event: names as in the JSON, with units.
+constexpr std::array kEventColumns = {"number",
+                                      "t_start [s]",
+                                      "t_end [s]",
+                                      "x_first [m]",
+                                      "x_last [m]",
+                                      "spanning",
+                                      "type",
+                                      "slow.x_from [m]",
+                                      "slow.x_to [m]",
+                                      "slow.t_from [s]",
+                                      "slow.t_to [s]",
+                                      "slow.duration [s]",
+                                      "slow.speed [m/s]",
+                                      "slow.fast_before [m/s]",
+                                      "slow.fast_after [m/s]",
+                                      "F_T_before [N]",
+                                      "F_T_after [N]"};
+
+/// Where a column's value is in the JSON of an event: "slow.x_from [m]" is /slow/x_from.
+Json::json_pointer place_of(std::string heading) {
+  heading.resize(std::min(heading.find(" ["), heading.size()));
+  std::replace(heading.begin(), heading.end(), '.', '/');
+  return Json::json_pointer("/" + heading);
+}
+
+void append(Column& column, const Json& value) {
+  if (value.is_string()) {
+    column.texts.push_back(value);
+  } else if (value.is_boolean()) {
+    column.texts.push_back(value.dump());
+  } else {
+    column.values.push_back(value.is_null() ? std::nullopt : std::optional<double>(value));
+  }
+}
+
+std::vector<Column> event_columns(const Json& events) {
+  std::vector<Column> columns;
+  for (const char* const heading : kEventColumns) {
+    Column column = {heading, {}};
+    const auto place = place_of(heading);
+    for (const Json& event : events) {
+      append(column, event.contains(place) ? event.at(place) : Json());
+    }
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+/// One line on the front as a whole.
+std::string front_text(const Front& front, double c_s, const ChosenEvent& event) {
+  if (front.type == FrontType::none) {
+    return fmt::format("no front: nothing ruptured from t = {:.7g} s to {:.7g} s\n", event.from,
+                       event.to);
+  }
+  const std::string others =
+      event.in_window > 1 ? fmt::format("; event {}, the trigger's, of {} (see analyze events)",
+                                        event.number, event.in_window)
+                          : "";
+  return fmt::format("{} front; {}{}\n", front_type_name(front.type), slow_text(front.slow, c_s),
+                     others);
 }
 
 SlowSlipCriteria slow_slip_criteria(const po::variables_map& values) {
@@ -145,34 +210,27 @@ Json extremes_json(const std::vector<double>& values) {
 int analyze_events(int argc, const char* const* argv) {
   po::options_description options("Options");
   add_format_options(options);
-  options.add_options()("quiet-time", po::value<double>()->value_name("T"),
-                        "time without ruptures that separates events [s]; default 5 t_R");
+  add_quiet_time_option(options);
   add_criteria_options(options);
   const auto command = read_record_command(
-      argc, argv, "events", "Splits the block ruptures of a record into events.", options);
+      argc, argv, "events", "Splits the block ruptures of a record into events, numbered from 0.",
+      options);
   const Record& record = command.record;
   const Parameters& p = record.parameters;
-  const double quiet =
-      optional_non_negative(command.parsed.values, "quiet-time").value_or(5.0 * p.t_R);
-  const auto events = find_events(p, record.ruptures, {record.time, record.F_T}, quiet,
-                                  criteria(command.parsed.values));
+  const auto events = find_events(p, record.ruptures, {record.time, record.F_T},
+                                  quiet_time(command), criteria(command.parsed.values));
   Report report;
   report.json = {{"events", Json::array()}};
-  report.series = {{"t_start [s]", {}}, {"t_end [s]", {}},      {"x_first [m]", {}},
-                   {"x_last [m]", {}},  {"F_T_before [N]", {}}, {"F_T_after [N]", {}}};
-  report.text = "  t_start [s]    t_end [s]  reaches x [m]      type   drop of F_T [N]\n";
-  for (const Event& event : events) {
-    report.json["events"].push_back(event_json(p, event));
-    const std::array values = {event.t_start, event.t_end,      event.x_first,
-                               event.x_last,  event.F_T_before, event.F_T_after};
-    for (std::size_t c = 0; c < report.series.size(); ++c) {
-      report.series[c].values.emplace_back(values[c]);
-    }
-    report.text += fmt::format("{:13.7f}{:13.7f}{:15.4f}{:>10}{:18.1f}   {}\n", event.t_start,
-                               event.t_end, event.x_last, front_type_name(event.front.type),
-                               event.F_T_before - event.F_T_after,
-                               slow_text(event.front.slow, shear_wave_speed(p)));
+  report.text = "number  t_start [s]    t_end [s]  reaches x [m]      type   drop of F_T [N]\n";
+  for (std::size_t n = 0; n < events.size(); ++n) {
+    const Event& event = events[n];
+    report.json["events"].push_back(event_json(p, event, n));
+    report.text += fmt::format(
+        "{:6}{:13.7f}{:13.7f}{:15.4f}{:>10}{:18.1f}   {}\n", n, event.t_start, event.t_end,
+        event.x_last, front_type_name(event.front.type), event.F_T_before - event.F_T_after,
+        slow_text(event.front.slow, shear_wave_speed(p)));
   }
+  report.series = event_columns(report.json["events"]);
   print(report, command.parsed.values);
   return kDone;
 }
@@ -180,14 +238,17 @@ int analyze_events(int argc, const char* const* argv) {
 int analyze_front(int argc, const char* const* argv) {
   po::options_description options("Options");
   add_format_options(options);
-  add_window_options(options);
+  add_event_options(options);
   add_criteria_options(options);
-  const auto command =
-      read_record_command(argc, argv, "front",
-                          "Rupture line, speed and type of the front: first rupture of each block "
-                          "in the\ntime window, v_c from the end points of a five-block stencil.",
-                          options);
-  const Front front = front_of(command);
+  const auto command = read_record_command(
+      argc, argv, "front",
+      "Rupture line, speed and type of one event's front: first rupture of "
+      "each block,\nv_c from the end points of a five-block stencil. Of several "
+      "events one has to be\nchosen, but on a prepared interface the one that "
+      "the trigger started is meant.",
+      options);
+  const ChosenEvent event = choose_event(command);
+  const Front front = front_of(command, event);
   const double c_s = shear_wave_speed(command.record.parameters);
   Report report;
   report.json = {{"x", front.line.x},
@@ -207,8 +268,7 @@ int analyze_front(int argc, const char* const* argv) {
     report.text += fmt::format("{:9.4f}{:>17}{:>12}\n", front.line.x[i],
                                t ? fmt::format("{:.7f}", *t) : "-", text_of(front.v_c[i]));
   }
-  report.text +=
-      fmt::format("{} front; {}\n", front_type_name(front.type), slow_text(front.slow, c_s));
+  report.text += front_text(front, c_s, event);
   print(report, command.parsed.values);
   return kDone;
 }
@@ -216,11 +276,14 @@ int analyze_front(int argc, const char* const* argv) {
 int analyze_classify(int argc, const char* const* argv) {
   po::options_description options("Options");
   options.add_options()("json", "print one JSON object");
-  add_window_options(options);
+  add_event_options(options);
   add_criteria_options(options);
   const auto command = read_record_command(
-      argc, argv, "classify", "Prints arrested, slow or fast, and nothing else.", options);
-  const Front front = front_of(command);
+      argc, argv, "classify",
+      "Prints the type of one event's front: none (nothing ruptured), arrested, "
+      "slow or fast,\nand nothing else.",
+      options);
+  const Front front = front_of(command, choose_event(command));
   Report report;
   report.text = fmt::format("{}\n", front_type_name(front.type));
   report.json = {{"type", front_type_name(front.type)}, {"x_arrest", json_of(front.x_arrest)}};
@@ -231,7 +294,7 @@ int analyze_classify(int argc, const char* const* argv) {
 int analyze_slow_slip(int argc, const char* const* argv) {
   po::options_description options("Options");
   add_format_options(options);
-  add_window_options(options);
+  add_event_options(options);
   add_criteria_options(options);
   auto add = options.add_options();
   add("x-from", po::value<double>()->value_name("X"),
@@ -248,7 +311,8 @@ int analyze_slow_slip(int argc, const char* const* argv) {
       "leaves\n"
       "its slow stretch. The speed is that between 20 % and 80 % of this slip.",
       options);
-  const Front front = front_of(command);
+  const ChosenEvent event = choose_event(command);
+  const Front front = front_of(command, event);
   const SlowSlips slips =
       measure_slow_slips(command.record, front, chosen_blocks(front, command.parsed.values),
                          slow_slip_criteria(command.parsed.values));
@@ -286,6 +350,9 @@ int analyze_slow_slip(int argc, const char* const* argv) {
   report.text += fmt::format(
       "{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n", slips.x.size(),
       text_of(speed, 1e-3), text_of(estimate, 1e-3), text_of(front_speed));
+  if (front.type == FrontType::none || event.in_window > 1) {
+    report.text += front_text(front, shear_wave_speed(command.record.parameters), event);
+  }
   print(report, command.parsed.values);
   return kDone;
 }

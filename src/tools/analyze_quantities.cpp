@@ -5,6 +5,7 @@
 
 #include "analyze.hpp"
 #include "quantities.hpp"
+#include "report.hpp"
 #include "text.hpp"
 
 namespace rupture::tools {
@@ -20,7 +21,7 @@ Json parameters_json() {
   for (const auto& info : parameter_table()) {
     list.push_back({{"name", info.name},
                     {"unit", unit_of(info)},
-                    {"default", parameter_text(Parameters{}, info)},
+                    {"default", json_of(Parameters{}, info)},
                     {"help", info.help}});
   }
   return list;

@@ -39,7 +39,7 @@ int analyze_show(int argc, const char* const* argv) {
   if (parsed.values.count("json") > 0) {
     Json json = {{"kind", kind_text(file.kind)}, {"checksum", file.checksum}};
     for (const auto& info : parameter_table()) {
-      json["parameters"][std::string(info.name)] = parameter_text(parameters, info);
+      json["parameters"][std::string(info.name)] = json_of(parameters, info);
     }
     json["provenance"] = Json::array();
     for (const auto& entry : chain) json["provenance"].push_back(entry_json(entry));

@@ -8,6 +8,7 @@
 #include "rebuild.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "text.hpp"
 
@@ -128,12 +129,58 @@ void print_histograms(const Parameters& p, const State& before, const State& aft
   }
 }
 
+/// Of the blocks between --x-from and --x-to.
+struct Region {
+  std::size_t blocks = 0, changed = 0;
+};
+
+Region region_of(const std::vector<BlockForces>& before, const PhiChange& change,
+                 const std::vector<ImpossibleBlock>& impossible) {
+  Region region;
+  for (const BlockForces& block : before) {
+    if (block.x < change.x_from || block.x > change.x_to) continue;
+    ++region.blocks;
+    const bool slips = change.slipping == Slipping::keep && block.slipping == 1.0;
+    const bool refused = std::any_of(impossible.begin(), impossible.end(),
+                                     [&](const auto& other) { return other.x == block.x; });
+    if (!slips && !refused) ++region.changed;
+  }
+  return region;
+}
+
+double widest_of(const std::vector<ImpossibleBlock>& blocks) {
+  double widest = 0.0;
+  for (const auto& block : blocks) widest = std::max(widest, block.largest_sigma_bar);
+  return widest;
+}
+
+/// Throws if no block was changed: a copy under another name would pass for the new distribution.
+void refuse_unchanged(const Parameters& p, const State& before, const PhiChange& change,
+                      const std::vector<ImpossibleBlock>& impossible) {
+  const Region region = region_of(block_forces(p, before), change, impossible);
+  if (region.changed > 0) return;
+  if (region.blocks == 0) {
+    throw UsageError(fmt::format(
+        "there is no block between --x-from and --x-to: the blocks lie {:g} m apart from x = 0 to "
+        "{:g} m",
+        block_spacing(p), p.L));
+  }
+  if (impossible.empty()) {
+    throw Failure("all junctions between --x-from and --x-to slip: give --slipping pin");
+  }
+  throw Failure(fmt::format(
+      "no block between --x-from and --x-to can take this phi: the widest possible has --sigma-bar "
+      "{:.4f}",
+      std::floor(widest_of(impossible) * 1e4) * 1e-4));
+}
+
 int run(const Options& options) {
   Checkpoint checkpoint = read_checkpoint(options.checkpoint);
   check_outputs({options.output.output}, options.output.if_exists, options.checkpoint);
   const Parameters& p = checkpoint.parameters;
   const State before = checkpoint.state;
   const auto impossible = change_phi(p, checkpoint.state, options.change);
+  refuse_unchanged(p, before, options.change, impossible);
   const double change =
       largest_change(friction_forces(p, before), friction_forces(p, checkpoint.state));
   checkpoint.run.reset();  // what follows is not the run that the input came from

@@ -19,7 +19,7 @@ List within(const std::string& prefix, List list) {
 
 // --- what several commands report
 
-const Quantity kType = {"type", "", "arrested, slow or fast"};
+const Quantity kType = {"type", "", "none, arrested, slow or fast"};
 const Quantity kArrest = {"x_arrest", "m", "furthest ruptured block of an arrested front"};
 const Quantity kShearSpeed = {"c_s", "m/s", "speed of shear waves"};
 const Quantity kLength = {"L", "m", "length of the interface"};
@@ -52,6 +52,7 @@ const List kClassify = {kType, kArrest};
 const List kEvents =
     within("events.*", join({
                            {
+                               {"number", "1", "as --event counts, from 0"},
                                {"t_start", "s", "first block rupture of the event"},
                                {"t_end", "s", "last block rupture of the event"},
                                {"x_first", "m", "block that ruptured first"},

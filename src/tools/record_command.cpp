@@ -34,6 +34,9 @@ RecordCommand read_record_command(int argc, const char* const* argv, const std::
       parse(argc, argv, {"analyze " + name, "analyze " + name + " RECORD [options]", purpose},
             options, "record", UsesParameters::no);
   const auto& values = command.parsed.values;
+  if (values.count("event") > 0 && values.count("from") + values.count("to") > 0) {
+    throw UsageError("--event and --from or --to exclude each other: give one of them");
+  }
   command.record = read_record(single_input(values, "record", "a record"));
   if (command.record.time.empty()) throw Failure("the record holds no samples yet");
   const bool windowed = options.find_nothrow("from", false) != nullptr;

@@ -20,7 +20,8 @@ void add_window_options(po::options_description& options);
 
 /// Parses the arguments of `analyze NAME` and reads the record. The window is the whole record
 /// unless `options` has --from and --to and they were given. Throws UsageError if the window is
-/// empty or beside the record, Failure if the record cannot be read or holds no samples.
+/// empty, beside the record or given with --event, Failure if the record cannot be read or holds no
+/// samples.
 RecordCommand read_record_command(int argc, const char* const* argv, const std::string& name,
                                   const std::string& purpose, po::options_description& options);
 

@@ -2,22 +2,29 @@
 
 #include <fmt/core.h>
 
+#include <variant>
+
 #include "rupture/model/error.hpp"
 #include "text.hpp"
 
 namespace rupture::tools {
 namespace {
 
+std::string cell(const Column& column, std::size_t row) {
+  if (!column.texts.empty()) return column.texts[row];
+  const auto& value = column.values[row];
+  return value ? fmt::format("{}", *value) : "";
+}
+
 void print_csv(const std::vector<Column>& series) {
   for (std::size_t c = 0; c < series.size(); ++c) {
     say("{}{}", c == 0 ? "" : ",", series[c].name);
   }
   say("\n");
-  const std::size_t rows = series.empty() ? 0 : series.front().values.size();
+  const std::size_t rows = series.empty() ? 0 : series.front().size();
   for (std::size_t r = 0; r < rows; ++r) {
     for (std::size_t c = 0; c < series.size(); ++c) {
-      const auto& value = series[c].values[r];
-      say("{}{}", c == 0 ? "" : ",", value ? fmt::format("{}", *value) : "");
+      say("{}{}", c == 0 ? "" : ",", cell(series[c], r));
     }
     say("\n");
   }
@@ -47,6 +54,11 @@ void print(const Report& report, const po::variables_map& values) {
 
 std::string json_text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json json_of(const Parameters& parameters, const ParameterInfo& info) {
+  if (!choices(info).empty()) return parameter_text(parameters, info);
+  return std::visit([&](auto member) { return Json(parameters.*member); }, info.member);
 }
 
 Json json_of(const std::optional<double>& value) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
 
@@ -16,6 +17,9 @@ using Json = nlohmann::ordered_json;
 struct Column {
   std::string name;
   std::vector<std::optional<double>> values;
+  std::vector<std::string> texts = {};  ///< in place of `values` where they are no numbers
+
+  std::size_t size() const { return values.size() + texts.size(); }
 };
 
 Column column(std::string name, const std::vector<double>& values);
@@ -35,6 +39,9 @@ void print(const Report& report, const po::variables_map& values);
 
 /// The JSON in one line. Bytes that are no UTF-8, as file names may hold, become U+FFFD.
 std::string json_text(const Json& json);
+
+/// The value of a parameter: a number, or the word that was chosen.
+Json json_of(const Parameters& parameters, const ParameterInfo& info);
 
 /// null where there is no value.
 Json json_of(const std::optional<double>& value);

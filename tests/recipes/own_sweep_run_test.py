@@ -95,7 +95,7 @@ class Running(unittest.TestCase):
         self.assertIn(
             "2 points: 1 done, 1 failed.\nComputed now: 1; there before: 1.", again.stdout
         )
-        self.assertEqual(self.rows()[0]["type"], "arrested")
+        self.assertEqual(self.rows()[0]["type"], "none")
 
         self.sweep("0.1, 2, 0.2", quantities="x = front.x_arrest\nL = front.L")
         self.assertEqual(self.computed, 1, "of a new value and new quantities, only the value")

@@ -33,10 +33,11 @@ class Package(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         return result.stdout
 
-    def configure(self):
+    def configure(self, *options):
         return run(
             *("cmake", "-S", self.source, "-B", self.build, "-G", "Ninja"),
             *(f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_COMPILER={COMPILER}"),
+            *options,
         )
 
     def ctest(self):
@@ -83,6 +84,28 @@ class Package(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.regenerate()
         self.assertIn("100% tests passed, 0 tests failed out of 1", self.ctest().stdout)
+
+    def test_a_project_in_cpp_has_the_library_without_asking(self):
+        self.replace("CMakeLists.txt", " COMPONENTS library", "")
+        result = self.configure()
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.done("cmake", "--build", self.build, "--target", "my_program")
+
+    def test_without_its_dependencies_the_library_is_missed_only_if_asked_for(self):
+        without = "-DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON"
+        result = self.configure(without)
+        self.assertNotEqual(result.returncode, 0)
+        said = " ".join(result.stderr.split())
+        self.assertIn("it needs fmt, which cannot be found", said)
+        (self.source / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(mine LANGUAGES CXX)\nenable_testing()\n"
+            "find_package(rupture REQUIRED)\n"
+            "rupture_add_checkpoint_test(NAME mine PIPELINE my_pipeline.sh GOLDEN mine.sums)\n",
+            encoding="utf-8",
+        )
+        result = self.configure(without)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("it needs fmt, which cannot be found", result.stdout)
 
     def test_wrong_arguments_are_named(self):
         for old, new, sentence in (

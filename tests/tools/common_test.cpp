@@ -38,12 +38,15 @@ const std::vector<Interface> kInterfaces = {
     {"analyze events",
      {"quiet-time", "slow-below", "skip-below-x", "json", "csv", "help", "version"}},
     {"analyze front",
-     {"from", "to", "slow-below", "skip-below-x", "json", "csv", "help", "version"}},
-    {"analyze classify", {"from", "to", "slow-below", "skip-below-x", "json", "help", "version"}},
+     {"event", "quiet-time", "from", "to", "slow-below", "skip-below-x", "json", "csv", "help",
+      "version"}},
+    {"analyze classify",
+     {"event", "quiet-time", "from", "to", "slow-below", "skip-below-x", "json", "help",
+      "version"}},
     {"analyze slip", {"x", "from", "to", "json", "csv", "help", "version"}},
     {"analyze slow-slip",
-     {"x-from", "x-to", "longest", "shortest", "from", "to", "slow-below", "skip-below-x", "json",
-      "csv", "help", "version"}},
+     {"event", "quiet-time", "x-from", "x-to", "longest", "shortest", "from", "to", "slow-below",
+      "skip-below-x", "json", "csv", "help", "version"}},
     {"analyze loading", {"x", "json", "csv", "help", "version"}},
     {"analyze stress", {"json", "csv", "help", "version"}},
     {"analyze phi", {"bins", "json", "csv", "help", "version"}},
@@ -123,10 +126,22 @@ TEST_F(Common, AnalyzeHelpNamesEveryCommand) {
   EXPECT_NE(output_of("analyze --version").find("analyze (rupture "), std::string::npos);
 }
 
+TEST_F(Common, AnalyzeHelpIsACommandToo) {
+  EXPECT_EQ(output_of("analyze help"), output_of("analyze --help"));
+  EXPECT_EQ(output_of("analyze help help"), output_of("analyze --help"));
+  for (const std::string command : {"events", "slow-slip", "diff"}) {
+    EXPECT_EQ(output_of("analyze help " + command), output_of("analyze " + command + " --help"));
+  }
+  expect_refusal("analyze help stres", kUsage,
+                 "unknown command 'stres': did you mean 'stress'? See analyze --help");
+  expect_refusal("analyze help front slip", kUsage,
+                 "'slip' is one word too many: name one command");
+}
+
 TEST_F(Common, AnalyzeSuggestsACommand) {
   expect_refusal("analyze stres a.h5", kUsage,
                  "unknown command 'stres': did you mean 'stress'? See analyze --help");
-  expect_refusal("analyze", kUsage, "no command was given; see analyze --help");
+  expect_refusal_with("analyze", kUsage, "no command was given: name one of ");
 }
 
 TEST_F(Common, QuietToolsPrintNothing) {
@@ -135,7 +150,7 @@ TEST_F(Common, QuietToolsPrintNothing) {
             "");
   EXPECT_EQ(output_of("restart a.h5 -o b.h5 --for 1e-5 --record b-r.h5 -q"), "");
   EXPECT_EQ(output_of("prepare --tau-bar 0.1 -o d.h5 -q"), "");
-  EXPECT_EQ(output_of("modify-phi a.h5 -o c.h5 --sigma-bar 100 -q"), "");
+  EXPECT_EQ(output_of("modify-phi a.h5 -o c.h5 --sigma-bar 0.1 -q"), "");
 }
 
 TEST_F(Common, WritingToolsPrintTheChecksumOfWhatTheyWrote) {

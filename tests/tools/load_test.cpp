@@ -74,7 +74,7 @@ TEST_F(Load, SeedIsShortForTheParameter) {
   output_of("load --config small.ini -o a.h5 --until 4e-4 --seed 7");
   output_of("load --config small.ini -o b.h5 --until 4e-4 --set numerics.seed=7");
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
-  EXPECT_EQ(json_of("analyze show a.h5 --json")["parameters"]["numerics.seed"], "7");
+  EXPECT_EQ(json_of("analyze show a.h5 --json")["parameters"]["numerics.seed"], 7);
 }
 
 TEST_F(Load, AnotherSeedDrawsOtherSlippingTimes) {

@@ -81,7 +81,7 @@ TEST_F(Quantities, ParametersAreThoseOfAFile) {
   }
   EXPECT_EQ(listed[0], Json({{"name", "slider.L"},
                              {"unit", "m"},
-                             {"default", "0.14"},
+                             {"default", 0.14},
                              {"help", "length of the slider along x"}}));
   const auto law = std::find_if(listed.begin(), listed.end(), [](const Json& parameter) {
     return parameter["name"] == "junctions.law";

@@ -22,6 +22,11 @@ struct LoadingCurve {
   std::span<const double> F_T;   ///< [N]
 };
 
+/// Splits the ruptures, ordered by time, where none follows for longer than `quiet` [s]: one part
+/// per event.
+std::vector<std::span<const Rupture>> split_at_pauses(std::span<const Rupture> ruptures,
+                                                      double quiet);
+
 /// Splits the ruptures into events: a new one begins when no block has ruptured for `quiet` [s]
 /// (default elsewhere: 5 <t_R>).
 std::vector<Event> find_events(const Parameters& parameters, std::span<const Rupture> ruptures,

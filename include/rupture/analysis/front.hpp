@@ -33,8 +33,11 @@ RuptureLine rupture_line(const Parameters& parameters, std::span<const Rupture> 
 /// stencil's ends ruptured in the same step. Negative where the front runs towards the driven edge.
 std::vector<std::optional<double>> front_speed(const RuptureLine& line);
 
-enum class FrontType { arrested, slow, fast };
+enum class FrontType { none, arrested, slow, fast };
 std::string_view front_type_name(FrontType type);
+
+/// Whether a front of this type reached the leading edge.
+bool spans(FrontType type);
 
 /// A stretch of consecutive blocks over which the front is slow.
 struct SlowStretch {
@@ -52,13 +55,14 @@ struct SlowStretch {
 struct Front {
   RuptureLine line;
   std::vector<std::optional<double>> v_c;
-  FrontType type = FrontType::arrested;
+  FrontType type = FrontType::none;
   std::optional<double> x_arrest;   ///< furthest ruptured block if the front did not span [m]
   std::optional<SlowStretch> slow;  ///< the slow stretch that lasted longest
 };
 
-/// Measures the front in one rupture line. Arrested: it does not reach the leading edge; slow: it
-/// does, and v_c < slow_below c_s somewhere beyond skip_below_x; fast: the rest.
+/// Measures the front in one rupture line. None: nothing ruptured; arrested: it does not reach the
+/// leading edge; slow: it does, and v_c < slow_below c_s somewhere beyond skip_below_x; fast: the
+/// rest.
 Front measure_front(const Parameters& parameters, RuptureLine line, const FrontCriteria& criteria);
 
 }  // namespace rupture

@@ -170,19 +170,27 @@ TEST(Front, may_skip_a_block_in_its_slow_stretch) {
   EXPECT_LE(front.slow->x_to, 41 * kSpacing);
 }
 
-TEST(Front, of_no_rupture_is_arrested_nowhere) {
+TEST(Front, of_no_rupture_is_none) {
   RuptureLine line = slow_between(20, 35);
   for (auto& t : line.t_rupture) t.reset();
   const Front front = measure(line);
-  EXPECT_EQ(front.type, FrontType::arrested);
+  EXPECT_EQ(front.type, FrontType::none);
   EXPECT_FALSE(front.x_arrest);
   EXPECT_FALSE(front.slow);
 }
 
 TEST(FrontTypes, have_names) {
+  EXPECT_EQ(front_type_name(FrontType::none), "none");
   EXPECT_EQ(front_type_name(FrontType::arrested), "arrested");
   EXPECT_EQ(front_type_name(FrontType::slow), "slow");
   EXPECT_EQ(front_type_name(FrontType::fast), "fast");
+}
+
+TEST(FrontTypes, that_span_are_slow_and_fast) {
+  EXPECT_FALSE(spans(FrontType::none));
+  EXPECT_FALSE(spans(FrontType::arrested));
+  EXPECT_TRUE(spans(FrontType::slow));
+  EXPECT_TRUE(spans(FrontType::fast));
 }
 
 }  // namespace
