@@ -47,8 +47,10 @@ void print_invariants(const Simulation& simulation, Ending ending, const EnergyB
   if (steps > 0 && seconds > 0.0) {
     say(", {:.0f} steps/s", static_cast<double>(steps) / seconds);
   }
-  say("\nenergy [J]: supplied {:.6e} = stored {:.6e} + dissipated {:.6e}, relative error {:.1e}\n",
-      balance.supplied, balance.stored, balance.dissipated, balance.relative_error());
+  say("\nenergy [J]: supplied {:.6e} = stored {:.6e} + taken by damping {:.6e} + work against "
+      "junctions {:.6e}, relative error {:.1e}\n",
+      balance.supplied, balance.stored, balance.damping, balance.junctions,
+      balance.relative_error());
 }
 
 /// What a run begins with: `start`, or where it was interrupted.
