@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "analyze.hpp"
+#include "option_values.hpp"
 #include "record_command.hpp"
 #include "rupture/analysis/events.hpp"
 #include "rupture/analysis/slip.hpp"
@@ -145,15 +146,14 @@ Json extremes_json(const std::vector<double>& values) {
 int analyze_events(int argc, const char* const* argv) {
   po::options_description options("Options");
   add_format_options(options);
-  options.add_options()("quiet-time", po::value<double>()->value_name("T"),
+  options.add_options()("quiet-time", po::value<std::string>()->value_name("T"),
                         "time without ruptures that separates events [s]; default 5 t_R");
   add_criteria_options(options);
   const auto command = read_record_command(
       argc, argv, "events", "Splits the block ruptures of a record into events.", options);
   const Record& record = command.record;
   const Parameters& p = record.parameters;
-  const double quiet =
-      optional_non_negative(command.parsed.values, "quiet-time").value_or(5.0 * p.t_R);
+  const double quiet = optional_time(command.parsed.values, "quiet-time").value_or(5.0 * p.t_R);
   const auto events = find_events(p, record.ruptures, {record.time, record.F_T}, quiet,
                                   criteria(command.parsed.values));
   Report report;
