@@ -27,7 +27,7 @@ rule event_branch:
     message:
         "{wildcards.event}: go to the moment when the front is at 0.14 L"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
         " --until $({VALUE} {input.front} t_rupture.8) 2> {log}"
 
 
@@ -50,7 +50,7 @@ rule event_continuation:
     message:
         "{wildcards.event}: restart {wildcards.continuation} ({params.changes})"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet {params.changes} --for 0.01"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum {params.changes} --for 0.01"
         " --record {output.record} --record-every 1e-5 2> {log}"
 
 
@@ -92,7 +92,7 @@ rule event_wider_phi:
     message:
         "{wildcards.event}: make phi uniform and as wide as each block allows for x > 0.25 L"
     shell:
-        "{BIN}/modify-phi {input.h5} -o {output.h5} --force --shape uniform --x-from 0.035"
+        "{BIN}/modify-phi {input.h5} -o {output.h5} --force --sum --shape uniform --x-from 0.035"
         " > {output.histogram} 2> {log}"
 
 
@@ -112,7 +112,7 @@ rule event_wider:
     message:
         "{wildcards.event}: restart with the wider phi"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --for 0.01"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --for 0.01"
         " --record {output.record} --record-every 1e-5 2> {log}"
 
 
@@ -132,7 +132,7 @@ rule event_amid_slow:
     message:
         "{wildcards.event}: go to the middle of the slow stretch"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
         " --until $({PYTHON} {input.script} {input.front}) 2> {log}"
 
 
@@ -152,5 +152,5 @@ rule event_undriven:
     message:
         "{wildcards.event}: stop the driving during the slow front"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --set driving.V=0 --for 0.01"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --set driving.V=0 --for 0.01"
         " --record {output.record} --record-every 1e-5 2> {log}"

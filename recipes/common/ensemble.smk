@@ -34,7 +34,7 @@ rule ensemble_run:
     message:
         "ensemble: run seed {wildcards.seed}"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
         " --seed $((10#{wildcards.seed})) --until {SEEDS_UNTIL}"
         " --checkpoint-every {CHECKPOINT_EVERY}"
         " --record {output.record} --record-every 1e-3 2> {log}"
@@ -88,7 +88,7 @@ rule ensemble_event_start:
     shell:
         "{BIN}/restart"
         " {DATA}/ensemble/run-{wildcards.seed}-t$({VALUE} {input.choice} seed-{wildcards.seed}.from).h5"
-        " -o {output.h5} --force --quiet"
+        " -o {output.h5} --force --quiet --sum"
         " --until $({VALUE} {input.choice} seed-{wildcards.seed}.until) 2> {log}"
 
 

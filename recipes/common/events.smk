@@ -44,7 +44,7 @@ if FROM_SCRATCH:
             "{wildcards.shown_event}: go to 0.5 ms before the event"
         shell:
             "{BIN}/restart {DATA}/load-t$({VALUE} {input.choice} {wildcards.shown_event}.from).h5"
-            " -o {output.h5} --force --quiet"
+            " -o {output.h5} --force --quiet --sum"
             " --until $({VALUE} {input.choice} {wildcards.shown_event}.until) 2> {log}"
 
 else:
@@ -63,7 +63,7 @@ else:
             "{wildcards.shown_event}: verify the shipped checkpoint"
         shell:
             "sum=$({BIN}/analyze checksum {input.h5} 2> {log}) && cp {input.h5} {output.h5}"
-            " && echo \"$sum  {wildcards.shown_event}.h5\" > {output.sum}"
+            " && echo \"content-sha256 $sum  {wildcards.shown_event}.h5\" > {output.sum}"
 
 
 # In either case the checkpoint must be the one that the manifest names.
@@ -99,7 +99,7 @@ rule event_record:
     message:
         "{wildcards.event}: run the event as it is"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --for 0.01"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --for 0.01"
         " --record {output.record} --record-every 1e-5 2> {log}"
 
 

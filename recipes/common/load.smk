@@ -24,7 +24,7 @@ rule load:
     message:
         f"load: drive the slider to t = {LOAD_UNTIL} s (6 million steps, about a minute)"
     shell:
-        "{BIN}/load -o {output.last} --force --quiet --until {LOAD_UNTIL}"
+        "{BIN}/load -o {output.last} --force --quiet --sum --until {LOAD_UNTIL}"
         " --checkpoint-every {CHECKPOINT_EVERY}"
         " --record {output.record} --record-every 1e-3 2> {log}"
 

@@ -16,16 +16,23 @@ from pathlib import Path
 
 USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request cannot be met
 INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
+WRITERS = ("load", "modify-phi", "prepare", "restart")
 
 
 class Crash(Exception):
     """A program ended without an exit code that is a tool's own."""
 
 
+def arguments_of(command, base):
+    """With the base as a path from anywhere. Programs that write files note their checksums, too."""
+    words = [os.path.abspath(word) if word == base else word for word in shlex.split(command)]
+    asks_for_sum = words[0] in WRITERS and "--sum" not in words
+    return [*words, "--sum"] if asks_for_sum else words
+
+
 def run(folder_of_tools, command, base, folder):
     """The finished command. Raises Crash."""
-    tool, *arguments = shlex.split(command)
-    arguments = [os.path.abspath(a) if a == base else a for a in arguments]
+    tool, *arguments = arguments_of(command, base)
     done = subprocess.run(
         [Path(folder_of_tools).resolve() / tool, *arguments],
         cwd=folder,

@@ -20,7 +20,8 @@ rule estimate_unbreakable:
     message:
         "estimate: a slider whose junctions do not break again"
     shell:
-        "{BIN}/load -o {output.h5} --force --quiet --until 0 --set junctions.mu_s=100 2> {log}"
+        "{BIN}/load -o {output.h5} --force --quiet --sum --until 0 --set junctions.mu_s=100"
+        " 2> {log}"
 
 
 rule estimate_relaxation:

@@ -51,7 +51,7 @@ rule fig1_event:
     message:
         "fig1: run the fast-slow-fast event with a sample each microsecond"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --for 0.005"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --for 0.005"
         " --record {output.record} --record-every 1e-6 2> {log}"
 
 
@@ -66,7 +66,7 @@ rule fig1_junctions:
     message:
         "fig1: prepare blocks with one junction each"
     shell:
-        "{BIN}/prepare {FIG1_JUNCTION} -o {output.h5} --force --quiet 2> {log}"
+        "{BIN}/prepare {FIG1_JUNCTION} -o {output.h5} --force --quiet --sum 2> {log}"
 
 
 rule fig1_pull:
@@ -87,8 +87,9 @@ rule fig1_pull:
     message:
         "fig1: pull them at 1 mm/s with a sample in each step"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --set driving.V=1e-3 --for 6e-3"
-        " --record {output.record} --record-every 2e-7 --checkpoint-at {FIG1_SLIPPING} 2> {log}"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --set driving.V=1e-3"
+        " --for 6e-3 --record {output.record} --record-every 2e-7 --checkpoint-at {FIG1_SLIPPING}"
+        " 2> {log}"
 
 
 rule fig1_steady:

@@ -32,8 +32,8 @@ rule quasistatic_load:
     message:
         f"fig5: drive the slider at h = 0 to t = {QUASISTATIC_UNTIL} s"
     shell:
-        "{BIN}/load -o {output.last} --force --quiet --set driving.h=0 --until {QUASISTATIC_UNTIL}"
-        " --checkpoint-every {QUASISTATIC_EVERY}"
+        "{BIN}/load -o {output.last} --force --quiet --sum --set driving.h=0"
+        " --until {QUASISTATIC_UNTIL} --checkpoint-every {QUASISTATIC_EVERY}"
         " --record {output.record} --record-every 1e-3 2> {log}"
 
 
@@ -75,7 +75,7 @@ rule quasistatic_stopped:
     shell:
         "{BIN}/restart"
         " {DATA}/fig5/quasistatic-load-t$({VALUE} {input.stretch} branches.{wildcards.n}).h5"
-        " -o {output.h5} --force --quiet --set driving.V=0 --for {params.duration}"
+        " -o {output.h5} --force --quiet --sum --set driving.V=0 --for {params.duration}"
         " --record {output.record} --record-every 1e-3 2> {log}"
 
 
@@ -101,8 +101,9 @@ rule quasistatic_seed:
     message:
         "fig5: drive the slider at h = 0 with seed {wildcards.seed}"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --seed $((10#{wildcards.seed}))"
-        " --until {QUASISTATIC_SEEDS_STOP} --record {output.record} --record-every 1e-3 2> {log}"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
+        " --seed $((10#{wildcards.seed})) --until {QUASISTATIC_SEEDS_STOP}"
+        " --record {output.record} --record-every 1e-3 2> {log}"
 
 
 rule quasistatic_seed_stopped:
@@ -121,7 +122,7 @@ rule quasistatic_seed_stopped:
     message:
         "fig5: stop the driving with seed {wildcards.seed}"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --set driving.V=0"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --set driving.V=0"
         " --for 0.02 --record {output.record} --record-every 1e-3 2> {log}"
 
 

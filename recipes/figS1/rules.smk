@@ -20,7 +20,7 @@ rule figS1_unloaded:
     message:
         "figS1: find the equilibrium under the normal load"
     shell:
-        "{BIN}/load -o {output.h5} --force --quiet --until 0 2> {log}"
+        "{BIN}/load -o {output.h5} --force --quiet --sum --until 0 2> {log}"
 
 
 rule figS1_stress:

@@ -32,7 +32,7 @@ rule figS2_load:
     message:
         f"figS2: drive the slider with the simplified law to t = {FIGS2_UNTIL} s"
     shell:
-        "{BIN}/load -o {output.last} --force --quiet --until {FIGS2_UNTIL}"
+        "{BIN}/load -o {output.last} --force --quiet --sum --until {FIGS2_UNTIL}"
         " --set junctions.law=simplified --set junctions.v_slow=1.5e-3"
         " --checkpoint-every {CHECKPOINT_EVERY}"
         " --record {output.record} --record-every 1e-3 2> {log}"
@@ -90,7 +90,7 @@ rule figS2_before:
         "figS2: go to 0.5 ms before event {wildcards.n}"
     shell:
         "{BIN}/restart {DATA}/figS2/load-t$({VALUE} {input.choice} events.{wildcards.n}.from).h5"
-        " -o {output.h5} --force --quiet"
+        " -o {output.h5} --force --quiet --sum"
         " --until $({VALUE} {input.choice} events.{wildcards.n}.until) 2> {log}"
 
 
@@ -110,7 +110,7 @@ rule figS2_event:
     message:
         "figS2: run the first event as it is"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --for 0.015"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --for 0.015"
         " --record {output.record} --record-every 1e-5 2> {log}"
 
 
@@ -133,7 +133,7 @@ rule figS2_no_slow_slip:
     message:
         "figS2: run event {wildcards.n} without slow slip"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --set junctions.v_slow=0"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --set junctions.v_slow=0"
         " --until-quiet 0.012 --for 0.05"
         " --record {output.record} --record-every 1e-5 2> {log}"
 

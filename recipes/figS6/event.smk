@@ -27,7 +27,7 @@ rule figS6_load:
     message:
         f"figS6: drive the slider with the decaying law to t = {FIGS6_UNTIL} s (about a minute)"
     shell:
-        "{BIN}/load -o {output.last} --force --quiet --until {FIGS6_UNTIL} {params.law}"
+        "{BIN}/load -o {output.last} --force --quiet --sum --until {FIGS6_UNTIL} {params.law}"
         " --checkpoint-every {CHECKPOINT_EVERY}"
         " --record {output.record} --record-every 1e-3 2> {log}"
 
@@ -79,7 +79,7 @@ rule figS6_before:
         "figS6: go to 0.5 ms before the event"
     shell:
         "{BIN}/restart {DATA}/figS6/load-t$({VALUE} {input.choice} from).h5"
-        " -o {output.h5} --force --quiet --until $({VALUE} {input.choice} until) 2> {log}"
+        " -o {output.h5} --force --quiet --sum --until $({VALUE} {input.choice} until) 2> {log}"
 
 
 # The event as it is, and with longer slipping times: what of it follows from the decay.
@@ -108,7 +108,7 @@ rule figS6_run:
     message:
         "figS6: run the event ({wildcards.run})"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet {params.changes} --for 0.01"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum {params.changes} --for 0.01"
         " --record {output.record} --record-every 1e-5 2> {log}"
 
 

@@ -26,7 +26,7 @@ rule robustness_exponential:
     message:
         "robustness: drive the slider with exponential slipping times to t = 1.2 s"
     shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --until {LOAD_UNTIL}"
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --until {LOAD_UNTIL}"
         " --set junctions.slipping_times=exponential"
         " --record {output.record} --record-every 1e-3 2> {log}"
 

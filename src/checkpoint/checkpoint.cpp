@@ -19,7 +19,7 @@ Content parameters_and_state(const Parameters& parameters, const State& state) {
 Content whole_content(const Checkpoint& checkpoint) {
   Content content = parameters_and_state(checkpoint.parameters, checkpoint.state);
   content.merge(provenance_content(checkpoint.provenance));
-  if (checkpoint.run) content.merge(run_content(*checkpoint.run));
+  if (checkpoint.run) content.merge(run_content(*checkpoint.run, checkpoint.run_id));
   return content;
 }
 
@@ -39,8 +39,8 @@ std::string content_checksum(const Parameters& parameters, const State& state) {
 }
 
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
-                             IfExists if_exists) {
-  return write_content(path, FileKind::checkpoint, whole_content(checkpoint), if_exists);
+                             IfExists if_exists, SumFile sum) {
+  return write_content(path, FileKind::checkpoint, whole_content(checkpoint), if_exists, sum);
 }
 
 Checkpoint checkpoint_from(const Content& content) {
@@ -49,6 +49,7 @@ Checkpoint checkpoint_from(const Content& content) {
   checkpoint.state = read_state(content, checkpoint.parameters);
   checkpoint.provenance = read_provenance(content);
   checkpoint.run = read_run(content, checkpoint.state.step);
+  checkpoint.run_id = read_run_id(content);
   refuse_leftovers(content, whole_content(checkpoint));
   return checkpoint;
 }

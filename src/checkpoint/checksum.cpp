@@ -1,5 +1,6 @@
 #include "rupture/checkpoint/checksum.hpp"
 
+#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
@@ -85,6 +86,10 @@ std::string content_checksum(const Content& content) {
     if (is_checksummed(path)) update_dataset(hash, path, dataset);
   }
   return hash.hex();
+}
+
+std::string labelled(const std::string& checksum) {
+  return fmt::format("{} {}", kChecksumLabel, checksum);
 }
 
 }  // namespace rupture

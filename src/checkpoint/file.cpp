@@ -10,11 +10,13 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "atomic_write.hpp"
 #include "context.hpp"
 #include "part_file.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
 #include "seal.hpp"
 
@@ -68,7 +70,7 @@ std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
 }
 
 std::string sum_line(const std::string& checksum, const fs::path& path) {
-  return fmt::format("{}  {}\n", checksum, path.filename().string());
+  return fmt::format("{}  {}\n", labelled(checksum), path.filename().string());
 }
 
 std::string text_of(const fs::path& path) {
@@ -76,21 +78,18 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-fs::path sum_path(const fs::path& path) {
-  return path.string() + ".sum";
-}
-
-// Replaces a file and its .sum. Both are on the disk before anything is replaced, and no .sum is
-// there while it would be that of the other file.
-void replace(PendingFile file, const fs::path& sum, const std::string& line) {
+// Replaces a file and its .sum, or removes the latter. Both are on the disk before anything is
+// replaced, and no .sum is there while it would be that of the other file.
+void replace(PendingFile file, const fs::path& sum, const std::string& line, SumFile wanted) {
   if (text_of(sum) == line) {  // workflow rules go by its modification time
     file.commit();
     return;
   }
-  PendingFile new_sum(sum, std::as_bytes(std::span(line)));
+  std::optional<PendingFile> new_sum;
+  if (wanted == SumFile::write) new_sum.emplace(sum, std::as_bytes(std::span(line)));
   remove_durably(sum);
   file.commit();
-  new_sum.commit();
+  if (new_sum) new_sum->commit();
 }
 
 }  // namespace
@@ -128,10 +127,10 @@ FileKind identify(const fs::path& path) {
 }
 
 std::string write_content(const fs::path& path, FileKind kind, const Content& content,
-                          IfExists if_exists) {
+                          IfExists if_exists, SumFile sum) {
   check_output(path, if_exists);
   const Sealed sealed = naming(path, [&] { return seal(kind, content); });
-  replace(PendingFile(path, sealed.bytes), sum_path(path), sum_line(sealed.checksum, path));
+  replace(PendingFile(path, sealed.bytes), sum_path(path), sum_line(sealed.checksum, path), sum);
   return sealed.checksum;
 }
 
@@ -154,6 +153,10 @@ ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name
 
 Content read_content(const fs::path& path) {
   return read_file(path).content;
+}
+
+fs::path sum_path(const fs::path& path) {
+  return path.string() + ".sum";
 }
 
 void restore_sum(const fs::path& path) {

@@ -169,12 +169,12 @@ void RecordWriter::sync() {
   part_->sync();
 }
 
-std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance) {
+std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance, SumFile sum) {
   flush();
   const std::filesystem::path part = part_path(path_);
   Content content = provenance_content(provenance);
   content.merge(read_content(part));
-  std::string checksum = write_content(path_, FileKind::record, content, if_exists_);
+  std::string checksum = write_content(path_, FileKind::record, content, if_exists_, sum);
   remove_durably(part);
   return checksum;
 }

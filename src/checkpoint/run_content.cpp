@@ -10,6 +10,7 @@
 namespace rupture {
 namespace {
 
+constexpr const char* kId = "/run/id";
 constexpr const char* kFirstStep = "/run/first_step";
 constexpr const char* kLastBreak = "/run/last_break";
 constexpr const char* kRuptures = "/run/ruptures";
@@ -24,12 +25,13 @@ std::int64_t read_between(const Content& content, const char* path, std::int64_t
 
 }  // namespace
 
-Content run_content(const RunSoFar& run) {
+Content run_content(const RunSoFar& run, const std::string& id) {
   Content content;
   content[kFirstStep] = make_scalar(run.first_step, "1");
   content[kLastBreak] = make_scalar(run.last_break, "1");
   content[kRuptures] = make_scalar(run.ruptures, "1");
   content[kLeadingEdge] = make_scalar<std::uint8_t>(run.leading_edge_ruptured ? 1 : 0, "1");
+  if (!id.empty()) content[kId] = make_text(id);
   return content;
 }
 
@@ -46,6 +48,10 @@ std::optional<RunSoFar> read_run(const Content& content, std::int64_t step) {
   if (edge > 1) throw Failure(fmt::format("{} = {}; expected 0 or 1", kLeadingEdge, edge));
   run.leading_edge_ruptured = edge == 1;
   return run;
+}
+
+std::string read_run_id(const Content& content) {
+  return content.contains(kId) ? read_text(content, kId) : std::string();
 }
 
 }  // namespace rupture

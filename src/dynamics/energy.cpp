@@ -6,7 +6,7 @@
 namespace rupture {
 
 double EnergyBalance::relative_error() const {
-  const double scale = std::max({std::abs(supplied), std::abs(stored), std::abs(dissipated)});
+  const double scale = std::max({std::abs(supplied), std::abs(stored), std::abs(taken())});
   return scale > 0.0 ? std::abs(error()) / scale : 0.0;
 }
 
@@ -15,7 +15,8 @@ EnergyBalance energy_balance(const Energies& before, const Energies& after, cons
   EnergyBalance balance;
   balance.supplied = work.driving + work_of_load;
   balance.stored = (after.total() - after.load) - (before.total() - before.load);
-  balance.dissipated = work.damping + work.junctions;
+  balance.damping = work.damping;
+  balance.junctions = work.junctions;
   return balance;
 }
 

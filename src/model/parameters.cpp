@@ -53,27 +53,62 @@ const std::vector<std::string_view>& names_of() {
 }
 
 template <class Number>
-Number parse_number(const ParameterInfo& info, std::string_view text) {
-  constexpr const char* kind = std::is_integral_v<Number> ? "a whole number" : "a number";
-  Number value{};
+struct Scan {
+  Number value;
+  std::errc error;  ///< also if there is text behind the number
+
+  bool is_number() const { return error == std::errc{} || is_too_large(); }
+  bool is_too_large() const { return error == std::errc::result_out_of_range; }
+};
+
+template <class Number>
+Scan<Number> scan(std::string_view text) {
+  Scan<Number> found{};
   const auto* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  const bool too_large = result.ec == std::errc::result_out_of_range && result.ptr == end;
-  if (text.empty() || (result.ec != std::errc{} && !too_large) || result.ptr != end) {
-    throw UsageError(
-        fmt::format("{} = '{}' is not {} (unit {})", info.name, text, kind, info.unit));
+  const auto [stop, error] = std::from_chars(text.data(), end, found.value);
+  found.error = stop == end ? error : std::errc::invalid_argument;
+  return found;
+}
+
+/// A whole number in any notation: 1000, 1e3 or 1000.0.
+Scan<std::int64_t> scan_whole(std::string_view text) {
+  const auto digits = scan<std::int64_t>(text);
+  if (digits.is_number()) return digits;
+  const auto number = scan<double>(text);
+  const bool whole = number.error == std::errc{} && std::trunc(number.value) == number.value;
+  if (!whole && !number.is_too_large()) return {0, std::errc::invalid_argument};
+  if (!whole || std::abs(number.value) > 0x1p53) return {0, std::errc::result_out_of_range};
+  return {static_cast<std::int64_t>(number.value), std::errc{}};
+}
+
+template <class Number>
+Scan<Number> scan_as(std::string_view text) {
+  if constexpr (std::is_integral_v<Number>) {
+    return scan_whole(text);
+  } else {
+    return scan<Number>(text);
   }
-  const auto number = static_cast<double>(value);
+}
+
+template <class Number>
+Number parse_number(const ParameterInfo& info, std::string_view text) {
+  constexpr bool whole = std::is_integral_v<Number>;
+  const Scan<Number> found = scan_as<Number>(text);
+  if (!found.is_number()) {
+    throw UsageError(fmt::format("{} = '{}' is not {} (unit {})", info.name, text,
+                                 whole ? "a whole number" : "a number", info.unit));
+  }
+  const auto number = static_cast<double>(found.value);
   const bool too_small =
       info.minimum_excluded ? !(number > info.minimum) : !(number >= info.minimum);
-  if (too_large || too_small || !(number <= info.maximum)) {
+  if (found.is_too_large() || too_small || !(number <= info.maximum)) {
     const std::string upper =
         info.maximum < kNoLimit ? fmt::format(" and at most {:g}", info.maximum) : "";
     throw UsageError(fmt::format("{} = {} is out of range: give a value {} {:g}{} (unit {})",
                                  info.name, text, info.minimum_excluded ? "above" : "of at least",
                                  info.minimum, upper, info.unit));
   }
-  return value;
+  return found.value;
 }
 
 template <class Enum>

@@ -8,6 +8,7 @@
 
 #include "analyze.hpp"
 #include "event_choice.hpp"
+#include "option_values.hpp"
 #include "record_command.hpp"
 #include "rupture/analysis/events.hpp"
 #include "rupture/analysis/slip.hpp"

@@ -47,7 +47,7 @@ int analyze_lineage(int argc, const char* const* argv) {
   const ContentFile file = read_file(path);
   const Lineage lineage = {path, file.kind, file.checksum, read_provenance(file.content)};
   if (parsed.values.count("commands") > 0) {
-    say("{}", rebuild_script(lineage, parsed.values["output"].as<std::string>(),
+    say("{}", rebuild_script(lineage, file_to_write(parsed.values, "output").string(),
                              start_of(parsed.values)));
   } else if (parsed.values.count("json") > 0) {
     say("{}\n", json_text(lineage_json(lineage)));

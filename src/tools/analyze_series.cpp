@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analyze.hpp"
+#include "option_values.hpp"
 #include "record_command.hpp"
 #include "rupture/analysis/front.hpp"
 #include "rupture/analysis/slip.hpp"

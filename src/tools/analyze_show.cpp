@@ -5,6 +5,7 @@
 #include "file_command.hpp"
 #include "lineage.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "text.hpp"
 
@@ -47,7 +48,7 @@ int analyze_show(int argc, const char* const* argv) {
     return kDone;
   }
   say("{}: {}", path, kind_summary(file));
-  if (!file.checksum.empty()) say("sha256 {}\n", file.checksum);
+  if (!file.checksum.empty()) say("{}\n", labelled(file.checksum));
   say("\nparameters\n");
   for (const auto& info : parameter_table()) {
     say("  {:<26} {:>12} {:<6} {}\n", info.name, parameter_text(parameters, info),

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include "analyze.hpp"
+#include "option_values.hpp"
 #include "rupture/analysis/strength.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/error.hpp"

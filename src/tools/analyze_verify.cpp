@@ -69,8 +69,10 @@ int analyze_checksum(int argc, const char* const* argv) {
 
 int analyze_verify(int argc, const char* const* argv) {
   po::options_description options("Options");
-  options.add_options()("manifest", po::value<std::string>()->value_name("FILE"),
-                        "file of lines '<checksum>  <file>', names relative to its own folder");
+  options.add_options()(
+      "manifest", po::value<std::string>()->value_name("FILE"),
+      "file of lines 'content-sha256 <64 hex digits>  <file>', names relative to its own "
+      "folder; the first word may be missing, as in older ones");
   const Parsed parsed = parse_file_command(
       argc, argv, "verify", "FILE|FOLDER...",
       "Checks that files are intact, and of folders all files *.h5 in them and below; links to\n"

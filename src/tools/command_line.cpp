@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <new>
@@ -11,6 +10,7 @@
 #include <sstream>
 
 #include "interruption.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/version.hpp"
@@ -163,15 +163,30 @@ void apply(const ParameterChanges& changes, Parameters& parameters) {
 void add_output_options(po::options_description& options) {
   options.add_options()("output,o", po::value<std::string>()->required()->value_name("FILE"),
                         "checkpoint to write")("force,f", "replace files that exist already")(
+      "sum", "write FILE.sum with its content checksum beside each file, for workflows")(
       "quiet,q", "print errors only");
 }
 
 OutputOptions output_options(const po::variables_map& values) {
   OutputOptions options;
-  options.output = values["output"].as<std::string>();
+  options.output = file_to_write(values, "output");
   if (values.count("force") > 0) options.if_exists = IfExists::replace;
   if (values.count("quiet") > 0) options.verbosity = Verbosity::quiet;
+  if (values.count("sum") > 0) options.sum = SumFile::write;
   return options;
+}
+
+std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option) {
+  const auto name = values[option].as<std::string>();
+  if (name != "-") return name;
+  throw UsageError(fmt::format(
+      "--{} - is no file: checkpoints and records do not go to standard output; give the path of "
+      "a file",
+      option));
+}
+
+std::string wrote_text(const std::filesystem::path& path, const std::string& checksum) {
+  return fmt::format("wrote {}  {}\n", path.string(), labelled(checksum));
 }
 
 void check_distinct(const std::vector<std::filesystem::path>& outputs,
@@ -181,11 +196,11 @@ void check_distinct(const std::vector<std::filesystem::path>& outputs,
   std::set<fs::path> taken;
   for (const fs::path& output : outputs) {
     if (output.empty()) throw UsageError("an output has an empty name; give the path of a file");
-    if (!input.empty() && place(output) == place(input)) {
-      throw UsageError(fmt::format("{} is the input, which is never changed: give another output",
-                                   output.string()));
-    }
-    for (const fs::path& file : {output, fs::path(output.string() + ".sum")}) {
+    for (const fs::path& file : {output, sum_path(output)}) {
+      if (!input.empty() && place(file) == place(input)) {
+        throw UsageError(fmt::format("{} is the input, which is never changed: give another output",
+                                     file.string()));
+      }
       if (taken.insert(place(file)).second) continue;
       throw UsageError(
           fmt::format("two outputs would have the name {}: give different names", file.string()));
@@ -197,22 +212,6 @@ void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists i
                    const std::filesystem::path& input) {
   check_distinct(outputs, input);
   for (const auto& output : outputs) check_output(output, if_exists);
-}
-
-double non_negative(const po::variables_map& values, const std::string& option) {
-  return non_negative(values[option].as<double>(), option);
-}
-
-double non_negative(double value, const std::string& option) {
-  if (std::isfinite(value) && value >= 0.0) return value;
-  throw UsageError(
-      fmt::format("--{} {} makes no sense: give a number of at least 0", option, value));
-}
-
-std::optional<double> optional_non_negative(const po::variables_map& values,
-                                            const std::string& option) {
-  if (values.count(option) == 0) return std::nullopt;
-  return non_negative(values, option);
 }
 
 PhiShape shape_named(const std::string& name) {

@@ -4,7 +4,6 @@
 #include <boost/program_options.hpp>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,9 +64,17 @@ struct OutputOptions {
   std::filesystem::path output;
   IfExists if_exists = IfExists::refuse;
   Verbosity verbosity = Verbosity::normal;
+  SumFile sum = SumFile::omit;
 };
 void add_output_options(po::options_description& options);
 OutputOptions output_options(const po::variables_map& values);
+
+/// The file to write that an option names. Throws UsageError for "-", by which other programs mean
+/// standard output.
+std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option);
+
+/// "wrote x.h5  content-sha256 4f2c…", with the end of the line.
+std::string wrote_text(const std::filesystem::path& path, const std::string& checksum);
 
 /// Throws UsageError if two outputs, their .sum files included, have the same name or one is the
 /// input, which no tool ever changes.
@@ -78,12 +85,6 @@ void check_distinct(const std::vector<std::filesystem::path>& outputs,
 /// check_output().
 void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
                    const std::filesystem::path& input);
-
-/// The value of a time, length or similar option. Throws UsageError unless it is finite and >= 0.
-double non_negative(const po::variables_map& values, const std::string& option);
-double non_negative(double value, const std::string& option);
-std::optional<double> optional_non_negative(const po::variables_map& values,
-                                            const std::string& option);
 
 /// The shape that --shape names. Throws UsageError if there is no such shape.
 PhiShape shape_named(const std::string& name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "option_values.hpp"
 #include "rupture/analysis/events.hpp"
 #include "rupture/model/error.hpp"
 
@@ -101,7 +102,7 @@ ChosenEvent named_event(const Parameters& p, const Bursts& bursts, const std::st
 }  // namespace
 
 void add_quiet_time_option(po::options_description& options) {
-  options.add_options()("quiet-time", po::value<double>()->value_name("T"),
+  options.add_options()("quiet-time", po::value<std::string>()->value_name("T"),
                         "time without ruptures that separates events [s]; default 5 t_R");
 }
 
@@ -114,7 +115,7 @@ void add_event_options(po::options_description& options) {
 }
 
 double quiet_time(const RecordCommand& command) {
-  return optional_non_negative(command.parsed.values, "quiet-time")
+  return optional_time(command.parsed.values, "quiet-time")
       .value_or(5.0 * command.record.parameters.t_R);
 }
 

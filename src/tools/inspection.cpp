@@ -6,6 +6,7 @@
 #include <array>
 #include <system_error>
 
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/model/error.hpp"
 
@@ -82,7 +83,7 @@ std::string_view verdict_name(Verdict verdict) {
 Finding inspect_file(const fs::path& file, const std::string& expected) try {
   const std::string checksum = verify_file(file);
   if (expected.empty() || checksum == expected) {
-    return {Verdict::intact, fmt::format("{}  {}", checksum, file.string())};
+    return {Verdict::intact, fmt::format("{}  {}", labelled(checksum), file.string())};
   }
   return {Verdict::differs,
           fmt::format("{} is intact but has content checksum {}, not {} as the manifest says",

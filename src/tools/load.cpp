@@ -1,4 +1,5 @@
 // load: the slider under its normal load, then driven from the side.
+#include "option_values.hpp"
 #include "rebuild.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "simulate.hpp"
@@ -14,12 +15,11 @@ struct Options {
   double until;  // [s]
   RunOptions run;
   OutputOptions output;
-  std::vector<std::string> arguments;
 };
 
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
-  options.add_options()("until", po::value<double>()->default_value(0.0, "0")->value_name("T"),
+  options.add_options()("until", po::value<std::string>()->default_value("0")->value_name("T"),
                         "drive until this time [s]; 0: the equilibrium only");
   add_run_options(options);
   add_output_options(options);
@@ -32,8 +32,8 @@ Options setup(int argc, char** argv) {
   Parameters parameters;
   apply(parsed.parameters, parameters);
   validate(parameters);
-  return {parameters, non_negative(parsed.values, "until"), run_options(parsed.values),
-          output_options(parsed.values), parsed.arguments};
+  return {parameters, time_from_zero(parsed.values, "until"), run_options(parsed),
+          output_options(parsed.values)};
 }
 
 int run(const Options& options) {
@@ -42,7 +42,7 @@ int run(const Options& options) {
   const bool dry = options.run.dry_run != DryRun::no;
   Checkpoint start = {p,
                       dry ? roughly_loaded(p) : normal_load_equilibrium(p),
-                      {make_provenance("load", options.arguments, "",
+                      {make_provenance("load", options.run.arguments, "",
                                        shell_line(rebuild_command("load", Parameters{}, p)))}};
   simulate(std::move(start), {step_at(p, options.until), {}}, options.run, options.output, {});
   return kDone;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -20,9 +21,10 @@ std::vector<ManifestLine> read_manifest(const std::filesystem::path& path) {
     ManifestLine line;
     std::string name;
     if (!(words >> line.checksum)) continue;
+    if (line.checksum == kChecksumLabel) words >> line.checksum;
     if (line.checksum.size() != 64 || !std::getline(words >> std::ws, name)) {
-      throw Failure(fmt::format("{} is no manifest: '{}' is not '<64 hex digits>  <file>'",
-                                path.string(), text));
+      throw Failure(fmt::format("{} is no manifest: '{}' is not '{} <64 hex digits>  <file>'",
+                                path.string(), text, kChecksumLabel));
     }
     line.file = path.parent_path() / name;
     lines.push_back(std::move(line));

@@ -7,7 +7,8 @@
 
 namespace rupture::tools {
 
-/// A line "<64 hex digits>  <file name>".
+/// A line "content-sha256 <64 hex digits>  <file name>"; earlier builds wrote it without the first
+/// word, and such lines are read for ever.
 struct ManifestLine {
   std::string checksum;
   std::filesystem::path file;  ///< names in a manifest are relative to its own folder

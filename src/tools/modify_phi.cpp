@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "command_line.hpp"
+#include "option_values.hpp"
 #include "rebuild.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -186,8 +187,8 @@ int run(const Options& options) {
   checkpoint.run.reset();  // what follows is not the run that the input came from
   checkpoint.provenance.push_back(
       make_provenance("modify-phi", options.arguments, checkpoint.checksum, options.rebuild));
-  const auto checksum =
-      write_checkpoint(options.output.output, checkpoint, options.output.if_exists);
+  const auto checksum = write_checkpoint(options.output.output, checkpoint,
+                                         options.output.if_exists, options.output.sum);
   if (options.output.verbosity == Verbosity::quiet) return kDone;
   print_widths(p, before, checkpoint.state);
   print_histograms(p, before, checkpoint.state);
@@ -196,7 +197,7 @@ int run(const Options& options) {
     say("left as it is: block at x = {:.4f} m, which can take sigma-bar <= {:.4f}\n", block.x,
         block.largest_sigma_bar);
   }
-  say("wrote {}  sha256 {}\n", options.output.output.string(), checksum);
+  say("{}", wrote_text(options.output.output, checksum));
   return kDone;
 }
 

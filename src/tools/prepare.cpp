@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "command_line.hpp"
+#include "option_values.hpp"
 #include "rebuild.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -123,10 +124,11 @@ int run(const Options& options) {
       options.parameters,
       prepared_state(options.parameters, options.prestress),
       {make_provenance("prepare", options.arguments, "", options.rebuild)}};
-  const auto checksum = write_checkpoint(options.output.output, prepared, options.output.if_exists);
+  const auto checksum = write_checkpoint(options.output.output, prepared, options.output.if_exists,
+                                         options.output.sum);
   if (options.output.verbosity == Verbosity::quiet) return kDone;
   print_prestress(options, prepared.state);
-  say("wrote {}  sha256 {}\n", options.output.output.string(), checksum);
+  say("{}", wrote_text(options.output.output, checksum));
   return kDone;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "option_values.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -23,8 +24,8 @@ void check_overlap(const RecordCommand& command) {
 
 void add_window_options(po::options_description& options) {
   auto add = options.add_options();
-  add("from", po::value<double>()->value_name("T"), "start of the time window [s]");
-  add("to", po::value<double>()->value_name("T"), "end of the time window [s]");
+  add("from", po::value<std::string>()->value_name("T"), "start of the time window [s]");
+  add("to", po::value<std::string>()->value_name("T"), "end of the time window [s]");
 }
 
 RecordCommand read_record_command(int argc, const char* const* argv, const std::string& name,
@@ -42,8 +43,8 @@ RecordCommand read_record_command(int argc, const char* const* argv, const std::
   const bool windowed = options.find_nothrow("from", false) != nullptr;
   command.from = command.record.time.front();
   command.to = command.record.time.back();
-  if (windowed && values.count("from") > 0) command.from = non_negative(values, "from");
-  if (windowed && values.count("to") > 0) command.to = non_negative(values, "to");
+  if (windowed && values.count("from") > 0) command.from = time_from_zero(values, "from");
+  if (windowed && values.count("to") > 0) command.to = time_from_zero(values, "to");
   check_overlap(command);
   if (command.to < command.from)
     throw UsageError("the time window is empty: --to is before --from");

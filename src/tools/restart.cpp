@@ -2,9 +2,9 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <string_view>
 
+#include "option_values.hpp"
 #include "rebuild.hpp"
 #include "rupture/model/error.hpp"
 #include "simulate.hpp"
@@ -20,28 +20,21 @@ struct Options {
   ParameterChanges parameters;
   RunOptions run;
   OutputOptions output;
-  std::vector<std::string> arguments;
 };
 
 constexpr double kLongestQuietRun = 10.0;  // [s]
 
 /// The time that --until-quiet gives; -1, five mean slipping times, if it gives none.
 double quiet_time(const po::variables_map& values) {
-  const auto text = values["until-quiet"].as<std::string>();
-  if (text.empty()) return -1.0;
-  double t = 0.0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), t);
-  if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) {
-    throw UsageError(fmt::format("--until-quiet {} is not a time in seconds", text));
-  }
-  return non_negative(t, "until-quiet");
+  const bool given = !values["until-quiet"].as<std::string>().empty();
+  return given ? time_from_zero(values, "until-quiet") : -1.0;
 }
 
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("until", po::value<double>()->value_name("T"), "run until this time [s]");
-  add("for", po::value<double>()->value_name("T"), "run for this long [s]");
+  add("until", po::value<std::string>()->value_name("T"), "run until this time [s]");
+  add("for", po::value<std::string>()->value_name("T"), "run for this long [s]");
   add("until-quiet", po::value<std::string>()->implicit_value("", "5 t_R")->value_name("T"),
       "stop earlier, once no junction has broken for T [s] or the front has reached the leading "
       "edge");
@@ -57,8 +50,8 @@ Options setup(int argc, char** argv) {
   const auto& values = parsed.values;
   Options result;
   result.checkpoint = single_input(values, "checkpoint", "a checkpoint to continue");
-  result.until = optional_non_negative(values, "until");
-  result.duration = optional_non_negative(values, "for");
+  result.until = optional_time(values, "until");
+  result.duration = optional_time(values, "for");
   if (values.count("until-quiet") > 0) result.quiet = quiet_time(values);
   if (result.until && result.duration) {
     throw UsageError("--until and --for exclude each other: give one");
@@ -67,9 +60,8 @@ Options setup(int argc, char** argv) {
     throw UsageError("when to stop? Give --until T, --for T or --until-quiet");
   }
   result.parameters = parsed.parameters;
-  result.run = run_options(values);
+  result.run = run_options(parsed);
   result.output = output_options(values);
-  result.arguments = parsed.arguments;
   return result;
 }
 
@@ -133,7 +125,7 @@ int run(const Options& options) {
   change_parameters(options.parameters, checkpoint);
   validate(checkpoint.parameters);
   checkpoint.provenance.push_back(
-      make_provenance("restart", options.arguments, checkpoint.checksum,
+      make_provenance("restart", options.run.arguments, checkpoint.checksum,
                       shell_line(rebuild_command("restart", before, checkpoint.parameters))));
   const StopRule rule = stop_rule(options, checkpoint);
   simulate(std::move(checkpoint), rule, options.run, options.output, options.checkpoint);

@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
 #include <vector>
 
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
 
@@ -22,24 +24,38 @@ bool same_step(const ProvenanceEntry& a, const ProvenanceEntry& b) {
   return a.tool == b.tool && a.parent_checksum == b.parent_checksum;
 }
 
+/// True if resuming the run made this entry: its command is `restart --until T` and nothing else.
+bool is_resumption(const ProvenanceEntry& entry, const std::string& tool) {
+  const auto words = shell_words(entry.rebuild);
+  return entry.tool == tool && !entry.parent_checksum.empty() && words.size() == 3 &&
+         words[0] == "restart" && words[1] == "--until";
+}
+
 /// True if `chain` is that of the run whose first file has the chain `start`: the same tools on the
 /// same checkpoints, and behind them nothing but resumptions.
 bool is_chain_of(const Chain& chain, const Chain& start) {
-  const auto is_resumption = [&](const ProvenanceEntry& entry) {
-    return entry.tool == start.back().tool && !entry.parent_checksum.empty() &&
-           entry.rebuild.starts_with("restart --until ");
-  };
   if (chain.size() < start.size()) return false;
   const auto rest = chain.begin() + static_cast<std::ptrdiff_t>(start.size());
   return std::equal(start.begin(), start.end(), chain.begin(), same_step) &&
-         std::all_of(rest, chain.end(), is_resumption);
+         std::all_of(rest, chain.end(), [&](const ProvenanceEntry& entry) {
+           return is_resumption(entry, start.back().tool);
+         });
+}
+
+/// The same where the checkpoint is of a build that stored no id.
+bool is_of_run_without_id(const Checkpoint& checkpoint, const Checkpoint& start) {
+  return checkpoint.run->first_step == start.state.step &&
+         is_chain_of(checkpoint.provenance, start.provenance);
 }
 
 /// True if `checkpoint` lies on the run that begins with `start`.
 bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start) {
-  return checkpoint.run && checkpoint.run->first_step == start.state.step &&
-         is_chain_of(checkpoint.provenance, start.provenance) &&
-         parameters_content(checkpoint.parameters) == parameters_content(start.parameters);
+  if (!checkpoint.run ||
+      parameters_content(checkpoint.parameters) != parameters_content(start.parameters)) {
+    return false;
+  }
+  return checkpoint.run_id.empty() ? is_of_run_without_id(checkpoint, start)
+                                   : checkpoint.run_id == id_of_run(start);
 }
 
 /// True if a run with this rule would have ended before `step`. When a front reached the leading
@@ -155,16 +171,44 @@ bool reach(const Content& rows, const Checkpoint& checkpoint, std::int64_t every
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(run.ruptures);
 }
 
-/// The command without --resume.
-std::string first_command(std::string command) {
-  constexpr std::string_view option = " --resume";
-  if (const auto at = command.find(option); at != std::string::npos) {
-    command.erase(at, option.size());
-  }
-  return command;
+/// What a command computes: its arguments without the program and without the options that change
+/// no bit. What follows "--" are files.
+std::vector<std::string> essence(const std::string& command_line) {
+  constexpr std::array<std::string_view, 6> without_effect = {"--resume", "--sum",   "--force",
+                                                              "-f",       "--quiet", "-q"};
+  auto words = shell_words(command_line);
+  if (!words.empty()) words.erase(words.begin());
+  const auto files = std::find(words.begin(), words.end(), "--");
+  words.erase(std::remove_if(words.begin(), files,
+                             [&](const std::string& word) {
+                               return std::find(without_effect.begin(), without_effect.end(),
+                                                word) != without_effect.end();
+                             }),
+              files);
+  return words;
+}
+
+bool same_command(const Checkpoint& a, const Checkpoint& b) {
+  return essence(a.provenance.back().command_line) == essence(b.provenance.back().command_line);
+}
+
+/// True if a run with this rule ends at this checkpoint of it, as far as the checkpoint tells.
+bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
+  const std::int64_t step = checkpoint.state.step;
+  return step <= rule.last_step && ending_at(step, *checkpoint.run, rule).has_value();
 }
 
 }  // namespace
+
+std::string id_of_run(const Checkpoint& start) {
+  Sha256 hash;
+  hash.update("rupture run 1\n");
+  for (const ProvenanceEntry& entry : start.provenance) {
+    hash.update(fmt::format("{} {}\n", entry.tool, entry.parent_checksum));
+  }
+  hash.update(fmt::format("{}\n", start.state.step));
+  return hash.hex();
+}
 
 fs::path path_at(const fs::path& output, double t) {
   const auto name =
@@ -197,10 +241,7 @@ bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& 
   if (!fs::exists(files.output)) return false;
   const auto end = read_if_intact([&] { return read_checkpoint(files.output); });
   if (!end || !is_of_run(*end, start)) return false;
-  const bool same_command = first_command(end->provenance.back().command_line) ==
-                            first_command(start.provenance.back().command_line);
-  const bool at_last_step = !rule.quiet_steps && end->state.step == rule.last_step;
-  if (!same_command && !at_last_step) return false;
+  if (!is_end(*end, rule) || (rule.quiet_steps && !same_command(*end, start))) return false;
   if (!files.record) return true;
   const StopRule until_then = {.last_step = end->state.step, .quiet_steps = {}};
   return last_sample(recorded(*files.record, start, until_then, files.record_every)) ==

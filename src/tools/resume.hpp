@@ -23,6 +23,10 @@ struct RunFiles {
 /// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].
 std::filesystem::path path_at(const std::filesystem::path& output, double t);
 
+/// What tells the run that begins with `start` from others: SHA-256 of which tools took which steps
+/// to it, and of its first step. Every checkpoint of the run has it, resumed or not.
+std::string id_of_run(const Checkpoint& start);
+
 /// A run as it was at one of its checkpoints.
 struct Resumption {
   Checkpoint checkpoint;
@@ -38,7 +42,7 @@ std::optional<Resumption> find_resumption(const Checkpoint& start, const StopRul
                                           const RunFiles& files);
 
 /// True if the run has been completed already, and everything is still there. Of a run until
-/// quiet that is only known if the command was the very same.
+/// quiet that is only known if the command was the same, up to options that change no bit.
 bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files);
 
 /// True if `path`, a checkpoint on the way, may be written by the run that begins with `start` when

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "option_values.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -28,13 +29,13 @@ DryRun dry_run(const po::variables_map& values) {
 
 void add_run_options(po::options_description& options) {
   auto add = options.add_options();
-  add("checkpoint-at", po::value<std::vector<double>>()->multitoken()->value_name("T..."),
+  add("checkpoint-at", po::value<std::vector<std::string>>()->multitoken()->value_name("T..."),
       "write checkpoints at these times [s], named OUT-tT.h5");
-  add("checkpoint-every", po::value<double>()->value_name("T"),
+  add("checkpoint-every", po::value<std::string>()->value_name("T"),
       "write a checkpoint each time T [s] has passed");
   add("record", po::value<std::string>()->value_name("FILE"),
       "record time series of the interface in FILE");
-  add("record-every", po::value<double>()->default_value(1e-4, "1e-4")->value_name("T"),
+  add("record-every", po::value<std::string>()->default_value("1e-4")->value_name("T"),
       "sampling interval of the record [s]; ruptures are recorded to the step");
   add("threads", po::value<int>()->value_name("N"),
       "threads that share the work; default: as many as pay for this size of slider. Results do "
@@ -51,17 +52,19 @@ void add_run_options(po::options_description& options) {
   add("json", "with --dry-run: print one JSON object");
 }
 
-RunOptions run_options(const po::variables_map& values) {
+RunOptions run_options(const Parsed& parsed) {
+  const auto& values = parsed.values;
   RunOptions run;
+  run.arguments = parsed.arguments;
   if (values.count("checkpoint-at") > 0) {
-    run.checkpoint_at = values["checkpoint-at"].as<std::vector<double>>();
+    run.checkpoint_at = times(values, "checkpoint-at");
     for (const double t : run.checkpoint_at) {
       if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
     }
   }
-  run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
-  if (values.count("record") > 0) run.record = values["record"].as<std::string>();
-  run.record_every = non_negative(values, "record-every");
+  run.checkpoint_every = optional_time(values, "checkpoint-every");
+  if (values.count("record") > 0) run.record = file_to_write(values, "record");
+  run.record_every = time_from_zero(values, "record-every");
   run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0;
   run.dry_run = dry_run(values);

@@ -23,10 +23,11 @@ struct RunOptions {
   OnAlarm on_alarm = OnAlarm::stop;
   bool resume = false;  ///< go on with what the same run has left, if it was interrupted
   DryRun dry_run = DryRun::no;
+  std::vector<std::string> arguments;  ///< argv, of which the command that goes on is made
 };
 
 void add_run_options(po::options_description& options);
-RunOptions run_options(const po::variables_map& values);
+RunOptions run_options(const Parsed& parsed);
 
 /// The step nearest to time t. Throws UsageError if it is not before step 2^53.
 std::int64_t step_at(const Parameters& parameters, double t);

@@ -14,10 +14,10 @@ write() {
   local law
   cp "$here/slider.ini" .
   for law in reference simplified decaying; do
-    load -q --config slider.ini --set "junctions.law=$law" --until 3e-4 -o "$law.h5" \
+    load -q --sum --config slider.ini --set "junctions.law=$law" --until 3e-4 -o "$law.h5" \
       --record "$law-record.h5"
   done
-  prepare -q --config slider.ini --set driving.V=0 --tau-bar 0.5 --sigma-bar 0.15 \
+  prepare -q --sum --config slider.ini --set driving.V=0 --tau-bar 0.5 --sigma-bar 0.15 \
     --x-trigger 0.006 -o prepared.h5
   rm slider.ini
   cat ./*.h5.sum >manifest
@@ -36,10 +36,11 @@ look_at() {
 }
 
 check() {
-  local manifest name count=0
+  local manifest line name count=0
   for manifest in "$here"/schema-*/manifest; do
     analyze verify --manifest "$manifest" >/dev/null
-    while read -r _ name; do
+    while read -r line; do
+      name=${line##* }
       case $name in
         *record.h5) look_at "${manifest%/*}/$name" ;;
         *) go_on "${manifest%/*}/$name" ;;

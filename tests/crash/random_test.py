@@ -22,7 +22,7 @@ from scenario import (
 
 LOAD = (
     "load --config driven.ini --until 2e-3 --checkpoint-every 1e-4 --record r.h5 --record-every 2e-6"
-    " -o b.h5"
+    " -o b.h5 --sum"
 )
 RESUME = LOAD + " --resume"
 TIMES = 500 if LONG else 40
@@ -84,7 +84,7 @@ class Random(unittest.TestCase):
                     restarts += 1
                     folder.must_run(f"restart {newest} --until 2e-3 -o c.h5 -q")
                     end = folder.must_run("analyze checksum c.h5").strip()
-                    self.assertEqual(end, self.whole.new["b.h5.sum"].decode().split()[0])
+                    self.assertEqual(end, self.whole.new["b.h5.sum"].decode().split()[1])
         self.assertGreater(killed, 0, "every run was over before its signal")
         print(f"{killed} kills, {restarts} restarts")
 

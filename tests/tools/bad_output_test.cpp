@@ -175,6 +175,14 @@ TEST_F(BadOutput, InputIsNeverOverwrittenByTheRecord) {
   expect_refusal_with("restart a.h5 --for 1e-4 -o b.h5 --record a.h5 --force", kUsage, "a.h5");
 }
 
+TEST_F(BadOutput, InputIsNeverOverwrittenNorRemovedAsASum) {
+  fs::copy_file(path("a.h5"), path("b.h5.sum"));
+  for (const std::string sum : {"", " --sum"}) {
+    expect_refusal("restart b.h5.sum --for 1e-5 -o b.h5" + sum, kUsage,
+                   "b.h5.sum is the input, which is never changed: give another output");
+  }
+}
+
 TEST_F(BadOutput, DanglingLinkIsReplacedOrRefusedButNeverFollowed) {
   fs::create_symlink("elsewhere.h5", path("link.h5"));
   expect_refusal("load --config small.ini -o link.h5", kFailed,

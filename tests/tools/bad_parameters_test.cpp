@@ -70,6 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
 using BadOptions = ToolTest;
 
 TEST_F(BadOptions, SeedMustBeAWholeNumber) {
+  expect_refusal("load -o a.h5 --seed 1.5", kUsage,
+                 "numerics.seed = '1.5' is not a whole number (unit 1)");
   expect_refusal("load -o a.h5 --seed abc", kUsage,
                  "numerics.seed = 'abc' is not a whole number (unit 1)");
   expect_refusal("load -o a.h5 --seed -1", kUsage,
@@ -82,10 +84,30 @@ TEST_F(BadOptions, NumberTooLargeForItsTypeIsOutOfRange) {
   expect_refusal_with("load -o a.h5 --set slider.L=1e400", kUsage, "out of range");
 }
 
+std::string not_seconds(const std::string& option, const std::string& value) {
+  return option + " " + value + ": give the time in seconds as a plain number, such as 0.01";
+}
+
+TEST_F(BadOptions, TimesOfOtherToolsArePlainSecondsToo) {
+  output_of("load --config small.ini -o a.h5 --record r.h5 --until 1e-5");
+  for (const std::string option : {"--until", "--for", "--until-quiet"}) {
+    expect_refusal("restart a.h5 -o b.h5 " + option + " 10ms", kUsage, not_seconds(option, "10ms"));
+  }
+  for (const std::string option : {"--from", "--to"}) {
+    expect_refusal("analyze front r.h5 " + option + " 10ms", kUsage, not_seconds(option, "10ms"));
+  }
+  expect_refusal("analyze events r.h5 --quiet-time 1ms", kUsage,
+                 not_seconds("--quiet-time", "1ms"));
+}
+
 TEST_F(BadOptions, TimesMustBeNumbersFromZero) {
   const std::string load = "load --config small.ini -o a.h5 ";
-  expect_refusal(load + "--until abc", kUsage,
-                 "the argument ('abc') for option '--until' is invalid; see load --help");
+  for (const std::string value : {"abc", "10ms", "0.1s", "1,5"}) {
+    for (const std::string option :
+         {"--until", "--checkpoint-at", "--checkpoint-every", "--record-every"}) {
+      expect_refusal(load + option + " " + value, kUsage, not_seconds(option, value));
+    }
+  }
   for (const std::string value : {"nan", "inf", "-1"}) {
     for (const std::string option : {"--until", "--checkpoint-every", "--record-every"}) {
       expect_refusal(load + option + " " + value, kUsage,

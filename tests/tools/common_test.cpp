@@ -23,17 +23,18 @@ std::ostream& operator<<(std::ostream& out, const Interface& interface) {
 const std::vector<Interface> kInterfaces = {
     {"load",
      {"until", "checkpoint-at", "checkpoint-every", "record", "record-every", "threads", "on-alarm",
-      "resume", "dry-run", "json", "output", "force", "quiet", "config", "set", "seed", "help",
-      "version"}},
+      "resume", "dry-run", "json", "output", "force", "sum", "quiet", "config", "set", "seed",
+      "help", "version"}},
     {"prepare",
      {"tau-bar", "sigma-bar", "shape", "x-trigger", "tau-bar-trigger", "no-trigger", "output",
-      "force", "quiet", "config", "set", "seed", "help", "version"}},
-    {"restart", {"until",   "for",          "until-quiet", "checkpoint-at", "checkpoint-every",
-                 "record",  "record-every", "threads",     "on-alarm",      "resume",
-                 "dry-run", "json",         "output",      "force",         "quiet",
-                 "config",  "set",          "seed",        "help",          "version"}},
+      "force", "sum", "quiet", "config", "set", "seed", "help", "version"}},
+    {"restart",
+     {"until",        "for",     "until-quiet", "checkpoint-at", "checkpoint-every", "record",
+      "record-every", "threads", "on-alarm",    "resume",        "dry-run",          "json",
+      "output",       "force",   "sum",         "quiet",         "config",           "set",
+      "seed",         "help",    "version"}},
     {"modify-phi",
-     {"shape", "sigma-bar", "x-from", "x-to", "slipping", "output", "force", "quiet", "help",
+     {"shape", "sigma-bar", "x-from", "x-to", "slipping", "output", "force", "sum", "quiet", "help",
       "version"}},
     {"analyze events",
      {"quiet-time", "slow-below", "skip-below-x", "json", "csv", "help", "version"}},
@@ -156,9 +157,53 @@ TEST_F(Common, QuietToolsPrintNothing) {
 TEST_F(Common, WritingToolsPrintTheChecksumOfWhatTheyWrote) {
   output_of("load --config small.ini -o a.h5 -q");
   const std::string restarted = output_of("restart a.h5 -o b.h5 --for 1e-5");
-  EXPECT_NE(restarted.find("wrote b.h5  sha256 " + checksum_of("b.h5") + "\n"), std::string::npos);
+  EXPECT_NE(restarted.find("wrote b.h5  content-sha256 " + checksum_of("b.h5") + "\n"),
+            std::string::npos);
   const std::string modified = output_of("modify-phi a.h5 -o c.h5");
-  EXPECT_NE(modified.find("wrote c.h5  sha256 " + checksum_of("c.h5") + "\n"), std::string::npos);
+  EXPECT_NE(modified.find("wrote c.h5  content-sha256 " + checksum_of("c.h5") + "\n"),
+            std::string::npos);
+}
+
+TEST_F(Common, SumsAreWrittenOnRequestOnly) {
+  const std::vector<std::string> commands = {
+      "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at 5e-5 --record r.h5",
+      "restart a.h5 -o b.h5 --for 2e-5 --checkpoint-at 1.1e-4 --record s.h5",
+      "prepare --tau-bar 0.1 -o c.h5", "modify-phi a.h5 -o d.h5"};
+  for (const auto& command : commands) output_of(command);
+  const Files without = files();
+  for (const auto& command : commands) output_of(command + " --sum --force");
+  for (const auto& [name, bytes] : without) {
+    EXPECT_FALSE(name.ends_with(".sum")) << name;
+    if (!name.ends_with(".h5")) continue;
+    EXPECT_EQ(read(name + ".sum"), sum_line(name));
+  }
+}
+
+TEST_F(Common, SumsOfFilesThatAreReplacedAreNeverThoseOfOthers) {
+  output_of("load --config small.ini -o a.h5 --record r.h5 --sum");
+  const std::string sum = read("a.h5.sum");
+  output_of("load --config small.ini -o a.h5 --record r.h5 --force");
+  EXPECT_EQ(read("a.h5.sum"), sum) << "of the same content";
+  output_of("load --config small.ini -o a.h5 --record r.h5 --until 1e-5 --force");
+  EXPECT_FALSE(fs::exists(path("a.h5.sum")));
+  EXPECT_FALSE(fs::exists(path("r.h5.sum")));
+}
+
+TEST_F(Common, StandardOutputIsNoFileToWrite) {
+  output_of("load --config small.ini -o a.h5");
+  const auto sentence = [](const std::string& option) {
+    return "--" + option +
+           " - is no file: checkpoints and records do not go to standard output; give the path of "
+           "a file";
+  };
+  for (const char* command : {"load --config small.ini", "restart a.h5 --for 1e-5",
+                              "prepare --tau-bar 0.1", "modify-phi a.h5"}) {
+    expect_refusal(std::string(command) + " -o -", kUsage, sentence("output"));
+  }
+  for (const char* command : {"load --config small.ini", "restart a.h5 --for 1e-5"}) {
+    expect_refusal(std::string(command) + " -o b.h5 --record -", kUsage, sentence("record"));
+  }
+  expect_refusal("analyze lineage a.h5 --commands -o -", kUsage, sentence("output"));
 }
 
 TEST_F(Common, OutputOptionIsRequired) {
@@ -180,7 +225,6 @@ TEST_F(Common, ExistingFilesAreOnlyReplacedWhenForced) {
   const std::string before = checksum_of("a.h5");
   output_of("restart r.h5 -o a.h5 --for 1e-5 --force");
   EXPECT_NE(checksum_of("a.h5"), before);
-  EXPECT_EQ(read("a.h5.sum"), checksum_of("a.h5") + "  a.h5\n");
   output_of("modify-phi r.h5 -o a.h5 -f");
   output_of("load --config small.ini -o a.h5 --record rec.h5 -f");
   EXPECT_EQ(checksum_of("a.h5"), before);

@@ -1,4 +1,5 @@
 // load: equilibrium, driving, configuration, checkpoints on the way.
+#include <cmath>
 #include <numeric>
 
 #include "tool_test.hpp"
@@ -23,10 +24,9 @@ TEST_F(Load, EquilibriumBearsTheNormalLoadAtRest) {
   EXPECT_NEAR(std::accumulate(tau.begin(), tau.end(), 0.0), 0.0, 1e-9 * 1920.0);
 }
 
-TEST_F(Load, WritesCheckpointAndSumAndNothingElse) {
+TEST_F(Load, WritesACheckpointAndNothingElse) {
   output_of("load --config small.ini -o a.h5");
-  EXPECT_EQ(read("a.h5.sum"), checksum_of("a.h5") + "  a.h5\n");
-  EXPECT_EQ(files().size(), 3U);  // with small.ini
+  EXPECT_EQ(files().size(), 2U);  // with small.ini
 }
 
 TEST_F(Load, SameCommandGivesTheSameBytes) {
@@ -102,11 +102,41 @@ TEST_F(Load, CheckpointsOnTheWayAreNamedAfterTheOutput) {
   fs::create_directory(path("sub"));
   output_of("load --config small.ini -o sub/noext --until 1e-4 --checkpoint-at 1e-4 2e-5 -q");
   const Files all = files();
-  EXPECT_EQ(all.size(), 8U);  // small.ini, sub/ and three checkpoints with their sums
+  EXPECT_EQ(all.size(), 5U);  // small.ini, sub/ and three checkpoints
   for (const char* name : {"sub/noext", "sub/noext-t0.000020000", "sub/noext-t0.000100000"}) {
     EXPECT_TRUE(all.contains(name)) << name;
-    EXPECT_TRUE(all.contains(std::string(name) + ".sum")) << name;
   }
+}
+
+TEST_F(Load, NamesCheckpointsOnTheWayInOneLine) {
+  const std::string load = "load --config small.ini -o a.h5 --until 1e-4 --record r.h5 --force";
+  const auto lines = lines_of(output_of(load + " --checkpoint-every 1e-5"));
+  ASSERT_EQ(lines.size(), 5U);
+  EXPECT_EQ(lines[2], "wrote 10 checkpoints on the way: a-t0.000010000.h5 ... a-t0.000100000.h5");
+  EXPECT_EQ(lines[3] + "\n", "wrote r.h5  " + sum_line("r.h5").substr(0, 79) + "\n");
+  EXPECT_EQ(lines[4] + "\n", "wrote a.h5  " + sum_line("a.h5").substr(0, 79) + "\n");
+  EXPECT_NE(output_of(load + " --checkpoint-at 5e-5")
+                .find("\nwrote 1 checkpoint on the way: a-t0.000050000.h5\n"),
+            std::string::npos);
+  EXPECT_EQ(output_of(load).find("on the way"), std::string::npos);
+}
+
+TEST_F(Load, AccountsForDampingAndForTheJunctionsApart) {
+  output_of("load --config small.ini -o a.h5");
+  // Pulled a little, then let go: the junctions give back what they took.
+  output_of("restart a.h5 -o b.h5 --for 5e-5");
+  const std::string out = output_of("restart b.h5 -o c.h5 --for 5e-5 --set driving.V=-1");
+  const auto number_behind = [&](const std::string& words) {
+    const auto at = out.find(words);
+    EXPECT_NE(at, std::string::npos) << out;
+    return at == std::string::npos ? 0.0 : std::stod(out.substr(at + words.size()));
+  };
+  EXPECT_GT(number_behind(" + taken by damping "), 0.0);
+  EXPECT_NEAR(number_behind("supplied "),
+              number_behind(" = stored ") + number_behind(" + taken by damping ") +
+                  number_behind(" + work against junctions "),
+              1e-6 * std::abs(number_behind("supplied ")));
+  EXPECT_EQ(out.find("dissipated"), std::string::npos);
 }
 
 TEST_F(Load, RecordSamplesAtMultiplesOfTheInterval) {

@@ -43,8 +43,9 @@ TEST_F(Prepare, SaysWhatItMade) {
   const std::string out = output_of(kPrepare + "-o a.h5 --tau-bar 0.2 --sigma-bar 0.1");
   EXPECT_NE(out.find("tau/p = 0.216000 beyond x = 0.0225 m, within "), std::string::npos) << out;
   EXPECT_NE(out.find("the largest possible is 0.466"), std::string::npos) << out;
-  EXPECT_NE(out.find("2 of 9 blocks are depinned\nwrote a.h5  sha256 " + checksum_of("a.h5")),
-            std::string::npos)
+  EXPECT_NE(
+      out.find("2 of 9 blocks are depinned\nwrote a.h5  content-sha256 " + checksum_of("a.h5")),
+      std::string::npos)
       << out;
 }
 

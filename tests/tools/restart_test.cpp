@@ -17,7 +17,6 @@ TEST_P(Split, HalvesEqualTheWhole) {
   output_of(std::string("load --config small.ini -o half.h5 --until ") + GetParam());
   output_of("restart half.h5 -o halves/end.h5 --until 6e-4");
   EXPECT_EQ(checksum_of("halves/end.h5"), checksum_of("whole/end.h5"));
-  EXPECT_EQ(read("halves/end.h5.sum"), read("whole/end.h5.sum"));
   EXPECT_EQ(output_of("analyze diff halves/end.h5 whole/end.h5"), "equal\n");
 }
 

@@ -2,13 +2,14 @@
 //
 // What an interruption leaves is made here by deleting what the run wrote later; tests/crash
 // interrupts real processes.
+#include "rupture/checkpoint/checkpoint.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::test {
 namespace {
 
 constexpr const char* kRun =
-    "load --config small.ini -o x.h5 --until 6e-4 --checkpoint-every 1e-4 --record r.h5 "
+    "load --config small.ini -o x.h5 --sum --until 6e-4 --checkpoint-every 1e-4 --record r.h5 "
     "--record-every 3e-5";
 
 class Resume : public ToolTest {
@@ -57,7 +58,7 @@ TEST_F(Resume, OfACompleteRunDoesNothing) {
 TEST_F(Resume, QuietRunEndsWhereTheUninterruptedOneEnds) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
   const std::string run =
-      "restart begin.h5 -o x.h5 --until-quiet 1e-4 --checkpoint-every 1e-4 --set driving.V=0";
+      "restart begin.h5 -o x.h5 --sum --until-quiet 1e-4 --checkpoint-every 1e-4 --set driving.V=0";
   output_of(run);
   const std::string whole = read("x.h5.sum");
   for (const int n : {3, 2}) {
@@ -69,7 +70,7 @@ TEST_F(Resume, QuietRunEndsWhereTheUninterruptedOneEnds) {
 
 TEST_F(Resume, ForCountsFromTheBeginningOfTheRun) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
-  const std::string run = "restart begin.h5 -o x.h5 --for 5e-4 --checkpoint-every 1e-4";
+  const std::string run = "restart begin.h5 -o x.h5 --sum --for 5e-4 --checkpoint-every 1e-4";
   output_of(run);
   const std::string whole = read("x.h5.sum");
   interrupt_after(3);
@@ -114,7 +115,8 @@ TEST_F(Resume, GoesBackToWhereTheRecordReaches) {
   const std::string whole = read("r.h5.sum");
   interrupt_after(4);
   const std::string shorter =
-      "load --config small.ini -o y.h5 --until 2.5e-4 --record r.h5 --record-every 3e-5 --force";
+      "load --config small.ini -o y.h5 --until 2.5e-4 --record r.h5 --record-every 3e-5 --force "
+      "--sum";
   output_of(shorter);
   const Outcome outcome = run(std::string(kRun) + " --resume");
   EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
@@ -156,7 +158,8 @@ TEST_F(Resume, GoesNotBeyondTheEndThatIsAskedFor) {
 
 TEST_F(Resume, UsesNoCheckpointBehindTheEndOfAQuietRun) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
-  const std::string run = "restart begin.h5 -o x.h5 --checkpoint-every 1e-4 --set driving.V=0";
+  const std::string run =
+      "restart begin.h5 -o x.h5 --sum --checkpoint-every 1e-4 --set driving.V=0";
   output_of(run + " --until-quiet 1e-4 --force");
   const std::string whole = read("x.h5.sum");
   output_of(run + " --until 8e-4 --force");
@@ -182,6 +185,104 @@ TEST_F(Resume, FindsCheckpointsOfAnOutputWithoutExtension) {
   output_of(load);
   forget("x");
   EXPECT_NE(said(load).find("resuming from x-t0.000300000"), std::string::npos);
+}
+
+TEST_F(Resume, WritesTheSumsThatAreMissingWhereTheyAreAskedFor) {
+  const std::string without =
+      "load --config small.ini -o x.h5 --until 3e-4 --checkpoint-every 1e-4 --record r.h5";
+  output_of(without);
+  const auto missing = [&] {
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : files()) {
+      if (name.ends_with(".h5") && !fs::exists(path(name + ".sum"))) names.push_back(name);
+    }
+    return names;
+  };
+  EXPECT_EQ(said(without), "x.h5 is complete\n");
+  EXPECT_EQ(missing().size(), 5U);
+  EXPECT_EQ(said(without + " --sum"), "x.h5 is complete\n");
+  EXPECT_TRUE(missing().empty());
+  for (const char* file : {"x.h5", "x-t0.000300000.h5"}) forget(file);
+  for (const char* n : {"1", "2"}) fs::remove(path("x-t0.000" + std::string(n) + "00000.h5.sum"));
+  said(without + " --sum");
+  EXPECT_TRUE(missing().empty());
+  EXPECT_EQ(read("x.h5.sum"), sum_line("x.h5"));
+}
+
+/// Names in which a search for words of commands would find some.
+class ResumeNamed : public Resume, public ::testing::WithParamInterface<const char*> {
+ protected:
+  Outcome run_quietly(std::vector<std::string> more) const {
+    std::vector<std::string> words = {
+        "restart", "begin.h5",    "--until-quiet",      "1e-4", "--for", "1e-3",
+        "--set",   "driving.V=0", "--checkpoint-every", "1e-4"};
+    words.insert(words.end(), {"-o", name(), "--record", GetParam() + std::string("-r.h5")});
+    words.insert(words.end(), more.begin(), more.end());
+    return run_words(words);
+  }
+  static std::string name() { return GetParam() + std::string(".h5"); }
+};
+
+TEST_P(ResumeNamed, RunIsCompleteAndGoesOn) {
+  output_of("load --config small.ini -o begin.h5 --until 1e-4");
+  EXPECT_EQ(run_quietly({}).exit_code, kDone);
+  const std::string whole = run_words({"analyze", "checksum", name()}).out;
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--resume"}, {"--resume", "--sum", "--force", "-q"}}) {
+    const Outcome again = run_quietly(more);
+    EXPECT_EQ(again.err, "");
+    EXPECT_EQ(again.out, more.size() == 1 ? name() + " is complete\n" : "");
+  }
+  fs::remove(path(name()));
+  const Outcome resumed = run_quietly({"--resume"});
+  EXPECT_TRUE(resumed.out.starts_with("resuming from ")) << resumed.out << resumed.err;
+  EXPECT_EQ(run_words({"analyze", "checksum", name()}).out, whole);
+  EXPECT_EQ(run_quietly({"--resume"}).out, name() + " is complete\n") << "a resumed run is, too";
+}
+
+INSTANTIATE_TEST_SUITE_P(Awkwardly, ResumeNamed,
+                         ::testing::Values("x --resume", "x -- y", "restart --until 1", "it's"),
+                         [](const auto& test) {
+                           return std::string("name") + std::to_string(test.index);
+                         });
+
+TEST_F(Resume, KnowsItsCheckpointsByTheirId) {
+  output_of(kRun);
+  interrupt_after(3);
+  Checkpoint foreign = read_checkpoint(path("x-t0.000300000.h5"));
+  EXPECT_EQ(foreign.run_id.size(), 64U);
+  EXPECT_EQ(foreign.run_id, read_checkpoint(path("x-t0.000100000.h5")).run_id);
+  foreign.run_id = std::string(64, '0');
+  write_checkpoint(path("x-t0.000300000.h5"), foreign, IfExists::replace);
+  EXPECT_NE(said(std::string(kRun) + " --force").find("resuming from x-t0.000200000"),
+            std::string::npos);
+}
+
+TEST_F(Resume, GoesOnFromCheckpointsOfBuildsWithoutIds) {
+  output_of(kRun);
+  const std::string whole = read("x.h5.sum"), whole_record = read("r.h5.sum");
+  for (const int n : {4, 2}) {  // the second time with a resumed one behind it
+    interrupt_after(n);
+    for (int m = 1; m <= n; ++m) {
+      const fs::path file = path("x-t0.000" + std::to_string(m) + "00000.h5");
+      Checkpoint old = read_checkpoint(file);
+      old.run_id.clear();
+      write_checkpoint(file, old, IfExists::replace);
+    }
+    EXPECT_NE(said(kRun).find("resuming from x-t0.000" + std::to_string(n)), std::string::npos);
+    EXPECT_EQ(read("x.h5.sum"), whole);
+    EXPECT_EQ(read("r.h5.sum"), whole_record);
+    EXPECT_FALSE(read_checkpoint(path("x.h5")).run_id.empty());
+  }
+}
+
+TEST_F(Resume, OfACommandWhoseConfigurationHasAnotherEndIsNotComplete) {
+  const std::string slider = read("small.ini");
+  write("run.ini", "until = 2e-4\n" + slider);
+  output_of("load --config run.ini -o x.h5");
+  write("run.ini", "until = 3e-4\n" + slider);
+  expect_refusal("load --config run.ini -o x.h5 --resume", kFailed,
+                 "x.h5 exists; give --force to replace it");
 }
 
 }  // namespace

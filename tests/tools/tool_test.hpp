@@ -44,6 +44,11 @@ class ToolTest : public ::testing::Test {
   /// The content checksum of a file.
   std::string checksum_of(const std::string& file) const;
 
+  /// The line of a .sum file or manifest for a file.
+  std::string sum_line(const std::string& file) const {
+    return "content-sha256 " + checksum_of(file) + "  " + file + "\n";
+  }
+
   /// Demands that a command ends with this code and says exactly "<tool>: <sentence>", and that
   /// all files are as before.
   void expect_refusal(std::string_view command, ExitCode code, std::string_view sentence,

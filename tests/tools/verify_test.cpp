@@ -19,9 +19,7 @@ class Verify : public ToolTest {
     write(file, bytes);
   }
 
-  std::string intact(const std::string& file) const {
-    return "intact  " + checksum_of(file) + "  " + file + "\n";
-  }
+  std::string intact(const std::string& file) const { return "intact  " + sum_line(file); }
 
   static std::string damage_sentence(const std::string& file) {
     return file +
@@ -40,11 +38,27 @@ TEST_F(Verify, ReadsManifestsRelativeToTheirFolder) {
   fs::create_directory(path("lists"));
   write("lists/m.txt", checksum_of("a.h5") + "  ../a.h5\n\n" + checksum_of("r.h5") + "  ../r.h5\n");
   EXPECT_EQ(lines_of(output_of("analyze verify --manifest lists/m.txt")).size(), 3U);
-  EXPECT_EQ(lines_of(output_of("analyze verify --manifest a.h5.sum")).size(), 2U);
+}
+
+TEST_F(Verify, ReadsLinesWithAndWithoutTheWordInFront) {
+  write("m.txt", sum_line("a.h5") + checksum_of("r.h5") + "  r.h5\n");
+  EXPECT_EQ(output_of("analyze verify --manifest m.txt"),
+            intact("a.h5") + intact("r.h5") + "2 intact\n");
+  write("m.txt", "content-sha256 a.h5\n");
+  expect_refusal("analyze verify --manifest m.txt", kFailed,
+                 "m.txt is no manifest: 'content-sha256 a.h5' is not 'content-sha256 <64 hex "
+                 "digits>  <file>'");
+}
+
+TEST_F(Verify, SumsAreNothingThatSha256sumCouldTakeForItsOwn) {
+  output_of("load --config small.ini -o c.h5 --sum -q");
+  const Outcome outcome = run_words({"/usr/bin/env", "LC_ALL=C", "sha256sum", "-c", "c.h5.sum"});
+  EXPECT_NE(outcome.err.find("no properly formatted"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
 }
 
 TEST_F(Verify, ReadsSumsOfFilesWithSpacesInTheirNames) {
-  run_words({"load", "--config", "small.ini", "-o", "with space.h5"});
+  run_words({"load", "--config", "small.ini", "-o", "with space.h5", "--sum"});
   const Outcome outcome = run_words({"analyze", "verify", "--manifest", "with space.h5.sum"});
   EXPECT_EQ(outcome.exit_code, kDone);
   EXPECT_EQ(outcome.err, "");
@@ -60,7 +74,7 @@ TEST_F(Verify, SeesOtherContentThanTheManifestSays) {
                  "gone.h5 does not exist; give the path of a checkpoint or record");
   write("m.txt", "a.h5\n");
   expect_refusal("analyze verify --manifest m.txt", kFailed,
-                 "m.txt is no manifest: 'a.h5' is not '<64 hex digits>  <file>'");
+                 "m.txt is no manifest: 'a.h5' is not 'content-sha256 <64 hex digits>  <file>'");
   expect_refusal("analyze verify --manifest gone.txt", kFailed,
                  "cannot read the manifest gone.txt");
 }
@@ -157,8 +171,8 @@ TEST_F(Verify, SaysWhichFilesOfAFolderTheManifestDoesNotList) {
   for (const char* name : {"a.h5", "b.h5"}) fs::copy_file(path(name), path("f") / name);
   write("m.txt", checksum_of("a.h5") + "  f/a.h5\n" + checksum_of("b.h5") + "  f/../f/b.h5\n");
   EXPECT_EQ(output_of("analyze verify f --manifest m.txt"),
-            "intact  " + checksum_of("a.h5") + "  f/a.h5\nintact  " + checksum_of("b.h5") +
-                "  f/../f/b.h5\n2 intact\n");
+            "intact  content-sha256 " + checksum_of("a.h5") + "  f/a.h5\nintact  content-sha256 " +
+                checksum_of("b.h5") + "  f/../f/b.h5\n2 intact\n");
   fs::copy_file(path("r.h5"), path("f/r.h5"));
   expect_refusal("analyze verify f --manifest m.txt", kFailed,
                  "f/r.h5 is intact, but the manifest does not list it");

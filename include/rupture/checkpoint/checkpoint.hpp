@@ -21,6 +21,7 @@ struct Checkpoint {
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
   std::optional<RunSoFar> run = {};         ///< of the run that wrote it, if it was a run
   std::string checksum = {};  ///< of the content of the file that was read; empty if none was
+  std::string run_id = {};    ///< of the run that wrote it; empty in files of earlier builds
 };
 
 /// The parameters as datasets: row "slider.L" of the table becomes /parameters/slider/L.
@@ -41,10 +42,10 @@ State read_state(const Content& content, const Parameters& parameters);
 /// Checksum of the checkpoint that holds these, without writing it.
 std::string content_checksum(const Parameters& parameters, const State& state);
 
-/// Writes a checkpoint and its .sum; returns its content checksum. Throws Failure as
+/// Writes a checkpoint and, on request, its .sum; returns its content checksum. Throws Failure as
 /// write_content() does.
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
-                             IfExists if_exists);
+                             IfExists if_exists, SumFile sum = SumFile::omit);
 
 /// Throws Failure, in one sentence that names the file, unless it is an intact checkpoint.
 Checkpoint read_checkpoint(const std::filesystem::path& path);

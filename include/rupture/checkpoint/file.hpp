@@ -18,6 +18,9 @@ inline constexpr std::int64_t kSchemaVersion = 2;  ///< newest schema that this 
 /// What to do if the file to be written is already there.
 enum class IfExists { refuse, replace };
 
+/// Whether to write `<path>.sum`, a line with the content checksum, beside a file.
+enum class SumFile { omit, write };
+
 /// A file's kind and datasets.
 struct ContentFile {
   FileKind kind = FileKind::checkpoint;
@@ -33,13 +36,14 @@ void check_output(const std::filesystem::path& path, IfExists if_exists);
 /// no such file or it is not ours.
 FileKind identify(const std::filesystem::path& path);
 
-/// Writes `content` and, beside it, `<path>.sum` with its checksum; returns the checksum. Each of
-/// the two appears complete or not at all, and the .sum is left alone if it already says the same.
-/// Throws Failure if a number is not finite, the path may not be written or the disk is full. The
-/// path then holds what it held before, unless it was only the .sum that could not be renamed. A
-/// process that is killed can leave a file without its .sum, but never with that of another.
+/// Writes `content` and, on request, `<path>.sum` beside it; returns its checksum. Each of the two
+/// appears complete or not at all. A .sum that already says the same is left alone; one that says
+/// anything else is replaced or, without a request, removed. Throws Failure if a number is not
+/// finite, the path may not be written or the disk is full. The path then holds what it held
+/// before, unless it was only the .sum that could not be renamed. A process that is killed can
+/// leave a file without its .sum, but never with that of another.
 std::string write_content(const std::filesystem::path& path, FileKind kind, const Content& content,
-                          IfExists if_exists);
+                          IfExists if_exists, SumFile sum = SumFile::omit);
 
 /// Reads a file and verifies everything that can be verified without knowing what the datasets
 /// mean: its bytes, schema version, content checksum and finite numbers. Throws Failure.
@@ -55,7 +59,10 @@ Content read_content(const std::filesystem::path& path);
 /// checksum. Throws Failure if it is damaged, or an unfinished record, which cannot be verified.
 std::string verify_file(const std::filesystem::path& path);
 
-/// Writes the .sum of a file if it is missing or wrong. Throws Failure.
+/// `<path>.sum`.
+std::filesystem::path sum_path(const std::filesystem::path& path);
+
+/// Writes the .sum of a file if it is missing or says anything else. Throws Failure.
 void restore_sum(const std::filesystem::path& path);
 
 }  // namespace rupture

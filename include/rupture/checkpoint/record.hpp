@@ -86,11 +86,12 @@ class RecordWriter {
   /// The same, and the file to the disk.
   void sync();
 
-  /// Flushes, seals, renames to the final path, writes the .sum and returns the content checksum.
-  /// Nothing may be appended afterwards. Throws Failure; the .part then stays.
+  /// Flushes, seals, renames to the final path, writes the .sum on request and returns the content
+  /// checksum. Nothing may be appended afterwards. Throws Failure; the .part then stays.
   /// A `provenance` that is given replaces that of the .part, which could not know how the run
   /// ends.
-  std::string finish(const std::vector<ProvenanceEntry>& provenance = {});
+  std::string finish(const std::vector<ProvenanceEntry>& provenance = {},
+                     SumFile sum = SumFile::omit);
 
  private:
   class Buffers;

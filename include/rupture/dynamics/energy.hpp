@@ -32,11 +32,14 @@ inline Work operator-(const Work& a, const Work& b) {
 
 /// What the account of a run says [J].
 struct EnergyBalance {
-  double supplied = 0;    ///< work of the driving point and of F_N
-  double stored = 0;      ///< gain of kinetic, bulk, contact and driving-spring energy
-  double dissipated = 0;  ///< bulk damping and work against the junctions
+  double supplied = 0;   ///< work of the driving point and of F_N
+  double stored = 0;     ///< gain of kinetic, bulk, contact and driving-spring energy
+  double damping = 0;    ///< what bulk damping took
+  double junctions = 0;  ///< work done against the junctions, of which pinned ones can give a part
+                         ///< back: it may fall, and be negative
 
-  double error() const { return supplied - stored - dissipated; }
+  double taken() const { return damping + junctions; }
+  double error() const { return supplied - stored - taken(); }
   /// |error| relative to the largest of the three terms; 0 if nothing happened.
   double relative_error() const;
 };

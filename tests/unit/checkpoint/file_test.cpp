@@ -63,6 +63,9 @@ class File : public testing::InFolder {
   std::string write(const fs::path& path, IfExists if_exists = IfExists::refuse) {
     return write_checkpoint(path, small_checkpoint(), if_exists);
   }
+  std::string write_with_sum(const fs::path& path) {
+    return write_checkpoint(path, small_checkpoint(), IfExists::refuse, SumFile::write);
+  }
   std::string reading(const fs::path& path) {
     return failure_of([&] { read_checkpoint(path); });
   }
@@ -171,7 +174,7 @@ TEST_F(File, that_exists_is_only_replaced_on_request) {
   EXPECT_EQ(failure_of([&] { write(file("x.h5")); }),
             quoted("x.h5") + " exists; give --force to replace it");
   EXPECT_NO_THROW(write(file("x.h5"), IfExists::replace));
-  EXPECT_EQ(names(), (std::vector<std::string>{"x.h5", "x.h5.sum"}));
+  EXPECT_EQ(names(), std::vector<std::string>{"x.h5"});
 }
 
 TEST_F(File, cannot_be_written_where_there_is_no_room_for_it) {
@@ -195,7 +198,7 @@ TEST_F(File, in_a_read_only_folder_is_refused_with_the_reason) {
 }
 
 TEST_F(File, that_does_not_fit_on_the_disk_leaves_the_old_one_and_no_temporary) {
-  write(file("x.h5"));
+  write_with_sum(file("x.h5"));
   const std::string before = slurp(file("x.h5"));
   Checkpoint other = small_checkpoint();
   other.state.step = 1;
@@ -217,22 +220,39 @@ TEST_F(File, whose_data_do_not_fill_their_shape_is_not_written) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(File, has_its_checksum_beside_it) {
-  const std::string checksum = write(file("x.h5"));
-  EXPECT_EQ(slurp(file("x.h5.sum")), checksum + "  x.h5\n");
+TEST_F(File, has_its_checksum_beside_it_on_request) {
+  const std::string checksum = write_with_sum(file("x.h5"));
+  EXPECT_EQ(slurp(file("x.h5.sum")), "content-sha256 " + checksum + "  x.h5\n");
 }
 
 TEST_F(File, with_equal_content_leaves_the_sum_untouched) {
-  write(file("x.h5"));
+  write_with_sum(file("x.h5"));
   const auto long_ago = fs::last_write_time(file("x.h5.sum")) - std::chrono::hours(1);
   fs::last_write_time(file("x.h5.sum"), long_ago);
   Checkpoint retold = small_checkpoint();
   retold.provenance.pop_back();
-  write_checkpoint(file("x.h5"), retold, IfExists::replace);
-  EXPECT_EQ(fs::last_write_time(file("x.h5.sum")), long_ago);
+  for (const SumFile sum : {SumFile::omit, SumFile::write}) {
+    write_checkpoint(file("x.h5"), retold, IfExists::replace, sum);
+    EXPECT_EQ(fs::last_write_time(file("x.h5.sum")), long_ago);
+  }
   retold.state.step += 1;
-  write_checkpoint(file("x.h5"), retold, IfExists::replace);
+  write_checkpoint(file("x.h5"), retold, IfExists::replace, SumFile::write);
   EXPECT_NE(fs::last_write_time(file("x.h5.sum")), long_ago);
+}
+
+TEST_F(File, with_other_content_removes_the_sum_that_is_not_asked_for) {
+  write_with_sum(file("x.h5"));
+  Checkpoint other = small_checkpoint();
+  other.state.step += 1;
+  write_checkpoint(file("x.h5"), other, IfExists::replace);
+  EXPECT_EQ(names(), std::vector<std::string>{"x.h5"});
+}
+
+TEST_F(File, gets_a_sum_in_the_form_of_today) {
+  const std::string checksum = write(file("x.h5"));
+  spill(file("x.h5.sum"), checksum + "  x.h5\n");
+  restore_sum(file("x.h5"));
+  EXPECT_EQ(slurp(file("x.h5.sum")), "content-sha256 " + checksum + "  x.h5\n");
 }
 
 }  // namespace

@@ -16,6 +16,14 @@ TEST(Provenance, quotes_arguments_as_a_shell_needs_them) {
             "x '' 'a b' 'it'\\''s' '$HOME' '*' 'a\nb' '~'");
 }
 
+TEST(Provenance, reads_arguments_back_as_a_shell_does) {
+  const std::vector<std::vector<std::string>> all = {
+      {},
+      {"load", "-o", "a/b.h5"},
+      {"x", "", "a b", "it's", "$HOME", "*", "a\nb", "~", "'", "\\", " -- ", "a --resume b"}};
+  for (const auto& arguments : all) EXPECT_EQ(shell_words(shell_line(arguments)), arguments);
+}
+
 TEST(Provenance, of_this_build_names_tool_version_commit_and_compiler) {
   const ProvenanceEntry entry =
       make_provenance("load", {"load", "--until", "1 s"}, "abc", "load --until 1");

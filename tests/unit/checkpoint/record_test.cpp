@@ -62,7 +62,7 @@ class RecordFile : public testing::InFolder {
 TEST_F(RecordFile, returns_what_was_appended) {
   auto out = writer("r.h5", 7);
   append(out, 0, 40);
-  const std::string checksum = out.finish();
+  const std::string checksum = out.finish({}, SumFile::write);
   const Record record = read_record(file("r.h5"));
   expect_samples(record, 40);
   EXPECT_EQ(record.complete, Complete::yes);
@@ -72,7 +72,7 @@ TEST_F(RecordFile, returns_what_was_appended) {
   EXPECT_EQ(record.ruptures[9], (Rupture{3600, 0.001 * 36, 1}));
   EXPECT_EQ(verify_file(file("r.h5")), checksum);
   EXPECT_EQ(identify(file("r.h5")), FileKind::record);
-  EXPECT_EQ(slurp(file("r.h5.sum")), checksum + "  r.h5\n");
+  EXPECT_EQ(slurp(file("r.h5.sum")), "content-sha256 " + checksum + "  r.h5\n");
   EXPECT_EQ(names(), (std::vector<std::string>{"r.h5", "r.h5.sum"}));
 }
 

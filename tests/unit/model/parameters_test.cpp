@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 
@@ -107,9 +108,30 @@ TEST(SetParameter, refuses_text_that_is_no_number) {
 }
 
 TEST(SetParameter, refuses_what_is_no_whole_number) {
-  for (const std::string text : {"57.0", "1e2", "ten"}) {
+  for (const std::string text : {"57.5", "1.5", "1e-1", "5e1x", "nan", "ten", ""}) {
     EXPECT_EQ(refusal("slider.Nx", text),
               "slider.Nx = '" + text + "' is not a whole number (unit 1)");
+  }
+}
+
+TEST(SetParameter, takes_whole_numbers_in_other_notations) {
+  Parameters p;
+  for (const auto& [text, number] :
+       std::map<std::string, std::int64_t>{{"1e3", 1000}, {"57.0", 57}, {"1.5e2", 150}}) {
+    set_parameter(p, "slider.Nx", text);
+    EXPECT_EQ(p.Nx, number) << text;
+  }
+  set_parameter(p, "numerics.seed", "8999999999999999");
+  EXPECT_EQ(p.seed, 8999999999999999);
+  set_parameter(p, "numerics.seed", "9e15");
+  EXPECT_EQ(p.seed, 9000000000000000);
+}
+
+TEST(SetParameter, refuses_whole_numbers_in_other_notations_out_of_range) {
+  for (const std::string text : {"1e9", "-1e3", "1e300", "1e400", "2.0"}) {
+    EXPECT_EQ(refusal("slider.Nx", text),
+              "slider.Nx = " + text +
+                  " is out of range: give a value of at least 3 and at most 65536 (unit 1)");
   }
 }
 
