@@ -100,7 +100,7 @@ def run_sweep(request, processes):
         preview.preview(path, tools, RESULTS, code)
         return 0
     started = time.time()
-    run_pipeline(processes, ["sweep"], options_of_snakemake(request, place, sweep=path))
+    run_pipeline(processes, ["sweep"], options_of_snakemake(request, place, sweep=path, code=code))
     return report.report_sweep(path, RESULTS, code, started)
 
 
