@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string_view>
 
 #include "rupture/model/error.hpp"
@@ -50,6 +51,7 @@ std::string help() {
 
 std::vector<std::string_view> names_of_commands() {
   std::vector<std::string_view> names;
+  names.reserve(kCommands.size());
   for (const auto& command : kCommands) names.emplace_back(command.name);
   return names;
 }
@@ -75,8 +77,8 @@ int analyze_help(int argc, const char* const* argv) {
   if (argc > 2)
     throw UsageError(fmt::format("'{}' is one word too many: name one command", argv[2]));
   if (argc < 2 || asks_for_help(argv[1])) throw HelpRequested{help()};
-  const char* const asked[] = {argv[1], "--help"};
-  return find(argv[1]).run(2, asked);
+  const std::array<const char*, 2> asked = {argv[1], "--help"};
+  return find(argv[1]).run(asked.size(), asked.data());
 }
 
 int run(int argc, char** argv) {
