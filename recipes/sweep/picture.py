@@ -44,7 +44,7 @@ def axis_of(column):
     if column.unit:
         return Axis(plain(column.heading), column.numbers, [])
     present = [text for text in dict.fromkeys(column.texts) if text]
-    categories = [text for text in dict.fromkeys((*TYPES, *present)) if text in present]
+    categories = [text for text in dict.fromkeys(("none", *TYPES, *present)) if text in present]
     places = {text: place for place, text in enumerate(categories)}
     positions = np.array([places.get(text, np.nan) for text in column.texts])
     return Axis(plain(column.heading), positions, categories)
