@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "observers.hpp"
+#include "run/observers.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/dynamics/equilibrium.hpp"

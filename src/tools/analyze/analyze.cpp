@@ -1,0 +1,96 @@
+// analyze: measure, compare and check what the other tools wrote.
+#include "analyze/analyze.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "rupture/model/error.hpp"
+#include "rupture/model/nearest.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+int analyze_help(int argc, const char* const* argv);
+
+const std::vector<Command> kCommands = {
+    {"help", "this list, or what analyze COMMAND --help says", analyze_help},
+    {"events", "rupture events in a record", analyze_events},
+    {"front", "rupture line, speed and type of the front in a record", analyze_front},
+    {"classify", "the front's type alone: none, arrested, slow or fast", analyze_classify},
+    {"slip", "fast and slow slip of one block in a record", analyze_slip},
+    {"slow-slip", "slip speed of the blocks behind the slow front in a record", analyze_slow_slip},
+    {"loading", "driving force against time in a record", analyze_loading},
+    {"stress", "normal and friction forces along the interface of a checkpoint", analyze_stress},
+    {"phi", "distribution of junction forces in a checkpoint", analyze_phi},
+    {"strength", "effective static friction of a shape of phi or of a checkpoint's blocks",
+     analyze_strength},
+    {"estimate", "slow slip to expect from a checkpoint's parameters", analyze_estimate},
+    {"steady-state", "friction of a block that slides at constant speed", analyze_steady_state},
+    {"quantities", "names and units of all parameters and of what these commands measure",
+     analyze_quantities},
+    {"checksum", "content checksum of a file", analyze_checksum},
+    {"verify", "check that files and folders are intact, also against a manifest", analyze_verify},
+    {"diff", "where and by how much two files differ", analyze_diff},
+    {"show", "parameters, time and provenance of a file", analyze_show},
+    {"lineage", "the steps that led to a file, also as a script", analyze_lineage},
+};
+
+std::string help() {
+  std::string text =
+      "Usage: analyze COMMAND [FILE...] [options]\n\nMeasures, compares and checks checkpoints and "
+      "records; never changes them.\n\nCommands (analyze help COMMAND tells more):\n";
+  for (const auto& command : kCommands) {
+    text += fmt::format("  {:<12} {}\n", command.name, command.purpose);
+  }
+  return text;
+}
+
+std::vector<std::string_view> names_of_commands() {
+  std::vector<std::string_view> names;
+  names.reserve(kCommands.size());
+  for (const auto& command : kCommands) names.emplace_back(command.name);
+  return names;
+}
+
+std::string no_command_text() {
+  return fmt::format("no command was given: name one of {}; analyze help says what they do",
+                     fmt::join(names_of_commands(), ", "));
+}
+
+const Command& find(std::string_view name) {
+  for (const auto& command : kCommands) {
+    if (command.name == name) return command;
+  }
+  throw UsageError(fmt::format("unknown command '{}': did you mean '{}'? See analyze --help", name,
+                               nearest(name, names_of_commands())));
+}
+
+bool asks_for_help(std::string_view word) {
+  return word == "help" || word == "--help" || word == "-h";
+}
+
+int analyze_help(int argc, const char* const* argv) {
+  if (argc > 2)
+    throw UsageError(fmt::format("'{}' is one word too many: name one command", argv[2]));
+  if (argc < 2 || asks_for_help(argv[1])) throw HelpRequested{help()};
+  const std::array<const char*, 2> asked = {argv[1], "--help"};
+  return find(argv[1]).run(asked.size(), asked.data());
+}
+
+int run(int argc, char** argv) {
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  if (first.empty()) throw UsageError(no_command_text());
+  if (first == "--help" || first == "-h") throw HelpRequested{help()};
+  if (first == "--version") throw HelpRequested{version_text("analyze")};
+  return find(first).run(argc - 1, argv + 1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("analyze", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,60 @@
+// analyze lineage: the steps that led to a file, and a script that takes them anew.
+#include "analyze/analyze.hpp"
+#include "analyze/file_command.hpp"
+#include "analyze/lineage.hpp"
+#include "cli/text.hpp"
+#include "rupture/checkpoint/file.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+std::optional<Start> start_of(const po::variables_map& values) {
+  if (values.count("from") == 0) return std::nullopt;
+  const auto path = values["from"].as<std::string>();
+  return Start{path, verify_file(path)};
+}
+
+void check_combination(const po::variables_map& values) {
+  const bool commands = values.count("commands") > 0;
+  if (commands && values.count("json") > 0) {
+    throw UsageError("--commands and --json exclude each other: give one");
+  }
+  if (!commands && (values.count("from") > 0 || !values["output"].defaulted())) {
+    throw UsageError("--from and --output belong to --commands: give it, too");
+  }
+}
+
+}  // namespace
+
+int analyze_lineage(int argc, const char* const* argv) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("commands", "print a shell script that makes a file of the same content");
+  add("output,o", po::value<std::string>()->default_value("rebuilt.h5")->value_name("FILE"),
+      "what the script is to call that file");
+  add("from", po::value<std::string>()->value_name("FILE"),
+      "let the script begin with this ancestor");
+  add("json", "print one JSON object");
+  const Parsed parsed = parse_file_command(
+      argc, argv, "lineage", "FILE",
+      "Prints the steps from the first tool to FILE, one line each: the content checksum of the\n"
+      "file that it wrote, the build, and the command that makes that file from the one before.\n"
+      "With --commands a script of these commands, which also checks each file that it makes.",
+      options);
+  check_combination(parsed.values);
+  const auto path = file_of(parsed);
+  const ContentFile file = read_file(path);
+  const Lineage lineage = {path, file.kind, file.checksum, read_provenance(file.content)};
+  if (parsed.values.count("commands") > 0) {
+    say("{}", rebuild_script(lineage, file_to_write(parsed.values, "output").string(),
+                             start_of(parsed.values)));
+  } else if (parsed.values.count("json") > 0) {
+    say("{}\n", json_text(lineage_json(lineage)));
+  } else {
+    say("{}", lineage_text(lineage));
+  }
+  return kDone;
+}
+
+}  // namespace rupture::tools

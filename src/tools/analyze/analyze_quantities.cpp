@@ -1,0 +1,67 @@
+// analyze quantities: the names, units and meanings of parameters and of what is measured.
+#include <fmt/core.h>
+
+#include <vector>
+
+#include "analyze/analyze.hpp"
+#include "analyze/quantities.hpp"
+#include "cli/report.hpp"
+#include "cli/text.hpp"
+
+namespace rupture::tools {
+namespace {
+
+/// As for quantities: texts have no unit.
+std::string_view unit_of(const ParameterInfo& info) {
+  return choices(info).empty() ? info.unit : "";
+}
+
+Json parameters_json() {
+  Json list = Json::array();
+  for (const auto& info : parameter_table()) {
+    list.push_back({{"name", info.name},
+                    {"unit", unit_of(info)},
+                    {"default", json_of(Parameters{}, info)},
+                    {"help", info.help}});
+  }
+  return list;
+}
+
+Json quantities_json() {
+  Json list = Json::array();
+  for (const Quantity& quantity : quantities()) {
+    list.push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"help", quantity.help}});
+  }
+  return list;
+}
+
+void print_text() {
+  say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
+  say("\nQuantities: name (command, then field of its --json; * is an index), unit, meaning\n");
+  for (const Quantity& quantity : quantities()) {
+    const std::string unit = quantity.unit.empty() ? "" : "[" + quantity.unit + "]";
+    say("  {:<58} {:<6} {}\n", quantity.name, unit, quantity.help);
+  }
+}
+
+}  // namespace
+
+int analyze_quantities(int argc, const char* const* argv) {
+  po::options_description options("Options");
+  options.add_options()("json", "print one JSON object");
+  const Parsed parsed =
+      parse(argc, argv,
+            {"analyze quantities", "analyze quantities [options]",
+             "Lists all parameters, and everything that the commands which measure report with "
+             "--json."},
+            options, "", UsesParameters::no);
+  if (parsed.values.count("json") > 0) {
+    const Json json = {{"parameters", parameters_json()}, {"quantities", quantities_json()}};
+    say("{}\n", json_text(json));
+  } else {
+    print_text();
+  }
+  return kDone;
+}
+
+}  // namespace rupture::tools

@@ -1,0 +1,67 @@
+// analyze show: what a file is, its parameters and where it comes from.
+#include <fmt/core.h>
+
+#include "analyze/analyze.hpp"
+#include "analyze/file_command.hpp"
+#include "analyze/lineage.hpp"
+#include "cli/text.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/checksum.hpp"
+#include "rupture/checkpoint/record.hpp"
+
+namespace rupture::tools {
+namespace {
+
+std::string kind_summary(const ContentFile& file) {
+  if (file.kind == FileKind::checkpoint) {
+    const Checkpoint checkpoint = checkpoint_from(file.content);
+    return fmt::format("checkpoint at t = {:.9g} s, step {}\n",
+                       time(checkpoint.parameters, checkpoint.state), checkpoint.state.step);
+  }
+  const Record record = record_from(file);
+  if (record.time.empty()) return fmt::format("{} without samples\n", kind_text(file.kind));
+  return fmt::format("{} of {} samples from t = {:.9g} s to {:.9g} s, {} block ruptures\n",
+                     kind_text(file.kind), record.time.size(), record.time.front(),
+                     record.time.back(), record.ruptures.size());
+}
+
+}  // namespace
+
+int analyze_show(int argc, const char* const* argv) {
+  po::options_description options("Options");
+  options.add_options()("json", "print one JSON object");
+  const Parsed parsed =
+      parse_file_command(argc, argv, "show", "FILE",
+                         "Prints what a file is, its parameters and its provenance.", options);
+  const auto path = file_of(parsed);
+  const ContentFile file = read_file(path);
+  const Parameters parameters = read_parameters(file.content);
+  const auto chain = read_provenance(file.content);
+  if (parsed.values.count("json") > 0) {
+    Json json = {{"kind", kind_text(file.kind)}, {"checksum", file.checksum}};
+    for (const auto& info : parameter_table()) {
+      json["parameters"][std::string(info.name)] = json_of(parameters, info);
+    }
+    json["provenance"] = Json::array();
+    for (const auto& entry : chain) json["provenance"].push_back(entry_json(entry));
+    say("{}\n", json_text(json));
+    return kDone;
+  }
+  say("{}: {}", path, kind_summary(file));
+  if (!file.checksum.empty()) say("{}\n", labelled(file.checksum));
+  say("\nparameters\n");
+  for (const auto& info : parameter_table()) {
+    say("  {:<26} {:>12} {:<6} {}\n", info.name, parameter_text(parameters, info),
+        info.unit == "1" ? "" : info.unit, info.symbol);
+  }
+  say("\nprovenance\n");
+  for (const auto& entry : chain) {
+    say("  {} {} (commit {}, {})\n    {}\n", entry.tool, entry.version, entry.commit,
+        entry.compiler, entry.command_line);
+    if (!entry.parent_checksum.empty()) say("    from {}\n", entry.parent_checksum);
+    if (!entry.rebuild.empty()) say("    made again by: {}\n", entry.rebuild);
+  }
+  return kDone;
+}
+
+}  // namespace rupture::tools

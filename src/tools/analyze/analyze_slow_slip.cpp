@@ -1,0 +1,160 @@
+// analyze slow-slip: the slip behind a slow front.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "analyze/analyze.hpp"
+#include "analyze/event_choice.hpp"
+#include "analyze/front_report.hpp"
+#include "analyze/record_command.hpp"
+#include "cli/option_values.hpp"
+#include "cli/text.hpp"
+#include "rupture/analysis/slip.hpp"
+#include "rupture/analysis/slow_slip.hpp"
+#include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+SlowSlipCriteria slow_slip_criteria(const po::variables_map& values) {
+  return {non_negative(values, "longest"), non_negative(values, "shortest")};
+}
+
+/// The blocks between --x-from and --x-to, or those well inside the slow stretch.
+std::vector<std::size_t> chosen_blocks(const Front& front, const po::variables_map& values) {
+  const auto from = optional_non_negative(values, "x-from");
+  const auto to = optional_non_negative(values, "x-to");
+  if (!from && !to) return blocks_well_inside(front);
+  const double half = 0.5 * front.line.x[1];
+  std::vector<std::size_t> blocks;
+  for (std::size_t i = 0; i < front.line.x.size(); ++i) {
+    const double x = front.line.x[i];
+    if (x > from.value_or(0.0) - half && x < to.value_or(x) + half) blocks.push_back(i);
+  }
+  if (blocks.empty()) throw UsageError("there is no block between --x-from and --x-to");
+  return blocks;
+}
+
+/// What is known of the slow slip of several blocks, one value per block.
+struct SlowSlips {
+  std::vector<double> x, t_from, t_to, speed, r_squared, estimate;
+  std::vector<std::optional<double>> v_c;
+};
+
+SlowSlips measure_slow_slips(const Record& record, const Front& front,
+                             const std::vector<std::size_t>& blocks,
+                             const SlowSlipCriteria& criteria) {
+  const Parameters& p = record.parameters;
+  SlowSlips slips;
+  for (const std::size_t block : blocks) {
+    const auto time = slow_slip_time(p, front, block, criteria);
+    if (!time) continue;
+    const auto column = static_cast<Eigen::Index>(block);
+    std::vector<double> u_x;
+    for (Eigen::Index n = 0; n < record.u_x.rows(); ++n) u_x.push_back(record.u_x(n, column));
+    const auto line = fit_slow_slip({record.time, u_x}, *time);
+    if (!line) continue;
+    const auto first = std::lower_bound(record.time.begin(), record.time.end(), time->from);
+    slips.x.push_back(front.line.x[block]);
+    slips.t_from.push_back(time->from);
+    slips.t_to.push_back(time->to);
+    slips.speed.push_back(line->slope);
+    slips.r_squared.push_back(line->r_squared);
+    slips.estimate.push_back(
+        slow_slip_estimate(p, record.p(std::distance(record.time.begin(), first), column)));
+    slips.v_c.push_back(front.v_c[block]);
+  }
+  return slips;
+}
+
+std::optional<double> average(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::optional<double> median_of_known(const std::vector<std::optional<double>>& values) {
+  std::vector<double> known;
+  for (const auto& value : values) {
+    if (value) known.push_back(*value);
+  }
+  return median(known);
+}
+
+Json extremes_json(const std::vector<double>& values) {
+  if (values.empty()) return {{"mean", nullptr}, {"min", nullptr}, {"max", nullptr}};
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  return {{"mean", *average(values)}, {"min", *least}, {"max", *largest}};
+}
+
+}  // namespace
+
+int analyze_slow_slip(int argc, const char* const* argv) {
+  po::options_description options("Options");
+  add_format_options(options);
+  add_event_options(options);
+  add_criteria_options(options);
+  auto add = options.add_options();
+  add("x-from", po::value<double>()->value_name("X"),
+      "blocks from here on, instead of those well inside the slow stretch [m]");
+  add("x-to", po::value<double>()->value_name("X"), "blocks up to here [m]");
+  add("longest", po::value<double>()->default_value(1.0, "1")->value_name("W"),
+      "the slip of a block is followed for W <t_R> at most");
+  add("shortest", po::value<double>()->default_value(0.5, "0.5")->value_name("W"),
+      "blocks whose slip can be followed for less than W <t_R> are left out");
+  const auto command = read_record_command(
+      argc, argv, "slow-slip",
+      "Slip speed of blocks while the front ahead of them is slow. Their slow slip begins H/c_s\n"
+      "after their rupture, or after the front became slow, and is followed until the front "
+      "leaves\n"
+      "its slow stretch. The speed is that between 20 % and 80 % of this slip.",
+      options);
+  const ChosenEvent event = choose_event(command);
+  const Front front = front_of(command, event);
+  const SlowSlips slips =
+      measure_slow_slips(command.record, front, chosen_blocks(front, command.parsed.values),
+                         slow_slip_criteria(command.parsed.values));
+  const auto front_speed = median_of_known(slips.v_c);
+  const auto estimate = average(slips.estimate), speed = average(slips.speed);
+
+  Report report;
+  report.json = {{"type", front_type_name(front.type)},
+                 {"slow", slow_json(front.slow)},
+                 {"blocks", slips.x.size()},
+                 {"front_speed", json_of(front_speed)},
+                 {"speed", extremes_json(slips.speed)},
+                 {"estimate", json_of(estimate)},
+                 {"per_block",
+                  {{"x", slips.x},
+                   {"t_from", slips.t_from},
+                   {"t_to", slips.t_to},
+                   {"speed", slips.speed},
+                   {"r_squared", slips.r_squared},
+                   {"v_c", json_of(slips.v_c)},
+                   {"estimate", slips.estimate}}}};
+  report.series = {column("x [m]", slips.x),
+                   column("t_from [s]", slips.t_from),
+                   column("t_to [s]", slips.t_to),
+                   column("speed [m/s]", slips.speed),
+                   column("R^2", slips.r_squared),
+                   {"v_c [m/s]", slips.v_c},
+                   column("estimate [m/s]", slips.estimate)};
+  report.text = "    x [m]   t_from [s]     t_to [s]   slip [mm/s]       R^2   v_c [m/s]\n";
+  for (std::size_t i = 0; i < slips.x.size(); ++i) {
+    report.text +=
+        fmt::format("{:9.4f}{:13.7f}{:13.7f}{:14.4f}{:10.4f}{:>12}\n", slips.x[i], slips.t_from[i],
+                    slips.t_to[i], slips.speed[i] * 1e3, slips.r_squared[i], text_of(slips.v_c[i]));
+  }
+  report.text += fmt::format(
+      "{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n", slips.x.size(),
+      text_of(speed, 1e-3), text_of(estimate, 1e-3), text_of(front_speed));
+  if (front.type == FrontType::none || event.in_window > 1) {
+    report.text += front_text(front, shear_wave_speed(command.record.parameters), event);
+  }
+  print(report, command.parsed.values);
+  return kDone;
+}
+
+}  // namespace rupture::tools

@@ -1,0 +1,109 @@
+// analyze checksum, verify: whether files are intact and what they should be.
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include "analyze/analyze.hpp"
+#include "analyze/file_command.hpp"
+#include "analyze/inspection.hpp"
+#include "cli/text.hpp"
+#include "rupture/checkpoint/file.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Prints findings as they come and counts them.
+class Account {
+ public:
+  void add(const Finding& finding) {
+    say("{}  {}\n", verdict_name(finding.verdict), finding.text);
+    std::fflush(stdout);
+    ++counts_[finding.verdict];
+    if (finding.bad()) bad_.push_back(finding.text);
+  }
+  void add(const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings) add(finding);
+  }
+
+  /// "3 intact, 1 damaged".
+  std::string summary() const {
+    std::string text;
+    for (const auto& [verdict, count] : counts_) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict_name(verdict));
+    }
+    return text;
+  }
+
+  /// Throws Failure, with the sentence of the finding if it is the only one, if any was bad.
+  void demand_all_good() const {
+    if (bad_.size() == 1) throw Failure(bad_.front());
+    if (bad_.empty()) return;
+    throw Failure("not all is well: " + summary());
+  }
+
+ private:
+  std::map<Verdict, int> counts_;
+  std::vector<std::string> bad_;
+};
+
+std::vector<ManifestLine> manifest_of(const po::variables_map& values) {
+  if (values.count("manifest") == 0) return {};
+  return read_manifest(values["manifest"].as<std::string>());
+}
+
+}  // namespace
+
+int analyze_checksum(int argc, const char* const* argv) {
+  po::options_description options("Options");
+  const Parsed parsed =
+      parse_file_command(argc, argv, "checksum", "FILE",
+                         "Prints the content checksum, verified: 64 hex digits.", options);
+  say("{}\n", verify_file(file_of(parsed)));
+  return kDone;
+}
+
+int analyze_verify(int argc, const char* const* argv) {
+  po::options_description options("Options");
+  options.add_options()(
+      "manifest", po::value<std::string>()->value_name("FILE"),
+      "file of lines 'content-sha256 <64 hex digits>  <file>', names relative to its own "
+      "folder; the first word may be missing, as in older ones");
+  const Parsed parsed = parse_file_command(
+      argc, argv, "verify", "FILE|FOLDER...",
+      "Checks that files are intact, and of folders all files *.h5 in them and below; links to\n"
+      "folders are not followed, and unfinished records (*.h5.part) are only named. A manifest "
+      "must\n"
+      "also give the content checksums of the files that it lists, and list all files *.h5 in the\n"
+      "folders given. A .sum file is a manifest; so are the lines of intact files printed here,\n"
+      "without their first word.\n"
+      "Every file is looked at, whatever is wrong with others. Exit code 0: all is well, 1: a "
+      "file\n"
+      "is damaged, missing, unfinished, not what the manifest says or not listed, or a folder is\n"
+      "unreadable or holds no file *.h5.",
+      options);
+  const auto files = files_of(parsed);
+  const auto manifest = manifest_of(parsed.values);
+  if (files.empty() && manifest.empty()) {
+    throw UsageError("nothing to verify: name a checkpoint, record or folder, or give --manifest");
+  }
+  const Places listed = places_of(manifest);
+  Account account;
+  for (const auto& file : files) {
+    if (std::error_code ignored; fs::is_directory(file, ignored)) {
+      account.add(inspect_folder(file, listed));
+    } else if (!contains(listed, file)) {
+      account.add(inspect_file(file));
+    }
+  }
+  for (const auto& line : manifest) account.add(inspect_file(line.file, line.checksum));
+  say("{}\n", account.summary());
+  account.demand_all_good();
+  return kDone;
+}
+
+}  // namespace rupture::tools

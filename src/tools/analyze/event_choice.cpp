@@ -1,0 +1,129 @@
+#include "analyze/event_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "cli/option_values.hpp"
+#include "rupture/analysis/events.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+using Bursts = std::vector<std::span<const Rupture>>;
+
+bool is_within(const RecordCommand& command, const Rupture& rupture) {
+  return rupture.time >= command.from && rupture.time <= command.to;
+}
+
+/// Numbers of the events with ruptures in the window.
+std::vector<std::size_t> numbers_in_window(const RecordCommand& command, const Bursts& bursts) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t n = 0; n < bursts.size(); ++n) {
+    const auto counts = [&](const Rupture& rupture) { return is_within(command, rupture); };
+    if (std::any_of(bursts[n].begin(), bursts[n].end(), counts)) numbers.push_back(n);
+  }
+  return numbers;
+}
+
+/// "0 at 0.183 s, 1 at 0.241 s, 2 at 0.307 s, ..., 28 at 1.19 s".
+std::string list_of(const Bursts& bursts, const std::vector<std::size_t>& numbers) {
+  constexpr std::size_t kNamed = 3;
+  const auto name = [&](std::size_t number) {
+    return fmt::format("{} at {:.4g} s", number, bursts[number].front().time);
+  };
+  const std::size_t named = std::min(kNamed, numbers.size() - 1);
+  std::vector<std::string> names;
+  for (std::size_t n = 0; n < named; ++n) names.push_back(name(numbers[n]));
+  if (named + 1 < numbers.size()) names.emplace_back("...");
+  names.push_back(name(numbers.back()));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Whether the first event is the one that the trigger of a prepared interface started.
+bool begins_with_trigger(const Record& record) {
+  return record.parameters.support == Support::ceiling && record.time.front() == 0.0;
+}
+
+ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) {
+  const auto numbers = numbers_in_window(command, bursts);
+  ChosenEvent event = {{}, command.from, command.to, 0, numbers.size()};
+  if (numbers.empty()) return event;
+  const bool is_trigger = numbers.front() == 0 && begins_with_trigger(command.record);
+  if (numbers.size() > 1 && !is_trigger) {
+    throw Failure(fmt::format(
+        "there are {} events ({}): choose one with --event N or --event first-spanning, "
+        "or with --from and --to",
+        numbers.size(), list_of(bursts, numbers)));
+  }
+  event.number = numbers.front();
+  event.ruptures = bursts[event.number];
+  return event;
+}
+
+ChosenEvent event_number(const Bursts& bursts, std::size_t number) {
+  const auto burst = bursts[number];
+  return {burst, burst.front().time, burst.back().time, number, 1};
+}
+
+ChosenEvent first_spanning(const Parameters& p, const Bursts& bursts) {
+  const auto arrives = [&](const Rupture& rupture) { return rupture.block == p.Nx - 1; };
+  for (std::size_t n = 0; n < bursts.size(); ++n) {
+    if (std::any_of(bursts[n].begin(), bursts[n].end(), arrives)) return event_number(bursts, n);
+  }
+  throw Failure(fmt::format(
+      "none of the {} events in this record spans the interface: give --event N (analyze events "
+      "lists them)",
+      bursts.size()));
+}
+
+std::size_t number_of(const std::string& text) {
+  std::size_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc() && rest == end) return number;
+  throw UsageError(fmt::format(
+      "--event {} names no event: give its number in analyze events, or first-spanning", text));
+}
+
+ChosenEvent named_event(const Parameters& p, const Bursts& bursts, const std::string& name) {
+  if (name == "first-spanning") return first_spanning(p, bursts);
+  const std::size_t number = number_of(name);
+  if (number < bursts.size()) return event_number(bursts, number);
+  const std::string known =
+      bursts.empty()
+          ? "in this record nothing ruptured"
+          : fmt::format("this record has 0 to {} (analyze events lists them)", bursts.size() - 1);
+  throw UsageError(fmt::format("there is no event {}: {}", name, known));
+}
+
+}  // namespace
+
+void add_quiet_time_option(po::options_description& options) {
+  options.add_options()("quiet-time", po::value<std::string>()->value_name("T"),
+                        "time without ruptures that separates events [s]; default 5 t_R");
+}
+
+void add_event_options(po::options_description& options) {
+  options.add_options()("event", po::value<std::string>()->value_name("number|first-spanning"),
+                        "the event of this number in analyze events, which counts from 0, or the "
+                        "first that spans the interface");
+  add_window_options(options);
+  add_quiet_time_option(options);
+}
+
+double quiet_time(const RecordCommand& command) {
+  return optional_time(command.parsed.values, "quiet-time")
+      .value_or(5.0 * command.record.parameters.t_R);
+}
+
+ChosenEvent choose_event(const RecordCommand& command) {
+  const auto& values = command.parsed.values;
+  const Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
+  if (values.count("event") == 0) return event_in_window(command, bursts);
+  return named_event(command.record.parameters, bursts, values["event"].as<std::string>());
+}
+
+}  // namespace rupture::tools

@@ -1,0 +1,26 @@
+// What several commands say of a front, and by which criteria.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "analyze/event_choice.hpp"
+#include "cli/report.hpp"
+#include "rupture/analysis/front.hpp"
+
+namespace rupture::tools {
+
+/// --slow-below and --skip-below-x.
+void add_criteria_options(po::options_description& options);
+FrontCriteria criteria(const po::variables_map& values);
+
+/// The front of the chosen event.
+Front front_of(const RecordCommand& command, const ChosenEvent& event);
+
+Json slow_json(const std::optional<SlowStretch>& slow);
+std::string slow_text(const std::optional<SlowStretch>& slow, double c_s);
+
+/// One line on the front as a whole.
+std::string front_text(const Front& front, double c_s, const ChosenEvent& event);
+
+}  // namespace rupture::tools

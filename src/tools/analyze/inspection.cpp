@@ -1,0 +1,123 @@
+#include "analyze/inspection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "rupture/checkpoint/checksum.hpp"
+#include "rupture/checkpoint/file.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+Verdict verdict_of_unverified(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return Verdict::missing;
+  return file.extension() == ".part" ? Verdict::unfinished : Verdict::damaged;
+}
+
+fs::path place(const fs::path& file) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(file), ignored);
+}
+
+/// The names in a folder, sorted. Throws std::system_error.
+std::vector<fs::path> entries(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder)) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::symlink_status(path, ignored).type() == fs::file_type::directory;
+}
+
+bool is_part(const fs::path& path) {
+  return path.extension() == ".part" && path.stem().extension() == ".h5";
+}
+
+struct Search {
+  std::vector<fs::path> files;  ///< *.h5
+  std::vector<Finding> others;
+};
+
+void search(const fs::path& folder, Search& found) try {
+  for (const fs::path& entry : entries(folder)) {
+    if (is_folder(entry)) {
+      search(entry, found);
+    } else if (entry.extension() == ".h5") {
+      found.files.push_back(entry);
+    } else if (is_part(entry)) {
+      found.others.push_back(
+          {Verdict::skipped, fmt::format("{} is an unfinished record", entry.string())});
+    }
+  }
+} catch (const std::system_error& error) {
+  found.others.push_back(
+      {Verdict::unreadable, fmt::format("{} cannot be listed: {}; check its permissions",
+                                        folder.string(), error.code().message())});
+}
+
+Finding unlisted(Finding finding, const fs::path& file) {
+  if (finding.verdict != Verdict::intact) return finding;
+  return {Verdict::unlisted,
+          fmt::format("{} is intact, but the manifest does not list it", file.string())};
+}
+
+}  // namespace
+
+std::string_view verdict_name(Verdict verdict) {
+  constexpr std::array<std::string_view, 9> names = {"intact",  "differs",    "unlisted",
+                                                     "damaged", "unfinished", "missing",
+                                                     "empty",   "unreadable", "skipped"};
+  return names.at(static_cast<std::size_t>(verdict));
+}
+
+Finding inspect_file(const fs::path& file, const std::string& expected) try {
+  const std::string checksum = verify_file(file);
+  if (expected.empty() || checksum == expected) {
+    return {Verdict::intact, fmt::format("{}  {}", labelled(checksum), file.string())};
+  }
+  return {Verdict::differs,
+          fmt::format("{} is intact but has content checksum {}, not {} as the manifest says",
+                      file.string(), checksum, expected)};
+} catch (const Failure& failure) {
+  return {verdict_of_unverified(file), failure.what()};
+}
+
+Places places_of(const std::vector<ManifestLine>& manifest) {
+  Places places;
+  for (const ManifestLine& line : manifest) places.insert(place(line.file));
+  return places;
+}
+
+bool contains(const Places& places, const fs::path& file) {
+  return places.contains(place(file));
+}
+
+std::vector<Finding> inspect_folder(const fs::path& folder, const Places& listed) {
+  Search found;
+  search(folder, found);
+  std::vector<Finding> findings;
+  for (const fs::path& file : found.files) {
+    if (listed.empty()) {
+      findings.push_back(inspect_file(file));
+    } else if (!contains(listed, file)) {
+      findings.push_back(unlisted(inspect_file(file), file));
+    }
+  }
+  if (found.files.empty()) {
+    findings.push_back({Verdict::empty, fmt::format("{} holds no file *.h5", folder.string())});
+  }
+  findings.insert(findings.end(), found.others.begin(), found.others.end());
+  return findings;
+}
+
+}  // namespace rupture::tools

@@ -1,0 +1,53 @@
+// What verifying a file or folder brings to light: findings, whatever is wrong.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analyze/manifest.hpp"
+
+namespace rupture::tools {
+
+enum class Verdict {
+  intact,      ///< with the checksum of the manifest, if that lists it
+  differs,     ///< intact, but with another checksum than that of the manifest
+  unlisted,    ///< intact, but the manifest does not list it
+  damaged,     ///< or no file of ours, or not readable
+  unfinished,  ///< a record in the making, which nothing protects
+  missing,     ///< no such file
+  empty,       ///< a folder without any *.h5
+  unreadable,  ///< a folder
+  skipped      ///< an unfinished record in a folder: not asked for
+};
+
+/// As shown to the user, e.g. "intact".
+std::string_view verdict_name(Verdict verdict);
+
+struct Finding {
+  Verdict verdict = Verdict::intact;
+  std::string text;  ///< "<checksum>  <file>" of an intact file, a sentence otherwise
+
+  /// Whether something that was to be verified is not as it should be.
+  bool bad() const { return verdict != Verdict::intact && verdict != Verdict::skipped; }
+};
+
+/// Verifies a file; an empty `expected` stands for any content checksum.
+Finding inspect_file(const std::filesystem::path& file, const std::string& expected = {});
+
+/// Files by their canonical paths.
+using Places = std::set<std::filesystem::path>;
+
+/// Where the files of a manifest are.
+Places places_of(const std::vector<ManifestLine>& manifest);
+
+/// Whether the file, by whatever path, is at one of these places.
+bool contains(const Places& places, const std::filesystem::path& file);
+
+/// Verifies all *.h5 in a folder and in those below it, sorted by name; links to folders are not
+/// followed. Where some are `listed` in a manifest these are left out, and all others are unlisted.
+std::vector<Finding> inspect_folder(const std::filesystem::path& folder, const Places& listed);
+
+}  // namespace rupture::tools

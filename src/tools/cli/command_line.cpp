@@ -1,0 +1,258 @@
+#include "cli/command_line.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <new>
+#include <set>
+#include <sstream>
+
+#include "cli/interruption.hpp"
+#include "cli/text.hpp"
+#include "rupture/checkpoint/checksum.hpp"
+#include "rupture/forces/kernels.hpp"
+#include "rupture/model/error.hpp"
+#include "rupture/version.hpp"
+
+namespace rupture::tools {
+namespace {
+
+po::options_description common_options(UsesParameters uses_parameters) {
+  po::options_description common("Common options");
+  auto add = common.add_options();
+  if (uses_parameters == UsesParameters::yes) {
+    add("config", po::value<std::string>()->value_name("FILE"),
+        "INI file with options and parameters ([slider] L = 0.14 ...)");
+    add("set", po::value<std::vector<std::string>>()->composing()->value_name("NAME=VALUE"),
+        "set one parameter, after those of --config; may be repeated");
+    add("seed", po::value<std::string>()->value_name("N"), "short for --set numerics.seed=N");
+  }
+  add("help,h", "show this help and stop");
+  add("version", "show version, commit and instruction set and stop");
+  return common;
+}
+
+std::string help_text(const ToolText& text, const po::options_description& shown,
+                      UsesParameters uses_parameters) {
+  std::ostringstream out;
+  out << "Usage: " << text.synopsis << "\n\n" << text.purpose << "\n\n" << shown;
+  if (uses_parameters == UsesParameters::yes) {
+    out << "\nParameters (SI units), for --set and --config:\n" << parameter_help();
+  }
+  return out.str();
+}
+
+std::pair<std::string, std::string> split_assignment(const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw UsageError(fmt::format("--set {} has no '=': write --set NAME=VALUE", assignment));
+  }
+  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
+/// Options in the file go to `values` unless the command line gave them; other names are
+/// parameters.
+ParameterChanges read_config(const std::string& path, const po::options_description& options,
+                             po::variables_map& values) {
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path))
+    throw Failure(fmt::format("cannot read the configuration file {}", path));
+  const auto parsed = po::parse_config_file(file, options, /*allow_unregistered=*/true);
+  ParameterChanges changes;
+  po::parsed_options known(&options);
+  for (const auto& option : parsed.options) {
+    if (!option.unregistered) {
+      known.options.push_back(option);
+    } else {
+      changes.emplace_back(option.string_key, option.value.empty() ? "" : option.value.front());
+    }
+  }
+  po::store(known, values);
+  return changes;
+}
+
+ParameterChanges command_line_changes(const po::variables_map& values) {
+  ParameterChanges changes;
+  if (values.count("set") > 0) {
+    for (const auto& assignment : values["set"].as<std::vector<std::string>>()) {
+      changes.push_back(split_assignment(assignment));
+    }
+  }
+  if (values.count("seed") > 0) {
+    changes.emplace_back("numerics.seed", values["seed"].as<std::string>());
+  }
+  return changes;
+}
+
+/// The exit code of a tool's body, or kDone after the help that was asked for.
+int body_or_help(const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const HelpRequested& help) {
+    say("{}", help.text);
+    return kDone;
+  }
+}
+
+int complain(const std::string& name, const std::string& message, ExitCode code) {
+  std::fflush(stdout);
+  fmt::print(stderr, "{}: {}\n", name, in_one_line(message));
+  return code;
+}
+
+}  // namespace
+
+Parsed parse(int argc, const char* const* argv, const ToolText& text,
+             const po::options_description& options, const std::string& positional,
+             UsesParameters uses_parameters) {
+  po::options_description shown;
+  shown.add(options).add(common_options(uses_parameters));
+  po::options_description all;
+  all.add(shown);
+  const std::string inputs = positional.empty() ? "unexpected" : positional;
+  all.add_options()(inputs.c_str(), po::value<std::vector<std::string>>());
+  po::positional_options_description positions;
+  positions.add(inputs.c_str(), -1);
+  using Style = po::command_line_style::style_t;
+  const int style = Style::unix_style & ~Style::allow_guessing;
+
+  Parsed parsed;
+  parsed.arguments.assign(argv, argv + argc);
+  try {
+    po::store(
+        po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run(),
+        parsed.values);
+    if (parsed.values.count("help") > 0) {
+      throw HelpRequested{help_text(text, shown, uses_parameters)};
+    }
+    if (parsed.values.count("version") > 0) {
+      throw HelpRequested{version_text(text.name)};
+    }
+    if (parsed.values.count("unexpected") > 0) {
+      const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
+      throw UsageError(fmt::format("'{}' is not expected: {} reads no checkpoint; see {} --help",
+                                   words.front(), text.name, text.name));
+    }
+    if (parsed.values.count("config") > 0) {
+      parsed.parameters =
+          read_config(parsed.values["config"].as<std::string>(), all, parsed.values);
+    }
+    po::notify(parsed.values);
+  } catch (const po::unknown_option& error) {
+    throw UsageError(unknown_option_text(error.get_option_name(), all, text.name));
+  } catch (const po::error& error) {
+    throw UsageError(fmt::format("{}; see {} --help", error.what(), text.name));
+  }
+  if (uses_parameters == UsesParameters::yes) {
+    const auto changes = command_line_changes(parsed.values);
+    parsed.parameters.insert(parsed.parameters.end(), changes.begin(), changes.end());
+  }
+  return parsed;
+}
+
+std::string version_text(const std::string& tool) {
+  return fmt::format("{} (rupture {}, commit {}, {})\n", tool, version, commit, kernels().name);
+}
+
+void apply(const ParameterChanges& changes, Parameters& parameters) {
+  for (const auto& [name, value] : changes) set_parameter(parameters, name, value);
+}
+
+void add_output_options(po::options_description& options) {
+  options.add_options()("output,o", po::value<std::string>()->required()->value_name("FILE"),
+                        "checkpoint to write")("force,f", "replace files that exist already")(
+      "sum", "write FILE.sum with its content checksum beside each file, for workflows")(
+      "quiet,q", "print errors only");
+}
+
+OutputOptions output_options(const po::variables_map& values) {
+  OutputOptions options;
+  options.output = file_to_write(values, "output");
+  if (values.count("force") > 0) options.if_exists = IfExists::replace;
+  if (values.count("quiet") > 0) options.verbosity = Verbosity::quiet;
+  if (values.count("sum") > 0) options.sum = SumFile::write;
+  return options;
+}
+
+std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option) {
+  const auto name = values[option].as<std::string>();
+  if (name != "-") return name;
+  throw UsageError(fmt::format(
+      "--{} - is no file: checkpoints and records do not go to standard output; give the path of "
+      "a file",
+      option));
+}
+
+std::string wrote_text(const std::filesystem::path& path, const std::string& checksum) {
+  return fmt::format("wrote {}  {}\n", path.string(), labelled(checksum));
+}
+
+void check_distinct(const std::vector<std::filesystem::path>& outputs,
+                    const std::filesystem::path& input) {
+  namespace fs = std::filesystem;
+  const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  std::set<fs::path> taken;
+  for (const fs::path& output : outputs) {
+    if (output.empty()) throw UsageError("an output has an empty name; give the path of a file");
+    for (const fs::path& file : {output, sum_path(output)}) {
+      if (!input.empty() && place(file) == place(input)) {
+        throw UsageError(fmt::format("{} is the input, which is never changed: give another output",
+                                     file.string()));
+      }
+      if (taken.insert(place(file)).second) continue;
+      throw UsageError(
+          fmt::format("two outputs would have the name {}: give different names", file.string()));
+    }
+  }
+}
+
+void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
+                   const std::filesystem::path& input) {
+  check_distinct(outputs, input);
+  for (const auto& output : outputs) check_output(output, if_exists);
+}
+
+PhiShape shape_named(const std::string& name) {
+  if (name == "uniform") return PhiShape::uniform;
+  if (name == "bell") return PhiShape::bell;
+  throw UsageError(fmt::format("--shape {} is unknown: choose uniform or bell", name));
+}
+
+void refuse_other_laws(const Parameters& p) {
+  if (p.law == Law::reference) return;
+  throw UsageError(fmt::format("junctions.law = {}: this is known for the reference law only",
+                               parameter_text(p, find_parameter("junctions.law"))));
+}
+
+std::string single_input(const po::variables_map& values, const std::string& positional,
+                         const std::string& wanted) {
+  if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);
+  const auto inputs = values[positional].as<std::vector<std::string>>();
+  if (inputs.size() > 1) {
+    throw UsageError(fmt::format("'{}' is one file too many: name only {}", inputs[1], wanted));
+  }
+  return inputs.front();
+}
+
+int run_tool(const std::string& name, const std::function<int()>& body) {
+  try {
+    const int code = body_or_help(body);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      return complain(name, "cannot write to standard output", kFailed);
+    }
+    return code;
+  } catch (const Interrupted& interrupted) {
+    complain(name, interrupted.message, kFailed);
+    end_by_signal(interrupted.signal);
+  } catch (const UsageError& error) {
+    return complain(name, error.what(), kUsage);
+  } catch (const std::bad_alloc&) {
+    return complain(name, "not enough memory for a lattice of this size", kFailed);
+  } catch (const std::exception& error) {
+    return complain(name, error.what(), kFailed);
+  }
+}
+
+}  // namespace rupture::tools

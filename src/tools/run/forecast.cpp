@@ -1,0 +1,181 @@
+#include "run/forecast.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "rupture/model/derived.hpp"
+
+namespace rupture::tools {
+namespace {
+
+constexpr double kMB = 1e6;  // [bytes]
+
+double blocks(const Parameters& p) {
+  return static_cast<double>(p.Nx) * static_cast<double>(p.Nz);
+}
+
+double junctions(const Parameters& p) {
+  return static_cast<double>(p.Nx) * static_cast<double>(springs_per_block(p));
+}
+
+/// Blocks times the shorter side of the lattice: what the work of the factorisation follows.
+double bandwidth_sum(const Parameters& p) {
+  return blocks(p) * static_cast<double>(std::min(p.Nx, p.Nz));
+}
+
+/// Six numbers per block, 21 bytes per junction; what the file has besides is nearly always the
+/// same.
+double checkpoint_size(const Parameters& p) {
+  return 0.031 * kMB + 48.0 * blocks(p) + 21.0 * junctions(p);
+}
+
+/// Per sample four numbers, and three and a count per interface block.
+double record_size(const Parameters& p, std::int64_t samples) {
+  if (samples == 0) return 0.0;
+  return 0.029 * kMB + static_cast<double>(samples) * (32.0 + 26.0 * static_cast<double>(p.Nx));
+}
+
+/// Reading and writing keep several copies of a checkpoint, and of the record when it is completed.
+double run_memory(const Parameters& p, double record) {
+  return 18.5 * kMB + 6.7 * checkpoint_size(p) + 3.0 * record;
+}
+
+/// The factorisation fills in the more the wider the lattice is.
+double equilibrium_memory(const Parameters& p) {
+  const auto side = static_cast<double>(std::min(p.Nx, p.Nz));
+  return 12.0 * kMB + 1300.0 * blocks(p) * std::log2(side);
+}
+
+double equilibrium_time(const Parameters& p, double reference) {
+  return reference * std::pow(bandwidth_sum(p) / bandwidth_sum(reference_slider()), 0.9);
+}
+
+// --- words
+
+/// 6000000 as "6,000,000".
+std::string grouped(double whole_number) {
+  std::string text = fmt::format("{:.0f}", whole_number);
+  for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3) {
+    text.insert(static_cast<std::size_t>(at), 1, ',');
+  }
+  return text;
+}
+
+/// Two digits at least, no exponent.
+std::string rounded(double value) {
+  return fmt::format("{:.{}f}", value, value < 1.0 ? 2 : value < 10.0 ? 1 : 0);
+}
+
+std::string size_text(double bytes) {
+  return bytes < 1000.0 * kMB ? rounded(bytes / kMB) + " MB"
+                              : rounded(bytes / (1000.0 * kMB)) + " GB";
+}
+
+std::string time_text(double t) {
+  using Unit = std::pair<double, const char*>;
+  constexpr std::array<Unit, 6> units = {
+      {{86400.0, "days"}, {3600.0, "h"}, {60.0, "min"}, {1.0, "s"}, {1e-3, "ms"}, {1e-6, "us"}}};
+  const auto* unit =
+      std::find_if(units.begin(), units.end() - 1, [&](const Unit& u) { return t >= u.first; });
+  return rounded(t / unit->first) + " " + unit->second;
+}
+
+std::string disk_text(const Forecast& f) {
+  std::string text = fmt::format("{}: {} checkpoint{} of {}", size_text(f.disk()),
+                                 grouped(static_cast<double>(f.work.checkpoints)),
+                                 f.work.checkpoints == 1 ? "" : "s", size_text(f.checkpoint));
+  if (f.work.samples > 0) {
+    text += fmt::format("; record of {} samples, {}, and 24 bytes for each rupture of a block",
+                        grouped(static_cast<double>(f.work.samples)), size_text(f.record));
+  }
+  return text;
+}
+
+std::string time_account(const Forecast& f) {
+  std::string text =
+      fmt::format("{}: {} per step, measured now", time_text(f.time()), time_text(f.time_per_step));
+  if (f.work.start == Start::equilibrium) {
+    text += fmt::format("; {} for the equilibrium", time_text(f.equilibrium_time));
+  }
+  return text;
+}
+
+}  // namespace
+
+Parameters reference_slider() {
+  Parameters p;
+  p.Nx = 85;
+  p.Nz = 46;
+  p.dt = 1e-7;
+  return p;
+}
+
+double Forecast::simulated_time() const {
+  return static_cast<double>(steps()) * work.parameters.dt;
+}
+
+double Forecast::disk() const {
+  return static_cast<double>(work.checkpoints) * checkpoint + record;
+}
+
+double Forecast::time() const {
+  return equilibrium_time + static_cast<double>(steps()) * time_per_step;
+}
+
+Forecast forecast(const Workload& work, const Speed& speed) {
+  const Parameters& p = work.parameters;
+  const double record = record_size(p, work.samples);
+  Forecast f = {.work = work,
+                .memory = run_memory(p, record),
+                .checkpoint = checkpoint_size(p),
+                .record = record,
+                .time_per_step = speed.time_per_step};
+  if (work.start == Start::equilibrium) {
+    f.memory = std::max(f.memory, equilibrium_memory(p));
+    f.equilibrium_time = equilibrium_time(p, speed.reference);
+  }
+  return f;
+}
+
+std::int64_t sample_count(std::int64_t first, std::int64_t last, std::int64_t every) {
+  const bool extra_at_end = last > first && last % every != 0;
+  return 1 + last / every - first / every + (extra_at_end ? 1 : 0);
+}
+
+std::string text_of(const Forecast& f) {
+  const Parameters& p = f.work.parameters;
+  const bool known = f.work.end == End::known;
+  const char* about = known ? "about" : "at most about";
+  return fmt::format(
+      "steps    {}{}, {:.6g} s simulated{}\n"
+      "slider   {} blocks, {} junctions\n"
+      "threads  {}\n"
+      "memory   {} {}\n"
+      "disk     {} {}\n"
+      "time     {} {}\n",
+      known ? "" : "at most ", grouped(static_cast<double>(f.steps())), f.simulated_time(),
+      known ? "" : "; when the run becomes quiet is not known", grouped(blocks(p)),
+      grouped(junctions(p)), f.work.threads, about, size_text(f.memory), about, disk_text(f), about,
+      time_account(f));
+}
+
+Json json_of(const Forecast& f) {
+  const auto whole = [](double value) { return std::llround(value); };
+  return {{"steps", f.steps()},
+          {"simulated_time", f.simulated_time()},
+          {"at_most", f.work.end == End::at_the_latest},
+          {"blocks", whole(blocks(f.work.parameters))},
+          {"junctions", whole(junctions(f.work.parameters))},
+          {"threads", f.work.threads},
+          {"memory", whole(f.memory)},
+          {"disk", whole(f.disk())},
+          {"checkpoints", f.work.checkpoints},
+          {"time", f.time()},
+          {"time_per_step", f.time_per_step}};
+}
+
+}  // namespace rupture::tools

@@ -1,0 +1,62 @@
+// What a run will need: time, memory and disk, from what it will do and how fast this machine is.
+//
+// The constants come from measurements of lattices from 57 x 31 to 449 x 241 blocks (x86-64, Debian
+// 12, gcc 12.2).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cli/report.hpp"
+#include "rupture/model/parameters.hpp"
+
+namespace rupture::tools {
+
+enum class Start { equilibrium, checkpoint };
+enum class End { known, at_the_latest };
+
+/// What a run will do, as far as it costs something.
+struct Workload {
+  Parameters parameters;
+  Start start = Start::checkpoint;
+  std::int64_t first_step = 0, last_step = 0;
+  End end = End::known;
+  int threads = 1;
+  std::int64_t checkpoints = 0;  ///< that at the end included
+  std::int64_t samples = 0;      ///< of the record; 0 without one
+};
+
+/// How fast this machine is, with these parameters and threads.
+struct Speed {
+  double time_per_step = 0;  ///< [s]
+  double reference = 0;      ///< time in which it finds the equilibrium of reference_slider() [s]
+};
+
+/// The slider with which the equilibrium's time is compared: of reference size, with 85 x 46
+/// blocks.
+Parameters reference_slider();
+
+/// What a run will need. Ruptures in the record, 24 bytes each, are not counted.
+struct Forecast {
+  Workload work;
+  double memory = 0;            ///< peak of the process [bytes]
+  double checkpoint = 0;        ///< size of one checkpoint [bytes]
+  double record = 0;            ///< size of the record, 0 without one [bytes]
+  double equilibrium_time = 0;  ///< 0 if none is looked for [s]
+  double time_per_step = 0;     ///< [s]
+
+  std::int64_t steps() const { return work.last_step - work.first_step; }
+  double simulated_time() const;  ///< [s]
+  double disk() const;            ///< [bytes]
+  double time() const;            ///< [s]
+};
+Forecast forecast(const Workload& work, const Speed& speed);
+
+/// Samples of a record from step `first` to `last`: at both, and at multiples of `every` between.
+std::int64_t sample_count(std::int64_t first, std::int64_t last, std::int64_t every);
+
+/// A few lines for people, and the same as one object.
+std::string text_of(const Forecast& forecast);
+Json json_of(const Forecast& forecast);
+
+}  // namespace rupture::tools

@@ -1,0 +1,105 @@
+#include "run/observers.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <span>
+
+namespace rupture::tools {
+namespace {
+
+Sample sample_of(const Simulation& simulation) {
+  const auto& state = simulation.state();
+  Sample sample;
+  sample.time = simulation.time();
+  sample.step = state.step;
+  sample.F_T = simulation.F_T();
+  sample.x_drive = simulation.x_drive();
+  for (const auto count : simulation.pinned()) {
+    sample.pinned.push_back(static_cast<std::uint16_t>(count));
+  }
+  sample.p.assign(simulation.p().begin(), simulation.p().end());
+  sample.tau.assign(simulation.tau().begin(), simulation.tau().end());
+  sample.u_x.assign(state.u_x.row(0), state.u_x.row(0) + state.u_x.Nx());
+  return sample;
+}
+
+}  // namespace
+
+Recorder::Recorder(RecordWriter& writer, std::int64_t every, std::int64_t now,
+                   std::int64_t last_step, std::int64_t sampled)
+    : writer_(writer),
+      every_(every),
+      last_step_(last_step),
+      sampled_(sampled),
+      next_(sampled < 0 ? now : sample_after(now)) {}
+
+std::int64_t Recorder::sample_after(std::int64_t step) const {
+  const std::int64_t next = (step / every_ + 1) * every_;
+  return step < last_step_ ? std::min(next, last_step_) : next;
+}
+
+void Recorder::append_ruptures(const Simulation& simulation) {
+  const std::span<const Rupture> ruptures = simulation.ruptures();
+  writer_.append(ruptures.subspan(ruptures_written_));
+  ruptures_written_ = ruptures.size();
+}
+
+void Recorder::observe(const Simulation& simulation) {
+  const std::int64_t step = simulation.state().step;
+  writer_.append(sample_of(simulation));
+  append_ruptures(simulation);
+  sampled_ = step;
+  next_ = sample_after(step);
+}
+
+void Recorder::sync(const Simulation& simulation) {
+  append_ruptures(simulation);
+  writer_.sync();
+}
+
+void Recorder::finish(const Simulation& simulation) {
+  if (sampled_ < simulation.state().step) observe(simulation);
+}
+
+CheckpointSchedule::CheckpointSchedule(std::vector<std::int64_t> steps, Write write)
+    : steps_(std::move(steps)), write_(std::move(write)) {}
+
+std::int64_t CheckpointSchedule::next_step() const {
+  return next_ < steps_.size() ? steps_[next_] : never;
+}
+
+void CheckpointSchedule::observe(const Simulation& simulation) {
+  write_(simulation);
+  ++next_;
+}
+
+Progress::Progress(const Simulation& simulation, std::int64_t last_step)
+    : first_(simulation.state().step),
+      last_(last_step),
+      next_(first_),
+      start_(std::chrono::steady_clock::now()) {}
+
+void Progress::observe(const Simulation& simulation) {
+  constexpr std::int64_t between_lines = 20000;
+  const std::int64_t step = simulation.state().step;
+  next_ = step + between_lines;
+  if (step == first_) return;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  const double rate = static_cast<double>(step - first_) / elapsed.count();
+  fmt::print(stderr, "\rt = {:.4f} s of {:.4f} s   {:.0f} steps/s   {:.0f} s left   ",
+             simulation.time(), static_cast<double>(last_) * simulation.parameters().dt, rate,
+             static_cast<double>(last_ - step) / rate);
+  std::fflush(stderr);
+}
+
+void Progress::finish() const {
+  fmt::print(stderr, "\r{:78}\r", "");
+}
+
+bool on_terminal() {
+  return isatty(STDERR_FILENO) == 1;
+}
+
+}  // namespace rupture::tools

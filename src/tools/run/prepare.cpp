@@ -1,0 +1,139 @@
+// prepare: an interface with a prescribed prestress, at the moment its event is triggered.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/command_line.hpp"
+#include "cli/option_values.hpp"
+#include "cli/text.hpp"
+#include "run/rebuild.hpp"
+#include "rupture/analysis/phi.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/dynamics/prepared.hpp"
+#include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+struct Options {
+  Parameters parameters;
+  Prestress prestress;
+  OutputOptions output;
+  std::vector<std::string> arguments;
+  std::string rebuild;
+};
+
+void add_prestress_options(po::options_description& options) {
+  const auto number = [](double fallback, const char* text) {
+    return po::value<double>()->default_value(fallback, text);
+  };
+  auto add = options.add_options();
+  add("tau-bar", po::value<double>()->required()->value_name("T"),
+      "prestress (tau_0/p - mu_d)/(mu_s - mu_d), uniform beyond the trigger region");
+  add("sigma-bar", number(0.0, "0")->value_name("S"),
+      "standard deviation of the junction forces over f_thres - f_slip");
+  add("shape", po::value<std::string>()->default_value("uniform")->value_name("uniform|bell"),
+      "shape of the distribution of junction forces");
+  add("x-trigger", number(Prestress{}.x_trigger, "0.0225")->value_name("X"),
+      "blocks below this x are the trigger region [m]");
+  add("tau-bar-trigger", number(Prestress{}.tau_bar_trigger, "0.3")->value_name("T"),
+      "prestress of the trigger region");
+  add("no-trigger", "leave the junctions of the trigger region pinned");
+}
+
+Prestress prestress_of(const po::variables_map& values) {
+  Prestress prestress;
+  prestress.tau_bar = values["tau-bar"].as<double>();
+  prestress.sigma_bar = non_negative(values, "sigma-bar");
+  prestress.shape = shape_named(values["shape"].as<std::string>());
+  prestress.x_trigger = non_negative(values, "x-trigger");
+  prestress.tau_bar_trigger = values["tau-bar-trigger"].as<double>();
+  if (values.count("no-trigger") > 0) prestress.trigger = Trigger::pinned;
+  return prestress;
+}
+
+/// The parameters of a prepared interface: under a ceiling, with the driving point at rest.
+Parameters default_parameters() {
+  Parameters p;
+  p.support = Support::ceiling;
+  p.V = 0.0;
+  return p;
+}
+
+Parameters prepared_parameters(const ParameterChanges& changes) {
+  Parameters p = default_parameters();
+  apply(changes, p);
+  if (p.V != 0.0) {
+    throw UsageError(fmt::format(
+        "driving.V = {:g} m/s: a prepared interface is not driven; give restart a --set driving.V",
+        p.V));
+  }
+  validate(p);
+  return p;
+}
+
+Options setup(int argc, char** argv) {
+  po::options_description options("Options");
+  add_prestress_options(options);
+  const po::options_description own = options;
+  add_output_options(options);
+  const Parsed parsed = parse(
+      argc, argv,
+      {"prepare", "prepare --tau-bar T -o OUT [options]",
+       "Writes a checkpoint of a slider at rest whose interface carries a prescribed prestress,\n"
+       "with its trigger region just depinned: restart lets the event run. The normal force is\n"
+       "the same on all interface blocks (slider.support = ceiling), and driving.V is 0."},
+      options, "", UsesParameters::yes);
+  const Parameters parameters = prepared_parameters(parsed.parameters);
+  const auto command = rebuild_command("prepare", default_parameters(), parameters);
+  return {parameters, prestress_of(parsed.values), output_options(parsed.values), parsed.arguments,
+          shell_line(with_options(command, own, parsed.values))};
+}
+
+/// Says how well the pinned blocks carry what was asked for, and how wide phi could be.
+void print_prestress(const Options& options, const State& state) {
+  const Parameters& p = options.parameters;
+  const auto wanted = prescribed_friction(p, options.prestress);
+  const auto blocks = block_forces(p, state);
+  double error = 0.0;
+  std::size_t depinned = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (blocks[i].slipping > 0.0) {
+      ++depinned;
+      continue;
+    }
+    const double tau = blocks[i].mean * static_cast<double>(springs_per_block(p));
+    error = std::max(error, std::abs(tau / wanted[i] - 1.0));
+  }
+  const auto& last = blocks.back();
+  say("tau/p = {:.6f} beyond x = {:g} m, within {:.1e} of what was asked for\n",
+      last.mean / last.f_thres * p.mu_s, options.prestress.x_trigger, error);
+  say("sigma-bar = {:.6f}; the largest possible is {:.6f}\n", last.sigma_bar(),
+      largest_sigma_bar(p, options.prestress));
+  say("F_T = {:.6f} N balances the prestress; {} of {} blocks are depinned\n",
+      driving_force(p, state), depinned, blocks.size());
+}
+
+int run(const Options& options) {
+  check_output(options.output.output, options.output.if_exists);
+  const Checkpoint prepared = {
+      options.parameters,
+      prepared_state(options.parameters, options.prestress),
+      {make_provenance("prepare", options.arguments, "", options.rebuild)}};
+  const auto checksum = write_checkpoint(options.output.output, prepared, options.output.if_exists,
+                                         options.output.sum);
+  if (options.output.verbosity == Verbosity::quiet) return kDone;
+  print_prestress(options, prepared.state);
+  say("{}", wrote_text(options.output.output, checksum));
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("prepare", [&] { return run(setup(argc, argv)); });
+}

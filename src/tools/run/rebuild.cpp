@@ -1,0 +1,69 @@
+#include "run/rebuild.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/any.hpp>
+
+#include "run/run_options.hpp"
+
+namespace rupture::tools {
+namespace {
+
+/// The time of a step with the fewest digits by which step_at() finds the step again.
+std::string time_text(const Parameters& p, std::int64_t step) {
+  const double t = static_cast<double>(step) * p.dt;
+  constexpr int most = 17;
+  std::string text;
+  for (int digits = 1; digits <= most; ++digits) {
+    text = fmt::format("{:.{}g}", t, digits);
+    if (step_at(p, std::stod(text)) == step) break;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> rebuild_command(const std::string& tool, const Parameters& before,
+                                         const Parameters& parameters) {
+  std::vector<std::string> command = {tool};
+  for (const auto& info : parameter_table()) {
+    const std::string value = parameter_text(parameters, info);
+    if (value == parameter_text(before, info)) continue;
+    command.emplace_back("--set");
+    command.push_back(fmt::format("{}={}", info.name, value));
+  }
+  return command;
+}
+
+std::vector<std::string> with_options(std::vector<std::string> command,
+                                      const po::options_description& own,
+                                      const po::variables_map& values) {
+  for (const auto& option : own.options()) {
+    const auto found = values.find(option->long_name());
+    if (found == values.end()) continue;
+    command.push_back("--" + option->long_name());
+    const boost::any& value = found->second.value();
+    if (value.type() == typeid(double)) {
+      command.push_back(fmt::format("{}", boost::any_cast<double>(value)));
+    } else if (option->semantic()->max_tokens() > 0) {
+      command.push_back(boost::any_cast<std::string>(value));
+    }
+  }
+  return command;
+}
+
+std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
+                                       const Parameters& parameters, std::int64_t step) {
+  chain.back().rebuild += " --until " + time_text(parameters, step);
+  return chain;
+}
+
+std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
+                                            const Parameters& parameters, std::int64_t step,
+                                            std::int64_t every) {
+  chain = run_until(std::move(chain), parameters, step);
+  chain.back().rebuild += " --record-every " + time_text(parameters, every);
+  return chain;
+}
+
+}  // namespace rupture::tools

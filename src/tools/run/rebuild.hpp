@@ -1,0 +1,38 @@
+// The commands that make a file anew (ProvenanceEntry::rebuild): complete, so that they need
+// nothing but the parent, and canonical, so that equal content has equal commands.
+//
+// What a user types is neither: it may name an INI file that has changed since, stop where the
+// front happens to stop, or write several files at several times.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "rupture/checkpoint/provenance.hpp"
+
+namespace rupture::tools {
+
+/// `tool` and --set NAME=VALUE for each parameter that is not what it was before: by default, or in
+/// the parent.
+std::vector<std::string> rebuild_command(const std::string& tool, const Parameters& before,
+                                         const Parameters& parameters);
+
+/// The command with all the tool's `own` options that have a value, defaults included. Their values
+/// are numbers or texts, or they have none at all.
+std::vector<std::string> with_options(std::vector<std::string> command,
+                                      const po::options_description& own,
+                                      const po::variables_map& values);
+
+/// The chain of a checkpoint that a run writes at `step`. Its last entry, which names the run,
+/// lacks only the time.
+std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
+                                       const Parameters& parameters, std::int64_t step);
+
+/// The chain of a record that ends at `step` and has a sample every so many steps.
+std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
+                                            const Parameters& parameters, std::int64_t step,
+                                            std::int64_t every);
+
+}  // namespace rupture::tools

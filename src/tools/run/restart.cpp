@@ -1,0 +1,139 @@
+// restart: continue a checkpoint, with the same parameters or with changed ones.
+#include <fmt/core.h>
+
+#include <array>
+#include <string_view>
+
+#include "cli/option_values.hpp"
+#include "run/rebuild.hpp"
+#include "run/simulate.hpp"
+#include "rupture/model/error.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+struct Options {
+  std::string checkpoint;
+  std::optional<double> until, duration, quiet;  // [s]; quiet < 0: five mean slipping times
+  ParameterChanges parameters;
+  RunOptions run;
+  OutputOptions output;
+};
+
+constexpr double kLongestQuietRun = 10.0;  // [s]
+
+/// The time that --until-quiet gives; -1, five mean slipping times, if it gives none.
+double quiet_time(const po::variables_map& values) {
+  const bool given = !values["until-quiet"].as<std::string>().empty();
+  return given ? time_from_zero(values, "until-quiet") : -1.0;
+}
+
+Options setup(int argc, char** argv) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("until", po::value<std::string>()->value_name("T"), "run until this time [s]");
+  add("for", po::value<std::string>()->value_name("T"), "run for this long [s]");
+  add("until-quiet", po::value<std::string>()->implicit_value("", "5 t_R")->value_name("T"),
+      "stop earlier, once no junction has broken for T [s] or the front has reached the leading "
+      "edge");
+  add_run_options(options);
+  add_output_options(options);
+  const Parsed parsed =
+      parse(argc, argv,
+            {"restart", "restart CHECKPOINT -o OUT (--until T | --for T | --until-quiet) [options]",
+             "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
+             "the\nuninterrupted run; --set changes parameters from this moment on, e.g. --set "
+             "driving.V=0."},
+            options, "checkpoint", UsesParameters::yes);
+  const auto& values = parsed.values;
+  Options result;
+  result.checkpoint = single_input(values, "checkpoint", "a checkpoint to continue");
+  result.until = optional_time(values, "until");
+  result.duration = optional_time(values, "for");
+  if (values.count("until-quiet") > 0) result.quiet = quiet_time(values);
+  if (result.until && result.duration) {
+    throw UsageError("--until and --for exclude each other: give one");
+  }
+  if (!result.until && !result.duration && !result.quiet) {
+    throw UsageError("when to stop? Give --until T, --for T or --until-quiet");
+  }
+  result.parameters = parsed.parameters;
+  result.run = run_options(parsed);
+  result.output = output_options(values);
+  return result;
+}
+
+/// Parameters that give the state its meaning and so cannot change under it.
+constexpr std::array<std::string_view, 7> kFixed = {"slider.L",   "slider.H",       "slider.Nx",
+                                                    "slider.Nz",  "slider.support", "junctions.N_s",
+                                                    "numerics.dt"};
+
+std::string law_text(const Parameters& p) {
+  return parameter_text(p, find_parameter("junctions.law"));
+}
+
+/// One spring per block cannot become many, nor the other way round.
+void refuse_other_springs(const Parameters& before, const Parameters& after) {
+  if ((before.law == Law::simplified) == (after.law == Law::simplified)) return;
+  throw UsageError(fmt::format(
+      "junctions.law cannot change from {} to {} in a restart: the simplified law has one spring "
+      "per block; start with load --set junctions.law={}",
+      law_text(before), law_text(after), law_text(after)));
+}
+
+/// Applies the changes; the driving point stays where it is when its speed changes.
+void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) {
+  const Parameters before = checkpoint.parameters;
+  apply(changes, checkpoint.parameters);
+  for (const auto name : kFixed) {
+    const auto& info = find_parameter(name);
+    if (parameter_text(before, info) == parameter_text(checkpoint.parameters, info)) continue;
+    throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}", name,
+                                 parameter_text(before, info)));
+  }
+  refuse_other_springs(before, checkpoint.parameters);
+  if (checkpoint.parameters.V != before.V) {
+    State& state = checkpoint.state;
+    state.drive = {state.step, drive_position(before, state.drive, state.step)};
+  }
+}
+
+StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
+  const Parameters& p = checkpoint.parameters;
+  const std::int64_t now = checkpoint.state.step;
+  StopRule rule;
+  if (options.until) {
+    rule.last_step = step_at(p, *options.until);
+    if (rule.last_step < now) {
+      throw UsageError(fmt::format("--until {:g} is before the checkpoint's time {:.7g} s",
+                                   *options.until, time(p, checkpoint.state)));
+    }
+  } else {
+    rule.last_step = now + step_at(p, options.duration.value_or(kLongestQuietRun));
+  }
+  if (options.quiet) {
+    rule.quiet_steps = step_at(p, *options.quiet < 0.0 ? 5.0 * p.t_R : *options.quiet);
+  }
+  return rule;
+}
+
+int run(const Options& options) {
+  Checkpoint checkpoint = read_checkpoint(options.checkpoint);
+  const Parameters before = checkpoint.parameters;
+  change_parameters(options.parameters, checkpoint);
+  validate(checkpoint.parameters);
+  checkpoint.provenance.push_back(
+      make_provenance("restart", options.run.arguments, checkpoint.checksum,
+                      shell_line(rebuild_command("restart", before, checkpoint.parameters))));
+  const StopRule rule = stop_rule(options, checkpoint);
+  simulate(std::move(checkpoint), rule, options.run, options.output, options.checkpoint);
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("restart", [&] { return run(setup(argc, argv)); });
+}

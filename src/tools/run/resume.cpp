@@ -1,0 +1,263 @@
+#include "run/resume.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "rupture/checkpoint/checksum.hpp"
+#include "rupture/checkpoint/record.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Chain = std::vector<ProvenanceEntry>;
+
+bool same_step(const ProvenanceEntry& a, const ProvenanceEntry& b) {
+  return a.tool == b.tool && a.parent_checksum == b.parent_checksum;
+}
+
+/// True if resuming the run made this entry: its command is `restart --until T` and nothing else.
+bool is_resumption(const ProvenanceEntry& entry, const std::string& tool) {
+  const auto words = shell_words(entry.rebuild);
+  return entry.tool == tool && !entry.parent_checksum.empty() && words.size() == 3 &&
+         words[0] == "restart" && words[1] == "--until";
+}
+
+/// True if `chain` is that of the run whose first file has the chain `start`: the same tools on the
+/// same checkpoints, and behind them nothing but resumptions.
+bool is_chain_of(const Chain& chain, const Chain& start) {
+  if (chain.size() < start.size()) return false;
+  const auto rest = chain.begin() + static_cast<std::ptrdiff_t>(start.size());
+  return std::equal(start.begin(), start.end(), chain.begin(), same_step) &&
+         std::all_of(rest, chain.end(), [&](const ProvenanceEntry& entry) {
+           return is_resumption(entry, start.back().tool);
+         });
+}
+
+/// The same where the checkpoint is of a build that stored no id.
+bool is_of_run_without_id(const Checkpoint& checkpoint, const Checkpoint& start) {
+  return checkpoint.run->first_step == start.state.step &&
+         is_chain_of(checkpoint.provenance, start.provenance);
+}
+
+/// True if `checkpoint` lies on the run that begins with `start`.
+bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start) {
+  if (!checkpoint.run ||
+      parameters_content(checkpoint.parameters) != parameters_content(start.parameters)) {
+    return false;
+  }
+  return checkpoint.run_id.empty() ? is_of_run_without_id(checkpoint, start)
+                                   : checkpoint.run_id == id_of_run(start);
+}
+
+/// True if a run with this rule would have ended before `step`. When a front reached the leading
+/// edge is not known; then it is true.
+bool is_beyond_end(std::int64_t step, const RunSoFar& run, const StopRule& rule) {
+  if (step > rule.last_step) return true;
+  if (!rule.quiet_steps) return false;
+  const std::int64_t quiet_from = run.last_break + *rule.quiet_steps;
+  const std::int64_t end = (quiet_from + kQuietCheck - 1) / kQuietCheck * kQuietCheck;
+  return run.leading_edge_ruptured || step > end;
+}
+
+/// Files OUT-t*.h5, those of the latest times first.
+std::vector<fs::path> checkpoints_beside(const fs::path& output) {
+  const std::string prefix = output.stem().string() + "-t";
+  std::vector<std::pair<double, fs::path>> found;
+  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+  std::error_code error;
+  const fs::directory_iterator entries(folder, error);
+  if (error) {
+    throw Failure(fmt::format("could not look for checkpoints of {} in {}: {}", output.string(),
+                              folder.string(), error.message()));
+  }
+  for (const auto& entry : entries) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    const double t = std::strtod(name.c_str() + prefix.size(), nullptr);
+    const fs::path path = path_at(output, t);
+    if (std::isfinite(t) && path.filename() == name) found.emplace_back(t, path);
+  }
+  std::sort(found.rbegin(), found.rend());
+  std::vector<fs::path> paths;
+  paths.reserve(found.size());
+  for (auto& [t, path] : found) paths.push_back(std::move(path));
+  return paths;
+}
+
+/// Reads a file of an interrupted run; one that is damaged counts as none.
+template <class Read>
+auto read_if_intact(const Read& read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const Failure& damage) {
+    fmt::print(stderr, "not used to resume: {}\n", damage.what());
+    return std::nullopt;
+  }
+}
+
+std::vector<std::int64_t> sampled_steps(const Content& rows) {
+  const auto found = rows.find("/series/step");
+  if (found == rows.end()) return {};
+  return read_array<std::int64_t>(rows, found->first, found->second.shape);
+}
+
+/// Sample number n of a run: its first step, then multiples of `every`.
+std::int64_t sample_step(std::int64_t first, std::int64_t every, std::size_t n) {
+  return n == 0 ? first : (first / every + static_cast<std::int64_t>(n)) * every;
+}
+
+/// True if these are the steps that the run samples; the last one may be that of an earlier end.
+bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
+                    std::int64_t every) {
+  for (std::size_t n = 0; n < steps.size(); ++n) {
+    const std::int64_t due = sample_step(first, every, n);
+    const bool is_last = n > 0 && n + 1 == steps.size();
+    if (steps[n] != due && !(is_last && steps[n] > steps[n - 1] && steps[n] < due)) return false;
+  }
+  return true;
+}
+
+/// What `path`, a record or its .part, holds of the run; empty if there is no such file. Throws
+/// Failure if it holds anything else.
+Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
+                 std::int64_t every) {
+  if (!fs::exists(path)) return {};
+  const Record record = read_record(path);
+  if (parameters_content(record.parameters) != parameters_content(start.parameters) ||
+      !is_chain_of(record.provenance, start.provenance) ||
+      !samples_of_run(record.step, start.state.step, every) ||
+      (!record.step.empty() && record.step.back() > rule.last_step)) {
+    throw Failure(fmt::format(
+        "{} is not what the run to be resumed has recorded, but the record of another "
+        "run, interval or end; move it away, give another --record, or --force to replace it",
+        path.string()));
+  }
+  return read_content(path);
+}
+
+/// The same of the .part, or else of the record; both must be of the run.
+Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
+  if (!files.record) return {};
+  const auto held_by = [&](const fs::path& path) {
+    try {
+      return recorded(path, start, rule, files.record_every);
+    } catch (const Failure&) {
+      if (files.if_exists == IfExists::refuse) throw;
+      return Content{};  // and it will be replaced
+    }
+  };
+  Content finished = held_by(*files.record);
+  Content part = held_by(part_path(*files.record));
+  return part.empty() ? std::move(finished) : std::move(part);
+}
+
+/// True if these rows are all that the run had recorded when it wrote the checkpoint.
+bool reach(const Content& rows, const Checkpoint& checkpoint, std::int64_t every) {
+  const RunSoFar& run = *checkpoint.run;
+  const std::int64_t now = checkpoint.state.step;
+  const auto steps = sampled_steps(rows);
+  const auto samples = static_cast<std::size_t>(1 + now / every - run.first_step / every);
+  return steps.size() == samples &&
+         steps.back() == sample_step(run.first_step, every, samples - 1) &&
+         rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(run.ruptures);
+}
+
+/// What a command computes: its arguments without the program and without the options that change
+/// no bit. What follows "--" are files.
+std::vector<std::string> essence(const std::string& command_line) {
+  constexpr std::array<std::string_view, 6> without_effect = {"--resume", "--sum",   "--force",
+                                                              "-f",       "--quiet", "-q"};
+  auto words = shell_words(command_line);
+  if (!words.empty()) words.erase(words.begin());
+  const auto files = std::find(words.begin(), words.end(), "--");
+  words.erase(std::remove_if(words.begin(), files,
+                             [&](const std::string& word) {
+                               return std::find(without_effect.begin(), without_effect.end(),
+                                                word) != without_effect.end();
+                             }),
+              files);
+  return words;
+}
+
+bool same_command(const Checkpoint& a, const Checkpoint& b) {
+  return essence(a.provenance.back().command_line) == essence(b.provenance.back().command_line);
+}
+
+/// True if a run with this rule ends at this checkpoint of it, as far as the checkpoint tells.
+bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
+  const std::int64_t step = checkpoint.state.step;
+  return step <= rule.last_step && ending_at(step, *checkpoint.run, rule).has_value();
+}
+
+}  // namespace
+
+std::string id_of_run(const Checkpoint& start) {
+  Sha256 hash;
+  hash.update("rupture run 1\n");
+  for (const ProvenanceEntry& entry : start.provenance) {
+    hash.update(fmt::format("{} {}\n", entry.tool, entry.parent_checksum));
+  }
+  hash.update(fmt::format("{}\n", start.state.step));
+  return hash.hex();
+}
+
+fs::path path_at(const fs::path& output, double t) {
+  const auto name =
+      fmt::format("{}-t{:.9f}{}", output.stem().string(), t, output.extension().string());
+  return output.parent_path() / name;
+}
+
+std::optional<Resumption> find_resumption(const Checkpoint& start, const StopRule& rule,
+                                          const RunFiles& files) {
+  const Content record = recorded_so_far(start, rule, files);
+  bool too_new = false;
+  for (const fs::path& path : checkpoints_beside(files.output)) {
+    auto checkpoint = read_if_intact([&] { return read_checkpoint(path); });
+    if (!checkpoint || !is_of_run(*checkpoint, start)) continue;
+    const std::int64_t step = checkpoint->state.step;
+    if (is_beyond_end(step, *checkpoint->run, rule)) continue;
+    Content rows = record.empty() ? Content{} : rows_until(record, step);
+    if (!files.record || reach(rows, *checkpoint, files.record_every)) {
+      return Resumption{std::move(*checkpoint), path, std::move(rows), {}};
+    }
+    if (!std::exchange(too_new, true)) {
+      fmt::print(stderr, "not used to resume: {}, which the record does not reach\n",
+                 path.string());
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
+  if (!fs::exists(files.output)) return false;
+  const auto end = read_if_intact([&] { return read_checkpoint(files.output); });
+  if (!end || !is_of_run(*end, start)) return false;
+  if (!is_end(*end, rule) || (rule.quiet_steps && !same_command(*end, start))) return false;
+  if (!files.record) return true;
+  const StopRule until_then = {.last_step = end->state.step, .quiet_steps = {}};
+  return last_sample(recorded(*files.record, start, until_then, files.record_every)) ==
+         end->state.step;
+}
+
+bool may_write(const fs::path& path, const Checkpoint& start) {
+  if (!fs::exists(path)) return true;
+  if (identify(path) != FileKind::checkpoint) return false;
+  const auto checkpoint = read_if_intact([&] { return read_checkpoint(path); });
+  return !checkpoint || is_of_run(*checkpoint, start);
+}
+
+std::int64_t last_sample(const Content& rows) {
+  const auto steps = sampled_steps(rows);
+  return steps.empty() ? -1 : steps.back();
+}
+
+}  // namespace rupture::tools

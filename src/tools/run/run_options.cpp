@@ -1,0 +1,119 @@
+#include "run/run_options.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/option_values.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+int thread_count(int threads) {
+  constexpr int most = 1024;
+  if (threads >= 1 && threads <= most) return threads;
+  throw UsageError(
+      fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
+}
+
+DryRun dry_run(const po::variables_map& values) {
+  const bool dry = values.count("dry-run") > 0, json = values.count("json") > 0;
+  if (json && !dry) throw UsageError("--json belongs to --dry-run: give both or neither");
+  if (!dry) return DryRun::no;
+  return json ? DryRun::json : DryRun::text;
+}
+
+}  // namespace
+
+void add_run_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("checkpoint-at", po::value<std::vector<std::string>>()->multitoken()->value_name("T..."),
+      "write checkpoints at these times [s], named OUT-tT.h5");
+  add("checkpoint-every", po::value<std::string>()->value_name("T"),
+      "write a checkpoint each time T [s] has passed");
+  add("record", po::value<std::string>()->value_name("FILE"),
+      "record time series of the interface in FILE");
+  add("record-every", po::value<std::string>()->default_value("1e-4")->value_name("T"),
+      "sampling interval of the record [s]; ruptures are recorded to the step");
+  add("threads", po::value<int>()->value_name("N"),
+      "threads that share the work; default: as many as pay for this size of slider. Results do "
+      "not depend on it");
+  add_alarm_option(options);
+  add("resume",
+      "if the same run was interrupted, go on from its newest checkpoint OUT-tT.h5 and with its "
+      "record; the result is that of an uninterrupted run");
+  add("dry-run",
+      "write nothing: check the command and print about how much time, memory and disk it needs. "
+      "The time per step is measured now, for half a second, from the checkpoint or, for load, "
+      "near "
+      "the equilibrium, which is not solved for");
+  add("json", "with --dry-run: print one JSON object");
+}
+
+RunOptions run_options(const Parsed& parsed) {
+  const auto& values = parsed.values;
+  RunOptions run;
+  run.arguments = parsed.arguments;
+  if (values.count("checkpoint-at") > 0) {
+    run.checkpoint_at = times(values, "checkpoint-at");
+    for (const double t : run.checkpoint_at) {
+      if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
+    }
+  }
+  run.checkpoint_every = optional_time(values, "checkpoint-every");
+  if (values.count("record") > 0) run.record = file_to_write(values, "record");
+  run.record_every = time_from_zero(values, "record-every");
+  run.on_alarm = on_alarm(values);
+  run.resume = values.count("resume") > 0;
+  run.dry_run = dry_run(values);
+  if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
+  return run;
+}
+
+std::int64_t step_at(const Parameters& p, double t) {
+  const double step = std::round(t / p.dt);
+  if (!(std::abs(step) < 0x1p53)) {
+    throw UsageError(fmt::format("t = {:g} s is too long a time for steps of {:g} s", t, p.dt));
+  }
+  return static_cast<std::int64_t>(step);
+}
+
+std::vector<std::int64_t> checkpoint_steps(const Parameters& p, std::int64_t first,
+                                           std::int64_t last, const RunOptions& run) {
+  std::vector<std::int64_t> steps;
+  for (const double t : run.checkpoint_at) {
+    const std::int64_t step = step_at(p, t);
+    if (step < first || step > last) {
+      throw UsageError(fmt::format("--checkpoint-at {:g} is outside the run, {:g} s to {:g} s", t,
+                                   static_cast<double>(first) * p.dt,
+                                   static_cast<double>(last) * p.dt));
+    }
+    steps.push_back(step);
+  }
+  if (run.checkpoint_every) {
+    const std::int64_t every = step_at(p, *run.checkpoint_every);
+    if (every < 1) throw UsageError("--checkpoint-every is shorter than one time step");
+    constexpr std::int64_t most = 1'000'000;
+    if ((last - first) / every > most) {
+      throw UsageError(
+          fmt::format("--checkpoint-every {:g} would write {} checkpoints: give a longer time",
+                      *run.checkpoint_every, (last - first) / every));
+    }
+    for (std::int64_t step = (first / every + 1) * every; step <= last; step += every) {
+      steps.push_back(step);
+    }
+  }
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
+
+std::int64_t sampling_steps(const Parameters& p, const RunOptions& run) {
+  const std::int64_t every = step_at(p, run.record_every);
+  if (every < 1) throw UsageError("--record-every is shorter than one time step");
+  return every;
+}
+
+}  // namespace rupture::tools

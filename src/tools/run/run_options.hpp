@@ -1,0 +1,43 @@
+// The options that load and restart have in common: how long, and what to write on the way.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "run/alarms.hpp"
+
+namespace rupture::tools {
+
+/// Whether to run, or only to say what the run would need, and how.
+enum class DryRun { no, text, json };
+
+struct RunOptions {
+  std::vector<double> checkpoint_at;       ///< [s]
+  std::optional<double> checkpoint_every;  ///< [s]
+  std::optional<std::filesystem::path> record;
+  double record_every = 1e-4;  ///< [s]
+  std::optional<int> threads;  ///< none: as many as pay
+  OnAlarm on_alarm = OnAlarm::stop;
+  bool resume = false;  ///< go on with what the same run has left, if it was interrupted
+  DryRun dry_run = DryRun::no;
+  std::vector<std::string> arguments;  ///< argv, of which the command that goes on is made
+};
+
+void add_run_options(po::options_description& options);
+RunOptions run_options(const Parsed& parsed);
+
+/// The step nearest to time t. Throws UsageError if it is not before step 2^53.
+std::int64_t step_at(const Parameters& parameters, double t);
+
+/// The steps in a run from `first` to `last` at which checkpoints are wanted, in order. Throws
+/// UsageError if one is outside.
+std::vector<std::int64_t> checkpoint_steps(const Parameters& parameters, std::int64_t first,
+                                           std::int64_t last, const RunOptions& run);
+
+/// Steps between samples of the record. Throws UsageError if there is less than one.
+std::int64_t sampling_steps(const Parameters& parameters, const RunOptions& run);
+
+}  // namespace rupture::tools

@@ -1,0 +1,69 @@
+// A run of load or restart with everything that it writes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "run/alarms.hpp"
+#include "run/observers.hpp"
+#include "run/resume.hpp"
+
+namespace rupture::tools {
+
+/// What to do if a checkpoint on the way is there already.
+using IfCheckpointExists = std::function<IfExists(const std::filesystem::path&)>;
+
+/// Checkpoints on the way, of which there may be many: one line at the end names them.
+struct OnTheWay {
+  std::int64_t count = 0;
+  std::filesystem::path first, last;
+
+  void add(const std::filesystem::path& path) {
+    if (count++ == 0) first = path;
+    last = path;
+  }
+};
+
+/// A run with everything that it writes on its way. What it is made with must outlive it.
+class Run {
+ public:
+  Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
+      IfCheckpointExists if_exists, IfExists if_record_exists, int threads,
+      const OutputOptions& output);
+
+  /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
+  Ending go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
+            OnAlarm on_alarm);
+  /// Completes the record and writes the last checkpoint.
+  void finish();
+  /// Saves everything that resuming needs; returns the checkpoint.
+  const std::filesystem::path& save_on_the_way();
+  /// True once there is anything that was not there before.
+  bool has_moved() const { return simulation_.state().step > first_step_; }
+
+ private:
+  /// Returns the content checksum.
+  std::string save(const std::filesystem::path& path, IfExists if_exists);
+  /// That of the record, if the run ends at `step`.
+  std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const;
+
+  const RunFiles& files_;
+  const IfCheckpointExists if_exists_;
+  const std::int64_t first_step_;
+  const OutputOptions& output_;
+  const std::string& id_;
+  const std::vector<ProvenanceEntry>& provenance_;
+  const std::vector<ProvenanceEntry>& record_provenance_;
+  std::filesystem::path saved_;  // the latest checkpoint
+  OnTheWay on_the_way_;
+  Simulation simulation_;
+  std::unique_ptr<RecordWriter> writer_;
+  std::unique_ptr<Recorder> recorder_;
+};
+
+}  // namespace rupture::tools
