@@ -23,7 +23,7 @@ Maybe time_step(const Simulation& simulation) {
   const auto most = std::max_element(simulation.p().begin(), simulation.p().end());
   const double limit = stable_time_step(p, *most);
   if (p.dt <= limit) return std::nullopt;
-  return Finding{Concern::time_step, Severity::alarm,
+  return Finding{Check::time_step, Severity::alarm,
                  fmt::format("numerics.dt = {:g} s is unstable at t = {:.7g} s: block {} bears p = "
                              "{:.4g} N, which makes its junctions so stiff that the limit is "
                              "{:.4g} s; start anew with a smaller numerics.dt, or change the "
@@ -34,7 +34,7 @@ Maybe time_step(const Simulation& simulation) {
 Maybe lattice(const Simulation& simulation) {
   const auto passed = passed_block(simulation.parameters(), simulation.state());
   if (!passed) return std::nullopt;
-  return Finding{Concern::lattice, Severity::alarm,
+  return Finding{Check::lattice, Severity::alarm,
                  fmt::format("block ({}, {}) has passed its neighbour at t = {:.7g} s, which no "
                              "solid does: lower slider.F_N or raise slider.E",
                              passed->i, passed->j, simulation.time())};
@@ -58,13 +58,13 @@ Maybe contact(const Simulation& simulation) {
   if (without == 0) return std::nullopt;
   const auto support = parameter_text(p, find_parameter("slider.support"));
   if (without == p.Nx) {
-    return Finding{Concern::contact, Severity::alarm,
+    return Finding{Check::contact, Severity::alarm,
                    fmt::format("no block touches the {} at t = {:.7g} s: nothing bears the load of "
                                "{:g} N; change the parameters less",
                                support, simulation.time(), p.F_N)};
   }
   return Finding{
-      Concern::contact, Severity::warning,
+      Check::contact, Severity::warning,
       fmt::format("blocks that do not touch the {} at t = {:.7g} s: {} of {}, the first is "
                   "block {}",
                   support, simulation.time(), without, p.Nx, first)};
@@ -106,7 +106,7 @@ Maybe strength(const Simulation& simulation, std::int64_t first_step) {
   if (found.count == 0) return std::nullopt;
   const bool at_start = simulation.state().step == first_step;
   return Finding{
-      Concern::strength, at_start ? Severity::warning : Severity::alarm,
+      Check::strength, at_start ? Severity::warning : Severity::alarm,
       fmt::format("junctions that bear more than they can at t = {:.7g} s: {}, the first "
                   "in block {} with {:.4g} N, where {:.4g} N is the limit; {}",
                   simulation.time(), found.count, found.block, found.f, found.limit,
@@ -147,7 +147,7 @@ std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& 
   const Parameters& p = simulation.parameters();
   const State& state = simulation.state();
   const Place place = fastest_block(state);
-  return Finding{Concern::energy, Severity::alarm,
+  return Finding{Check::energy, Severity::alarm,
                  fmt::format("the energy account from t = {:.7g} s to {:.7g} s is off by {:.3g} %, "
                              "where {:.2g} % is the limit: numerics.dt = {:g} s is too long for "
                              "what happens (the fastest block, ({}, {}), moves at {:.2g} m/s); "
@@ -159,7 +159,7 @@ std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& 
 
 bool Guard::is_new(const Finding& finding) {
   const bool known = std::any_of(reported_.begin(), reported_.end(), [&](const Finding& other) {
-    return other.concern == finding.concern && other.severity == finding.severity;
+    return other.check == finding.check && other.severity == finding.severity;
   });
   if (!known) reported_.push_back(finding);
   return !known;

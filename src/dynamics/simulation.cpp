@@ -20,7 +20,7 @@ namespace {
 
 }  // namespace
 
-int threads_that_pay([[maybe_unused]] const Parameters& p) {
+int default_thread_count([[maybe_unused]] const Parameters& p) {
 #ifdef _OPENMP
   const std::int64_t useful = p.Nx * p.Nz / kBlocksPerThread;
   return static_cast<int>(std::clamp<std::int64_t>(useful, 1, omp_get_max_threads()));

@@ -58,13 +58,13 @@ void add_springs(const Parameters& p, const State& state, Triplets& triplets) {
 }
 
 /// Minus the derivative of static_forces with respect to the displacements.
-Matrix stiffness(const Parameters& p, const Hold& hold, const State& state) {
+Matrix stiffness(const Parameters& p, const LoadCase& load_case, const State& state) {
   Triplets triplets;
   triplets.reserve(static_cast<std::size_t>(64 * p.Nx * p.Nz));
   add_springs(p, state, triplets);
   const Eigen::Index top = p.Nz - 1;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    const auto forces = interface_forces(p, hold, state, i);
+    const auto forces = interface_forces(p, load_case, state, i);
     Block2 tangent;
     tangent << forces.dtau_dux, forces.dtau_duz, 0.0, -forces.dp_duz;
     add_block(triplets, unknown(p, i, 0), unknown(p, i, 0), tangent);
@@ -73,9 +73,9 @@ Matrix stiffness(const Parameters& p, const Hold& hold, const State& state) {
                             foundation_stiffness(p));
     }
   }
-  if (hold.K > 0.0) {
+  if (load_case.K > 0.0) {
     const Eigen::Index driven = unknown(p, 0, driving_row(p));
-    triplets.emplace_back(driven, driven, hold.K);
+    triplets.emplace_back(driven, driven, load_case.K);
   }
   const Eigen::Index size = 2 * p.Nx * p.Nz;
   Matrix matrix(size, size);
@@ -118,28 +118,29 @@ State compressed(const Parameters& p) {
   return state;
 }
 
-InterfaceForces interface_forces(const Parameters& p, const Hold& hold, const State& state,
+InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case, const State& state,
                                  Eigen::Index i) {
   const double u_x = state.u_x(i, 0), u_z = state.u_z(i, 0);
   const double normal = normal_force(p, u_z);
   const bool yields = p.support == Support::foundation && u_z < 0.0;
   const double dp_duz = yields ? -foundation_stiffness(p) : 0.0;
-  if (hold.tau) return {normal, (*hold.tau)[static_cast<std::size_t>(i)], dp_duz, 0.0, 0.0};
+  if (load_case.tau)
+    return {normal, (*load_case.tau)[static_cast<std::size_t>(i)], dp_duz, 0.0, 0.0};
   if (!(normal > 0.0)) return {0.0, 0.0, 0.0, 0.0, 0.0};
   const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, normal);
   return {normal, k_i * u_x, dp_duz, k_i, dp_duz * k_i * u_x / (2.0 * normal)};
 }
 
-void static_forces(const Parameters& p, const Hold& hold, Bulk& bulk, const State& state,
+void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,
                    Field& f_x, Field& f_z) {
   bulk.elastic(state.u_x, state.u_z, f_x, f_z);
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    const auto forces = interface_forces(p, hold, state, i);
+    const auto forces = interface_forces(p, load_case, state, i);
     f_x(i, 0) -= forces.tau;
     f_z(i, 0) += forces.p;
     f_z(i, p.Nz - 1) -= top_force(p, state.u_z(i, p.Nz - 1));
   }
-  if (hold.K > 0.0) f_x(0, driving_row(p)) -= hold.K * state.u_x(0, driving_row(p));
+  if (load_case.K > 0.0) f_x(0, driving_row(p)) -= load_case.K * state.u_x(0, driving_row(p));
 }
 
 std::optional<Place> passed_block(const Parameters& p, const State& state) {
@@ -158,7 +159,7 @@ double largest(const Field& f_x, const Field& f_z) {
   return std::max(f_x.blocks().abs().maxCoeff(), f_z.blocks().abs().maxCoeff());
 }
 
-std::optional<State> solve_statics(const Parameters& p, const Hold& hold) {
+std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case) {
   constexpr int most_iterations = 50;
   const double tolerance = 1e-11 * mean_normal_force(p);
   Bulk bulk(p);
@@ -167,7 +168,7 @@ std::optional<State> solve_statics(const Parameters& p, const Hold& hold) {
   Eigen::SparseLU<Matrix> solver;
   double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    static_forces(p, hold, bulk, state, f_x, f_z);
+    static_forces(p, load_case, bulk, state, f_x, f_z);
     const double residual = largest(f_x, f_z);
     if (!std::isfinite(residual)) break;
     if (residual <= tolerance) {
@@ -175,7 +176,7 @@ std::optional<State> solve_statics(const Parameters& p, const Hold& hold) {
       return state;
     }
     if (residual > 0.1 * previous_residual) {
-      const Matrix matrix = stiffness(p, hold, state);
+      const Matrix matrix = stiffness(p, load_case, state);
       if (iteration == 0) solver.analyzePattern(matrix);
       solver.factorize(matrix);
       if (solver.info() != Eigen::Success) break;
@@ -186,7 +187,7 @@ std::optional<State> solve_statics(const Parameters& p, const Hold& hold) {
   return std::nullopt;
 }
 
-State relax(const Parameters& p, const Hold& hold, double duration) {
+State relax(const Parameters& p, const LoadCase& load_case, double duration) {
   Bulk bulk(p);
   State state = compressed(p);
   Field damping_x(p.Nx, p.Nz), damping_z(p.Nx, p.Nz);
@@ -195,7 +196,7 @@ State relax(const Parameters& p, const Hold& hold, double duration) {
   const auto steps = static_cast<std::int64_t>(std::llround(duration / p.dt));
   for (std::int64_t n = 0; n < steps; ++n) {
     bulk.kick_drift(0, state);
-    static_forces(p, hold, bulk, state, state.f_x, state.f_z);
+    static_forces(p, load_case, bulk, state, state.f_x, state.f_z);
     bulk.damping(state.v_x, state.v_z, damping_x, damping_z);
     state.f_x.blocks() += damping_x.blocks() - alpha * state.v_x.blocks();
     state.f_z.blocks() += damping_z.blocks() - alpha * state.v_z.blocks();

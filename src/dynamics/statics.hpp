@@ -10,7 +10,7 @@
 namespace rupture {
 
 /// What holds a slider at rest besides its springs and its support.
-struct Hold {
+struct LoadCase {
   /// Friction on each interface block, towards -x [N]. None: that of junctions which were attached
   /// at x_ij = x_i(undeformed) and cannot break.
   std::optional<std::vector<double>> tau = {};
@@ -25,11 +25,11 @@ struct InterfaceForces {
   double dtau_dux, dtau_duz;  ///< [N/m]
 };
 
-InterfaceForces interface_forces(const Parameters& p, const Hold& hold, const State& state,
+InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case, const State& state,
                                  Eigen::Index i);
 
 /// Net static force on every block [N]; overwrites f.
-void static_forces(const Parameters& p, const Hold& hold, Bulk& bulk, const State& state,
+void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,
                    Field& f_x, Field& f_z);
 
 /// A block of the lattice: column i, row j.
@@ -47,10 +47,10 @@ double largest(const Field& f_x, const Field& f_z);
 /// The slider at rest, by Newton's method with a sparse LU factorisation, until the largest net
 /// force on a block is below 1e-11 F_N / N_x. Nothing if that is not reached or the lattice turns
 /// inside out.
-std::optional<State> solve_statics(const Parameters& p, const Hold& hold);
+std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case);
 
 /// The same by damped relaxation: velocity Verlet with an extra force -alpha v, alpha = eta/40, on
 /// every block for `duration` [s].
-State relax(const Parameters& p, const Hold& hold, double duration);
+State relax(const Parameters& p, const LoadCase& load_case, double duration);
 
 }  // namespace rupture

@@ -37,7 +37,7 @@ void BlockSummary::refresh(Eigen::Index i) {
       ++pinned_[b];
     }
   }
-  sum_again(i);
+  recompute_sum(i);
 }
 
 void BlockSummary::friction(const double* u_x, const ContactView& contact, double* tau) const {

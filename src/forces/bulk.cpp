@@ -48,8 +48,8 @@ Bulk::Bulk(const Parameters& p, int bands, const Kernels& variant)
     row(kEta)[i] = damping_coefficient(p);
     row(kColumns)[i] = i == 0 || is_last ? 2.0 : 3.0;
   }
-  constexpr double never = std::numeric_limits<double>::infinity();
-  std::fill_n(row(kSmallRight), shape_.stride, never);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::fill_n(row(kSmallRight), shape_.stride, infinite);
   std::fill_n(row(kSmallRight), p.Nx - 1, springs_.small);
   springs_.small_right = row(kSmallRight);
   springs_.row = {row(kRight), row(kUp), row(kDiagonal)};

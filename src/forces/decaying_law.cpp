@@ -27,7 +27,7 @@ InterfaceLaw::Changes DecayingLaw::update(const double* u_x, const double* /*v_x
       blocks_.refresh(i);
     } else if (blocks_.is_slipping_anywhere(i)) {
       trail(i, u, w, t);
-      blocks_.sum_again(i);
+      blocks_.recompute_sum(i);
     }
   }
   return changes;

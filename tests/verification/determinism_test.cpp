@@ -113,7 +113,7 @@ TEST_P(DeterminismOf, any_number_of_threads_gives_the_same_bits_through_a_ruptur
 }
 
 TEST(Determinism, a_small_slider_gets_one_thread) {
-  EXPECT_EQ(threads_that_pay(quick_slider()), 1);
+  EXPECT_EQ(default_thread_count(quick_slider()), 1);
 }
 
 TEST_P(DeterminismOf, the_split_during_the_rupture_is_during_it) {

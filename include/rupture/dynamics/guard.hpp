@@ -15,11 +15,11 @@ namespace rupture {
 enum class Severity { warning, alarm };
 
 /// What is watched.
-enum class Concern { time_step, energy, strength, contact, lattice };
+enum class Check { time_step, energy, strength, contact, lattice };
 
 /// One thing that was found.
 struct Finding {
-  Concern concern;
+  Check check;
   Severity severity;
   std::string sentence;  ///< when and where, what was found, the limit, what to do
 };
@@ -36,7 +36,7 @@ class Guard {
   /// Opens the energy account.
   explicit Guard(const Simulation& simulation);
 
-  /// What is wrong now, or in the energy account since the start or the last look. Each concern is
+  /// What is wrong now, or in the energy account since the start or the last look. Each check is
   /// reported once per severity.
   std::vector<Finding> look(const Simulation& simulation);
 

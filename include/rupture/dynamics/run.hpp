@@ -14,7 +14,7 @@ namespace rupture {
 /// Looks at a simulation at chosen steps; never changes it.
 class Observer {
  public:
-  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+  static constexpr std::int64_t no_step = std::numeric_limits<std::int64_t>::max();
 
   virtual ~Observer() = default;
   /// The next step at which observe() is to be called.

@@ -50,7 +50,7 @@ class Simulation {
   /// What happened since the run began: since this simulation was made, or before it as well.
   const RunSoFar& run() const { return run_; }
   /// Goes on with a run that another simulation began.
-  void take_up(const RunSoFar& run) { run_ = run; }
+  void resume_from(const RunSoFar& run) { run_ = run; }
 
   /// Block ruptures since this simulation was made, in the order of time.
   const std::vector<Rupture>& ruptures() const { return ruptures_; }
@@ -87,6 +87,6 @@ class Simulation {
 
 /// The number of threads with which a slider of this size runs fastest: one while it is small, then
 /// more, up to those that this machine or the environment variable OMP_NUM_THREADS allows.
-int threads_that_pay(const Parameters& parameters);
+int default_thread_count(const Parameters& parameters);
 
 }  // namespace rupture

@@ -32,7 +32,7 @@ class BlockSummary {
   /// Clamps the attachment points of block i's slipping junctions to [lower, upper] [m].
   void trail(Eigen::Index i, double lower, double upper);
   /// To be called after attachment points of slipping junctions of block i have changed.
-  void sum_again(Eigen::Index i) { trail(i, -Junctions::never, Junctions::never); }
+  void recompute_sum(Eigen::Index i) { trail(i, -Junctions::never, Junctions::never); }
   /// To be called after any junction of block i has changed.
   void refresh(Eigen::Index i);
 

@@ -9,10 +9,10 @@
 namespace rupture::tools {
 namespace {
 
-std::optional<Start> start_of(const po::variables_map& values) {
+std::optional<StartFile> start_of(const po::variables_map& values) {
   if (values.count("from") == 0) return std::nullopt;
   const auto path = values["from"].as<std::string>();
-  return Start{path, verify_file(path)};
+  return StartFile{path, verify_file(path)};
 }
 
 void check_combination(const po::variables_map& values) {

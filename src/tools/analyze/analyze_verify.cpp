@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 /// Prints findings as they come and counts them.
 class Account {
  public:
-  void add(const Finding& finding) {
+  void add(const Inspection& finding) {
     say("{}  {}\n", verdict_name(finding.verdict), finding.text);
     std::fflush(stdout);
     ++counts_[finding.verdict];
     if (finding.bad()) bad_.push_back(finding.text);
   }
-  void add(const std::vector<Finding>& findings) {
-    for (const Finding& finding : findings) add(finding);
+  void add(const std::vector<Inspection>& findings) {
+    for (const Inspection& finding : findings) add(finding);
   }
 
   /// "3 intact, 1 damaged".

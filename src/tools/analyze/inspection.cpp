@@ -45,7 +45,7 @@ bool is_part(const fs::path& path) {
 
 struct Search {
   std::vector<fs::path> files;  ///< *.h5
-  std::vector<Finding> others;
+  std::vector<Inspection> others;
 };
 
 void search(const fs::path& folder, Search& found) try {
@@ -65,7 +65,7 @@ void search(const fs::path& folder, Search& found) try {
                                         folder.string(), error.code().message())});
 }
 
-Finding unlisted(Finding finding, const fs::path& file) {
+Inspection unlisted(Inspection finding, const fs::path& file) {
   if (finding.verdict != Verdict::intact) return finding;
   return {Verdict::unlisted,
           fmt::format("{} is intact, but the manifest does not list it", file.string())};
@@ -80,7 +80,7 @@ std::string_view verdict_name(Verdict verdict) {
   return names.at(static_cast<std::size_t>(verdict));
 }
 
-Finding inspect_file(const fs::path& file, const std::string& expected) try {
+Inspection inspect_file(const fs::path& file, const std::string& expected) try {
   const std::string checksum = verify_file(file);
   if (expected.empty() || checksum == expected) {
     return {Verdict::intact, fmt::format("{}  {}", labelled(checksum), file.string())};
@@ -102,10 +102,10 @@ bool contains(const Places& places, const fs::path& file) {
   return places.contains(place(file));
 }
 
-std::vector<Finding> inspect_folder(const fs::path& folder, const Places& listed) {
+std::vector<Inspection> inspect_folder(const fs::path& folder, const Places& listed) {
   Search found;
   search(folder, found);
-  std::vector<Finding> findings;
+  std::vector<Inspection> findings;
   for (const fs::path& file : found.files) {
     if (listed.empty()) {
       findings.push_back(inspect_file(file));

@@ -26,7 +26,7 @@ enum class Verdict {
 /// As shown to the user, e.g. "intact".
 std::string_view verdict_name(Verdict verdict);
 
-struct Finding {
+struct Inspection {
   Verdict verdict = Verdict::intact;
   std::string text;  ///< "<checksum>  <file>" of an intact file, a sentence otherwise
 
@@ -35,7 +35,7 @@ struct Finding {
 };
 
 /// Verifies a file; an empty `expected` stands for any content checksum.
-Finding inspect_file(const std::filesystem::path& file, const std::string& expected = {});
+Inspection inspect_file(const std::filesystem::path& file, const std::string& expected = {});
 
 /// Files by their canonical paths.
 using Places = std::set<std::filesystem::path>;
@@ -48,6 +48,6 @@ bool contains(const Places& places, const std::filesystem::path& file);
 
 /// Verifies all *.h5 in a folder and in those below it, sorted by name; links to folders are not
 /// followed. Where some are `listed` in a manifest these are left out, and all others are unlisted.
-std::vector<Finding> inspect_folder(const std::filesystem::path& folder, const Places& listed);
+std::vector<Inspection> inspect_folder(const std::filesystem::path& folder, const Places& listed);
 
 }  // namespace rupture::tools

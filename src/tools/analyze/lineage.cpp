@@ -44,7 +44,7 @@ std::string build_text(const ProvenanceEntry& entry) {
 }
 
 /// The step that started from this file; the last of them, for the shortest way.
-std::size_t step_from(const Lineage& lineage, const Start& start) {
+std::size_t step_from(const Lineage& lineage, const StartFile& start) {
   for (std::size_t i = lineage.chain.size(); i-- > 0;) {
     if (lineage.chain[i].parent_checksum == start.checksum) return i;
   }
@@ -124,7 +124,7 @@ Json lineage_json(const Lineage& lineage) {
 }
 
 std::string rebuild_script(const Lineage& lineage, const std::string& output,
-                           const std::optional<Start>& start) {
+                           const std::optional<StartFile>& start) {
   if (lineage.kind == FileKind::open_record) {
     throw Failure(
         fmt::format("{} is an unfinished record, which has no checksum to reach", lineage.name));

@@ -23,7 +23,7 @@ struct Lineage {
 };
 
 /// A file with which the commands begin instead of with nothing.
-struct Start {
+struct StartFile {
   std::string path;
   std::string checksum;
 };
@@ -41,6 +41,6 @@ Json entry_json(const ProvenanceEntry& entry);
 /// file on the way. Throws Failure, saying which file to start from, if the first steps are not
 /// known; or if no step started from `start`, or a step is no command of ours.
 std::string rebuild_script(const Lineage& lineage, const std::string& output,
-                           const std::optional<Start>& start);
+                           const std::optional<StartFile>& start);
 
 }  // namespace rupture::tools

@@ -98,7 +98,7 @@ std::string disk_text(const Forecast& f) {
 std::string time_account(const Forecast& f) {
   std::string text =
       fmt::format("{}: {} per step, measured now", time_text(f.time()), time_text(f.time_per_step));
-  if (f.work.start == Start::equilibrium) {
+  if (f.work.from == RunsFrom::equilibrium) {
     text += fmt::format("; {} for the equilibrium", time_text(f.equilibrium_time));
   }
   return text;
@@ -134,7 +134,7 @@ Forecast forecast(const Workload& work, const Speed& speed) {
                 .checkpoint = checkpoint_size(p),
                 .record = record,
                 .time_per_step = speed.time_per_step};
-  if (work.start == Start::equilibrium) {
+  if (work.from == RunsFrom::equilibrium) {
     f.memory = std::max(f.memory, equilibrium_memory(p));
     f.equilibrium_time = equilibrium_time(p, speed.reference);
   }

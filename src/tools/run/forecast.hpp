@@ -12,13 +12,13 @@
 
 namespace rupture::tools {
 
-enum class Start { equilibrium, checkpoint };
+enum class RunsFrom { equilibrium, checkpoint };
 enum class End { known, at_the_latest };
 
 /// What a run will do, as far as it costs something.
 struct Workload {
   Parameters parameters;
-  Start start = Start::checkpoint;
+  RunsFrom from = RunsFrom::checkpoint;
   std::int64_t first_step = 0, last_step = 0;
   End end = End::known;
   int threads = 1;

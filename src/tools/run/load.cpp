@@ -37,7 +37,8 @@ Options setup(int argc, char** argv) {
 }
 
 int run(const Options& options) {
-  if (!options.run.resume) check_output(options.output.output, options.output.if_exists);
+  if (options.run.resume == Resume::no)
+    check_output(options.output.output, options.output.if_exists);
   const Parameters& p = options.parameters;
   const bool dry = options.run.dry_run != DryRun::no;
   Checkpoint start = {p,

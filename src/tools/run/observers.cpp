@@ -67,7 +67,7 @@ CheckpointSchedule::CheckpointSchedule(std::vector<std::int64_t> steps, Write wr
     : steps_(std::move(steps)), write_(std::move(write)) {}
 
 std::int64_t CheckpointSchedule::next_step() const {
-  return next_ < steps_.size() ? steps_[next_] : never;
+  return next_ < steps_.size() ? steps_[next_] : no_step;
 }
 
 void CheckpointSchedule::observe(const Simulation& simulation) {

@@ -66,7 +66,7 @@ RunOptions run_options(const Parsed& parsed) {
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
   run.record_every = time_from_zero(values, "record-every");
   run.on_alarm = on_alarm(values);
-  run.resume = values.count("resume") > 0;
+  run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
   run.dry_run = dry_run(values);
   if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
   return run;

@@ -13,6 +13,8 @@ namespace rupture::tools {
 
 /// Whether to run, or only to say what the run would need, and how.
 enum class DryRun { no, text, json };
+/// Whether to go on with what the same run has left, if it was interrupted.
+enum class Resume { no, yes };
 
 struct RunOptions {
   std::vector<double> checkpoint_at;       ///< [s]
@@ -21,7 +23,7 @@ struct RunOptions {
   double record_every = 1e-4;  ///< [s]
   std::optional<int> threads;  ///< none: as many as pay
   OnAlarm on_alarm = OnAlarm::stop;
-  bool resume = false;  ///< go on with what the same run has left, if it was interrupted
+  Resume resume = Resume::no;
   DryRun dry_run = DryRun::no;
   std::vector<std::string> arguments;  ///< argv, of which the command that goes on is made
 };

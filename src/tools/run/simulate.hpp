@@ -15,7 +15,7 @@ namespace rupture::tools {
 /// begins with an equilibrium, which costs something, too). The
 /// provenance of `start` already names this tool. Throws Interrupted if a signal came; the run can
 /// then be resumed.
-void simulate(Checkpoint start, StopRule rule, const RunOptions& options,
+void simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
               const OutputOptions& output, const std::filesystem::path& input);
 
 }  // namespace rupture::tools

@@ -51,7 +51,7 @@ State roughly_loaded(const Parameters& p) {
 Speed measure_speed(const Workload& work, const State& state) {
   Simulation simulation(work.parameters, state, work.threads);
   Speed speed = {.time_per_step = time_per_step(simulation)};
-  if (work.start == Start::equilibrium) {
+  if (work.from == RunsFrom::equilibrium) {
     speed.reference = seconds_of([] { normal_load_equilibrium(reference_slider()); });
   }
   return speed;

@@ -71,7 +71,7 @@ Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
       record_provenance_(begin.record_provenance),
       saved_(begin.file),
       simulation_(begin.checkpoint.parameters, begin.checkpoint.state, threads) {
-  simulation_.take_up(*begin.checkpoint.run);
+  simulation_.resume_from(*begin.checkpoint.run);
   if (!files.record) return;
   writer_ =
       std::make_unique<RecordWriter>(*files.record, begin.checkpoint.parameters,

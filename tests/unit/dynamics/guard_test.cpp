@@ -28,10 +28,10 @@ std::vector<Finding> findings_at_once(const Parameters& p, const State& state) {
 }
 
 /// Demands exactly one finding of this kind, with each part in its sentence.
-void expect_one(const std::vector<Finding>& found, Concern concern, Severity severity,
+void expect_one(const std::vector<Finding>& found, Check check, Severity severity,
                 std::initializer_list<const char*> parts) {
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].concern, concern);
+  EXPECT_EQ(found[0].check, check);
   EXPECT_EQ(found[0].severity, severity);
   for (const char* part : parts) {
     EXPECT_NE(found[0].sentence.find(part), std::string::npos)
@@ -88,7 +88,7 @@ TEST(Guard, finds_a_block_pressed_so_hard_that_the_time_step_is_too_long) {
   const double p_3 = normal_force(p, state.u_z(3, 0));
   EXPECT_LT(stable_time_step(p, p_3), p.dt);
   EXPECT_GT(stable_time_step(p), p.dt);
-  expect_one(findings_at_once(p, state), Concern::time_step, Severity::alarm,
+  expect_one(findings_at_once(p, state), Check::time_step, Severity::alarm,
              {"block 3 bears p = ", "numerics.dt = 2e-07 s", "t = 0 s"});
 }
 
@@ -107,7 +107,7 @@ Simulation stiffly_driven(double K) {
 
 TEST(Guard, finds_a_bounded_instability_in_the_energy_account) {
   Simulation simulation = stiffly_driven(3.9e9);
-  expect_one(watch(simulation, 1, 5000), Concern::energy, Severity::alarm,
+  expect_one(watch(simulation, 1, 5000), Check::energy, Severity::alarm,
              {"from t = 0 s to 0.001 s", "1.2 % is the limit", "block, (0, 1), moves"});
 }
 
@@ -118,7 +118,7 @@ TEST(Guard, says_nothing_about_a_vibration_that_stores_and_dissipates_next_to_no
 
 TEST(Guard, finds_an_error_since_the_start_that_short_looks_allow) {
   Simulation simulation = stiffly_driven(3.9e9);
-  expect_one(watch(simulation, 250, 4), Concern::energy, Severity::alarm, {"from t = 0 s to "});
+  expect_one(watch(simulation, 250, 4), Check::energy, Severity::alarm, {"from t = 0 s to "});
 }
 
 TEST(Guard, reports_a_concern_once) {
@@ -143,7 +143,7 @@ TEST(Guard, finds_an_error_since_the_last_look_that_is_small_since_the_start) {
   const auto found = watch(simulation, 3, 1000);
   const auto since_start = energy_balance(before, simulation.energies(), simulation.work());
   EXPECT_LT(since_start.relative_error(), energy_tolerance(3000));
-  expect_one(found, Concern::energy, Severity::alarm, {"from t = 0.0004 s to 0.0006 s"});
+  expect_one(found, Check::energy, Severity::alarm, {"from t = 0.0004 s to 0.0006 s"});
 }
 
 TEST(Guard, allows_a_short_account_a_larger_error) {
@@ -156,7 +156,7 @@ TEST(Guard, warns_of_junctions_beyond_their_strength_at_the_start) {
   const Parameters p = quick_slider();
   State state = normal_load_equilibrium(p);
   state.junctions.attachment.block(4, 7, 2, 3) -= 1e-4;
-  expect_one(findings_at_once(p, state), Concern::strength, Severity::warning,
+  expect_one(findings_at_once(p, state), Check::strength, Severity::warning,
              {"t = 0 s: 6, the first in block 4", "first step"});
 }
 
@@ -167,7 +167,7 @@ TEST(Guard, warns_of_slipping_junctions_beyond_the_slipping_force_at_the_start) 
   state.junctions.attachment(2, 0) = state.u_x(2, 0) + 1.01 * p.mu_d * w;
   EXPECT_TRUE(findings_at_once(p, state).empty()) << "pinned, and below mu_s";
   state.junctions.repin_time(2, 0) = 1.0;
-  expect_one(findings_at_once(p, state), Concern::strength, Severity::warning,
+  expect_one(findings_at_once(p, state), Check::strength, Severity::warning,
              {"t = 0 s: 1, the first in block 2"});
 }
 
@@ -177,7 +177,7 @@ TEST(Guard, calls_junctions_beyond_their_strength_after_the_start_a_bug) {
   Guard guard(Simulation(p, state));
   state.step = 1;
   state.junctions.attachment(4, 7) -= 1e-4;
-  expect_one(guard.look(Simulation(p, state)), Concern::strength, Severity::alarm,
+  expect_one(guard.look(Simulation(p, state)), Check::strength, Severity::alarm,
              {"t = 2e-07 s: 1, the first in block 4", "bug"});
 }
 
@@ -186,7 +186,7 @@ TEST(Guard, leaves_junctions_without_contact_alone) {
   State state = normal_load_equilibrium(p);
   state.u_z(4, 0) = 1e-7;
   state.junctions.attachment.row(4) -= 1e-4;
-  expect_one(findings_at_once(p, state), Concern::contact, Severity::warning,
+  expect_one(findings_at_once(p, state), Check::contact, Severity::warning,
              {"1 of 9, the first is block 4"});
 }
 
@@ -194,7 +194,7 @@ TEST(Guard, warns_of_blocks_without_contact) {
   const Parameters p = quick_slider();
   State state = normal_load_equilibrium(p);
   state.u_z(7, 0) = state.u_z(8, 0) = 1e-7;
-  expect_one(findings_at_once(p, state), Concern::contact, Severity::warning,
+  expect_one(findings_at_once(p, state), Check::contact, Severity::warning,
              {"do not touch the foundation at t = 0 s: 2 of 9, the first is block 7"});
 }
 
@@ -202,7 +202,7 @@ TEST(Guard, finds_a_slider_that_touches_nothing) {
   for (Parameters p : {quick_slider(), testing::prepared_slider()}) {
     State state(p);
     state.u_z.blocks() = p.support == Support::foundation ? 1e-7 : -1e-7;
-    expect_one(findings_at_once(p, state), Concern::contact, Severity::alarm,
+    expect_one(findings_at_once(p, state), Check::contact, Severity::alarm,
                {"no block touches the ",
                 p.support == Support::foundation ? "foundation" : "ceiling", "1"});
   }
@@ -213,7 +213,7 @@ TEST(Guard, finds_blocks_that_have_passed_each_other) {
   for (const bool up : {true, false}) {
     State state = normal_load_equilibrium(p);
     (up ? state.u_z : state.u_x)(3, 2) += 1.1 * block_spacing(p);
-    expect_one(findings_at_once(p, state), Concern::lattice, Severity::alarm,
+    expect_one(findings_at_once(p, state), Check::lattice, Severity::alarm,
                {"block (3, 2)", "t = 0 s"});
   }
 }

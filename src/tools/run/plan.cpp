@@ -1,0 +1,131 @@
+#include "run/plan.hpp"
+
+#include <algorithm>
+
+#include "rupture/checkpoint/record.hpp"
+
+namespace rupture::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the run goes on, if it was interrupted; else its start.
+Resumption beginning(const RunPlan& plan, Resume resume) {
+  const auto& chain = plan.start.provenance;
+  auto found =
+      resume == Resume::yes ? find_resumption(plan.start, plan.rule, plan.files) : std::nullopt;
+  if (!found) return {plan.start, {}, {}, chain};
+  ProvenanceEntry entry = chain.back();
+  entry.parent_checksum = found->checkpoint.checksum;
+  entry.rebuild = "restart";
+  found->checkpoint.provenance.push_back(std::move(entry));
+  found->checkpoint.run_id = plan.start.run_id;
+  found->record_provenance = chain;
+  return std::move(*found);
+}
+
+/// The checkpoints on the way at these steps.
+std::vector<fs::path> paths_at(const std::vector<std::int64_t>& steps, const RunPlan& plan) {
+  std::vector<fs::path> paths;
+  paths.reserve(steps.size());
+  for (const std::int64_t step : steps) {
+    paths.push_back(
+        path_at(plan.files.output, static_cast<double>(step) * plan.start.parameters.dt));
+  }
+  return paths;
+}
+
+/// Everything that a run with these checkpoints on the way writes.
+std::vector<fs::path> all_paths(std::vector<fs::path> on_the_way, const RunFiles& files) {
+  on_the_way.push_back(files.output);
+  if (files.record) on_the_way.push_back(*files.record);
+  return on_the_way;
+}
+
+/// Of a run that goes on, takes the checkpoints that were written before from those to come.
+void leave_out_what_was_written(RunPlan& plan) {
+  auto& steps = plan.checkpoint_steps;
+  const auto later = std::upper_bound(steps.begin(), steps.end(), plan.begin.checkpoint.state.step);
+  plan.written_before = paths_at({steps.begin(), later}, plan);
+  plan.written_before.push_back(plan.begin.file);
+  steps.erase(steps.begin(), later);
+}
+
+void check_outputs(const RunPlan& plan, const RunOptions& options, const OutputOptions& output,
+                   const fs::path& input) {
+  const auto on_the_way = paths_at(plan.checkpoint_steps, plan);
+  check_distinct(all_paths(on_the_way, plan.files), input);
+  check_output(plan.files.output, output.if_exists);
+  for (const fs::path& path : on_the_way) {
+    check_output(path, if_checkpoint_exists(plan, options, path));
+  }
+  if (plan.files.record) {
+    check_record(*plan.files.record, plan.start.parameters, if_record_exists(options, output));
+  }
+}
+
+/// Nothing of it is to be done yet.
+Workload nothing_of(const RunPlan& plan, const RunOptions& options, const fs::path& input) {
+  const Parameters& p = plan.start.parameters;
+  return {.parameters = p,
+          .from = input.empty() ? RunsFrom::equilibrium : RunsFrom::checkpoint,
+          .first_step = plan.rule.last_step,
+          .last_step = plan.rule.last_step,
+          .threads = options.threads.value_or(default_thread_count(p))};
+}
+
+/// What is left to be done.
+Workload rest_of(const RunPlan& plan, Workload work) {
+  work.first_step = plan.begin.checkpoint.state.step;
+  work.end = plan.rule.quiet_steps ? End::at_the_latest : End::known;
+  work.checkpoints = static_cast<std::int64_t>(plan.checkpoint_steps.size()) + 1;
+  if (plan.files.record) {
+    work.samples =
+        sample_count(plan.start.run->first_step, plan.rule.last_step, plan.files.record_every);
+  }
+  return work;
+}
+
+}  // namespace
+
+RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& options,
+                 const OutputOptions& output, const fs::path& input) {
+  const Parameters& p = start.parameters;
+  start.run = {.first_step = start.state.step, .last_break = start.state.step};
+  start.run_id = id_of_run(start);
+  const std::int64_t every = options.record ? sampling_steps(p, options) : 1;
+  RunPlan plan = {
+      .start = {},
+      .begin = {},
+      .rule = rule,
+      .files = {output.output, options.record, every, output.if_exists},
+      .checkpoint_steps = checkpoint_steps(p, start.state.step, rule.last_step, options),
+      .written_before = {},
+      .work = {}};
+  plan.start = std::move(start);
+  plan.work = nothing_of(plan, options, input);
+  plan.is_complete =
+      options.resume == Resume::yes && is_complete(plan.start, plan.rule, plan.files);
+  if (plan.is_complete) {
+    plan.begin.checkpoint = plan.start;
+    plan.written_before = all_paths(paths_at(plan.checkpoint_steps, plan), plan.files);
+    return plan;
+  }
+  plan.begin = beginning(plan, options.resume);
+  if (plan.is_resumed()) leave_out_what_was_written(plan);
+  check_outputs(plan, options, output, input);
+  plan.work = rest_of(plan, plan.work);
+  return plan;
+}
+
+IfExists if_checkpoint_exists(const RunPlan& plan, const RunOptions& options,
+                              const fs::path& path) {
+  return options.resume == Resume::yes && may_write(path, plan.start) ? IfExists::replace
+                                                                      : plan.files.if_exists;
+}
+
+IfExists if_record_exists(const RunOptions& options, const OutputOptions& output) {
+  return options.resume == Resume::yes ? IfExists::replace : output.if_exists;
+}
+
+}  // namespace rupture::tools

@@ -1,0 +1,42 @@
+// What a run will do, before it does anything: running it, --dry-run and --resume read this.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "run/forecast.hpp"
+#include "run/resume.hpp"
+#include "run/run_options.hpp"
+#include "rupture/dynamics/run.hpp"
+
+namespace rupture::tools {
+
+/// What a run will do. Its provenance already names the program that runs.
+struct RunPlan {
+  Checkpoint start;  ///< where the whole run begins,
+  Resumption begin;  ///< and where this part of it does, if it was interrupted: else the same
+  StopRule rule;
+  RunFiles files;
+  std::vector<std::int64_t> checkpoint_steps;         ///< on the way, that are still to come
+  std::vector<std::filesystem::path> written_before;  ///< files of the run that are there already
+  bool is_complete = false;                           ///< and nothing is left to do
+  Workload work;                                      ///< as far as it costs something
+
+  bool is_resumed() const { return !begin.file.empty(); }
+};
+
+/// Looks at what is there already, and writes nothing. `input` is the file that `start` comes from;
+/// empty if it is an equilibrium, which costs something, too. Throws UsageError or Failure if a
+/// file would have to be replaced that is neither the run's nor may be.
+RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& options,
+                 const OutputOptions& output, const std::filesystem::path& input);
+
+/// What becomes of a checkpoint on the way that is there already.
+IfExists if_checkpoint_exists(const RunPlan& plan, const RunOptions& options,
+                              const std::filesystem::path& path);
+
+/// What becomes of a record that is there already; that of another run was refused.
+IfExists if_record_exists(const RunOptions& options, const OutputOptions& output);
+
+}  // namespace rupture::tools
