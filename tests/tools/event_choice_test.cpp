@@ -139,7 +139,9 @@ TEST_F(EventChoice, EventsAsCsvHaveWhatTheJsonHas) {
     EXPECT_EQ(row[6], events[n]["type"]);
     const Json& slow = events[n]["slow"];
     EXPECT_EQ(row[7].empty(), slow.is_null());
-    if (!slow.is_null()) EXPECT_EQ(std::stod(row[12]), slow["speed"]);
+    if (!slow.is_null()) {
+      EXPECT_EQ(std::stod(row[12]), slow["speed"]);
+    }
   }
   EXPECT_FALSE(rows[2][7].empty()) << "the second event is slow by this measure";
 }
