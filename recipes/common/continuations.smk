@@ -12,54 +12,40 @@ SLIPS = ["stopped", "t_R-half", "t_R-double"]
 
 # The moment when block 8, at 0.14 L, ruptures: the front has left the loading zone, and all that
 # happens where it will be slow is still to come.
-rule event_branch:
+use rule restart as event_branch with:
     input:
-        h5=ancient(f"{DATA}/{{event}}.h5"),
-        sum=f"{DATA}/{{event}}.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}.h5"),
         front=f"{DATA}/{{event}}-front.json",
     output:
-        h5=f"{DATA}/{{event}}/branch.h5",
-        sum=f"{DATA}/{{event}}/branch.h5.sum",
+        **with_sums(h5=f"{DATA}/{{event}}/branch.h5"),
     params:
-        code=CODE,
+        **run_with(lambda wildcards, input: f"--until $({VALUE} {input.front} t_rupture.8)"),
     log:
         f"{LOGS}/{{event}}/branch.log",
     message:
         "{wildcards.event}: go to the moment when the front is at 0.14 L"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
-        " --until $({VALUE} {input.front} t_rupture.8) 2> {log}"
 
 
-rule event_continuation:
+use rule restart_recorded as event_continuation with:
     input:
-        h5=ancient(f"{DATA}/{{event}}/branch.h5"),
-        sum=f"{DATA}/{{event}}/branch.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}/branch.h5"),
     output:
-        h5=f"{DATA}/{{event}}/{{continuation}}.h5",
-        sum=f"{DATA}/{{event}}/{{continuation}}.h5.sum",
-        record=f"{DATA}/{{event}}/{{continuation}}-record.h5",
-        record_sum=f"{DATA}/{{event}}/{{continuation}}-record.h5.sum",
+        **recorded(f"{DATA}/{{event}}/{{continuation}}"),
     params:
-        code=CODE,
-        changes=lambda wildcards: CONTINUATIONS[wildcards.continuation],
+        **run_with("--for 0.01", changes=lambda wildcards: CONTINUATIONS[wildcards.continuation]),
     wildcard_constraints:
         continuation="|".join(CONTINUATIONS),
     log:
         f"{LOGS}/{{event}}/{{continuation}}.log",
     message:
         "{wildcards.event}: restart {wildcards.continuation} ({params.changes})"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum {params.changes} --for 0.01"
-        " --record {output.record} --record-every 1e-5 2> {log}"
 
 
 # Slip is followed until the front leaves its slow stretch; then the whole slider moves. A front
 # without one is followed until it reaches the leading edge, one that stops until the end.
 rule event_slip:
     input:
-        h5=ancient(f"{DATA}/{{event}}/{{continuation}}-record.h5"),
-        sum=f"{DATA}/{{event}}/{{continuation}}-record.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}/{{continuation}}-record.h5"),
         front=f"{DATA}/{{event}}/{{continuation}}-front.json",
     output:
         f"{DATA}/{{event}}/{{continuation}}-slip.json",
@@ -79,11 +65,9 @@ rule event_slip:
 
 rule event_wider_phi:
     input:
-        h5=ancient(f"{DATA}/{{event}}.h5"),
-        sum=f"{DATA}/{{event}}.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}.h5"),
     output:
-        h5=f"{DATA}/{{event}}/wider-start.h5",
-        sum=f"{DATA}/{{event}}/wider-start.h5.sum",
+        **with_sums(h5=f"{DATA}/{{event}}/wider-start.h5"),
         histogram=f"{DATA}/{{event}}/wider-start.txt",
     params:
         code=CODE,
@@ -96,61 +80,42 @@ rule event_wider_phi:
         " > {output.histogram} 2> {log}"
 
 
-rule event_wider:
+use rule restart_recorded as event_wider with:
     input:
-        h5=ancient(f"{DATA}/{{event}}/wider-start.h5"),
-        sum=f"{DATA}/{{event}}/wider-start.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}/wider-start.h5"),
     output:
-        h5=f"{DATA}/{{event}}/wider.h5",
-        sum=f"{DATA}/{{event}}/wider.h5.sum",
-        record=f"{DATA}/{{event}}/wider-record.h5",
-        record_sum=f"{DATA}/{{event}}/wider-record.h5.sum",
+        **recorded(f"{DATA}/{{event}}/wider"),
     params:
-        code=CODE,
+        **run_with("--for 0.01"),
     log:
         f"{LOGS}/{{event}}/wider.log",
     message:
         "{wildcards.event}: restart with the wider phi"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --for 0.01"
-        " --record {output.record} --record-every 1e-5 2> {log}"
 
 
-rule event_amid_slow:
+use rule restart as event_amid_slow with:
     input:
-        h5=ancient(f"{DATA}/{{event}}.h5"),
-        sum=f"{DATA}/{{event}}.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}.h5"),
         front=f"{DATA}/{{event}}-front.json",
         script="recipes/common/middle.py",
     output:
-        h5=f"{DATA}/{{event}}/amid-slow.h5",
-        sum=f"{DATA}/{{event}}/amid-slow.h5.sum",
+        **with_sums(h5=f"{DATA}/{{event}}/amid-slow.h5"),
     params:
-        code=CODE,
+        **run_with(lambda wildcards, input: f"--until $({PYTHON} {input.script} {input.front})"),
     log:
         f"{LOGS}/{{event}}/amid-slow.log",
     message:
         "{wildcards.event}: go to the middle of the slow stretch"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
-        " --until $({PYTHON} {input.script} {input.front}) 2> {log}"
 
 
-rule event_undriven:
+use rule restart_recorded as event_undriven with:
     input:
-        h5=ancient(f"{DATA}/{{event}}/amid-slow.h5"),
-        sum=f"{DATA}/{{event}}/amid-slow.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}/amid-slow.h5"),
     output:
-        h5=f"{DATA}/{{event}}/undriven.h5",
-        sum=f"{DATA}/{{event}}/undriven.h5.sum",
-        record=f"{DATA}/{{event}}/undriven-record.h5",
-        record_sum=f"{DATA}/{{event}}/undriven-record.h5.sum",
+        **recorded(f"{DATA}/{{event}}/undriven"),
     params:
-        code=CODE,
+        **run_with("--for 0.01", changes="--set driving.V=0"),
     log:
         f"{LOGS}/{{event}}/undriven.log",
     message:
         "{wildcards.event}: stop the driving during the slow front"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --set driving.V=0 --for 0.01"
-        " --record {output.record} --record-every 1e-5 2> {log}"

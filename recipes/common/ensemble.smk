@@ -5,62 +5,52 @@
 SEEDS = [f"{seed:02d}" for seed in range(2, 22)]
 SEEDS_FROM = 0.6  # [s]
 SEEDS_UNTIL = 0.82  # [s]
-SEED_CHECKPOINTS = [
-    SEEDS_FROM + n * CHECKPOINT_EVERY
-    for n in range(1, int((SEEDS_UNTIL - SEEDS_FROM) / CHECKPOINT_EVERY) + 1)
-]
+SEED_CHECKPOINTS = checkpoints_of(
+    f"{DATA}/ensemble/run-{{seed}}",
+    start=SEEDS_FROM,
+    until=SEEDS_UNTIL,
+    every=CHECKPOINT_EVERY,
+)
 
 
 wildcard_constraints:
     seed=r"\d\d",
 
 
-rule ensemble_run:
+use rule restart_recorded as ensemble_run with:
     input:
-        h5=ancient(f"{DATA}/load-t{SEEDS_FROM:.9f}.h5"),
-        sum=f"{DATA}/load-t{SEEDS_FROM:.9f}.h5.sum",
+        **content_of(h5=f"{DATA}/load-t{SEEDS_FROM:.9f}.h5"),
     output:
-        h5=f"{DATA}/ensemble/run-{{seed}}.h5",
-        sum=f"{DATA}/ensemble/run-{{seed}}.h5.sum",
-        record=f"{DATA}/ensemble/run-{{seed}}-record.h5",
-        record_sum=f"{DATA}/ensemble/run-{{seed}}-record.h5.sum",
-        checkpoints=[f"{DATA}/ensemble/run-{{seed}}-t{t:.9f}.h5" for t in SEED_CHECKPOINTS],
-        checkpoint_sums=[f"{DATA}/ensemble/run-{{seed}}-t{t:.9f}.h5.sum" for t in SEED_CHECKPOINTS],
+        **recorded(f"{DATA}/ensemble/run-{{seed}}", checkpoints=SEED_CHECKPOINTS),
     priority: 80  # long: first
     params:
-        code=CODE,
+        **run_with(
+            f"--seed $((10#{{seed}})) --until {SEEDS_UNTIL} --checkpoint-every {CHECKPOINT_EVERY}",
+            record_every="1e-3",
+        ),
     log:
         f"{LOGS}/ensemble/run-{{seed}}.log",
     message:
         "ensemble: run seed {wildcards.seed}"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
-        " --seed $((10#{wildcards.seed})) --until {SEEDS_UNTIL}"
-        " --checkpoint-every {CHECKPOINT_EVERY}"
-        " --record {output.record} --record-every 1e-3 2> {log}"
 
 
-rule ensemble_events:
+use rule analyze as ensemble_events with:
     input:
-        h5=ancient(f"{DATA}/ensemble/run-{{seed}}-record.h5"),
-        sum=f"{DATA}/ensemble/run-{{seed}}-record.h5.sum",
+        **content_of(h5=f"{DATA}/ensemble/run-{{seed}}-record.h5"),
     output:
         f"{DATA}/ensemble/run-{{seed}}-events.json",
     params:
-        code=CODE,
+        **analysis("events"),
     log:
         f"{LOGS}/ensemble/run-{{seed}}-events.log",
     message:
         "ensemble: find the events of seed {wildcards.seed}"
-    shell:
-        "{BIN}/analyze events {input.h5} --json > {output} 2> {log}"
 
 
 rule ensemble_choice:
     input:
         events=[f"{DATA}/ensemble/run-{seed}-events.json" for seed in SEEDS],
-        script="recipes/ensemble/choose.py",
-        common=COMMON,
+        **script("recipes/ensemble/choose.py"),
     output:
         f"{DATA}/ensemble/choice.json",
     log:
@@ -71,25 +61,18 @@ rule ensemble_choice:
         "{PYTHON} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
 
 
-rule ensemble_event_start:
+use rule restart_before_event as ensemble_event_start with:
     input:
         choice=f"{DATA}/ensemble/choice.json",
-        checkpoints=ancient(rules.ensemble_run.output.checkpoints),
-        sums=rules.ensemble_run.output.checkpoint_sums,
+        **content_of(checkpoints=SEED_CHECKPOINTS),
     output:
-        h5=f"{DATA}/ensemble/seed-{{seed}}.h5",
-        sum=f"{DATA}/ensemble/seed-{{seed}}.h5.sum",
+        **with_sums(h5=f"{DATA}/ensemble/seed-{{seed}}.h5"),
     params:
-        code=CODE,
+        **event_of(f"{DATA}/ensemble/run-{{seed}}", "seed-{seed}"),
     log:
         f"{LOGS}/ensemble/seed-{{seed}}-start.log",
     message:
         "ensemble: go to 0.5 ms before the event of seed {wildcards.seed}"
-    shell:
-        "{BIN}/restart"
-        " {DATA}/ensemble/run-{wildcards.seed}-t$({VALUE} {input.choice} seed-{wildcards.seed}.from).h5"
-        " -o {output.h5} --force --quiet --sum"
-        " --until $({VALUE} {input.choice} seed-{wildcards.seed}.until) 2> {log}"
 
 
 def seeds_with_event():

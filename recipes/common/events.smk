@@ -17,8 +17,7 @@ if FROM_SCRATCH:
     rule choice:
         input:
             events=f"{DATA}/events.json",
-            script="recipes/common/choose_events.py",
-            common=COMMON,
+            **script("recipes/common/choose_events.py"),
         output:
             f"{DATA}/choice.json",
         log:
@@ -28,24 +27,18 @@ if FROM_SCRATCH:
         shell:
             "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
-    rule event_start:
+    use rule restart_before_event as event_start with:
         input:
             choice=f"{DATA}/choice.json",
-            checkpoints=ancient(LOADED),
-            sums=[f"{path}.sum" for path in LOADED],
+            **content_of(checkpoints=LOADED),
         output:
-            h5=f"{DATA}/{{shown_event}}.h5",
-            sum=f"{DATA}/{{shown_event}}.h5.sum",
+            **with_sums(h5=f"{DATA}/{{shown_event}}.h5"),
         params:
-            code=CODE,
+            **event_of(f"{DATA}/load", "{shown_event}"),
         log:
             f"{LOGS}/{{shown_event}}-start.log",
         message:
             "{wildcards.shown_event}: go to 0.5 ms before the event"
-        shell:
-            "{BIN}/restart {DATA}/load-t$({VALUE} {input.choice} {wildcards.shown_event}.from).h5"
-            " -o {output.h5} --force --quiet --sum"
-            " --until $({VALUE} {input.choice} {wildcards.shown_event}.until) 2> {log}"
 
 else:
 
@@ -53,8 +46,7 @@ else:
         input:
             h5="checkpoints/{shown_event}.h5",
         output:
-            h5=f"{DATA}/{{shown_event}}.h5",
-            sum=f"{DATA}/{{shown_event}}.h5.sum",
+            **with_sums(h5=f"{DATA}/{{shown_event}}.h5"),
         params:
             code=CODE,
         log:
@@ -63,7 +55,7 @@ else:
             "{wildcards.shown_event}: verify the shipped checkpoint"
         shell:
             "sum=$({BIN}/analyze checksum {input.h5} 2> {log}) && cp {input.h5} {output.h5}"
-            " && echo \"content-sha256 $sum  {wildcards.shown_event}.h5\" > {output.sum}"
+            " && echo \"content-sha256 $sum  {wildcards.shown_event}.h5\" > {output.h5_sum}"
 
 
 # In either case the checkpoint must be the one that the manifest names.
@@ -83,74 +75,58 @@ rule event_compared:
         " cat {input.sum}; false; }}; }} > {log}"
 
 
-rule event_record:
+use rule restart_recorded as event_record with:
     input:
-        h5=ancient(f"{DATA}/{{event}}.h5"),
-        sum=f"{DATA}/{{event}}.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}.h5"),
     output:
-        h5=f"{DATA}/{{event}}-after.h5",
-        sum=f"{DATA}/{{event}}-after.h5.sum",
-        record=f"{DATA}/{{event}}-record.h5",
-        record_sum=f"{DATA}/{{event}}-record.h5.sum",
+        **with_sums(h5=f"{DATA}/{{event}}-after.h5", record=f"{DATA}/{{event}}-record.h5"),
     params:
-        code=CODE,
+        **run_with("--for 0.01"),
     log:
         f"{LOGS}/{{event}}-record.log",
     message:
         "{wildcards.event}: run the event as it is"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --for 0.01"
-        " --record {output.record} --record-every 1e-5 2> {log}"
 
 
 # What the junctions of each block carry just before the event, also after widening their phi.
-rule event_phi:
+use rule analyze as event_phi with:
     input:
-        h5=ancient(f"{DATA}/{{state}}.h5"),
-        sum=f"{DATA}/{{state}}.h5.sum",
+        **content_of(h5=f"{DATA}/{{state}}.h5"),
     output:
         f"{DATA}/{{state}}-phi.json",
     params:
-        code=CODE,
+        **analysis("phi"),
     wildcard_constraints:
         state=f"({EVENT})(/wider-start)?",
     log:
         f"{LOGS}/{{state}}-phi.log",
     message:
         "{wildcards.state}: measure the forces in the junctions"
-    shell:
-        "{BIN}/analyze phi {input.h5} --json > {output} 2> {log}"
 
 
 # What friction each block can bear just before the event.
-rule event_strength:
+use rule analyze as event_strength with:
     input:
-        h5=ancient(f"{DATA}/{{event}}.h5"),
-        sum=f"{DATA}/{{event}}.h5.sum",
+        **content_of(h5=f"{DATA}/{{event}}.h5"),
     output:
         f"{DATA}/{{event}}-strength.json",
     params:
-        code=CODE,
+        **analysis("strength"),
     log:
         f"{LOGS}/{{event}}-strength.log",
     message:
         "{wildcards.event}: measure the strength of each block"
-    shell:
-        "{BIN}/analyze strength {input.h5} --json > {output} 2> {log}"
 
 
 # The event from shortly before which, or amid which, the run goes on is the first in its record.
-rule front:
+use rule analyze as front with:
     input:
-        h5=ancient(f"{DATA}/{{run}}-record.h5"),
-        sum=f"{DATA}/{{run}}-record.h5.sum",
+        **content_of(h5=f"{DATA}/{{run}}-record.h5"),
     output:
         f"{DATA}/{{run}}-front.json",
     params:
-        code=CODE,
+        **analysis("front --event 0"),
     log:
         f"{LOGS}/{{run}}-front.log",
     message:
         "{wildcards.run}: measure the front"
-    shell:
-        "{BIN}/analyze front {input.h5} --event 0 --json > {output} 2> {log}"

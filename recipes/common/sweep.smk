@@ -81,8 +81,7 @@ rule table:
     input:
         points=lambda wildcards: batches_of_sweep(wildcards.sweep),
         sweep="recipes/{sweep}.ini",
-        script="recipes/common/collect.py",
-        common=COMMON,
+        **script("recipes/common/collect.py"),
     output:
         f"{DATA}/{{sweep}}.csv",
     wildcard_constraints:

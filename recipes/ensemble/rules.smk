@@ -28,15 +28,13 @@ rule ensemble:
         ],
         quasistatic=f"{DATA}/fig5/quasistatic-seeds.json",
         quasistatic_shown=f"{DATA}/fig5/claims-quasistatic.json",
-        script="recipes/ensemble/figure.py",
-        common=COMMON,
+        **script("recipes/ensemble/figure.py"),
     output:
         claims=f"{RESULTS}/ensemble/claims.json",
         ensemble=f"{RESULTS}/ensemble/ensemble.json",
         table=f"{RESULTS}/ensemble/ensemble.csv",
         events=f"{RESULTS}/ensemble/events.csv",
-        png=f"{RESULTS}/ensemble/ensemble.png",
-        pdf=f"{RESULTS}/ensemble/ensemble.pdf",
+        **picture(f"{RESULTS}/ensemble/ensemble"),
         summary=f"{RESULTS}/ensemble/summary.txt",
     log:
         f"{LOGS}/ensemble.log",

@@ -9,48 +9,39 @@ STAGES["start"]["estimate"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 # A force 600 times f_slip is out of reach in the relaxation.
-rule estimate_unbreakable:
+use rule load_once as estimate_unbreakable with:
     output:
-        h5=f"{DATA}/estimate/unbreakable.h5",
-        sum=f"{DATA}/estimate/unbreakable.h5.sum",
+        **with_sums(h5=f"{DATA}/estimate/unbreakable.h5"),
     params:
-        code=CODE,
+        **run_with("--until 0", changes="--set junctions.mu_s=100"),
     log:
         f"{LOGS}/estimate/unbreakable.log",
     message:
         "estimate: a slider whose junctions do not break again"
-    shell:
-        "{BIN}/load -o {output.h5} --force --quiet --sum --until 0 --set junctions.mu_s=100"
-        " 2> {log}"
 
 
-rule estimate_relaxation:
+use rule analyze as estimate_relaxation with:
     input:
-        h5=lambda wildcards: ancient(ESTIMATES[wildcards.junctions]),
-        sum=lambda wildcards: f"{ESTIMATES[wildcards.junctions]}.sum",
+        unpack(lambda wildcards: content_of(h5=ESTIMATES[wildcards.junctions])),
     output:
         f"{DATA}/estimate/{{junctions}}.json",
     params:
-        code=CODE,
+        **analysis("estimate --ensemble 1000"),
     wildcard_constraints:
         junctions="|".join(ESTIMATES),
     log:
         f"{LOGS}/estimate/{{junctions}}-relaxation.log",
     message:
         "estimate: relax one block ({wildcards.junctions})"
-    shell:
-        "{BIN}/analyze estimate {input.h5} --ensemble 1000 --json > {output} 2> {log}"
 
 
 rule estimate:
     input:
         reports=[f"{DATA}/estimate/{junctions}.json" for junctions in ESTIMATES],
-        script="recipes/estimate/figure.py",
-        common=COMMON,
+        **script("recipes/estimate/figure.py"),
     output:
         claims=f"{RESULTS}/estimate/claims.json",
-        png=f"{RESULTS}/estimate/estimate.png",
-        pdf=f"{RESULTS}/estimate/estimate.pdf",
+        **picture(f"{RESULTS}/estimate/estimate"),
         table=f"{RESULTS}/estimate/relaxation.csv",
         blocks=f"{RESULTS}/estimate/blocks.csv",
     log:

@@ -7,12 +7,10 @@ rule fig3_front_speed:
     input:
         points=f"{DATA}/fig3/front_speed.csv",
         phi=f"{DATA}/fig3/front_speed_phi.csv",
-        script="recipes/fig3/front_speed.py",
-        common=COMMON,
+        **script("recipes/fig3/front_speed.py"),
     output:
         claims=f"{DATA}/fig3/claims-D.json",
-        png=f"{RESULTS}/fig3/fig3D.png",
-        pdf=f"{RESULTS}/fig3/fig3D.pdf",
+        **picture(f"{RESULTS}/fig3/fig3D"),
         table=f"{RESULTS}/fig3/front-speed.csv",
     log:
         f"{LOGS}/fig3-front-speed.log",

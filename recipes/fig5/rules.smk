@@ -11,14 +11,11 @@ STAGES["start"]["fig5"] = [f"{DATA}/fast-slow-fast.compared"]
 rule fig5_driving:
     input:
         fronts=[f"{DATA}/{run}-front.json" for run in FIG5_RUNS],
-        records=ancient([f"{DATA}/{run}-record.h5" for run in FIG5_RUNS]),
-        sums=[f"{DATA}/{run}-record.h5.sum" for run in FIG5_RUNS],
-        script="recipes/fig5/driving.py",
-        common=COMMON,
+        **content_of(records=[f"{DATA}/{run}-record.h5" for run in FIG5_RUNS]),
+        **script("recipes/fig5/driving.py"),
     output:
         claims=f"{DATA}/fig5/claims-A.json",
-        png=f"{RESULTS}/fig5/fig5A.png",
-        pdf=f"{RESULTS}/fig5/fig5A.pdf",
+        **picture(f"{RESULTS}/fig5/fig5A"),
         table=f"{RESULTS}/fig5/rupture-lines.csv",
     log:
         f"{LOGS}/fig5-driving.log",
@@ -32,16 +29,13 @@ for part in sorted(set(Path("recipes/fig5").glob("*.smk")) - {Path("recipes/fig5
     include: part.name
 
 
-rule fig5:
+use rule join_claims as fig5 with:
     input:
         parts=FIG5_PARTS,
-        script="recipes/common/merge_claims.py",
-        common=COMMON,
+        **script("recipes/common/merge_claims.py"),
     output:
         f"{RESULTS}/fig5/claims.json",
     log:
         f"{LOGS}/fig5-claims.log",
     message:
         "fig5: join the claims"
-    shell:
-        "{PYTHON} {input.script} {input.parts} {output} 2> {log}"

@@ -24,13 +24,11 @@ rule figS5_strength:
 rule figS5:
     input:
         strength=[f"{DATA}/figS5/{shape}.jsonl" for shape in FIGS5_SHAPES],
-        script="recipes/figS5/figure.py",
+        **script("recipes/figS5/figure.py"),
         quadrature="recipes/figS5/quadrature.py",
-        common=COMMON,
     output:
         claims=f"{RESULTS}/figS5/claims.json",
-        png=f"{RESULTS}/figS5/figS5.png",
-        pdf=f"{RESULTS}/figS5/figS5.pdf",
+        **picture(f"{RESULTS}/figS5/figS5"),
         table=f"{RESULTS}/figS5/strength.csv",
         curves=f"{RESULTS}/figS5/displacement.csv",
     log:

@@ -9,8 +9,7 @@ STAGES["start"]["figS6"] = [f"{DATA}/figS6/boundary.csv"]
 rule figS6_boundary:
     input:
         grid=f"{DATA}/figS6/map.csv",
-        script="recipes/common/map_points.py",
-        common=COMMON,
+        **script("recipes/common/map_points.py"),
     output:
         f"{DATA}/figS6/boundary.csv",
     log:
@@ -25,12 +24,10 @@ rule figS6_map:
     input:
         tables=[f"{DATA}/figS6/{part}.csv" for part in ("map", "map-boundary")],
         boundary=f"{DATA}/figS6/boundary.csv",
-        script="recipes/figS6/map.py",
-        common=COMMON,
+        **script("recipes/figS6/map.py"),
     output:
         claims=f"{DATA}/figS6/claims-map.json",
-        png=f"{RESULTS}/figS6/figS6B.png",
-        pdf=f"{RESULTS}/figS6/figS6B.pdf",
+        **picture(f"{RESULTS}/figS6/figS6B"),
         table=f"{RESULTS}/figS6/front-types.csv",
         thresholds=f"{RESULTS}/figS6/thresholds.csv",
     log:
