@@ -16,29 +16,20 @@ use rule restart as event_branch with:
     input:
         **content_of(h5=f"{DATA}/{{event}}.h5"),
         front=f"{DATA}/{{event}}-front.json",
-    output:
-        **with_sums(h5=f"{DATA}/{{event}}/branch.h5"),
-    params:
-        **run_with(lambda wildcards, input: f"--until $({VALUE} {input.front} t_rupture.8)"),
-    log:
-        f"{LOGS}/{{event}}/branch.log",
-    message:
-        "{wildcards.event}: go to the moment when the front is at 0.14 L"
+    output: **with_sums(h5=f"{DATA}/{{event}}/branch.h5")
+    params: **run_with(lambda wildcards, input: f"--until $({VALUE} {input.front} t_rupture.8)")
+    log: f"{LOGS}/{{event}}/branch.log"
+    message: "{wildcards.event}: go to the moment when the front is at 0.14 L"
 
 
 use rule restart_recorded as event_continuation with:
-    input:
-        **content_of(h5=f"{DATA}/{{event}}/branch.h5"),
-    output:
-        **recorded(f"{DATA}/{{event}}/{{continuation}}"),
+    input: **content_of(h5=f"{DATA}/{{event}}/branch.h5")
+    output: **recorded(f"{DATA}/{{event}}/{{continuation}}")
     params:
         **run_with("--for 0.01", changes=lambda wildcards: CONTINUATIONS[wildcards.continuation]),
-    wildcard_constraints:
-        continuation="|".join(CONTINUATIONS),
-    log:
-        f"{LOGS}/{{event}}/{{continuation}}.log",
-    message:
-        "{wildcards.event}: restart {wildcards.continuation} ({params.changes})"
+    wildcard_constraints: continuation="|".join(CONTINUATIONS)
+    log: f"{LOGS}/{{event}}/{{continuation}}.log"
+    message: "{wildcards.event}: restart {wildcards.continuation} ({params.changes})"
 
 
 # Slip is followed until the front leaves its slow stretch; then the whole slider moves. A front
@@ -47,16 +38,11 @@ rule event_slip:
     input:
         **content_of(h5=f"{DATA}/{{event}}/{{continuation}}-record.h5"),
         front=f"{DATA}/{{event}}/{{continuation}}-front.json",
-    output:
-        f"{DATA}/{{event}}/{{continuation}}-slip.json",
-    params:
-        code=CODE,
-    wildcard_constraints:
-        continuation="|".join(SLIPS),
-    log:
-        f"{LOGS}/{{event}}/{{continuation}}-slip.log",
-    message:
-        "{wildcards.event}: measure the slip at x = 0.34 L ({wildcards.continuation})"
+    output: f"{DATA}/{{event}}/{{continuation}}-slip.json"
+    params: code=CODE
+    wildcard_constraints: continuation="|".join(SLIPS)
+    log: f"{LOGS}/{{event}}/{{continuation}}-slip.log"
+    message: "{wildcards.event}: measure the slip at x = 0.34 L ({wildcards.continuation})"
     shell:
         "{BIN}/analyze slip {input.h5} --x 0.0476"
         " --to $({VALUE} {input.front} slow.t_to t_rupture.56 2> {log} || echo 1e9)"
@@ -64,33 +50,24 @@ rule event_slip:
 
 
 rule event_wider_phi:
-    input:
-        **content_of(h5=f"{DATA}/{{event}}.h5"),
+    input: **content_of(h5=f"{DATA}/{{event}}.h5")
     output:
         **with_sums(h5=f"{DATA}/{{event}}/wider-start.h5"),
         histogram=f"{DATA}/{{event}}/wider-start.txt",
-    params:
-        code=CODE,
-    log:
-        f"{LOGS}/{{event}}/wider-start.log",
-    message:
-        "{wildcards.event}: make phi uniform and as wide as each block allows for x > 0.25 L"
+    params: code=CODE
+    log: f"{LOGS}/{{event}}/wider-start.log"
+    message: "{wildcards.event}: make phi uniform and as wide as each block allows for x > 0.25 L"
     shell:
         "{BIN}/modify-phi {input.h5} -o {output.h5} --force --sum --shape uniform --x-from 0.035"
         " > {output.histogram} 2> {log}"
 
 
 use rule restart_recorded as event_wider with:
-    input:
-        **content_of(h5=f"{DATA}/{{event}}/wider-start.h5"),
-    output:
-        **recorded(f"{DATA}/{{event}}/wider"),
-    params:
-        **run_with("--for 0.01"),
-    log:
-        f"{LOGS}/{{event}}/wider.log",
-    message:
-        "{wildcards.event}: restart with the wider phi"
+    input: **content_of(h5=f"{DATA}/{{event}}/wider-start.h5")
+    output: **recorded(f"{DATA}/{{event}}/wider")
+    params: **run_with("--for 0.01")
+    log: f"{LOGS}/{{event}}/wider.log"
+    message: "{wildcards.event}: restart with the wider phi"
 
 
 use rule restart as event_amid_slow with:
@@ -98,24 +75,15 @@ use rule restart as event_amid_slow with:
         **content_of(h5=f"{DATA}/{{event}}.h5"),
         front=f"{DATA}/{{event}}-front.json",
         script="recipes/common/middle.py",
-    output:
-        **with_sums(h5=f"{DATA}/{{event}}/amid-slow.h5"),
-    params:
-        **run_with(lambda wildcards, input: f"--until $({PYTHON} {input.script} {input.front})"),
-    log:
-        f"{LOGS}/{{event}}/amid-slow.log",
-    message:
-        "{wildcards.event}: go to the middle of the slow stretch"
+    output: **with_sums(h5=f"{DATA}/{{event}}/amid-slow.h5")
+    params: **run_with(lambda wildcards, input: f"--until $({PYTHON} {input.script} {input.front})")
+    log: f"{LOGS}/{{event}}/amid-slow.log"
+    message: "{wildcards.event}: go to the middle of the slow stretch"
 
 
 use rule restart_recorded as event_undriven with:
-    input:
-        **content_of(h5=f"{DATA}/{{event}}/amid-slow.h5"),
-    output:
-        **recorded(f"{DATA}/{{event}}/undriven"),
-    params:
-        **run_with("--for 0.01", changes="--set driving.V=0"),
-    log:
-        f"{LOGS}/{{event}}/undriven.log",
-    message:
-        "{wildcards.event}: stop the driving during the slow front"
+    input: **content_of(h5=f"{DATA}/{{event}}/amid-slow.h5")
+    output: **recorded(f"{DATA}/{{event}}/undriven")
+    params: **run_with("--for 0.01", changes="--set driving.V=0")
+    log: f"{LOGS}/{{event}}/undriven.log"
+    message: "{wildcards.event}: stop the driving during the slow front"

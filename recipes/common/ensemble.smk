@@ -13,66 +13,48 @@ SEED_CHECKPOINTS = checkpoints_of(
 )
 
 
-wildcard_constraints:
-    seed=r"\d\d",
+wildcard_constraints: seed=r"\d\d"
 
 
 use rule restart_recorded as ensemble_run with:
-    input:
-        **content_of(h5=f"{DATA}/load-t{SEEDS_FROM:.9f}.h5"),
-    output:
-        **recorded(f"{DATA}/ensemble/run-{{seed}}", checkpoints=SEED_CHECKPOINTS),
+    input: **content_of(h5=f"{DATA}/load-t{SEEDS_FROM:.9f}.h5")
+    output: **recorded(f"{DATA}/ensemble/run-{{seed}}", checkpoints=SEED_CHECKPOINTS)
     priority: 80  # long: first
     params:
         **run_with(
             f"--seed $((10#{{seed}})) --until {SEEDS_UNTIL} --checkpoint-every {CHECKPOINT_EVERY}",
             record_every="1e-3",
         ),
-    log:
-        f"{LOGS}/ensemble/run-{{seed}}.log",
-    message:
-        "ensemble: run seed {wildcards.seed}"
+    log: f"{LOGS}/ensemble/run-{{seed}}.log"
+    message: "ensemble: run seed {wildcards.seed}"
 
 
 use rule analyze as ensemble_events with:
-    input:
-        **content_of(h5=f"{DATA}/ensemble/run-{{seed}}-record.h5"),
-    output:
-        f"{DATA}/ensemble/run-{{seed}}-events.json",
-    params:
-        **analysis("events"),
-    log:
-        f"{LOGS}/ensemble/run-{{seed}}-events.log",
-    message:
-        "ensemble: find the events of seed {wildcards.seed}"
+    input: **content_of(h5=f"{DATA}/ensemble/run-{{seed}}-record.h5")
+    output: f"{DATA}/ensemble/run-{{seed}}-events.json"
+    params: **analysis("events")
+    log: f"{LOGS}/ensemble/run-{{seed}}-events.log"
+    message: "ensemble: find the events of seed {wildcards.seed}"
 
 
 rule ensemble_choice:
     input:
         events=[f"{DATA}/ensemble/run-{seed}-events.json" for seed in SEEDS],
         **script("recipes/ensemble/choose.py"),
-    output:
-        f"{DATA}/ensemble/choice.json",
-    log:
-        f"{LOGS}/ensemble/choice.log",
-    message:
-        "ensemble: choose the first event of each seed that slows down"
-    shell:
-        "{PYTHON} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
+    output: f"{DATA}/ensemble/choice.json"
+    log: f"{LOGS}/ensemble/choice.log"
+    message: "ensemble: choose the first event of each seed that slows down"
+    shell: "{PYTHON} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
 
 
 use rule restart_before_event as ensemble_event_start with:
     input:
         choice=f"{DATA}/ensemble/choice.json",
         **content_of(checkpoints=SEED_CHECKPOINTS),
-    output:
-        **with_sums(h5=f"{DATA}/ensemble/seed-{{seed}}.h5"),
-    params:
-        **event_of(f"{DATA}/ensemble/run-{{seed}}", "seed-{seed}"),
-    log:
-        f"{LOGS}/ensemble/seed-{{seed}}-start.log",
-    message:
-        "ensemble: go to 0.5 ms before the event of seed {wildcards.seed}"
+    output: **with_sums(h5=f"{DATA}/ensemble/seed-{{seed}}.h5")
+    params: **event_of(f"{DATA}/ensemble/run-{{seed}}", "seed-{seed}")
+    log: f"{LOGS}/ensemble/seed-{{seed}}-start.log"
+    message: "ensemble: go to 0.5 ms before the event of seed {wildcards.seed}"
 
 
 def seeds_with_event():

@@ -94,10 +94,8 @@ rule restart_before_event:
 
 
 rule analyze:
-    shell:
-        "{BIN}/analyze {params.analysis} {input.h5} --json > {output} 2> {log}"
+    shell: "{BIN}/analyze {params.analysis} {input.h5} --json > {output} 2> {log}"
 
 
 rule join_claims:
-    shell:
-        "{PYTHON} {input.script} {input.parts} {output} 2> {log}"
+    shell: "{PYTHON} {input.script} {input.parts} {output} 2> {log}"

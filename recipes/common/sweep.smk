@@ -58,8 +58,7 @@ rule batch:
     input:
         base=lambda wildcards: base_of(batch_at(wildcards)),
         script="recipes/common/batch.py",
-    output:
-        f"{DATA}/batches/{{batch}}.sum",
+    output: f"{DATA}/batches/{{batch}}.sum"
     params:
         code=CODE,
         sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[sweep_at(wildcards)])),
@@ -68,10 +67,8 @@ rule batch:
     resources:
         mem_mb=lambda wildcards: SWEEPS[sweep_at(wildcards)].needs.megabytes,
         points=lambda wildcards: described(sweep_at(wildcards), batch_at(wildcards)),  # message
-    log:
-        f"{LOGS}/batches/{{batch}}.log",
-    message:
-        "{resources.points}"
+    log: f"{LOGS}/batches/{{batch}}.log"
+    message: "{resources.points}"
     shell:
         "{PYTHON} {input.script} {BIN} {params.sweep} {POINTS} {params.code} {output} {params.ids}"
         " 2> {log}"
@@ -82,18 +79,12 @@ rule table:
         points=lambda wildcards: batches_of_sweep(wildcards.sweep),
         sweep="recipes/{sweep}.ini",
         **script("recipes/common/collect.py"),
-    output:
-        f"{DATA}/{{sweep}}.csv",
-    wildcard_constraints:
-        sweep="|".join(TABLES) or "none",
-    log:
-        f"{LOGS}/{{sweep}}.log",
-    message:
-        "{wildcards.sweep}: collect the points"
-    shell:
-        "{PYTHON} {input.script} {input.sweep} {POINTS} {output} 2> {log}"
+    output: f"{DATA}/{{sweep}}.csv"
+    wildcard_constraints: sweep="|".join(TABLES) or "none"
+    log: f"{LOGS}/{{sweep}}.log"
+    message: "{wildcards.sweep}: collect the points"
+    shell: "{PYTHON} {input.script} {input.sweep} {POINTS} {output} 2> {log}"
 
 
 rule sweep:
-    input:
-        [path for name in OWN for path in batches_of_sweep(name)],
+    input: [path for name in OWN for path in batches_of_sweep(name)]

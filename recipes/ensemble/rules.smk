@@ -36,9 +36,6 @@ rule ensemble:
         events=f"{RESULTS}/ensemble/events.csv",
         **picture(f"{RESULTS}/ensemble/ensemble"),
         summary=f"{RESULTS}/ensemble/summary.txt",
-    log:
-        f"{LOGS}/ensemble.log",
-    message:
-        "ensemble: draw, compare the shown event with the others"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/ensemble {input.events} 2> {log}"
+    log: f"{LOGS}/ensemble.log"
+    message: "ensemble: draw, compare the shown event with the others"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/ensemble {input.events} 2> {log}"

@@ -10,29 +10,19 @@ STAGES["start"]["estimate"] = [f"{DATA}/fast-slow-fast.compared"]
 
 # A force 600 times f_slip is out of reach in the relaxation.
 use rule load_once as estimate_unbreakable with:
-    output:
-        **with_sums(h5=f"{DATA}/estimate/unbreakable.h5"),
-    params:
-        **run_with("--until 0", changes="--set junctions.mu_s=100"),
-    log:
-        f"{LOGS}/estimate/unbreakable.log",
-    message:
-        "estimate: a slider whose junctions do not break again"
+    output: **with_sums(h5=f"{DATA}/estimate/unbreakable.h5")
+    params: **run_with("--until 0", changes="--set junctions.mu_s=100")
+    log: f"{LOGS}/estimate/unbreakable.log"
+    message: "estimate: a slider whose junctions do not break again"
 
 
 use rule analyze as estimate_relaxation with:
-    input:
-        unpack(lambda wildcards: content_of(h5=ESTIMATES[wildcards.junctions])),
-    output:
-        f"{DATA}/estimate/{{junctions}}.json",
-    params:
-        **analysis("estimate --ensemble 1000"),
-    wildcard_constraints:
-        junctions="|".join(ESTIMATES),
-    log:
-        f"{LOGS}/estimate/{{junctions}}-relaxation.log",
-    message:
-        "estimate: relax one block ({wildcards.junctions})"
+    input: unpack(lambda wildcards: content_of(h5=ESTIMATES[wildcards.junctions]))
+    output: f"{DATA}/estimate/{{junctions}}.json"
+    params: **analysis("estimate --ensemble 1000")
+    wildcard_constraints: junctions="|".join(ESTIMATES)
+    log: f"{LOGS}/estimate/{{junctions}}-relaxation.log"
+    message: "estimate: relax one block ({wildcards.junctions})"
 
 
 rule estimate:
@@ -44,9 +34,6 @@ rule estimate:
         **picture(f"{RESULTS}/estimate/estimate"),
         table=f"{RESULTS}/estimate/relaxation.csv",
         blocks=f"{RESULTS}/estimate/blocks.csv",
-    log:
-        f"{LOGS}/estimate.log",
-    message:
-        "estimate: draw, compare with the paper's numbers"
-    shell:
-        "{PYTHON} {input.script} {input.reports} {RESULTS}/estimate 2> {log}"
+    log: f"{LOGS}/estimate.log"
+    message: "estimate: draw, compare with the paper's numbers"
+    shell: "{PYTHON} {input.script} {input.reports} {RESULTS}/estimate 2> {log}"

@@ -19,48 +19,32 @@ STAGES["start"]["fig1"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 use rule analyze as fig1_loading with:
-    input:
-        **content_of(h5=f"{DATA}/load-record.h5"),
-    output:
-        f"{FIG1}/loading.json",
-    params:
-        **analysis("loading"),
-    log:
-        f"{LOGS}/fig1/loading.log",
-    message:
-        "fig1: read the loading curve"
+    input: **content_of(h5=f"{DATA}/load-record.h5")
+    output: f"{FIG1}/loading.json"
+    params: **analysis("loading")
+    log: f"{LOGS}/fig1/loading.log"
+    message: "fig1: read the loading curve"
 
 
 # fig1/event-front.json comes from this record by rule front.
 use rule restart_recorded as fig1_event with:
-    input:
-        **content_of(h5=f"{DATA}/fast-slow-fast.h5"),
-    output:
-        **recorded(f"{FIG1}/event"),
-    params:
-        **run_with("--for 0.005", record_every="1e-6"),
-    log:
-        f"{LOGS}/fig1/event.log",
-    message:
-        "fig1: run the fast-slow-fast event with a sample each microsecond"
+    input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")
+    output: **recorded(f"{FIG1}/event")
+    params: **run_with("--for 0.005", record_every="1e-6")
+    log: f"{LOGS}/fig1/event.log"
+    message: "fig1: run the fast-slow-fast event with a sample each microsecond"
 
 
 rule fig1_junctions:
-    output:
-        **with_sums(h5=f"{FIG1}/junctions.h5"),
-    params:
-        code=CODE,
-    log:
-        f"{LOGS}/fig1/junctions.log",
-    message:
-        "fig1: prepare blocks with one junction each"
-    shell:
-        "{BIN}/prepare {FIG1_JUNCTION} -o {output.h5} --force --quiet --sum 2> {log}"
+    output: **with_sums(h5=f"{FIG1}/junctions.h5")
+    params: code=CODE
+    log: f"{LOGS}/fig1/junctions.log"
+    message: "fig1: prepare blocks with one junction each"
+    shell: "{BIN}/prepare {FIG1_JUNCTION} -o {output.h5} --force --quiet --sum 2> {log}"
 
 
 use rule restart_recorded as fig1_pull with:
-    input:
-        **content_of(h5=f"{FIG1}/junctions.h5"),
+    input: **content_of(h5=f"{FIG1}/junctions.h5")
     output:
         **recorded(
             f"{FIG1}/pulled",
@@ -72,24 +56,18 @@ use rule restart_recorded as fig1_pull with:
             changes="--set driving.V=1e-3",
             record_every="2e-7",
         ),
-    log:
-        f"{LOGS}/fig1/pulled.log",
-    message:
-        "fig1: pull them at 1 mm/s with a sample in each step"
+    log: f"{LOGS}/fig1/pulled.log"
+    message: "fig1: pull them at 1 mm/s with a sample in each step"
 
 
 rule fig1_steady:
-    output:
-        f"{FIG1}/steady-{{speeds}}.json",
+    output: f"{FIG1}/steady-{{speeds}}.json"
     params:
         code=CODE,
         speeds=lambda wildcards: FIG1_SPEEDS[wildcards.speeds],
-    wildcard_constraints:
-        speeds="|".join(FIG1_SPEEDS),
-    log:
-        f"{LOGS}/fig1/steady-{{speeds}}.log",
-    message:
-        "fig1: slide a block at constant speeds ({params.speeds})"
+    wildcard_constraints: speeds="|".join(FIG1_SPEEDS)
+    log: f"{LOGS}/fig1/steady-{{speeds}}.log"
+    message: "fig1: slide a block at constant speeds ({params.speeds})"
     shell:
         "{BIN}/analyze steady-state {params.speeds} --steps-per-cycle 20000 --json"
         " > {output} 2> {log}"
@@ -107,12 +85,9 @@ rule fig1_curves:
         loading=f"{RESULTS}/fig1/loading.csv",
         events=f"{RESULTS}/fig1/events.csv",
         block=f"{RESULTS}/fig1/block.csv",
-    log:
-        f"{LOGS}/fig1/curves.log",
-    message:
-        "fig1: the slider's loading (D) and one block's (E)"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig1 2> {log}"
+    log: f"{LOGS}/fig1/curves.log"
+    message: "fig1: the slider's loading (D) and one block's (E)"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig1 2> {log}"
 
 
 rule fig1_junction:
@@ -126,10 +101,8 @@ rule fig1_junction:
     output:
         claims=f"{FIG1}/claims-junction.json",
         table=f"{RESULTS}/fig1/junction.csv",
-    log:
-        f"{LOGS}/fig1/junction.log",
-    message:
-        "fig1: one junction through two cycles (F)"
+    log: f"{LOGS}/fig1/junction.log"
+    message: "fig1: one junction through two cycles (F)"
     shell:
         "{PYTHON} {input.script} {input.prepared} {input.record} {input.slipping}"
         " {output.table} {output.claims} 2> {log}"
@@ -143,10 +116,8 @@ rule fig1_speeds:
     output:
         claims=f"{FIG1}/claims-speeds.json",
         table=f"{RESULTS}/fig1/steady-state.csv",
-    log:
-        f"{LOGS}/fig1/speeds.log",
-    message:
-        "fig1: friction against sliding speed, beside renewal theory (G)"
+    log: f"{LOGS}/fig1/speeds.log"
+    message: "fig1: friction against sliding speed, beside renewal theory (G)"
     shell:
         "{PYTHON} {input.script} {input.range} {input.limits} {output.table} {output.claims} 2> {log}"
 
@@ -158,14 +129,10 @@ rule fig1_picture:
             for table in ("loading", "events", "block", "junction", "steady-state")
         ],
         **script("recipes/fig1/figure.py"),
-    output:
-        **picture(f"{RESULTS}/fig1/fig1"),
-    log:
-        f"{LOGS}/fig1/picture.log",
-    message:
-        "fig1: draw"
-    shell:
-        "{PYTHON} {input.script} {RESULTS}/fig1 2> {log}"
+    output: **picture(f"{RESULTS}/fig1/fig1")
+    log: f"{LOGS}/fig1/picture.log"
+    message: "fig1: draw"
+    shell: "{PYTHON} {input.script} {RESULTS}/fig1 2> {log}"
 
 
 use rule join_claims as fig1 with:
@@ -173,9 +140,6 @@ use rule join_claims as fig1 with:
         parts=[f"{FIG1}/claims-{part}.json" for part in ("curves", "junction", "speeds")],
         picture=f"{RESULTS}/fig1/fig1.png",
         **script("recipes/common/merge_claims.py"),
-    output:
-        claims=f"{RESULTS}/fig1/claims.json",
-    log:
-        f"{LOGS}/fig1.log",
-    message:
-        "fig1: collect the claims"
+    output: claims=f"{RESULTS}/fig1/claims.json"
+    log: f"{LOGS}/fig1.log"
+    message: "fig1: collect the claims"

@@ -14,9 +14,6 @@ rule fig2:
         claims=f"{RESULTS}/fig2/claims.json",
         **picture(f"{RESULTS}/fig2/fig2"),
         table=f"{RESULTS}/fig2/front-speed.csv",
-    log:
-        f"{LOGS}/fig2.log",
-    message:
-        "fig2: draw, compare with the paper's claims"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 2> {log}"
+    log: f"{LOGS}/fig2.log"
+    message: "fig2: draw, compare with the paper's claims"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 2> {log}"

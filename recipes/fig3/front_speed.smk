@@ -12,10 +12,8 @@ rule fig3_front_speed:
         claims=f"{DATA}/fig3/claims-D.json",
         **picture(f"{RESULTS}/fig3/fig3D"),
         table=f"{RESULTS}/fig3/front-speed.csv",
-    log:
-        f"{LOGS}/fig3-front-speed.log",
-    message:
-        "fig3: draw D, compare the collapse of the front speeds"
+    log: f"{LOGS}/fig3-front-speed.log"
+    message: "fig3: draw D, compare the collapse of the front speeds"
     shell:
         "{PYTHON} {input.script} {input.points} {input.phi} {RESULTS}/fig3 {output.claims}"
         " 2> {log}"

@@ -20,12 +20,9 @@ rule fig3_ABC:
         claims=f"{DATA}/fig3/claims-ABC.json",
         **picture(f"{RESULTS}/fig3/fig3"),
         table=f"{RESULTS}/fig3/slip.csv",
-    log:
-        f"{LOGS}/fig3.log",
-    message:
-        "fig3: draw A-C, compare with the paper's claims"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig3 {output.claims} 2> {log}"
+    log: f"{LOGS}/fig3.log"
+    message: "fig3: draw A-C, compare with the paper's claims"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig3 {output.claims} 2> {log}"
 
 
 for part in sorted(set(Path("recipes/fig3").glob("*.smk")) - {Path("recipes/fig3/rules.smk")}):
@@ -36,9 +33,6 @@ use rule join_claims as fig3 with:
     input:
         parts=FIG3_PARTS,
         **script("recipes/common/merge_claims.py"),
-    output:
-        f"{RESULTS}/fig3/claims.json",
-    log:
-        f"{LOGS}/fig3-claims.log",
-    message:
-        "fig3: join the claims"
+    output: f"{RESULTS}/fig3/claims.json"
+    log: f"{LOGS}/fig3-claims.log"
+    message: "fig3: join the claims"

@@ -11,10 +11,8 @@ rule fig3_slow_slip:
         claims=f"{DATA}/fig3/claims-Ci.json",
         **picture(f"{RESULTS}/fig3/fig3C-inset"),
         table=f"{RESULTS}/fig3/slow-slip-speed.csv",
-    log:
-        f"{LOGS}/fig3-slow-slip.log",
-    message:
-        "fig3: draw the inset of C, compare the slow slip with Eq. S1"
+    log: f"{LOGS}/fig3-slow-slip.log"
+    message: "fig3: draw the inset of C, compare the slow slip with Eq. S1"
     shell:
         "{PYTHON} {input.script} {input.prepared} {input.event} {RESULTS}/fig3 {output.claims}"
         " 2> {log}"

@@ -23,14 +23,10 @@ rule fig4_between:
     input:
         grid=f"{DATA}/fig4/map.csv",
         **script("recipes/common/map_points.py"),
-    output:
-        f"{DATA}/fig4/between.csv",
-    log:
-        f"{LOGS}/fig4/between.log",
-    message:
-        "fig4: find where the front type changes"
-    shell:
-        "{PYTHON} {input.script} between {input.grid} {output} 2> {log}"
+    output: f"{DATA}/fig4/between.csv"
+    log: f"{LOGS}/fig4/between.log"
+    message: "fig4: find where the front type changes"
+    shell: "{PYTHON} {input.script} between {input.grid} {output} 2> {log}"
 
 
 rule fig4_boundary:
@@ -38,14 +34,10 @@ rule fig4_boundary:
         grid=f"{DATA}/fig4/map.csv",
         between=f"{DATA}/fig4/map-between.csv",
         **script("recipes/common/map_points.py"),
-    output:
-        f"{DATA}/fig4/boundary.csv",
-    log:
-        f"{LOGS}/fig4/boundary.log",
-    message:
-        "fig4: find the places next to another front type"
-    shell:
-        "{PYTHON} {input.script} boundary {input.grid} {input.between} {output} 2> {log}"
+    output: f"{DATA}/fig4/boundary.csv"
+    log: f"{LOGS}/fig4/boundary.log"
+    message: "fig4: find the places next to another front type"
+    shell: "{PYTHON} {input.script} boundary {input.grid} {input.between} {output} 2> {log}"
 
 
 rule fig4_map:
@@ -58,12 +50,9 @@ rule fig4_map:
         **picture(f"{RESULTS}/fig4/fig4D"),
         table=f"{RESULTS}/fig4/front-types.csv",
         thresholds=f"{RESULTS}/fig4/thresholds.csv",
-    log:
-        f"{LOGS}/fig4/map.log",
-    message:
-        "fig4: draw D, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 2> {log}"
+    log: f"{LOGS}/fig4/map.log"
+    message: "fig4: draw D, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 2> {log}"
 
 
 # Prepared interfaces of either shape, the strength of the shapes themselves, and the blocks of
@@ -82,23 +71,16 @@ rule fig4_strength:
         claims=f"{DATA}/fig4/claims-4C.json",
         **picture(f"{RESULTS}/fig4/fig4C"),
         table=f"{RESULTS}/fig4/strength.csv",
-    params:
-        repeated=ENSEMBLE_EVENTS,
-    log:
-        f"{LOGS}/fig4/strength.log",
-    message:
-        "fig4: draw C, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {params.repeated} 2> {log}"
+    params: repeated=ENSEMBLE_EVENTS
+    log: f"{LOGS}/fig4/strength.log"
+    message: "fig4: draw C, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {params.repeated} 2> {log}"
 
 
 use rule join_claims as fig4 with:
     input:
         parts=FIG4_PARTS,
         **script("recipes/common/merge_claims.py"),
-    output:
-        f"{RESULTS}/fig4/claims.json",
-    log:
-        f"{LOGS}/fig4.log",
-    message:
-        "fig4: join the claims of its parts"
+    output: f"{RESULTS}/fig4/claims.json"
+    log: f"{LOGS}/fig4.log"
+    message: "fig4: join the claims of its parts"

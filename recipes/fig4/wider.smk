@@ -11,9 +11,6 @@ rule fig4_wider:
     output:
         claims=f"{DATA}/fig4/claims-AB.json",
         **picture(f"{RESULTS}/fig4/fig4AB"),
-    log:
-        f"{LOGS}/fig4-wider.log",
-    message:
-        "fig4: draw A-B, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {output.claims} 2> {log}"
+    log: f"{LOGS}/fig4-wider.log"
+    message: "fig4: draw A-B, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {output.claims} 2> {log}"

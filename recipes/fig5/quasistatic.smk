@@ -16,8 +16,7 @@ QUASISTATIC_MIDDLE = 4  # the one that decides, and that is shown until the next
 
 
 use rule load_recorded as quasistatic_load with:
-    output:
-        **recorded(f"{DATA}/fig5/quasistatic-load", checkpoints=QUASISTATIC_LOADED),
+    output: **recorded(f"{DATA}/fig5/quasistatic-load", checkpoints=QUASISTATIC_LOADED)
     priority: 90  # long: first
     params:
         **run_with(
@@ -25,41 +24,31 @@ use rule load_recorded as quasistatic_load with:
             changes="--set driving.h=0",
             record_every="1e-3",
         ),
-    log:
-        f"{LOGS}/fig5/quasistatic-load.log",
-    message:
-        f"fig5: drive the slider at h = 0 to t = {QUASISTATIC_UNTIL} s"
+    log: f"{LOGS}/fig5/quasistatic-load.log"
+    message: f"fig5: drive the slider at h = 0 to t = {QUASISTATIC_UNTIL} s"
 
 
 rule quasistatic_stretch:
     input:
         **content_of(h5=f"{DATA}/fig5/quasistatic-load-record.h5"),
         **script("recipes/fig5/quasistatic_stretch.py"),
-    output:
-        f"{DATA}/fig5/quasistatic-stretch.json",
-    log:
-        f"{LOGS}/fig5/quasistatic-stretch.log",
-    message:
-        "fig5: find the quasi-static front"
-    shell:
-        "{PYTHON} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
+    output: f"{DATA}/fig5/quasistatic-stretch.json"
+    log: f"{LOGS}/fig5/quasistatic-stretch.log"
+    message: "fig5: find the quasi-static front"
+    shell: "{PYTHON} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
 
 
 rule quasistatic_stopped:
     input:
         stretch=f"{DATA}/fig5/quasistatic-stretch.json",
         **content_of(checkpoints=QUASISTATIC_LOADED),
-    output:
-        **recorded(f"{DATA}/fig5/quasistatic-stopped-{{n}}"),
+    output: **recorded(f"{DATA}/fig5/quasistatic-stopped-{{n}}")
     params:
         code=CODE,
         duration=lambda wildcards: 0.08 if int(wildcards.n) == QUASISTATIC_MIDDLE else 0.02,
-    wildcard_constraints:
-        n=r"\d",
-    log:
-        f"{LOGS}/fig5/quasistatic-stopped-{{n}}.log",
-    message:
-        "fig5: stop the driving at branch {wildcards.n} of the quasi-static front"
+    wildcard_constraints: n=r"\d"
+    log: f"{LOGS}/fig5/quasistatic-stopped-{{n}}.log"
+    message: "fig5: stop the driving at branch {wildcards.n} of the quasi-static front"
     shell:
         "{BIN}/restart"
         " {DATA}/fig5/quasistatic-load-t$({VALUE} {input.stretch} branches.{wildcards.n}).h5"
@@ -74,32 +63,23 @@ QUASISTATIC_SEEDS_STOP = 0.57  # s
 
 
 use rule restart_recorded as quasistatic_seed with:
-    input:
-        **content_of(h5=f"{DATA}/fig5/quasistatic-load-t{QUASISTATIC_SEEDS_FROM:.9f}.h5"),
-    output:
-        **recorded(f"{DATA}/fig5/seed-{{seed}}"),
+    input: **content_of(h5=f"{DATA}/fig5/quasistatic-load-t{QUASISTATIC_SEEDS_FROM:.9f}.h5")
+    output: **recorded(f"{DATA}/fig5/seed-{{seed}}")
     params:
         **run_with(
             f"--seed $((10#{{seed}})) --until {QUASISTATIC_SEEDS_STOP}",
             record_every="1e-3",
         ),
-    log:
-        f"{LOGS}/fig5/seed-{{seed}}.log",
-    message:
-        "fig5: drive the slider at h = 0 with seed {wildcards.seed}"
+    log: f"{LOGS}/fig5/seed-{{seed}}.log"
+    message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}"
 
 
 use rule restart_recorded as quasistatic_seed_stopped with:
-    input:
-        **content_of(h5=f"{DATA}/fig5/seed-{{seed}}.h5"),
-    output:
-        **recorded(f"{DATA}/fig5/seed-{{seed}}-stopped"),
-    params:
-        **run_with("--for 0.02", changes="--set driving.V=0", record_every="1e-3"),
-    log:
-        f"{LOGS}/fig5/seed-{{seed}}-stopped.log",
-    message:
-        "fig5: stop the driving with seed {wildcards.seed}"
+    input: **content_of(h5=f"{DATA}/fig5/seed-{{seed}}.h5")
+    output: **recorded(f"{DATA}/fig5/seed-{{seed}}-stopped")
+    params: **run_with("--for 0.02", changes="--set driving.V=0", record_every="1e-3")
+    log: f"{LOGS}/fig5/seed-{{seed}}-stopped.log"
+    message: "fig5: stop the driving with seed {wildcards.seed}"
 
 
 rule quasistatic_seeds:
@@ -110,16 +90,11 @@ rule quasistatic_seeds:
         ),
         **script("recipes/fig5/quasistatic_seeds.py"),
         stretch_script="recipes/fig5/quasistatic_stretch.py",
-    output:
-        f"{DATA}/fig5/quasistatic-seeds.json",
-    params:
-        seeds=SEEDS,
-    log:
-        f"{LOGS}/fig5/quasistatic-seeds.log",
-    message:
-        "fig5: measure the quasi-static fronts of all seeds"
-    shell:
-        "{PYTHON} {input.script} {DATA}/fig5 {params.seeds} > {output} 2> {log}"
+    output: f"{DATA}/fig5/quasistatic-seeds.json"
+    params: seeds=SEEDS
+    log: f"{LOGS}/fig5/quasistatic-seeds.log"
+    message: "fig5: measure the quasi-static fronts of all seeds"
+    shell: "{PYTHON} {input.script} {DATA}/fig5 {params.seeds} > {output} 2> {log}"
 
 
 rule quasistatic:
@@ -139,9 +114,6 @@ rule quasistatic:
         **picture(f"{RESULTS}/fig5/fig5B"),
         table=f"{RESULTS}/fig5/quasistatic-tip.csv",
         branches=f"{RESULTS}/fig5/quasistatic-branches.csv",
-    log:
-        f"{LOGS}/fig5/quasistatic.log",
-    message:
-        "fig5: draw the quasi-static front, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA}/fig5 {RESULTS}/fig5 2> {log}"
+    log: f"{LOGS}/fig5/quasistatic.log"
+    message: "fig5: draw the quasi-static front, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA}/fig5 {RESULTS}/fig5 2> {log}"

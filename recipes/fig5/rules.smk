@@ -17,12 +17,9 @@ rule fig5_driving:
         claims=f"{DATA}/fig5/claims-A.json",
         **picture(f"{RESULTS}/fig5/fig5A"),
         table=f"{RESULTS}/fig5/rupture-lines.csv",
-    log:
-        f"{LOGS}/fig5-driving.log",
-    message:
-        "fig5: draw A, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig5 {output.claims} 2> {log}"
+    log: f"{LOGS}/fig5-driving.log"
+    message: "fig5: draw A, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig5 {output.claims} 2> {log}"
 
 
 for part in sorted(set(Path("recipes/fig5").glob("*.smk")) - {Path("recipes/fig5/rules.smk")}):
@@ -33,9 +30,6 @@ use rule join_claims as fig5 with:
     input:
         parts=FIG5_PARTS,
         **script("recipes/common/merge_claims.py"),
-    output:
-        f"{RESULTS}/fig5/claims.json",
-    log:
-        f"{LOGS}/fig5-claims.log",
-    message:
-        "fig5: join the claims"
+    output: f"{RESULTS}/fig5/claims.json"
+    log: f"{LOGS}/fig5-claims.log"
+    message: "fig5: join the claims"

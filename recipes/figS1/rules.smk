@@ -10,29 +10,19 @@ STAGES["start"]["figS1"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 use rule load_once as figS1_unloaded with:
-    output:
-        **with_sums(h5=f"{DATA}/figS1/unloaded.h5"),
-    params:
-        **run_with("--until 0"),
-    log:
-        f"{LOGS}/figS1/unloaded.log",
-    message:
-        "figS1: find the equilibrium under the normal load"
+    output: **with_sums(h5=f"{DATA}/figS1/unloaded.h5")
+    params: **run_with("--until 0")
+    log: f"{LOGS}/figS1/unloaded.log"
+    message: "figS1: find the equilibrium under the normal load"
 
 
 use rule analyze as figS1_stress with:
-    input:
-        unpack(lambda wildcards: content_of(h5=FIGS1_STATES[wildcards.state])),
-    output:
-        f"{DATA}/figS1/{{state}}-stress.json",
-    params:
-        **analysis("stress"),
-    wildcard_constraints:
-        state="|".join(FIGS1_STATES),
-    log:
-        f"{LOGS}/figS1/{{state}}-stress.log",
-    message:
-        "figS1: read the forces on the interface ({wildcards.state})"
+    input: unpack(lambda wildcards: content_of(h5=FIGS1_STATES[wildcards.state]))
+    output: f"{DATA}/figS1/{{state}}-stress.json"
+    params: **analysis("stress")
+    wildcard_constraints: state="|".join(FIGS1_STATES)
+    log: f"{LOGS}/figS1/{{state}}-stress.log"
+    message: "figS1: read the forces on the interface ({wildcards.state})"
 
 
 rule figS1:
@@ -44,9 +34,6 @@ rule figS1:
         claims=f"{RESULTS}/figS1/claims.json",
         **picture(f"{RESULTS}/figS1/figS1"),
         table=f"{RESULTS}/figS1/stress.csv",
-    log:
-        f"{LOGS}/figS1.log",
-    message:
-        "figS1: draw, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {input.stress} {input.checkpoint} {RESULTS}/figS1 2> {log}"
+    log: f"{LOGS}/figS1.log"
+    message: "figS1: draw, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {input.stress} {input.checkpoint} {RESULTS}/figS1 2> {log}"

@@ -14,8 +14,7 @@ def figS2_events():
 
 
 use rule load_recorded as figS2_load with:
-    output:
-        **recorded(f"{DATA}/figS2/load", checkpoints=FIGS2_LOADED),
+    output: **recorded(f"{DATA}/figS2/load", checkpoints=FIGS2_LOADED)
     priority: 90  # long: first
     params:
         **run_with(
@@ -23,37 +22,26 @@ use rule load_recorded as figS2_load with:
             changes="--set junctions.law=simplified --set junctions.v_slow=1.5e-3",
             record_every="1e-3",
         ),
-    log:
-        f"{LOGS}/figS2/load.log",
-    message:
-        f"figS2: drive the slider with the simplified law to t = {FIGS2_UNTIL} s"
+    log: f"{LOGS}/figS2/load.log"
+    message: f"figS2: drive the slider with the simplified law to t = {FIGS2_UNTIL} s"
 
 
 use rule analyze as figS2_events with:
-    input:
-        **content_of(h5=f"{DATA}/figS2/load-record.h5"),
-    output:
-        f"{DATA}/figS2/events.json",
-    params:
-        **analysis("events"),
-    log:
-        f"{LOGS}/figS2/events.log",
-    message:
-        "figS2: find the rupture events"
+    input: **content_of(h5=f"{DATA}/figS2/load-record.h5")
+    output: f"{DATA}/figS2/events.json"
+    params: **analysis("events")
+    log: f"{LOGS}/figS2/events.log"
+    message: "figS2: find the rupture events"
 
 
 rule figS2_choice:
     input:
         events=f"{DATA}/figS2/events.json",
         **script("recipes/figS2/choose.py"),
-    output:
-        FIGS2_CHOICE.as_posix(),
-    log:
-        f"{LOGS}/figS2/choice.log",
-    message:
-        "figS2: list the fast-slow events"
-    shell:
-        "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
+    output: FIGS2_CHOICE.as_posix()
+    log: f"{LOGS}/figS2/choice.log"
+    message: "figS2: list the fast-slow events"
+    shell: "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
 
 STAGES["start"]["figS2"] = [FIGS2_CHOICE.as_posix()]
@@ -63,45 +51,29 @@ use rule restart_before_event as figS2_before with:
     input:
         choice=FIGS2_CHOICE.as_posix(),
         **content_of(checkpoints=FIGS2_LOADED),
-    output:
-        **with_sums(h5=f"{DATA}/figS2/before-{{n}}.h5"),
-    params:
-        **event_of(f"{DATA}/figS2/load", "events.{n}"),
-    wildcard_constraints:
-        n=r"\d+",
-    log:
-        f"{LOGS}/figS2/before-{{n}}.log",
-    message:
-        "figS2: go to 0.5 ms before event {wildcards.n}"
+    output: **with_sums(h5=f"{DATA}/figS2/before-{{n}}.h5")
+    params: **event_of(f"{DATA}/figS2/load", "events.{n}")
+    wildcard_constraints: n=r"\d+"
+    log: f"{LOGS}/figS2/before-{{n}}.log"
+    message: "figS2: go to 0.5 ms before event {wildcards.n}"
 
 
 use rule restart_recorded as figS2_event with:
-    input:
-        **content_of(h5=f"{DATA}/figS2/before-0.h5"),
-    output:
-        **recorded(f"{DATA}/figS2/event"),
-    params:
-        **run_with("--for 0.015"),
-    log:
-        f"{LOGS}/figS2/event.log",
-    message:
-        "figS2: run the first event as it is"
+    input: **content_of(h5=f"{DATA}/figS2/before-0.h5")
+    output: **recorded(f"{DATA}/figS2/event")
+    params: **run_with("--for 0.015")
+    log: f"{LOGS}/figS2/event.log"
+    message: "figS2: run the first event as it is"
 
 
 # Ends once nothing has broken for 12 ms, so that a record holds one event only.
 use rule restart_recorded as figS2_no_slow_slip with:
-    input:
-        **content_of(h5=f"{DATA}/figS2/before-{{n}}.h5"),
-    output:
-        **recorded(f"{DATA}/figS2/no-slow-slip-{{n}}"),
-    params:
-        **run_with("--until-quiet 0.012 --for 0.05", changes="--set junctions.v_slow=0"),
-    wildcard_constraints:
-        n=r"\d+",
-    log:
-        f"{LOGS}/figS2/no-slow-slip-{{n}}.log",
-    message:
-        "figS2: run event {wildcards.n} without slow slip"
+    input: **content_of(h5=f"{DATA}/figS2/before-{{n}}.h5")
+    output: **recorded(f"{DATA}/figS2/no-slow-slip-{{n}}")
+    params: **run_with("--until-quiet 0.012 --for 0.05", changes="--set junctions.v_slow=0")
+    wildcard_constraints: n=r"\d+"
+    log: f"{LOGS}/figS2/no-slow-slip-{{n}}.log"
+    message: "figS2: run event {wildcards.n} without slow slip"
 
 
 rule figS2:
@@ -116,9 +88,6 @@ rule figS2:
         **picture(f"{RESULTS}/figS2/figS2"),
         table=f"{RESULTS}/figS2/front-speed.csv",
         events=f"{RESULTS}/figS2/events.csv",
-    log:
-        f"{LOGS}/figS2.log",
-    message:
-        "figS2: draw, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA}/figS2 {RESULTS}/figS2 2> {log}"
+    log: f"{LOGS}/figS2.log"
+    message: "figS2: draw, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA}/figS2 {RESULTS}/figS2 2> {log}"

@@ -7,9 +7,6 @@ rule figS3:
         claims=f"{RESULTS}/figS3/claims.json",
         **picture(f"{RESULTS}/figS3/figS3"),
         table=f"{RESULTS}/figS3/profiles.csv",
-    log:
-        f"{LOGS}/figS3.log",
-    message:
-        "figS3: draw, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/figS3 2> {log}"
+    log: f"{LOGS}/figS3.log"
+    message: "figS3: draw, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/figS3 2> {log}"

@@ -19,9 +19,6 @@ rule figS4:
         claims=f"{RESULTS}/figS4/claims.json",
         **picture(f"{RESULTS}/figS4/figS4"),
         table=f"{RESULTS}/figS4/phi.csv",
-    log:
-        f"{LOGS}/figS4.log",
-    message:
-        "figS4: draw, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/figS4 2> {log}"
+    log: f"{LOGS}/figS4.log"
+    message: "figS4: draw, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/figS4 2> {log}"

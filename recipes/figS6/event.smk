@@ -8,8 +8,7 @@ FIGS6_SLOW_BELOW = 1 / 8
 
 
 use rule load_recorded as figS6_load with:
-    output:
-        **recorded(f"{DATA}/figS6/load", checkpoints=FIGS6_LOADED),
+    output: **recorded(f"{DATA}/figS6/load", checkpoints=FIGS6_LOADED)
     priority: 90  # long: first
     params:
         **run_with(
@@ -17,51 +16,37 @@ use rule load_recorded as figS6_load with:
             changes=FIGS6_LAW,
             record_every="1e-3",
         ),
-    log:
-        f"{LOGS}/figS6/load.log",
+    log: f"{LOGS}/figS6/load.log"
     message:
         f"figS6: drive the slider with the decaying law to t = {FIGS6_UNTIL} s (about a minute)"
 
 
 use rule analyze as figS6_events with:
-    input:
-        **content_of(h5=f"{DATA}/figS6/load-record.h5"),
-    output:
-        f"{DATA}/figS6/events.json",
-    params:
-        **analysis(f"events --slow-below {FIGS6_SLOW_BELOW}"),
-    log:
-        f"{LOGS}/figS6/events.log",
-    message:
-        "figS6: find the rupture events"
+    input: **content_of(h5=f"{DATA}/figS6/load-record.h5")
+    output: f"{DATA}/figS6/events.json"
+    params: **analysis(f"events --slow-below {FIGS6_SLOW_BELOW}")
+    log: f"{LOGS}/figS6/events.log"
+    message: "figS6: find the rupture events"
 
 
 rule figS6_choice:
     input:
         events=f"{DATA}/figS6/events.json",
         **script("recipes/figS6/event_choice.py"),
-    output:
-        f"{DATA}/figS6/choice.json",
-    log:
-        f"{LOGS}/figS6/choice.log",
-    message:
-        "figS6: judge the events"
-    shell:
-        "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
+    output: f"{DATA}/figS6/choice.json"
+    log: f"{LOGS}/figS6/choice.log"
+    message: "figS6: judge the events"
+    shell: "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
 
 use rule restart_before_event as figS6_before with:
     input:
         choice=f"{DATA}/figS6/choice.json",
         **content_of(checkpoints=FIGS6_LOADED),
-    output:
-        **with_sums(h5=f"{DATA}/figS6/before.h5"),
-    params:
-        **event_of(f"{DATA}/figS6/load"),
-    log:
-        f"{LOGS}/figS6/before.log",
-    message:
-        "figS6: go to 0.5 ms before the event"
+    output: **with_sums(h5=f"{DATA}/figS6/before.h5")
+    params: **event_of(f"{DATA}/figS6/load")
+    log: f"{LOGS}/figS6/before.log"
+    message: "figS6: go to 0.5 ms before the event"
 
 
 # The event as it is, and with longer slipping times: what of it follows from the decay.
@@ -72,33 +57,21 @@ FIGS6_RUNS = {
 
 
 use rule restart_recorded as figS6_run with:
-    input:
-        **content_of(h5=f"{DATA}/figS6/before.h5"),
-    output:
-        **recorded(f"{DATA}/figS6/{{run}}"),
-    params:
-        **run_with("--for 0.01", changes=lambda wildcards: FIGS6_RUNS[wildcards.run]),
-    wildcard_constraints:
-        run="|".join(FIGS6_RUNS),
-    log:
-        f"{LOGS}/figS6/{{run}}.log",
-    message:
-        "figS6: run the event ({wildcards.run})"
+    input: **content_of(h5=f"{DATA}/figS6/before.h5")
+    output: **recorded(f"{DATA}/figS6/{{run}}")
+    params: **run_with("--for 0.01", changes=lambda wildcards: FIGS6_RUNS[wildcards.run])
+    wildcard_constraints: run="|".join(FIGS6_RUNS)
+    log: f"{LOGS}/figS6/{{run}}.log"
+    message: "figS6: run the event ({wildcards.run})"
 
 
 use rule analyze as figS6_front with:
-    input:
-        **content_of(h5=f"{DATA}/figS6/{{run}}-record.h5"),
-    output:
-        f"{DATA}/figS6/{{run}}-front-c_s-8.json",
-    params:
-        **analysis(f"front --event 0 --slow-below {FIGS6_SLOW_BELOW}"),
-    wildcard_constraints:
-        run="|".join(FIGS6_RUNS),
-    log:
-        f"{LOGS}/figS6/{{run}}-front.log",
-    message:
-        "figS6: measure the front ({wildcards.run})"
+    input: **content_of(h5=f"{DATA}/figS6/{{run}}-record.h5")
+    output: f"{DATA}/figS6/{{run}}-front-c_s-8.json"
+    params: **analysis(f"front --event 0 --slow-below {FIGS6_SLOW_BELOW}")
+    wildcard_constraints: run="|".join(FIGS6_RUNS)
+    log: f"{LOGS}/figS6/{{run}}-front.log"
+    message: "figS6: measure the front ({wildcards.run})"
 
 
 rule figS6_event:
@@ -112,9 +85,6 @@ rule figS6_event:
         **picture(f"{RESULTS}/figS6/figS6A"),
         table=f"{RESULTS}/figS6/front-speed.csv",
         events=f"{RESULTS}/figS6/events.csv",
-    log:
-        f"{LOGS}/figS6/event-figure.log",
-    message:
-        "figS6: draw the event, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA}/figS6 {RESULTS}/figS6 2> {log}"
+    log: f"{LOGS}/figS6/event-figure.log"
+    message: "figS6: draw the event, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA}/figS6 {RESULTS}/figS6 2> {log}"

@@ -10,14 +10,10 @@ rule figS6_boundary:
     input:
         grid=f"{DATA}/figS6/map.csv",
         **script("recipes/common/map_points.py"),
-    output:
-        f"{DATA}/figS6/boundary.csv",
-    log:
-        f"{LOGS}/figS6/boundary.log",
-    message:
-        "figS6: find the places next to another front type"
-    shell:
-        "{PYTHON} {input.script} boundary {input.grid} {output} 2> {log}"
+    output: f"{DATA}/figS6/boundary.csv"
+    log: f"{LOGS}/figS6/boundary.log"
+    message: "figS6: find the places next to another front type"
+    shell: "{PYTHON} {input.script} boundary {input.grid} {output} 2> {log}"
 
 
 rule figS6_map:
@@ -30,9 +26,6 @@ rule figS6_map:
         **picture(f"{RESULTS}/figS6/figS6B"),
         table=f"{RESULTS}/figS6/front-types.csv",
         thresholds=f"{RESULTS}/figS6/thresholds.csv",
-    log:
-        f"{LOGS}/figS6/map.log",
-    message:
-        "figS6: draw the map, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/figS6 2> {log}"
+    log: f"{LOGS}/figS6/map.log"
+    message: "figS6: draw the map, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/figS6 2> {log}"

@@ -10,9 +10,6 @@ rule robustness_Geo:
         claims=f"{DATA}/robustness/claims-Geo.json",
         **picture(f"{RESULTS}/robustness/geometry"),
         table=f"{RESULTS}/robustness/geometry.csv",
-    log:
-        f"{LOGS}/robustness/Geo.log",
-    message:
-        "robustness: draw the maps of other geometries, compare with the claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/robustness 2> {log}"
+    log: f"{LOGS}/robustness/Geo.log"
+    message: "robustness: draw the maps of other geometries, compare with the claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/robustness 2> {log}"
