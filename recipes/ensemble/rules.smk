@@ -1,4 +1,4 @@
-# The ensemble over seeds (common/ensemble.smk): how typical the events are that the figures show. The
+# The ensemble over seeds (runs/ensemble.smk): how typical the events are that the figures show. The
 # chain of commands is in README.md.
 ENSEMBLE_RUNS = ["stopped", "no-slow-slip", "wider", "undriven"]
 ENSEMBLE_MEASURED = ["fast-slow-fast", *ENSEMBLE_EVENTS]

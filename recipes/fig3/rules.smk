@@ -1,5 +1,5 @@
 # Figure 3. A-C here: the fast-slow-fast event restarted under other conditions
-# (common/continuations.smk). What else there is of Figure 3 has a file of its own beside this one,
+# (runs/continuations.smk). What else there is of Figure 3 has a file of its own beside this one,
 # which adds the claims it writes to FIG3_PARTS. See README.md.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FIG3_EVENT = f"{DATA}/fast-slow-fast"
@@ -32,7 +32,7 @@ for part in sorted(set(Path("recipes/fig3").glob("*.smk")) - {Path("recipes/fig3
 use rule join_claims as fig3 with:
     input:
         parts=FIG3_PARTS,
-        **script("recipes/common/merge_claims.py"),
+        **script("recipes/claims/merge_claims.py"),
     output: f"{RESULTS}/fig3/claims.json"
     log: f"{LOGS}/fig3-claims.log"
     message: "fig3: join the claims"

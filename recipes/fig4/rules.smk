@@ -22,7 +22,7 @@ STAGES["refine"]["fig4"] = [f"{DATA}/fig4/boundary.csv"]
 rule fig4_between:
     input:
         grid=f"{DATA}/fig4/map.csv",
-        **script("recipes/common/map_points.py"),
+        **script("recipes/maps/map_points.py"),
     output: f"{DATA}/fig4/between.csv"
     log: f"{LOGS}/fig4/between.log"
     message: "fig4: find where the front type changes"
@@ -33,7 +33,7 @@ rule fig4_boundary:
     input:
         grid=f"{DATA}/fig4/map.csv",
         between=f"{DATA}/fig4/map-between.csv",
-        **script("recipes/common/map_points.py"),
+        **script("recipes/maps/map_points.py"),
     output: f"{DATA}/fig4/boundary.csv"
     log: f"{LOGS}/fig4/boundary.log"
     message: "fig4: find the places next to another front type"
@@ -80,7 +80,7 @@ rule fig4_strength:
 use rule join_claims as fig4 with:
     input:
         parts=FIG4_PARTS,
-        **script("recipes/common/merge_claims.py"),
+        **script("recipes/claims/merge_claims.py"),
     output: f"{RESULTS}/fig4/claims.json"
     log: f"{LOGS}/fig4.log"
     message: "fig4: join the claims of its parts"

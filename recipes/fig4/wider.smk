@@ -1,5 +1,5 @@
 # Figure 4 A-B: the fast-slow-fast event, and the same with a wider distribution of junction forces
-# (common/continuations.smk).
+# (runs/continuations.smk).
 rule fig4_wider:
     input:
         fronts=[f"{DATA}/fast-slow-fast-front.json", f"{DATA}/fast-slow-fast/wider-front.json"],

@@ -8,10 +8,10 @@ import h5py
 import numpy as np
 from quasistatic_stretch import is_quasistatic, read_ruptures
 
-from common.claims import Claim, verdict, write_claims
-from common.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
-from common.records import Pinned, report, shear_wave_speed
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import Pinned, report, shear_wave_speed
+from data.tables import write_table
+from pictures.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
 
 STOPPED_FOR = 20e-3  # [s]
 MIDDLE = 4  # of the branches

@@ -1,4 +1,4 @@
-# Figure 5. A here: the driving stopped during the slow front (common/continuations.smk). What else
+# Figure 5. A here: the driving stopped during the slow front (runs/continuations.smk). What else
 # there is of Figure 5 has a file of its own beside this one, which adds the claims it writes to
 # FIG5_PARTS. See README.md.
 FIG5_PARTS = [f"{DATA}/fig5/claims-A.json"]
@@ -29,7 +29,7 @@ for part in sorted(set(Path("recipes/fig5").glob("*.smk")) - {Path("recipes/fig5
 use rule join_claims as fig5 with:
     input:
         parts=FIG5_PARTS,
-        **script("recipes/common/merge_claims.py"),
+        **script("recipes/claims/merge_claims.py"),
     output: f"{RESULTS}/fig5/claims.json"
     log: f"{LOGS}/fig5-claims.log"
     message: "fig5: join the claims"

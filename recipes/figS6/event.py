@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
-from common.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
-from common.records import Pinned, report, values
-from common.tables import write_fronts, write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import Pinned, report, values
+from data.tables import write_fronts, write_table
+from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
+from pictures.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
 
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 RUNS = {  # run: label, colour, marker

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from common.claims import VERDICTS, Claim, measured_parts, number, read_claims
+from claims.claim import VERDICTS, Claim, measured_parts, number, read_claims
 from jobs import Accounts, Job, steps, total
 from origin import builds, last_run, present_build, processor
 from project import Problem, Readme, as_html, listed_claims, natural, read_readme, recipe_names

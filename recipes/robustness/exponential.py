@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
-from common.choose_events import read_events
-from common.claims import Claim, verdict, write_claims
-from common.fronts import criteria_2A, has_slow_stretch, is_fast_only, is_fast_slow_fast
-from common.plotting import BLUE, DOUBLE, VERMILION, figure, save
-from common.records import report, values
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import report, values
+from data.tables import write_table
+from events.choose_events import read_events
+from events.fronts import criteria_2A, has_slow_stretch, is_fast_only, is_fast_slow_fast
+from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, save
 
 NOTE = (
     "Most events have a slow stretch, which is as slow as in the reference run and turns fast at"

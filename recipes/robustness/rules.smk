@@ -57,7 +57,7 @@ for part in sorted(
 use rule join_claims as robustness with:
     input:
         parts=ROBUSTNESS_PARTS,
-        **script("recipes/common/merge_claims.py"),
+        **script("recipes/claims/merge_claims.py"),
     output: f"{RESULTS}/robustness/claims.json"
     log: f"{LOGS}/robustness-claims.log"
     message: "robustness: join the claims"
