@@ -2,12 +2,9 @@
 # A recipe says what differs:
 #
 #     use rule restart_recorded as fig1_event with:
-#         input:
-#             **content_of(h5=f"{DATA}/fast-slow-fast.h5"),
-#         output:
-#             **recorded(f"{DATA}/fig1/event"),
-#         params:
-#             **run_with("--for 0.005", record_every="1e-6"),
+#         input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")  # h5 (ancient), h5_sum
+#         output: **recorded(f"{DATA}/fig1/event")  # h5, h5_sum, record, record_sum
+#         params: **run_with("--for 0.005", record_every="1e-6")
 #
 # with `log` and `message` as in any rule. Snakemake replaces a section as a whole, so `params` are given
 # by the functions below, and the `shell` of a base rule is never replaced.
