@@ -2,7 +2,7 @@
 """Chooses one event of each seed: choose.py CHECKPOINT_EVERY run-02-events.json run-03-events.json ...
 
 It is the first of those that count which slows down: of the kind of claim 2A, but at any position and
-any ratio of speeds (common/fronts.py). Few events meet all of claim 2A; whether they do must not decide
+any ratio of speeds (events/fronts.py). Few events meet all of claim 2A; whether they do must not decide
 what the other claims are tested on. Prints from where to run it, as choose_events.py does, or null where
 a seed has no such event.
 """
@@ -11,8 +11,8 @@ import json
 import re
 import sys
 
-from common.choose_events import read_events, start
-from common.fronts import counted, slows_down
+from events.choose_events import read_events, start
+from events.fronts import counted, slows_down
 
 
 def chosen(path, checkpoint_every):

@@ -2,7 +2,7 @@
 """The ensemble, its picture and tables: figure.py results/data results/ensemble run-02-events.json ...
 
 Reads the events of each seed, and the claims about the event of each seed that has one
-(common/event_claims.py); compares them with the event that the figures show.
+(events/event_claims.py); compares them with the event that the figures show.
 """
 
 import json
@@ -14,13 +14,13 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import beta
 
-from common.choose_events import read_events
-from common.claims import REPRODUCED, read_claims, split_unit, write_claims
-from common.event_claims import all_claims
-from common.fronts import counted, has_slow_stretch, is_fast_only, is_fast_slow_fast, slows_down
-from common.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
-from common.records import report, values
-from common.tables import write_table
+from claims.claim import REPRODUCED, read_claims, split_unit, write_claims
+from data.records import report, values
+from data.tables import write_table
+from events.choose_events import read_events
+from events.event_claims import all_claims
+from events.fronts import counted, has_slow_stretch, is_fast_only, is_fast_slow_fast, slows_down
+from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
 
 SHOWN = "fast-slow-fast"
 TESTED = ("3A", "3B", "3C", "4AB", "5A")  # claims about an event's continuations

@@ -1,4 +1,4 @@
-# The ensemble over seeds (common/ensemble.smk): how typical the events are that the figures show. The
+# The ensemble over seeds (runs/ensemble.smk): how typical the events are that the figures show. The
 # chain of commands is in README.md.
 ENSEMBLE_RUNS = ["stopped", "no-slow-slip", "wider", "undriven"]
 ENSEMBLE_MEASURED = ["fast-slow-fast", *ENSEMBLE_EVENTS]
@@ -28,19 +28,14 @@ rule ensemble:
         ],
         quasistatic=f"{DATA}/fig5/quasistatic-seeds.json",
         quasistatic_shown=f"{DATA}/fig5/claims-quasistatic.json",
-        script="recipes/ensemble/figure.py",
-        common=COMMON,
+        **script("recipes/ensemble/figure.py"),
     output:
         claims=f"{RESULTS}/ensemble/claims.json",
         ensemble=f"{RESULTS}/ensemble/ensemble.json",
         table=f"{RESULTS}/ensemble/ensemble.csv",
         events=f"{RESULTS}/ensemble/events.csv",
-        png=f"{RESULTS}/ensemble/ensemble.png",
-        pdf=f"{RESULTS}/ensemble/ensemble.pdf",
+        **picture(f"{RESULTS}/ensemble/ensemble"),
         summary=f"{RESULTS}/ensemble/summary.txt",
-    log:
-        f"{LOGS}/ensemble.log",
-    message:
-        "ensemble: draw, compare the shown event with the others"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/ensemble {input.events} 2> {log}"
+    log: f"{LOGS}/ensemble.log"
+    message: "ensemble: draw, compare the shown event with the others"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/ensemble {input.events} 2> {log}"

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
-from common.records import report
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import report
+from data.tables import write_table
+from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 NET_SLIP, MARGIN = 8.5, 0.4  # [f_slip/k_ij]
 HARMONIC = 5.187  # H_100, to the three digits of the acceptance [f_slip/k_ij]

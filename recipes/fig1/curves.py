@@ -7,9 +7,9 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.records import report, values
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import report, values
+from data.tables import write_table
 
 FIRST = 5  # events that count as "the first ones" (claim 1D)
 NEAR = 0.1e-3  # peak and rupture of a block, claim 1E [s]

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from common.plotting import BLACK, BLUE, DOUBLE, GREEN, ORANGE, VERMILION, figure, letter, save
-from common.tables import read_table
+from data.tables import read_table
+from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, ORANGE, VERMILION, figure, letter, save
 
 MU_S, MU_D = 0.4, 0.17
 SHOWN = (0.1e-3, 1.5)  # speeds drawn in G [m/s]

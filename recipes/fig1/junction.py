@@ -11,8 +11,8 @@ import sys
 import h5py
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.tables import write_table
 
 EXACT = 1e-12  # relative to the threshold mu_s f_N
 EVERY = 20  # of the steps that go into the table; where something changes, all

@@ -18,92 +18,56 @@ FIG1_SPEEDS = {
 STAGES["start"]["fig1"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
-rule fig1_loading:
-    input:
-        h5=ancient(f"{DATA}/load-record.h5"),
-        sum=f"{DATA}/load-record.h5.sum",
-    output:
-        f"{FIG1}/loading.json",
-    params:
-        code=CODE,
-    log:
-        f"{LOGS}/fig1/loading.log",
-    message:
-        "fig1: read the loading curve"
-    shell:
-        "{BIN}/analyze loading {input.h5} --json > {output} 2> {log}"
+use rule analyze as fig1_loading with:
+    input: **content_of(h5=f"{DATA}/load-record.h5")
+    output: f"{FIG1}/loading.json"
+    params: **analysis("loading")
+    log: f"{LOGS}/fig1/loading.log"
+    message: "fig1: read the loading curve"
 
 
 # fig1/event-front.json comes from this record by rule front.
-rule fig1_event:
-    input:
-        h5=ancient(f"{DATA}/fast-slow-fast.h5"),
-        sum=f"{DATA}/fast-slow-fast.h5.sum",
-    output:
-        h5=f"{FIG1}/event.h5",
-        sum=f"{FIG1}/event.h5.sum",
-        record=f"{FIG1}/event-record.h5",
-        record_sum=f"{FIG1}/event-record.h5.sum",
-    params:
-        code=CODE,
-    log:
-        f"{LOGS}/fig1/event.log",
-    message:
-        "fig1: run the fast-slow-fast event with a sample each microsecond"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --for 0.005"
-        " --record {output.record} --record-every 1e-6 2> {log}"
+use rule restart_recorded as fig1_event with:
+    input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")
+    output: **recorded(f"{FIG1}/event")
+    params: **run_with("--for 0.005", record_every="1e-6")
+    log: f"{LOGS}/fig1/event.log"
+    message: "fig1: run the fast-slow-fast event with a sample each microsecond"
 
 
 rule fig1_junctions:
-    output:
-        h5=f"{FIG1}/junctions.h5",
-        sum=f"{FIG1}/junctions.h5.sum",
-    params:
-        code=CODE,
-    log:
-        f"{LOGS}/fig1/junctions.log",
-    message:
-        "fig1: prepare blocks with one junction each"
-    shell:
-        "{BIN}/prepare {FIG1_JUNCTION} -o {output.h5} --force --quiet --sum 2> {log}"
+    output: **with_sums(h5=f"{FIG1}/junctions.h5")
+    params: code=CODE
+    log: f"{LOGS}/fig1/junctions.log"
+    message: "fig1: prepare blocks with one junction each"
+    shell: "{BIN}/prepare {FIG1_JUNCTION} -o {output.h5} --force --quiet --sum 2> {log}"
 
 
-rule fig1_pull:
-    input:
-        h5=ancient(f"{FIG1}/junctions.h5"),
-        sum=f"{FIG1}/junctions.h5.sum",
+use rule restart_recorded as fig1_pull with:
+    input: **content_of(h5=f"{FIG1}/junctions.h5")
     output:
-        h5=f"{FIG1}/pulled.h5",
-        sum=f"{FIG1}/pulled.h5.sum",
-        record=f"{FIG1}/pulled-record.h5",
-        record_sum=f"{FIG1}/pulled-record.h5.sum",
-        slipping=[f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING],
-        slipping_sums=[f"{FIG1}/pulled-t{time}.h5.sum" for time in FIG1_SLIPPING],
+        **recorded(
+            f"{FIG1}/pulled",
+            slipping=[f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING],
+        ),
     params:
-        code=CODE,
-    log:
-        f"{LOGS}/fig1/pulled.log",
-    message:
-        "fig1: pull them at 1 mm/s with a sample in each step"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --set driving.V=1e-3"
-        " --for 6e-3 --record {output.record} --record-every 2e-7 --checkpoint-at {FIG1_SLIPPING}"
-        " 2> {log}"
+        **run_with(
+            f"--for 6e-3 --checkpoint-at {' '.join(FIG1_SLIPPING)}",
+            changes="--set driving.V=1e-3",
+            record_every="2e-7",
+        ),
+    log: f"{LOGS}/fig1/pulled.log"
+    message: "fig1: pull them at 1 mm/s with a sample in each step"
 
 
 rule fig1_steady:
-    output:
-        f"{FIG1}/steady-{{speeds}}.json",
+    output: f"{FIG1}/steady-{{speeds}}.json"
     params:
         code=CODE,
         speeds=lambda wildcards: FIG1_SPEEDS[wildcards.speeds],
-    wildcard_constraints:
-        speeds="|".join(FIG1_SPEEDS),
-    log:
-        f"{LOGS}/fig1/steady-{{speeds}}.log",
-    message:
-        "fig1: slide a block at constant speeds ({params.speeds})"
+    wildcard_constraints: speeds="|".join(FIG1_SPEEDS)
+    log: f"{LOGS}/fig1/steady-{{speeds}}.log"
+    message: "fig1: slide a block at constant speeds ({params.speeds})"
     shell:
         "{BIN}/analyze steady-state {params.speeds} --steps-per-cycle 20000 --json"
         " > {output} 2> {log}"
@@ -114,39 +78,31 @@ rule fig1_curves:
         loading=f"{FIG1}/loading.json",
         events=f"{DATA}/events.json",
         front=f"{FIG1}/event-front.json",
-        record=ancient(f"{FIG1}/event-record.h5"),
-        record_sum=f"{FIG1}/event-record.h5.sum",
-        script="recipes/fig1/curves.py",
-        common=COMMON,
+        **content_of(record=f"{FIG1}/event-record.h5"),
+        **script("recipes/fig1/curves.py"),
     output:
         claims=f"{FIG1}/claims-curves.json",
         loading=f"{RESULTS}/fig1/loading.csv",
         events=f"{RESULTS}/fig1/events.csv",
         block=f"{RESULTS}/fig1/block.csv",
-    log:
-        f"{LOGS}/fig1/curves.log",
-    message:
-        "fig1: the slider's loading (D) and one block's (E)"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig1 2> {log}"
+    log: f"{LOGS}/fig1/curves.log"
+    message: "fig1: the slider's loading (D) and one block's (E)"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig1 2> {log}"
 
 
 rule fig1_junction:
     input:
         prepared=ancient(f"{FIG1}/junctions.h5"),
-        record=ancient(f"{FIG1}/pulled-record.h5"),
-        record_sum=f"{FIG1}/pulled-record.h5.sum",
-        slipping=ancient([f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING]),
-        slipping_sums=[f"{FIG1}/pulled-t{time}.h5.sum" for time in FIG1_SLIPPING],
-        script="recipes/fig1/junction.py",
-        common=COMMON,
+        **content_of(
+            record=f"{FIG1}/pulled-record.h5",
+            slipping=[f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING],
+        ),
+        **script("recipes/fig1/junction.py"),
     output:
         claims=f"{FIG1}/claims-junction.json",
         table=f"{RESULTS}/fig1/junction.csv",
-    log:
-        f"{LOGS}/fig1/junction.log",
-    message:
-        "fig1: one junction through two cycles (F)"
+    log: f"{LOGS}/fig1/junction.log"
+    message: "fig1: one junction through two cycles (F)"
     shell:
         "{PYTHON} {input.script} {input.prepared} {input.record} {input.slipping}"
         " {output.table} {output.claims} 2> {log}"
@@ -156,15 +112,12 @@ rule fig1_speeds:
     input:
         range=f"{FIG1}/steady-range.json",
         limits=f"{FIG1}/steady-limits.json",
-        script="recipes/fig1/speeds.py",
-        common=COMMON,
+        **script("recipes/fig1/speeds.py"),
     output:
         claims=f"{FIG1}/claims-speeds.json",
         table=f"{RESULTS}/fig1/steady-state.csv",
-    log:
-        f"{LOGS}/fig1/speeds.log",
-    message:
-        "fig1: friction against sliding speed, beside renewal theory (G)"
+    log: f"{LOGS}/fig1/speeds.log"
+    message: "fig1: friction against sliding speed, beside renewal theory (G)"
     shell:
         "{PYTHON} {input.script} {input.range} {input.limits} {output.table} {output.claims} 2> {log}"
 
@@ -175,30 +128,18 @@ rule fig1_picture:
             f"{RESULTS}/fig1/{table}.csv"
             for table in ("loading", "events", "block", "junction", "steady-state")
         ],
-        script="recipes/fig1/figure.py",
-        common=COMMON,
-    output:
-        png=f"{RESULTS}/fig1/fig1.png",
-        pdf=f"{RESULTS}/fig1/fig1.pdf",
-    log:
-        f"{LOGS}/fig1/picture.log",
-    message:
-        "fig1: draw"
-    shell:
-        "{PYTHON} {input.script} {RESULTS}/fig1 2> {log}"
+        **script("recipes/fig1/figure.py"),
+    output: **picture(f"{RESULTS}/fig1/fig1")
+    log: f"{LOGS}/fig1/picture.log"
+    message: "fig1: draw"
+    shell: "{PYTHON} {input.script} {RESULTS}/fig1 2> {log}"
 
 
-rule fig1:
+use rule join_claims as fig1 with:
     input:
         parts=[f"{FIG1}/claims-{part}.json" for part in ("curves", "junction", "speeds")],
         picture=f"{RESULTS}/fig1/fig1.png",
-        script="recipes/common/merge_claims.py",
-        common=COMMON,
-    output:
-        claims=f"{RESULTS}/fig1/claims.json",
-    log:
-        f"{LOGS}/fig1.log",
-    message:
-        "fig1: collect the claims"
-    shell:
-        "{PYTHON} {input.script} {input.parts} {output.claims} 2> {log}"
+        **script("recipes/claims/merge_claims.py"),
+    output: claims=f"{RESULTS}/fig1/claims.json"
+    log: f"{LOGS}/fig1.log"
+    message: "fig1: collect the claims"

@@ -5,9 +5,9 @@ import sys
 
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.records import report
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import report
+from data.tables import write_table
 
 CLOSE = 0.01
 LIMITS = (0.4 / 2, 0.17)  # mu_s/2 and mu_d of the reference parameters

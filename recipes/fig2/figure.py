@@ -6,13 +6,13 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.event_claims import claim_2A, slowest
-from common.fronts import is_fast_only
-from common.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
-from common.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
-from common.records import Pinned, report, values
-from common.tables import write_fronts
+from claims.claim import Claim, verdict, write_claims
+from data.records import Pinned, report, values
+from data.tables import write_fronts
+from events.event_claims import claim_2A, slowest
+from events.fronts import is_fast_only
+from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
+from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 
 EVENTS = {  # label, colour, marker
     "fast-slow-fast": ("fast-slow-fast", BLUE, "o"),

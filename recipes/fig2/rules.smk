@@ -8,18 +8,12 @@ STAGES["start"]["fig2"] = [f"{DATA}/{event}.compared" for event in EVENTS]
 rule fig2:
     input:
         fronts=[f"{DATA}/{event}-front.json" for event in FIG2_EVENTS],
-        records=ancient([f"{DATA}/{event}-record.h5" for event in FIG2_EVENTS]),
-        sums=[f"{DATA}/{event}-record.h5.sum" for event in FIG2_EVENTS],
-        script="recipes/fig2/figure.py",
-        common=COMMON,
+        **content_of(records=[f"{DATA}/{event}-record.h5" for event in FIG2_EVENTS]),
+        **script("recipes/fig2/figure.py"),
     output:
         claims=f"{RESULTS}/fig2/claims.json",
-        png=f"{RESULTS}/fig2/fig2.png",
-        pdf=f"{RESULTS}/fig2/fig2.pdf",
+        **picture(f"{RESULTS}/fig2/fig2"),
         table=f"{RESULTS}/fig2/front-speed.csv",
-    log:
-        f"{LOGS}/fig2.log",
-    message:
-        "fig2: draw, compare with the paper's claims"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 2> {log}"
+    log: f"{LOGS}/fig2.log"
+    message: "fig2: draw, compare with the paper's claims"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 2> {log}"

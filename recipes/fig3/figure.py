@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import write_claims
-from common.event_claims import claim_3A, claim_3B, claim_3C
-from common.panels import draw_pinned, draw_pinned_scale
-from common.plotting import BLACK, BLUE, DOUBLE, GREEN, VERMILION, figure, letter, save
-from common.records import Pinned, report
-from common.tables import write_table
+from claims.claim import write_claims
+from data.records import Pinned, report
+from data.tables import write_table
+from events.event_claims import claim_3A, claim_3B, claim_3C
+from pictures.panels import draw_pinned, draw_pinned_scale
+from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, VERMILION, figure, letter, save
 
 EVENT = "fast-slow-fast"
 SLIPS = {  # run: label, colour, line style

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.fits import fit_through_origin
-from common.plotting import BLUE, SINGLE, VERMILION, figure, save
-from common.tables import numbers, read_rows
+from claims.claim import Claim, verdict, write_claims
+from data.fits import fit_through_origin
+from data.tables import numbers, read_rows
+from pictures.plotting import BLUE, SINGLE, VERMILION, figure, save
 
 BLOCKS = 5
 L_0 = 7e-3  # decay length of the shear force ahead of the front, the paper's value [m]

@@ -1,5 +1,5 @@
 # Figure 3. A-C here: the fast-slow-fast event restarted under other conditions
-# (common/continuations.smk). What else there is of Figure 3 has a file of its own beside this one,
+# (runs/continuations.smk). What else there is of Figure 3 has a file of its own beside this one,
 # which adds the claims it writes to FIG3_PARTS. See README.md.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FIG3_EVENT = f"{DATA}/fast-slow-fast"
@@ -12,39 +12,27 @@ STAGES["start"]["fig3"] = [f"{DATA}/fast-slow-fast.compared"]
 rule fig3_ABC:
     input:
         fronts=[f"{FIG3_EVENT}/{run}-front.json" for run in FIG3_RUNS],
-        records=ancient([f"{FIG3_EVENT}/{run}-record.h5" for run in FIG3_RUNS]),
-        sums=[f"{FIG3_EVENT}/{run}-record.h5.sum" for run in FIG3_RUNS],
+        **content_of(records=[f"{FIG3_EVENT}/{run}-record.h5" for run in FIG3_RUNS]),
         slips=[f"{FIG3_EVENT}/{run}-slip.json" for run in SLIPS],
         unmodified=f"{FIG3_EVENT}-front.json",
-        script="recipes/fig3/figure.py",
-        common=COMMON,
+        **script("recipes/fig3/figure.py"),
     output:
         claims=f"{DATA}/fig3/claims-ABC.json",
-        png=f"{RESULTS}/fig3/fig3.png",
-        pdf=f"{RESULTS}/fig3/fig3.pdf",
+        **picture(f"{RESULTS}/fig3/fig3"),
         table=f"{RESULTS}/fig3/slip.csv",
-    log:
-        f"{LOGS}/fig3.log",
-    message:
-        "fig3: draw A-C, compare with the paper's claims"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig3 {output.claims} 2> {log}"
+    log: f"{LOGS}/fig3.log"
+    message: "fig3: draw A-C, compare with the paper's claims"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig3 {output.claims} 2> {log}"
 
 
 for part in sorted(set(Path("recipes/fig3").glob("*.smk")) - {Path("recipes/fig3/rules.smk")}):
     include: part.name
 
 
-rule fig3:
+use rule join_claims as fig3 with:
     input:
         parts=FIG3_PARTS,
-        script="recipes/common/merge_claims.py",
-        common=COMMON,
-    output:
-        f"{RESULTS}/fig3/claims.json",
-    log:
-        f"{LOGS}/fig3-claims.log",
-    message:
-        "fig3: join the claims"
-    shell:
-        "{PYTHON} {input.script} {input.parts} {output} 2> {log}"
+        **script("recipes/claims/merge_claims.py"),
+    output: f"{RESULTS}/fig3/claims.json"
+    log: f"{LOGS}/fig3-claims.log"
+    message: "fig3: join the claims"

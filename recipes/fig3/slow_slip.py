@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.fits import fit_through_origin
-from common.plotting import BLACK, BLUE, GREEN, SINGLE, figure, save
-from common.tables import numbers, read_rows
+from claims.claim import Claim, verdict, write_claims
+from data.fits import fit_through_origin
+from data.tables import numbers, read_rows
+from pictures.plotting import BLACK, BLUE, GREEN, SINGLE, figure, save
 
 BLOCKS = 5
 MM = 1e3  # [mm/m]

@@ -6,17 +6,13 @@ rule fig3_slow_slip:
     input:
         prepared=f"{DATA}/fig3/slow_slip.csv",
         event=f"{DATA}/fig3/slow_slip_event.csv",
-        script="recipes/fig3/slow_slip.py",
-        common=COMMON,
+        **script("recipes/fig3/slow_slip.py"),
     output:
         claims=f"{DATA}/fig3/claims-Ci.json",
-        png=f"{RESULTS}/fig3/fig3C-inset.png",
-        pdf=f"{RESULTS}/fig3/fig3C-inset.pdf",
+        **picture(f"{RESULTS}/fig3/fig3C-inset"),
         table=f"{RESULTS}/fig3/slow-slip-speed.csv",
-    log:
-        f"{LOGS}/fig3-slow-slip.log",
-    message:
-        "fig3: draw the inset of C, compare the slow slip with Eq. S1"
+    log: f"{LOGS}/fig3-slow-slip.log"
+    message: "fig3: draw the inset of C, compare the slow slip with Eq. S1"
     shell:
         "{PYTHON} {input.script} {input.prepared} {input.event} {RESULTS}/fig3 {output.claims}"
         " 2> {log}"

@@ -3,7 +3,7 @@
 
 import sys
 
-from common.front_types import FrontTypes, make_map
+from maps.front_types import FrontTypes, make_map
 
 MAP = FrontTypes(
     recipe="fig4",

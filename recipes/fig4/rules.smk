@@ -22,52 +22,37 @@ STAGES["refine"]["fig4"] = [f"{DATA}/fig4/boundary.csv"]
 rule fig4_between:
     input:
         grid=f"{DATA}/fig4/map.csv",
-        script="recipes/common/map_points.py",
-        common=COMMON,
-    output:
-        f"{DATA}/fig4/between.csv",
-    log:
-        f"{LOGS}/fig4/between.log",
-    message:
-        "fig4: find where the front type changes"
-    shell:
-        "{PYTHON} {input.script} between {input.grid} {output} 2> {log}"
+        **script("recipes/maps/map_points.py"),
+    output: f"{DATA}/fig4/between.csv"
+    log: f"{LOGS}/fig4/between.log"
+    message: "fig4: find where the front type changes"
+    shell: "{PYTHON} {input.script} between {input.grid} {output} 2> {log}"
 
 
 rule fig4_boundary:
     input:
         grid=f"{DATA}/fig4/map.csv",
         between=f"{DATA}/fig4/map-between.csv",
-        script="recipes/common/map_points.py",
-        common=COMMON,
-    output:
-        f"{DATA}/fig4/boundary.csv",
-    log:
-        f"{LOGS}/fig4/boundary.log",
-    message:
-        "fig4: find the places next to another front type"
-    shell:
-        "{PYTHON} {input.script} boundary {input.grid} {input.between} {output} 2> {log}"
+        **script("recipes/maps/map_points.py"),
+    output: f"{DATA}/fig4/boundary.csv"
+    log: f"{LOGS}/fig4/boundary.log"
+    message: "fig4: find the places next to another front type"
+    shell: "{PYTHON} {input.script} boundary {input.grid} {input.between} {output} 2> {log}"
 
 
 rule fig4_map:
     input:
         tables=[f"{DATA}/fig4/{part}.csv" for part in ("map", "map-between", "map-boundary")],
         boundary=f"{DATA}/fig4/boundary.csv",
-        script="recipes/fig4/map.py",
-        common=COMMON,
+        **script("recipes/fig4/map.py"),
     output:
         claims=f"{DATA}/fig4/claims-4D.json",
-        png=f"{RESULTS}/fig4/fig4D.png",
-        pdf=f"{RESULTS}/fig4/fig4D.pdf",
+        **picture(f"{RESULTS}/fig4/fig4D"),
         table=f"{RESULTS}/fig4/front-types.csv",
         thresholds=f"{RESULTS}/fig4/thresholds.csv",
-    log:
-        f"{LOGS}/fig4/map.log",
-    message:
-        "fig4: draw D, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 2> {log}"
+    log: f"{LOGS}/fig4/map.log"
+    message: "fig4: draw D, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 2> {log}"
 
 
 # Prepared interfaces of either shape, the strength of the shapes themselves, and the blocks of
@@ -81,33 +66,21 @@ rule fig4_strength:
         map=f"{DATA}/fig4/map.csv",
         events=[f"{DATA}/{event}-strength.json" for event in [*FIG4_SHOWN, *ENSEMBLE_EVENTS]],
         fronts=[f"{DATA}/{event}-front.json" for event in [*FIG4_SHOWN, *ENSEMBLE_EVENTS]],
-        script="recipes/fig4/strength.py",
-        common=COMMON,
+        **script("recipes/fig4/strength.py"),
     output:
         claims=f"{DATA}/fig4/claims-4C.json",
-        png=f"{RESULTS}/fig4/fig4C.png",
-        pdf=f"{RESULTS}/fig4/fig4C.pdf",
+        **picture(f"{RESULTS}/fig4/fig4C"),
         table=f"{RESULTS}/fig4/strength.csv",
-    params:
-        repeated=ENSEMBLE_EVENTS,
-    log:
-        f"{LOGS}/fig4/strength.log",
-    message:
-        "fig4: draw C, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {params.repeated} 2> {log}"
+    params: repeated=ENSEMBLE_EVENTS
+    log: f"{LOGS}/fig4/strength.log"
+    message: "fig4: draw C, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {params.repeated} 2> {log}"
 
 
-rule fig4:
+use rule join_claims as fig4 with:
     input:
         parts=FIG4_PARTS,
-        script="recipes/common/merge_claims.py",
-        common=COMMON,
-    output:
-        f"{RESULTS}/fig4/claims.json",
-    log:
-        f"{LOGS}/fig4.log",
-    message:
-        "fig4: join the claims of its parts"
-    shell:
-        "{PYTHON} {input.script} {input.parts} {output} 2> {log}"
+        **script("recipes/claims/merge_claims.py"),
+    output: f"{RESULTS}/fig4/claims.json"
+    log: f"{LOGS}/fig4.log"
+    message: "fig4: join the claims of its parts"

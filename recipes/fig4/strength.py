@@ -7,13 +7,13 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.front_map import place_of, type_on_map
-from common.fronts import LOADING_ZONE, SLOW_BELOW
-from common.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
-from common.rank_test import share_of_lower, signed_rank, van_elteren
-from common.records import report, values
-from common.tables import read_rows, write_table
+from claims.claim import Claim, verdict, write_claims
+from data.rank_test import share_of_lower, signed_rank, van_elteren
+from data.records import report, values
+from data.tables import read_rows, write_table
+from events.fronts import LOADING_ZONE, SLOW_BELOW
+from maps.front_map import place_of, type_on_map
+from pictures.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
 
 SHOWN = {"fast-slow-fast": ("I", GREEN), "second-slow": ("II", VERMILION)}
 BINS = (

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import write_claims
-from common.event_claims import claim_4AB
-from common.panels import draw_pinned, draw_pinned_scale
-from common.plotting import DOUBLE, figure, letter, save
-from common.records import Pinned, report, values
+from claims.claim import write_claims
+from data.records import Pinned, report, values
+from events.event_claims import claim_4AB
+from pictures.panels import draw_pinned, draw_pinned_scale
+from pictures.plotting import DOUBLE, figure, letter, save
 
 EVENT = "fast-slow-fast"
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]

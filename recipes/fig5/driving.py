@@ -7,13 +7,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from common.claims import write_claims
-from common.event_claims import claim_5A
-from common.fronts import middle_of_slow_stretch
-from common.panels import draw_pinned_scale
-from common.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
-from common.records import Pinned, report, values
-from common.tables import write_table
+from claims.claim import write_claims
+from data.records import Pinned, report, values
+from data.tables import write_table
+from events.event_claims import claim_5A
+from events.fronts import middle_of_slow_stretch
+from pictures.panels import draw_pinned_scale
+from pictures.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
 
 EVENT = "fast-slow-fast"
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]

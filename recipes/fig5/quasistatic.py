@@ -8,10 +8,10 @@ import h5py
 import numpy as np
 from quasistatic_stretch import is_quasistatic, read_ruptures
 
-from common.claims import Claim, verdict, write_claims
-from common.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
-from common.records import Pinned, report, shear_wave_speed
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import Pinned, report, shear_wave_speed
+from data.tables import write_table
+from pictures.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
 
 STOPPED_FOR = 20e-3  # [s]
 MIDDLE = 4  # of the branches
@@ -124,8 +124,8 @@ def claim_5B(stretch, c_s, branches):
         " within 1 ms) and ends 10 ms before the second; the verdict is that of the branch in the"
         " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the"
         " checkpoints: in the last one the second event has begun to nucleate. The front creeps in"
-        " bursts of some ms; branched off within one (0.5965 s), it went on by 4 blocks in 3 ms"
-        " before it stopped. In the ensemble the driving always stops at the same moment, 0.57 s, which"
+        " bursts of some ms; branched off within one, it goes on by some blocks before it"
+        " stops. In the ensemble the driving always stops at the same moment, 0.57 s, which"
         " for many seeds is within a burst.",
     )
 

@@ -8,70 +8,47 @@
 FIG5_PARTS.append(f"{DATA}/fig5/claims-quasistatic.json")
 QUASISTATIC_UNTIL = 0.65  # s; the second dynamic event is over by then
 QUASISTATIC_EVERY = 0.01  # s
-QUASISTATIC_LOADED = [
-    f"{DATA}/fig5/quasistatic-load-t{n * QUASISTATIC_EVERY:.9f}.h5"
-    for n in range(1, round(QUASISTATIC_UNTIL / QUASISTATIC_EVERY) + 1)
-]
+QUASISTATIC_LOADED = checkpoints_of(
+    f"{DATA}/fig5/quasistatic-load", until=QUASISTATIC_UNTIL, every=QUASISTATIC_EVERY
+)
 QUASISTATIC_BRANCHES = range(9)  # at each tenth of the stretch
 QUASISTATIC_MIDDLE = 4  # the one that decides, and that is shown until the next dynamic event
 
 
-rule quasistatic_load:
-    output:
-        record=f"{DATA}/fig5/quasistatic-load-record.h5",
-        sum=f"{DATA}/fig5/quasistatic-load-record.h5.sum",
-        checkpoints=QUASISTATIC_LOADED,
-        checkpoint_sums=[f"{path}.sum" for path in QUASISTATIC_LOADED],
-        last=f"{DATA}/fig5/quasistatic-load.h5",
-        last_sum=f"{DATA}/fig5/quasistatic-load.h5.sum",
+use rule load_recorded as quasistatic_load with:
+    output: **recorded(f"{DATA}/fig5/quasistatic-load", checkpoints=QUASISTATIC_LOADED)
     priority: 90  # long: first
     params:
-        code=CODE,
-    log:
-        f"{LOGS}/fig5/quasistatic-load.log",
-    message:
-        f"fig5: drive the slider at h = 0 to t = {QUASISTATIC_UNTIL} s"
-    shell:
-        "{BIN}/load -o {output.last} --force --quiet --sum --set driving.h=0"
-        " --until {QUASISTATIC_UNTIL} --checkpoint-every {QUASISTATIC_EVERY}"
-        " --record {output.record} --record-every 1e-3 2> {log}"
+        **run_with(
+            f"--until {QUASISTATIC_UNTIL} --checkpoint-every {QUASISTATIC_EVERY}",
+            changes="--set driving.h=0",
+            record_every="1e-3",
+        ),
+    log: f"{LOGS}/fig5/quasistatic-load.log"
+    message: f"fig5: drive the slider at h = 0 to t = {QUASISTATIC_UNTIL} s"
 
 
 rule quasistatic_stretch:
     input:
-        h5=ancient(f"{DATA}/fig5/quasistatic-load-record.h5"),
-        sum=f"{DATA}/fig5/quasistatic-load-record.h5.sum",
-        script="recipes/fig5/quasistatic_stretch.py",
-        common=COMMON,
-    output:
-        f"{DATA}/fig5/quasistatic-stretch.json",
-    log:
-        f"{LOGS}/fig5/quasistatic-stretch.log",
-    message:
-        "fig5: find the quasi-static front"
-    shell:
-        "{PYTHON} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
+        **content_of(h5=f"{DATA}/fig5/quasistatic-load-record.h5"),
+        **script("recipes/fig5/quasistatic_stretch.py"),
+    output: f"{DATA}/fig5/quasistatic-stretch.json"
+    log: f"{LOGS}/fig5/quasistatic-stretch.log"
+    message: "fig5: find the quasi-static front"
+    shell: "{PYTHON} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
 
 
 rule quasistatic_stopped:
     input:
         stretch=f"{DATA}/fig5/quasistatic-stretch.json",
-        checkpoints=ancient(QUASISTATIC_LOADED),
-        sums=[f"{path}.sum" for path in QUASISTATIC_LOADED],
-    output:
-        h5=f"{DATA}/fig5/quasistatic-stopped-{{n}}.h5",
-        sum=f"{DATA}/fig5/quasistatic-stopped-{{n}}.h5.sum",
-        record=f"{DATA}/fig5/quasistatic-stopped-{{n}}-record.h5",
-        record_sum=f"{DATA}/fig5/quasistatic-stopped-{{n}}-record.h5.sum",
+        **content_of(checkpoints=QUASISTATIC_LOADED),
+    output: **recorded(f"{DATA}/fig5/quasistatic-stopped-{{n}}")
     params:
         code=CODE,
         duration=lambda wildcards: 0.08 if int(wildcards.n) == QUASISTATIC_MIDDLE else 0.02,
-    wildcard_constraints:
-        n=r"\d",
-    log:
-        f"{LOGS}/fig5/quasistatic-stopped-{{n}}.log",
-    message:
-        "fig5: stop the driving at branch {wildcards.n} of the quasi-static front"
+    wildcard_constraints: n=r"\d"
+    log: f"{LOGS}/fig5/quasistatic-stopped-{{n}}.log"
+    message: "fig5: stop the driving at branch {wildcards.n} of the quasi-static front"
     shell:
         "{BIN}/restart"
         " {DATA}/fig5/quasistatic-load-t$({VALUE} {input.stretch} branches.{wildcards.n}).h5"
@@ -85,89 +62,58 @@ QUASISTATIC_SEEDS_FROM = 0.48  # s
 QUASISTATIC_SEEDS_STOP = 0.57  # s
 
 
-rule quasistatic_seed:
-    input:
-        h5=ancient(f"{DATA}/fig5/quasistatic-load-t{QUASISTATIC_SEEDS_FROM:.9f}.h5"),
-        sum=f"{DATA}/fig5/quasistatic-load-t{QUASISTATIC_SEEDS_FROM:.9f}.h5.sum",
-    output:
-        h5=f"{DATA}/fig5/seed-{{seed}}.h5",
-        sum=f"{DATA}/fig5/seed-{{seed}}.h5.sum",
-        record=f"{DATA}/fig5/seed-{{seed}}-record.h5",
-        record_sum=f"{DATA}/fig5/seed-{{seed}}-record.h5.sum",
+use rule restart_recorded as quasistatic_seed with:
+    input: **content_of(h5=f"{DATA}/fig5/quasistatic-load-t{QUASISTATIC_SEEDS_FROM:.9f}.h5")
+    output: **recorded(f"{DATA}/fig5/seed-{{seed}}")
     params:
-        code=CODE,
-    log:
-        f"{LOGS}/fig5/seed-{{seed}}.log",
-    message:
-        "fig5: drive the slider at h = 0 with seed {wildcards.seed}"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
-        " --seed $((10#{wildcards.seed})) --until {QUASISTATIC_SEEDS_STOP}"
-        " --record {output.record} --record-every 1e-3 2> {log}"
+        **run_with(
+            f"--seed $((10#{{seed}})) --until {QUASISTATIC_SEEDS_STOP}",
+            record_every="1e-3",
+        ),
+    log: f"{LOGS}/fig5/seed-{{seed}}.log"
+    message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}"
 
 
-rule quasistatic_seed_stopped:
-    input:
-        h5=ancient(f"{DATA}/fig5/seed-{{seed}}.h5"),
-        sum=f"{DATA}/fig5/seed-{{seed}}.h5.sum",
-    output:
-        h5=f"{DATA}/fig5/seed-{{seed}}-stopped.h5",
-        sum=f"{DATA}/fig5/seed-{{seed}}-stopped.h5.sum",
-        record=f"{DATA}/fig5/seed-{{seed}}-stopped-record.h5",
-        record_sum=f"{DATA}/fig5/seed-{{seed}}-stopped-record.h5.sum",
-    params:
-        code=CODE,
-    log:
-        f"{LOGS}/fig5/seed-{{seed}}-stopped.log",
-    message:
-        "fig5: stop the driving with seed {wildcards.seed}"
-    shell:
-        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum --set driving.V=0"
-        " --for 0.02 --record {output.record} --record-every 1e-3 2> {log}"
+use rule restart_recorded as quasistatic_seed_stopped with:
+    input: **content_of(h5=f"{DATA}/fig5/seed-{{seed}}.h5")
+    output: **recorded(f"{DATA}/fig5/seed-{{seed}}-stopped")
+    params: **run_with("--for 0.02", changes="--set driving.V=0", record_every="1e-3")
+    log: f"{LOGS}/fig5/seed-{{seed}}-stopped.log"
+    message: "fig5: stop the driving with seed {wildcards.seed}"
 
 
 rule quasistatic_seeds:
     input:
-        driven=ancient([f"{DATA}/fig5/seed-{seed}-record.h5" for seed in SEEDS]),
-        driven_sums=[f"{DATA}/fig5/seed-{seed}-record.h5.sum" for seed in SEEDS],
-        stopped=ancient([f"{DATA}/fig5/seed-{seed}-stopped-record.h5" for seed in SEEDS]),
-        stopped_sums=[f"{DATA}/fig5/seed-{seed}-stopped-record.h5.sum" for seed in SEEDS],
-        script="recipes/fig5/quasistatic_seeds.py",
+        **content_of(
+            driven=[f"{DATA}/fig5/seed-{seed}-record.h5" for seed in SEEDS],
+            stopped=[f"{DATA}/fig5/seed-{seed}-stopped-record.h5" for seed in SEEDS],
+        ),
+        **script("recipes/fig5/quasistatic_seeds.py"),
         stretch_script="recipes/fig5/quasistatic_stretch.py",
-        common=COMMON,
-    output:
-        f"{DATA}/fig5/quasistatic-seeds.json",
-    params:
-        seeds=SEEDS,
-    log:
-        f"{LOGS}/fig5/quasistatic-seeds.log",
-    message:
-        "fig5: measure the quasi-static fronts of all seeds"
-    shell:
-        "{PYTHON} {input.script} {DATA}/fig5 {params.seeds} > {output} 2> {log}"
+    output: f"{DATA}/fig5/quasistatic-seeds.json"
+    params: seeds=SEEDS
+    log: f"{LOGS}/fig5/quasistatic-seeds.log"
+    message: "fig5: measure the quasi-static fronts of all seeds"
+    shell: "{PYTHON} {input.script} {DATA}/fig5 {params.seeds} > {output} 2> {log}"
 
 
 rule quasistatic:
     input:
         stretch=f"{DATA}/fig5/quasistatic-stretch.json",
-        load=ancient(f"{DATA}/fig5/quasistatic-load-record.h5"),
-        load_sum=f"{DATA}/fig5/quasistatic-load-record.h5.sum",
-        stopped=ancient(
-            [f"{DATA}/fig5/quasistatic-stopped-{n}-record.h5" for n in QUASISTATIC_BRANCHES]
+        **content_of(
+            load=f"{DATA}/fig5/quasistatic-load-record.h5",
+            stopped=[
+                f"{DATA}/fig5/quasistatic-stopped-{n}-record.h5"
+                for n in QUASISTATIC_BRANCHES
+            ],
         ),
-        sums=[f"{DATA}/fig5/quasistatic-stopped-{n}-record.h5.sum" for n in QUASISTATIC_BRANCHES],
         stretch_script="recipes/fig5/quasistatic_stretch.py",
-        script="recipes/fig5/quasistatic.py",
-        common=COMMON,
+        **script("recipes/fig5/quasistatic.py"),
     output:
         claims=f"{DATA}/fig5/claims-quasistatic.json",
-        png=f"{RESULTS}/fig5/fig5B.png",
-        pdf=f"{RESULTS}/fig5/fig5B.pdf",
+        **picture(f"{RESULTS}/fig5/fig5B"),
         table=f"{RESULTS}/fig5/quasistatic-tip.csv",
         branches=f"{RESULTS}/fig5/quasistatic-branches.csv",
-    log:
-        f"{LOGS}/fig5/quasistatic.log",
-    message:
-        "fig5: draw the quasi-static front, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA}/fig5 {RESULTS}/fig5 2> {log}"
+    log: f"{LOGS}/fig5/quasistatic.log"
+    message: "fig5: draw the quasi-static front, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA}/fig5 {RESULTS}/fig5 2> {log}"

@@ -18,7 +18,7 @@ from quasistatic_stretch import (
     tip_advances,
 )
 
-from common.records import shear_wave_speed
+from data.records import shear_wave_speed
 
 
 def measure(data, seed):

@@ -8,10 +8,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
-from common.records import report
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import report
+from data.tables import write_table
+from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 EXACT, CLOSE = 1e-9, 0.01
 

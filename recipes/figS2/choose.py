@@ -11,8 +11,8 @@ its first rupture, by way of the last checkpoint before that.
 import json
 import sys
 
-from common.choose_events import read_events, start
-from common.fronts import DURATION, FAST_OVER_SLOW
+from events.choose_events import read_events, start
+from events.fronts import DURATION, FAST_OVER_SLOW
 
 
 def is_fast_slow(front):

@@ -7,11 +7,11 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.panels import draw_front_speeds
-from common.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
-from common.records import report, values
-from common.tables import write_fronts, write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import report, values
+from data.tables import write_fronts, write_table
+from pictures.panels import draw_front_speeds
+from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 SPEEDS = {  # label, colour, marker

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from common.claims import Claim, verdict, write_claims
-from common.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
-from common.records import report
-from common.tables import read_rows, write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import report
+from data.tables import read_rows, write_table
+from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
 MU_S, MU_D = 0.4, 0.17  # Table S1
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
-from common.claims import Claim, verdict, write_claims
-from common.event_claims import ROUNDING, largest_change_of_mean
-from common.junctions import Junctions
-from common.panels import draw_pinned, draw_pinned_scale
-from common.plotting import DOUBLE, VERMILION, figure, letter, save
-from common.records import Pinned, report, values
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import Pinned, report, values
+from data.tables import write_table
+from events.event_claims import ROUNDING, largest_change_of_mean
+from events.junctions import Junctions
+from pictures.panels import draw_pinned, draw_pinned_scale
+from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
 
 EVENT = "fast-slow-fast"
 STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows

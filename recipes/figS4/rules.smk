@@ -8,22 +8,17 @@ STAGES["start"]["figS4"] = [f"{DATA}/fast-slow-fast.compared"]
 
 rule figS4:
     input:
-        checkpoints=ancient([f"{DATA}/{state}.h5" for state in FIGS4_STATES]),
-        sums=[f"{DATA}/{state}.h5.sum" for state in FIGS4_STATES],
+        **content_of(
+            checkpoints=[f"{DATA}/{state}.h5" for state in FIGS4_STATES],
+            records=[f"{DATA}/{run}-record.h5" for run in FIGS4_RECORDS],
+        ),
         phi=[f"{DATA}/{state}-phi.json" for state in FIGS4_STATES],
-        records=ancient([f"{DATA}/{run}-record.h5" for run in FIGS4_RECORDS]),
-        record_sums=[f"{DATA}/{run}-record.h5.sum" for run in FIGS4_RECORDS],
         fronts=[f"{DATA}/{run}-front.json" for run in FIGS4_RECORDS],
-        script="recipes/figS4/figure.py",
-        common=COMMON,
+        **script("recipes/figS4/figure.py"),
     output:
         claims=f"{RESULTS}/figS4/claims.json",
-        png=f"{RESULTS}/figS4/figS4.png",
-        pdf=f"{RESULTS}/figS4/figS4.pdf",
+        **picture(f"{RESULTS}/figS4/figS4"),
         table=f"{RESULTS}/figS4/phi.csv",
-    log:
-        f"{LOGS}/figS4.log",
-    message:
-        "figS4: draw, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/figS4 2> {log}"
+    log: f"{LOGS}/figS4.log"
+    message: "figS4: draw, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/figS4 2> {log}"

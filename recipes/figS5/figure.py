@@ -14,9 +14,9 @@ from quadrature import (
     uniform_closed_form,
 )
 
-from common.claims import Claim, verdict, write_claims
-from common.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, figure, letter, save
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.tables import write_table
+from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, figure, letter, save
 
 CLOSE = 1e-6
 MU_S, MU_D = 0.4, 0.17  # reference parameters, as the tool's defaults

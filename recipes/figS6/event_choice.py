@@ -10,8 +10,8 @@ continue the one taken from: 0.5 ms before its first rupture, by way of the last
 import json
 import sys
 
-from common.choose_events import read_events, start
-from common.fronts import criteria_2A
+from events.choose_events import read_events, start
+from events.fronts import criteria_2A
 
 SLOW_SPEED = (0, 1 / 8)  # of c_s
 CRITERIA = {  # of claim 2A, but for spanning, which all these events do: name here

@@ -9,33 +9,23 @@ STAGES["start"]["figS6"] = [f"{DATA}/figS6/boundary.csv"]
 rule figS6_boundary:
     input:
         grid=f"{DATA}/figS6/map.csv",
-        script="recipes/common/map_points.py",
-        common=COMMON,
-    output:
-        f"{DATA}/figS6/boundary.csv",
-    log:
-        f"{LOGS}/figS6/boundary.log",
-    message:
-        "figS6: find the places next to another front type"
-    shell:
-        "{PYTHON} {input.script} boundary {input.grid} {output} 2> {log}"
+        **script("recipes/maps/map_points.py"),
+    output: f"{DATA}/figS6/boundary.csv"
+    log: f"{LOGS}/figS6/boundary.log"
+    message: "figS6: find the places next to another front type"
+    shell: "{PYTHON} {input.script} boundary {input.grid} {output} 2> {log}"
 
 
 rule figS6_map:
     input:
         tables=[f"{DATA}/figS6/{part}.csv" for part in ("map", "map-boundary")],
         boundary=f"{DATA}/figS6/boundary.csv",
-        script="recipes/figS6/map.py",
-        common=COMMON,
+        **script("recipes/figS6/map.py"),
     output:
         claims=f"{DATA}/figS6/claims-map.json",
-        png=f"{RESULTS}/figS6/figS6B.png",
-        pdf=f"{RESULTS}/figS6/figS6B.pdf",
+        **picture(f"{RESULTS}/figS6/figS6B"),
         table=f"{RESULTS}/figS6/front-types.csv",
         thresholds=f"{RESULTS}/figS6/thresholds.csv",
-    log:
-        f"{LOGS}/figS6/map.log",
-    message:
-        "figS6: draw the map, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/figS6 2> {log}"
+    log: f"{LOGS}/figS6/map.log"
+    message: "figS6: draw the map, compare with the paper's claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/figS6 2> {log}"

@@ -10,16 +10,10 @@ include: "event.smk"
 include: "map.smk"
 
 
-rule figS6:
+use rule join_claims as figS6 with:
     input:
         parts=lambda wildcards: FIGS6_PARTS,
-        script="recipes/common/merge_claims.py",
-        common=COMMON,
-    output:
-        f"{RESULTS}/figS6/claims.json",
-    log:
-        f"{LOGS}/figS6.log",
-    message:
-        "figS6: join the claims of its parts"
-    shell:
-        "{PYTHON} {input.script} {input.parts} {output} 2> {log}"
+        **script("recipes/claims/merge_claims.py"),
+    output: f"{RESULTS}/figS6/claims.json"
+    log: f"{LOGS}/figS6.log"
+    message: "figS6: join the claims of its parts"

@@ -14,13 +14,13 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from common.claims import VERDICTS, Claim, measured_parts, number, read_claims
+from caption import NOT_RUN, filled
+from claims.claim import VERDICTS, Claim, measured_parts, number, read_claims
 from jobs import Accounts, Job, steps, total
 from origin import builds, last_run, present_build, processor
 from project import Problem, Readme, as_html, listed_claims, natural, read_readme, recipe_names
 
 HERE = Path(__file__).resolve().parent
-NOT_RUN = "not run"
 MANY = 12  # commands of a step, or checksums, beyond which only their number is of interest
 MANY_SUMS = 100
 
@@ -89,12 +89,13 @@ def checksums(root, files):
 
 def read_recipe(root, name, accounts):
     readme = read_readme(root / "recipes" / name / "README.md")
+    claims = claims_of(root, name)
     files = accounts.files_behind(name)
     return Recipe(
         name=name,
         readme=readme,
-        caption=as_html(readme.caption, f"../recipes/{name}"),
-        claims=claims_of(root, name),
+        caption=as_html(filled(readme.caption, claims), f"../recipes/{name}"),
+        claims=claims,
         pictures=[picture(path) for path in files_of(root, name, "*.png")],
         tables=[path.name for path in files_of(root, name, "*.csv")],
         jobs=accounts.jobs(files),

@@ -6,8 +6,8 @@ import sys
 import time
 from pathlib import Path
 
-from common.fingerprint import fingerprint_of_programs
-from common.sweeps import SweepError
+from runs.fingerprint import fingerprint_of_programs
+from sweeps.sweep import SweepError
 from reproduce.place import place_of
 from reproduce.project import (
     LOGS,
@@ -63,7 +63,7 @@ def note_run(recipes, place, started):
 
 def print_claims(recipe):
     say()
-    script = "recipes/common/print_claims.py"
+    script = "recipes/claims/print_claims.py"
     command = [sys.executable, script, RESULTS / recipe / "claims.json"]
     if subprocess.run(command, check=False).returncode:
         raise Failure(f"the claims of {recipe} cannot be shown.")
@@ -87,7 +87,7 @@ def reproduce(request, recipes, processes):
 
 def run_sweep(request, processes):
     """The table is written even if points could not be computed: it says which, and why."""
-    from sweep import plan, preview, report
+    from sweeps import plan, preview, report
 
     place = prepare(request, processes)
     tools = request.programs or PROGRAMS

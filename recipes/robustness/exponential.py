@@ -7,21 +7,17 @@ from pathlib import Path
 
 import numpy as np
 
-from common.choose_events import read_events
-from common.claims import Claim, verdict, write_claims
-from common.fronts import criteria_2A, has_slow_stretch, is_fast_only, is_fast_slow_fast
-from common.plotting import BLUE, DOUBLE, VERMILION, figure, save
-from common.records import report, values
-from common.tables import write_table
+from claims.claim import Claim, verdict, write_claims
+from data.records import report, values
+from data.tables import write_table
+from events.choose_events import read_events
+from events.fronts import criteria_2A, has_slow_stretch, is_fast_only, is_fast_slow_fast
+from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, save
 
 NOTE = (
-    "Most events have a slow stretch, which is as slow as in the reference run and turns fast at"
-    " 0.4-0.6 L in all but the first ones, but it begins next to the loading zone: no fast front"
-    " precedes it, and tau_bar_0 between 0.1 and 0.4 L is only about half that of the reference run"
-    " (0.03-0.08 instead of 0.03-0.12) 15 ms before an event. The ten events that follow until 2.0 s"
-    " and those of two other seeds are of the same kind, and none meets 2A. What differs is the"
-    " interface that earlier events leave, not the front: the event of Figure 2, continued with"
-    " exponential times from the moment when its front is at 0.14 L, keeps its slow stretch. The"
+    "Slow stretches are as slow as in the reference run, but begin next to the loading zone: no fast front"
+    " precedes them. What differs is the interface that earlier events leave, not the front: the event of"
+    " Figure 2 is also continued with exponential times, from the moment when its front is at 0.14 L. The"
     " verdict is that of the run with exponential times throughout."
 )
 COLUMNS = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]

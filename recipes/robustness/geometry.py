@@ -5,8 +5,9 @@ geometry.py results/data results/robustness"""
 import sys
 from pathlib import Path
 
-from common.claims import Claim, verdict, write_claims
-from common.front_map import (
+from claims.claim import Claim, verdict, write_claims
+from data.tables import read_rows, write_table
+from maps.front_map import (
     TYPES,
     axes_of,
     band,
@@ -15,9 +16,8 @@ from common.front_map import (
     types_of,
     types_of_seeds,
 )
-from common.map_panels import draw_key, draw_regions
-from common.plotting import DOUBLE, figure, letter, save
-from common.tables import read_rows, write_table
+from maps.map_panels import draw_key, draw_regions
+from pictures.plotting import DOUBLE, figure, letter, save
 
 TITLES = {
     "L x 0.75": r"$0.75\,L$",

@@ -5,16 +5,11 @@ ROBUSTNESS_PARTS.append(f"{DATA}/robustness/claims-Geo.json")
 rule robustness_Geo:
     input:
         table=f"{DATA}/robustness/geometry.csv",
-        script="recipes/robustness/geometry.py",
-        common=COMMON,
+        **script("recipes/robustness/geometry.py"),
     output:
         claims=f"{DATA}/robustness/claims-Geo.json",
-        png=f"{RESULTS}/robustness/geometry.png",
-        pdf=f"{RESULTS}/robustness/geometry.pdf",
+        **picture(f"{RESULTS}/robustness/geometry"),
         table=f"{RESULTS}/robustness/geometry.csv",
-    log:
-        f"{LOGS}/robustness/Geo.log",
-    message:
-        "robustness: draw the maps of other geometries, compare with the claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/robustness 2> {log}"
+    log: f"{LOGS}/robustness/Geo.log"
+    message: "robustness: draw the maps of other geometries, compare with the claim"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/robustness 2> {log}"

@@ -1,4 +1,4 @@
-"""Maps of front types (recipes/common/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
+"""Maps of front types (recipes/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
 import sys
 import unittest
@@ -10,7 +10,8 @@ from scipy.stats import mannwhitneyu
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
-from common.front_map import (  # noqa: E402
+from data.rank_test import share_of_lower, van_elteren  # noqa: E402
+from maps.front_map import (  # noqa: E402
     boundary,
     changes,
     fast_below_left_of_arrested,
@@ -19,8 +20,7 @@ from common.front_map import (  # noqa: E402
     neighbours,
     to_refine,
 )
-from common.map_claims import is_accepted, measured  # noqa: E402
-from common.rank_test import share_of_lower, van_elteren  # noqa: E402
+from maps.map_claims import is_accepted, measured  # noqa: E402
 
 C_S = 1000.0  # [m/s]
 

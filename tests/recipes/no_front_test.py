@@ -7,10 +7,10 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "recipes"))
-from common.claims import verdict  # noqa: E402
-from common.event_claims import claim_3A  # noqa: E402
-from common.front_map import is_like_analyze, type_on_map  # noqa: E402
-from common.map_points import types_in  # noqa: E402
+from claims.claim import verdict  # noqa: E402
+from events.event_claims import claim_3A  # noqa: E402
+from maps.front_map import is_like_analyze, type_on_map  # noqa: E402
+from maps.map_points import types_in  # noqa: E402
 
 NOTHING = {"x": [0.0, 0.1], "t_rupture": [None, None], "v_c": [None, None], "c_s": 1000.0}
 REFERENCE = {"slow": {"speed": 10.0}}

@@ -1,4 +1,4 @@
-"""Tables and pictures of a user's sweep (recipes/sweep/table.py, picture.py) from made-up results."""
+"""Tables and pictures of a user's sweep (recipes/sweeps/table.py, picture.py) from made-up results."""
 
 import csv
 import io
@@ -18,10 +18,10 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
-from common.sweeps import Sweep  # noqa: E402
-from sweep.picture import axis_of, draw, edges, limits, middle  # noqa: E402
-from sweep.report import picture, print_summary  # noqa: E402
-from sweep.table import Column, write_csv, write_hdf5  # noqa: E402
+from sweeps.picture import axis_of, draw, edges, limits, middle  # noqa: E402
+from sweeps.report import picture, print_summary  # noqa: E402
+from sweeps.sweep import Sweep  # noqa: E402
+from sweeps.table import Column, write_csv, write_hdf5  # noqa: E402
 
 COLUMNS = [
     Column("driving.V", "m/s", ["1e-4", "4e-4", "4e-4"]),
@@ -154,7 +154,7 @@ class Pictures(InFolder):
         stem = self.folder / "picture"
         for error, why in ((ValueError("no\nmore"), "no"), (MemoryError(), "MemoryError")):
             Path(f"{stem}.png").write_text("half")
-            with mock.patch("sweep.report.draw", side_effect=error):
+            with mock.patch("sweeps.report.draw", side_effect=error):
                 said = picture(stem, *self.sweep(values, results, ["done"] * 2))
             self.assertEqual((said, [*self.folder.iterdir()]), (f"No picture: {why}", []))
 

@@ -1,4 +1,4 @@
-"""A user's sweep file becomes a plan (recipes/sweep/plan.py): short form, units, what is refused."""
+"""A user's sweep file becomes a plan (recipes/sweeps/plan.py): short form, units, what is refused."""
 
 import os
 import re
@@ -13,9 +13,9 @@ ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ.get("RUPTURE_BIN", ROOT / "build/release/bin"))
 sys.path.insert(0, str(ROOT / "recipes"))
 
-from common.sweeps import SweepError, read_sweep  # noqa: E402
-from sweep.names import CHECKPOINT, ONE_NEEDED, OPTIONS, RECORD, names_of  # noqa: E402
-from sweep.plan import make_plan, plan_sweep  # noqa: E402
+from sweeps.names import CHECKPOINT, ONE_NEEDED, OPTIONS, RECORD, names_of  # noqa: E402
+from sweeps.plan import make_plan, plan_sweep  # noqa: E402
+from sweeps.sweep import SweepError, read_sweep  # noqa: E402
 
 NAMES = names_of(BIN)
 BASE = ROOT / "checkpoints/fast-only.h5"

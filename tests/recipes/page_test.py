@@ -6,8 +6,10 @@ import re
 import tempfile
 import unittest
 
-from fixture import NOT_RUN, POINTS, START, Project, spill
+from fixture import NOT_RUN, POINTS, SOURCE, START, Project, listed_claims, spill
 from links import Links
+
+SHIPPED = sorted(path.parent.name for path in (SOURCE / "recipes").glob("*/rules.smk"))
 
 
 class Page(unittest.TestCase):
@@ -70,6 +72,27 @@ class Page(unittest.TestCase):
         self.assertIn('href="../recipes/fig3/README.md">the README</a>', section)
         self.assertIn("load -o fig3.h5 --until 1.2\nanalyze front fig3.h5</code>", section)
         self.assertNotIn("What is done", section)
+
+    def test_fills_numbers_into_captions(self):
+        readme = self.project.root / "recipes/fig2/README.md"
+        text = "At {2A: speed [m/s]}, {2B:\nlist [mm]}; {2A: no such [s]}, {5A: speed [m/s]}; {} {x: y} {2A}."
+        spill(readme, f"# Title\n\n## Caption\n\n{text}\n")
+        self.assertIn(
+            "At 12.35 m/s, 1, none mm; not run, not run; {} not run {2A}.", self.section("fig2")
+        )
+
+    def test_a_caption_without_results_says_so(self):
+        readme = self.project.root / "recipes/fig10/README.md"
+        spill(readme, "# Title\n\n## Caption\n\nIt runs at {2A: speed [m/s]}.\n")
+        self.assertIn("It runs at not run.", self.section("fig10"))
+
+    def test_captions_name_claims_of_their_recipe(self):
+        for listed in SHIPPED:
+            text = (SOURCE / f"recipes/{listed}/README.md").read_text(encoding="utf-8")
+            caption = text.partition("## Caption")[2]
+            named = set(re.findall(r"\{(\w+):", caption))
+            ids = {claim.id for claim in listed_claims(SOURCE) if claim.recipe == listed}
+            self.assertLessEqual(named, ids, listed)
 
     def test_escapes_everything(self):
         page = self.page()

@@ -1,4 +1,4 @@
-"""Reading sweep files (recipes/common/sweeps.py) and computing points (batch.py, collect.py)."""
+"""Reading sweep files (recipes/sweeps/sweep.py) and computing points (batch.py, collect.py)."""
 
 import csv
 import json
@@ -13,8 +13,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
-from common.needs import Needs  # noqa: E402
-from common.sweeps import SweepError, batches_of, read_sweep, values_of  # noqa: E402
+from sweeps.needs import Needs  # noqa: E402
+from sweeps.sweep import SweepError, batches_of, read_sweep, values_of  # noqa: E402
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
 
@@ -208,7 +208,7 @@ class Computing(unittest.TestCase):
         environment = dict(
             os.environ, PYTHONPATH=str(ROOT / "recipes"), CALLS=str(self.calls), CRASH=crash
         )
-        command = [sys.executable, ROOT / "recipes/common" / name, *arguments]
+        command = [sys.executable, ROOT / "recipes/sweeps" / name, *arguments]
         return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
 
     def batch(self, values, code="1", **options):

@@ -1,0 +1,1 @@
+"""Reading records, reports and tables; fits and tests."""

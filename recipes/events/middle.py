@@ -1,0 +1,18 @@
+#!/usr/bin/env python3
+"""Prints the time in the middle of a front's slow stretch [s]: middle.py front.json"""
+
+import sys
+
+from data.records import report
+from events.fronts import middle_of_slow_stretch
+
+
+def main(path):
+    front = report(path)
+    if front["slow"] is None:
+        sys.exit(f"middle.py: the front in {path} has no slow stretch.")
+    print(f"{middle_of_slow_stretch(front):.7f}")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,1 @@
+"""Maps of front types against prestress and width of phi."""

@@ -1,0 +1,187 @@
+"""Maps of front types over prestress and width of phi, from tables of sweeps (Figures 4 D and S6 B,
+claim Geo).
+
+A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, with the front that
+`analyze front --json` reported, or None where no interface can be prepared.
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+from data.records import report, values
+from data.tables import read_rows, write_table
+from events.fronts import SLOW_BELOW
+
+SKIP_BELOW_X = 0.0275  # [m] stencils that touch the trigger region, as in the sweeps' commands
+TYPES = ("arrested", "slow", "fast")
+IMPOSSIBLE = "impossible"
+
+
+# --- reading -------------------------------------------------------------------------------
+
+
+def place_of(row):
+    return float(row["tau-bar"]), float(row["sigma-bar"])
+
+
+def read_map(rows, points):
+    """The map of some rows of tables; `points` is the folder with the points' files."""
+    fronts = {}
+    for row in rows:
+        front = report(Path(points) / f"{row['point']}.json").get("front")
+        fronts.setdefault(place_of(row), {})[int(row["numerics.seed"])] = front
+    return fronts
+
+
+# --- types ---------------------------------------------------------------------------------
+
+
+def type_on_map(kind):
+    """The type that `analyze front` names, on a map: a front that never left the trigger region is
+    arrested there."""
+    return "arrested" if kind == "none" else kind
+
+
+def front_type(front, slow_below=SLOW_BELOW):
+    """The type by another threshold than the one `analyze front` was called with."""
+    if front is None:
+        return IMPOSSIBLE
+    if front["t_rupture"][-1] is None:
+        return "arrested"
+    v_c = values(front["v_c"])[np.array(front["x"]) > SKIP_BELOW_X]
+    slow = (v_c > 0) & (v_c < slow_below * front["c_s"])
+    return "slow" if slow.any() else "fast"
+
+
+def types_of_seeds(fronts, slow_below=SLOW_BELOW):
+    """{place: {seed: type}}"""
+    return {
+        place: {seed: front_type(front, slow_below) for seed, front in seeds.items()}
+        for place, seeds in fronts.items()
+    }
+
+
+def types_of(fronts, slow_below=SLOW_BELOW):
+    """{place: type of its first seed}"""
+    return {place: front_type(seeds[min(seeds)], slow_below) for place, seeds in fronts.items()}
+
+
+def is_like_analyze(front):
+    """The types above must be those of `analyze front` at its default threshold."""
+    return front is None or front_type(front) == type_on_map(front["type"])
+
+
+# --- where the type changes ----------------------------------------------------------------
+
+
+def axes_of(places):
+    """The values of tau_bar_0 and of sigma_bar, ascending."""
+    return tuple(sorted(set(numbers)) for numbers in zip(*places))
+
+
+def neighbours(grid):
+    """Pairs of places next to each other on a rectangular grid."""
+    taus, sigmas = axes_of(grid)
+    for sigma in sigmas:
+        yield from zip(((t, sigma) for t in taus), ((t, sigma) for t in taus[1:]))
+    for tau in taus:
+        yield from zip(((tau, s) for s in sigmas), ((tau, s) for s in sigmas[1:]))
+
+
+def differ(types, pair):
+    """True if there is a change of type between the two places."""
+    kinds = {types[place] for place in pair}
+    return len(kinds) == 2 and IMPOSSIBLE not in kinds
+
+
+def middle(pair):
+    """The place halfway, without the noise of the 13th digit."""
+    return tuple(float(f"{(a + b) / 2:.12g}") for a, b in zip(*pair))
+
+
+def changes(grid_types):
+    """Pairs of neighbouring places of different type."""
+    return [pair for pair in neighbours(grid_types) if differ(grid_types, pair)]
+
+
+def to_refine(grid_types):
+    """Places halfway between neighbours of which one is fast. A place between arrested and slow
+    ones costs ten times as much: such fronts creep for 0.03 s to 0.1 s."""
+    pairs = changes(grid_types)
+    return sorted({middle(pair) for pair in pairs if "fast" in map(grid_types.get, pair)})
+
+
+def boundary(grid_types, between_types):
+    """Places next to another type, once the places halfway are known."""
+    types = grid_types | between_types
+    halves = []
+    for first, last in changes(grid_types):
+        halfway = middle((first, last))
+        known = halfway in types
+        halves += [(first, halfway), (halfway, last)] if known else [(first, last)]
+    return sorted({place for pair in halves if differ(types, pair) for place in pair})
+
+
+# --- what a map says -----------------------------------------------------------------------
+
+
+def fast_below_left_of_arrested(seed_types):
+    """Pairs of a fast point and an arrested one with at least its tau_bar_0 and sigma_bar, over all
+    seeds: [(place of the fast one, place of the arrested one)]."""
+    found = {
+        kind: sorted(p for p, seeds in seed_types.items() if kind in seeds.values())
+        for kind in ("fast", "arrested")
+    }
+    return [
+        (fast, arrested)
+        for fast in found["fast"]
+        for arrested in found["arrested"]
+        if fast[0] <= arrested[0] and fast[1] <= arrested[1]
+    ]
+
+
+def spread_of_crossing(seeds):
+    """How far the times at which the front arrives differ between seeds, over their mean."""
+    times = [front["t_rupture"][-1] for front in seeds.values()]
+    return (max(times) - min(times)) / float(np.mean(times))
+
+
+def band(types, sigma):
+    """Lowest and highest tau_bar_0 with a slow front at this sigma_bar, or None."""
+    taus = [tau for (tau, s), kind in types.items() if s == sigma and kind == "slow"]
+    return [min(taus), max(taus)] if taus else None
+
+
+# --- a whole map of a recipe ---------------------------------------------------------------
+
+
+def load_map(data, folder, parts):
+    """All fronts, those of the regular grid (map.csv), and the boundary of the recipe `folder`;
+    `parts` are the tables beside map.csv that hold more points."""
+    tables = {part: read_rows(Path(data) / folder / f"{part}.csv") for part in ("map", *parts)}
+    points = Path(data) / "points"
+    fronts = read_map([row for rows in tables.values() for row in rows], points)
+    for seeds in fronts.values():
+        if not all(map(is_like_analyze, seeds.values())):
+            raise ValueError("front types differ from those of `analyze front`")
+    grid = {place: {1: fronts[place][1]} for place in map(place_of, tables["map"])}
+    boundary = [place_of(row) for row in read_rows(Path(data) / folder / "boundary.csv")]
+    return fronts, grid, boundary
+
+
+def slow_stretch(front):
+    """Where and how fast the front was slow; empty where it was not."""
+    slow = (front and front["slow"]) or {}
+    return [slow.get(name, "") for name in ("x_from", "x_to", "speed")]
+
+
+def write_types(path, fronts):
+    """One row per point."""
+    names = ("slow from [m]", "slow to [m]", "slow speed [m/s]")
+    rows = [
+        [*place, seed, front_type(front), *slow_stretch(front)]
+        for place, seeds in sorted(fronts.items())
+        for seed, front in sorted(seeds.items())
+    ]
+    write_table(path, ["tau_bar_0", "sigma_bar", "seed", "type", *names], rows)

@@ -1,0 +1,1 @@
+"""The style of the pictures, and the panels that several share."""

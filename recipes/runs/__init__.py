@@ -1,0 +1,1 @@
+"""Runs that several recipes share, and what rules have in common."""

@@ -1,0 +1,95 @@
+# Events of the reference slider that figures show, each as a checkpoint from shortly before the event
+# and as a record of it; choose_events.py says by which rule they are chosen. The paper's event I is
+# fast-slow-fast, its event II second-slow, its event III fast-only.
+EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
+
+# The ensemble has its own events, to which all but what concerns the shipped checkpoints applies, too.
+EVENT = "|".join([*EVENTS, r"ensemble/seed-\d\d"])
+
+
+wildcard_constraints:
+    event=EVENT,
+    shown_event="|".join(EVENTS),
+
+
+if FROM_SCRATCH:
+
+    rule choice:
+        input:
+            events=f"{DATA}/events.json",
+            **script("recipes/events/choose_events.py"),
+        output: f"{DATA}/choice.json"
+        log: f"{LOGS}/choice.log"
+        message: "choice: choose the events to be shown"
+        shell: "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
+
+    use rule restart_before_event as event_start with:
+        input:
+            choice=f"{DATA}/choice.json",
+            **content_of(checkpoints=LOADED),
+        output: **with_sums(h5=f"{DATA}/{{shown_event}}.h5")
+        params: **event_of(f"{DATA}/load", "{shown_event}")
+        log: f"{LOGS}/{{shown_event}}-start.log"
+        message: "{wildcards.shown_event}: go to 0.5 ms before the event"
+
+else:
+
+    rule event_start:
+        input: h5="checkpoints/{shown_event}.h5"
+        output: **with_sums(h5=f"{DATA}/{{shown_event}}.h5")
+        params: code=CODE
+        log: f"{LOGS}/{{shown_event}}-start.log"
+        message: "{wildcards.shown_event}: verify the shipped checkpoint"
+        shell:
+            "sum=$({BIN}/analyze checksum {input.h5} 2> {log}) && cp {input.h5} {output.h5}"
+            " && echo \"content-sha256 $sum  {wildcards.shown_event}.h5\" > {output.h5_sum}"
+
+
+# In either case the checkpoint must be the one that the manifest names.
+rule event_compared:
+    input:
+        sum=f"{DATA}/{{shown_event}}.h5.sum",
+        manifest="checkpoints/manifest",
+    output: f"{DATA}/{{shown_event}}.compared"
+    log: f"{LOGS}/{{shown_event}}-compared.log"
+    message: "{wildcards.shown_event}: compare its checksum with checkpoints/manifest"
+    shell:
+        "{{ grep -xFf {input.sum} {input.manifest} > {output}"
+        " || {{ echo 'not in checkpoints/manifest (see checkpoints/README.md):';"
+        " cat {input.sum}; false; }}; }} > {log}"
+
+
+use rule restart_recorded as event_record with:
+    input: **content_of(h5=f"{DATA}/{{event}}.h5")
+    output: **with_sums(h5=f"{DATA}/{{event}}-after.h5", record=f"{DATA}/{{event}}-record.h5")
+    params: **run_with("--for 0.01")
+    log: f"{LOGS}/{{event}}-record.log"
+    message: "{wildcards.event}: run the event as it is"
+
+
+# What the junctions of each block carry just before the event, also after widening their phi.
+use rule analyze as event_phi with:
+    input: **content_of(h5=f"{DATA}/{{state}}.h5")
+    output: f"{DATA}/{{state}}-phi.json"
+    params: **analysis("phi")
+    wildcard_constraints: state=f"({EVENT})(/wider-start)?"
+    log: f"{LOGS}/{{state}}-phi.log"
+    message: "{wildcards.state}: measure the forces in the junctions"
+
+
+# What friction each block can bear just before the event.
+use rule analyze as event_strength with:
+    input: **content_of(h5=f"{DATA}/{{event}}.h5")
+    output: f"{DATA}/{{event}}-strength.json"
+    params: **analysis("strength")
+    log: f"{LOGS}/{{event}}-strength.log"
+    message: "{wildcards.event}: measure the strength of each block"
+
+
+# The event from shortly before which, or amid which, the run goes on is the first in its record.
+use rule analyze as front with:
+    input: **content_of(h5=f"{DATA}/{{run}}-record.h5")
+    output: f"{DATA}/{{run}}-front.json"
+    params: **analysis("front --event 0")
+    log: f"{LOGS}/{{run}}-front.log"
+    message: "{wildcards.run}: measure the front"

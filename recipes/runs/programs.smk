@@ -1,0 +1,98 @@
+# What the rules have in common, written once: how a file follows content, and a rule per program.
+# A recipe says what differs:
+#
+#     use rule restart_recorded as fig1_event with:
+#         input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")  # h5 (ancient), h5_sum
+#         output: **recorded(f"{DATA}/fig1/event")  # h5, h5_sum, record, record_sum
+#         params: **run_with("--for 0.005", record_every="1e-6")
+#
+# with `log` and `message` as in any rule. Snakemake replaces a section as a whole, so `params` are given
+# by the functions below, and the `shell` of a base rule is never replaced.
+
+
+def sums_of(paths):
+    return f"{paths}.sum" if isinstance(paths, str) else [f"{path}.sum" for path in paths]
+
+
+def with_sums(**files):
+    """Outputs: files, or lists of them, each with the checksum of its content."""
+    return files | {f"{name}_sum": sums_of(paths) for name, paths in files.items()}
+
+
+def content_of(**files):
+    """Inputs that count by their content."""
+    return with_sums(**files) | {name: ancient(paths) for name, paths in files.items()}
+
+
+def recorded(run, **files):
+    """Outputs: the last checkpoint of a run, its record, and other files."""
+    return with_sums(h5=f"{run}.h5", record=f"{run}-record.h5", **files)
+
+
+def checkpoints_of(run, *, until, every, start=0):
+    """The checkpoints that a run with --checkpoint-every writes."""
+    count = int((until - start) / every + 1e-9)
+    return [f"{run}-t{start + n * every:.9f}.h5" for n in range(1, count + 1)]
+
+
+def script(path):
+    """Inputs: a script, and what scripts share."""
+    return {"script": path, "common": COMMON}
+
+
+def picture(path):
+    return {"png": f"{path}.png", "pdf": f"{path}.pdf"}
+
+
+def run_with(options, *, changes="", record_every="1e-5"):
+    """Params of a run: how long, other parameters, and the time between samples [s]."""
+    return {"code": CODE, "options": options, "changes": changes, "record_every": record_every}
+
+
+def analysis(command):
+    return {"code": CODE, "analysis": command}
+
+
+def event_of(run, name=""):
+    """Params of restart_before_event: where the run's checkpoints are, the event's key in the choice."""
+    return {"code": CODE, "run": run, "event": f"{name}." if name else ""}
+
+
+rule load_once:
+    shell:
+        "{BIN}/load -o {output.h5} --force --quiet --sum {params.changes} {params.options} 2> {log}"
+
+
+rule load_recorded:
+    shell:
+        "{BIN}/load -o {output.h5} --force --quiet --sum {params.changes} {params.options}"
+        " --record {output.record} --record-every {params.record_every} 2> {log}"
+
+
+rule restart:
+    shell:
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
+        " {params.changes} {params.options} 2> {log}"
+
+
+rule restart_recorded:
+    shell:
+        "{BIN}/restart {input.h5} -o {output.h5} --force --quiet --sum"
+        " {params.changes} {params.options}"
+        " --record {output.record} --record-every {params.record_every} 2> {log}"
+
+
+# From the last checkpoint before an event to 0.5 ms before it; choose_events.py writes such a choice.
+rule restart_before_event:
+    shell:
+        "{BIN}/restart {params.run}-t$({VALUE} {input.choice} {params.event}from).h5"
+        " -o {output.h5} --force --quiet --sum"
+        " --until $({VALUE} {input.choice} {params.event}until) 2> {log}"
+
+
+rule analyze:
+    shell: "{BIN}/analyze {params.analysis} {input.h5} --json > {output} 2> {log}"
+
+
+rule join_claims:
+    shell: "{PYTHON} {input.script} {input.parts} {output} 2> {log}"

@@ -1,0 +1,209 @@
+"""The default picture of a user's sweep: every measured quantity against the one or two values that
+vary. Seeds are repetitions: single ones and their median are shown."""
+
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.colors import ListedColormap
+
+from maps.front_map import TYPES
+from maps.map_panels import COLOURS
+from pictures.plotting import DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, save
+
+SEEDS = ("seed", "numerics.seed")
+TWO_DECADES = 100
+PANEL = 62 * MM  # height [inch]
+SUFFIXES = (".png", ".pdf")
+
+
+def plain(text):
+    """For Matplotlib, which takes what is between two $ for a formula."""
+    return text.replace("$", r"\$")
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A quantity along an axis: numbers; or texts, first those of fronts from arrested to fast, then
+    others in the order in which they appear."""
+
+    label: str
+    positions: np.ndarray  # of each point
+    categories: list  # texts at 0, 1, ...; empty for numbers
+
+    @property
+    def scale(self):
+        """Logarithmic where positive numbers span two decades."""
+        finite = self.positions[np.isfinite(self.positions)]
+        spans = len(finite) and min(finite) > 0 and max(finite) >= TWO_DECADES * min(finite)
+        return "log" if spans and not self.categories else "linear"
+
+
+def axis_of(column):
+    if column.unit:
+        return Axis(plain(column.heading), column.numbers, [])
+    present = [text for text in dict.fromkeys(column.texts) if text]
+    categories = [text for text in dict.fromkeys(("none", *TYPES, *present)) if text in present]
+    places = {text: place for place, text in enumerate(categories)}
+    positions = np.array([places.get(text, np.nan) for text in column.texts])
+    return Axis(plain(column.heading), positions, categories)
+
+
+def set_axis(axes, which, axis):
+    axes.set(**{f"{which}label": axis.label, f"{which}scale": axis.scale})
+    if axis.categories:
+        axes.set(**{f"{which}ticks": range(len(axis.categories))})
+        axes.set(**{f"{which}ticklabels": axis.categories})
+        axes.set(**{f"{which}lim": (-0.5, len(axis.categories) - 0.5)})
+    elif axis.scale == "linear":
+        axes.ticklabel_format(axis=which, style="sci", scilimits=(-3, 5), useMathText=True)
+
+
+def middle(axis, numbers):
+    """Their median; of texts the most frequent one; NaN where there is none."""
+    numbers = numbers[np.isfinite(numbers)]
+    if not len(numbers):
+        return np.nan
+    return Counter(sorted(numbers)).most_common(1)[0][0] if axis.categories else np.median(numbers)
+
+
+# --- one value varies ----------------------------------------------------------------------
+
+
+def draw_texts(axes, x, y):
+    """The area of a dot is the number of points."""
+    counts = Counter(zip(x.positions, y.positions))
+    for (place, category), count in counts.items():
+        axes.scatter(place, category, s=12 * count, color=LINES[0], linewidth=0)
+
+
+def draw_numbers(axes, x, y):
+    """Single points, and the line of medians."""
+    places = np.unique(x.positions)
+    medians = np.array([middle(y, y.positions[x.positions == place]) for place in places])
+    known = np.isfinite(medians)
+    axes.plot(x.positions, y.positions, "o", color=LINES[0], alpha=0.5, markeredgewidth=0)
+    axes.plot(places[known], medians[known], color=LINES[0])
+
+
+def limits(axis):
+    """Of all points, measured or not, with a margin."""
+    shown = np.log(axis.positions) if axis.scale == "log" else axis.positions
+    margin = 0.05 * (max(shown) - min(shown))
+    ends = np.array([min(shown) - margin, max(shown) + margin])
+    return np.exp(ends) if axis.scale == "log" else ends
+
+
+def mark_not_done(axes, places):
+    """At the bottom, below all dots."""
+    axes.margins(y=0.12)
+    bottom = np.full(len(places), 0.04)
+    axes.plot(places, bottom, "x", color=VERMILION, transform=axes.get_xaxis_transform())
+
+
+def draw_line(axes, x, y, done):
+    if y.categories:
+        draw_texts(axes, x, y)
+    else:
+        draw_numbers(axes, x, y)
+    set_axis(axes, "x", x)
+    set_axis(axes, "y", y)
+    if not x.categories:
+        axes.set_xlim(limits(x))
+    if not done.all():
+        mark_not_done(axes, np.unique(x.positions[~done]))
+
+
+# --- two values vary -----------------------------------------------------------------------
+
+
+def edges(axis, places):
+    """Borders of the cells around these places, halfway between them as the axis shows it."""
+    if axis.categories:
+        return np.arange(len(places) + 1) - 0.5
+    shown = np.log(places) if axis.scale == "log" else places
+    inner = (shown[1:] + shown[:-1]) / 2
+    outer = np.concatenate([[2 * shown[0] - inner[0]], inner, [2 * shown[-1] - inner[-1]]])
+    return np.exp(outer) if axis.scale == "log" else outer
+
+
+def cells(x, y, value_at):
+    """The values of a map: value_at(which points) for each pair of places that has points."""
+    x_places, y_places = np.unique(x.positions), np.unique(y.positions)
+    grid = np.full((len(y_places), len(x_places)), np.nan)
+    for row, column in np.ndindex(grid.shape):
+        here = (x.positions == x_places[column]) & (y.positions == y_places[row])
+        if here.any():
+            grid[row, column] = value_at(here)
+    return edges(x, x_places), edges(y, y_places), grid
+
+
+def draw_values(fig, axes, borders, z, grid):
+    look = {"cmap": MAP, "norm": z.scale}
+    if z.categories:
+        colours = [COLOURS.get(text, LINES[n % len(LINES)]) for n, text in enumerate(z.categories)]
+        look = {"cmap": ListedColormap(colours), "vmin": -0.5, "vmax": len(colours) - 0.5}
+    image = axes.pcolormesh(*borders, np.ma.masked_invalid(grid), **look)
+    scale = fig.colorbar(image, ax=axes)
+    if z.categories:
+        scale.ax.minorticks_off()
+        scale.set_ticks(range(len(z.categories)), labels=z.categories)
+
+
+def hatch(axes, borders, grid):
+    look = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
+    axes.pcolor(*borders, np.ma.masked_invalid(grid), **look)
+
+
+def draw_map(fig, axes, x, y, z, done):
+    """Medians as colours; hatched where no point is done."""
+    *borders, medians = cells(x, y, lambda here: middle(z, z.positions[here]))
+    not_done = cells(x, y, lambda here: np.nan if done[here].any() else 0.0)[2]
+    measured = np.isfinite(medians).any()
+    axes.set_title(z.label if measured else f"{z.label}: no value")
+    if measured:
+        draw_values(fig, axes, borders, z, medians)
+    if np.isfinite(not_done).any():
+        hatch(axes, borders, not_done)
+    set_axis(axes, "x", x)
+    set_axis(axes, "y", y)
+
+
+# --- the picture ---------------------------------------------------------------------------
+
+
+def panels(number):
+    """A figure with so many axes, two beside each other."""
+    beside = min(2, number)
+    below = -(-number // beside)
+    size = (SINGLE if beside == 1 else DOUBLE, PANEL * below)
+    fig, grid = figure(*size, nrows=below, ncols=beside, squeeze=False)
+    for axes in grid.flat[number:]:
+        axes.remove()
+    return fig, grid.flat[:number]
+
+
+def draw(stem, sweep, columns):
+    """Writes the picture, or says why there is none."""
+    for suffix in SUFFIXES:
+        Path(f"{stem}{suffix}").unlink(missing_ok=True)
+    by_name = {column.name: column for column in columns}
+    varied = [name for name in sweep.varied if name not in SEEDS]
+    if len(varied) not in (1, 2):
+        return f"No picture: {len(varied)} values vary; pictures are drawn of one or two."
+    for name in varied:
+        if None in by_name[name].cells:
+            return f"No picture: some points have no {name}."
+    done = np.array([status == "done" for status in by_name["status"].cells])
+    over = [axis_of(by_name[name]) for name in varied]
+    fig, all_axes = panels(len(sweep.columns))
+    for axes, name in zip(all_axes, sweep.columns):
+        if len(varied) == 1:
+            draw_line(axes, *over, axis_of(by_name[name]), done)
+        else:
+            draw_map(fig, axes, *over, axis_of(by_name[name]), done)
+    note = "" if done.all() else f" ({'crosses' if len(varied) == 1 else 'hatched'}: not done)"
+    fig.suptitle(plain(sweep.title) + note, fontsize=8)
+    save(fig, stem)
+    return ""

@@ -1,0 +1,99 @@
+"""Collects the points of a user's sweep that there are.
+
+Writes NAME.csv, NAME.h5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan, and
+prints what came out. A point that is not there is `unfinished`.
+"""
+
+import os
+import sys
+from collections import Counter
+from pathlib import Path
+
+from sweeps.collect import rows
+from sweeps.picture import SUFFIXES, draw
+from sweeps.plural import plural
+from sweeps.point_store import PointStore
+from sweeps.sweep import names_of_values, read_sweep
+from sweeps.table import Column, write_csv, write_hdf5
+
+SHOWN = 5  # sentences of failed points
+
+
+NOT_REACHED = "it was not reached, or its process was ended"
+
+
+def result_of(point, store):
+    """What the point gave. Paths in a sentence are those of this folder."""
+    result = store.result(point)
+    if result is None:
+        result = {"status": "unfinished", "sentence": store.crash(point) or NOT_REACHED}
+    return result | {"sentence": result["sentence"].replace(f"{os.getcwd()}/", "")}
+
+
+def columns_of(sweep, table):
+    names = [*names_of_values(sweep.points), *sweep.columns, "status", "sentence", "point"]
+    return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
+
+
+def count_computed(sweep, store, started):
+    """How many results are younger than `started` [s]."""
+    paths = {store.path(point) for point in sweep.points if store.result(point)}
+    return sum(path.stat().st_mtime >= started for path in paths)
+
+
+def print_sentences(table, status):
+    said = Counter(row["sentence"] for row in table if row["status"] == status)
+    if said:
+        print(f"{status.capitalize()}:")
+    for sentence, times in said.most_common(SHOWN):
+        print(f"  {times} x {sentence}")
+    if len(said) > SHOWN:
+        print(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has them all")
+
+
+def print_without_value(sweep, table):
+    """Such as the front speed at a block that is not there."""
+    for heading, path in sweep.columns.items():
+        if all(row[heading] is None for row in table):
+            print(f"No point has a value of {path} ({heading}).")
+
+
+def print_summary(sweep, table, computed):
+    counts = Counter(row["status"] for row in table)
+    states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", "unfinished") if counts[s])
+    there = len(table) - counts["unfinished"] - computed
+    print(f"\n{sweep.title}: {plural(len(table), 'point')}: {states}.")
+    print(f"Computed now: {computed}; there before: {there}.")
+    for status in ("failed", "unfinished"):
+        print_sentences(table, status)
+    if counts["done"]:
+        print_without_value(sweep, table)
+    return counts["unfinished"]
+
+
+def picture(stem, sweep, columns):
+    """What came out, in a line: of a picture that cannot be drawn, why. The table is there already."""
+    try:
+        no_picture = draw(stem, sweep, columns)
+    except Exception as error:  # of Matplotlib, any
+        for suffix in SUFFIXES:
+            Path(f"{stem}{suffix}").unlink(missing_ok=True)
+        no_picture = f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"
+    return no_picture or f"Picture: {stem}.png and .pdf"
+
+
+def report_sweep(plan, results, code, started):
+    """The exit code: 1 if points are unfinished. `code`: fingerprint of the sources or programs;
+    `started`: when computing began [s since 1970]."""
+    sweep, store = read_sweep(plan), PointStore(results / "data/points", code)
+    table = list(rows(sweep, lambda point: result_of(point, store)))
+    columns = columns_of(sweep, table)
+    write_csv(plan.with_suffix(".csv"), columns)
+    write_hdf5(plan.with_suffix(".h5"), sweep.title, columns)
+    unfinished = print_summary(sweep, table, count_computed(sweep, store, started))
+    stem = plan.resolve().with_suffix("")
+    print(f"Table: {stem}.csv and .h5", flush=True)  # before anything of Matplotlib
+    print(picture(stem, sweep, columns), flush=True)
+    if unfinished:
+        print("The same command tries unfinished points again.", file=sys.stderr)
+    return 1 if unfinished else 0

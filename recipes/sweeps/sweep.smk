@@ -1,0 +1,90 @@
+# Sweeps (sweep.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv. Of a user's
+# own sweep (--config sweep=PLAN), only the points are made here: its table is written even if a point
+# cannot be computed (recipes/sweeps/).
+#
+# A job computes a batch of points and makes one small file, which has a digest of each result. The
+# results themselves are no outputs of the job, so that those that are done outlive one that is ended.
+from sweeps.sweep import batches_of, is_sweep, read_sweep
+
+SWEEP_FILES = {
+    f"{path.parent.name}/{path.stem}": path
+    for path in sorted(Path("recipes").glob("*/*.ini"))
+    if is_sweep(path) and "sweep" not in config
+}
+TABLES = list(SWEEP_FILES)
+OWN = [f"sweeps/{Path(config['sweep']).stem}"] if "sweep" in config else []
+SWEEP_FILES |= {name: Path(config["sweep"]) for name in OWN}
+SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
+BATCHES = {
+    f"{DATA}/batches/{name}-{number:04d}.sum": (name, batch)
+    for name, sweep in SWEEPS.items()
+    for number, batch in enumerate(batches_of(sweep.points), 1)
+}
+POINTS = f"{DATA}/points"
+
+# A result that was deleted is to be computed again.
+for path, (_, batch) in BATCHES.items():
+    if not all(Path(f"{POINTS}/{point.id}.json").exists() for point in batch):
+        Path(path).unlink(missing_ok=True)
+
+
+def batches_of_sweep(name):
+    return [path for path, (of, _) in BATCHES.items() if of == name]
+
+
+def batch_at(wildcards):
+    return BATCHES[f"{DATA}/batches/{wildcards.batch}.sum"][1]
+
+
+def sweep_at(wildcards):
+    return BATCHES[f"{DATA}/batches/{wildcards.batch}.sum"][0]
+
+
+def base_of(batch):
+    """What its points start from. One that the recipes make counts by content (Snakefile)."""
+    base = batch[0].base
+    if base.startswith(f"{DATA}/"):
+        return [ancient(base), f"{base}.sum"]
+    return [base] if base else []
+
+
+def described(name, batch):
+    if len(batch) > 1:
+        return f"{name}: {len(batch)} points"
+    return "point: " + ", ".join(f"{name} {value}" for name, value in batch[0].values.items())
+
+
+rule batch:
+    input:
+        base=lambda wildcards: base_of(batch_at(wildcards)),
+        script="recipes/sweeps/batch.py",
+    output: f"{DATA}/batches/{{batch}}.sum"
+    params:
+        code=CODE,
+        sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[sweep_at(wildcards)])),
+        ids=lambda wildcards: [point.id for point in batch_at(wildcards)],
+    threads: lambda wildcards: SWEEPS[sweep_at(wildcards)].needs.threads
+    resources:
+        mem_mb=lambda wildcards: SWEEPS[sweep_at(wildcards)].needs.megabytes,
+        points=lambda wildcards: described(sweep_at(wildcards), batch_at(wildcards)),  # message
+    log: f"{LOGS}/batches/{{batch}}.log"
+    message: "{resources.points}"
+    shell:
+        "{PYTHON} {input.script} {BIN} {params.sweep} {POINTS} {params.code} {output} {params.ids}"
+        " 2> {log}"
+
+
+rule table:
+    input:
+        points=lambda wildcards: batches_of_sweep(wildcards.sweep),
+        sweep="recipes/{sweep}.ini",
+        **script("recipes/sweeps/collect.py"),
+    output: f"{DATA}/{{sweep}}.csv"
+    wildcard_constraints: sweep="|".join(TABLES) or "none"
+    log: f"{LOGS}/{{sweep}}.log"
+    message: "{wildcards.sweep}: collect the points"
+    shell: "{PYTHON} {input.script} {input.sweep} {POINTS} {output} 2> {log}"
+
+
+rule sweep:
+    input: [path for name in OWN for path in batches_of_sweep(name)]

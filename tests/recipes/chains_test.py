@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""The chains of commands in the recipes' READMEs are those that the rules run.
+
+A command by hand has the program, the options and the values of one that Snakemake would run, or that a
+point of a sweep runs. It may leave out what only concerns files, and what is a default."""
+
+import importlib.util
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from fixture import SOURCE, skip
+from project import read_readme
+
+sys.path.insert(0, str(SOURCE / "recipes"))
+from sweeps.sweep import is_sweep, read_sweep  # noqa: E402  (found through the line above)
+
+BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))
+PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
+FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
+# What a rule may say besides: checkpoints for later steps, and which event, where a record has one only.
+UNSAID = ("--event", "--checkpoint-every")
+# Commands that no rule runs: the scripts read these records themselves.
+ONLY_BY_HAND = ("analyze loading --x",)
+RECIPES = sorted(path.parent.name for path in (SOURCE / "recipes").glob("*/rules.smk"))
+
+HANDLER = """
+import json
+def log_handler(message):
+    if message["level"] == "shellcmd" and message["msg"]:
+        with open("commands.jsonl", "a") as file:
+            print(json.dumps(message["msg"]), file=file)
+"""
+
+
+def planned(folder):
+    """All commands of a run from scratch, in which events have been found."""
+    for name in ("recipes", "checkpoints", "docs"):
+        (folder / name).symlink_to(SOURCE / name)
+    choices = {"ensemble": {"seed-02": {"from": "", "until": ""}}, "figS2": {"events": [{}]}}
+    for name, choice in choices.items():
+        path = folder / f"results/data/{name}/choice.json"
+        path.parent.mkdir(parents=True)
+        path.write_text(json.dumps(choice))
+    (folder / "handler.py").write_text(HANDLER)
+    done = subprocess.run(
+        [
+            *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile", "all"),
+            "--dryrun",
+            *("--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
+            *("--log-handler-script", "handler.py"),
+            *("--config", "bin=bin", "code=none", "from_scratch=1"),
+        ],
+        cwd=folder,
+        env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1", "XDG_CACHE_HOME": str(folder)},
+        capture_output=True,
+        text=True,
+    )
+    if done.returncode:
+        raise RuntimeError(done.stdout + done.stderr)
+    lines = (folder / "commands.jsonl").read_text().splitlines()
+    return [json.loads(line) for line in lines]
+
+
+def of_sweeps():
+    """Without those whose table of points is made by rules; they are like those of the other sweeps."""
+    for path in sorted((SOURCE / "recipes").glob("*/*.ini")):
+        if is_sweep(path) and "points" not in path.read_text():
+            for point in read_sweep(path).points:
+                yield from point.commands.values()
+
+
+def calls_in(text):
+    """Words of each call of a program. What the shell computes is `$`."""
+    text = text.replace("\\\n", " ")
+    text = re.sub(r"\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+", "$", text)
+    for part in re.split(r"[;\n]|&&|\|\|", text):
+        words = shlex.split(re.sub(r"\d?>.*", "", part).replace("{", " ").replace("(", " "))
+        words = [word for word in words if word != "do"]
+        if words and Path(words[0]).name in PROGRAMS:
+            yield [Path(words[0]).name, *words[1:]]
+
+
+def defaults():
+    """{parameter: value} of what `load` and `prepare` start from."""
+    command = [BIN / "analyze", "quantities", "--json"]
+    listed = json.loads(subprocess.run(command, capture_output=True, check=True).stdout)
+    found = {row["name"]: str(row["default"]) for row in listed["parameters"]}
+    return found | {"--sigma-bar": "0"}
+
+
+def without_defaults(program, options):
+    """A restart goes on with what the checkpoint has, whatever the defaults are."""
+    if program not in ("load", "prepare"):
+        return options
+    return {
+        name: values
+        for name, values in options.items()
+        if name not in DEFAULTS or not same(values[0], DEFAULTS[name])
+    }
+
+
+def parse(words):
+    """The program, with what it analyzes, and {option: values}; --set by parameter. Without files."""
+    program, rest, options, option = words[0], words[1:], {}, None
+    if program == "analyze":
+        program, rest = f"analyze {rest[0]}", rest[1:]
+    for word in rest:
+        if re.match(r"--?[a-z]", word):
+            option = word
+            options.setdefault(option, [])
+        elif option == "--set":
+            options[word.split("=")[0]] = [word.split("=")[1]]
+            option = None
+        elif option and not word.endswith(".h5"):
+            options[option].append(word)
+        elif option not in ("-o", "--record"):
+            option = None
+    kept = {name: values for name, values in options.items() if name not in (*FILES, "--set")}
+    return program, without_defaults(program, kept)
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def same(value, other):
+    if "$" in other:
+        return True
+    a, b = number(value), number(other)
+    return value == other if None in (a, b) else abs(a - b) <= 1e-9 * abs(b)
+
+
+def fits(program, name, values, others):
+    """A load by hand may end earlier: it is the beginning of the other."""
+    if program == "load" and name == "--until":
+        return float(values[0]) <= float(others[0])
+    return len(values) == len(others) and all(map(same, values, others))
+
+
+def matches(call, other):
+    (program, options), (program_of_rule, options_of_rule) = call, other
+    return (
+        program == program_of_rule
+        and options_of_rule.keys() - set(UNSAID) <= options.keys() <= options_of_rule.keys()
+        and all(fits(program, name, options[name], options_of_rule[name]) for name in options)
+    )
+
+
+def is_only_by_hand(call):
+    return " ".join([call[0], *call[1]]) in ONLY_BY_HAND
+
+
+class Chains(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            texts = [*planned(Path(folder)), *of_sweeps()]
+        calls = {repr(parse(words)): parse(words) for text in texts for words in calls_in(text)}
+        cls.calls = list(calls.values())
+
+    def test_each_command_by_hand_is_one_of_the_rules(self):
+        for name in RECIPES:
+            pages = (SOURCE / "recipes" / name).glob("*.md")
+            chain = [words for page in pages for words in calls_in(read_readme(page).commands)]
+            self.assertGreater(len(chain), 1, name)
+            for words in chain:
+                call = parse(words)
+                with self.subTest(recipe=name, command=" ".join(words)):
+                    found = any(matches(call, other) for other in self.calls)
+                    self.assertTrue(found or is_only_by_hand(call))
+
+    def test_a_command_with_another_value_or_option_is_none(self):
+        for text in (
+            "restart a.h5 -o b.h5 --for 0.011 --record c.h5 --record-every 1e-5",
+            "restart a.h5 -o b.h5 --for 0.01 --set driving.V=1",
+            "analyze front a.h5 --stencil 7",
+            "load -o a.h5 --until 1.3",
+            "analyze slip a.h5",
+        ):
+            (words,) = calls_in(text)
+            self.assertFalse(any(matches(parse(words), other) for other in self.calls), text)
+
+
+if __name__ == "__main__":
+    if not importlib.util.find_spec("snakemake"):
+        skip("snakemake is not installed.")
+    DEFAULTS = defaults()
+    unittest.main()
