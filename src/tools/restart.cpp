@@ -1,9 +1,6 @@
 // restart: continue a checkpoint, with the same parameters or with changed ones.
 #include <fmt/core.h>
 
-#include <array>
-#include <string_view>
-
 #include "option_values.hpp"
 #include "rebuild.hpp"
 #include "rupture/model/error.hpp"
@@ -65,11 +62,6 @@ Options setup(int argc, char** argv) {
   return result;
 }
 
-/// Parameters that give the state its meaning and so cannot change under it.
-constexpr std::array<std::string_view, 7> kFixed = {"slider.L",   "slider.H",       "slider.Nx",
-                                                    "slider.Nz",  "slider.support", "junctions.N_s",
-                                                    "numerics.dt"};
-
 std::string law_text(const Parameters& p) {
   return parameter_text(p, find_parameter("junctions.law"));
 }
@@ -83,16 +75,20 @@ void refuse_other_springs(const Parameters& before, const Parameters& after) {
       law_text(before), law_text(after), law_text(after)));
 }
 
+void refuse_changes_of_kept(const Parameters& before, const Parameters& after) {
+  for (const auto& info : parameter_table()) {
+    if (info.restart == Restart::may_change) continue;
+    if (parameter_text(before, info) == parameter_text(after, info)) continue;
+    throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}",
+                                 info.name, parameter_text(before, info)));
+  }
+}
+
 /// Applies the changes; the driving point stays where it is when its speed changes.
 void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) {
   const Parameters before = checkpoint.parameters;
   apply(changes, checkpoint.parameters);
-  for (const auto name : kFixed) {
-    const auto& info = find_parameter(name);
-    if (parameter_text(before, info) == parameter_text(checkpoint.parameters, info)) continue;
-    throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}", name,
-                                 parameter_text(before, info)));
-  }
+  refuse_changes_of_kept(before, checkpoint.parameters);
   refuse_other_springs(before, checkpoint.parameters);
   if (checkpoint.parameters.V != before.V) {
     State& state = checkpoint.state;

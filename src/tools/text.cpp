@@ -10,6 +10,18 @@
 #include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
+namespace {
+
+/// "; simplified law" or "; reference and decaying laws"; nothing if all laws use the parameter.
+std::string laws_text(const ParameterInfo& info) {
+  if (info.laws.empty()) return "";
+  const auto names = choices(find_parameter("junctions.law"));
+  std::vector<std::string_view> words;
+  for (const Law law : info.laws) words.push_back(names[static_cast<std::size_t>(law)]);
+  return fmt::format("; {} law{}", fmt::join(words, " and "), words.size() > 1 ? "s" : "");
+}
+
+}  // namespace
 
 std::string parameter_help() {
   std::string text;
@@ -18,8 +30,9 @@ std::string parameter_help() {
     const auto words = choices(info);
     const std::string unit =
         words.empty() ? fmt::format("[{}]", info.unit) : fmt::format("[{}]", fmt::join(words, "|"));
-    text += fmt::format("  {:<26} {:>10} {:<22} {} ({})\n", info.name,
-                        parameter_text(defaults, info), unit, info.help, info.symbol);
+    text +=
+        fmt::format("  {:<26} {:>10} {:<22} {} ({}{})\n", info.name, parameter_text(defaults, info),
+                    unit, info.help, info.symbol, laws_text(info));
   }
   return text;
 }
