@@ -11,6 +11,7 @@
 
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
 #include "rupture/model/nearest.hpp"
 
 namespace rupture {
@@ -21,7 +22,6 @@ constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 const std::vector<std::string_view> kSlippingTimesNames = {"gaussian", "exponential"};
 const std::vector<std::string_view> kNewForceNames = {"zero", "f_slip"};
-const std::vector<std::string_view> kLawNames = {"reference", "simplified", "decaying"};
 const std::vector<std::string_view> kSupportNames = {"foundation", "ceiling"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
@@ -62,7 +62,7 @@ const std::vector<std::string_view>& names_of() {
   } else if constexpr (std::is_same_v<Enum, NewForce>) {
     return kNewForceNames;
   } else if constexpr (std::is_same_v<Enum, Law>) {
-    return kLawNames;
+    return law_names();
   } else {
     return kSupportNames;
   }
@@ -220,7 +220,7 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info) {
 std::vector<std::string_view> choices(const ParameterInfo& info) {
   if (std::holds_alternative<SlippingTimes P::*>(info.member)) return kSlippingTimesNames;
   if (std::holds_alternative<NewForce P::*>(info.member)) return kNewForceNames;
-  if (std::holds_alternative<Law P::*>(info.member)) return kLawNames;
+  if (std::holds_alternative<Law P::*>(info.member)) return law_names();
   if (std::holds_alternative<Support P::*>(info.member)) return kSupportNames;
   return {};
 }
@@ -262,19 +262,19 @@ void validate_law(const Parameters& p) {
         "its strength",
         p.mu_d, p.mu_s));
   }
-  if (p.law == Law::decaying && p.mu_new > p.mu_d) {
+  const LawInfo& law = law_info(p.law);
+  if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new > p.mu_d) {
     throw UsageError(
-        fmt::format("junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the decaying law "
-                    "the slipping "
-                    "force falls",
-                    p.mu_new, p.mu_d));
+        fmt::format("junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the {} law the "
+                    "slipping force falls",
+                    p.mu_new, p.mu_d, law.name));
   }
-  if (p.law != Law::reference && p.f_new != NewForce::zero) {
-    throw UsageError(fmt::format(
-        "junctions.f_new = f_slip belongs to the reference law: to switch slow slip off under the "
-        "{} law, set {}",
-        kLawNames[static_cast<std::size_t>(p.law)],
-        p.law == Law::simplified ? "junctions.v_slow to 0" : "junctions.mu_new to junctions.mu_d"));
+  const ParameterInfo& f_new = find_parameter("junctions.f_new");
+  if (!is_used(f_new, p.law) && p.f_new != NewForce::zero) {
+    throw UsageError(
+        fmt::format("junctions.f_new = f_slip belongs to the {} law: to switch slow slip off under "
+                    "the {} law, set {}",
+                    fmt::join(law_names(f_new.laws), " and the "), law.name, law.slow_slip_off));
   }
 }
 

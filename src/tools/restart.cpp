@@ -4,6 +4,7 @@
 #include "option_values.hpp"
 #include "rebuild.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
 #include "simulate.hpp"
 
 namespace {
@@ -62,17 +63,15 @@ Options setup(int argc, char** argv) {
   return result;
 }
 
-std::string law_text(const Parameters& p) {
-  return parameter_text(p, find_parameter("junctions.law"));
-}
-
 /// One spring per block cannot become many, nor the other way round.
 void refuse_other_springs(const Parameters& before, const Parameters& after) {
-  if ((before.law == Law::simplified) == (after.law == Law::simplified)) return;
+  const LawInfo &old_law = law_info(before.law), &new_law = law_info(after.law);
+  if (old_law.springs == new_law.springs) return;
+  const bool had_one = old_law.springs == SpringsPerBlock::one;
   throw UsageError(fmt::format(
-      "junctions.law cannot change from {} to {} in a restart: the simplified law has one spring "
-      "per block; start with load --set junctions.law={}",
-      law_text(before), law_text(after), law_text(after)));
+      "junctions.law cannot change from {} to {} in a restart: the {} law has one spring per "
+      "block; start with load --set junctions.law={}",
+      old_law.name, new_law.name, had_one ? old_law.name : new_law.name, new_law.name));
 }
 
 void refuse_changes_of_kept(const Parameters& before, const Parameters& after) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "rupture/model/laws.hpp"
 #include "rupture/model/nearest.hpp"
 #include "rupture/model/parameters.hpp"
 
@@ -15,9 +16,7 @@ namespace {
 /// "; simplified law" or "; reference and decaying laws"; nothing if all laws use the parameter.
 std::string laws_text(const ParameterInfo& info) {
   if (info.laws.empty()) return "";
-  const auto names = choices(find_parameter("junctions.law"));
-  std::vector<std::string_view> words;
-  for (const Law law : info.laws) words.push_back(names[static_cast<std::size_t>(law)]);
+  const auto words = law_names(info.laws);
   return fmt::format("; {} law{}", fmt::join(words, " and "), words.size() > 1 ? "s" : "");
 }
 
