@@ -1,11 +1,15 @@
 #include "rupture/analysis/phi.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string_view>
 
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
 
 namespace rupture {
 namespace {
@@ -82,11 +86,16 @@ std::optional<ImpossibleBlock> spread(Junctions& junctions, const BlockJunctions
 }  // namespace
 
 void refuse_single_springs(const Parameters& p) {
-  if (p.law != Law::simplified) return;
+  const LawInfo& law = law_info(p.law);
+  if (law.springs == SpringsPerBlock::N_s) return;
+  std::vector<std::string_view> others;
+  for (const LawInfo& other : law_table()) {
+    if (other.springs == SpringsPerBlock::N_s) others.push_back(other.name);
+  }
   throw Failure(
-      "the checkpoint has junctions.law = simplified: a single spring per block has no "
-      "distribution of "
-      "forces; use a checkpoint of the reference or the decaying law");
+      fmt::format("the checkpoint has junctions.law = {}: a single spring per block has no "
+                  "distribution of forces; use a checkpoint of the {} law",
+                  law.name, fmt::join(others, " or the ")));
 }
 
 std::vector<double> normal_forces(const Parameters& p, const State& state) {

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <array>
 
+#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {
 
-constexpr std::array<std::string_view, 4> kChecksummedGroups = {"/parameters/", "/state/",
-                                                                "/series/", "/ruptures/"};
+constexpr std::string_view kParameters = "/parameters/";  // the first group in order of paths
+constexpr std::array<std::string_view, 4> kChecksummedGroups = {kParameters, "/state/", "/series/",
+                                                                "/ruptures/"};
 constexpr std::string_view kCanonicalForm = "rupture content 1\n";
 
 void check(int success) {
@@ -34,6 +36,16 @@ void update_dataset(Sha256& hash, const std::string& path, const Dataset& datase
   update_number(hash, dataset.shape.size());
   for (const std::uint64_t length : dataset.shape) update_number(hash, length);
   update_prefixed(hash, dataset.bytes);
+}
+
+std::string checksum_with(const Content& parameters, const Content& content) {
+  Sha256 hash;
+  hash.update(kCanonicalForm);
+  for (const auto& [path, dataset] : parameters) update_dataset(hash, path, dataset);
+  for (const auto& [path, dataset] : content) {
+    if (is_checksummed(path) && !path.starts_with(kParameters)) update_dataset(hash, path, dataset);
+  }
+  return hash.hex();
 }
 
 }  // namespace
@@ -80,12 +92,11 @@ bool is_checksummed(std::string_view path) {
 }
 
 std::string content_checksum(const Content& content) {
-  Sha256 hash;
-  hash.update(kCanonicalForm);
-  for (const auto& [path, dataset] : content) {
-    if (is_checksummed(path)) update_dataset(hash, path, dataset);
-  }
-  return hash.hex();
+  return checksum_with(counted_parameters(content), content);
+}
+
+std::string content_checksum_of_schema_2(const Content& content) {
+  return checksum_with(parameters_of_schema_2(content), content);
 }
 
 std::string labelled(const std::string& checksum) {

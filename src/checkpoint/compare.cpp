@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
 
@@ -117,9 +118,11 @@ std::vector<Difference> diff(const Content& a, const Content& b) {
 }
 
 Content checksummed_part(const Content& content) {
-  Content part;
-  std::copy_if(content.begin(), content.end(), std::inserter(part, part.end()),
-               [](const auto& entry) { return is_checksummed(entry.first); });
+  const auto stored = [](const auto& entry) {
+    return is_checksummed(entry.first) && !entry.first.starts_with("/parameters/");
+  };
+  Content part = counted_parameters(content);
+  std::copy_if(content.begin(), content.end(), std::inserter(part, part.end()), stored);
   return part;
 }
 

@@ -145,7 +145,7 @@ ContentFile read_file(const fs::path& path) {
 
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name) {
   if (header_kind(bytes, name) == FileKind::open_record) {
-    return {FileKind::open_record, "", naming(name, [&] { return read_pieces(bytes); })};
+    return {FileKind::open_record, "", "", naming(name, [&] { return read_pieces(bytes); })};
   }
   const FileKind kind = check_envelope(bytes, name);
   return naming(name, [&] { return unseal(kind, bytes); });

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <set>
 
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -12,12 +12,8 @@ namespace {
 
 constexpr std::string_view kGroup = "/parameters/";
 
-/// Parameters that came after the first files of this schema: these files do without.
-constexpr std::array<std::string_view, 4> kAddedLater = {"slider.support", "junctions.law",
-                                                         "junctions.mu_new", "junctions.v_slow"};
-
 bool may_be_missing(const ParameterInfo& info) {
-  return std::find(kAddedLater.begin(), kAddedLater.end(), info.name) != kAddedLater.end();
+  return info.since != Since::original;
 }
 
 std::string dataset_path(const ParameterInfo& info) {
@@ -56,7 +52,52 @@ std::string stored_text(const Content& content, const ParameterInfo& info) {
       info.member);
 }
 
-void refuse_unknown(const Content& content) {
+// The interface law of a content: the default if it names none. What is no law is refused later.
+Law law_of(const Content& content) {
+  const ParameterInfo& info = find_parameter("junctions.law");
+  const auto stored = content.find(dataset_path(info));
+  const auto names = choices(info);
+  for (std::size_t law = 0; stored != content.end() && law < names.size(); ++law) {
+    if (stored->second.bytes == make_text(names[law]).bytes) return static_cast<Law>(law);
+  }
+  return Parameters{}.law;
+}
+
+Content stored_parameters(const Content& content) {
+  Content stored;
+  std::copy_if(content.begin(), content.end(), std::inserter(stored, stored.end()),
+               [](const auto& entry) { return entry.first.starts_with(kGroup); });
+  return stored;
+}
+
+bool same_value(const Dataset& a, const Dataset& b) {
+  return a.type == b.type && a.shape == b.shape && a.bytes == b.bytes;
+}
+
+}  // namespace
+
+Content counted_parameters(const Content& content, const std::vector<ParameterInfo>& table) {
+  const Law law = law_of(content);
+  Content counted = stored_parameters(content);
+  for (const ParameterInfo& info : table) {
+    const std::string path = dataset_path(info);
+    const Dataset by_default = parameter_dataset({}, info);
+    if (!is_used(info, law)) counted[path] = by_default;
+    if (may_be_missing(info)) counted.try_emplace(path, by_default);
+    if (info.since == Since::later && same_value(counted.at(path), by_default)) counted.erase(path);
+  }
+  return counted;
+}
+
+Content parameters_of_schema_2(const Content& content) {
+  Content counted = stored_parameters(content);
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.since == Since::later) counted.erase(dataset_path(info));
+  }
+  return counted;
+}
+
+void refuse_unknown_parameters(const Content& content) {
   std::set<std::string> known;
   for (const ParameterInfo& info : parameter_table()) known.insert(dataset_path(info));
   for (const auto& [path, dataset] : content) {
@@ -65,8 +106,6 @@ void refuse_unknown(const Content& content) {
     }
   }
 }
-
-}  // namespace
 
 Content parameters_content(const Parameters& parameters) {
   Content content;
@@ -77,7 +116,7 @@ Content parameters_content(const Parameters& parameters) {
 }
 
 Parameters read_parameters(const Content& content) {
-  refuse_unknown(content);
+  refuse_unknown_parameters(content);
   Parameters parameters;
   try {
     for (const ParameterInfo& info : parameter_table()) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hdf5_image.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/version.hpp"
@@ -39,9 +40,20 @@ void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
   }
 }
 
-void check_content(const Content& content, const std::string& stored) {
+constexpr std::int64_t kLastWithAllParameters = 2;  // schema in whose checksum all of them count
+
+// By the rule of the file's own schema.
+std::string checksum_by_schema(std::int64_t schema_version, const Content& content) {
+  return schema_version <= kLastWithAllParameters ? content_checksum_of_schema_2(content)
+                                                  : content_checksum(content);
+}
+
+// A parameter that only a newer build knows is no damage, though it spoils the checksum.
+void check_content(const Content& content, const hdf5::RootAttributes& attributes) {
   check_finite(content);
-  const std::string computed = content_checksum(content);
+  refuse_unknown_parameters(content);
+  const std::string& stored = attributes.content_checksum;
+  const std::string computed = checksum_by_schema(attributes.schema_version, content);
   if (stored != computed) {
     throw Failure(
         fmt::format("its content has the checksum {}, but {} is stored in it; write it "
@@ -69,9 +81,11 @@ ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
     refuse_newer(attributes.schema_version, writer_of(reader));
   }
   check_attributes(attributes, kind);
-  ContentFile read = {kind, attributes.content_checksum, reader.content()};
-  check_content(read.content, read.checksum);
-  return read;
+  Content content = reader.content();
+  check_content(content, attributes);
+  const bool by_present_rule = attributes.schema_version > kLastWithAllParameters;
+  std::string checksum = by_present_rule ? attributes.content_checksum : content_checksum(content);
+  return {kind, std::move(checksum), attributes.content_checksum, std::move(content)};
 }
 
 }  // namespace rupture

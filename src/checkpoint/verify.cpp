@@ -7,21 +7,22 @@
 
 namespace rupture {
 
-std::string verify_file(const std::filesystem::path& path) {
-  const ContentFile file = read_file(path);
-  return naming(path, [&] {
+ContentFile verify_file(const std::filesystem::path& path) {
+  ContentFile file = read_file(path);
+  naming(path, [&] {
     switch (file.kind) {
       case FileKind::checkpoint:
         checkpoint_from(file.content);
-        return file.checksum;
+        return;
       case FileKind::record:
         record_from(file);
-        return file.checksum;
+        return;
       case FileKind::open_record:
         throw Failure("an unfinished record cannot be verified: its run has not ended");
     }
     throw Failure("a file of this kind cannot be verified by this build");
   });
+  return file;
 }
 
 }  // namespace rupture

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rupture/forces/reference_law.hpp"
-#include "rupture/forces/simplified_law.hpp"
+#include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "statics.hpp"
@@ -109,11 +108,7 @@ void depin(const Parameters& p, double tau_i, Eigen::Index i, State& state) {
   double friction = 0.0;
   for (Eigen::Index j = 0; j < springs; ++j) {
     state.junctions.attachment(i, j) = u_x - tau_i / static_cast<double>(p.N_s) / k_ij;
-    if (p.law == Law::simplified) {
-      break_spring(p, state.junctions, i, u_x, w, 0.0);
-    } else {
-      break_junction(p, state.junctions, i, j, u_x, w, 0.0);
-    }
+    break_by_law(p, state.junctions, i, j, u_x, w, 0.0);
     friction += k_ij * (u_x - state.junctions.attachment(i, j));
   }
   const double junctions_in_each = static_cast<double>(p.N_s) / static_cast<double>(springs);

@@ -18,4 +18,15 @@ std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& 
   return std::make_unique<ReferenceLaw>(parameters, junctions);
 }
 
+void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
+                  Eigen::Index j, double u, double w, double t) {
+  switch (parameters.law) {
+    case Law::simplified:
+      return break_spring(parameters, junctions, i, u, w, t);
+    case Law::reference:
+    case Law::decaying:
+      return break_junction(parameters, junctions, i, j, u, w, t);
+  }
+}
+
 }  // namespace rupture

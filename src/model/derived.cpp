@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "rupture/model/laws.hpp"
+
 namespace rupture {
 
 double block_spacing(const Parameters& p) {
@@ -50,7 +52,7 @@ std::int64_t driving_row(const Parameters& p) {
 }
 
 std::int64_t springs_per_block(const Parameters& p) {
-  return p.law == Law::simplified ? 1 : p.N_s;
+  return law_info(p.law).springs == SpringsPerBlock::one ? 1 : p.N_s;
 }
 
 double junction_stiffness(const Parameters& p, double p_i) {

@@ -7,9 +7,11 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
 #include "rupture/model/nearest.hpp"
 
 namespace rupture {
@@ -20,7 +22,6 @@ constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 const std::vector<std::string_view> kSlippingTimesNames = {"gaussian", "exponential"};
 const std::vector<std::string_view> kNewForceNames = {"zero", "f_slip"};
-const std::vector<std::string_view> kLawNames = {"reference", "simplified", "decaying"};
 const std::vector<std::string_view> kSupportNames = {"foundation", "ceiling"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
@@ -39,6 +40,21 @@ ParameterInfo choice(std::string_view name, std::string_view symbol, ParameterMe
   return {name, symbol, "1", member, 0.0, 0.0, false, help};
 }
 
+ParameterInfo only_of(std::vector<Law> laws, ParameterInfo info) {
+  info.laws = std::move(laws);
+  return info;
+}
+
+ParameterInfo since(Since since, ParameterInfo info) {
+  info.since = since;
+  return info;
+}
+
+ParameterInfo kept_by_restart(ParameterInfo info) {
+  info.restart = Restart::must_keep;
+  return info;
+}
+
 template <class Enum>
 const std::vector<std::string_view>& names_of() {
   if constexpr (std::is_same_v<Enum, SlippingTimes>) {
@@ -46,7 +62,7 @@ const std::vector<std::string_view>& names_of() {
   } else if constexpr (std::is_same_v<Enum, NewForce>) {
     return kNewForceNames;
   } else if constexpr (std::is_same_v<Enum, Law>) {
-    return kLawNames;
+    return law_names();
   } else {
     return kSupportNames;
   }
@@ -126,11 +142,13 @@ Enum parse_choice(const ParameterInfo& info, std::string_view text) {
 
 const std::vector<ParameterInfo>& parameter_table() {
   static const std::vector<ParameterInfo> table = {
-      positive("slider.L", "L", "m", &P::L, 1e3, "length of the slider along x"),
-      positive("slider.H", "H", "m", &P::H, 1e3, "height of the slider along z"),
+      kept_by_restart(positive("slider.L", "L", "m", &P::L, 1e3, "length of the slider along x")),
+      kept_by_restart(positive("slider.H", "H", "m", &P::H, 1e3, "height of the slider along z")),
       positive("slider.B", "B", "m", &P::B, 1e3, "width of the slider along y"),
-      at_least(3, "slider.Nx", "N_x", "1", &P::Nx, 65536, "number of blocks along x"),
-      at_least(2, "slider.Nz", "N_z", "1", &P::Nz, 65536, "number of blocks along z"),
+      kept_by_restart(
+          at_least(3, "slider.Nx", "N_x", "1", &P::Nx, 65536, "number of blocks along x")),
+      kept_by_restart(
+          at_least(2, "slider.Nz", "N_z", "1", &P::Nz, 65536, "number of blocks along z")),
       positive("slider.M", "M", "kg", &P::M, 1e6, "mass of the slider"),
       positive("slider.E", "E", "Pa", &P::E, 1e13, "Young's modulus"),
       at_least(0, "slider.damping", "eta^2/(k m)", "1", &P::damping, 10,
@@ -139,31 +157,43 @@ const std::vector<ParameterInfo>& parameter_table() {
                "normal load on the row opposite the support"),
       positive("slider.foundation", "k_f/k", "1", &P::foundation, 100,
                "modulus of the elastic foundation or ceiling, relative to the bulk springs"),
-      choice("slider.support", "support", &P::support,
-             "elastic foundation under the bottom row, or ceiling above the top row (prepare)"),
+      since(
+          Since::schema_2,
+          kept_by_restart(choice(
+              "slider.support", "support", &P::support,
+              "elastic foundation under the bottom row, or ceiling above the top row (prepare)"))),
       at_least(0, "driving.K", "K", "N/m", &P::K, 1e12, "modulus of the driving spring"),
       at_least(0, "driving.h", "h", "m", &P::h, 1e3, "height at which the driving spring acts"),
       at_least(-10, "driving.V", "V", "m/s", &P::V, 10, "speed of the driving point"),
-      choice("junctions.law", "-", &P::law,
-             "interface law: reference; simplified (one spring per block, slow slip imposed); "
-             "decaying (slipping force falls with time)"),
-      at_least(1, "junctions.N_s", "N_s", "1", &P::N_s, 1e6, "junctions per interface block"),
+      since(
+          Since::schema_2,
+          choice("junctions.law", "-", &P::law,
+                 "interface law: reference; simplified (one spring per block, slow slip imposed); "
+                 "decaying (slipping force falls with time)")),
+      kept_by_restart(
+          at_least(1, "junctions.N_s", "N_s", "1", &P::N_s, 1e6, "junctions per interface block")),
       positive("junctions.mu_s", "mu_s", "1", &P::mu_s, 100, "threshold coefficient f_thres/f_N"),
       at_least(0, "junctions.mu_d", "mu_d", "1", &P::mu_d, 100, "slipping coefficient f_slip/f_N"),
       positive("junctions.kappa", "kappa", "N/m^2", &P::kappa, 1e20,
                "junction stiffness: k_ij = sqrt(kappa f_N)"),
       positive("junctions.t_R", "t_R", "s", &P::t_R, 1e3, "mean slipping time"),
-      at_least(0, "junctions.delta_t_R", "delta t_R", "s", &P::delta_t_R, 1e3,
-               "standard deviation of the slipping time (Gaussian only)"),
-      choice("junctions.slipping_times", "T(t_R)", &P::slipping_times,
-             "distribution of slipping times: folded Gaussian or exponential"),
-      choice("junctions.f_new", "f_new", &P::f_new,
-             "force of a newly pinned junction (reference law); f_slip switches slow slip off"),
-      at_least(0, "junctions.mu_new", "mu_new", "1", &P::mu_new, 100,
-               "coefficient f_new/f_N at the end of slipping (decaying law)"),
-      at_least(0, "junctions.v_slow", "v_slow", "m/s", &P::v_slow, 10,
-               "speed of the imposed slow slip; 0 switches it off (simplified law)"),
-      positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step"),
+      only_of({Law::reference, Law::decaying},
+              at_least(0, "junctions.delta_t_R", "delta t_R", "s", &P::delta_t_R, 1e3,
+                       "standard deviation of the slipping time (Gaussian only)")),
+      only_of({Law::reference, Law::decaying},
+              choice("junctions.slipping_times", "T(t_R)", &P::slipping_times,
+                     "distribution of slipping times: folded Gaussian or exponential")),
+      only_of({Law::reference},
+              choice("junctions.f_new", "f_new", &P::f_new,
+                     "force of a newly pinned junction; f_slip switches slow slip off")),
+      since(Since::schema_2,
+            only_of({Law::decaying}, at_least(0, "junctions.mu_new", "mu_new", "1", &P::mu_new, 100,
+                                              "coefficient f_new/f_N at the end of slipping"))),
+      since(Since::schema_2,
+            only_of({Law::simplified},
+                    at_least(0, "junctions.v_slow", "v_slow", "m/s", &P::v_slow, 10,
+                             "speed of the imposed slow slip; 0 switches it off"))),
+      kept_by_restart(positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step")),
       at_least(0, "numerics.seed", "seed", "1", &P::seed, 9e15, "key of the random numbers"),
   };
   return table;
@@ -179,10 +209,18 @@ const ParameterInfo& find_parameter(std::string_view name) {
       fmt::format("unknown parameter '{}': did you mean '{}'?", name, nearest(name, names)));
 }
 
+bool is_used(const ParameterInfo& info, Law law) {
+  return info.laws.empty() || std::find(info.laws.begin(), info.laws.end(), law) != info.laws.end();
+}
+
+std::string used_text(const Parameters& parameters, const ParameterInfo& info) {
+  return parameter_text(is_used(info, parameters.law) ? parameters : Parameters{}, info);
+}
+
 std::vector<std::string_view> choices(const ParameterInfo& info) {
   if (std::holds_alternative<SlippingTimes P::*>(info.member)) return kSlippingTimesNames;
   if (std::holds_alternative<NewForce P::*>(info.member)) return kNewForceNames;
-  if (std::holds_alternative<Law P::*>(info.member)) return kLawNames;
+  if (std::holds_alternative<Law P::*>(info.member)) return law_names();
   if (std::holds_alternative<Support P::*>(info.member)) return kSupportNames;
   return {};
 }
@@ -224,19 +262,19 @@ void validate_law(const Parameters& p) {
         "its strength",
         p.mu_d, p.mu_s));
   }
-  if (p.law == Law::decaying && p.mu_new > p.mu_d) {
+  const LawInfo& law = law_info(p.law);
+  if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new > p.mu_d) {
     throw UsageError(
-        fmt::format("junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the decaying law "
-                    "the slipping "
-                    "force falls",
-                    p.mu_new, p.mu_d));
+        fmt::format("junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the {} law the "
+                    "slipping force falls",
+                    p.mu_new, p.mu_d, law.name));
   }
-  if (p.law != Law::reference && p.f_new != NewForce::zero) {
-    throw UsageError(fmt::format(
-        "junctions.f_new = f_slip belongs to the reference law: to switch slow slip off under the "
-        "{} law, set {}",
-        kLawNames[static_cast<std::size_t>(p.law)],
-        p.law == Law::simplified ? "junctions.v_slow to 0" : "junctions.mu_new to junctions.mu_d"));
+  const ParameterInfo& f_new = find_parameter("junctions.f_new");
+  if (!is_used(f_new, p.law) && p.f_new != NewForce::zero) {
+    throw UsageError(
+        fmt::format("junctions.f_new = f_slip belongs to the {} law: to switch slow slip off under "
+                    "the {} law, set {}",
+                    fmt::join(law_names(f_new.laws), " and the "), law.name, law.slow_slip_off));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "rupture/model/state.hpp"
 
 #include "rupture/model/derived.hpp"
+#include "rupture/model/laws.hpp"
 
 namespace rupture {
 
@@ -15,7 +16,7 @@ State::State(const Parameters& p)
   junctions.attachment.setZero(p.Nx, springs);
   junctions.repin_time.setConstant(p.Nx, springs, Junctions::never);
   junctions.draws.setZero(p.Nx, springs);
-  if (p.law == Law::simplified) junctions.slow_until.setZero(p.Nx, springs);
+  if (law_info(p.law).slow_slip == SlowSlip::imposed) junctions.slow_until.setZero(p.Nx, springs);
 }
 
 double time(const Parameters& p, const State& state) {

@@ -1,6 +1,9 @@
 // Bad options and parameters: one sentence, exit code 2, nothing written.
+#include <fmt/format.h>
+
 #include <ostream>
 
+#include "rupture/model/parameters.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::test {
@@ -170,6 +173,22 @@ TEST_F(BadOptions, QuietTimeMustBeANumberFromZero) {
   for (const char* value : {"nan", "inf", "-3"}) {
     expect_refusal_with(std::string("restart a.h5 -o b.h5 --until 1e-4 --until-quiet=") + value,
                         kUsage, "--until-quiet");
+  }
+}
+
+TEST_F(BadOptions, RestartKeepsWhatItsRowSays) {
+  output_of("load --config small.ini -o a.h5");
+  const Json was = json_of("analyze show a.h5 --json")["parameters"];
+  for (const auto& info : parameter_table()) {
+    const bool whole = was[info.name].is_number_integer();
+    const std::string other =
+        choices(info).empty() ? (whole ? "7" : "0.7") : std::string(choices(info).back());
+    const Outcome outcome =
+        run(fmt::format("restart a.h5 -o b.h5 -f --for 0 --set {}={}", info.name, other));
+    const bool kept = outcome.err.find(fmt::format("{} cannot change in a restart: the state was "
+                                                   "made with ",
+                                                   info.name)) != std::string::npos;
+    EXPECT_EQ(kept, info.restart == Restart::must_keep) << info.name << ": " << outcome.err;
   }
 }
 

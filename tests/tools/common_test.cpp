@@ -57,7 +57,7 @@ const std::vector<Interface> kInterfaces = {
      {"v-from", "v-to", "points", "steps-per-cycle", "json", "csv", "config", "set", "seed", "help",
       "version"}},
     {"analyze quantities", {"json", "help", "version"}},
-    {"analyze checksum", {"help", "version"}},
+    {"analyze checksum", {"as-schema-2", "help", "version"}},
     {"analyze verify", {"manifest", "help", "version"}},
     {"analyze diff", {"common", "json", "help", "version"}},
     {"analyze show", {"json", "help", "version"}},

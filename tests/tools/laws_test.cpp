@@ -59,6 +59,18 @@ TEST_F(ToolTest, ManyJunctionsCanChangeTheirLawAndSingleSpringsCannot) {
                       "junctions.law cannot change from simplified to reference");
 }
 
+TEST_F(ToolTest, ParametersOfOtherLawsMakeNoOtherContent) {
+  output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
+  output_of(
+      "load --config small.ini -o b.h5 --set junctions.law=simplified --set "
+      "junctions.delta_t_R=1e-4 --set junctions.mu_new=0.05");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+  EXPECT_EQ(output_of("analyze diff a.h5 b.h5"), "equal\n");
+  EXPECT_EQ(json_of("analyze show b.h5 --json")["parameters"]["junctions.mu_new"], 0.05);
+  EXPECT_NE(output_of("analyze checksum --as-schema-2 a.h5"),
+            output_of("analyze checksum --as-schema-2 b.h5"));
+}
+
 TEST_F(ToolTest, SingleSpringsHaveNoPhi) {
   output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
   const std::string sentence =

@@ -203,6 +203,33 @@ TEST_F(Lineage, ScriptChecksEveryFile) {
   }
 }
 
+// Under the first law the parameter does not count, so that a parent without it would do as well.
+TEST_F(Lineage, NamesParametersWhereTheLawUsesThem) {
+  output_of("load --config small.ini -o a.h5 --set junctions.mu_new=0.05");
+  output_of("load --config small.ini -o plain.h5");
+  ASSERT_EQ(checksum_of("a.h5"), checksum_of("plain.h5"));
+  output_of("restart a.h5 -o b.h5 --for 1e-4 --set junctions.law=decaying");
+  const auto commands = rebuilds_of("b.h5");
+  EXPECT_EQ(commands[0].find("mu_new"), std::string::npos) << commands[0];
+  EXPECT_NE(commands[1].find("--set junctions.mu_new=0.05"), std::string::npos) << commands[1];
+  expect_rebuilt("b.h5");
+}
+
+TEST_F(Lineage, ChecksStepsBySumsOfSchema2) {
+  output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
+  output_of("restart a.h5 -o b.h5 --for 1e-5");
+  change_chain("b.h5", [](auto& chain) {
+    chain[0].rebuild += " --set junctions.mu_new=0.05";  // as builds of schema 2 said it
+  });
+  output_of(
+      "load --config small.ini -o odd.h5 --set junctions.law=simplified --set "
+      "junctions.mu_new=0.05");
+  const std::string early = run_words({"analyze", "checksum", "--as-schema-2", "odd.h5"}).out;
+  ASSERT_NE(early.substr(0, 64), checksum_of("odd.h5"));
+  change_chain("b.h5", [&](auto& chain) { chain[1].parent_checksum = early.substr(0, 64); });
+  expect_rebuilt("b.h5");
+}
+
 TEST_F(Lineage, ShowsOneLinePerStep) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("restart a.h5 -o b.h5 --for 1e-5");

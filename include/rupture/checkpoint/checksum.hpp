@@ -39,9 +39,13 @@ std::string sha256(std::span<const std::byte> bytes);
 /// that is, everything but where the file comes from (/provenance).
 bool is_checksummed(std::string_view path);
 
-/// SHA-256 over the canonical form of the datasets that is_checksummed() names, 64 lowercase
-/// hexadecimal digits. Equal on every machine and for every build if the content is equal.
+/// SHA-256 over the canonical form of counted_parameters() and of the other datasets that
+/// is_checksummed() names, 64 lowercase hexadecimal digits. Equal on every machine and for every
+/// build if the content is equal.
 std::string content_checksum(const Content& content);
+
+/// The same by the rule for files up to schema 2: all parameters that there were count as they are.
+std::string content_checksum_of_schema_2(const Content& content);
 
 /// What stands before a content checksum wherever one is printed. Not "sha256", because it is not
 /// what sha256sum gives for the file, and so that sha256sum -c takes no line of ours for one of its

@@ -36,7 +36,8 @@ struct Difference {
 /// compared.
 std::vector<Difference> diff(const Content& a, const Content& b);
 
-/// The datasets that the content checksum covers: what diff is usually asked about.
+/// The datasets that the content checksum covers, as they count in it: what diff is usually asked
+/// about.
 Content checksummed_part(const Content& content);
 
 /// Cuts arrays that differ in their number of rows only to the rows that both have; returns how

@@ -13,7 +13,7 @@
 
 namespace rupture {
 
-inline constexpr std::int64_t kSchemaVersion = 2;  ///< newest schema that this build knows
+inline constexpr std::int64_t kSchemaVersion = 3;  ///< newest schema that this build knows
 
 /// What to do if the file to be written is already there.
 enum class IfExists { refuse, replace };
@@ -21,10 +21,11 @@ enum class IfExists { refuse, replace };
 /// Whether to write `<path>.sum`, a line with the content checksum, beside a file.
 enum class SumFile { omit, write };
 
-/// A file's kind and datasets.
+/// A file's kind and datasets. Its two checksums differ in some files up to schema 2.
 struct ContentFile {
   FileKind kind = FileKind::checkpoint;
-  std::string checksum;  ///< of the content, verified; empty for an open record
+  std::string checksum;         ///< of the content, by the present rule; empty for an open record
+  std::string stored_checksum;  ///< as stored, by the rule of the file's schema, verified
   Content content;
 };
 
@@ -55,9 +56,9 @@ ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name
 /// The datasets of any of our files, verified.
 Content read_content(const std::filesystem::path& path);
 
-/// Verifies a checkpoint or record as read_checkpoint() and read_record() do; returns its content
-/// checksum. Throws Failure if it is damaged, or an unfinished record, which cannot be verified.
-std::string verify_file(const std::filesystem::path& path);
+/// Reads and verifies a checkpoint or record as read_checkpoint() and read_record() do. Throws
+/// Failure if it is damaged, or an unfinished record, which cannot be verified.
+ContentFile verify_file(const std::filesystem::path& path);
 
 /// `<path>.sum`.
 std::filesystem::path sum_path(const std::filesystem::path& path);

@@ -43,4 +43,9 @@ class InterfaceLaw {
 /// The law that `parameters.law` names, working on `junctions`, which must outlive it.
 std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& junctions);
 
+/// What that law does when junction j of block i breaks, with the block at u and w = f_N / k_ij
+/// [m], at time t [s].
+void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
+                  Eigen::Index j, double u, double w, double t);
+
 }  // namespace rupture

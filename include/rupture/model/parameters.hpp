@@ -1,7 +1,9 @@
 // The physical and numerical parameters of one simulation (Table S1 of the paper).
 //
-// Every parameter is declared once, in parameters.cpp, with its name, symbol, unit, default,
-// validity and help. Options, INI files, checkpoints and error messages all read that one table.
+// Every parameter is declared once, in parameters.cpp: its name, symbol, unit, validity, help, the
+// laws that use it, since when there is such a parameter, and whether a restart may change it; its
+// default stands in the struct. Options, INI files, checkpoints, their checksums, restarts and
+// error messages all read that one table.
 #pragma once
 
 #include <cstdint>
@@ -68,7 +70,19 @@ using ParameterMember =
     std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
                  NewForce Parameters::*, Law Parameters::*, Support Parameters::*>;
 
-/// One row of the parameter table.
+/// Whether a restart may give a parameter another value; not if it gives the state its meaning.
+enum class Restart { may_change, must_keep };
+
+/// Since when files have a parameter, which decides how it counts in their checksum
+/// (docs/schema.md).
+enum class Since {
+  original,  ///< all files have it
+  schema_2,  ///< files of schema 1 may lack it; they were made with its default
+  later      ///< so may all others; it counts only where it differs from its default
+};
+
+/// One row of the parameter table. Where not all laws use it, or not all files have it, its default
+/// can never change: checksums rest on it.
 struct ParameterInfo {
   std::string_view name;    ///< as in options, INI files and /parameters, e.g. "slider.L"
   std::string_view symbol;  ///< as in the paper, e.g. "L"
@@ -78,6 +92,9 @@ struct ParameterInfo {
   double maximum;  ///< largest valid value of a number
   bool minimum_excluded;
   std::string_view help;
+  std::vector<Law> laws = {};  ///< that use it; none: all of them
+  Since since = Since::original;
+  Restart restart = Restart::may_change;
 };
 
 /// All parameters in the order in which they are shown and stored.
@@ -85,6 +102,13 @@ const std::vector<ParameterInfo>& parameter_table();
 
 /// The row called `name`. Throws UsageError naming the nearest existing name.
 const ParameterInfo& find_parameter(std::string_view name);
+
+/// Whether the law uses the parameter.
+bool is_used(const ParameterInfo& info, Law law);
+
+/// Its value as parameter_text() if the law of `parameters` uses it, and its default if not: what
+/// the results rest on.
+std::string used_text(const Parameters& parameters, const ParameterInfo& info);
 
 /// The words that an enumerated parameter accepts; empty for a number.
 std::vector<std::string_view> choices(const ParameterInfo& info);

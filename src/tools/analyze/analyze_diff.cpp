@@ -176,7 +176,8 @@ int analyze_diff(int argc, const char* const* argv) {
   add("json", "print one JSON object");
   const Parsed parsed = parse_file_command(
       argc, argv, "diff", "A B",
-      "Compares parameters and state, or series, dataset by dataset: how many values differ, the\n"
+      "Compares parameters and state, or series, dataset by dataset, as they count in the content\n"
+      "checksum (not parameters that the interface law does not use): how many values differ, the\n"
       "first one, the largest absolute and relative difference, and that in units in the last "
       "place\n"
       "(ULP): each with its place, [row][column], and the values of A and B.\n"

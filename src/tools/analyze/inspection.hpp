@@ -34,7 +34,8 @@ struct Inspection {
   bool bad() const { return verdict != Verdict::intact && verdict != Verdict::skipped; }
 };
 
-/// Verifies a file; an empty `expected` stands for any content checksum.
+/// Verifies a file; an empty `expected` stands for any content checksum. That of a file of an
+/// earlier schema may be the one that is stored in it.
 Inspection inspect_file(const std::filesystem::path& file, const std::string& expected = {});
 
 /// Files by their canonical paths.

@@ -26,6 +26,7 @@ struct Lineage {
 struct StartFile {
   std::string path;
   std::string checksum;
+  std::string stored_checksum;  ///< the same unless the file is of an earlier schema
 };
 
 /// One line per step: checksum of the file that it wrote, version, commit, command.

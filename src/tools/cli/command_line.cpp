@@ -1,6 +1,7 @@
 #include "cli/command_line.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
 #include "rupture/version.hpp"
 
 namespace rupture::tools {
@@ -221,9 +223,13 @@ PhiShape shape_named(const std::string& name) {
 }
 
 void refuse_other_laws(const Parameters& p) {
-  if (p.law == Law::reference) return;
-  throw UsageError(fmt::format("junctions.law = {}: this is known for the reference law only",
-                               parameter_text(p, find_parameter("junctions.law"))));
+  if (law_info(p.law).closed_form == ClosedForm::known) return;
+  std::vector<std::string_view> known;
+  for (const LawInfo& law : law_table()) {
+    if (law.closed_form == ClosedForm::known) known.push_back(law.name);
+  }
+  throw UsageError(fmt::format("junctions.law = {}: this is known for the {} law only",
+                               law_info(p.law).name, fmt::join(known, " and the ")));
 }
 
 std::string single_input(const po::variables_map& values, const std::string& positional,

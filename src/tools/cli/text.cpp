@@ -6,10 +6,21 @@
 #include <algorithm>
 #include <vector>
 
+#include "rupture/model/laws.hpp"
 #include "rupture/model/nearest.hpp"
 #include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
+namespace {
+
+/// "; simplified law" or "; reference and decaying laws"; nothing if all laws use the parameter.
+std::string laws_text(const ParameterInfo& info) {
+  if (info.laws.empty()) return "";
+  const auto words = law_names(info.laws);
+  return fmt::format("; {} law{}", fmt::join(words, " and "), words.size() > 1 ? "s" : "");
+}
+
+}  // namespace
 
 std::string parameter_help() {
   std::string text;
@@ -18,8 +29,9 @@ std::string parameter_help() {
     const auto words = choices(info);
     const std::string unit =
         words.empty() ? fmt::format("[{}]", info.unit) : fmt::format("[{}]", fmt::join(words, "|"));
-    text += fmt::format("  {:<26} {:>10} {:<22} {} ({})\n", info.name,
-                        parameter_text(defaults, info), unit, info.help, info.symbol);
+    text +=
+        fmt::format("  {:<26} {:>10} {:<22} {} ({}{})\n", info.name, parameter_text(defaults, info),
+                    unit, info.help, info.symbol, laws_text(info));
   }
   return text;
 }

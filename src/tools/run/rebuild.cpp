@@ -27,8 +27,8 @@ std::vector<std::string> rebuild_command(const std::string& tool, const Paramete
                                          const Parameters& parameters) {
   std::vector<std::string> command = {tool};
   for (const auto& info : parameter_table()) {
-    const std::string value = parameter_text(parameters, info);
-    if (value == parameter_text(before, info)) continue;
+    const std::string value = used_text(parameters, info);
+    if (value == used_text(before, info)) continue;
     command.emplace_back("--set");
     command.push_back(fmt::format("{}={}", info.name, value));
   }

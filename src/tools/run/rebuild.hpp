@@ -15,7 +15,8 @@
 namespace rupture::tools {
 
 /// `tool` and --set NAME=VALUE for each parameter that is not what it was before: by default, or in
-/// the parent.
+/// the parent. One that a law does not use counts as its default, as in the content checksum, so
+/// that a parent of equal checksum will do.
 std::vector<std::string> rebuild_command(const std::string& tool, const Parameters& before,
                                          const Parameters& parameters);
 

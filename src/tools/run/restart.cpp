@@ -1,13 +1,11 @@
 // restart: continue a checkpoint, with the same parameters or with changed ones.
 #include <fmt/core.h>
 
-#include <array>
-#include <string_view>
-
 #include "cli/option_values.hpp"
 #include "run/rebuild.hpp"
 #include "run/simulate.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
 
 namespace {
 
@@ -65,34 +63,31 @@ Options setup(int argc, char** argv) {
   return result;
 }
 
-/// Parameters that give the state its meaning and so cannot change under it.
-constexpr std::array<std::string_view, 7> kFixed = {"slider.L",   "slider.H",       "slider.Nx",
-                                                    "slider.Nz",  "slider.support", "junctions.N_s",
-                                                    "numerics.dt"};
-
-std::string law_text(const Parameters& p) {
-  return parameter_text(p, find_parameter("junctions.law"));
-}
-
 /// One spring per block cannot become many, nor the other way round.
 void refuse_other_springs(const Parameters& before, const Parameters& after) {
-  if ((before.law == Law::simplified) == (after.law == Law::simplified)) return;
+  const LawInfo &old_law = law_info(before.law), &new_law = law_info(after.law);
+  if (old_law.springs == new_law.springs) return;
+  const bool had_one = old_law.springs == SpringsPerBlock::one;
   throw UsageError(fmt::format(
-      "junctions.law cannot change from {} to {} in a restart: the simplified law has one spring "
-      "per block; start with load --set junctions.law={}",
-      law_text(before), law_text(after), law_text(after)));
+      "junctions.law cannot change from {} to {} in a restart: the {} law has one spring per "
+      "block; start with load --set junctions.law={}",
+      old_law.name, new_law.name, had_one ? old_law.name : new_law.name, new_law.name));
+}
+
+void refuse_changes_of_kept(const Parameters& before, const Parameters& after) {
+  for (const auto& info : parameter_table()) {
+    if (info.restart == Restart::may_change) continue;
+    if (parameter_text(before, info) == parameter_text(after, info)) continue;
+    throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}",
+                                 info.name, parameter_text(before, info)));
+  }
 }
 
 /// Applies the changes; the driving point stays where it is when its speed changes.
 void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) {
   const Parameters before = checkpoint.parameters;
   apply(changes, checkpoint.parameters);
-  for (const auto name : kFixed) {
-    const auto& info = find_parameter(name);
-    if (parameter_text(before, info) == parameter_text(checkpoint.parameters, info)) continue;
-    throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}", name,
-                                 parameter_text(before, info)));
-  }
+  refuse_changes_of_kept(before, checkpoint.parameters);
   refuse_other_springs(before, checkpoint.parameters);
   if (checkpoint.parameters.V != before.V) {
     State& state = checkpoint.state;

@@ -53,7 +53,7 @@ TEST_F(CheckpointFile, returns_the_same_bits) {
   EXPECT_TRUE(std::signbit(read.state.u_x(0, 0)));
   EXPECT_EQ(checksum, content_checksum(written.parameters, written.state));
   EXPECT_EQ(checksum, content_checksum(read.parameters, read.state));
-  EXPECT_EQ(checksum, verify_file(file("x.h5")));
+  EXPECT_EQ(checksum, verify_file(file("x.h5")).checksum);
   EXPECT_EQ(identify(file("x.h5")), FileKind::checkpoint);
 }
 
@@ -144,9 +144,9 @@ TEST_F(CheckpointFile, of_a_build_without_a_later_parameter_has_its_default) {
   const Checkpoint read = read_checkpoint(file("old.h5"));
   EXPECT_EQ(read.parameters, small_checkpoint().parameters);
   EXPECT_EQ(read.parameters.support, Support::foundation);
-  EXPECT_EQ(read.checksum, checksum) << "of what the file holds";
-  EXPECT_EQ(verify_file(file("old.h5")), checksum);
-  EXPECT_NE(content_checksum(read.parameters, read.state), checksum);
+  EXPECT_EQ(read.checksum, checksum);
+  EXPECT_EQ(verify_file(file("old.h5")).checksum, checksum);
+  EXPECT_EQ(content_checksum(read.parameters, read.state), checksum);
 }
 
 TEST_F(CheckpointFile, with_a_dataset_too_many_is_refused) {

@@ -161,6 +161,41 @@ TEST_F(File, whose_content_checksum_is_wrong_is_refused) {
                   "its content has the checksum " + content_checksum(content) + ", but 0000");
 }
 
+// A parameter of another law with a value of its own counted until schema 2.
+TEST_F(File, is_verified_by_the_rule_of_its_schema) {
+  Parameters parameters = testing::small_parameters();
+  parameters.v_slow = 1.0;
+  const Content content = parameters_content(parameters);
+  const std::string early = content_checksum_of_schema_2(content);
+  ASSERT_NE(early, content_checksum(content));
+  const auto write_as = [&](std::int64_t schema, const std::string& checksum) {
+    write_sealed(file("x.h5"), FileKind::checkpoint, {"rupture-checkpoint", schema, checksum},
+                 content);
+    return failure_of([&] {
+      const ContentFile read = read_file(file("x.h5"));
+      EXPECT_EQ(read.stored_checksum, checksum);
+      EXPECT_EQ(read.checksum, content_checksum(parameters_content(testing::small_parameters())));
+    });
+  };
+  for (const std::int64_t schema : {1, 2}) {
+    EXPECT_EQ(write_as(schema, early), "(no failure)");
+    expect_contains(write_as(schema, content_checksum(content)), "its content has the checksum");
+  }
+  EXPECT_EQ(write_as(3, content_checksum(content)), "(no failure)");
+  expect_contains(write_as(3, early), "its content has the checksum");
+}
+
+// Its checksum is that of the rule of the newer build, in which the parameter does not count.
+TEST_F(File, with_a_parameter_of_a_newer_build_is_not_taken_for_damaged) {
+  Content content = parameters_content(testing::small_parameters());
+  const std::string checksum = content_checksum(content);
+  content["/parameters/junctions/new"] = make_scalar(1.0, "1");
+  write_sealed(file("x.h5"), FileKind::checkpoint, {"rupture-checkpoint", kSchemaVersion, checksum},
+               content);
+  expect_contains(reading(file("x.h5")),
+                  "/parameters/junctions/new is no parameter of this build: use a newer rupture");
+}
+
 TEST_F(File, with_nan_is_refused_on_reading) {
   Content content = parameters_content(testing::small_parameters());
   content["/parameters/slider/L"] = make_scalar(std::nan(""), "m");

@@ -54,6 +54,29 @@ TEST_F(Python, recomputes_the_checksum_of_a_checkpoint) {
   EXPECT_EQ(recomputed("x.h5"), checksum + "\n");
 }
 
+// All parameters of laws are away from their defaults, of which the law uses some.
+TEST_F(Python, recomputes_the_checksum_under_each_law) {
+  for (const Law law : {Law::reference, Law::simplified, Law::decaying}) {
+    Checkpoint checkpoint;
+    for (const ParameterInfo& info : parameter_table()) {
+      if (info.laws.empty()) continue;
+      set_parameter(checkpoint.parameters, info.name,
+                    choices(info).empty() ? "0.01" : choices(info).back());
+    }
+    checkpoint.parameters.law = law;
+    checkpoint.state = State(checkpoint.parameters);
+    const std::string checksum = write_checkpoint(file("x.h5"), checkpoint, IfExists::replace);
+    EXPECT_EQ(recomputed("x.h5"), checksum + "\n");
+  }
+}
+
+TEST_F(Python, recomputes_the_checksum_of_a_file_of_schema_2) {
+  const fs::path kept =
+      fs::path(__FILE__).parent_path() / "../../compatibility/schema-2/simplified.h5";
+  fs::copy_file(kept, file("old.h5"));
+  EXPECT_EQ(recomputed("old.h5"), read_file(kept).stored_checksum + "\n");
+}
+
 TEST_F(Python, recomputes_the_checksum_of_a_record) {
   RecordWriter out(file("r.h5"), testing::small_parameters(), {}, IfExists::refuse, {}, 4);
   for (int n = 0; n < 10; ++n) out.append(testing::small_sample(5, n));
@@ -78,7 +101,7 @@ TEST_F(Python, reads_values_units_and_attributes) {
       "print(f['state/junctions/draws'][4, 2], f['state/u_x'].shape)\n");
   EXPECT_EQ(output_of(std::string(kPython) + " " + file("show.py").string() + " " +
                       file("x.h5").string() + " 2>&1"),
-            "rupture-checkpoint 2\n0.04 m\n402 (4, 5)\n");
+            "rupture-checkpoint 3\n0.04 m\n402 (4, 5)\n");
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST_F(RecordFile, returns_what_was_appended) {
   EXPECT_EQ(record.provenance, testing::small_checkpoint().provenance);
   ASSERT_EQ(record.ruptures.size(), 10U);
   EXPECT_EQ(record.ruptures[9], (Rupture{3600, 0.001 * 36, 1}));
-  EXPECT_EQ(verify_file(file("r.h5")), checksum);
+  EXPECT_EQ(verify_file(file("r.h5")).checksum, checksum);
   EXPECT_EQ(identify(file("r.h5")), FileKind::record);
   EXPECT_EQ(slurp(file("r.h5.sum")), "content-sha256 " + checksum + "  r.h5\n");
   EXPECT_EQ(names(), (std::vector<std::string>{"r.h5", "r.h5.sum"}));

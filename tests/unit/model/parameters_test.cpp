@@ -153,6 +153,18 @@ TEST(SetParameter, refuses_numbers_out_of_range) {
             "(unit 1)");
 }
 
+TEST(ParameterTable, says_which_laws_use_a_parameter) {
+  const ParameterInfo& v_slow = find_parameter("junctions.v_slow");
+  EXPECT_TRUE(is_used(v_slow, Law::simplified));
+  EXPECT_FALSE(is_used(v_slow, Law::reference));
+  EXPECT_TRUE(is_used(find_parameter("junctions.mu_s"), Law::simplified));
+  Parameters p;
+  p.v_slow = 1.0;
+  EXPECT_EQ(used_text(p, v_slow), "0.0015");
+  p.law = Law::simplified;
+  EXPECT_EQ(used_text(p, v_slow), "1");
+}
+
 TEST(SetParameter, refuses_what_is_not_finite_in_every_row) {
   for (const auto& info : parameter_table()) {
     for (const char* text : {"nan", "inf", "-inf", "-1e400", "1e400"}) {

@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+"""Compares what the programs of two builds compute, byte for byte: the state of checkpoints, and the
+series and ruptures of records. Parameters, provenance and checksums may differ.
+
+    compare.py OLD_BIN NEW_BIN [FOLDER]
+
+Runs the pipeline of tests/golden, continuations of the shipped checkpoints and 20 points of
+recipes/fig4/map.ini with the programs in both folders. Exit code 0: all are equal."""
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+
+PROJECT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "recipes"))
+from common.sweeps import read_sweep  # noqa: E402
+
+POINTS = 20
+
+
+def run(command, programs, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    path = f"{programs}:{os.environ['PATH']}"
+    subprocess.run(["bash", "-ec", command], cwd=folder, env={**os.environ, "PATH": path}, check=True)
+
+
+def jobs():
+    """(name, commands) of everything that is run."""
+    yield "golden", str(PROJECT / "tests/golden/chain.sh")
+    for checkpoint in sorted((PROJECT / "checkpoints").glob("*.h5")):
+        yield checkpoint.stem, f"restart '{checkpoint}' -q --for 1e-3 -o end.h5 --record record.h5"
+    points = read_sweep(PROJECT / "recipes/fig4/map.ini").points
+    for point in points[:: len(points) // POINTS + 1]:  # +1: not all with the same sigma-bar
+        steps = [point.commands["prepare"], point.commands["restart"]]
+        name = " ".join(f"{key}={value}" for key, value in point.values.items())
+        yield f"map {name}", "\n".join(steps)
+
+
+def computed(path):
+    """Type, shape and bytes of each dataset that a run computed, by name."""
+    datasets = {}
+
+    def keep(name, item):
+        computes = name.split("/")[0] in ("state", "series", "ruptures")
+        if computes and isinstance(item, h5py.Dataset):
+            datasets[name] = (str(item.dtype), item.shape, item[()].tobytes())
+
+    with h5py.File(path, "r") as file:
+        file.visititems(keep)
+    return datasets
+
+
+def compare(old, new):
+    """What is wrong with `new`, or nothing."""
+    if not old.exists() or not new.exists():
+        return "only one of the two was written"
+    a, b = computed(old), computed(new)
+    differing = sorted(name for name in a.keys() | b.keys() if a.get(name) != b.get(name))
+    if not a:
+        return "nothing was computed"
+    return "differs in " + ", ".join(differing) if differing else ""
+
+
+def main():
+    programs = [Path(folder).resolve() for folder in sys.argv[1:3]]
+    work = Path(sys.argv[3] if len(sys.argv) > 3 else tempfile.mkdtemp()).resolve()
+    bad = 0
+    for number, (name, commands) in enumerate(jobs()):
+        folders = [work / side / str(number) for side in ("old", "new")]
+        for bin_folder, folder in zip(programs, folders):
+            run(commands, bin_folder, folder)
+        for file in sorted({path.name for folder in folders for path in folder.glob("*.h5")}):
+            wrong = compare(folders[0] / file, folders[1] / file)
+            print(f"{wrong or 'equal'}: {name}: {file}", flush=True)
+            bad += bool(wrong)
+    print("all are equal" if not bad else f"{bad} differ")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (3, 4):
+        sys.exit(__doc__)
+    sys.exit(main())

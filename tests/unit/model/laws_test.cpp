@@ -1,0 +1,43 @@
+// The table of the interface laws.
+#include "rupture/model/laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rupture/model/derived.hpp"
+#include "rupture/model/state.hpp"
+
+namespace rupture {
+namespace {
+
+TEST(LawTable, has_a_row_for_every_word_of_the_parameter_in_its_order) {
+  EXPECT_EQ(choices(find_parameter("junctions.law")), law_names());
+  for (std::size_t i = 0; i < law_table().size(); ++i) {
+    Parameters p;
+    set_parameter(p, "junctions.law", law_table()[i].name);
+    EXPECT_EQ(static_cast<std::size_t>(p.law), i);
+    EXPECT_EQ(law_info(p.law).name, law_table()[i].name);
+  }
+  EXPECT_EQ(law_info(Law::simplified).name, "simplified");
+}
+
+TEST(LawTable, switches_slow_slip_off_by_a_parameter_of_the_law) {
+  for (const Law law : {Law::reference, Law::simplified, Law::decaying}) {
+    const std::string_view text = law_info(law).slow_slip_off;
+    const ParameterInfo& info = find_parameter(text.substr(0, text.find(' ')));
+    EXPECT_EQ(info.laws, std::vector<Law>{law}) << text;
+  }
+}
+
+TEST(LawTable, shapes_the_state) {
+  for (const Law law : {Law::reference, Law::simplified, Law::decaying}) {
+    Parameters p;
+    p.law = law;
+    const State state(p);
+    const bool one = law_info(law).springs == SpringsPerBlock::one;
+    EXPECT_EQ(state.junctions.attachment.cols(), one ? 1 : p.N_s);
+    EXPECT_EQ(state.junctions.slow_until.size() > 0, law_info(law).slow_slip == SlowSlip::imposed);
+  }
+}
+
+}  // namespace
+}  // namespace rupture
