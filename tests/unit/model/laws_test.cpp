@@ -17,7 +17,9 @@ TEST(LawTable, has_a_row_for_every_word_of_the_parameter_in_its_order) {
     EXPECT_EQ(static_cast<std::size_t>(p.law), i);
     EXPECT_EQ(law_info(p.law).name, law_table()[i].name);
   }
+  EXPECT_EQ(law_info(Law::reference).name, "reference");
   EXPECT_EQ(law_info(Law::simplified).name, "simplified");
+  EXPECT_EQ(law_info(Law::decaying).name, "decaying");
 }
 
 TEST(LawTable, switches_slow_slip_off_by_a_parameter_of_the_law) {
