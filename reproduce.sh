@@ -6,11 +6,10 @@ set -euo pipefail
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 
 # Debian's Python comes first: another one on the PATH may lack h5py.
-find_python() { python=/usr/bin/python3 && [[ -x $python ]] || python=$(command -v python3); }
-
-find_python || { "$root/recipes/reproduce/set-up.sh" packages run && find_python; }
+python=/usr/bin/python3
+[[ -x $python ]] || "$root/recipes/reproduce/set-up.sh" packages run
+[[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME
-[[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1
 export PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1
 exec "$python" -m reproduce "$@"

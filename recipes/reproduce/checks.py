@@ -4,7 +4,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from reproduce.project import LOGS, Failure, say, use_own_caches
+from reproduce.project import LOGS, Failure, say, use_own_environment
 from reproduce.set_up import build, ensure_packages, set_up
 
 CPPCHECK = (
@@ -33,7 +33,7 @@ def run_tests(request, processes):
     (LOGS / "test.log").unlink(missing_ok=True)
     ensure_packages(processes, "run", "test")
     build(processes, request.cores, "all")
-    use_own_caches()
+    use_own_environment()
     code = run_ctest(processes, "release", "test.log", request.cores)
     say()
     return processes.run(["tests/golden/matrix.sh", "table", "build/release/matrix"]) or code
@@ -48,7 +48,7 @@ def test_slurm(request, processes):
     except SystemExit:
         say("Going on without them.")
     build(processes, request.cores, "tools")
-    use_own_caches()
+    use_own_environment()
     return run_ctest(processes, "slurm", "slurm.log", 1)
 
 

@@ -17,7 +17,7 @@ from reproduce.project import (
     UsageError,
     debian_or_path,
     say,
-    use_own_caches,
+    use_own_environment,
 )
 from reproduce.set_up import build, ensure_packages
 
@@ -29,7 +29,7 @@ def prepare(request, processes):
     ensure_packages(processes, "run")
     if not request.programs:
         build(processes, request.cores, "tools")
-    use_own_caches()
+    use_own_environment()
     return place_of(request)
 
 

@@ -28,9 +28,12 @@ def debian_or_path(program):
     return f"/usr/bin/{program}" if os.access(f"/usr/bin/{program}", os.X_OK) else program
 
 
-def use_own_caches():
+def use_own_environment():
+    """Caches in the project's folder; with Debian's Snakemake, no packages of the user's own."""
     cache = ROOT / "build/cache"
     (cache / "matplotlib").mkdir(parents=True, exist_ok=True)
+    if os.access("/usr/bin/snakemake", os.X_OK):
+        os.environ["PYTHONNOUSERSITE"] = "1"
     os.environ.update(XDG_CACHE_HOME=str(cache), MPLCONFIGDIR=str(cache / "matplotlib"))
 
 
