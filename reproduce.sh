@@ -11,5 +11,6 @@ python=/usr/bin/python3
 [[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME
+[[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1 # Debian's packages, not the user's own
 export PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1
-exec "$python" -m reproduce "$@"
+exec "$python" "$root/recipes/reproduce/__main__.py" "$@"

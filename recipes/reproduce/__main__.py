@@ -9,13 +9,26 @@ from pathlib import Path
 from reproduce import checks, compute
 from reproduce.command_line import HELP, listing, natural, parse
 from reproduce.processes import Processes
-from reproduce.project import LOGS, ROOT, Failure, UsageError, complain, recipe_names, say
+from reproduce.project import ROOT, Failure, UsageError, complain, recipe_names, say
 from reproduce.set_up import ensure_packages
 
 
+def delete(folder):
+    """Of a link, as to a larger disk, what is behind it."""
+    if folder.is_symlink():
+        for path in folder.iterdir():
+            delete(path) if path.is_dir() else path.unlink()
+    elif folder.exists():
+        shutil.rmtree(folder)
+
+
 def clean(*_):
-    for folder in ("build", "results", ".snakemake"):
-        shutil.rmtree(folder, ignore_errors=True)
+    """build/ is last: the lock is there."""
+    try:
+        for name in ("results", ".snakemake", "build"):
+            delete(Path(name))
+    except OSError as error:
+        raise Failure(f"{error.filename} cannot be deleted ({error.strerror}).") from None
     say("Deleted build/ and results/.")
 
 
@@ -66,7 +79,6 @@ def main(*words):
     elif request.command == "list":
         print(listing())
     else:
-        LOGS.mkdir(parents=True, exist_ok=True)
         return RUN[request.command](request, Processes())
     return 0
 
@@ -84,6 +96,9 @@ def main_or_sentence(*words):
     except Failure as failure:
         complain(failure)
         return 1
+    except BrokenPipeError:  # such as that of `| head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Figures and sweeps: ./reproduce.sh fig3, all, sweep, report."""
 
 import json
+import os
 import subprocess
 import sys
 import time
@@ -41,7 +42,7 @@ def options_of_snakemake(request, place, **config):
     if place.shell:
         settings["shell"] = place.shell
     options = ["--snakefile", ROOT / "recipes/Snakefile", "--directory", ROOT, "--nolock"]
-    options += ["--profile", request.profile, "--cores", place.cores]
+    options += ["--profile", os.path.relpath(request.profile), "--cores", place.cores]
     if place.megabytes:
         options += ["--resources", f"mem_mb={place.megabytes}"]
     return [*options, "--config", *(f"{name}={value}" for name, value in settings.items())]
@@ -49,7 +50,8 @@ def options_of_snakemake(request, place, **config):
 
 def run_pipeline(processes, targets, options):
     """Its exit code."""
-    command = [debian_or_path("python3"), "-m", "reproduce.pipeline", *targets, "--", *options]
+    script = ROOT / "recipes/reproduce/pipeline.py"
+    command = [debian_or_path("python3"), script, *targets, "--", *options]
     return processes.run([str(word) for word in command])
 
 
@@ -105,5 +107,5 @@ def run_sweep(request, processes):
 
 
 def write_report(processes):
-    command = [sys.executable, "recipes/report/report.py"]
-    return processes.run(command)
+    use_own_environment()
+    return processes.run([sys.executable, "recipes/report/report.py"])

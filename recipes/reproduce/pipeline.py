@@ -1,6 +1,6 @@
 """Plans and computes with Snakemake, in a process of its own:
 
-    python3 -m reproduce.pipeline TARGET... -- OPTION OF SNAKEMAKE...
+    pipeline.py TARGET... -- OPTION OF SNAKEMAKE...
 """
 
 import contextlib

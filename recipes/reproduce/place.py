@@ -44,7 +44,7 @@ class Allocation:
         if "SLURM_JOB_ID" not in environment:
             raise Failure(
                 f"the profile {profile.name} computes in an allocation of SLURM; give the command to"
-                f" sbatch, as in: sbatch {profile}/job.sh fig3 (docs/cluster.md)"
+                " sbatch or salloc, as docs/cluster.md says"
             )
         if INSIDE_STEP.fullmatch(environment.get("SLURM_STEP_ID", "")):
             raise Failure(

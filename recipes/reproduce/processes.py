@@ -8,11 +8,12 @@ then. So the next call can wait for that.
 import fcntl
 import os
 import signal
+import socket
 import subprocess
 import sys
 import time
 
-from reproduce.project import Failure, say
+from reproduce.project import LOGS, ROOT, Failure, complain, say
 
 LOCK = "build/.lock"
 SIGNALS = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
@@ -43,13 +44,23 @@ def take_lock(lock):
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         return False
+    except OSError as error:  # of some shared file systems
+        complain(f"runs in this folder are not kept apart, as it has no locks ({error.strerror}).")
     return True
 
 
+def open_lock():
+    try:
+        LOGS.mkdir(parents=True, exist_ok=True)
+        return os.open(LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+    except OSError as error:
+        raise Failure(f"{ROOT}/build cannot be written ({error.strerror}).") from None
+
+
 def holder_of(lock):
-    """The ./reproduce.sh that has the lock, or had it last."""
-    text = os.pread(lock, 20, 0).decode()
-    return int(text) if text.isdecimal() else None
+    """Host and number of the ./reproduce.sh that has the lock, or had it last."""
+    host, _, number = os.pread(lock, 300, 0).decode().partition(" ")
+    return (host, int(number)) if number.isdecimal() else (socket.gethostname(), os.getpid())
 
 
 class Processes:
@@ -57,8 +68,9 @@ class Processes:
 
     def __init__(self):
         self.group = None
+        self.is_starting = False
         self.received = None
-        self.lock = os.open(LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+        self.lock = open_lock()
         self.take_turn()
         self.guard = subprocess.Popen(
             ["sh", "-c", GUARD], stdin=subprocess.PIPE, start_new_session=True, pass_fds=[self.lock]
@@ -66,17 +78,21 @@ class Processes:
         for number in SIGNALS:
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup
                 signal.signal(number, self.receive)
+        if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # in the background of a script
+            signal.signal(signal.SIGINT, lambda *_: None)  # but what is started must not ignore it
 
     def take_turn(self):
         if not take_lock(self.lock):
             self.wait_for_guard()
         os.ftruncate(self.lock, 0)
-        os.pwrite(self.lock, str(os.getpid()).encode(), 0)
+        os.pwrite(self.lock, f"{socket.gethostname()} {os.getpid()}".encode(), 0)
 
     def wait_for_guard(self):
         """If the run that had the lock was killed, its guard ends what is left."""
-        holder = holder_of(self.lock)
-        if holder is None or is_running(holder):
+        host, holder = holder_of(self.lock)
+        if host != socket.gethostname():
+            raise Failure(f"another ./reproduce.sh is, or was, running in this folder on {host}.")
+        if is_running(holder):
             raise Failure("another ./reproduce.sh is running in this folder; wait until it is done.")
         say("Waiting for the end of what an earlier run, which was killed, has left behind ...")
         end = time.monotonic() + WAIT_FOR_GUARD
@@ -89,6 +105,8 @@ class Processes:
         """The first signal lets programs save what they have; the next one ends them."""
         is_first = self.received is None
         self.received = self.received or number
+        if self.is_starting:
+            return  # run() will see it
         if self.group is None:
             sys.exit(128 + self.received)
         self.end_group(signal.SIGINT if is_first else signal.SIGKILL)
@@ -105,6 +123,7 @@ class Processes:
 
     def run(self, command, **options):
         """The exit code of a program. What it has left running is ended with it."""
+        self.is_starting = True
         with subprocess.Popen(
             command,
             stdin=subprocess.DEVNULL,
@@ -114,12 +133,13 @@ class Processes:
         ) as process:
             self.group = process.pid
             self.tell_guard(process.pid)
-            if self.received:  # just before
+            self.is_starting = False
+            if self.received:
                 self.end_group(signal.SIGINT)
             code = process.wait()
         if self.received:
             sys.exit(128 + self.received)  # and the guard looks after what is left
-        if code < 0:
+        if code:
             self.end_group(signal.SIGINT)
         else:
             self.tell_guard("")

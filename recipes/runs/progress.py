@@ -5,6 +5,7 @@ was done, by which command and in which time, to results/jobs.jsonl, for the rep
 """
 
 import json
+import os
 import re
 import sys
 import time
@@ -23,6 +24,14 @@ def log(text):
     LOG.parent.mkdir(parents=True, exist_ok=True)
     with LOG.open("a", encoding="utf-8") as file:
         print(time.strftime("%F %T"), text, file=file)
+
+
+def show(text):
+    """A reader who has gone, as of `| head`, does not stop the run."""
+    try:
+        print(text, flush=True)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def complain(text):
@@ -57,7 +66,7 @@ def on_start(message):
     if message["name"] not in COLLECTING:
         steps["started"] += 1
         number = f"{steps['started']:{len(steps['total'])}}/{steps['total']}"
-        print(f"[{time.monotonic() - START:4.0f} s] {number} {describe(message)}", flush=True)
+        show(f"[{time.monotonic() - START:4.0f} s] {number} {describe(message)}")
 
 
 def on_command(message):

@@ -1,21 +1,26 @@
 """Results of points that have been computed: results/data/points/ID.json.
 
-Beside the result such a file has its `origin`: a digest of the sources (or programs) and of the base
-that it was computed with. A point whose file has another one is computed again. While a point could not
+Beside the result such a file has its `origin`: a digest of the sources (or programs), of point.py and of
+the base that it was computed with. A point whose file has another one is computed again. While a point could not
 be computed because its process crashed, ID.why says how.
 """
 
 import hashlib
 import json
+from functools import cache
 from pathlib import Path
 
 from data.tables import replacing
+
+
+COMPUTED_BY = Path(__file__).with_name("point.py").read_text(encoding="utf-8")
 
 
 def digest(*parts):
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
 
 
+@cache
 def content_of(base):
     """What tells two bases apart: the checksum of their content, or else of their bytes."""
     if not base:
@@ -36,16 +41,16 @@ class PointStore:
         return self.folder / f"{point.id}.json"
 
     def origin(self, point):
-        return digest(self.code, content_of(point.base))
+        return digest(self.code, COMPUTED_BY, content_of(point.base))
 
     def result(self, point):
         """What the point gave; None if it has to be computed."""
         try:
             stored = json.loads(self.path(point).read_text(encoding="utf-8"))
-            origin = stored.pop("origin", None)
+            is_current = stored.pop("origin", None) == self.origin(point)
         except (OSError, ValueError, AttributeError, TypeError):
             return None
-        return stored if origin == self.origin(point) else None
+        return stored if is_current else None
 
     def save(self, point, result):
         content = json.dumps({**result, "origin": self.origin(point)}) + "\n"

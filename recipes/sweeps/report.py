@@ -37,7 +37,7 @@ def columns_of(sweep, table):
 
 def count_computed(sweep, store, started):
     """How many results are younger than `started` [s]."""
-    paths = {store.path(point) for point in sweep.points if store.result(point)}
+    paths = [store.path(point) for point in sweep.points if store.result(point)]
     return sum(path.stat().st_mtime >= started for path in paths)
 
 

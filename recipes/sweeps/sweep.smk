@@ -4,6 +4,7 @@
 #
 # A job computes a batch of points and makes one small file, which has a digest of each result. The
 # results themselves are no outputs of the job, so that those that are done outlive one that is ended.
+from sweeps.point_store import PointStore
 from sweeps.sweep import batches_of, is_sweep, read_sweep
 
 SWEEP_FILES = {
@@ -18,14 +19,15 @@ SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
 BATCHES = {
     f"{DATA}/batches/{name}-{number:04d}.sum": (name, batch)
     for name, sweep in SWEEPS.items()
-    for number, batch in enumerate(batches_of(sweep.points), 1)
+    for number, batch in enumerate(batches_of(list({point.id: point for point in sweep.points}.values())), 1)
 }
 POINTS = f"{DATA}/points"
 
-# A result that was deleted is to be computed again.
+# A result that was deleted, damaged, or replaced by that of other programs is to be computed again.
+STORE = PointStore(POINTS, CODE)
 for path, (_, batch) in BATCHES.items():
-    if not all(Path(f"{POINTS}/{point.id}.json").exists() for point in batch):
-        Path(path).unlink(missing_ok=True)
+    if Path(path).exists() and any(STORE.result(point) is None for point in batch):
+        Path(path).unlink()
 
 
 def batches_of_sweep(name):

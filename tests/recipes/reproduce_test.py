@@ -118,6 +118,25 @@ class CommandLine(Project):
         names = re.findall(r"^  (\S+) ", self.call("list").stdout, re.M)
         self.assertEqual(names[names.index("fig1") :][:3], ["fig1", "fig2", "fig3"])
 
+    def test_modules_in_the_users_folder_are_not_taken_for_ours(self):
+        for name in ("data", "queue", "sweeps"):
+            (self.root / f"{name}.py").write_text("raise RuntimeError\n")
+        self.assertEqual(self.call("list").returncode, 0)
+        self.refuse(["sweep", "none.ini", "--programs", "bin"], "--programs 'bin' is no folder")
+
+    def test_what_cannot_be_written_is_said(self):
+        (self.root / "build").touch()
+        done = self.call("report")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("build cannot be written (Not a directory).", done.stderr)
+
+    def test_clean_deletes_what_is_behind_a_link(self):
+        (self.root / "disk/fig1").mkdir(parents=True)
+        (self.root / "disk/runs.jsonl").touch()
+        (self.root / "results").symlink_to("disk")
+        self.assertEqual(self.call("clean").stdout, "Deleted build/ and results/.\n")
+        self.assertEqual(list((self.root / "disk").iterdir()), [])
+
     def test_nothing_is_made_for_help_and_mistakes(self):
         before = sorted(self.root.iterdir())
         for arguments in (["-h"], ["list"], ["nope"]):
@@ -240,6 +259,42 @@ class Ending(Project):
                 self.assertEqual(process.wait(WITHIN), code)
                 self.assertEqual(self.running(), [])
 
+    def test_a_signal_ends_what_was_started_in_the_background_of_a_script(self):
+        ignored = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        try:
+            process = self.started()
+        finally:
+            signal.signal(signal.SIGINT, ignored)
+        process.terminate()
+        self.assertEqual(process.wait(WITHIN), 143)
+        self.assertEqual(self.running(), [])
+
+    def test_a_reader_that_has_gone_does_not_stop_it(self):
+        (self.root / "go").touch()
+        process = self.sweep()
+        process.stdout.close()
+        process.stderr.read()
+        self.assertEqual(process.wait(WITHIN), 141)
+        self.assertEqual(len(list((self.root / "results/data/points").glob("*.json"))), 2)
+        self.assertTrue((self.root / "results/sweeps/my/my.csv").exists())
+
+    def test_a_point_that_other_programs_have_computed_since_is_computed_again(self):
+        (self.root / "go").touch()
+        (self.root / "other.ini").write_text(SWEEP.replace("0.1, 0.2", "0.1"))
+        first = (self.bin / "load").read_text()
+        for sweep, load in (("my", first), ("other", "#!/bin/sh\n# 2\n"), ("my", first)):
+            write_program(self.bin / "load", load)
+            done = self.call("sweep", f"{sweep}.ini", "--programs", "bin")
+            self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("2 points: 2 done.\nComputed now: 1; there before: 1.", done.stdout)
+
+    def test_a_damaged_result_is_computed_again(self):
+        (self.root / "go").touch()
+        self.call("sweep", "my.ini", "--programs", "bin")
+        next((self.root / "results/data/points").glob("*.json")).write_text("{")
+        done = self.call("sweep", "my.ini", "--programs", "bin")
+        self.assertIn("2 points: 2 done.\nComputed now: 1; there before: 1.", done.stdout)
+
     def test_a_second_run_is_refused_while_the_first_one_runs(self):
         self.started()
         done = self.call("sweep", "my.ini", "--programs", "bin")
@@ -280,7 +335,7 @@ class Ending(Project):
             return False
 
     def runs_pipeline(self, folder):
-        return b"reproduce.pipeline" in (folder / "cmdline").read_bytes()
+        return b"reproduce/pipeline.py" in (folder / "cmdline").read_bytes()
 
 
 class Places(unittest.TestCase):
