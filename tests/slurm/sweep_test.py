@@ -26,7 +26,7 @@ SWEEP = """\
 [sweep]
 title   = Fronts on prepared interfaces
 prepare = --sigma-bar 0.1
-restart = --for 0.012 --record-every 1e-3
+restart = --for 0.025 --record-every 1e-3
 memory  = 400 MB
 
 [values]
@@ -171,6 +171,7 @@ class OnSlurm(unittest.TestCase):
         self.wait_for_points(project, 3, job)
         self.cancel_a_step(job)
         self.wait_for_points(project, 6, job)
+        self.let_slurm_note(job)
         for daemon in ("slurmctld", "slurmd"):
             self.cluster.kill(daemon)
         time.sleep(3)
@@ -178,6 +179,7 @@ class OnSlurm(unittest.TestCase):
         self.cluster.launch("slurmd", "-D", "-N", self.cluster.host)
         self.wait_for_points(project, 9, job)
         self.kill_all_of(project)
+        self.cluster.run("scancel", job)  # if SLURM has put it into the queue again
         self.wait_for(lambda: not self.is_in_queue(job))
         print("killed all of the job. It had printed:")
         print((project.root / "job.out").read_text())
@@ -195,10 +197,22 @@ class OnSlurm(unittest.TestCase):
         self.wait_for(lambda: len(project.points()) >= count or not self.is_in_queue(job))
         self.assertTrue(self.is_in_queue(job), "the job ended too early")
 
-    def cancel_a_step(self, job):
+    def let_slurm_note(self, job):
+        """slurmctld writes down what it knows every few seconds; it forgets younger jobs when killed."""
+        state = self.folder / "cluster/state/job_state"
+        since = time.time()
+        self.cluster.run("scontrol", "update", f"jobid={job}", "comment=noted")
+        self.wait_for(lambda: state.exists() and state.stat().st_mtime > since)
+
+    def steps_of(self, job):
+        """Those of commands; the batch script is a step, too."""
         steps = self.cluster.run("squeue", "--noheader", "--steps", "--format=%i").split()
-        numbered = [step for step in steps if re.fullmatch(rf"{job}\.\d+", step)]
-        self.cluster.run("scancel", numbered[0])
+        return [step for step in steps if re.fullmatch(rf"{job}\.\d+", step)]
+
+    def cancel_a_step(self, job):
+        steps = []
+        self.wait_for(lambda: steps.extend(self.steps_of(job)) or steps)
+        self.cluster.run("scancel", steps[0])
 
     def kill_all_of(self, project):
         """Every process that was started in the project's folder, at once."""
