@@ -1,6 +1,5 @@
 """Tests of the programs, and looking for faults in the sources: ./reproduce.sh test, check, tidy."""
 
-import re
 import subprocess
 from pathlib import Path
 

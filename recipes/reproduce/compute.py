@@ -16,7 +16,6 @@ from reproduce.project import (
     ROOT,
     Failure,
     UsageError,
-    debian_or_path,
     say,
     use_own_environment,
 )
@@ -51,7 +50,7 @@ def options_of_snakemake(request, place, **config):
 def run_pipeline(processes, targets, options):
     """Its exit code."""
     script = ROOT / "recipes/reproduce/pipeline.py"
-    command = [debian_or_path("python3"), script, *targets, "--", *options]
+    command = [sys.executable, script, *targets, "--", *options]
     return processes.run([str(word) for word in command])
 
 

@@ -23,11 +23,6 @@ def recipe_names():
     return [path.parent.name for path in Path("recipes").glob("*/rules.smk")]
 
 
-def debian_or_path(program):
-    """Debian's program comes first, as its Python does."""
-    return f"/usr/bin/{program}" if os.access(f"/usr/bin/{program}", os.X_OK) else program
-
-
 def use_own_environment():
     """Caches in the project's folder; with Debian's Snakemake, no packages of the user's own."""
     cache = ROOT / "build/cache"
