@@ -131,8 +131,10 @@ def print_table(title, heads, rows):
     widths = [max(len(row[column]) for row in table) for column in range(len(heads))]
     print(f"\n{title}")
     for row in table:
-        cells = [f"{cell:{'<' if c == 0 else '>'}{width}}" for c, (cell, width) in
-                 enumerate(zip(row, widths))]
+        cells = [
+            f"{cell:{'<' if c == 0 else '>'}{width}}"
+            for c, (cell, width) in enumerate(zip(row, widths))
+        ]
         print("  " + "  ".join(cells).rstrip())
 
 
@@ -144,12 +146,20 @@ def steps(measured, results):
         for isa in measured.instruction_sets:
             samples = measured.times(row, 1e6, isa)
             target = STEP_TARGETS.get(isa) if row in ("step/loading", "step/sliding") else None
-            found.append(results.add(row, min(samples), "us", "best", samples, at_most=target,
-                                     instruction_set=isa))
+            found.append(
+                results.add(
+                    row, min(samples), "us", "best", samples, at_most=target, instruction_set=isa
+                )
+            )
         targets = " / ".join(f"{STEP_TARGETS.get(isa, 0):g}" for isa in measured.instruction_sets)
         has_target = any("target" in result for result in found)
-        table.append([row, *(f"{result['value']:.2f}" for result in found),
-                      *(("<= " + targets, met(*found)) if has_target else ())])
+        table.append(
+            [
+                row,
+                *(f"{result['value']:.2f}" for result in found),
+                *(("<= " + targets, met(*found)) if has_target else ()),
+            ]
+        )
     return [row + [""] * (len(measured.instruction_sets) + 3 - len(row)) for row in table]
 
 
@@ -158,17 +168,32 @@ def roofline(measured, results):
     flops = FLOPS_PER_BLOCK * BLOCKS * 1e-3  # [thousands]: per microsecond, these are GFLOP/s
     peaks, shares = [], []
     for isa in measured.instruction_sets:
-        samples = [rate * 1e-9 for rate in
-                   measured.values("peak/sums_and_products", "items_per_second", isa)]
-        peaks.append(results.add("peak/sums_and_products", max(samples), "GFLOP/s", "best", samples,
-                                 instruction_set=isa))
+        samples = [
+            rate * 1e-9
+            for rate in measured.values("peak/sums_and_products", "items_per_second", isa)
+        ]
+        peaks.append(
+            results.add(
+                "peak/sums_and_products",
+                max(samples),
+                "GFLOP/s",
+                "best",
+                samples,
+                instruction_set=isa,
+            )
+        )
         reached = flops / min(measured.times("bulk/step", 1e6, isa))
         results.add("bulk/rate", reached, "GFLOP/s", "best", instruction_set=isa)
-        shares.append(results.add("bulk/share_of_peak", 100 * reached / max(samples), "%", "best",
-                                  instruction_set=isa))
+        shares.append(
+            results.add(
+                "bulk/share_of_peak", 100 * reached / max(samples), "%", "best", instruction_set=isa
+            )
+        )
     blank = ["", ""]
-    return [["peak of + and * [GFLOP/s]", *(f"{peak['value']:.1f}" for peak in peaks), *blank],
-            ["bulk/step, share of it [%]", *(f"{share['value']:.0f}" for share in shares), *blank]]
+    return [
+        ["peak of + and * [GFLOP/s]", *(f"{peak['value']:.1f}" for peak in peaks), *blank],
+        ["bulk/step, share of it [%]", *(f"{share['value']:.0f}" for share in shares), *blank],
+    ]
 
 
 def lammps(measured, results, lines):
@@ -183,12 +208,16 @@ def lammps(measured, results, lines):
         row = [name, f"{theirs['value']:.2f}"]
         for isa in measured.instruction_sets:
             ours = min(measured.times("bulk/step", 1e6, isa))
-            ratio = results.add(f"{name}/bulk", theirs["value"] / ours, "1", "best / best",
-                                instruction_set=isa)
+            ratio = results.add(
+                f"{name}/bulk", theirs["value"] / ours, "1", "best / best", instruction_set=isa
+            )
             row.append(f"{ratio['value']:.1f}" if name == "lammps/damping" else "")
         table.append(row)
-    print_table(f"The same bulk in LAMMPS ({version}); lammps/damping is what bulk/step does",
-                ["", "us per step", *(f"/ bulk {isa}" for isa in measured.instruction_sets)], table)
+    print_table(
+        f"The same bulk in LAMMPS ({version}); lammps/damping is what bulk/step does",
+        ["", "us per step", *(f"/ bulk {isa}" for isa in measured.instruction_sets)],
+        table,
+    )
 
 
 def once(measured, results):
@@ -196,27 +225,63 @@ def once(measured, results):
     for row in measured.rows("once"):
         name = row.split("/")[1]
         samples = measured.times(row, 1e3)
-        result = results.add(row, min(samples), "ms", "best", samples,
-                             at_most=ONCE_TARGETS.get(name), instruction_set=measured.widest)
-        table.append([row, f"{result['value']:.2f}", "ms", result.get("target", ""),
-                      met(result) if "met" in result else "", "best"])
+        result = results.add(
+            row,
+            min(samples),
+            "ms",
+            "best",
+            samples,
+            at_most=ONCE_TARGETS.get(name),
+            instruction_set=measured.widest,
+        )
+        table.append(
+            [
+                row,
+                f"{result['value']:.2f}",
+                "ms",
+                result.get("target", ""),
+                met(result) if "met" in result else "",
+                "best",
+            ]
+        )
     if measured.rows("record"):
         plain = min(measured.values("record/cost", "us_without"))
-        results.add("record/step_without", plain, "us", "best",
-                    measured.values("record/cost", "us_without"))
-        for name, text in (("cost_running", "record/cost, before the end of the run"),
-                           ("cost", "record/cost, with finishing the file")):
+        results.add(
+            "record/step_without", plain, "us", "best", measured.values("record/cost", "us_without")
+        )
+        for name, text in (
+            ("cost_running", "record/cost, before the end of the run"),
+            ("cost", "record/cost, with finishing the file"),
+        ):
             samples = [100 * cost for cost in measured.values("record/cost", name)]
-            result = results.add(f"record/{name}", median(samples), "%", "median of paired runs",
-                                 samples, at_most=RECORD_TARGET, instruction_set=measured.widest)
-            table.append([text, f"{result['value']:.1f}", "%", result["target"], met(result),
-                          result["statistic"]])
+            result = results.add(
+                f"record/{name}",
+                median(samples),
+                "%",
+                "median of paired runs",
+                samples,
+                at_most=RECORD_TARGET,
+                instruction_set=measured.widest,
+            )
+            table.append(
+                [
+                    text,
+                    f"{result['value']:.1f}",
+                    "%",
+                    result["target"],
+                    met(result),
+                    result["statistic"],
+                ]
+            )
     if measured.rows("memory"):
         samples = [rate * 1e-9 for rate in measured.values("memory/rewrite", "items_per_second")]
         result = results.add("memory/rewrite", max(samples), "GB/s", "best", samples)
         table.append(["memory/rewrite", f"{result['value']:.1f}", "GB/s", "", "", "best"])
-    print_table(f"Once in a while, 57 x 31 blocks, {measured.widest}",
-                ["", "value", "unit", "target", "met", "what"], table)
+    print_table(
+        f"Once in a while, 57 x 31 blocks, {measured.widest}",
+        ["", "value", "unit", "target", "met", "what"],
+        table,
+    )
 
 
 def last_level_cache(context):
@@ -234,48 +299,112 @@ def sizes(measured, results):
         entry = measured.entries[row, measured.widest][0]
         blocks = entry["Nx"] * entry["Nz"]
         size = f"{entry['Nx']:.0f} x {entry['Nz']:.0f}"
-        facts = {"Nx": int(entry["Nx"]), "Nz": int(entry["Nz"]),
-                 "junctions": int(entry["junctions"]), "instruction_set": measured.widest}
+        facts = {
+            "Nx": int(entry["Nx"]),
+            "Nz": int(entry["Nz"]),
+            "junctions": int(entry["junctions"]),
+            "instruction_set": measured.widest,
+        }
         in_cache = entry["swept_bytes"] <= cache
         samples = measured.values(row, "us_1")
         step = results.add("size/step", min(samples), "us", "best", samples, threads=1, **facts)
         per_block = 1e3 * step["value"] / blocks
         first = first or per_block
-        growth = results.add("size/growth_per_block", per_block / first, "1", "best / best",
-                             at_most=GROWTH_IN_CACHE if in_cache else GROWTH_BEYOND, **facts)
+        growth = results.add(
+            "size/growth_per_block",
+            per_block / first,
+            "1",
+            "best / best",
+            at_most=GROWTH_IN_CACHE if in_cache else GROWTH_BEYOND,
+            **facts,
+        )
         rate = results.add("size/traffic", BYTES_PER_BLOCK / per_block, "GB/s", "best", **facts)
-        memory = results.add("size/memory_per_block", entry["state_bytes"] / blocks, "byte",
-                             "computed", measured=entry["resident_bytes"] / blocks, **facts)
-        table.append([size, f"{entry['junctions']:,.0f}", f"{entry['swept_bytes'] / 2**20:.1f}",
-                      f"{step['value']:.1f}", f"{per_block:.2f}", f"{growth['value']:.2f}",
-                      growth["target"], met(growth), f"{rate['value']:.1f}",
-                      f"{memory['value']:.0f}", f"{memory['measured']:.0f}"])
+        memory = results.add(
+            "size/memory_per_block",
+            entry["state_bytes"] / blocks,
+            "byte",
+            "computed",
+            measured=entry["resident_bytes"] / blocks,
+            **facts,
+        )
+        table.append(
+            [
+                size,
+                f"{entry['junctions']:,.0f}",
+                f"{entry['swept_bytes'] / 2**20:.1f}",
+                f"{step['value']:.1f}",
+                f"{per_block:.2f}",
+                f"{growth['value']:.2f}",
+                growth["target"],
+                met(growth),
+                f"{rate['value']:.1f}",
+                f"{memory['value']:.0f}",
+                f"{memory['measured']:.0f}",
+            ]
+        )
         for name in entry:
             if not re.fullmatch(r"us_\d+", name) or name == "us_1":
                 continue
             threads = int(name[3:])
             samples = measured.values(row, name)
-            shared = results.add("size/step", min(samples), "us", "best", samples, threads=threads,
-                                 **facts)
+            shared = results.add(
+                "size/step", min(samples), "us", "best", samples, threads=threads, **facts
+            )
             speedup = results.add(
-                "size/speedup", step["value"] / shared["value"], "1", "best / best",
+                "size/speedup",
+                step["value"] / shared["value"],
+                "1",
+                "best / best",
                 at_least=SPEEDUP_TARGET if threads == 2 and blocks >= SPEEDUP_FROM else None,
-                threads=threads, **facts)
+                threads=threads,
+                **facts,
+            )
             samples = measured.values(row, f"speedup_{threads}")
-            paired = results.add("size/speedup_paired", median(samples), "1",
-                                 "median of paired runs", samples, threads=threads, **facts)
-            thread_table.append([size, threads, f"{step['value']:.1f}", f"{shared['value']:.1f}",
-                                 f"{speedup['value']:.2f}", speedup.get("target", ""),
-                                 met(speedup) if "met" in speedup else "",
-                                 f"{paired['value']:.2f}"])
-    print_table(f"Larger sliders, {measured.widest}, 1 thread; the last cache has "
-                f"{cache / 2**20:.0f} MiB",
-                ["blocks", "junctions", "MiB swept", "us/step", "ns/block", "growth", "target",
-                 "met", "GB/s", "B/block", "measured"], table)
+            paired = results.add(
+                "size/speedup_paired",
+                median(samples),
+                "1",
+                "median of paired runs",
+                samples,
+                threads=threads,
+                **facts,
+            )
+            thread_table.append(
+                [
+                    size,
+                    threads,
+                    f"{step['value']:.1f}",
+                    f"{shared['value']:.1f}",
+                    f"{speedup['value']:.2f}",
+                    speedup.get("target", ""),
+                    met(speedup) if "met" in speedup else "",
+                    f"{paired['value']:.2f}",
+                ]
+            )
+    print_table(
+        f"Larger sliders, {measured.widest}, 1 thread; the last cache has "
+        f"{cache / 2**20:.0f} MiB",
+        [
+            "blocks",
+            "junctions",
+            "MiB swept",
+            "us/step",
+            "ns/block",
+            "growth",
+            "target",
+            "met",
+            "GB/s",
+            "B/block",
+            "measured",
+        ],
+        table,
+    )
     if thread_table:
-        print_table(f"Threads, {measured.widest}",
-                    ["blocks", "threads", "us with 1", "us", "speedup", "target", "met",
-                     "paired"], thread_table)
+        print_table(
+            f"Threads, {measured.widest}",
+            ["blocks", "threads", "us with 1", "us", "speedup", "target", "met", "paired"],
+            thread_table,
+        )
 
 
 def main(arguments):
@@ -287,27 +416,48 @@ def main(arguments):
 
     host = machine()
     host["caches"] = context.get("caches", [])
-    build = {key: context[key].strip() for key in
-             ("rupture_version", "rupture_commit", "compiler", "build_type", "flags",
-              "kernel_flags")}
-    print(f"rupture {build['rupture_version']} ({build['rupture_commit']}), {build['compiler']}, "
-          f"{build['build_type']} ({build['flags']})")
-    print(f"{host['processor']}, {host['processors']} processors, load up to {measured.load:.1f}; "
-          f"{context['date']}")
+    build = {
+        key: context[key].strip()
+        for key in (
+            "rupture_version",
+            "rupture_commit",
+            "compiler",
+            "build_type",
+            "flags",
+            "kernel_flags",
+        )
+    }
+    print(
+        f"rupture {build['rupture_version']} ({build['rupture_commit']}), {build['compiler']}, "
+        f"{build['build_type']} ({build['flags']})"
+    )
+    print(
+        f"{host['processor']}, {host['processors']} processors, load up to {measured.load:.1f}; "
+        f"{context['date']}"
+    )
     if measured.load > host["processors"] + 0.5:
         print("Other programs were running: threads and files suffer from that first. Repeat it.")
 
     table = steps(measured, results) + roofline(measured, results)
-    print_table("Time per step and of its parts, 57 x 31 blocks, 5,700 junctions [us], best",
-                ["", *measured.instruction_sets, "target", "met"], table)
+    print_table(
+        "Time per step and of its parts, 57 x 31 blocks, 5,700 junctions [us], best",
+        ["", *measured.instruction_sets, "target", "met"],
+        table,
+    )
     print(f"  {FLOPS_PER_BLOCK} flops and {BYTES_PER_BLOCK} bytes per block and step")
     lammps(measured, results, lines)
     once(measured, results)
     sizes(measured, results)
 
-    document = {"machine": host, "build": build, "date": context["date"],
-                "largest_load": measured.load, "flops_per_block_and_step": FLOPS,
-                "bytes_per_block_and_step": BYTES_PER_BLOCK, "results": results.list}
+    document = {
+        "machine": host,
+        "build": build,
+        "date": context["date"],
+        "largest_load": measured.load,
+        "flops_per_block_and_step": FLOPS,
+        "bytes_per_block_and_step": BYTES_PER_BLOCK,
+        "results": results.list,
+    }
     with open(output, "w", encoding="utf-8") as file:
         json.dump(document, file, indent=1)
         file.write("\n")

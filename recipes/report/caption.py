@@ -20,4 +20,6 @@ def value_text(claims, claim_id, name):
 
 def filled(text, claims):
     """`claims`: None if the recipe has not run. A place may go over the end of a line."""
-    return PLACE.sub(lambda place: value_text(claims or [], place[1], " ".join(place[2].split())), text)
+    return PLACE.sub(
+        lambda place: value_text(claims or [], place[1], " ".join(place[2].split())), text
+    )

@@ -81,7 +81,9 @@ def check_sources(request, processes):
     ensure_packages(processes, "run", "check")
     check_format(processes)
     check_shell(processes)
-    if processes.run([*CPPCHECK, "-j", str(request.cores), "include", "src", "tests", "benchmarks"]):
+    if processes.run(
+        [*CPPCHECK, "-j", str(request.cores), "include", "src", "tests", "benchmarks"]
+    ):
         raise Failure("cppcheck found the faults above (.cppcheck has what it may not say).")
     say("The sources are laid out as they should be, and no fault was found in them.")
 
@@ -92,7 +94,7 @@ def tidy_sources(request, processes):
     set_up(processes, "configure", "check")
     files = "\n".join(path for path in sources(".cpp") if path.startswith("src/"))
     tidy = (
-        f"xargs -P {request.cores} -n 1 clang-tidy -p build/check --quiet <<< \"$0\""
+        f'xargs -P {request.cores} -n 1 clang-tidy -p build/check --quiet <<< "$0"'
         " 2> >(grep -v ' warnings\\? ' >&2)"
     )
     if processes.run(["bash", "-c", tidy, files]):

@@ -93,12 +93,16 @@ class Processes:
         if host != socket.gethostname():
             raise Failure(f"another ./reproduce.sh is, or was, running in this folder on {host}.")
         if is_running(holder):
-            raise Failure("another ./reproduce.sh is running in this folder; wait until it is done.")
+            raise Failure(
+                "another ./reproduce.sh is running in this folder; wait until it is done."
+            )
         say("Waiting for the end of what an earlier run, which was killed, has left behind ...")
         end = time.monotonic() + WAIT_FOR_GUARD
         while not take_lock(self.lock):
             if time.monotonic() > end:
-                raise Failure("programs of an earlier run, which was killed, are still running here.")
+                raise Failure(
+                    "programs of an earlier run, which was killed, are still running here."
+                )
             time.sleep(0.1)
 
     def receive(self, number, _):

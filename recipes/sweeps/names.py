@@ -81,7 +81,9 @@ def options_of(program, tools):
     help_of = [Path(tools) / tool, *command, "--help"]
     done = subprocess.run(help_of, capture_output=True, check=False, text=True)
     if done.returncode:
-        raise SweepError(f"'{program} --help' ended with {done.returncode}: the program cannot be used")
+        raise SweepError(
+            f"'{program} --help' ended with {done.returncode}: the program cannot be used"
+        )
     return [
         long or short for long, short in re.findall(r"--([a-z][a-z-]*)|\s-([a-z])\b", done.stdout)
     ]

@@ -16,8 +16,25 @@ SECONDS = 60  # until the first checkpoint must be there
 def command(name, *more):
     """A run that takes some seconds and leaves its first checkpoint early."""
     return [
-        *(str(BIN / "load"), "--config", "driven.ini", "--until", "0.4", "--checkpoint-every", "2e-3"),
-        *("--set", "driving.V=0.01", "-o", name, "--record", f"of {name}", "--record-every", "1e-3"),
+        *(
+            str(BIN / "load"),
+            "--config",
+            "driven.ini",
+            "--until",
+            "0.4",
+            "--checkpoint-every",
+            "2e-3",
+        ),
+        *(
+            "--set",
+            "driving.V=0.01",
+            "-o",
+            name,
+            "--record",
+            f"of {name}",
+            "--record-every",
+            "1e-3",
+        ),
         *more,
     ]
 

@@ -141,7 +141,8 @@ class Bases(Planning):
             [BIN / "analyze", "checksum", copy], capture_output=True, text=True, check=True
         )
         self.assertEqual(
-            Path(f"{copy}.sum").read_text(), f"content-sha256 {checksum.stdout.strip()}  {copy.name}\n"
+            Path(f"{copy}.sum").read_text(),
+            f"content-sha256 {checksum.stdout.strip()}  {copy.name}\n",
         )
         self.assertTrue(checksum.stdout.startswith(copy.stem))
 
@@ -216,7 +217,9 @@ class Mistakes(Planning):
         self.refuse(
             PREPARED + VALUES + FRONT + "[analyze]\nslip = --x 0\n", "'slip', of which there is no"
         )
-        self.refuse(PREPARED + "memory = much\n" + VALUES + FRONT, "'memory = much' is not understood")
+        self.refuse(
+            PREPARED + "memory = much\n" + VALUES + FRONT, "'memory = much' is not understood"
+        )
         self.refuse(PREPARED + "time = 1 h\n" + VALUES + FRONT, "no key in .sweep. 'time'")
         self.refuse(PREPARED + VALUES + FRONT, "the results get the name", name="my sweep")
 

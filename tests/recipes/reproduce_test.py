@@ -187,7 +187,9 @@ class SettingUp(Project):
         write_program(self.bin / "cmake", "#!/bin/sh\necho error: x\n! [ $1 = --build ]\n")
         done = self.set_up("build", "2", "tools")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertIn("error: x\nreproduce.sh: The build failed; the whole output is in", done.stderr)
+        self.assertIn(
+            "error: x\nreproduce.sh: The build failed; the whole output is in", done.stderr
+        )
 
     @unittest.skipIf(os.geteuid() != 0, "installs packages, if only with stand-ins")
     def test_other_programs_that_install_are_waited_for(self):
@@ -356,7 +358,10 @@ class Profiles(Project):
         for name in ("analyze", "load", "modify-phi", "prepare", "restart"):
             write_program(self.bin / name, "#!/bin/sh\n")
         for variables, sentence in (
-            ({}, "the profile slurm computes in an allocation of SLURM; give the command to sbatch"),
+            (
+                {},
+                "the profile slurm computes in an allocation of SLURM; give the command to sbatch",
+            ),
             ({"SLURM_JOB_ID": "7", "SLURM_STEP_ID": "0"}, "inside a step of a job"),
         ):
             with unittest.mock.patch.dict(os.environ, variables):

@@ -184,7 +184,10 @@ class Refusing(Golden):
     def test_a_golden_file_that_is_none(self):
         for text, sentence in (
             ("", "names no file"),
-            ("abc  a.h5\n", "has a line that is not 'content-sha256 <64 hex digits>  <file>.h5': abc  a.h5"),
+            (
+                "abc  a.h5\n",
+                "has a line that is not 'content-sha256 <64 hex digits>  <file>.h5': abc  a.h5",
+            ),
             ("0" * 64 + "  a.txt\n", "has a line that is not"),
         ):
             (self.folder / "golden.sums").write_text(text, encoding="utf-8")

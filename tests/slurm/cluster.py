@@ -15,7 +15,17 @@ import tempfile
 import time
 from pathlib import Path
 
-PROGRAMS = ("munged", "slurmctld", "slurmd", "srun", "scancel", "sinfo", "squeue", "sbatch", "salloc")
+PROGRAMS = (
+    "munged",
+    "slurmctld",
+    "slurmd",
+    "srun",
+    "scancel",
+    "sinfo",
+    "squeue",
+    "sbatch",
+    "salloc",
+)
 START_WITHIN = 60  # [s]
 
 CONFIGURATION = """\

@@ -25,7 +25,9 @@ POINTS = 20
 def run(command, programs, folder):
     folder.mkdir(parents=True, exist_ok=True)
     path = f"{programs}:{os.environ['PATH']}"
-    subprocess.run(["bash", "-ec", command], cwd=folder, env={**os.environ, "PATH": path}, check=True)
+    subprocess.run(
+        ["bash", "-ec", command], cwd=folder, env={**os.environ, "PATH": path}, check=True
+    )
 
 
 def jobs():
