@@ -5,28 +5,40 @@
 #include "rupture/forces/simplified_law.hpp"
 
 namespace rupture {
+namespace {
 
-std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& junctions) {
-  switch (parameters.law) {
-    case Law::simplified:
-      return std::make_unique<SimplifiedLaw>(parameters, junctions);
-    case Law::decaying:
-      return std::make_unique<DecayingLaw>(parameters, junctions);
+template <class OfLaw>
+struct Type {
+  using type = OfLaw;
+};
+
+/// action(Type<...>) with the class of the law. No other function lists them.
+template <class Action>
+auto with_class_of(Law law, Action action) {
+  switch (law) {
     case Law::reference:
       break;
+    case Law::simplified:
+      return action(Type<SimplifiedLaw>{});
+    case Law::decaying:
+      return action(Type<DecayingLaw>{});
   }
-  return std::make_unique<ReferenceLaw>(parameters, junctions);
+  return action(Type<ReferenceLaw>{});
+}
+
+}  // namespace
+
+std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& junctions) {
+  return with_class_of(parameters.law, [&](auto chosen) -> std::unique_ptr<InterfaceLaw> {
+    return std::make_unique<typename decltype(chosen)::type>(parameters, junctions);
+  });
 }
 
 void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
                   Eigen::Index j, double u, double w, double t) {
-  switch (parameters.law) {
-    case Law::simplified:
-      return break_spring(parameters, junctions, i, u, w, t);
-    case Law::reference:
-    case Law::decaying:
-      return break_junction(parameters, junctions, i, j, u, w, t);
-  }
+  with_class_of(parameters.law, [&](auto chosen) {
+    decltype(chosen)::type::break_spring(parameters, junctions, i, j, u, w, t);
+  });
 }
 
 }  // namespace rupture

@@ -5,13 +5,13 @@
 
 namespace rupture {
 
-void break_spring(const Parameters& p, Junctions& junctions, Eigen::Index i, double u, double w,
-                  double t) {
-  double& a = junctions.attachment(i, 0);
+void SimplifiedLaw::break_spring(const Parameters& p, Junctions& junctions, Eigen::Index i,
+                                 Eigen::Index j, double u, double w, double t) {
+  double& a = junctions.attachment(i, j);
   const double direction = u > a ? 1.0 : -1.0;
   a = u - direction * p.mu_d * w;
-  junctions.slow_until(i, 0) = direction * (t + p.t_R);
-  junctions.repin_time(i, 0) = Junctions::unknown;
+  junctions.slow_until(i, j) = direction * (t + p.t_R);
+  junctions.repin_time(i, j) = Junctions::unknown;
 }
 
 SimplifiedLaw::SimplifiedLaw(const Parameters& p, Junctions& junctions)
@@ -48,7 +48,7 @@ void SimplifiedLaw::update_spring(Eigen::Index i, double u, double v, double w, 
       ++changes.repinned;
     }
   } else if (std::abs(u - a) > parameters_.mu_s * w) {
-    break_spring(parameters_, junctions_, i, u, w, t);
+    break_spring(parameters_, junctions_, i, 0, u, w, t);
     pinned_[static_cast<std::size_t>(i)] = 0;
     ++changes.broken;
   }

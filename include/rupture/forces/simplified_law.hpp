@@ -3,9 +3,9 @@
 //
 // Valid for any normal force p_i >= 0 and v_slow >= 0. The spring has the stiffness of all
 // junctions together, k_i = N_s k_ij = N_s sqrt(kappa f_N) with f_N = p_i / N_s at the current p_i:
-//   pinned:   tau = k_i (x_i - x_is); breaks when |tau| > tau_thres = mu_s p_i, then |tau| = mu_d
-//   p_i
-//             with the same sign, which is also the sign of its sliding direction d = +1 or -1;
+//   pinned:   tau = k_i (x_i - x_is); breaks when |tau| > tau_thres = mu_s p_i, then
+//             |tau| = mu_d p_i with the same sign, which is also the sign of its sliding direction
+//             d = +1 or -1;
 //   slipping: x_is trails the block so that |tau| <= mu_d p_i; pinned where it is, still bearing
 //             that force, in the first later step in which the block does not move along d;
 //   both:     until t_R after the last break, x_is moves along d by v_slow dt per step; while
@@ -25,11 +25,6 @@
 
 namespace rupture {
 
-/// Breaks the spring of block i at u_x [m] and time t [s]: it slips with |tau| = mu_d p_i in the
-/// direction of its force, and its slow slip begins. `w` as in ContactView.
-void break_spring(const Parameters& parameters, Junctions& junctions, Eigen::Index i, double u_x,
-                  double w, double t);
-
 class SimplifiedLaw final : public InterfaceLaw {
  public:
   /// Works on `junctions`, which must outlive the law.
@@ -39,6 +34,10 @@ class SimplifiedLaw final : public InterfaceLaw {
                  double t) override;
   void friction(const double* u_x, const ContactView& contact, double* tau) const override;
   const std::vector<std::int32_t>& pinned() const override { return pinned_; }
+
+  /// As break_by_law(): |tau| = mu_d p_i, and slow slip begins.
+  static void break_spring(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
+                           Eigen::Index j, double u_x, double w, double t);
 
  private:
   void update_spring(Eigen::Index i, double u, double v, double w, double t, Changes& changes);

@@ -1,0 +1,107 @@
+// What all interface laws with N_s junctions per block have in common: the loop over the junctions.
+//
+// Valid for any normal force p_i >= 0. With f_N = p_i / N_s at the current p_i and k_ij =
+// sqrt(kappa f_N), a junction carries f = k_ij (x_i - x_ij):
+//   pinned:   x_ij is fixed; breaks when |f| > f_thres = mu_s f_N, then |f| = mu_d f_N with the
+//   same
+//             sign;
+//   slipping: x_ij trails the block so that |f| does not exceed the slipping force, until the law
+//             pins the junction again;
+//   p_i = 0:  no friction; attachment points follow the block.
+// All comparisons are made on stretches x_i - x_ij against mu w, where w = f_N / k_ij.
+// A law has a file of its own, with what is its own: slipping force, end of slipping, force of the
+// newly pinned junction.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "rupture/forces/block_summary.hpp"
+#include "rupture/forces/interface_law.hpp"
+
+namespace rupture {
+
+/// The law `Own`, which derives from this. Its own are
+///   start_slipping(parameters, junctions, i, j, t): junction j of block i begins to slip at t [s];
+///   is_over(i, j, slid, t): whether it is pinned again at t, after sliding by another `slid` [m];
+///   pin(i, j, u): makes of it a pinned one, with the block at u [m];
+/// and, unless what is here will do, slip_stretch(), has_broken() and trail().
+template <class Own>
+class JunctionLaw : public InterfaceLaw {
+ public:
+  Changes update(const double* u_x, const double* /*v_x*/, const ContactView& contact,
+                 double t) final {
+    Changes changes;
+    for (Eigen::Index i = 0; i < junctions_.attachment.rows(); ++i) {
+      const double u = u_x[i], w = contact.w[i];
+      if (!blocks_.is_quiet(i, u, w, t)) {
+        update_block(i, u, w, t, changes);
+        blocks_.refresh(i);
+      } else if (blocks_.is_slipping_anywhere(i)) {
+        own().trail(i, u, w, t);
+      }
+    }
+    return changes;
+  }
+
+  void friction(const double* u_x, const ContactView& contact, double* tau) const final {
+    blocks_.friction(u_x, contact, tau);
+  }
+  const std::vector<std::int32_t>& pinned() const final { return blocks_.pinned(); }
+
+  /// As break_by_law().
+  static void break_spring(const Parameters& p, Junctions& junctions, Eigen::Index i,
+                           Eigen::Index j, double u, double w, double t) {
+    const double stretch = p.mu_d * w;
+    double& a = junctions.attachment(i, j);
+    a = u > a ? u - stretch : u + stretch;
+    Own::start_slipping(p, junctions, i, j, t);
+  }
+
+ protected:
+  JunctionLaw(const Parameters& p, Junctions& junctions)
+      : parameters_(p), junctions_(junctions), blocks_(p, junctions) {}
+
+  /// Slipping force / k_ij of a junction at time t [m].
+  double slip_stretch(Eigen::Index /*i*/, Eigen::Index /*j*/, double w, double /*t*/) const {
+    return parameters_.mu_d * w;
+  }
+  /// Called after each break.
+  void has_broken(Eigen::Index /*i*/, Eigen::Index /*j*/) {}
+  /// Lets the slipping junctions of a block trail in which nothing breaks or is pinned.
+  void trail(Eigen::Index i, double u, double w, double /*t*/) {
+    const double stretch = parameters_.mu_d * w;
+    blocks_.trail(i, u - stretch, u + stretch);
+  }
+
+  const Parameters parameters_;
+  Junctions& junctions_;
+  BlockSummary blocks_;
+
+ private:
+  Own& own() { return static_cast<Own&>(*this); }
+
+  void update_block(Eigen::Index i, double u, double w, double t, Changes& changes) {
+    const double f_thres_stretch = parameters_.mu_s * w;
+    const bool contact = w > 0.0;
+    for (Eigen::Index j = 0; j < junctions_.attachment.cols(); ++j) {
+      double& a = junctions_.attachment(i, j);
+      if (!contact) a = u;
+      if (is_slipping(junctions_.repin_time(i, j))) {
+        const double before = a, stretch = own().slip_stretch(i, j, w, t);
+        a = std::clamp(a, u - stretch, u + stretch);
+        if (!own().is_over(i, j, std::abs(a - before), t)) continue;
+        junctions_.repin_time(i, j) = Junctions::never;
+        own().pin(i, j, u);
+        ++changes.repinned;
+      } else if (std::abs(u - a) > f_thres_stretch) {
+        break_spring(parameters_, junctions_, i, j, u, w, t);
+        own().has_broken(i, j);
+        ++changes.broken;
+      }
+    }
+  }
+};
+
+}  // namespace rupture
