@@ -6,6 +6,7 @@
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
 
 namespace rupture {
 namespace {
@@ -34,7 +35,6 @@ constexpr const char* kAttachment = "/state/junctions/attachment";
 constexpr const char* kSlipping = "/state/junctions/slipping";
 constexpr const char* kRepinTime = "/state/junctions/repin_time";
 constexpr const char* kDraws = "/state/junctions/draws";
-constexpr const char* kSlowUntil = "/state/junctions/slow_until";
 
 Shape shape_of(Eigen::Index rows, Eigen::Index columns) {
   return {static_cast<std::uint64_t>(rows), static_cast<std::uint64_t>(columns)};
@@ -92,19 +92,29 @@ void read_repin_times(const Content& content, JunctionArray<double>& repin_time)
   }
 }
 
-// Of the simplified law only.
-void read_slow_slip(const Content& content, Junctions& junctions) {
-  if (junctions.slow_until.size() == 0) return;
-  read_junctions(content, kSlowUntil, junctions.slow_until);
-  for (Eigen::Index i = 0; i < junctions.slow_until.rows(); ++i) {
-    const double repin_time = junctions.repin_time(i, 0);
-    if (!is_slipping(repin_time)) continue;
-    if (repin_time == Junctions::unknown && junctions.slow_until(i, 0) != 0.0) continue;
-    throw Failure(
-        fmt::format("the spring of block {} is slipping with {} = {} s and {} = {} s; expected 0 s "
-                    "and, as it has "
-                    "broken, a time",
-                    i, kRepinTime, repin_time, kSlowUntil, junctions.slow_until(i, 0)));
+std::string path_of(const SpringMemory& memory) {
+  return fmt::format("/state/junctions/{}", memory.name);
+}
+
+void check_memory(const SpringMemory& memory, double repin_time, double remembered,
+                  Eigen::Index block, Eigen::Index junction) {
+  const bool slips_as_written = repin_time == Junctions::unknown && remembered != 0.0;
+  if (remembered >= memory.minimum && (!is_slipping(repin_time) || slips_as_written)) return;
+  throw Failure(fmt::format(
+      "junction {} of block {} has {} = {} s and {} = {} {}; expected 0 s and{} another value than "
+      "0 if it is slipping",
+      junction, block, kRepinTime, stored_repin_time(repin_time), path_of(memory), remembered,
+      memory.unit, memory.minimum == 0.0 ? ", never below 0," : ""));
+}
+
+void read_memory(const Content& content, const LawInfo& law, Junctions& junctions) {
+  if (!law.memory) return;
+  auto& array = junctions.*law.memory->array;
+  read_junctions(content, path_of(*law.memory).c_str(), array);
+  for (Eigen::Index i = 0; i < array.rows(); ++i) {
+    for (Eigen::Index j = 0; j < array.cols(); ++j) {
+      check_memory(*law.memory, junctions.repin_time(i, j), array(i, j), i, j);
+    }
   }
 }
 
@@ -133,8 +143,9 @@ Content state_content(const State& state) {
   content[kRepinTime] =
       array_dataset<double>(junctions.repin_time.unaryExpr(&stored_repin_time), "s");
   content[kDraws] = array_dataset(junctions.draws, "1");
-  if (junctions.slow_until.size() > 0) {
-    content[kSlowUntil] = array_dataset(junctions.slow_until, "s");
+  for (const LawInfo& law : law_table()) {
+    if (!law.memory || (junctions.*law.memory->array).size() == 0) continue;
+    content[path_of(*law.memory)] = array_dataset(junctions.*law.memory->array, law.memory->unit);
   }
   return content;
 }
@@ -151,7 +162,7 @@ State read_state(const Content& content, const Parameters& parameters) {
   read_junctions(content, kAttachment, state.junctions.attachment);
   read_repin_times(content, state.junctions.repin_time);
   read_junctions(content, kDraws, state.junctions.draws);
-  read_slow_slip(content, state.junctions);
+  read_memory(content, law_info(parameters.law), state.junctions);
   expect_as_written(content, state_content(state));
   return state;
 }

@@ -1,8 +1,11 @@
 #include "rupture/forces/interface_law.hpp"
 
+#include <type_traits>
+
 #include "rupture/forces/decaying_law.hpp"
 #include "rupture/forces/reference_law.hpp"
 #include "rupture/forces/simplified_law.hpp"
+#include "rupture/model/laws.hpp"
 
 namespace rupture {
 namespace {
@@ -38,6 +41,24 @@ void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Ind
                   Eigen::Index j, double u, double w, double t) {
   with_class_of(parameters.law, [&](auto chosen) {
     decltype(chosen)::type::break_spring(parameters, junctions, i, j, u, w, t);
+  });
+}
+
+void change_law(const Parameters& before, const Parameters& after, double t, Junctions& junctions) {
+  const LawInfo &old_law = law_info(before.law), &new_law = law_info(after.law);
+  if (before.law == after.law || old_law.repinning == new_law.repinning) return;
+  if (old_law.memory) (junctions.*old_law.memory->array).resize(0, 0);
+  if (new_law.memory) (junctions.*new_law.memory->array).setZero(after.Nx, junctions.draws.cols());
+  with_class_of(after.law, [&](auto chosen) {
+    using NewLaw = typename decltype(chosen)::type;
+    if constexpr (std::is_base_of_v<JunctionLaw<NewLaw>, NewLaw>) {
+      for (Eigen::Index i = 0; i < junctions.repin_time.rows(); ++i) {
+        for (Eigen::Index j = 0; j < junctions.repin_time.cols(); ++j) {
+          if (!is_slipping(junctions.repin_time(i, j))) continue;
+          NewLaw::start_slipping(after, junctions, i, j, t);
+        }
+      }
+    }
   });
 }
 

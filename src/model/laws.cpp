@@ -4,12 +4,12 @@ namespace rupture {
 
 const std::vector<LawInfo>& law_table() {
   static const std::vector<LawInfo> table = {
-      {"reference", SpringsPerBlock::N_s, SlowSlip::relaxation, "junctions.f_new to f_slip",
+      {"reference", SpringsPerBlock::N_s, Repinning::at_a_drawn_time, "junctions.f_new to f_slip",
        ClosedForm::known},
-      {"simplified", SpringsPerBlock::one, SlowSlip::imposed, "junctions.v_slow to 0",
-       ClosedForm::unknown},
-      {"decaying", SpringsPerBlock::N_s, SlowSlip::relaxation, "junctions.mu_new to junctions.mu_d",
-       ClosedForm::unknown},
+      {"simplified", SpringsPerBlock::one, Repinning::when_due, "junctions.v_slow to 0",
+       ClosedForm::unknown, SpringMemory{&Junctions::slow_until, "slow_until", "s", -kNever}},
+      {"decaying", SpringsPerBlock::N_s, Repinning::at_a_drawn_time,
+       "junctions.mu_new to junctions.mu_d", ClosedForm::unknown},
   };
   return table;
 }

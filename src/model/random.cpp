@@ -20,11 +20,18 @@ double uniform(std::int64_t seed, std::uint32_t block, std::uint32_t junction, P
   return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;  // exact, so never rounded to 1
 }
 
+double folded_gaussian(double mean, double deviation, std::int64_t seed, std::uint32_t block,
+                       std::uint32_t junction, std::uint32_t n) {
+  const double u = uniform(seed, block, junction, Purpose::slipping, n);
+  return std::abs(mean + deviation * normal_quantile(u));
+}
+
 double slipping_time(const Parameters& p, std::uint32_t block, std::uint32_t junction,
                      std::uint32_t n) {
-  const double u = uniform(p.seed, block, junction, Purpose::slipping_time, n);
-  if (p.slipping_times == SlippingTimes::exponential) return -p.t_R * exact_log(u);
-  return std::abs(p.t_R + p.delta_t_R * normal_quantile(u));
+  if (p.slipping_times == SlippingTimes::exponential) {
+    return -p.t_R * exact_log(uniform(p.seed, block, junction, Purpose::slipping, n));
+  }
+  return folded_gaussian(p.t_R, p.delta_t_R, p.seed, block, junction, n);
 }
 
 }  // namespace rupture

@@ -16,7 +16,9 @@ State::State(const Parameters& p)
   junctions.attachment.setZero(p.Nx, springs);
   junctions.repin_time.setConstant(p.Nx, springs, Junctions::never);
   junctions.draws.setZero(p.Nx, springs);
-  if (law_info(p.law).slow_slip == SlowSlip::imposed) junctions.slow_until.setZero(p.Nx, springs);
+  if (const auto& memory = law_info(p.law).memory) {
+    (junctions.*memory->array).setZero(p.Nx, springs);
+  }
 }
 
 double time(const Parameters& p, const State& state) {

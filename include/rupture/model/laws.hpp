@@ -3,10 +3,11 @@
 // (forces/interface_law.hpp).
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
-#include "rupture/model/parameters.hpp"
+#include "rupture/model/state.hpp"
 
 namespace rupture {
 
@@ -14,9 +15,18 @@ namespace rupture {
 /// distribution phi, or one that stands for them.
 enum class SpringsPerBlock { N_s, one };
 
-/// How slow slip comes about: as junctions are pinned again one after the other, or at a speed that
-/// is imposed for a time, which the state remembers (Junctions::slow_until).
-enum class SlowSlip { relaxation, imposed };
+/// When a slipping spring is pinned again: at a time that is drawn when it breaks, or when the law
+/// finds it due.
+enum class Repinning { at_a_drawn_time, when_due };
+
+/// What only some laws remember of each spring; a dataset of /state/junctions. Of a slipping spring
+/// it is never 0.
+struct SpringMemory {
+  JunctionArray<double> Junctions::*array;
+  std::string_view name;  ///< of the dataset
+  std::string_view unit;
+  double minimum;  ///< smallest valid value
+};
 
 /// Whether friction at constant speed and the speed of slow slip are known in closed form.
 enum class ClosedForm { known, unknown };
@@ -24,9 +34,10 @@ enum class ClosedForm { known, unknown };
 struct LawInfo {
   std::string_view name;  ///< as junctions.law has it
   SpringsPerBlock springs;
-  SlowSlip slow_slip;
+  Repinning repinning;
   std::string_view slow_slip_off;  ///< what switches slow slip off
   ClosedForm closed_form;
+  std::optional<SpringMemory> memory = {};  ///< of a law that pins springs when they are due
 };
 
 /// All laws in the order of Law.

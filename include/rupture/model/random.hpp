@@ -9,16 +9,20 @@
 namespace rupture {
 
 /// What a random number is used for; different purposes never share a counter.
-enum class Purpose : std::uint32_t { slipping_time = 1, force_distribution = 2 };
+enum class Purpose : std::uint32_t { slipping = 1, force_distribution = 2 };
 
 /// Uniform number in (0, 1), never 0 or 1, with 52 random bits (Philox4x32-10).
 double uniform(std::int64_t seed, std::uint32_t block, std::uint32_t junction, Purpose purpose,
                std::uint32_t n);
 
+/// |N(mean, deviation)|, the folded Gaussian T_G(t) + T_G(-t) of the paper, from the n-th uniform
+/// number of a junction, which decides how long or how far it slips.
+double folded_gaussian(double mean, double deviation, std::int64_t seed, std::uint32_t block,
+                       std::uint32_t junction, std::uint32_t n);
+
 /// The n-th slipping time t_R of a junction, drawn from T(t_R) (Methods) [s].
 ///
-/// gaussian: |t_R + delta_t_R z| with z standard normal, the paper's folded T_G(t) + T_G(-t);
-/// exponential: -t_R ln u.
+/// gaussian: folded_gaussian(t_R, delta_t_R); exponential: -t_R ln u.
 double slipping_time(const Parameters& parameters, std::uint32_t block, std::uint32_t junction,
                      std::uint32_t n);
 

@@ -16,7 +16,7 @@ using JunctionArray = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 struct Junctions {
   /// A repin time later than every simulation: marks a pinned junction.
   static constexpr double never = kNever;
-  /// The repin time of a slipping spring of the simplified law, which is not known before it comes.
+  /// The repin time of a slipping spring that is pinned when its law finds it due.
   static constexpr double unknown = 0.0;
 
   /// Attachment point x_ij on the track, measured like u_x from the undeformed block position [m].

@@ -4,6 +4,7 @@
 #include "cli/option_values.hpp"
 #include "run/rebuild.hpp"
 #include "run/simulate.hpp"
+#include "rupture/forces/interface_law.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 
@@ -89,6 +90,8 @@ void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) 
   apply(changes, checkpoint.parameters);
   refuse_changes_of_kept(before, checkpoint.parameters);
   refuse_other_springs(before, checkpoint.parameters);
+  change_law(before, checkpoint.parameters, time(before, checkpoint.state),
+             checkpoint.state.junctions);
   if (checkpoint.parameters.V != before.V) {
     State& state = checkpoint.state;
     state.drive = {state.step, drive_position(before, state.drive, state.step)};

@@ -292,11 +292,11 @@ TEST_F(CheckpointFile, with_contradictory_single_springs_is_refused) {
   expect_contains(refusal(lacking), "/state/junctions/slow_until is missing");
   Checkpoint never_broken = single_springs();
   never_broken.state.junctions.slow_until(2, 0) = 0.0;
-  expect_contains(refusal(content_of(never_broken)), "the spring of block 2 is slipping with");
+  expect_contains(refusal(content_of(never_broken)), "junction 0 of block 2 has");
   Checkpoint with_repin_time = single_springs();
   with_repin_time.state.junctions.repin_time(4, 0) = 0.1;
   expect_contains(refusal(content_of(with_repin_time)),
-                  "the spring of block 4 is slipping with /state/junctions/repin_time = 0.1 s");
+                  "junction 0 of block 4 has /state/junctions/repin_time = 0.1 s");
   Content many = content_of(small_checkpoint());
   many["/parameters/junctions/f_new"] = make_text("zero");
   many["/parameters/junctions/law"] = make_text("simplified");

@@ -37,7 +37,11 @@ TEST(LawTable, shapes_the_state) {
     const State state(p);
     const bool one = law_info(law).springs == SpringsPerBlock::one;
     EXPECT_EQ(state.junctions.attachment.cols(), one ? 1 : p.N_s);
-    EXPECT_EQ(state.junctions.slow_until.size() > 0, law_info(law).slow_slip == SlowSlip::imposed);
+    for (const LawInfo& other : law_table()) {
+      if (!other.memory) continue;
+      const auto size = (state.junctions.*other.memory->array).size();
+      EXPECT_EQ(size, other.name == law_info(law).name ? state.junctions.draws.size() : 0);
+    }
   }
 }
 

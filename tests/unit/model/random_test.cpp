@@ -10,7 +10,7 @@
 namespace rupture {
 namespace {
 
-constexpr auto kAnyPurpose = Purpose::slipping_time;
+constexpr auto kAnyPurpose = Purpose::slipping;
 
 /// The uniform number that the first two words of a Philox output stand for.
 double uniform_of(std::uint32_t first, std::uint32_t second) {
@@ -29,12 +29,12 @@ TEST(Uniform, is_philox4x32_10) {
 }
 
 TEST(Uniform, differs_when_any_argument_differs) {
-  const std::set<double> numbers = {uniform(1, 2, 3, Purpose::slipping_time, 4),
-                                    uniform(9, 2, 3, Purpose::slipping_time, 4),
-                                    uniform(1, 9, 3, Purpose::slipping_time, 4),
-                                    uniform(1, 2, 9, Purpose::slipping_time, 4),
+  const std::set<double> numbers = {uniform(1, 2, 3, Purpose::slipping, 4),
+                                    uniform(9, 2, 3, Purpose::slipping, 4),
+                                    uniform(1, 9, 3, Purpose::slipping, 4),
+                                    uniform(1, 2, 9, Purpose::slipping, 4),
                                     uniform(1, 2, 3, Purpose::force_distribution, 4),
-                                    uniform(1, 2, 3, Purpose::slipping_time, 9),
+                                    uniform(1, 2, 3, Purpose::slipping, 9),
                                     uniform(1 + (std::int64_t{1} << 32), 2, 3, kAnyPurpose, 4)};
   EXPECT_EQ(numbers.size(), 7U);
 }
