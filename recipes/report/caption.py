@@ -1,5 +1,5 @@
-"""Numbers in captions come from the results: "at {2A: slow speed [m/s]}" in a recipe's README becomes "at
-22.91 m/s", from the claims that the recipe has written."""
+"""Numbers in captions come from the results: "at {2A: slow speed [m/s]}" in a recipe's README becomes
+"at 22.91 m/s", from the claims and the own results that the recipe has written."""
 
 import re
 
@@ -19,7 +19,5 @@ def value_text(claims, claim_id, name):
 
 
 def filled(text, claims):
-    """`claims`: None if the recipe has not run. A place may go over the end of a line."""
-    return PLACE.sub(
-        lambda place: value_text(claims or [], place[1], " ".join(place[2].split())), text
-    )
+    """A place may go over the end of a line."""
+    return PLACE.sub(lambda place: value_text(claims, place[1], " ".join(place[2].split())), text)

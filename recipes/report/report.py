@@ -16,6 +16,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from caption import NOT_RUN, filled
 from claims.claim import VERDICTS, Claim, measured_parts, number, read_claims
+from claims.own_result import read_own
 from jobs import Accounts, Job, steps, total
 from origin import builds, last_run, present_build, processor
 from project import Problem, Readme, as_html, listed_claims, natural, read_readme, recipe_names
@@ -90,11 +91,12 @@ def checksums(root, files):
 def read_recipe(root, name, accounts):
     readme = read_readme(root / "recipes" / name / "README.md")
     claims = claims_of(root, name)
+    numbers = (claims or []) + read_own(root / "results" / name)
     files = accounts.files_behind(name)
     return Recipe(
         name=name,
         readme=readme,
-        caption=as_html(filled(readme.caption, claims), f"../recipes/{name}"),
+        caption=as_html(filled(readme.caption, numbers), f"../recipes/{name}"),
         claims=claims,
         pictures=[picture(path) for path in files_of(root, name, "*.png")],
         tables=[path.name for path in files_of(root, name, "*.csv")],

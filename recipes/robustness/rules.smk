@@ -1,5 +1,5 @@
 # Robustness of the results. Exponential slipping times here; what else there is has a file of its own
-# beside this one, which adds the claims it writes to ROBUSTNESS_PARTS. See README.md.
+# beside this one, which adds the claims it writes, if any, to ROBUSTNESS_PARTS. See README.md.
 ROBUSTNESS_PARTS = [f"{DATA}/robustness/claims-Exp.json"]
 ROBUSTNESS_EVENT = f"{DATA}/fast-slow-fast"
 
@@ -57,6 +57,7 @@ for part in sorted(
 use rule join_claims as robustness with:
     input:
         parts=ROBUSTNESS_PARTS,
+        own=f"{RESULTS}/robustness/own.json",
         **script("recipes/claims/merge_claims.py"),
     output: f"{RESULTS}/robustness/claims.json"
     log: f"{LOGS}/robustness-claims.log"

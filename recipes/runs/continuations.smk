@@ -6,6 +6,7 @@ CONTINUATIONS = {  # from the moment when the front is at 0.14 L
     "t_R-half": "--set driving.V=0 --set junctions.t_R=1e-3 --set junctions.delta_t_R=0.3e-3",
     "t_R-double": "--set driving.V=0 --set junctions.t_R=4e-3 --set junctions.delta_t_R=1.2e-3",
     "exponential": "--set junctions.slipping_times=exponential",
+    "distance": "--set junctions.law=distance",
 }
 SLIPS = ["stopped", "t_R-half", "t_R-double"]
 

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "rupture/forces/decaying_law.hpp"
+#include "rupture/forces/distance_law.hpp"
 #include "rupture/forces/reference_law.hpp"
 #include "rupture/forces/simplified_law.hpp"
 #include "rupture/model/laws.hpp"
@@ -25,6 +26,8 @@ auto with_class_of(Law law, Action action) {
       return action(Type<SimplifiedLaw>{});
     case Law::decaying:
       return action(Type<DecayingLaw>{});
+    case Law::distance:
+      return action(Type<DistanceLaw>{});
   }
   return action(Type<ReferenceLaw>{});
 }

@@ -10,6 +10,8 @@ const std::vector<LawInfo>& law_table() {
        ClosedForm::unknown, SpringMemory{&Junctions::slow_until, "slow_until", "s", -kNever}},
       {"decaying", SpringsPerBlock::N_s, Repinning::at_a_drawn_time,
        "junctions.mu_new to junctions.mu_d", ClosedForm::unknown},
+      {"distance", SpringsPerBlock::N_s, Repinning::when_due, "junctions.f_new to f_slip",
+       ClosedForm::unknown, SpringMemory{&Junctions::slip_left, "slip_left", "m", 0.0}},
   };
   return table;
 }

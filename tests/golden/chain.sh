@@ -31,7 +31,7 @@ load -q --config "$here/small.ini" --set junctions.slipping_times=exponential --
 restart rupture.h5 -q --set slider.damping=0 --set driving.V=-1 --for 8e-4 -o return.h5
 
 # The other interface laws: a rupture, then rest, in which springs slip slowly and are pinned.
-for law in simplified decaying; do
+for law in simplified decaying distance; do
   load -q --config "$here/small.ini" --set "junctions.law=$law" --until 3e-4 -o "$law.h5"
   restart "$law.h5" -q --set driving.V=0 --for 4e-4 -o "$law-rest.h5"
 done

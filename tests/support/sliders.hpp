@@ -59,7 +59,7 @@ inline std::string law_name(Law law) {
   return parameter_text(p, find_parameter("junctions.law"));
 }
 
-inline constexpr Law kAllLaws[] = {Law::reference, Law::simplified, Law::decaying};
+inline constexpr Law kAllLaws[] = {Law::reference, Law::simplified, Law::decaying, Law::distance};
 
 /// The same under a ceiling and at rest, with a prestress whose trigger region of three blocks lets
 /// the rest rupture within 0.05 ms.

@@ -192,7 +192,7 @@ TEST_F(BadFiles, WhoseTextsHoldControlCharactersAreRefusedInOneLine) {
   write_content(path("wild.h5"), FileKind::checkpoint, content, IfExists::refuse);
   expect_refused(
       "wild.h5",
-      "wild.h5: junctions.law = '??[2J' is unknown: choose one of reference, simplified, decaying");
+      "wild.h5: junctions.law = '??[2J' is unknown: choose one of reference, simplified, decaying, distance");
 }
 
 TEST_F(BadFiles, RecordWhereACheckpointIsExpected) {

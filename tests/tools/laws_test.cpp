@@ -11,7 +11,7 @@ class OtherLaw : public ToolTest, public ::testing::WithParamInterface<std::stri
   const std::string load_ = "load --config small.ini --set junctions.law=" + GetParam();
 };
 
-INSTANTIATE_TEST_SUITE_P(Tools, OtherLaw, ::testing::Values("simplified", "decaying"),
+INSTANTIATE_TEST_SUITE_P(Tools, OtherLaw, ::testing::Values("simplified", "decaying", "distance"),
                          [](const auto& law) { return law.param; });
 
 TEST_P(OtherLaw, LoadsAndRestartsToTheBitsOfOneRun) {
@@ -40,9 +40,10 @@ TEST_P(OtherLaw, TellsTheStressThatTheRunHad) {
 
 TEST_F(ToolTest, SlowSlipOffIsRefusedWithTheRightWord) {
   output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
-  expect_refusal("restart a.h5 -o b.h5 --for 1e-5 --set junctions.f_new=f_slip", kUsage,
-                 "junctions.f_new = f_slip belongs to the reference law: to switch slow slip off "
-                 "under the simplified law, set junctions.v_slow to 0");
+  expect_refusal(
+      "restart a.h5 -o b.h5 --for 1e-5 --set junctions.f_new=f_slip", kUsage,
+      "junctions.f_new = f_slip belongs to the reference and the distance law: to switch "
+      "slow slip off under the simplified law, set junctions.v_slow to 0");
   output_of("restart a.h5 -o b.h5 --for 1e-5 --set junctions.v_slow=0");
 }
 
@@ -50,6 +51,8 @@ TEST_F(ToolTest, ManyJunctionsCanChangeTheirLawAndSingleSpringsCannot) {
   output_of("load --config small.ini -o a.h5 --until 2e-4");
   output_of("restart a.h5 -o b.h5 --for 1e-5 --set junctions.law=decaying");
   EXPECT_EQ(json_of("analyze show b.h5 --json")["parameters"]["junctions.law"], "decaying");
+  output_of("restart a.h5 -o d.h5 --for 1e-5 --set junctions.law=distance");
+  output_of("restart d.h5 -o back.h5 --for 1e-5 --set junctions.law=reference");
   expect_refusal("restart a.h5 -o c.h5 --for 1e-5 --set junctions.law=simplified", kUsage,
                  "junctions.law cannot change from reference to simplified in a restart: the "
                  "simplified law has one spring per block; start with load --set "
@@ -76,7 +79,7 @@ TEST_F(ToolTest, SingleSpringsHaveNoPhi) {
   const std::string sentence =
       "the checkpoint has junctions.law = simplified: a single spring per block has no "
       "distribution "
-      "of forces; use a checkpoint of the reference or the decaying law";
+      "of forces; use a checkpoint of the reference or the decaying or the distance law";
   expect_refusal("modify-phi a.h5 -o b.h5", kFailed, sentence);
   expect_refusal_with("analyze phi a.h5", kFailed, sentence);
 }

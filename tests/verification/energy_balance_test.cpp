@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "rupture/dynamics/equilibrium.hpp"
@@ -79,14 +80,16 @@ TEST_P(EnergyBalanceOf, a_driven_slider_through_rupture_and_sliding) {
 }
 
 /// Under the simplified law the friction on a whole block drops at once, which shakes the fastest
-/// modes as a sudden pull does: 6e-6 without damping.
+/// modes as a sudden pull does: 6e-6 without damping. Under the distance law junctions are pinned
+/// while their block is fast, which shakes them less: 1.2e-6.
 TEST_P(EnergyBalanceOf, a_driven_slider_through_rupture_under_the_other_laws) {
-  constexpr double kSingleSprings = 2e-5;
-  for (const Law law : {Law::simplified, Law::decaying}) {
+  const std::map<Law, double> allowed = {
+      {Law::simplified, 2e-5}, {Law::decaying, kDriven}, {Law::distance, 3e-6}};
+  for (const auto& [law, largest] : allowed) {
     Parameters p = quick_slider(damping_);
     p.law = law;
     const Outcome r = run(p, kTimeStep, 1e-3, 0.0), finer = run(p, kTimeStep / 2.0, 1e-3, 0.0);
-    EXPECT_LT(r.balance.relative_error(), law == Law::decaying ? kDriven : kSingleSprings);
+    EXPECT_LT(r.balance.relative_error(), largest);
     EXPECT_GT(r.balance.relative_error(), 3.0 * finer.balance.relative_error())
         << testing::law_name(law);
     EXPECT_GT(r.balance.taken(), 0.5 * r.balance.supplied) << testing::law_name(law);

@@ -22,8 +22,9 @@ enum class SlippingTimes { gaussian, exponential };
 enum class NewForce { zero, f_slip };
 
 /// What a junction does once it has broken (forces/interface_law.hpp): the reference law, the
-/// simplified one with a single spring per block (Fig. S2), or the decaying one (Fig. S6).
-enum class Law { reference, simplified, decaying };
+/// simplified one with a single spring per block (Fig. S2), the decaying one (Fig. S6), or the
+/// distance law, in which junctions slip for a distance.
+enum class Law { reference, simplified, decaying, distance };
 
 /// What bears the slider in z: an elastic foundation below the bottom row, with F_N on the top row;
 /// or, for prepared interfaces, an elastic ceiling above the top row, with F_N on the bottom row.
@@ -56,8 +57,10 @@ struct Parameters {
   double delta_t_R = 0.6e-3;  ///< standard deviation of the slipping time [s]
   SlippingTimes slipping_times = SlippingTimes::gaussian;
   NewForce f_new = NewForce::zero;
-  double mu_new = 0.119;   ///< f_new / f_N of the decaying law, 0.7 mu_d
-  double v_slow = 1.5e-3;  ///< speed of slow slip that the simplified law imposes [m/s]
+  double d_R = 1e-6;          ///< mean slipping distance of the distance law [m]
+  double delta_d_R = 0.3e-6;  ///< standard deviation of that distance [m]
+  double mu_new = 0.119;      ///< f_new / f_N of the decaying law, 0.7 mu_d
+  double v_slow = 1.5e-3;     ///< speed of slow slip that the simplified law imposes [m/s]
   // numerics
   double dt = 2e-7;       ///< time step [s]
   std::int64_t seed = 1;  ///< key of the random numbers

@@ -28,6 +28,8 @@ struct Junctions {
   /// Simplified law only, else empty: time until which the attachment point moves by itself [s];
   /// negative where it moves towards -x, 0 where the spring has never broken.
   JunctionArray<double> slow_until;
+  /// Distance law only, else empty: how far a slipping junction still slides [m]; 0 while pinned.
+  JunctionArray<double> slip_left;
 };
 
 /// Position of the driving point: x_drive(n) = origin_position + V (n - origin_step) dt.

@@ -7,7 +7,7 @@
 namespace rupture {
 namespace {
 
-const std::vector<Law> kLaws = {Law::reference, Law::simplified, Law::decaying};
+const std::vector<Law> kLaws = {Law::reference, Law::simplified, Law::decaying, Law::distance};
 constexpr const char* kNewPath = "/parameters/junctions/new";
 
 Content content_of(Law law) {

@@ -56,7 +56,7 @@ TEST_F(Python, recomputes_the_checksum_of_a_checkpoint) {
 
 // All parameters of laws are away from their defaults, of which the law uses some.
 TEST_F(Python, recomputes_the_checksum_under_each_law) {
-  for (const Law law : {Law::reference, Law::simplified, Law::decaying}) {
+  for (const Law law : {Law::reference, Law::simplified, Law::decaying, Law::distance}) {
     Checkpoint checkpoint;
     for (const ParameterInfo& info : parameter_table()) {
       if (info.laws.empty()) continue;

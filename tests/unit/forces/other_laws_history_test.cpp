@@ -24,6 +24,8 @@ Parameters with_law(Law law, std::int64_t N_s) {
   p.delta_t_R = 0.6e-3;
   p.dt = 0.04e-3;  // of Wandering
   p.v_slow = 5.0;  // 0.4 m in t_R
+  p.d_R = 0.1;
+  p.delta_d_R = 0.03;
   return p;
 }
 
@@ -57,6 +59,7 @@ TEST_P(OtherLaws, keep_nothing_but_the_junctions) {
     ASSERT_TRUE((block.junctions().repin_time == before.repin_time).all());
     ASSERT_TRUE((block.junctions().draws == before.draws).all());
     ASSERT_TRUE((block.junctions().slow_until == before.slow_until).all());
+    ASSERT_TRUE((block.junctions().slip_left == before.slip_left).all());
     broken += changes.broken;
     repinned += changes.repinned;
   }
@@ -67,10 +70,10 @@ TEST_P(OtherLaws, keep_nothing_but_the_junctions) {
 INSTANTIATE_TEST_SUITE_P(Law, OtherLaws,
                          ::testing::Values(History{Law::decaying, 1}, History{Law::decaying, 9},
                                            History{Law::decaying, 100}, History{Law::simplified, 1},
-                                           History{Law::simplified, 100}),
+                                           History{Law::simplified, 100}, History{Law::distance, 1},
+                                           History{Law::distance, 9}),
                          [](const auto& history) {
-                           return (history.param.law == Law::decaying ? "decaying_"
-                                                                      : "simplified_") +
+                           return testing::law_name(history.param.law) + "_" +
                                   std::to_string(history.param.N_s);
                          });
 

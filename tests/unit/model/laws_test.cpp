@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "rupture/model/derived.hpp"
 #include "rupture/model/state.hpp"
+#include "support/sliders.hpp"
 
 namespace rupture {
 namespace {
@@ -20,18 +23,19 @@ TEST(LawTable, has_a_row_for_every_word_of_the_parameter_in_its_order) {
   EXPECT_EQ(law_info(Law::reference).name, "reference");
   EXPECT_EQ(law_info(Law::simplified).name, "simplified");
   EXPECT_EQ(law_info(Law::decaying).name, "decaying");
+  EXPECT_EQ(law_info(Law::distance).name, "distance");
 }
 
 TEST(LawTable, switches_slow_slip_off_by_a_parameter_of_the_law) {
-  for (const Law law : {Law::reference, Law::simplified, Law::decaying}) {
+  for (const Law law : testing::kAllLaws) {
     const std::string_view text = law_info(law).slow_slip_off;
     const ParameterInfo& info = find_parameter(text.substr(0, text.find(' ')));
-    EXPECT_EQ(info.laws, std::vector<Law>{law}) << text;
+    EXPECT_EQ(std::count(info.laws.begin(), info.laws.end(), law), 1) << text;
   }
 }
 
 TEST(LawTable, shapes_the_state) {
-  for (const Law law : {Law::reference, Law::simplified, Law::decaying}) {
+  for (const Law law : testing::kAllLaws) {
     Parameters p;
     p.law = law;
     const State state(p);

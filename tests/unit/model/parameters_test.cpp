@@ -39,7 +39,7 @@ TEST(ParameterTable, names_each_parameter_once_and_completely) {
     EXPECT_FALSE(info.unit.empty()) << info.name;
     EXPECT_FALSE(info.help.empty()) << info.name;
   }
-  EXPECT_EQ(names.size(), 27U);  // members of Parameters
+  EXPECT_EQ(names.size(), 29U);  // members of Parameters
 }
 
 TEST(ParameterTable, accepts_its_own_defaults) {
@@ -192,7 +192,8 @@ TEST(SetParameter, refuses_unknown_words) {
   EXPECT_EQ(refusal("junctions.slipping_times", "normal"),
             "junctions.slipping_times = 'normal' is unknown: choose one of gaussian, exponential");
   EXPECT_EQ(refusal("junctions.law", "simple"),
-            "junctions.law = 'simple' is unknown: choose one of reference, simplified, decaying");
+            "junctions.law = 'simple' is unknown: choose one of reference, simplified, decaying, "
+            "distance");
   EXPECT_EQ(refusal("junctions.f_new", "Zero"),
             "junctions.f_new = 'Zero' is unknown: choose one of zero, f_slip");
   EXPECT_EQ(refusal("slider.support", "floor"),
@@ -269,12 +270,12 @@ TEST(Validate, says_how_each_law_is_told_to_do_without_slow_slip) {
   EXPECT_EQ(refusal(p), kAccepted);
   p.law = Law::simplified;
   EXPECT_EQ(refusal(p),
-            "junctions.f_new = f_slip belongs to the reference law: to switch slow slip off under "
-            "the simplified law, set junctions.v_slow to 0");
+            "junctions.f_new = f_slip belongs to the reference and the distance law: to switch "
+            "slow slip off under the simplified law, set junctions.v_slow to 0");
   p.law = Law::decaying;
   EXPECT_EQ(refusal(p),
-            "junctions.f_new = f_slip belongs to the reference law: to switch slow slip off under "
-            "the decaying law, set junctions.mu_new to junctions.mu_d");
+            "junctions.f_new = f_slip belongs to the reference and the distance law: to switch "
+            "slow slip off under the decaying law, set junctions.mu_new to junctions.mu_d");
 }
 
 TEST(Validate, wants_a_stable_time_step) {

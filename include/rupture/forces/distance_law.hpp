@@ -1,0 +1,38 @@
+// The distance law (not of the paper, which contrasts "time- rather than distance-controlled
+// relaxations"): the reference law, but a junction slips for a distance instead of a time. At rest
+// nothing relaxes; the law has no time of its own.
+//
+// Breaking and the loop as in junction_law.hpp. Its own:
+//   slipping: |f| <= f_slip = mu_d f_N until x_ij has moved by d_R over the track, forwards and
+//             backwards alike, with d_R from a folded Gaussian, drawn at the break;
+//   then      pinned with f_new = 0 (x_ij = x_i), or where it is when f_new = f_slip.
+// Without contact x_ij follows the block, but does not slide.
+#pragma once
+
+#include "rupture/forces/junction_law.hpp"
+
+namespace rupture {
+
+class DistanceLaw final : public JunctionLaw<DistanceLaw> {
+ public:
+  /// Works on `junctions`, which must outlive the law.
+  DistanceLaw(const Parameters& parameters, Junctions& junctions);
+
+  /// Junction j of block i slips from now on, for a distance that is drawn.
+  static void start_slipping(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
+                             Eigen::Index j, double t);
+
+ private:
+  friend JunctionLaw;
+  bool is_over(Eigen::Index i, Eigen::Index j, double slid, double /*t*/) {
+    return (junctions_.slip_left(i, j) -= slid) <= 0.0;
+  }
+  void pin(Eigen::Index i, Eigen::Index j, double u) {
+    junctions_.slip_left(i, j) = 0.0;
+    if (parameters_.f_new == NewForce::zero) junctions_.attachment(i, j) = u;
+  }
+};
+
+extern template class JunctionLaw<DistanceLaw>;
+
+}  // namespace rupture

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Fronts under the distance law, a result of our own:
+distance.py results/data FRONT.json FRONT_WITH_DISTANCE_LAW.json results/robustness"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from claims.own_result import OwnResult, write_own
+from data.records import report, values
+from data.tables import read_rows, write_table
+from maps.front_map import TYPES, axes_of, band, read_map, types_of
+from maps.map_panels import draw_key, draw_regions
+from pictures.plotting import BLACK, BLUE, DOUBLE, figure, letter, save
+
+TITLES = {  # variant of the sweep
+    "d_R 0.3 um": r"$d_R = 0.3\,\mu$m",
+    "d_R 1 um": r"$d_R = 1\,\mu$m",
+    "d_R 3 um": r"$d_R = 3\,\mu$m",
+    "d_R 10 um": r"$d_R = 10\,\mu$m",
+}
+
+
+def reach(front):
+    """How far a front came [L]."""
+    return (front["L"] if front["x_arrest"] is None else front["x_arrest"]) / front["L"]
+
+
+def measured_event(unmodified, continued):
+    return {
+        "event under the reference law": unmodified["type"],
+        "its slow stretch from [L]": unmodified["slow"]["x_from"] / unmodified["L"],
+        "the same under the distance law": continued["type"],
+        "which reaches [L]": reach(continued),
+    }
+
+
+def measured_map(name, fronts):
+    types = types_of(fronts)
+    kinds = list(types.values())
+    slow = {sigma: band(types, sigma) for sigma in axes_of(types)[1]}
+    return {
+        **{f"{name}: {kind}": kinds.count(kind) for kind in TYPES},
+        f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(
+            f"{sigma:g}: {limits[0]:g} to {limits[1]:g}" for sigma, limits in slow.items() if limits
+        )
+        or "none",
+    }
+
+
+def own_result(maps, unmodified, continued):
+    return OwnResult(
+        id="distance",
+        question="are there slow fronts if junctions slip for a distance instead of a time?",
+        measured=measured_event(unmodified, continued)
+        | {k: v for name, fronts in maps.items() for k, v in measured_map(name, fronts).items()},
+    )
+
+
+def draw_event(axes, fronts):
+    start = min(np.nanmin(values(front["t_rupture"])) for front in fronts.values())
+    for (label, front), colour in zip(fronts.items(), (BLACK, BLUE)):
+        time = (values(front["t_rupture"]) - start) * 1e3
+        axes.plot(np.array(front["x"]) / front["L"], time, ".", color=colour, label=label)
+    axes.set(xlabel="$x/L$", ylabel="block ruptures after [ms]", xlim=(0, 1), ylim=(0, None))
+    axes.set_title("event of Fig. 2")
+    axes.legend(loc="upper left", handletextpad=0)
+
+
+def draw(maps, fronts, stem):
+    fig, panels = figure(DOUBLE, 0.28 * DOUBLE, ncols=1 + len(maps))
+    draw_event(panels[0], fronts)
+    for axes, (name, map_) in zip(panels[1:], maps.items()):
+        types = types_of(map_)
+        draw_regions(axes, types, types)
+        axes.set_title(TITLES[name])
+        if axes is not panels[1]:
+            axes.set(ylabel="")
+    for axes, text in zip(panels, "ABCDE"):
+        letter(axes, text)
+    draw_key(panels[-1])
+    save(fig, stem)
+
+
+def rows(maps):
+    for name, fronts in maps.items():
+        for place, kind in sorted(types_of(fronts).items()):
+            yield [name, *place, kind]
+
+
+def main(data, unmodified, continued, results):
+    data, results = Path(data), Path(results)
+    table = read_rows(data / "robustness/distance.csv")
+    maps = {
+        name: read_map([row for row in table if row["variant"] == name], data / "points")
+        for name in TITLES
+    }
+    fronts = {"by time": report(unmodified), "by distance": report(continued)}
+    draw(maps, fronts, results / "distance")
+    write_table(results / "distance.csv", ["variant", "tau_bar_0", "sigma_bar", "type"], rows(maps))
+    write_own(results, [own_result(maps, *fronts.values())])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
