@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints claims.json as a table that fits into 100 columns: print_claims.py results/fig3/claims.json"""
+"""Prints claims as a table that fits into 100 columns: print_claims.py results/fig3/claims.json"""
 
 import json
 import signal

@@ -1,5 +1,5 @@
-"""./reproduce.sh itself: what may be typed, installing and building (with stand-ins for apt-get and cmake),
-and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
+"""./reproduce.sh itself: what may be typed, installing and building (with stand-ins for apt-get and
+cmake), and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
 
 import os
 import re
@@ -157,7 +157,7 @@ class SettingUp(Project):
         )
 
     def make_cmake(self, says):
-        """Notes how it is called. Its list of targets is too long for a pipe that is closed early."""
+        """Notes its calls. Its list of targets is too long for a pipe that is closed early."""
         text = (
             '#!/bin/bash\necho "$*" >> calls\n'
             'case "$*" in *"target help"*) echo "tools: phony"; seq 1000000;;'
