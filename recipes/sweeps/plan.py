@@ -12,7 +12,7 @@ import subprocess
 from contextlib import contextmanager
 from pathlib import Path
 
-from data.tables import replacing
+from data.replacing import replacing
 from sweeps.columns import check_values, settle_columns, units_of_values
 from sweeps.expand import expand
 from sweeps.form import check_command, check_form, check_given_once, check_name, check_needed

@@ -10,7 +10,7 @@ import json
 from functools import cache
 from pathlib import Path
 
-from data.tables import replacing
+from data.replacing import replacing
 
 
 COMPUTED_BY = Path(__file__).with_name("point.py").read_text(encoding="utf-8")
