@@ -194,6 +194,16 @@ class SettingUp(Project):
         said = self.set_up("build", "2", "tools").stdout
         self.assertEqual(said, "Building (log: build/log/build.log) ...\n")
 
+    def test_configures_if_the_presets_are_newer(self):
+        self.make_cmake("")
+        presets, ninja = self.root / "CMakePresets.json", self.root / "build/release/build.ninja"
+        ninja.parent.mkdir(parents=True)
+        for path in (presets, ninja, presets):
+            path.touch()
+            self.set_up("build", "2", "tools")
+        configured = [call == "--preset release" for call in self.calls().splitlines()]
+        self.assertEqual(configured, [True, False, False, True, False])
+
     def test_a_failed_build_shows_its_end(self):
         write_program(self.bin / "cmake", "#!/bin/sh\necho error: x\n! [ $1 = --build ]\n")
         done = self.set_up("build", "2", "tools")
