@@ -11,6 +11,9 @@ python=/usr/bin/python3
 [[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME
-[[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1 # Debian's packages, not the user's own
+if [[ -x /usr/bin/snakemake ]]; then
+  export PYTHONNOUSERSITE=1               # Debian's packages, not the user's own
+  export SETUPTOOLS_USE_DISTUTILS=stdlib  # half the time to import Snakemake
+fi
 export PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1
 exec "$python" "$root/recipes/reproduce/__main__.py" "$@"

@@ -72,8 +72,8 @@ def number(value):
 
 def split_unit(name):
     """Quantity and unit of "speed [m/s]"."""
-    quantity, unit = re.fullmatch(r"(.*?)\s*(?:\[(.*)\])?", name).groups()
-    return quantity, unit or ""
+    match = re.fullmatch(r"(.*?)\s*\[(.*)\]", name)
+    return match.group(1, 2) if match else (name, "")
 
 
 def measured_parts(measured):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints claims.json as a table that fits into 100 columns: print_claims.py results/fig3/claims.json"""
+"""Prints claims as a table that fits into 100 columns: print_claims.py results/fig3/claims.json"""
 
 import json
 import signal
@@ -60,12 +60,13 @@ def main(paths):
         except (OSError, json.JSONDecodeError, TypeError, ValueError) as error:
             sys.exit(f"print_claims.py: {path} holds no table of claims ({error}).")
         folder = path.resolve().parent
-        print(f"{folder.name}: {summary(claims) or 'no claims of its own'}")
+        print(f"\n{folder.name}: {summary(claims) or 'no claims of its own'}")
         print()
         if claims:
             print_table(claims)
         if (folder / SUMMARY).exists():
             print((folder / SUMMARY).read_text(encoding="utf-8"))
+        print(f"Pictures and data: {folder}/")
 
 
 if __name__ == "__main__":

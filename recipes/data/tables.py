@@ -2,24 +2,10 @@
 those of sweeps (collect.py), as rows whose cells may be empty."""
 
 import csv
-import os
-from contextlib import contextmanager
-from pathlib import Path
 
 import numpy as np
 
-
-@contextmanager
-def replacing(path):
-    """A temporary path, whose file becomes that of `path` at the end: all or nothing."""
-    path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        yield temporary
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+from data.replacing import replacing
 
 
 def write_table(path, names, rows):

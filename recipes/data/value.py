@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Prints one value of a JSON file, for use in a command: value.py choice.json fast_slow_fast.t
 
-Several names stand for the first of them that has a value: value.py front.json slow.t_to t_rupture.56
+Several names stand for the first of them that has a value:
+
+    value.py front.json slow.t_to t_rupture.56
 """
 
 import json

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Chooses one event of each seed: choose.py CHECKPOINT_EVERY run-02-events.json run-03-events.json ...
+"""Chooses one event of each seed: choose.py CHECKPOINT_EVERY run-02-events.json ...
 
-It is the first of those that count which slows down: of the kind of claim 2A, but at any position and
-any ratio of speeds (events/fronts.py). Few events meet all of claim 2A; whether they do must not decide
-what the other claims are tested on. Prints from where to run it, as choose_events.py does, or null where
-a seed has no such event.
+It is the first of those that count which slows down: of the kind of claim 2A, but at any position
+and any ratio of speeds (events/fronts.py). Few events meet all of claim 2A; whether they do must
+not decide what the other claims are tested on. Prints from where to run it, as choose_events.py
+does, or null where a seed has no such event.
 """
 
 import json
@@ -21,7 +21,7 @@ def chosen(path, checkpoint_every):
 
 
 def name_of(path):
-    return "seed-" + re.search(r"run-(\d\d)-events\.json$", path)[1]
+    return "seed-" + re.findall(r"run-(\d\d)-events\.json$", path)[0]
 
 
 def main(checkpoint_every, *paths):

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""The ensemble, its picture and tables: figure.py results/data results/ensemble run-02-events.json ...
+"""The ensemble, its picture and tables:
+
+    figure.py results/data results/ensemble run-02-events.json ...
 
 Reads the events of each seed, and the claims about the event of each seed that has one
 (events/event_claims.py); compares them with the event that the figures show.
@@ -65,7 +67,8 @@ class Quantity:
 
 def distribution(claim_id, name, numbers, single):
     p5, median, p95 = map(float, np.percentile(numbers, (5, 50, 95)))
-    return Quantity(claim_id, *split_unit(name), len(numbers), median, p5, p95, single)
+    quantity, unit = split_unit(name)
+    return Quantity(claim_id, quantity, unit, len(numbers), median, p5, p95, single)
 
 
 def share(claim_id, name, hits, single):
@@ -253,7 +256,7 @@ def summary(rows, seeds, chosen):
 def main(data, results, *paths):
     data, results = Path(data), Path(results)
     events_by_seed = {
-        re.search(r"run-(\d\d)-", path)[1]: counted(read_events(path)) for path in paths
+        re.findall(r"run-(\d\d)-", path)[0]: counted(read_events(path)) for path in paths
     }
     events = [event for of_seed in events_by_seed.values() for event in of_seed]
     choice = report(data / "ensemble/choice.json")

@@ -41,9 +41,9 @@ def claim_SI(reference, unbreakable):
         acceptance="8.5 +- 0.4 and 5.187 from the one-block relaxation",
         verdict=verdict(accepted),
         note="One block that moves until its force is back each time one of its 100 junctions is"
-        " pinned; means over 1000 blocks. The net slip is the same for all of them (it depends on the"
-        " order of events only); it counts everything until no junction slips any more, later than"
-        " the 2 <t_R> of Eq. S1. The acceptance names no duration.",
+        " pinned; means over 1000 blocks. The net slip is the same for all of them (it depends on"
+        " the order of events only); it counts everything until no junction slips any more, later"
+        " than the 2 <t_R> of Eq. S1. The acceptance names no duration.",
     )
 
 

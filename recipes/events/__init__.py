@@ -1,1 +1,1 @@
-"""Rupture events: which are shown, kinds of fronts, the claims about an event and its continuations."""
+"""Rupture events: which are shown, kinds of fronts, claims about an event and its continuations."""

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Chooses the events that figures show by rule: choose_events.py events.json CHECKPOINT_EVERY
 
-fast-slow-fast is the first event that meets the criteria of claim 2A, fast-only the first that meets
-those of claim 2B (events/fronts.py), second-slow the first after fast-slow-fast that spans the
-interface and has a slow stretch. Each is to be continued from 0.5 ms before its first rupture. Prints,
-per event, that time and the last checkpoint before it.
+fast-slow-fast is the first event that meets the criteria of claim 2A, fast-only the first that
+meets those of claim 2B (events/fronts.py), second-slow the first after fast-slow-fast that spans
+the interface and has a slow stretch. Each is to be continued from 0.5 ms before its first rupture.
+Prints, per event, that time and the last checkpoint before it.
 """
 
 import json

@@ -97,7 +97,8 @@ def claim_3C(slips):
         id="3C",
         paper="fast slip independent of <t_R>, then arrest, then nearly linear slow slip",
         measured=measured | {"largest/smallest fast slip": spread},
-        acceptance="fast slip equal within 10 % for <t_R> x {0.5, 1, 2}; slow part linear, R^2 >= 0.95",
+        acceptance="fast slip equal within 10 % for <t_R> x {0.5, 1, 2}; slow part linear,"
+        " R^2 >= 0.95",
         verdict=verdict(accepted),
     )
 
@@ -128,7 +129,8 @@ def claim_4AB(unmodified, wider, phi_before, phi_after):
             * 1e3,
             "largest relative change of a block's mean": change,
         },
-        acceptance="no slow stretch; the unmodified restart keeps it; block means unchanged to 1e-12",
+        acceptance="no slow stretch; the unmodified restart keeps it; block means unchanged"
+        " to 1e-12",
         verdict=verdict(accepted),
         note="Both start 0.5 ms before the first rupture. Widened: the blocks from 0.25 L on, which"
         " is itself the position of one.",

@@ -17,8 +17,8 @@ def within(value, bounds):
 
 
 def criteria_2A(front, slow_speed=SLOW_SPEED):
-    """Which of the criteria of claim 2A a front with a slow stretch meets, by name; S6A asks for the
-    same with another slow speed."""
+    """Which of the criteria of claim 2A a front with a slow stretch meets, by name; S6A asks for
+    the same with another slow speed."""
     slow = front["slow"]
     fast = {side: slow[side] for side in ("fast_before", "fast_after")}
     return {

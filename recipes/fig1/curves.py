@@ -47,10 +47,11 @@ def claim_1D(events):
             "drops of F_T in them [N]": drops,
             "largest drop in any other event [N]": max(others),
         },
-        acceptance="first events arrest before x = 0.5 L; >= 5 interface-spanning drops by t = 1.2 s",
+        acceptance="first events arrest before x = 0.5 L; >= 5 interface-spanning drops"
+        " by t = 1.2 s",
         verdict=verdict(accepted),
-        note=f"'First events' is read as the first {FIRST}. Of the {len(precursors)} events before the"
-        f" first spanning one, the last stops at {precursors[-1] * 1e3:.1f} mm, 0.5 L being"
+        note=f"'First events' is read as the first {FIRST}. Of the {len(precursors)} events before"
+        f" the first spanning one, the last stops at {precursors[-1] * 1e3:.1f} mm, 0.5 L being"
         f" {0.5 * events[0]['L'] * 1e3:.1f} mm: they grow until one spans. Arrested events go on"
         " between the spanning ones later.",
     )
@@ -79,10 +80,10 @@ def claim_1E(blocks, front):
         acceptance="peak within the rupture +- 0.1 ms",
         verdict=verdict(accepted),
         note="The verdict is that of the block in the middle during the fast-slow-fast event of"
-        " Figure 2. A block ruptures when 70 % of its junctions have broken, and tau/p is largest just"
-        " before. The blocks farther off are in the loading zone, where later loading exceeds it or"
-        " junctions break gradually before the front starts, and where the front is slow or has just"
-        " been.",
+        " Figure 2. A block ruptures when 70 % of its junctions have broken, and tau/p is largest"
+        " just before. The blocks farther off are in the loading zone, where later loading exceeds"
+        " it or junctions break gradually before the front starts, and where the front is slow or"
+        " has just been.",
     )
 
 

@@ -120,7 +120,8 @@ def claim_1F(junctions):
         verdict=verdict(accepted),
         note="Relative to f_thres, over every step of all junctions. Time is discrete: a junction"
         " breaks in the first step in which it would carry more than 0.4 f_N, so that the largest"
-        " force is up to one step's stretch below that; it is zero in the first step at or after t_R.",
+        " force is up to one step's stretch below that; it is zero in the first step at or after"
+        " t_R.",
     )
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Table and claim of Figure 1 G: speeds.py steady-range.json steady-limits.json table.csv claims.json"""
+"""Table and claim of Figure 1 G: speeds.py RANGE.json LIMITS.json table.csv claims.json"""
 
 import sys
 
@@ -30,12 +30,12 @@ def claim_1G(steady, limits):
             "tau/p at 1 nm/s (mu_s/2 = 0.2)": limits["mu"][0],
             "tau/p at 1 km/s (mu_d = 0.17)": limits["mu"][1],
         },
-        acceptance="monotone; within 1 % of renewal theory from 0.1 mm/s to 1 m/s; limits mu_s/2 and"
-        " mu_d",
+        acceptance="monotone; within 1 % of renewal theory from 0.1 mm/s to 1 m/s; limits mu_s/2"
+        " and mu_d",
         verdict=verdict(accepted),
-        note="The law itself is run, without the slider. Renewal theory is derived in docs/tests.md,"
-        " 'Friction at constant speed'. The limits are read at speeds at which theory is within 1e-5"
-        " of them, and held to the same 1 %.",
+        note="The law itself is run, without the slider. Renewal theory is derived in"
+        " docs/tests.md, 'Friction at constant speed'. The limits are read at speeds at which"
+        " theory is within 1e-5 of them, and held to the same 1 %.",
     )
 
 

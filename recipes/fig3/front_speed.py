@@ -169,11 +169,11 @@ def claim(rows, fits, phi):
         acceptance="R^2 >= 0.95 for each model, slopes agree within 20 %",
         verdict=verdict(accepted),
         note=f"Fronts that span, with at least {BLOCKS} measured blocks; v_slow slip (mean) and v_c"
-        " (median) belong to the same blocks and are measured as for 3Ci, in both models. R^2 against"
-        " the mean of v_c. l_0 = 7 mm; full model at sigma-bar = 0.1, for the scaling knows no width"
-        f" of phi: v_c over the scaled slow slip is {ratios(phi, threshold)}. So the two models' factors"
-        " would differ if both had sigma-bar = 0; with the strength that phi leaves in place of"
-        f" tau_thres the full model's is {ratios(phi, strength_of_phi)}.",
+        " (median) belong to the same blocks and are measured as for 3Ci, in both models. R^2"
+        " against the mean of v_c. l_0 = 7 mm; full model at sigma-bar = 0.1, for the scaling knows"
+        f" no width of phi: v_c over the scaled slow slip is {ratios(phi, threshold)}. So the two"
+        " models' factors would differ if both had sigma-bar = 0; with the strength that phi leaves"
+        f" in place of tau_thres the full model's is {ratios(phi, strength_of_phi)}.",
     )
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Figure 3 C, inset, its data and its claim: slow_slip.py PREPARED.csv EVENT.csv FOLDER CLAIMS.json
 
-The measured slow slip of each run: the mean over its blocks, with their extremes (analyze slow-slip).
+The measured slow slip of each run: the mean over its blocks and their extremes (analyze slow-slip).
 A run counts if its front spans and slows down, and at least BLOCKS blocks could be measured.
 """
 
@@ -26,10 +26,10 @@ LABELS = {
     "k_i": "$k_i$ varied",
 }
 WHERE = (
-    "Blocks: prepared, those of the slow stretch but for two at its ends; event, x = 0.2-0.5 L. Time:"
-    " from H/c_s after the block's rupture (or after the front became slow) for <t_R>, or until the"
-    " front leaves its slow stretch if that is earlier (at least <t_R>/2); speed between 20 % and 80 %"
-    " of the slip in this time. R^2 against the mean of the measured values."
+    "Blocks: prepared, those of the slow stretch but for two at its ends; event, x = 0.2-0.5 L."
+    " Time: from H/c_s after the block's rupture (or after the front became slow) for <t_R>, or"
+    " until the front leaves its slow stretch if that is earlier (at least <t_R>/2); speed between"
+    " 20 % and 80 % of the slip in this time. R^2 against the mean of the measured values."
 )
 
 
@@ -113,7 +113,8 @@ def claim(prepared, event, beside):
     x, y = estimate_and_measured(event)
     return Claim(
         id="3Ci",
-        paper="measured slow-slip speed matches 4.2 tau_slip/(k_i <t_R>) as t_R, tau_slip, k_i vary",
+        paper="measured slow-slip speed matches 4.2 tau_slip/(k_i <t_R>) as t_R, tau_slip,"
+        " k_i vary",
         measured={
             "slope": fitted.slope,
             "R^2": fitted.r_squared,
@@ -126,11 +127,12 @@ def claim(prepared, event, beside):
         acceptance="prepared interfaces: fit through origin, R^2 >= 0.95, slope in [0.75, 1.25];"
         " event-based: reported",
         verdict=verdict(fitted.r_squared >= 0.95 and 0.75 <= fitted.slope <= 1.25),
-        note=f"{WHERE} A change of tau_slip alone is nearly a change of units (p and k_i do not depend on"
-        " it). Where k_i varies, the trigger region's prestress makes up for the driving spring, as in"
-        f" the paper. Measured/estimate without that: {beside_text(beside, 'k_i alone')}; with a driving"
-        f" spring as much stiffer as the slider instead: {beside_text(beside, 'k_i and K')}. At other"
-        f" prestresses: {beside_text(beside, 'prestress')}.",
+        note=f"{WHERE} A change of tau_slip alone is nearly a change of units (p and k_i do not"
+        " depend on it). Where k_i varies, the trigger region's prestress makes up for the driving"
+        " spring, as in the paper. Measured/estimate without that:"
+        f" {beside_text(beside, 'k_i alone')}; with a driving spring as much stiffer as the slider"
+        f" instead: {beside_text(beside, 'k_i and K')}. At other prestresses:"
+        f" {beside_text(beside, 'prestress')}.",
     )
 
 

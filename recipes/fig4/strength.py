@@ -74,7 +74,7 @@ def prepared_points(data):
 
 def curves(data):
     """{shape: {sigma_bar: mu_bar_eff}}"""
-    lines = {shape: {} for shape in CURVES}
+    lines: dict[str, dict] = {shape: {} for shape in CURVES}
     for row in read_rows(data / "fig4/strength-curves.csv"):
         lines[row["shape"]][float(row["sigma-bar"])] = float(row["mu_bar_eff"])
     return lines
@@ -260,7 +260,7 @@ def claim_4C(data, points, lines, shown, ensemble):
     measured = {
         "prepared points": len(points),
         "largest deviation of prepared points from the curves": max(
-            map(abs, deviations(points, lines))
+            abs(each) for each in deviations(points, lines)
         ),
         **measure_map(data),
         **measure_events(shown, ensemble, lines),
@@ -273,10 +273,10 @@ def claim_4C(data, points, lines, shown, ensemble):
         acceptance="prepared points within 2 % of the curves; clustering shown and tested"
         " (rank test)",
         verdict=verdict(is_accepted(measured)),
-        note="Prepared: van Elteren's test over the grid points of 4D with strata tau_bar_0; n is the"
-        " number of runs, one per place. Blocks of one event are no independent points: each event"
-        f" gives one share, over pairs with tau_bar_0 in the same bin of {BINS[0]:g}, and n of the test"
-        " over events is the number of events.",
+        note="Prepared: van Elteren's test over the grid points of 4D with strata tau_bar_0; n is"
+        " the number of runs, one per place. Blocks of one event are no independent points: each"
+        f" event gives one share, over pairs with tau_bar_0 in the same bin of {BINS[0]:g}, and n"
+        " of the test over events is the number of events.",
     )
 
 

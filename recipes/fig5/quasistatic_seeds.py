@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Quasi-static fronts over seeds: quasistatic_seeds.py results/data/fig5 02 03 ...
 
-Per seed: mean speed of the tip from its first advance after the dynamic event to its last in the run,
-and the blocks by which it advances when the driving stops at the end of the run.
+Per seed: mean speed of the tip from its first advance after the dynamic event to its last in the
+run, and the blocks by which it advances when the driving stops at the end of the run.
 """
 
 import json

@@ -2,9 +2,10 @@
 """Finds a quasi-static front: quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
 
 Dynamic events are times at which more than half of the blocks rupture within 1 ms. Between the
-first two of them, the tip is the furthest block that has ruptured. What happens within 10 ms (5 t_R)
-of either event belongs to that: single blocks rupture again, or the later event nucleates. Prints when the tip was where, and the checkpoints nearest to
-each tenth of the stretch, where a run with the driving stopped can branch off.
+first two of them, the tip is the furthest block that has ruptured. What happens within 10 ms (5
+t_R) of either event belongs to that: single blocks rupture again, or the later event nucleates.
+Prints when the tip was where, and the checkpoints nearest to each tenth of the stretch, where a run
+with the driving stopped can branch off.
 """
 
 import json
@@ -30,7 +31,7 @@ def read_ruptures(path):
 
 def dynamic_events(time, block, blocks):
     """[start, end] of each dynamic event [s]."""
-    events = []
+    events: list[list[float]] = []
     for start in time:
         within = (time >= start) & (time <= start + WINDOW)
         if len(np.unique(block[within])) <= blocks / 2:

@@ -81,14 +81,15 @@ def claim_S1(unloaded, before, levers):
             "from all moments, with inertia [mm]": levers.centroid(before) * 1e3,
             "sum p/F_N - 1 before the event": before.p.sum() / before.F_N - 1,
         },
-        acceptance="symmetry to 1e-9; sum p = F_N to 1e-9; before event I the centroid of p has moved"
-        " towards the leading edge by F_T h/F_N within 1 %",
+        acceptance="symmetry to 1e-9; sum p = F_N to 1e-9; before event I the centroid of p has"
+        " moved towards the leading edge by F_T h/F_N within 1 %",
         verdict=verdict(accepted),
-        note="Symmetry and the sum of p are judged at F_T = 0, where the slider rests. Event I is the"
-        " fast-slow-fast event of Figure 2, 0.5 ms before its first rupture: h is the height of"
+        note="Symmetry and the sum of p are judged at F_T = 0, where the slider rests. Event I is"
+        " the fast-slow-fast event of Figure 2, 0.5 ms before its first rupture: h is the height of"
         " the driven block. The slider still oscillates a little from earlier events: what the"
         " centroid lacks is the moment of its inertia (and 0.1 % is the displacement of the points"
-        " where forces act); 0.07 % remain, perhaps the damping, which does not act along the bonds.",
+        " where forces act); 0.07 % remain, perhaps the damping, which does not act along the"
+        " bonds.",
     )
 
 

@@ -125,7 +125,8 @@ def claim_S4(wider, phis):
                 distance_from_quantiles(wider, block) for block in changed
             ),
         },
-        acceptance="block means equal; new phi uniform (Kolmogorov-Smirnov p > 0.01 or exact quantiles)",
+        acceptance="block means equal; new phi uniform (Kolmogorov-Smirnov p > 0.01 or"
+        " exact quantiles)",
         verdict=verdict(change <= ROUNDING and min(p_values) > 0.01),
         note="Means over all junctions of a block; the slipping ones keep their force, the others"
         " get the quantiles of the widest uniform distribution that f_thres allows.",

@@ -1,14 +1,14 @@
 """Effective static friction from the definition, written without a look at the tool's formulas.
 
 A block whose junctions carry g_0 + xi, xi distributed as phi on [-a, a], is moved forwards: after a
-stretch d, in the unit of g = (f - f_slip)/(f_thres - f_slip), those that were above 1 - d have broken
-and bear 0, the others bear d more. The mean of g,
+stretch d, in the unit of g = (f - f_slip)/(f_thres - f_slip), those that were above 1 - d have
+broken and bear 0, the others bear d more. The mean of g,
 
     mean(d) = int_{-a}^{min(a, 1 - d - g_0)} (g_0 + xi + d) phi(xi) dxi,
 
-is (tau/p - mu_d)/(mu_s - mu_d), and its largest value is mu-bar. It does not depend on g_0, which only
-shifts d, as long as g_0 + a <= 1: g_0 = 1 - a, the junction that bears most being about to break, has
-its maximum at d >= 0.
+is (tau/p - mu_d)/(mu_s - mu_d), and its largest value is mu-bar. It does not depend on g_0, which
+only shifts d, as long as g_0 + a <= 1: g_0 = 1 - a, the junction that bears most being about to
+break, has its maximum at d >= 0.
 
 Uniform phi: mean = (w - w^2/2)/(2a), where w = 2a - d is what is left of the width; at most 2a, and
 best 1. So mu-bar = 1 - a if 2a <= 1, else 1/(4a); a = sqrt(3) sigma-bar.
@@ -49,7 +49,7 @@ def mean_force(shape, a, g_0, d):
 
 
 def largest_mean_force(shape, sigma_bar):
-    """mu-bar by quadrature and a search over d: the best of a grid, refined between its neighbours."""
+    """mu-bar by quadrature; the best d of a grid is refined between its neighbours."""
     if sigma_bar == 0:
         return 1.0
     a = sigma_bar / sigma_of_unit_width(shape)

@@ -19,8 +19,8 @@ RUNS = {  # run: label, colour, marker
 }
 RATIOS = ("fast before", "fast after")
 TRIED = (
-    " Other seeds, springs constant in time, less bulk damping, longer slipping times and a smaller mu_new"
-    " did not change that (recipes/figS6/README.md, 'What was tried besides')."
+    " Other seeds, springs constant in time, less bulk damping, longer slipping times and a smaller"
+    " mu_new did not change that (recipes/figS6/README.md, 'What was tried besides')."
 )
 
 

@@ -27,7 +27,7 @@ def place_of(row):
 
 def read_map(rows, points):
     """The map of some rows of tables; `points` is the folder with the points' files."""
-    fronts = {}
+    fronts: dict[tuple, dict] = {}
     for row in rows:
         front = report(Path(points) / f"{row['point']}.json").get("front")
         fronts.setdefault(place_of(row), {})[int(row["numerics.seed"])] = front

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Places that a map of front types needs more points at, as the table of another sweep:
 
-map_points.py between MAP.csv OUTPUT                  halfway between neighbours of which one is fast
+map_points.py between MAP.csv OUTPUT                  halfway between two, of which one is fast
 map_points.py boundary MAP.csv [BETWEEN.csv] OUTPUT   next to another type, given the former, too
 """
 

@@ -42,8 +42,9 @@ def draw_pinned_scale(figure, image, axes):
 
 
 def draw_front_speeds(axes, fronts, looks):
-    """Front speed against position. `fronts` holds reports of `analyze front` by name, `looks` label,
-    colour and marker by the same names. Grey: the loading zone, in which speeds do not count."""
+    """Front speed against position. `fronts` holds reports of `analyze front` by name, `looks`
+    label, colour and marker by the same names. Grey: the loading zone, in which speeds do not
+    count."""
     for name, (label, colour, marker) in looks.items():
         front = fronts[name]
         v_c = values(front["v_c"])

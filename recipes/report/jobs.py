@@ -32,7 +32,7 @@ def total(jobs):
 
 def steps(jobs):
     """Jobs by rule, in the order in which the rules came first."""
-    by_rule = {}
+    by_rule: dict[str, list] = {}
     for job in jobs:
         by_rule.setdefault(job.rule, []).append(job)
     return [Step(rule, rule_jobs) for rule, rule_jobs in by_rule.items()]
@@ -40,7 +40,7 @@ def steps(jobs):
 
 def read_accounts(path):
     """{output: what is noted of the job that made it last}"""
-    accounts = {}
+    accounts: dict[str, dict] = {}
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for line in lines:
         try:

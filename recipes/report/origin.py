@@ -28,7 +28,7 @@ def written_by(path):
 
 def builds(root, files):
     """How many of the checkpoints and records each build has written."""
-    counts = Counter()
+    counts: Counter[str] = Counter()
     for name in files:
         path = Path(root) / name
         if name.startswith("results/") and path.suffix == ".h5" and path.exists():

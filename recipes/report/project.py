@@ -41,7 +41,8 @@ class Readme:
 
 def commands_in(lines):
     """The indented code blocks."""
-    blocks, block = [], []
+    blocks: list[str] = []
+    block: list[str] = []
     for line in [*lines, "end"]:
         if line.startswith("    ") or (block and not line.strip()):
             block.append(line[4:].rstrip())

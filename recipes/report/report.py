@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes results/index.html, one page with all figures and claims: report.py [FOLDER OF THE PROJECT]
+"""Writes results/index.html, one page with all figures and claims: report.py [PROJECT'S FOLDER]
 
 Shows what is there and says how to compute the rest. Needs results/NAME/ of any number of recipes.
 """
@@ -142,7 +142,7 @@ def ensemble_by_id(root, listed):
     path = root / "results/ensemble/ensemble.json"
     if not path.exists():
         return {}
-    found = {claim.id: [] for claim in listed}
+    found: dict[str, list] = {claim.id: [] for claim in listed}
     try:
         for row in json.loads(path.read_text(encoding="utf-8")):
             keys = ("quantity", "unit", "n", "median", "p5", "p95", "single")

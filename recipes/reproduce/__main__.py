@@ -4,6 +4,7 @@ import os
 import shutil
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 from reproduce import checks, compute
@@ -57,7 +58,7 @@ def report(_, processes):
     return compute.write_report(processes)
 
 
-RUN = {
+RUN: dict[str, Callable] = {
     "recipes": recipes,
     "all": everything,
     "sweep": compute.run_sweep,

@@ -1,4 +1,4 @@
-"""Tests of the programs, and looking for faults in the sources: ./reproduce.sh test, check, tidy."""
+"""Tests of the programs, and checks of the sources: ./reproduce.sh test, check, tidy."""
 
 import subprocess
 from pathlib import Path
@@ -11,6 +11,11 @@ CPPCHECK = (
     " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"
     " -I include -I src -I src/tools -I tests -I tests/tools"
 ).split()
+PYTHON_CHECKS = {
+    "black --check --diff --quiet recipes tests": "black would change this (black FILE).",
+    "flake8 recipes tests": "flake8 found the faults above (.flake8 has what it may not say).",
+    "mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is run).",
+}
 SHELL_SCRIPTS = (
     *("reproduce.sh", ".ci/run", "src/tools/rupture-golden", "recipes/*/*.sh"),
     *("recipes/profiles/*/job.sh", "recipes/profiles/*/step", "tests/*/*.sh"),
@@ -70,6 +75,13 @@ def check_format(processes):
         raise Failure("clang-format would change the files above (clang-format -i FILE).")
 
 
+def check_python(processes):
+    """By Debian's programs: other versions may demand another layout."""
+    for command, sentence in PYTHON_CHECKS.items():
+        if processes.run(f"/usr/bin/{command}".split()):
+            raise Failure(sentence)
+
+
 def check_shell(processes):
     files = [str(path) for pattern in SHELL_SCRIPTS for path in sorted(Path(".").glob(pattern))]
     if processes.run(["shellcheck", *files]):
@@ -77,9 +89,10 @@ def check_shell(processes):
 
 
 def check_sources(request, processes):
-    """The compiler sees the headers of libraries; without them cppcheck takes seconds, not minutes."""
+    """Without the headers of libraries, which the compiler sees, cppcheck takes seconds."""
     ensure_packages(processes, "run", "check")
     check_format(processes)
+    check_python(processes)
     check_shell(processes)
     if processes.run(
         [*CPPCHECK, "-j", str(request.cores), "include", "src", "tests", "benchmarks"]
@@ -89,7 +102,7 @@ def check_sources(request, processes):
 
 
 def tidy_sources(request, processes):
-    """Of what clang-tidy says, the counts of what it found in the headers of libraries are left out."""
+    """The counts of what clang-tidy found in the headers of libraries are left out."""
     ensure_packages(processes, "run", "check")
     set_up(processes, "configure", "check")
     files = "\n".join(path for path in sources(".cpp") if path.startswith("src/"))

@@ -87,11 +87,11 @@ class Request:
 
     command: str  # of COMMANDS, or `recipes`
     recipes: list
-    file: Path  # of a sweep, or None
+    file: Path | None  # of a sweep
     dry_run: bool
     from_scratch: bool
     profile: Path
-    programs: Path  # None: those that are built here
+    programs: Path | None  # None: those that are built here
     cores: int
 
 
@@ -127,8 +127,8 @@ def programs_at(text, caller):
     folder = caller / text
     if not text or not os.access(folder / "load", os.X_OK):
         raise UsageError(
-            f"--programs '{text}' is no folder with rupture's programs: {folder}/load does not exist."
-            " See --help."
+            f"--programs '{text}' is no folder with rupture's programs: {folder}/load does not"
+            " exist. See --help."
         )
     return folder
 

@@ -62,13 +62,11 @@ def note_run(recipes, place, started):
         print(json.dumps(run), file=file)
 
 
-def print_claims(recipe):
-    say()
-    script = "recipes/claims/print_claims.py"
-    command = [sys.executable, script, RESULTS / recipe / "claims.json"]
+def print_claims(recipes):
+    tables = [RESULTS / recipe / "claims.json" for recipe in recipes]
+    command = [sys.executable, "recipes/claims/print_claims.py", *tables]
     if subprocess.run(command, check=False).returncode:
-        raise Failure(f"the claims of {recipe} cannot be shown.")
-    say(f"Pictures and data: {ROOT / RESULTS / recipe}/")
+        raise Failure(f"the claims of {' '.join(recipes)} cannot be shown.")
 
 
 def reproduce(request, recipes, processes):
@@ -82,8 +80,7 @@ def reproduce(request, recipes, processes):
             f"{names} could not be completed; the message above says why (log: {LOGS}/recipes.log)."
         )
     note_run(recipes, place, started)
-    for recipe in recipes:
-        print_claims(recipe)
+    print_claims(recipes)
 
 
 def run_sweep(request, processes):

@@ -7,7 +7,12 @@ import contextlib
 import io
 import sys
 
-from snakemake import main as run_snakemake
+# Snakemake asks smart_open whether a path is one of a cloud. It would import the packages of all
+# clouds that are installed, which takes as long as planning; with None, they are not.
+for cloud in ("azure", "boto3", "paramiko"):
+    sys.modules[cloud] = None  # type: ignore  # Python's manual allows it
+
+from snakemake import main as run_snakemake  # noqa: E402
 
 STAGES = ("start", "refine")  # recipes/Snakefile
 
@@ -21,23 +26,39 @@ def snakemake(*arguments):
     return 0
 
 
-def missing_files(targets, options):
-    """Files that are gone although what was made from them is not, as after an interrupted run.
-    Snakemake would take the older results for finished. None if it cannot plan."""
+def plan(targets, options):
+    """(file, state, what to do) of all files behind the targets; None if it cannot plan."""
     table = io.StringIO()
     with contextlib.redirect_stdout(table):
         if snakemake(*targets, "--summary", *options):
             return None
     rows = (line.split("\t") for line in table.getvalue().splitlines()[1:])
-    return [row[0] for row in rows if row[5:7] == ["missing", "no update"]]
+    return [(row[0], *row[5:7]) for row in rows]
+
+
+def is_done(rows):
+    return all(state != "missing" and to_do == "no update" for _, state, to_do in rows)
+
+
+def missing_files(rows):
+    """Files that are gone although what was made from them is not, as after an interrupted run.
+    Snakemake would take the older results for finished."""
+    return [path for path, state, to_do in rows if (state, to_do) == ("missing", "no update")]
 
 
 def compute(targets, options):
+    """One plan shows whether there is anything to do. If so, each stage needs a plan of its own."""
+    rows = plan([*STAGES, *targets], options)
+    if rows is None:
+        return 1
+    if is_done(rows):
+        print("Nothing is to be computed: all results are up to date.")
+        return 0
     for stage in STAGES:
         if code := snakemake(stage, *options):
             return code
-    missing = missing_files(targets, options)
-    return 1 if missing is None else snakemake(*targets, *missing, *options)
+    rows = plan(targets, options)
+    return 1 if rows is None else snakemake(*targets, *missing_files(rows), *options)
 
 
 def main(*words):

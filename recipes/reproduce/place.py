@@ -43,13 +43,13 @@ class Allocation:
     def __init__(self, profile, environment):
         if "SLURM_JOB_ID" not in environment:
             raise Failure(
-                f"the profile {profile.name} computes in an allocation of SLURM; give the command to"
-                " sbatch or salloc, as docs/cluster.md says"
+                f"the profile {profile.name} computes in an allocation of SLURM; give the command"
+                " to sbatch or salloc, as docs/cluster.md says"
             )
         if INSIDE_STEP.fullmatch(environment.get("SLURM_STEP_ID", "")):
             raise Failure(
-                "inside a step of a job (srun), further steps would wait for its cores for ever; use"
-                " the usual profile here, or salloc or sbatch."
+                "inside a step of a job (srun), further steps would wait for its cores for ever;"
+                " use the usual profile here, or salloc or sbatch."
             )
         self.name = f"in job {environment['SLURM_JOB_ID']} of SLURM"
         self.cores = count_cores(environment["SLURM_JOB_CPUS_PER_NODE"])

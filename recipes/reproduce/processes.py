@@ -1,8 +1,8 @@
 """Programs that ./reproduce.sh starts, of which nothing is to be left behind.
 
-Each has a process group of its own. A signal to ./reproduce.sh is passed on to the group. A guard, which
-outlives ./reproduce.sh, ends the group if ./reproduce.sh was killed, and holds the lock of the folder until
-then. So the next call can wait for that.
+Each has a process group of its own. A signal to ./reproduce.sh is passed on to the group. A guard,
+which outlives ./reproduce.sh, ends the group if ./reproduce.sh was killed, and holds the lock of
+the folder until then. So the next call can wait for that.
 """
 
 import fcntl
@@ -19,7 +19,7 @@ LOCK = "build/.lock"
 SIGNALS = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
 WAIT_FOR_GUARD = 30.0  # [s]
 
-# Reads the number of the group that runs, or an empty line; the end of its input is that of ./reproduce.sh.
+# Reads the number of the group that runs, or an empty line. Its input ends with ./reproduce.sh.
 GUARD = """\
 while read -r line; do group=$line; done
 [ -n "$group" ] || exit 0
@@ -37,6 +37,13 @@ def is_running(number):
     except PermissionError:
         pass  # it is another user's
     return True
+
+
+def end_group(group, number):
+    try:
+        os.killpg(group, number)
+    except ProcessLookupError:
+        pass
 
 
 def take_lock(lock):
@@ -73,7 +80,11 @@ class Processes:
         self.lock = open_lock()
         self.take_turn()
         self.guard = subprocess.Popen(
-            ["sh", "-c", GUARD], stdin=subprocess.PIPE, start_new_session=True, pass_fds=[self.lock]
+            ["sh", "-c", GUARD],
+            stdin=subprocess.PIPE,
+            start_new_session=True,
+            pass_fds=[self.lock],
+            text=True,
         )
         for number in SIGNALS:
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup
@@ -113,17 +124,10 @@ class Processes:
             return  # run() will see it
         if self.group is None:
             sys.exit(128 + self.received)
-        self.end_group(signal.SIGINT if is_first else signal.SIGKILL)
-
-    def end_group(self, number):
-        try:
-            os.killpg(self.group, number)
-        except ProcessLookupError:
-            pass
+        end_group(self.group, signal.SIGINT if is_first else signal.SIGKILL)
 
     def tell_guard(self, text):
-        self.guard.stdin.write(f"{text}\n".encode())
-        self.guard.stdin.flush()
+        print(text, file=self.guard.stdin, flush=True)
 
     def run(self, command, **options):
         """The exit code of a program. What it has left running is ended with it."""
@@ -139,12 +143,12 @@ class Processes:
             self.tell_guard(process.pid)
             self.is_starting = False
             if self.received:
-                self.end_group(signal.SIGINT)
+                end_group(process.pid, signal.SIGINT)
             code = process.wait()
         if self.received:
             sys.exit(128 + self.received)  # and the guard looks after what is left
         if code:
-            self.end_group(signal.SIGINT)
+            end_group(process.pid, signal.SIGINT)
         else:
             self.tell_guard("")
         self.group = None

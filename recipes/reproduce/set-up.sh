@@ -84,8 +84,9 @@ run_build() {
       '/\] (Building|Linking)/ && !said { print "Building (log: " path ") ..."; fflush(); said = 1 }'
 }
 
+# If another file than the presets has changed, Ninja configures by itself.
 build() {
-  configure release
+  [[ build/release/build.ninja -nt CMakePresets.json ]] || configure release
   run_build "$@" || {
     tail -n 60 "$logs/build.log" >&2
     die "The build failed; the whole output is in $PWD/$logs/build.log."

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Exponential slipping times, events and claim:
-exponential.py EVENTS.json FRONT.json FRONT_WITH_EXPONENTIAL_TIMES.json results/robustness CLAIMS.json"""
+
+    exponential.py EVENTS.json FRONT.json FRONT_WITH_EXPONENTIAL_TIMES.json FOLDER CLAIMS.json
+"""
 
 import sys
 from pathlib import Path
@@ -15,10 +17,10 @@ from events.fronts import criteria_2A, has_slow_stretch, is_fast_only, is_fast_s
 from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, save
 
 NOTE = (
-    "Slow stretches are as slow as in the reference run, but begin next to the loading zone: no fast front"
-    " precedes them. What differs is the interface that earlier events leave, not the front: the event of"
-    " Figure 2 is also continued with exponential times, from the moment when its front is at 0.14 L. The"
-    " verdict is that of the run with exponential times throughout."
+    "Slow stretches are as slow as in the reference run, but begin next to the loading zone: no"
+    " fast front precedes them. What differs is the interface that earlier events leave, not the"
+    " front: the event of Figure 2 is also continued with exponential times, from the moment when"
+    " its front is at 0.14 L. The verdict is that of the run with exponential times throughout."
 )
 COLUMNS = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]
 

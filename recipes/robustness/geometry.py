@@ -42,7 +42,8 @@ def measured(name, fronts):
     types = types_of(fronts)
     columns = {sigma: column(types, sigma) for sigma in axes_of(types)[1]}
     return {
-        f"{name}: sigma_bar in order": f"{sum(map(is_in_order, columns.values()))} of {len(columns)}",
+        f"{name}: sigma_bar in order": f"{sum(map(is_in_order, columns.values()))}"
+        f" of {len(columns)}",
         f"{name}: of these with all three types": sum(
             is_in_order(kinds) and set(kinds) == set(TYPES) for kinds in columns.values()
         ),
@@ -70,8 +71,8 @@ def claim_Geo(maps):
         measured={k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()},
         acceptance="4D's order of regions holds for L x {0.75, 1.5} and two tau_bar_trigger",
         verdict=verdict(all(map(is_accepted, maps.values()))),
-        note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar, with"
-        " all three at two or more. Block spacing and mass, p per block, H, h and the trigger"
+        note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar,"
+        " with all three at two or more. Block spacing and mass, p per block, H, h and the trigger"
         " region's length are kept, so N_x = 43 and 85, M and F_N in proportion to N_x.",
     )
 

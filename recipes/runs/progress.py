@@ -1,7 +1,7 @@
 """What Snakemake says on the terminal: one line per step, and everything about a failure.
 
-Snakemake calls log_handler() with each of its messages. Each command also goes to the log file, and what
-was done, by which command and in which time, to results/jobs.jsonl, for the report.
+Snakemake calls log_handler() with each of its messages. Each command also goes to the log file, and
+what was done, by which command and in which time, to results/jobs.jsonl, for the report.
 """
 
 import json
@@ -16,7 +16,7 @@ JOBS = Path("results/jobs.jsonl")
 LAST_LINES = 30
 COLLECTING = ("all", "refine", "start", "sweep")  # rules that make nothing themselves
 START = time.monotonic()
-steps = {"started": 0, "total": "?"}
+steps: dict = {"started": 0, "total": "?"}
 jobs = {}  # number: what is known of a job that runs
 
 

@@ -1,1 +1,1 @@
-"""Sweeps: their files, points and batches; a user's own sweep from the file to its table and picture."""
+"""Sweeps: files, points and batches; a user's own sweep from its file to its table and picture."""

@@ -3,16 +3,17 @@
 
     batch.py FOLDER_OF_TOOLS SWEEP.ini POINTS_FOLDER CODE OUTPUT ID...
 
-Each point is kept when it is done (point_store.py), so a batch that is interrupted goes on where it was,
-and points that are there are not computed again. A point that crashes does not keep the others from
-being computed. OUTPUT is written when all are there: a line for each, with a digest of its result.
+Each point is kept when it is done (point_store.py), so a batch that is interrupted goes on where it
+was, and points that are there are not computed again. A point that crashes does not keep the others
+from being computed. OUTPUT is written when all are there: a line for each, with a digest of its
+result.
 """
 
 import json
 import signal
 import sys
 
-from data.tables import replacing
+from data.replacing import replacing
 from sweeps.point import INTERRUPTIONS, Crash, compute
 from sweeps.point_store import PointStore, digest
 from sweeps.sweep import read_sweep

@@ -27,9 +27,12 @@ def unit_of_quantity(path, commands, names):
 
 def settle_columns(table, commands, names):
     """{name: path} and {name: unit}. A heading may repeat the unit, as in `speed [m/s]`."""
-    columns, units = {}, {}
+    columns: dict[str, str] = {}
+    units: dict[str, str] = {}
     for heading, path in table.items():
-        name, stated = HEADING.fullmatch(heading).group("name", "unit")
+        parts = HEADING.fullmatch(heading)
+        assert parts  # as of any text
+        name, stated = parts.group("name", "unit")
         unit = unit_of_quantity(path, commands, names)
         if stated not in (None, unit):
             raise SweepError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")

@@ -17,8 +17,8 @@ def megabytes(text):
     """A positive number of them."""
     match = re.fullmatch(r"([0-9.]+)\s*([A-Za-z]+)", text)
     try:
-        number = math.ceil(float(match[1]) * MEGABYTES[match[2]])
-    except (TypeError, KeyError, ValueError):
+        number = math.ceil(float(match[1]) * MEGABYTES[match[2]]) if match else 0
+    except (KeyError, ValueError):
         number = 0
     if number < 1:
         raise ValueError(

@@ -25,8 +25,8 @@ def plain(text):
 
 @dataclass(frozen=True)
 class Axis:
-    """A quantity along an axis: numbers; or texts, first those of fronts from arrested to fast, then
-    others in the order in which they appear."""
+    """A quantity along an axis: numbers; or texts, first those of fronts from arrested to fast,
+    then others in the order in which they appear."""
 
     label: str
     positions: np.ndarray  # of each point
@@ -200,9 +200,9 @@ def draw(stem, sweep, columns):
     fig, all_axes = panels(len(sweep.columns))
     for axes, name in zip(all_axes, sweep.columns):
         if len(varied) == 1:
-            draw_line(axes, *over, axis_of(by_name[name]), done)
+            draw_line(axes, over[0], axis_of(by_name[name]), done)
         else:
-            draw_map(fig, axes, *over, axis_of(by_name[name]), done)
+            draw_map(fig, axes, over[0], over[1], axis_of(by_name[name]), done)
     note = "" if done.all() else f" ({'crosses' if len(varied) == 1 else 'hatched'}: not done)"
     fig.suptitle(plain(sweep.title) + note, fontsize=8)
     save(fig, stem)

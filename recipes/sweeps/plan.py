@@ -1,9 +1,9 @@
 """Plans a user's sweep.
 
 Checks the file, expands its short form and writes RESULTS/sweeps/NAME/NAME.ini, which Snakemake and
-report.py read. In it, all is settled that is not in the file itself: the base is a copy that is named
-after its content, so that a point's name follows from that; a table of points is a copy, too; every
-column has a unit.
+report.py read. In it, all is settled that is not in the file itself: the base is a copy that is
+named after its content, so that a point's name follows from that; a table of points is a copy, too;
+every column has a unit.
 """
 
 import configparser
@@ -12,12 +12,12 @@ import subprocess
 from contextlib import contextmanager
 from pathlib import Path
 
-from data.tables import replacing
+from data.replacing import replacing
 from sweeps.columns import check_values, settle_columns, units_of_values
 from sweeps.expand import expand
 from sweeps.form import check_command, check_form, check_given_once, check_name, check_needed
 from sweeps.names import names_of
-from sweeps.sweep import SweepError, is_values, parse_ini, sentence_of, sweep_of
+from sweeps.sweep import SweepError, empty_ini, is_values, parse_ini, sentence_of, sweep_of
 
 
 @contextmanager
@@ -81,8 +81,7 @@ def long_form(ini, names):
 
 
 def parser_of(sections):
-    ini = configparser.ConfigParser(interpolation=None, delimiters=("=",))
-    ini.optionxform = str
+    ini = empty_ini()
     ini.read_dict(sections)
     return ini
 
@@ -118,7 +117,7 @@ def make_plan(path, names, tools, results):
 
 
 def plan_sweep(path, tools, results):
-    """The path of the plan. What cannot be understood is a SweepError with the file and one sentence."""
+    """The path of the plan. Raises SweepError, with the file and one sentence."""
     try:
         return make_plan(path, names_of(tools), tools, results)
     except (OSError, ValueError, configparser.Error) as error:

@@ -1,8 +1,8 @@
 """Computes one point of a sweep (sweep.py).
 
-Its commands run one after the other in an empty folder, which is deleted at the end. The result has the
-commands, the checksum of every file that they wrote, what those with --json reported, under their
-names, and a status: done, or failed with the tool's sentence.
+Its commands run one after the other in an empty folder, which is deleted at the end. The result has
+the commands, the checksum of every file that they wrote, what those with --json reported, under
+their names, and a status: done, or failed with the tool's sentence.
 """
 
 import json
@@ -24,7 +24,7 @@ class Crash(Exception):
 
 
 def arguments_of(command, base):
-    """With the base as a path from anywhere. Programs that write files note their checksums, too."""
+    """The base is a path from anywhere. Programs that write files note their checksums, too."""
     words = [os.path.abspath(word) if word == base else word for word in shlex.split(command)]
     asks_for_sum = words[0] in WRITERS and "--sum" not in words
     return [*words, "--sum"] if asks_for_sum else words

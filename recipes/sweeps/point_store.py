@@ -1,8 +1,8 @@
 """Results of points that have been computed: results/data/points/ID.json.
 
-Beside the result such a file has its `origin`: a digest of the sources (or programs), of point.py and of
-the base that it was computed with. A point whose file has another one is computed again. While a point could not
-be computed because its process crashed, ID.why says how.
+Beside the result such a file has its `origin`: a digest of the sources (or programs), of point.py
+and of the base that it was computed with. A point whose file has another one is computed again.
+While a point could not be computed because its process crashed, ID.why says how.
 """
 
 import hashlib
@@ -10,7 +10,7 @@ import json
 from functools import cache
 from pathlib import Path
 
-from data.tables import replacing
+from data.replacing import replacing
 
 
 COMPUTED_BY = Path(__file__).with_name("point.py").read_text(encoding="utf-8")

@@ -1,7 +1,7 @@
 """Collects the points of a user's sweep that there are.
 
-Writes NAME.csv, NAME.h5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan, and
-prints what came out. A point that is not there is `unfinished`.
+Writes NAME.csv, NAME.h5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan,
+and prints what came out. A point that is not there is `unfinished`.
 """
 
 import os
@@ -72,7 +72,7 @@ def print_summary(sweep, table, computed):
 
 
 def picture(stem, sweep, columns):
-    """What came out, in a line: of a picture that cannot be drawn, why. The table is there already."""
+    """A line that says why the picture cannot be drawn, if so. The table is there already."""
     try:
         no_picture = draw(stem, sweep, columns)
     except Exception as error:  # of Matplotlib, any

@@ -135,7 +135,8 @@ def rows_of(path):
     for number, cells in lines:
         if len(cells) != len(names):
             raise SweepError(
-                f"{path}, line {number}: the number of cells is {len(cells)}, in the first line {len(names)}"
+                f"{path}, line {number}: the number of cells is {len(cells)},"
+                f" in the first line {len(names)}"
             )
     return [{name: [cell] for name, cell in zip(names, cells)} for _, cells in lines]
 
@@ -164,7 +165,7 @@ def combinations(ini):
 
 
 def batches_of(points):
-    """Points that one job computes. Neighbours, which take about the same time, go to different jobs."""
+    """The points of each job. Neighbours, which take about the same time, go to different jobs."""
     size = min(LARGEST_BATCH, math.ceil(len(points) / BATCHES))
     count = math.ceil(len(points) / size) if points else 0
     return [points[number::count] for number in range(count)]
@@ -188,11 +189,17 @@ def varied_in(products, points):
     ]
 
 
-def parse_ini(path):
+def empty_ini():
+    """Names in it are case-sensitive."""
     ini = configparser.ConfigParser(
         interpolation=None, delimiters=("=",), inline_comment_prefixes=("#", ";")
     )
-    ini.optionxform = str  # names are case-sensitive
+    ini.optionxform = str  # type: ignore  # it is a method, replaced as configparser's manual says
+    return ini
+
+
+def parse_ini(path):
+    ini = empty_ini()
     try:
         with open(path, encoding="utf-8-sig") as file:
             ini.read_file(file)

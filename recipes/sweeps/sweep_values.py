@@ -4,9 +4,10 @@ import ast
 import math
 import operator
 import re
+from collections.abc import Callable
 
 RANGE = re.compile(r"(?P<first>\S+)\s+to\s+(?P<last>\S+)(\s+(?P<how>by|in)\s+(?P<number>\S+))?")
-OPERATORS = {
+OPERATORS: dict[type, Callable] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
-from data.tables import replacing, write_table
+from data.replacing import replacing
+from data.tables import write_table
 
 
 @dataclass(frozen=True)

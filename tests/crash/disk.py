@@ -1,4 +1,4 @@
-"""A folder as a disk keeps it: what is on it for certain, and what a power cut may leave of the rest.
+"""A folder as a disk keeps it: what is there for certain, and what a power cut may leave of it.
 
 The model is the one of POSIX, stricter than any usual file system: bytes are on the disk once their
 file was synced, names once their folder was. Until then each new name, rename and removal may have

@@ -1,4 +1,4 @@
-"""Each call of a tool that touches a file fails in turn: full disks, quotas, broken disks, limits."""
+"""Each call of a tool that touches a file fails in turn: full or broken disks, quotas, limits."""
 
 import errno
 import os
@@ -14,7 +14,6 @@ from scenario import (
     log_of,
     main,
     new_state,
-    run,
     run_with_fault,
     scenarios,
     sums,
@@ -35,7 +34,7 @@ def errors_at(number):
 
 class Failure(unittest.TestCase):
     def check(self, scenario, outcome, files, error):
-        """Either nobody needs the call that failed, or the tool says what happened and tidies up."""
+        """Either the failed call was not needed, or the tool says what happened and tidies up."""
         said = outcome.stderr.splitlines(keepends=True)
         notes = [line for line in said if line.startswith("not used to resume: ")]
         outcome.stderr = "".join(line for line in said if line not in notes)
@@ -53,7 +52,7 @@ class Failure(unittest.TestCase):
     def test_of_any_call_is_reported_and_leaves_complete_files(self):
         failures = failed = next_runs = 0
         for scenario in scenarios():
-            seen = set()
+            seen: set = set()
             for number, line in enumerate(log_of(scenario), 1):
                 for fault, error in errors_at(number):
                     with self.subTest(scenario.name, call=line[:60], number=number, fault=fault):

@@ -1,4 +1,4 @@
-"""A tool is killed at each call by which a disk can change, before it and in the middle of a write."""
+"""A tool is killed at each call by which a disk can change, also in the middle of a write."""
 
 import signal
 import unittest
@@ -31,7 +31,7 @@ class Kill(unittest.TestCase):
     def test_at_any_call_leaves_complete_files_and_the_next_run_succeeds(self):
         kills = next_runs = 0
         for scenario in scenarios():
-            seen = set()
+            seen: set = set()
             for number, fault in moments(log_of(scenario)):
                 with self.subTest(scenario.name, call=number, fault=fault):
                     kills += 1

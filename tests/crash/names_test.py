@@ -1,4 +1,4 @@
-"""A run whose files have names like words of a command is interrupted, resumed as it says, and complete."""
+"""A run whose files are named like words of a command is interrupted, and resumed as it says."""
 
 import re
 import shlex
@@ -68,7 +68,7 @@ class Names(unittest.TestCase):
                 told = re.fullmatch(
                     r"load: interrupted, and saved as (.+\.h5); to go on: (.+)\n", err
                 )
-                self.assertTrue(told, err)
+                assert told, err
                 self.assertIn(told[1], folder.files())
                 self.assertIn("wrote ", out)
                 self.assertEqual(

@@ -1,4 +1,4 @@
-"""The power fails after any call of a tool: whatever the disk kept, files are complete and verify."""
+"""The power fails after any call of a tool: whatever the disk kept, its files are complete."""
 
 import re
 import unittest
@@ -30,7 +30,7 @@ class PowerCut(unittest.TestCase):
         for scenario in scenarios():
             with self.subTest(scenario.name):
                 disk = Disk(scenario.old)
-                seen = set()
+                seen: set = set()
                 for number, line in enumerate(log_of(scenario), 1):
                     disk.replay(line)
                     for files in disk.after_power_cut():
@@ -58,7 +58,7 @@ class PowerCut(unittest.TestCase):
         with Folder(scenario.new) as folder:
             whole = readable_rows(folder.path, "r.h5")
         disk = Disk(scenario.old)
-        seen = set()
+        seen: set = set()
         for line in log_of(scenario):
             disk.replay(line)
             for files in disk.after_power_cut():

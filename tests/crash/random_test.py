@@ -12,6 +12,7 @@ from scenario import (
     CONFIGS,
     Folder,
     LONG,
+    Scenario,
     faults_in_files,
     made,
     main,
@@ -21,8 +22,8 @@ from scenario import (
 )
 
 LOAD = (
-    "load --config driven.ini --until 2e-3 --checkpoint-every 1e-4 --record r.h5 --record-every 2e-6"
-    " -o b.h5 --sum"
+    "load --config driven.ini --until 2e-3 --checkpoint-every 1e-4 --record r.h5"
+    " --record-every 2e-6 -o b.h5 --sum"
 )
 RESUME = LOAD + " --resume"
 TIMES = 500 if LONG else 40
@@ -33,6 +34,10 @@ def newest_checkpoint(files):
 
 
 class Random(unittest.TestCase):
+    whole: Scenario
+    seconds: float
+    rows: list
+
     @classmethod
     def setUpClass(cls):
         begin = {name: text.encode() for name, text in CONFIGS.items()}
@@ -44,7 +49,7 @@ class Random(unittest.TestCase):
             cls.rows = readable_rows(folder.path, "r.h5")
 
     def interrupt(self, folder, command, number, moments):
-        """Runs the command, sends it a signal at a random moment; returns its end and last words."""
+        """Sends the command a signal at a random moment; returns its end and last words."""
         process = subprocess.Popen(
             [BIN / command.split()[0], *command.split()[1:]],
             cwd=folder.path,

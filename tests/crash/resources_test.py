@@ -6,6 +6,7 @@ import resource
 import shutil
 import subprocess
 import unittest
+from functools import partial
 
 from scenario import Folder, TEMPORARY, faults_in_files, faults_of_failure, main, run, scenarios
 
@@ -77,7 +78,7 @@ class Resources(unittest.TestCase):
         for scenario in scenarios():
             largest = max(map(len, scenario.new.values()))
             for most in (0, 1, 70, 80, 512, largest // 2, largest - 1, largest, 3 * largest):
-                limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+                limit = partial(resource.setrlimit, resource.RLIMIT_FSIZE, (most, most))
                 with self.subTest(scenario.name, most=most), Folder(scenario.old) as folder:
                     outcome = run(scenario.command, folder.path, {"preexec_fn": limit})
                     codes.add(self.check(scenario, outcome, folder, errno.EFBIG))

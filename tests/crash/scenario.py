@@ -97,7 +97,7 @@ def without_temporaries(files):
 
 
 def made(name, command, old):
-    """The scenario of a command; its files are checked here, so that later ones need only be equal."""
+    """The scenario of a command. Its files are checked here: later ones need only be equal."""
     with Folder(old) as folder:
         folder.must_run(command)
         new = folder.files()
@@ -152,7 +152,7 @@ def killed_late(scenario):
 
 
 def faults_in_files(scenario, files):
-    """What is wrong with a folder in which the scenario's command was interrupted; [] if nothing."""
+    """The faults of a folder in which the scenario's command was interrupted."""
     faults = []
     for name, data in sorted(without_temporaries(files).items()):
         if is_part(name):

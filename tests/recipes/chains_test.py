@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The chains of commands in the recipes' READMEs are those that the rules run.
 
-A command by hand has the program, the options and the values of one that Snakemake would run, or that a
-point of a sweep runs. It may leave out what only concerns files, and what is a default."""
+A command by hand has the program, the options and the values of one that Snakemake would run, or
+that a point of a sweep runs. It may leave out what only concerns files, and what is a default."""
 
 import importlib.util
 import json
@@ -24,7 +24,7 @@ from sweeps.sweep import is_sweep, read_sweep  # noqa: E402  (found through the 
 BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
-# What a rule may say besides: checkpoints for later steps, and which event, where a record has one only.
+# A rule may also ask for checkpoints for later steps, and name the only event of a record.
 UNSAID = ("--event", "--checkpoint-every")
 # Commands that no rule runs: the scripts read these records themselves.
 ONLY_BY_HAND = ("analyze loading --x",)
@@ -69,7 +69,7 @@ def planned(folder):
 
 
 def of_sweeps():
-    """Without those whose table of points is made by rules; they are like those of the other sweeps."""
+    """Without those whose table of points is made by rules, which are like the other ones."""
     for path in sorted((SOURCE / "recipes").glob("*/*.ini")):
         if is_sweep(path) and "points" not in path.read_text():
             for point in read_sweep(path).points:
@@ -89,7 +89,7 @@ def calls_in(text):
 
 def defaults():
     """{parameter: value} of what `load` and `prepare` start from."""
-    command = [BIN / "analyze", "quantities", "--json"]
+    command = f"{BIN}/analyze quantities --json".split()
     listed = json.loads(subprocess.run(command, capture_output=True, check=True).stdout)
     found = {row["name"]: str(row["default"]) for row in listed["parameters"]}
     return found | {"--sigma-bar": "0"}
@@ -107,8 +107,9 @@ def without_defaults(program, options):
 
 
 def parse(words):
-    """The program, with what it analyzes, and {option: values}; --set by parameter. Without files."""
-    program, rest, options, option = words[0], words[1:], {}, None
+    """The program and what it analyzes; {option: values} without files, --set by parameter."""
+    program, rest, option = words[0], words[1:], None
+    options: dict[str, list] = {}
     if program == "analyze":
         program, rest = f"analyze {rest[0]}", rest[1:]
     for word in rest:
@@ -161,6 +162,8 @@ def is_only_by_hand(call):
 
 
 class Chains(unittest.TestCase):
+    calls: list
+
     @classmethod
     def setUpClass(cls):
         with tempfile.TemporaryDirectory() as folder:

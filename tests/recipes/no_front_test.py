@@ -1,5 +1,5 @@
-"""Records in which nothing ruptured: `analyze front` reports the type none, which the recipes count as
-they count fronts that arrest."""
+"""Records in which nothing ruptured: `analyze front` reports the type none, which the recipes count
+as they count fronts that arrest."""
 
 import sys
 import tempfile

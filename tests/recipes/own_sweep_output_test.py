@@ -1,4 +1,4 @@
-"""Tables and pictures of a user's sweep (recipes/sweeps/table.py, picture.py) from made-up results."""
+"""Tables and pictures of a user's sweep (recipes/sweeps/table.py, picture.py): made-up results."""
 
 import csv
 import io
@@ -18,6 +18,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
+from sweeps.needs import Needs  # noqa: E402
 from sweeps.picture import axis_of, draw, edges, limits, middle  # noqa: E402
 from sweeps.report import picture, print_summary  # noqa: E402
 from sweeps.sweep import Sweep  # noqa: E402
@@ -85,7 +86,7 @@ class Summary(unittest.TestCase):
     def said(self, *rows):
         table = [dict(zip(("status", "sentence", "v"), row)) for row in rows]
         with redirect_stdout(io.StringIO()) as output:
-            print_summary(Sweep("A", [], {"v": "front.v_c.999"}, None, [], {}), table, 0)
+            print_summary(Sweep("A", [], {"v": "front.v_c.999"}, Needs(), [], {}), table, 0)
         return output.getvalue()
 
     def test_a_quantity_that_no_point_has(self):
@@ -104,11 +105,12 @@ class Pictures(InFolder):
 
     def sweep(self, values, results, status):
         """{(name, unit): cells} of values and quantities."""
-        columns = [Column(*key, cells) for key, cells in (values | results).items()]
+        measured = values | results
+        columns = [Column(name, unit, cells) for (name, unit), cells in measured.items()]
         columns.append(Column("status", "", status))
         varied = [name for (name, _), cells in values.items() if len(set(cells)) > 1]
         names = {name: name for name, _ in results}
-        return Sweep("A sweep", [], names, None, varied, {}), columns
+        return Sweep("A sweep", [], names, Needs(), varied, {}), columns
 
     def draw(self, values, results, status):
         stem = self.folder / "picture"

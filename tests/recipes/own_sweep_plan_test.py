@@ -1,4 +1,4 @@
-"""A user's sweep file becomes a plan (recipes/sweeps/plan.py): short form, units, what is refused."""
+"""A user's sweep file becomes a plan (recipes/sweeps/plan.py): short form, units, refusals."""
 
 import os
 import re
@@ -171,7 +171,8 @@ class TablesOfPoints(Planning):
 
     def test_wrong_tables(self):
         wrong = {
-            b"tau-bar,seed\n0.1\n": "points.csv, line 2: the number of cells is 1, in the first line 2",
+            b"tau-bar,seed\n0.1\n": "points.csv, line 2: the number of cells is 1, in the first"
+            " line 2",
             b"tau-bar,seed\n0.1,1\n\n0.2,1,5\n": "points.csv, line 4: the number of cells is 3",
             b"tau-bar,tau-bar\n0.1,1\n": "points.csv: each column needs a heading of its own",
             b"tau-bar,\n0.1,1\n": "points.csv: each column needs a heading of its own",
@@ -437,7 +438,7 @@ class Options(unittest.TestCase):
                 self.assertEqual(options, self.options_in_help(program))
 
     def test_needed_options_are_needed(self):
-        commands = {"prepare": ["-o", "x.h5"], "restart": [BASE, "-o", "x.h5"]}
+        commands: dict[str, list] = {"prepare": ["-o", "x.h5"], "restart": [BASE, "-o", "x.h5"]}
         for program in ONE_NEEDED:
             tool, *command = program.split()
             done = subprocess.run(

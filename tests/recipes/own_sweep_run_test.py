@@ -68,7 +68,7 @@ class Running(unittest.TestCase):
         text = SWEEP.format(values=values, quantities=quantities, threads=threads)
         path.write_text(text, encoding="utf-8")
         done = self.call(crash=crash)
-        self.computed = int(re.search(r"Computed now: (\d+);", done.stdout)[1])
+        self.computed = int(re.findall(r"Computed now: (\d+);", done.stdout)[0])
         return done
 
     def rows(self):

@@ -26,7 +26,7 @@ class Page(unittest.TestCase):
         return self.project.page.read_text(encoding="utf-8")
 
     def section(self, name):
-        return re.search(rf'<section id="{name}".*?</section>', self.page(), re.S)[0]
+        return re.findall(rf'<section id="{name}".*?</section>', self.page(), re.S)[0]
 
     def refusal(self):
         """The sentence with which report.py fails; it writes no page then."""
@@ -48,7 +48,7 @@ class Page(unittest.TestCase):
     def test_says_what_to_run_for_what_was_not(self):
         page = self.page()
         for claim_id in NOT_RUN:
-            row = re.search(rf'<tr id="claim-{claim_id}".*?</tr>', page, re.S)[0]
+            row = re.findall(rf'<tr id="claim-{claim_id}".*?</tr>', page, re.S)[0]
             self.assertIn(">not run<", row)
             self.assertIn("./reproduce.sh fig5", row)
         self.assertIn("./reproduce.sh fig5", self.section("fig5"))
@@ -75,7 +75,10 @@ class Page(unittest.TestCase):
 
     def test_fills_numbers_into_captions(self):
         readme = self.project.root / "recipes/fig2/README.md"
-        text = "At {2A: speed [m/s]}, {2B:\nlist [mm]}; {2A: no such [s]}, {5A: speed [m/s]}; {} {x: y} {2A}."
+        text = (
+            "At {2A: speed [m/s]}, {2B:\nlist [mm]}; {2A: no such [s]}, {5A: speed [m/s]};"
+            " {} {x: y} {2A}."
+        )
         spill(readme, f"# Title\n\n## Caption\n\n{text}\n")
         self.assertIn(
             "At 12.35 m/s, 1, none mm; not run, not run; {} not run {2A}.", self.section("fig2")
@@ -107,7 +110,7 @@ class Page(unittest.TestCase):
 
     def test_shows_the_ensemble_under_its_claim(self):
         self.project.make_ensemble("2A")
-        row = re.search(r'<tbody id="result-2A".*?</tbody>', self.page(), re.S)[0]
+        row = re.findall(r'<tbody id="result-2A".*?</tbody>', self.page(), re.S)[0]
         text = " ".join(row.split())
         self.assertIn("slow speed, n = 20: 21.5 (18.25 to 26.12) m/s; shown: 22.9 m/s", text)
 

@@ -1,6 +1,7 @@
-"""./reproduce.sh itself: what may be typed, installing and building (with stand-ins for apt-get and cmake),
-and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
+"""./reproduce.sh itself: what may be typed, installing and building (with stand-ins for apt-get and
+cmake), and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
 
+import hashlib
 import os
 import re
 import shutil
@@ -40,6 +41,16 @@ case "$*" in *--help*) echo "--tau-bar -o --output --quiet --sum"; exit;; esac
 echo $$ >> {root}/running
 [ -e {root}/go ] || exec sleep 300
 """
+TINY = """\
+STAGES["start"]["tiny"] = [f"{DATA}/fast-only.compared"]
+
+rule tiny:
+    input: **content_of(h5=f"{DATA}/fast-only.h5"), **script("recipes/tiny/tiny.py")
+    output: f"{RESULTS}/tiny/claims.json"
+    message: "tiny: draw"
+    shell: "{PYTHON} {input.script} > {output}"
+"""
+VERIFY = "fast-only: verify the shipped checkpoint"
 
 
 def write_program(path, text):
@@ -157,7 +168,7 @@ class SettingUp(Project):
         )
 
     def make_cmake(self, says):
-        """Notes how it is called. Its list of targets is too long for a pipe that is closed early."""
+        """Notes its calls. Its list of targets is too long for a pipe that is closed early."""
         text = (
             '#!/bin/bash\necho "$*" >> calls\n'
             'case "$*" in *"target help"*) echo "tools: phony"; seq 1000000;;'
@@ -182,6 +193,16 @@ class SettingUp(Project):
         self.make_cmake("[1/2] Building CXX object x.o\\n[2/2] Linking CXX executable x\\n")
         said = self.set_up("build", "2", "tools").stdout
         self.assertEqual(said, "Building (log: build/log/build.log) ...\n")
+
+    def test_configures_if_the_presets_are_newer(self):
+        self.make_cmake("")
+        presets, ninja = self.root / "CMakePresets.json", self.root / "build/release/build.ninja"
+        ninja.parent.mkdir(parents=True)
+        for path in (presets, ninja, presets):
+            path.touch()
+            self.set_up("build", "2", "tools")
+        configured = [call == "--preset release" for call in self.calls().splitlines()]
+        self.assertEqual(configured, [True, False, False, True, False])
 
     def test_a_failed_build_shows_its_end(self):
         write_program(self.bin / "cmake", "#!/bin/sh\necho error: x\n! [ $1 = --build ]\n")
@@ -338,6 +359,79 @@ class Ending(Project):
 
     def runs_pipeline(self, folder):
         return b"reproduce/pipeline.py" in (folder / "cmdline").read_bytes()
+
+
+class NothingToDo(Project):
+    """With a recipe that starts from a shipped checkpoint, and stand-ins for cmake and analyze."""
+
+    def setUp(self):
+        super().setUp()
+        for rules in self.root.glob("recipes/*/rules.smk"):
+            shutil.rmtree(rules.parent)
+        write_program(self.bin / "cmake", "#!/bin/sh\n")
+        for name, text in (
+            ("recipes/tiny/rules.smk", TINY),
+            ("recipes/tiny/tiny.py", "print([])\n"),
+            ("src/load.cpp", "// 1\n"),
+            ("build/release/bin/analyze", "#!/bin/sh\nsha256sum < $2 | cut -d' ' -f1\n"),
+        ):
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            write_program(self.root / name, text)
+        shutil.copytree(self.root / "build/release/bin", self.bin, dirs_exist_ok=True)
+        write_program(self.bin / "load", "#!/bin/sh\n")
+        self.ship(b"a checkpoint")
+
+    def ship(self, content):
+        folder = self.root / "checkpoints"
+        folder.mkdir(exist_ok=True)
+        (folder / "fast-only.h5").write_bytes(content)
+        checksum = hashlib.sha256(content).hexdigest()
+        (folder / "manifest").write_text(f"content-sha256 {checksum}  fast-only.h5\n")
+
+    def append(self, name):
+        with open(self.root / name, "a", encoding="utf-8") as file:
+            file.write("# 2\n")
+
+    def change_rule(self):
+        rules = TINY.replace("> {output}", "| tee {output}")
+        (self.root / "recipes/tiny/rules.smk").write_text(rules, encoding="utf-8")
+
+    def delete(self, name):
+        (self.root / name).unlink()
+
+    def steps(self, *options):
+        """That a call takes. It says so if there are none."""
+        done = self.call("tiny", *options)
+        self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
+        steps = re.findall(r"^\[.*\] \d+/\d+ (.*)", done.stdout, re.MULTILINE)
+        self.assertEqual("Nothing is to be computed" in done.stdout, not steps, done.stdout)
+        return steps
+
+    def test_is_said_and_whatever_is_stale_is_found(self):
+        self.assertEqual(len(self.steps()), 3)
+        self.assertEqual(self.steps(), [])
+        draw = "tiny: draw"
+        for name, change, last_step in (
+            ("a source", lambda: self.append("src/load.cpp"), VERIFY),
+            ("a script", lambda: self.append("recipes/tiny/tiny.py"), draw),
+            ("what scripts share", lambda: self.append("recipes/claims/claim.py"), draw),
+            ("a rule", self.change_rule, draw),
+            ("a shipped checkpoint", lambda: self.ship(b"another checkpoint"), draw),
+            ("a deleted result", lambda: self.delete("results/tiny/claims.json"), draw),
+            ("a deleted file behind it", lambda: self.delete("results/data/fast-only.h5"), VERIFY),
+            ("an edited result", lambda: self.append("results/data/fast-only.h5.sum"), draw),
+        ):
+            with self.subTest(name):
+                change()
+                self.assertIn(last_step, self.steps())
+        self.assertEqual(self.steps(), [])
+
+    def test_other_programs_count_by_their_bytes(self):
+        options = ("--programs", "bin")
+        self.steps(*options)
+        self.assertEqual(self.steps(*options), [])
+        self.append("bin/load")
+        self.assertIn(VERIFY, self.steps(*options))
 
 
 class Places(unittest.TestCase):

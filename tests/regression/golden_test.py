@@ -127,7 +127,8 @@ class Checking(Golden):
             TOOLS, self.folder / "bin", ignore=shutil.ignore_patterns("*_test", "bench*")
         )
         shutil.copy(PROGRAM, self.folder / "bin")
-        command = [self.folder / "bin/rupture-golden", "regenerate", "x.sums", "./prepare_two"]
+        program = str(self.folder / "bin/rupture-golden")
+        command = [program, "regenerate", "x.sums", "./prepare_two"]
         subprocess.run(command, cwd=self.folder, check=True, capture_output=True)
         self.assertEqual(len(self.sums("x.sums").splitlines()), 2)
 
@@ -203,16 +204,7 @@ class Refusing(Golden):
     def test_a_work_folder_in_use(self):
         self.regenerate()
         lock = self.folder / "golden.sums.files/rupture-golden.lock"
-        command = [
-            "flock",
-            lock,
-            PROGRAM,
-            "check",
-            "--tools",
-            TOOLS,
-            "golden.sums",
-            "./prepare_two",
-        ]
+        command = f"flock {lock} {PROGRAM} check --tools {TOOLS} golden.sums ./prepare_two".split()
         run = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
         self.assert_fails(run, "another run uses ")
 

@@ -1,4 +1,4 @@
-"""Sweeps and figures in allocations of a real SLURM: undisturbed, and with everything killed that can be.
+"""Sweeps and figures in allocations of a real SLURM, undisturbed and with everything killed.
 
     sweep_test.py FOLDER_OF_PROGRAMS
 
@@ -58,8 +58,10 @@ class Project:
         self.root.mkdir()
         for name in COPIED:
             source = ROOT / name
-            copy = shutil.copytree if source.is_dir() else shutil.copy2
-            copy(source, self.root / name)
+            if source.is_dir():
+                shutil.copytree(source, self.root / name)
+            else:
+                shutil.copy2(source, self.root / name)
         (self.root / "my.ini").write_text(SWEEP)
 
     def start(self, *command, environment=None):
@@ -103,6 +105,11 @@ class Project:
 
 
 class OnSlurm(unittest.TestCase):
+    folder: Path
+    cluster: Cluster
+    local: Project
+    local_seconds: float
+
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory(prefix="rupture-slurm-")
@@ -142,9 +149,10 @@ class OnSlurm(unittest.TestCase):
 
     def wait_for(self, condition):
         end = time.monotonic() + WITHIN
-        while not condition():
+        while not (met := condition()):
             self.assertLess(time.monotonic(), end)
             time.sleep(0.05)
+        return met
 
     def demand_equal_sweeps(self, project):
         self.assertEqual(len(self.local.points()), POINTS)
@@ -153,7 +161,8 @@ class OnSlurm(unittest.TestCase):
         checksums = project.checksums()
         self.assertEqual(checksums, self.local.checksums())
         print(
-            f"{len(checksums)} checksums, {POINTS} points and 2 tables are equal to those of the local run"
+            f"{len(checksums)} checksums, {POINTS} points and 2 tables are equal"
+            " to those of the local run"
         )
 
     def test_a_sweep_gives_what_it_gives_locally(self):
@@ -198,7 +207,7 @@ class OnSlurm(unittest.TestCase):
         self.assertTrue(self.is_in_queue(job), "the job ended too early")
 
     def let_slurm_note(self, job):
-        """slurmctld writes down what it knows every few seconds; it forgets younger jobs when killed."""
+        """slurmctld notes its jobs every few seconds; when killed, it forgets younger ones."""
         state = self.folder / "cluster/state/job_state"
         since = time.time()
         self.cluster.run("scontrol", "update", f"jobid={job}", "comment=noted")
@@ -210,8 +219,7 @@ class OnSlurm(unittest.TestCase):
         return [step for step in steps if re.fullmatch(rf"{job}\.\d+", step)]
 
     def cancel_a_step(self, job):
-        steps = []
-        self.wait_for(lambda: steps.extend(self.steps_of(job)) or steps)
+        steps = self.wait_for(lambda: self.steps_of(job))
         self.cluster.run("scancel", steps[0])
 
     def kill_all_of(self, project):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Compares what the programs of two builds compute, byte for byte: the state of checkpoints, and the
-series and ruptures of records. Parameters, provenance and checksums may differ.
+"""Compares what the programs of two builds compute, byte for byte: the state of checkpoints, and
+the series and ruptures of records. Parameters, provenance and checksums may differ.
 
     compare.py OLD_BIN NEW_BIN [FOLDER]
 
@@ -17,7 +17,7 @@ import h5py
 
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "recipes"))
-from common.sweeps import read_sweep  # noqa: E402
+from sweeps.sweep import read_sweep  # noqa: E402
 
 POINTS = 20
 
