@@ -104,16 +104,17 @@ TEST_F(Describe, OneOfTheNeededIsNeeded) {
 TEST_F(Describe, SaysWhatRestartDoes) {
   const Json restart = json_of("restart --describe");
   EXPECT_EQ(restart.at("input"), "checkpoint");
-  EXPECT_EQ(restart.at("outputs"), (Json{"record", "checkpoint"}));
+  EXPECT_EQ(restart.at("outputs"), Json::array({"record", "checkpoint"}));
   EXPECT_EQ(restart.at("parameters"), true);
-  EXPECT_EQ(restart.at("one_needed"), (Json{{"until", "for", "until-quiet"}, {"output"}}));
+  EXPECT_EQ(restart.at("one_needed"),
+            Json::array({Json::array({"until", "for", "until-quiet"}), Json::array({"output"})}));
   const Json expected = {{"name", "record-every"}, {"short", nullptr}, {"kind", "number"},
                          {"value", "T"},           {"unit", "s"},      {"default", 1e-4}};
   Json option = option_named(restart, "record-every");
   option.erase("help");
   EXPECT_EQ(option, expected);
   EXPECT_EQ(option_named(restart, "output").at("short"), "o");
-  EXPECT_EQ(option_named(restart, "on-alarm").at("words"), (Json{"stop", "report"}));
+  EXPECT_EQ(option_named(restart, "on-alarm").at("words"), Json::array({"stop", "report"}));
   EXPECT_EQ(option_named(restart, "on-alarm").at("default"), "stop");
 }
 
@@ -122,7 +123,7 @@ TEST_F(Describe, SaysWhatCommandsRead) {
   EXPECT_EQ(json_of("analyze stress --describe").at("input"), "checkpoint");
   EXPECT_EQ(json_of("analyze show --describe").at("input"), "file");
   EXPECT_EQ(json_of("analyze quantities --describe").at("input"), nullptr);
-  EXPECT_EQ(json_of("analyze lineage --describe").at("outputs"), Json{"report"});
+  EXPECT_EQ(json_of("analyze lineage --describe").at("outputs"), Json::array({"report"}));
   EXPECT_EQ(json_of("load --describe").at("input"), nullptr);
 }
 

@@ -46,8 +46,8 @@ const ToolText kText = {
 
 std::string help() {
   std::string text = fmt::format(
-      "Usage: {}\n\n{}\n\nCommands (analyze help COMMAND tells more, analyze --describe all that "
-      "there is as JSON):\n",
+      "Usage: {}\n\n{}\n\nCommands (analyze help COMMAND tells more, analyze --describe all as "
+      "JSON):\n",
       kText.synopsis, kText.purpose);
   for (const auto& command : kCommands) {
     text += fmt::format("  {:<12} {}\n", command.name, command.purpose);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/any.hpp>
+#include <sstream>
 #include <stdexcept>
 
 #include "cli/option_values.hpp"
@@ -55,7 +56,7 @@ Json needed_json(const ToolText& text, const po::options_description& options) {
   Json groups = Json::array();
   if (!text.one_needed.empty()) groups.push_back(text.one_needed);
   for (const auto& option : options.options()) {
-    if (option->semantic()->is_required()) groups.push_back({option->long_name()});
+    if (option->semantic()->is_required()) groups.push_back(Json::array({option->long_name()}));
   }
   return groups;
 }
@@ -67,7 +68,7 @@ Json outputs_json(const po::options_description& options) {
     const ValueKind& kind = kind_or_flag(*option);
     if (kind.kind == "output file") outputs.push_back(kind.holds);
   }
-  return outputs.empty() ? Json{"report"} : outputs;
+  return outputs.empty() ? Json::array({"report"}) : outputs;
 }
 
 std::string without_line_breaks(std::string text) {
