@@ -23,7 +23,7 @@ REFUSED = {
     "config": "points would not follow what is in that file;"
     " give the parameters with --set or in [values]",
     **dict.fromkeys(("f", "force", "resume"), NO_FILES_OUTSIDE),
-    **dict.fromkeys(("h", "help", "version", "dry-run"), NOTHING_COMPUTED),
+    **dict.fromkeys(("h", "help", "describe", "version", "dry-run"), NOTHING_COMPUTED),
 }
 
 

@@ -280,7 +280,16 @@ class Mistakes(Planning):
         for option in ("-q", "--quiet", "--record x.h5", "--json"):
             text = PREPARED.replace("--until-quiet", f"--until-quiet {option}")
             self.refuse(text + VALUES + FRONT, "'restart' must not have '.*the sweep gives itself")
-        for option in ("-f", "--force", "--resume", "--dry-run", "--help", "-h", "--version"):
+        for option in (
+            "-f",
+            "--force",
+            "--resume",
+            "--dry-run",
+            "--help",
+            "-h",
+            "--version",
+            "--describe",
+        ):
             text = LONG.replace("-o s.h5", f"-o s.h5 {option}")
             self.refuse("[sweep]\n" + text + VALUES + STRESS, f"must not have {option}: ")
             text = PREPARED.replace("0.1", f"0.1 {option}")

@@ -1,4 +1,4 @@
-// What --describe prints: a program's own description, for programs that call it.
+// A program's own description, for programs that call it: --describe.
 #pragma once
 
 #include "cli/command_line.hpp"

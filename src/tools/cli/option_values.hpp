@@ -10,7 +10,7 @@ namespace rupture::tools {
 
 namespace po = boost::program_options;
 
-/// What --help and --describe say of the value that an option takes.
+/// The kind of value that an option takes, as --help and --describe say it.
 struct ValueKind {
   std::string kind;        ///< number, integer, choice, text, parameter, input file or output file
   std::string name;        ///< such as T or FILE; of a choice its words, as in uniform|bell

@@ -36,7 +36,7 @@ struct Resumption {
   std::vector<ProvenanceEntry> record_provenance = {};  ///< the record begins where the run did
 };
 
-/// What an interrupted run has left.
+/// Files of an interrupted run.
 struct Remains {
   /// The run at its newest checkpoint that is intact, not beyond its end, and that its record
   /// reaches; none if there is no such checkpoint.
