@@ -1,7 +1,7 @@
 """From the short form of a user's sweep to the long one of sweeps/sweep.py: [commands] and [table]
 instead of base, prepare, load and restart in [sweep], [quantities] and [analyze]."""
 
-from sweeps.names import CHECKPOINT, RECORD, options_in
+from sweeps.names import options_in
 from sweeps.sweep import SweepError
 
 STARTS = ("base", "prepare", "load")
@@ -48,11 +48,12 @@ def chain(start, sweep):
     return {start: first, "restart": words("restart start.h5", restart, goes_on)}, "end.h5", True
 
 
-def reads(analysis, checkpoint, has_record):
+def reads(analysis, programs, checkpoint, has_record):
     """The file that `analyze ANALYSIS` measures."""
-    if analysis in CHECKPOINT:
+    kind = programs[f"analyze {analysis}"].input
+    if kind == "checkpoint":
         return checkpoint
-    if analysis not in RECORD:
+    if kind != "record":
         raise SweepError(f"analyze {analysis} reads no file of the points; use [commands] for it")
     if not has_record:
         raise SweepError(
@@ -78,7 +79,7 @@ def expand(ini, names):
             raise SweepError(f"[analyze] has options for '{name}', of which there is no quantity")
     for name in analyses:
         check_options(name, options.get(name, ""))
-        file = reads(name, checkpoint, has_record)
+        file = reads(name, names.programs, checkpoint, has_record)
         commands[name] = words("analyze", name, file, options.get(name), "--json")
     kept = {key: text for key, text in sweep.items() if key not in ("prepare", "load", "restart")}
     return {"sweep": kept, "commands": commands, "table": quantities}

@@ -2,9 +2,7 @@
 
 from sweeps.expand import STARTS
 from sweeps.names import (
-    ONE_NEEDED,
     options_in,
-    options_of,
     parameters_in,
     program_of,
     setting,
@@ -25,7 +23,7 @@ REFUSED = {
     "config": "points would not follow what is in that file;"
     " give the parameters with --set or in [values]",
     **dict.fromkeys(("f", "force", "resume"), NO_FILES_OUTSIDE),
-    **dict.fromkeys(("h", "help", "version", "dry-run"), NOTHING_COMPUTED),
+    **dict.fromkeys(("h", "help", "describe", "version", "dry-run"), NOTHING_COMPUTED),
 }
 
 
@@ -52,7 +50,7 @@ def check_name(name):
         raise SweepError(f"a command cannot be called '{name}'; take another name")
 
 
-def check_command(line, tools):
+def check_command(line, programs):
     """Its program and options."""
     given = options_in(line)
     for name in given:
@@ -60,19 +58,23 @@ def check_command(line, tools):
             dashes = "-" if len(name) == 1 else "--"
             raise SweepError(f"'{line}' must not have {dashes}{name}: {REFUSED[name]}")
     program = program_of(line)
-    known = options_of(program, tools)
+    known = programs[program].long_names
     for name in given:
         if name not in known:
             raise SweepError(f"{program} has no option '{name}'{suggestion(name, known)}")
 
 
-def check_needed(line, values):
+def check_needed(line, values, programs):
     """Options without which its program does nothing. `values` are those of the points."""
-    program = program_of(line)
-    needed = ONE_NEEDED.get(program, ())
-    if needed and not {*needed} & {*options_in(line), *(values if "{values}" in line else ())}:
-        options = " or ".join(f"--{name}" for name in needed)
-        raise SweepError(f"{program} needs {options}, which '{line}' does not have")
+    name = program_of(line)
+    program = programs[name]
+    given = {program.long_names[option] for option in options_in(line)}
+    if "{values}" in line:
+        given |= {*values}
+    for group in program.one_needed:
+        if not given.intersection(group):
+            options = " or ".join(f"--{option}" for option in group)
+            raise SweepError(f"{name} needs {options}, which '{line}' does not have")
 
 
 def check_given_once(line, values):

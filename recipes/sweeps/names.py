@@ -1,5 +1,6 @@
 """The names that a user's sweep may use, and their units: parameters and quantities, as `analyze
-quantities` lists them, and options of the programs. Unit 1: a dimensionless number; none: a text."""
+quantities` lists them, and options, as the programs describe them. Unit 1: a dimensionless number;
+none: a text."""
 
 import difflib
 import json
@@ -12,42 +13,8 @@ from pathlib import Path
 from sweeps.sweep import SweepError
 
 KINDS = ("parameters", "quantities")
-RECORD = ("classify", "events", "front", "loading", "slip", "slow-slip")  # what they read
-CHECKPOINT = ("estimate", "phi", "strength", "stress")
-
-WINDOW = {"from": "s", "to": "s"}
-EVENT = {**WINDOW, "event": "", "quiet-time": "s"}
-FRONT = {"slow-below": "1", "skip-below-x": "m"}
-SHAPE = {"shape": "", "sigma-bar": "1"}
-
-OPTIONS = {
-    "load": {"until": "s", "record-every": "s", "seed": "1"},
-    "restart": {"until": "s", "for": "s", "until-quiet": "s", "record-every": "s", "seed": "1"},
-    "prepare": {**SHAPE, "tau-bar": "1", "x-trigger": "m", "tau-bar-trigger": "1", "seed": "1"},
-    "modify-phi": {**SHAPE, "x-from": "m", "x-to": "m", "slipping": ""},
-    "analyze classify": EVENT | FRONT,
-    "analyze events": {**FRONT, "quiet-time": "s"},
-    "analyze front": EVENT | FRONT,
-    "analyze loading": {"x": "m"},
-    "analyze slip": {**WINDOW, "x": "m"},
-    "analyze slow-slip": {
-        **EVENT | FRONT,
-        **{"x-from": "m", "x-to": "m", "longest": "1", "shortest": "1"},
-    },
-    "analyze estimate": {"ensemble": "1", "seed": "1"},
-    "analyze phi": {"bins": "1"},
-    "analyze strength": SHAPE,
-    "analyze stress": {},
-    "analyze steady-state": {
-        **{"v-from": "m/s", "v-to": "m/s", "points": "1", "steps-per-cycle": "1", "seed": "1"}
-    },
-}
-
-ONE_NEEDED = {
-    "prepare": ("tau-bar",),
-    "restart": ("until", "for", "until-quiet"),
-    "analyze slip": ("x",),
-}
+TOOLS = ("load", "prepare", "restart", "modify-phi", "analyze")
+VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 
 
 def words_of(text):
@@ -73,20 +40,52 @@ def setting(name):
     return "numerics.seed" if name == "seed" else name
 
 
-def options_of(program, tools):
-    """The names in its --help."""
-    if program not in OPTIONS:
-        raise SweepError(f"there is no program '{program}'{suggestion(program, OPTIONS)}")
-    tool, *command = program.split()
-    help_of = [Path(tools) / tool, *command, "--help"]
-    done = subprocess.run(help_of, capture_output=True, check=False, text=True)
-    if done.returncode:
-        raise SweepError(
-            f"'{program} --help' ended with {done.returncode}: the program cannot be used"
-        )
-    return [
-        long or short for long, short in re.findall(r"--([a-z][a-z-]*)|\s-([a-z])\b", done.stdout)
-    ]
+@dataclass(frozen=True)
+class Program:
+    """One of TOOLS, or a command of `analyze`, as it describes itself."""
+
+    long_names: dict  # of all options, by their long and short names
+    units: dict  # of the options that may vary
+    one_needed: list  # groups of options, of each of which one must be given
+    input: str  # "checkpoint", "record", "file" or None
+
+
+def program_from(description):
+    options = description["options"]
+    names = {option["short"]: option["name"] for option in options if option["short"]}
+    return Program(
+        names | {option["name"]: option["name"] for option in options},
+        {option["name"]: option["unit"] for option in options if option["kind"] in VARIABLE},
+        description["one_needed"],
+        description["input"],
+    )
+
+
+class Programs(dict):
+    """{name: Program} of a folder. Each of TOOLS is asked once, when it is needed first."""
+
+    def __init__(self, folder):
+        super().__init__()
+        self.folder = Path(folder)
+
+    def __missing__(self, name):
+        tool = name.split()[0]
+        if tool in TOOLS:
+            self.update(self.described_by(tool))
+        if name not in self:
+            known = TOOLS if tool not in TOOLS else self
+            raise SweepError(f"there is no program '{name}'{suggestion(name, known)}")
+        return self[name]
+
+    def described_by(self, tool):
+        done = subprocess.run([self.folder / tool, "--describe"], capture_output=True, check=False)
+        if done.returncode:
+            raise SweepError(
+                f"'{tool} --describe' ended with {done.returncode}: the program cannot be used"
+            )
+        description = json.loads(done.stdout)
+        programs = description.get("commands", [description])
+        return {program["name"]: program_from(program) for program in programs}
 
 
 def program_of(command):
@@ -106,6 +105,7 @@ def suggestion(name, known):
 class Names:
     parameters: dict  # name: unit
     quantities: dict  # name: unit; * stands for an index
+    programs: Programs
 
     def quantity_unit(self, name, of_file):
         """`analyze strength` reports numbers of a shape, but lists of a file."""
@@ -130,13 +130,14 @@ class Names:
                 )
             return self.parameters[name]
         for program in programs:
-            if name not in OPTIONS.get(program, {}):
-                known = [*OPTIONS.get(program, {}), *self.parameters]
+            units = self.programs[program].units
+            if name not in units:
                 raise SweepError(
                     f"{program} has no option '{name}' that takes a value"
-                    f"{suggestion(name, known)} (the name of a parameter has a dot)"
+                    f"{suggestion(name, [*units, *self.parameters])}"
+                    " (the name of a parameter has a dot)"
                 )
-        return OPTIONS[programs[0]][name]
+        return self.programs[programs[0]].units[name]
 
 
 def names_of(folder_of_tools):
@@ -147,4 +148,4 @@ def names_of(folder_of_tools):
         raise SweepError(f"{command[0]} is too old for sweeps: it has no command 'quantities'")
     listed = json.loads(done.stdout)
     units = [{entry["name"]: entry["unit"] for entry in listed[kind]} for kind in KINDS]
-    return Names(*units)
+    return Names(*units, Programs(folder_of_tools))

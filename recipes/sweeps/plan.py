@@ -96,7 +96,7 @@ def make_plan(path, names, tools, results):
     plan = long_form(ini, names)
     for name, line in plan["commands"].items():
         check_name(name)
-        check_command(line, tools)
+        check_command(line, names.programs)
     plan["table"], units = settle_columns(plan["table"], plan["commands"], names)
     settle_files(plan["sweep"], path.parent, tools, results)
     plan |= {name: dict(ini[name]) for name in ini.sections() if is_values(name)}
@@ -104,7 +104,7 @@ def make_plan(path, names, tools, results):
     units_in_points = units_of_values(points, plan["commands"], names)
     check_values(points, units_in_points, plan["table"])
     for line in plan["commands"].values():
-        check_needed(line, units_in_points)
+        check_needed(line, units_in_points, names.programs)
         check_given_once(line, units_in_points)
     plan["units"] = units_in_points | units
     output = Path(results) / "sweeps" / path.stem / f"{path.stem}.ini"

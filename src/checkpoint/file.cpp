@@ -135,12 +135,13 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
 }
 
 ContentFile read_file(const fs::path& path) {
-  if (identify(path) == FileKind::open_record) {
-    return read_bytes(read_start(path, readable_size(path)), path.string());
-  }
+  std::uint64_t size = readable_size(path);
+  const auto header = read_start(path, kHeaderSize);
   // One byte more than there should be is enough to notice that there is too much.
-  const std::uint64_t stated = stated_size(read_start(path, kHeaderSize));
-  return read_bytes(read_start(path, std::min(readable_size(path), stated + 1)), path.string());
+  if (header_kind(header, path.string()) != FileKind::open_record) {
+    size = std::min(size, stated_size(header) + 1);
+  }
+  return read_bytes(read_start(path, size), path.string());
 }
 
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name) {

@@ -125,11 +125,16 @@ Content rows_until(const Content& record, std::int64_t step) {
 }
 
 Record read_record(const std::filesystem::path& path) {
+  return read_record_file(path).record;
+}
+
+RecordFile read_record_file(const std::filesystem::path& path) {
   if (identify(path) == FileKind::checkpoint) {
     throw Failure(fmt::format("{} is a checkpoint; expected a record", path.string()));
   }
-  const ContentFile file = read_file(path);
-  return naming(path, [&] { return record_from(file); });
+  ContentFile file = read_file(path);
+  Record record = naming(path, [&] { return record_from(file); });
+  return {std::move(record), std::move(file.content)};
 }
 
 }  // namespace rupture

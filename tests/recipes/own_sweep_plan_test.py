@@ -8,12 +8,13 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ.get("RUPTURE_BIN", ROOT / "build/release/bin"))
 sys.path.insert(0, str(ROOT / "recipes"))
 
-from sweeps.names import CHECKPOINT, ONE_NEEDED, OPTIONS, RECORD, names_of  # noqa: E402
+from sweeps.names import names_of  # noqa: E402
 from sweeps.plan import make_plan, plan_sweep  # noqa: E402
 from sweeps.sweep import SweepError, read_sweep  # noqa: E402
 
@@ -268,6 +269,10 @@ class Mistakes(Planning):
             PREPARED + VALUES + "[quantities]\nx = slip.x\n", "analyze slip needs --x, which"
         )
         self.refuse(
+            "[sweep]\n" + LONG.replace("-o s.h5", "") + VALUES + STRESS,
+            "prepare needs --output, which",
+        )
+        self.refuse(
             "[sweep]\n" + LONG.replace("prepare", "prepar") + VALUES + STRESS,
             "no program 'prepar'; did you mean 'prepare'",
         )
@@ -276,7 +281,16 @@ class Mistakes(Planning):
         for option in ("-q", "--quiet", "--record x.h5", "--json"):
             text = PREPARED.replace("--until-quiet", f"--until-quiet {option}")
             self.refuse(text + VALUES + FRONT, "'restart' must not have '.*the sweep gives itself")
-        for option in ("-f", "--force", "--resume", "--dry-run", "--help", "-h", "--version"):
+        for option in (
+            "-f",
+            "--force",
+            "--resume",
+            "--dry-run",
+            "--help",
+            "-h",
+            "--version",
+            "--describe",
+        ):
             text = LONG.replace("-o s.h5", f"-o s.h5 {option}")
             self.refuse("[sweep]\n" + text + VALUES + STRESS, f"must not have {option}: ")
             text = PREPARED.replace("0.1", f"0.1 {option}")
@@ -405,60 +419,20 @@ class Mistakes(Planning):
         self.assertEqual(said(path, file), f"{path}: {sentence}")
 
 
-class Options(unittest.TestCase):
-    """The table of options and the programs' own --help."""
-
-    # Files, flags of the run and lists of times: no values of a physical quantity.
-    OTHERS = {"output", "config", "set", "record", "threads", "on-alarm", "checkpoint-at"}
-    OTHERS |= {"checkpoint-every"}
-
-    def options_in_help(self, program):
-        """{name: unit} of those that take a value."""
-        done = subprocess.run(
-            [BIN / program.split()[0], *program.split()[1:], "--help"],
-            capture_output=True,
-            text=True,
-            check=True,
-        )
-        text = done.stdout.split("Parameters (")[0]
-        entries = re.findall(
-            r"^ +(?:-\w \[ )?--([a-z-]+)(?: \])?(.*(?:\n {10,}.*)*)", text, re.MULTILINE
-        )
-        found = {}
-        for name, rest in entries:
-            value = re.match(r" (\[=)?([A-Z]+\b|[a-z]+\|[a-z|]+)", rest)
-            if value and name not in self.OTHERS:
-                unit = re.search(r"\[(m|s|m/s)\]", " ".join(rest.split()))
-                found[name] = "" if "|" in value[2] else unit[1] if unit else "1"
-        return found
-
-    def test_every_option_with_its_unit(self):
-        for program, options in OPTIONS.items():
-            with self.subTest(program):
-                self.assertEqual(options, self.options_in_help(program))
-
-    def test_needed_options_are_needed(self):
-        commands: dict[str, list] = {"prepare": ["-o", "x.h5"], "restart": [BASE, "-o", "x.h5"]}
-        for program in ONE_NEEDED:
-            tool, *command = program.split()
-            done = subprocess.run(
-                [BIN / tool, *command, *commands.get(program, [BASE])],
-                capture_output=True,
-                text=True,
-                check=False,
-            )
-            self.assertEqual(done.returncode, 2, program)
-            self.assertRegex(done.stderr, "|".join(ONE_NEEDED[program]))
-
-    def test_what_analyze_reads(self):
-        for commands, kind in ((RECORD, "RECORD"), (CHECKPOINT, "CHECKPOINT")):
-            for command in commands:
-                done = subprocess.run(
-                    [BIN / "analyze", command, "--help"], capture_output=True, text=True, check=True
-                )
-                self.assertIn(f"Usage: analyze {command} {kind} ", done.stdout)
+class Programs(unittest.TestCase):
+    def test_every_measured_file_is_a_record_or_a_checkpoint(self):
         known = {name.split(".")[0] for name in NAMES.quantities}
-        self.assertEqual(known, {*RECORD, *CHECKPOINT, "steady-state"})
+        inputs = {name: NAMES.programs[f"analyze {name}"].input for name in known}
+        reading = {name for name, kind in inputs.items() if kind in ("record", "checkpoint")}
+        self.assertEqual(known, {*reading, "steady-state"})
+
+    def test_each_is_asked_once(self):
+        names = names_of(BIN)
+        with mock.patch("subprocess.run", side_effect=subprocess.run) as run:
+            for program in ("prepare", "analyze front", "analyze slip", "prepare"):
+                self.assertTrue(names.programs[program].long_names["help"])
+        asked = [call.args[0] for call in run.call_args_list]
+        self.assertEqual(asked, [[BIN / tool, "--describe"] for tool in ("prepare", "analyze")])
 
 
 if __name__ == "__main__":

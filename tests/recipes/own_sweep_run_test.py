@@ -31,7 +31,7 @@ type = front.type
 
 # Stands in for restart: dies like a process without memory where the test says so.
 RESTART = """#!/bin/sh
-case "$RUPTURE_CRASH $*" in *--help) ;; die*) kill -9 $$;; esac
+case "$RUPTURE_CRASH $*" in *--describe) ;; die*) kill -9 $$;; esac
 exec {restart} "$@"
 """
 

@@ -2,6 +2,7 @@
 cmake), and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
 
 import hashlib
+import json
 import os
 import re
 import shutil
@@ -27,19 +28,31 @@ tau-bar = 0.1, 0.2
 [quantities]
 F_T = stress.F_T
 """
+
+
+def described(name, kind, *options):
+    """As a program says it of itself; the options take numbers."""
+    options = [{"name": word, "short": None, "kind": "number", "unit": "1"} for word in options]
+    return {"name": name, "input": kind, "one_needed": [], "options": options}
+
+
 # Knows enough of analyze for a sweep to be planned.
-ANALYZE = """#!/bin/sh
+COMMANDS = {"commands": [described("analyze stress", "checkpoint", "json")]}
+QUANTITIES = {"parameters": [], "quantities": [{"name": "stress.F_T", "unit": "N"}]}
+ANALYZE = f"""#!/bin/sh
 case "$*" in
-  *quantities*) echo '{"parameters": [], "quantities": [{"name": "stress.F_T", "unit": "N"}]}';;
-  *--help*) echo "--json --tau-bar";;
-  *) echo '{"F_T": 1}';;
+  *quantities*) echo '{json.dumps(QUANTITIES)}';;
+  *--describe*) echo '{json.dumps(COMMANDS)}';;
+  *) echo '{{"F_T": 1}}';;
 esac
 """
 # Waits for long, unless there is a file `go` in the project's folder.
-PREPARE = """#!/bin/sh
-case "$*" in *--help*) echo "--tau-bar -o --output --quiet --sum"; exit;; esac
-echo $$ >> {root}/running
-[ -e {root}/go ] || exec sleep 300
+PREPARE = f"""#!/bin/sh
+case "$*" in
+  *--describe*) echo '{json.dumps(described("prepare", None, "tau-bar", "o", "quiet"))}'; exit;;
+esac
+echo $$ >> ROOT/running
+[ -e ROOT/go ] || exec sleep 300
 """
 TINY = """\
 STAGES["start"]["tiny"] = [f"{DATA}/fast-only.compared"]
@@ -243,7 +256,7 @@ class Ending(Project):
         for name in ("load", "modify-phi", "restart"):
             write_program(self.bin / name, "#!/bin/sh\n")
         write_program(self.bin / "analyze", ANALYZE)
-        write_program(self.bin / "prepare", PREPARE.format(root=self.root))
+        write_program(self.bin / "prepare", PREPARE.replace("ROOT", str(self.root)))
 
     def sweep(self):
         return self.start("sweep", "my.ini", "--programs", "bin", "--cores", "2")

@@ -106,8 +106,20 @@ TEST_F(Resume, PassesOverADamagedCheckpointAndSaysSo) {
   EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
   EXPECT_NE(outcome.err.find("not used to resume: x-t0.000300000.h5 is truncated"),
             std::string::npos);
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << "each file is read once: " << outcome.err;
   EXPECT_NE(outcome.out.find("resuming from x-t0.000200000.h5"), std::string::npos);
   EXPECT_EQ(read("x.h5.sum"), whole);
+}
+
+TEST_F(Resume, ReplacesNoCheckpointOnTheWayThatIsNoneOfTheRun) {
+  output_of(kRun);
+  interrupt_after(3);
+  write("x-t0.000500000.h5", "precious");
+  const Outcome outcome = run(std::string(kRun) + " --resume");
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  EXPECT_NE(outcome.err.find("x-t0.000500000.h5 exists; give --force"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(read("x-t0.000500000.h5"), "precious");
 }
 
 TEST_F(Resume, GoesBackToWhereTheRecordReaches) {

@@ -108,6 +108,15 @@ Record read_record(const std::filesystem::path& path);
 /// The record in a file that was read already. Throws Failure.
 Record record_from(const ContentFile& file);
 
+/// A record, and its datasets as they are in the file.
+struct RecordFile {
+  Record record;
+  Content content;
+};
+
+/// Reads a finished record or a .part with which another one can begin. Throws Failure.
+RecordFile read_record_file(const std::filesystem::path& path);
+
 /// The samples and ruptures of a record up to and including a step, with which another one can
 /// begin.
 Content rows_until(const Content& record, std::int64_t step);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <stdexcept>
 #include <string_view>
 
 #include "rupture/model/error.hpp"
@@ -39,14 +40,43 @@ const std::vector<Command> kCommands = {
     {"lineage", "the steps that led to a file, also as a script", analyze_lineage},
 };
 
+const ToolText kText = {
+    "analyze", "analyze COMMAND [FILE...] [options]",
+    "Measures, compares and checks checkpoints and records; never changes them."};
+
 std::string help() {
-  std::string text =
-      "Usage: analyze COMMAND [FILE...] [options]\n\nMeasures, compares and checks checkpoints and "
-      "records; never changes them.\n\nCommands (analyze help COMMAND tells more):\n";
+  std::string text = fmt::format(
+      "Usage: {}\n\n{}\n\nCommands (analyze help COMMAND tells more, analyze --describe all as "
+      "JSON):\n",
+      kText.synopsis, kText.purpose);
   for (const auto& command : kCommands) {
     text += fmt::format("  {:<12} {}\n", command.name, command.purpose);
   }
   return text;
+}
+
+/// A command's own description, with the line of help() as its summary.
+Json description_of(const Command& command) {
+  const std::array<const char*, 2> asked = {command.name.c_str(), "--describe"};
+  try {
+    command.run(asked.size(), asked.data());
+  } catch (const HelpRequested& answer) {
+    Json json = Json::parse(answer.text);
+    json["summary"] = command.purpose;
+    return json;
+  }
+  throw std::logic_error(command.name + " does not describe itself");
+}
+
+std::string describe() {
+  Json json = {{"name", kText.name},
+               {"synopsis", kText.synopsis},
+               {"purpose", kText.purpose},
+               {"commands", Json::array()}};
+  for (const auto& command : kCommands) {
+    if (command.run != analyze_help) json["commands"].push_back(description_of(command));
+  }
+  return json_text(json) + "\n";
 }
 
 std::vector<std::string_view> names_of_commands() {
@@ -85,6 +115,7 @@ int run(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
   if (first.empty()) throw UsageError(no_command_text());
   if (first == "--help" || first == "-h") throw HelpRequested{help()};
+  if (first == "--describe") throw HelpRequested{describe()};
   if (first == "--version") throw HelpRequested{version_text("analyze")};
   return find(first).run(argc - 1, argv + 1);
 }

@@ -5,6 +5,7 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/checkpoint_command.hpp"
+#include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
@@ -62,7 +63,7 @@ int analyze_stress(int argc, const char* const* argv) {
 
 int analyze_phi(int argc, const char* const* argv) {
   po::options_description options("Options");
-  options.add_options()("bins", po::value<int>()->default_value(40)->value_name("N"),
+  options.add_options()("bins", integer("N")->default_value(40),
                         "bins of the histograms, from -f_thres to f_thres");
   const auto [parsed, checkpoint] = read_checkpoint_command(
       argc, argv, "phi",

@@ -5,6 +5,7 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/checkpoint_command.hpp"
+#include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
@@ -71,10 +72,9 @@ void add_relaxation(Report& report, const std::optional<RelaxationEnsemble>& rel
 int analyze_estimate(int argc, const char* const* argv) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("ensemble", po::value<int>()->default_value(100)->value_name("N"),
+  add("ensemble", integer("N")->default_value(100),
       "blocks to relax, each with slipping times of its own");
-  add("seed", po::value<std::string>()->value_name("N"),
-      "key of their random numbers; default: the checkpoint's");
+  add("seed", seed(), "key of their random numbers; default: the checkpoint's");
   const auto [parsed, checkpoint] =
       read_checkpoint_command(argc, argv, "estimate",
                               "Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), of the mean "

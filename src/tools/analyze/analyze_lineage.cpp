@@ -2,6 +2,7 @@
 #include "analyze/analyze.hpp"
 #include "analyze/file_command.hpp"
 #include "analyze/lineage.hpp"
+#include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/model/error.hpp"
@@ -32,10 +33,9 @@ int analyze_lineage(int argc, const char* const* argv) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("commands", "print a shell script that makes a file of the same content");
-  add("output,o", po::value<std::string>()->default_value("rebuilt.h5")->value_name("FILE"),
+  add("output,o", text("FILE")->default_value("rebuilt.h5"),
       "what the script is to call that file");
-  add("from", po::value<std::string>()->value_name("FILE"),
-      "let the script begin with this ancestor");
+  add("from", input_file("checkpoint or record"), "let the script begin with this ancestor");
   add("json", "print one JSON object");
   const Parsed parsed = parse_file_command(
       argc, argv, "lineage", "FILE",

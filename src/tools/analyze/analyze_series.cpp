@@ -35,8 +35,8 @@ Eigen::Index block_at(const Parameters& p, double x) {
 int analyze_slip(int argc, const char* const* argv) {
   po::options_description options("Options");
   add_format_options(options);
-  options.add_options()("x", po::value<double>()->required()->value_name("X"),
-                        "position of the block, the nearest one is taken [m]");
+  options.add_options()("x", number("X", "m")->required(),
+                        "position of the block, the nearest one is taken");
   add_window_options(options);
   const auto command =
       read_record_command(argc, argv, "slip",
@@ -103,8 +103,8 @@ int analyze_slip(int argc, const char* const* argv) {
 int analyze_loading(int argc, const char* const* argv) {
   po::options_description options("Options");
   add_format_options(options);
-  options.add_options()("x", po::value<double>()->value_name("X"),
-                        "also p, tau and u_x of the block nearest to this position [m]");
+  options.add_options()("x", number("X", "m"),
+                        "also p, tau and u_x of the block nearest to this position");
   const auto command =
       read_record_command(argc, argv, "loading",
                           "Driving force against time; with --x also one block's forces.", options);

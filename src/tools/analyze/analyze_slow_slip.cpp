@@ -97,12 +97,12 @@ int analyze_slow_slip(int argc, const char* const* argv) {
   add_event_options(options);
   add_criteria_options(options);
   auto add = options.add_options();
-  add("x-from", po::value<double>()->value_name("X"),
-      "blocks from here on, instead of those well inside the slow stretch [m]");
-  add("x-to", po::value<double>()->value_name("X"), "blocks up to here [m]");
-  add("longest", po::value<double>()->default_value(1.0, "1")->value_name("W"),
+  add("x-from", number("X", "m"),
+      "blocks from here on, instead of those well inside the slow stretch");
+  add("x-to", number("X", "m"), "blocks up to here");
+  add("longest", number("W")->default_value(1.0, "1"),
       "the slip of a block is followed for W <t_R> at most");
-  add("shortest", po::value<double>()->default_value(0.5, "0.5")->value_name("W"),
+  add("shortest", number("W")->default_value(0.5, "0.5"),
       "blocks whose slip can be followed for less than W <t_R> are left out");
   const auto command = read_record_command(
       argc, argv, "slow-slip",

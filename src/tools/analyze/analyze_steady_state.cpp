@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include "analyze/analyze.hpp"
+#include "cli/option_values.hpp"
 #include "rupture/analysis/steady_sliding.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
@@ -45,12 +46,10 @@ SteadyRun steady_run(const po::variables_map& values) {
 Parsed parse_arguments(int argc, const char* const* argv) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("v-from", po::value<double>()->default_value(1e-4, "1e-4")->value_name("V"),
-      "lowest speed [m/s]");
-  add("v-to", po::value<double>()->default_value(1.0, "1")->value_name("V"), "highest speed [m/s]");
-  add("points", po::value<int>()->default_value(9)->value_name("N"), "speeds, at equal ratios");
-  add("steps-per-cycle",
-      po::value<int>()->default_value(SteadyRun{}.steps_per_cycle)->value_name("N"),
+  add("v-from", number("V", "m/s")->default_value(1e-4, "1e-4"), "lowest speed");
+  add("v-to", number("V", "m/s")->default_value(1.0, "1"), "highest speed");
+  add("points", integer("N")->default_value(9), "speeds, at equal ratios");
+  add("steps-per-cycle", integer("N")->default_value(SteadyRun{}.steps_per_cycle),
       "time steps while a junction is pinned and slips once; it breaks up to a step late");
   add_format_options(options);
   return parse(argc, argv,

@@ -66,10 +66,8 @@ Report report_on_blocks(const Checkpoint& checkpoint) {
 Parsed parse_arguments(int argc, const char* const* argv) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("shape", po::value<std::string>()->value_name("uniform|bell"),
-      "shape of phi, instead of a checkpoint");
-  add("sigma-bar", po::value<double>()->value_name("S"),
-      "its standard deviation over f_thres - f_slip");
+  add("shape", one_of("uniform|bell"), "shape of phi, instead of a checkpoint");
+  add("sigma-bar", number("S"), "its standard deviation over f_thres - f_slip");
   add_format_options(options);
   return parse(
       argc, argv,

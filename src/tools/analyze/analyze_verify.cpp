@@ -8,6 +8,7 @@
 #include "analyze/analyze.hpp"
 #include "analyze/file_command.hpp"
 #include "analyze/inspection.hpp"
+#include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/file.hpp"
@@ -76,7 +77,7 @@ int analyze_checksum(int argc, const char* const* argv) {
 int analyze_verify(int argc, const char* const* argv) {
   po::options_description options("Options");
   options.add_options()(
-      "manifest", po::value<std::string>()->value_name("FILE"),
+      "manifest", input_file("manifest"),
       "file of lines 'content-sha256 <64 hex digits>  <file>', names relative to its own "
       "folder; the first word may be missing, as in older ones");
   const Parsed parsed = parse_file_command(

@@ -102,12 +102,12 @@ ChosenEvent named_event(const Parameters& p, const Bursts& bursts, const std::st
 }  // namespace
 
 void add_quiet_time_option(po::options_description& options) {
-  options.add_options()("quiet-time", po::value<std::string>()->value_name("T"),
-                        "time without ruptures that separates events [s]; default 5 t_R");
+  options.add_options()("quiet-time", seconds(),
+                        "time without ruptures that separates events; default 5 t_R");
 }
 
 void add_event_options(po::options_description& options) {
-  options.add_options()("event", po::value<std::string>()->value_name("number|first-spanning"),
+  options.add_options()("event", text("number|first-spanning"),
                         "the event of this number in analyze events, which counts from 0, or the "
                         "first that spans the interface");
   add_window_options(options);

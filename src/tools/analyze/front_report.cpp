@@ -9,10 +9,10 @@ namespace rupture::tools {
 
 void add_criteria_options(po::options_description& options) {
   auto add = options.add_options();
-  add("slow-below", po::value<double>()->default_value(0.05, "0.05")->value_name("R"),
+  add("slow-below", number("R")->default_value(0.05, "0.05"),
       "the front is slow where v_c < R c_s");
-  add("skip-below-x", po::value<double>()->default_value(0.02, "0.02")->value_name("X"),
-      "loading zone in which speeds do not count [m]");
+  add("skip-below-x", number("X", "m")->default_value(0.02, "0.02"),
+      "loading zone in which speeds do not count");
 }
 
 FrontCriteria criteria(const po::variables_map& values) {

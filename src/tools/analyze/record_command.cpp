@@ -24,8 +24,8 @@ void check_overlap(const RecordCommand& command) {
 
 void add_window_options(po::options_description& options) {
   auto add = options.add_options();
-  add("from", po::value<std::string>()->value_name("T"), "start of the time window [s]");
-  add("to", po::value<std::string>()->value_name("T"), "end of the time window [s]");
+  add("from", seconds(), "start of the time window");
+  add("to", seconds(), "end of the time window");
 }
 
 RecordCommand read_record_command(int argc, const char* const* argv, const std::string& name,

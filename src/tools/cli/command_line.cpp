@@ -10,7 +10,9 @@
 #include <set>
 #include <sstream>
 
+#include "cli/describe.hpp"
 #include "cli/interruption.hpp"
+#include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/forces/kernels.hpp"
@@ -25,13 +27,13 @@ po::options_description common_options(UsesParameters uses_parameters) {
   po::options_description common("Common options");
   auto add = common.add_options();
   if (uses_parameters == UsesParameters::yes) {
-    add("config", po::value<std::string>()->value_name("FILE"),
+    add("config", input_file("options and parameters"),
         "INI file with options and parameters ([slider] L = 0.14 ...)");
-    add("set", po::value<std::vector<std::string>>()->composing()->value_name("NAME=VALUE"),
-        "set one parameter, after those of --config; may be repeated");
-    add("seed", po::value<std::string>()->value_name("N"), "short for --set numerics.seed=N");
+    add("set", assignments(), "set one parameter, after those of --config; may be repeated");
+    add("seed", seed(), "short for --set numerics.seed=N");
   }
   add("help,h", "show this help and stop");
+  add("describe", "print name, options, input and outputs as one JSON object and stop");
   add("version", "show version, commit and instruction set and stop");
   return common;
 }
@@ -129,6 +131,10 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
     if (parsed.values.count("help") > 0) {
       throw HelpRequested{help_text(text, shown, uses_parameters)};
     }
+    if (parsed.values.count("describe") > 0) {
+      const Json json = description(text, shown, positional, uses_parameters);
+      throw HelpRequested{json_text(json) + "\n"};
+    }
     if (parsed.values.count("version") > 0) {
       throw HelpRequested{version_text(text.name)};
     }
@@ -163,8 +169,8 @@ void apply(const ParameterChanges& changes, Parameters& parameters) {
 }
 
 void add_output_options(po::options_description& options) {
-  options.add_options()("output,o", po::value<std::string>()->required()->value_name("FILE"),
-                        "checkpoint to write")("force,f", "replace files that exist already")(
+  options.add_options()("output,o", output_file("checkpoint")->required(), "checkpoint to write")(
+      "force,f", "replace files that exist already")(
       "sum", "write FILE.sum with its content checksum beside each file, for workflows")(
       "quiet,q", "print errors only");
 }

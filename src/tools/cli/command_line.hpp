@@ -20,14 +20,16 @@ namespace po = boost::program_options;
 /// Exit codes: 0 done, 1 failed, 2 usage.
 enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2 };
 
-/// What --help says besides the options.
+/// What --help and --describe say besides the options.
 struct ToolText {
-  std::string name;      ///< e.g. "restart"
-  std::string synopsis;  ///< e.g. "restart CHECKPOINT -o OUT [options]"
-  std::string purpose;   ///< a sentence or two
+  std::string name;                          ///< e.g. "restart"
+  std::string synopsis;                      ///< e.g. "restart CHECKPOINT -o OUT [options]"
+  std::string purpose;                       ///< a sentence or two
+  std::vector<std::string> one_needed = {};  ///< options of which one must be given
 };
 
-/// Thrown by parse() when --help or --version was given; holds the text for standard output.
+/// Thrown by parse() when --help, --describe or --version was given; holds the text for standard
+/// output.
 struct HelpRequested {
   std::string text;
 };

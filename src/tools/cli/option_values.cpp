@@ -17,18 +17,77 @@ std::vector<std::string> words_of(const po::variable_value& value) {
   return {value.as<std::string>()};
 }
 
-double seconds(const std::string& text, const std::string& option) {
+double time_in(const std::string& text, const std::string& option) {
   double t = 0.0;
   if (boost::conversion::try_lexical_convert(text, t)) return t;
   throw UsageError(fmt::format("--{} {}: give the time in seconds as a plain number, such as 0.01",
                                option, text));
 }
 
+template <class T>
+class DescribedValue : public po::typed_value<T>, public ValueKind {
+ public:
+  explicit DescribedValue(ValueKind declared)
+      : po::typed_value<T>(nullptr), ValueKind(std::move(declared)) {
+    const bool has_unit = !unit.empty() && unit != "1";
+    this->value_name(has_unit ? fmt::format("{} [{}]", name, unit) : name);
+  }
+};
+
+template <class T>
+po::typed_value<T>* described(ValueKind kind) {
+  return new DescribedValue<T>(std::move(kind));
+}
+
 }  // namespace
+
+po::typed_value<std::string>* seconds() {
+  return described<std::string>({"number", "T", "s"});
+}
+
+po::typed_value<std::vector<std::string>>* list_of_seconds() {
+  return described<std::vector<std::string>>({"number", "T...", "s"})->multitoken();
+}
+
+po::typed_value<double>* number(const std::string& name, const std::string& unit) {
+  return described<double>({"number", name, unit});
+}
+
+po::typed_value<int>* integer(const std::string& name) {
+  return described<int>({"integer", name, "1"});
+}
+
+po::typed_value<std::string>* seed() {
+  return described<std::string>({"integer", "N", "1"});
+}
+
+po::typed_value<std::string>* one_of(const std::string& words) {
+  return described<std::string>({"choice", words});
+}
+
+po::typed_value<std::string>* text(const std::string& name) {
+  return described<std::string>({"text", name});
+}
+
+po::typed_value<std::vector<std::string>>* assignments() {
+  return described<std::vector<std::string>>({"parameter", "NAME=VALUE"})->composing();
+}
+
+po::typed_value<std::string>* input_file(const std::string& holds) {
+  return described<std::string>({"input file", "FILE", "", holds});
+}
+
+po::typed_value<std::string>* output_file(const std::string& holds) {
+  return described<std::string>({"output file", "FILE", "", holds});
+}
+
+const ValueKind* kind_of(const po::option_description& option) {
+  return dynamic_cast<const ValueKind*>(option.semantic().get());
+}
 
 std::vector<double> times(const po::variables_map& values, const std::string& option) {
   std::vector<double> result;
-  for (const std::string& word : words_of(values[option])) result.push_back(seconds(word, option));
+  for (const std::string& word : words_of(values[option])) result.push_back(time_in(word, option));
   return result;
 }
 

@@ -1,4 +1,4 @@
-// Numbers that options give: times, lengths and the like.
+// Values of options: how they are declared, and numbers such as times and lengths.
 #pragma once
 
 #include <boost/program_options.hpp>
@@ -9,6 +9,29 @@
 namespace rupture::tools {
 
 namespace po = boost::program_options;
+
+/// The kind of value that an option takes, as --help and --describe say it.
+struct ValueKind {
+  std::string kind;        ///< number, integer, choice, text, parameter, input file or output file
+  std::string name;        ///< such as T or FILE; of a choice its words, as in uniform|bell
+  std::string unit = {};   ///< of numbers: SI, "1" for none
+  std::string holds = {};  ///< of files, such as "record"
+};
+
+/// Values for the declarations of options; like those of po::value() they belong to their option.
+po::typed_value<std::string>* seconds();  ///< for times()
+po::typed_value<std::vector<std::string>>* list_of_seconds();
+po::typed_value<double>* number(const std::string& name, const std::string& unit = "1");
+po::typed_value<int>* integer(const std::string& name);
+po::typed_value<std::string>* seed();
+po::typed_value<std::string>* one_of(const std::string& words);  ///< such as "uniform|bell"
+po::typed_value<std::string>* text(const std::string& name);
+po::typed_value<std::vector<std::string>>* assignments();
+po::typed_value<std::string>* input_file(const std::string& holds);
+po::typed_value<std::string>* output_file(const std::string& holds);
+
+/// The kind that was declared by one of these; none of an option that takes no value.
+const ValueKind* kind_of(const po::option_description& option);
 
 /// Times in seconds that an option gives. They are read as text, so that "10ms" gets a sentence of
 /// its own. Throws UsageError unless they are numbers; but they may be negative or not finite.

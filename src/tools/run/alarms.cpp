@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/option_values.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -16,7 +17,7 @@ constexpr std::int64_t kEvery = 5000;
 
 void add_alarm_option(po::options_description& options) {
   options.add_options()(
-      "on-alarm", po::value<std::string>()->default_value("stop")->value_name("stop|report"),
+      "on-alarm", one_of("stop|report")->default_value("stop"),
       "what to do when the result becomes meaningless (docs/guard.md): stop with exit code 1, or "
       "report it and go on. Warnings are only reported, and not at all with --quiet");
 }

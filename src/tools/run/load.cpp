@@ -19,8 +19,8 @@ struct Options {
 
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
-  options.add_options()("until", po::value<std::string>()->default_value("0")->value_name("T"),
-                        "drive until this time [s]; 0: the equilibrium only");
+  options.add_options()("until", seconds()->default_value("0"),
+                        "drive until this time; 0: the equilibrium only");
   add_run_options(options);
   add_output_options(options);
   const Parsed parsed = parse(

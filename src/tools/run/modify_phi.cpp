@@ -35,14 +35,12 @@ Slipping slipping_named(const std::string& name) {
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("shape", po::value<std::string>()->default_value("uniform")->value_name("uniform|bell"),
-      "shape of the new distribution");
-  add("sigma-bar", po::value<double>()->value_name("S"),
+  add("shape", one_of("uniform|bell")->default_value("uniform"), "shape of the new distribution");
+  add("sigma-bar", number("S"),
       "its standard deviation over f_thres - f_slip; default: as wide as each block allows");
-  add("x-from", po::value<double>()->default_value(0.0, "0")->value_name("X"),
-      "change blocks from this x on [m]");
-  add("x-to", po::value<double>()->value_name("X"), "change blocks up to this x [m]");
-  add("slipping", po::value<std::string>()->default_value("keep")->value_name("keep|pin"),
+  add("x-from", number("X", "m")->default_value(0.0, "0"), "change blocks from this x on");
+  add("x-to", number("X", "m"), "change blocks up to this x");
+  add("slipping", one_of("keep|pin")->default_value("keep"),
       "slipping junctions: keep them slipping, or pin them and include them");
   const po::options_description own = options;
   add_output_options(options);

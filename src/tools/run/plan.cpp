@@ -10,10 +10,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Where the run goes on, if it was interrupted; else its start.
-Resumption beginning(const RunPlan& plan, Resume resume) {
+Resumption beginning(const RunPlan& plan, std::optional<Resumption> found) {
   const auto& chain = plan.start.provenance;
-  auto found =
-      resume == Resume::yes ? find_resumption(plan.start, plan.rule, plan.files) : std::nullopt;
   if (!found) return {plan.start, {}, {}, chain};
   ProvenanceEntry entry = chain.back();
   entry.parent_checksum = found->checkpoint.checksum;
@@ -51,13 +49,13 @@ void leave_out_what_was_written(RunPlan& plan) {
   steps.erase(steps.begin(), later);
 }
 
-void check_outputs(const RunPlan& plan, const RunOptions& options, const OutputOptions& output,
-                   const fs::path& input) {
+void check_outputs(const RunPlan& plan, const std::set<fs::path>& replaceable,
+                   const RunOptions& options, const OutputOptions& output, const fs::path& input) {
   const auto on_the_way = paths_at(plan.checkpoint_steps, plan);
   check_distinct(all_paths(on_the_way, plan.files), input);
   check_output(plan.files.output, output.if_exists);
   for (const fs::path& path : on_the_way) {
-    check_output(path, if_checkpoint_exists(plan, options, path));
+    check_output(path, replaceable.contains(path) ? IfExists::replace : output.if_exists);
   }
   if (plan.files.record) {
     check_record(*plan.files.record, plan.start.parameters, if_record_exists(options, output));
@@ -111,9 +109,11 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
     plan.written_before = all_paths(paths_at(plan.checkpoint_steps, plan), plan.files);
     return plan;
   }
-  plan.begin = beginning(plan, options.resume);
+  Remains remains =
+      options.resume == Resume::yes ? find_remains(plan.start, plan.rule, plan.files) : Remains{};
+  plan.begin = beginning(plan, std::move(remains.newest));
   if (plan.is_resumed()) leave_out_what_was_written(plan);
-  check_outputs(plan, options, output, input);
+  check_outputs(plan, remains.replaceable, options, output, input);
   plan.work = rest_of(plan, plan.work);
   return plan;
 }

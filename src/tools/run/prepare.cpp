@@ -28,19 +28,16 @@ struct Options {
 };
 
 void add_prestress_options(po::options_description& options) {
-  const auto number = [](double fallback, const char* text) {
-    return po::value<double>()->default_value(fallback, text);
-  };
   auto add = options.add_options();
-  add("tau-bar", po::value<double>()->required()->value_name("T"),
+  add("tau-bar", number("T")->required(),
       "prestress (tau_0/p - mu_d)/(mu_s - mu_d), uniform beyond the trigger region");
-  add("sigma-bar", number(0.0, "0")->value_name("S"),
+  add("sigma-bar", number("S")->default_value(0.0, "0"),
       "standard deviation of the junction forces over f_thres - f_slip");
-  add("shape", po::value<std::string>()->default_value("uniform")->value_name("uniform|bell"),
+  add("shape", one_of("uniform|bell")->default_value("uniform"),
       "shape of the distribution of junction forces");
-  add("x-trigger", number(Prestress{}.x_trigger, "0.0225")->value_name("X"),
-      "blocks below this x are the trigger region [m]");
-  add("tau-bar-trigger", number(Prestress{}.tau_bar_trigger, "0.3")->value_name("T"),
+  add("x-trigger", number("X", "m")->default_value(Prestress{}.x_trigger, "0.0225"),
+      "blocks below this x are the trigger region");
+  add("tau-bar-trigger", number("T")->default_value(Prestress{}.tau_bar_trigger, "0.3"),
       "prestress of the trigger region");
   add("no-trigger", "leave the junctions of the trigger region pinned");
 }

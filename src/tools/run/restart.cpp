@@ -1,6 +1,8 @@
 // restart: continue a checkpoint, with the same parameters or with changed ones.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "cli/option_values.hpp"
 #include "run/rebuild.hpp"
 #include "run/simulate.hpp"
@@ -23,6 +25,9 @@ struct Options {
 
 constexpr double kLongestQuietRun = 10.0;  // [s]
 
+/// Options of which one is needed.
+const std::vector<std::string> kWhenToStop = {"until", "for", "until-quiet"};
+
 /// The time that --until-quiet gives; -1, five mean slipping times, if it gives none.
 double quiet_time(const po::variables_map& values) {
   const bool given = !values["until-quiet"].as<std::string>().empty();
@@ -32,10 +37,10 @@ double quiet_time(const po::variables_map& values) {
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("until", po::value<std::string>()->value_name("T"), "run until this time [s]");
-  add("for", po::value<std::string>()->value_name("T"), "run for this long [s]");
-  add("until-quiet", po::value<std::string>()->implicit_value("", "5 t_R")->value_name("T"),
-      "stop earlier, once no junction has broken for T [s] or the front has reached the leading "
+  add("until", seconds(), "run until this time");
+  add("for", seconds(), "run for this long");
+  add("until-quiet", seconds()->implicit_value("", "5 t_R"),
+      "stop earlier, once no junction has broken for T or the front has reached the leading "
       "edge");
   add_run_options(options);
   add_output_options(options);
@@ -44,7 +49,8 @@ Options setup(int argc, char** argv) {
             {"restart", "restart CHECKPOINT -o OUT (--until T | --for T | --until-quiet) [options]",
              "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
              "the\nuninterrupted run; --set changes parameters from this moment on, e.g. --set "
-             "driving.V=0."},
+             "driving.V=0.",
+             kWhenToStop},
             options, "checkpoint", UsesParameters::yes);
   const auto& values = parsed.values;
   Options result;
@@ -55,7 +61,8 @@ Options setup(int argc, char** argv) {
   if (result.until && result.duration) {
     throw UsageError("--until and --for exclude each other: give one");
   }
-  if (!result.until && !result.duration && !result.quiet) {
+  if (std::none_of(kWhenToStop.begin(), kWhenToStop.end(),
+                   [&](const auto& option) { return values.count(option) > 0; })) {
     throw UsageError("when to stop? Give --until T, --for T or --until-quiet");
   }
   result.parameters = parsed.parameters;

@@ -93,14 +93,22 @@ std::vector<fs::path> checkpoints_beside(const fs::path& output) {
   return paths;
 }
 
-/// Reads a file of an interrupted run; one that is damaged counts as none.
-template <class Read>
-auto read_if_intact(const Read& read) -> std::optional<decltype(read())> {
+/// Reads a checkpoint of an interrupted run; one that is damaged counts as none.
+std::optional<Checkpoint> read_if_intact(const fs::path& path) {
   try {
-    return read();
+    return read_checkpoint(path);
   } catch (const Failure& damage) {
     fmt::print(stderr, "not used to resume: {}\n", damage.what());
     return std::nullopt;
+  }
+}
+
+/// True if this is a checkpoint, be it damaged.
+bool is_checkpoint(const fs::path& path) {
+  try {
+    return identify(path) == FileKind::checkpoint;
+  } catch (const Failure&) {
+    return false;
   }
 }
 
@@ -131,7 +139,7 @@ bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
 Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
                  std::int64_t every) {
   if (!fs::exists(path)) return {};
-  const Record record = read_record(path);
+  auto [record, content] = read_record_file(path);
   if (parameters_content(record.parameters) != parameters_content(start.parameters) ||
       !is_chain_of(record.provenance, start.provenance) ||
       !samples_of_run(record.step, start.state.step, every) ||
@@ -141,7 +149,7 @@ Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& 
         "run, interval or end; move it away, give another --record, or --force to replace it",
         path.string()));
   }
-  return read_content(path);
+  return std::move(content);
 }
 
 /// The same of the .part, or else of the record; both must be of the run.
@@ -216,30 +224,33 @@ fs::path path_at(const fs::path& output, double t) {
   return output.parent_path() / name;
 }
 
-std::optional<Resumption> find_resumption(const Checkpoint& start, const StopRule& rule,
-                                          const RunFiles& files) {
+Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
   const Content record = recorded_so_far(start, rule, files);
   bool too_new = false;
+  Remains remains;
   for (const fs::path& path : checkpoints_beside(files.output)) {
-    auto checkpoint = read_if_intact([&] { return read_checkpoint(path); });
-    if (!checkpoint || !is_of_run(*checkpoint, start)) continue;
+    auto checkpoint = read_if_intact(path);
+    if (checkpoint ? !is_of_run(*checkpoint, start) : !is_checkpoint(path)) continue;
+    remains.replaceable.insert(path);
+    if (!checkpoint) continue;
     const std::int64_t step = checkpoint->state.step;
     if (is_beyond_end(step, *checkpoint->run, rule)) continue;
     Content rows = record.empty() ? Content{} : rows_until(record, step);
     if (!files.record || reach(rows, *checkpoint, files.record_every)) {
-      return Resumption{std::move(*checkpoint), path, std::move(rows), {}};
+      remains.newest = {std::move(*checkpoint), path, std::move(rows), {}};
+      return remains;
     }
     if (!std::exchange(too_new, true)) {
       fmt::print(stderr, "not used to resume: {}, which the record does not reach\n",
                  path.string());
     }
   }
-  return std::nullopt;
+  return remains;
 }
 
 bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
   if (!fs::exists(files.output)) return false;
-  const auto end = read_if_intact([&] { return read_checkpoint(files.output); });
+  const auto end = read_if_intact(files.output);
   if (!end || !is_of_run(*end, start)) return false;
   if (!is_end(*end, rule) || (rule.quiet_steps && !same_command(*end, start))) return false;
   if (!files.record) return true;
@@ -250,9 +261,11 @@ bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& 
 
 bool may_write(const fs::path& path, const Checkpoint& start) {
   if (!fs::exists(path)) return true;
-  if (identify(path) != FileKind::checkpoint) return false;
-  const auto checkpoint = read_if_intact([&] { return read_checkpoint(path); });
-  return !checkpoint || is_of_run(*checkpoint, start);
+  try {
+    return is_of_run(read_checkpoint(path), start);
+  } catch (const Failure&) {
+    return is_checkpoint(path);
+  }
 }
 
 std::int64_t last_sample(const Content& rows) {

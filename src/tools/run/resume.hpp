@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,18 +36,25 @@ struct Resumption {
   std::vector<ProvenanceEntry> record_provenance = {};  ///< the record begins where the run did
 };
 
-/// The run at its newest checkpoint that is intact, not beyond its end, and that its record
-/// reaches; none if there is no such checkpoint. Throws Failure if there is a record that is not
-/// this run's.
-std::optional<Resumption> find_resumption(const Checkpoint& start, const StopRule& rule,
-                                          const RunFiles& files);
+/// Files of an interrupted run.
+struct Remains {
+  /// The run at its newest checkpoint that is intact, not beyond its end, and that its record
+  /// reaches; none if there is no such checkpoint.
+  std::optional<Resumption> newest;
+  /// That checkpoint and those of later times that are of the run or damaged: it may replace them.
+  std::set<std::filesystem::path> replaceable;
+};
+
+/// Reads each file once. Throws Failure if there is a record that is not this run's.
+Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFiles& files);
 
 /// True if the run has been completed already, and everything is still there. Of a run until
 /// quiet that is only known if the command was the same, up to options that change no bit.
 bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files);
 
 /// True if `path`, a checkpoint on the way, may be written by the run that begins with `start` when
-/// it is resumed: there is nothing, or a checkpoint of this run, or a damaged one.
+/// it is resumed, as things are now: there is nothing, or a checkpoint of this run, or a damaged
+/// one.
 bool may_write(const std::filesystem::path& path, const Checkpoint& start);
 
 /// The step of the last sample in these rows of a record; -1 if there is none.

@@ -29,15 +29,12 @@ DryRun dry_run(const po::variables_map& values) {
 
 void add_run_options(po::options_description& options) {
   auto add = options.add_options();
-  add("checkpoint-at", po::value<std::vector<std::string>>()->multitoken()->value_name("T..."),
-      "write checkpoints at these times [s], named OUT-tT.h5");
-  add("checkpoint-every", po::value<std::string>()->value_name("T"),
-      "write a checkpoint each time T [s] has passed");
-  add("record", po::value<std::string>()->value_name("FILE"),
-      "record time series of the interface in FILE");
-  add("record-every", po::value<std::string>()->default_value("1e-4")->value_name("T"),
-      "sampling interval of the record [s]; ruptures are recorded to the step");
-  add("threads", po::value<int>()->value_name("N"),
+  add("checkpoint-at", list_of_seconds(), "write checkpoints at these times, named OUT-tT.h5");
+  add("checkpoint-every", seconds(), "write a checkpoint each time T has passed");
+  add("record", output_file("record"), "record time series of the interface in FILE");
+  add("record-every", seconds()->default_value("1e-4"),
+      "sampling interval of the record; ruptures are recorded to the step");
+  add("threads", integer("N"),
       "threads that share the work; default: as many as pay for this size of slider. Results do "
       "not depend on it");
   add_alarm_option(options);
