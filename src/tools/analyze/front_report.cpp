@@ -25,18 +25,6 @@ Front front_of(const RecordCommand& command, const ChosenEvent& event) {
                        criteria(command.parsed.values));
 }
 
-Json slow_json(const std::optional<SlowStretch>& slow) {
-  if (!slow) return nullptr;
-  return {{"x_from", slow->x_from},
-          {"x_to", slow->x_to},
-          {"t_from", slow->t_from},
-          {"t_to", slow->t_to},
-          {"duration", slow->duration()},
-          {"speed", slow->speed},
-          {"fast_before", json_of(slow->fast_before)},
-          {"fast_after", json_of(slow->fast_after)}};
-}
-
 std::string slow_text(const std::optional<SlowStretch>& slow, double c_s) {
   if (!slow) return "no slow stretch";
   return fmt::format("slow from x = {:.4f} m to {:.4f} m for {:.3g} ms at {:.3g} m/s (c_s/{:.0f})",
