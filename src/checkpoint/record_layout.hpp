@@ -18,6 +18,9 @@ struct Series {
   InSample Sample::*in_sample;
   InRecord Record::*in_record;
 };
+template <class InSample, class InRecord>
+Series(const char*, const char*, InSample Sample::*, InRecord Record::*)
+    -> Series<InSample, InRecord>;
 
 inline constexpr std::tuple kSeries = {
     Series{"/series/time", "s", &Sample::time, &Record::time},
@@ -37,6 +40,8 @@ struct OfRupture {
   const char* unit;
   T Rupture::*member;
 };
+template <class T>
+OfRupture(const char*, const char*, T Rupture::*) -> OfRupture<T>;
 
 inline constexpr std::tuple kRuptures = {
     OfRupture{"/ruptures/step", "1", &Rupture::step},

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "cli/option_values.hpp"
-#include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
 
