@@ -30,8 +30,10 @@ TEST_F(Quantities, ParametersAreThoseOfAFile) {
 }
 
 TEST_F(Quantities, EachIsNamedOnceWithItsMeaning) {
+  const Json quantities = json_of("analyze quantities --json")["quantities"];
+  EXPECT_FALSE(quantities.empty());
   std::set<std::string> names;
-  for (const Json& quantity : json_of("analyze quantities --json")["quantities"]) {
+  for (const Json& quantity : quantities) {
     const std::string name = quantity["name"];
     EXPECT_TRUE(names.insert(name).second) << name << " is listed twice";
     EXPECT_NE(quantity["help"], "") << name;
