@@ -56,7 +56,7 @@ Content first_piece(const Parameters& parameters, const std::vector<ProvenanceEn
 
 }  // namespace
 
-// What was appended since the last flush.
+// Rows that were appended since the last flush.
 class RecordWriter::Buffers {
  public:
   Buffers(std::uint64_t Nx, std::size_t flush_every) : flush_every_(flush_every) {

@@ -39,7 +39,7 @@ std::vector<std::size_t> chosen_blocks(const Front& front, const po::variables_m
   return blocks;
 }
 
-/// What is known of the slow slip of several blocks, one value per block.
+/// The slow slip of several blocks, one value per block.
 struct SlowSlips {
   std::vector<double> x, t_from, t_to, speed, r_squared, estimate;
   std::vector<std::optional<double>> v_c;

@@ -18,7 +18,7 @@ Quantity shear_wave_quantity(const Parameters& parameters);
 Quantity length_quantity(const Parameters& parameters);
 Quantity load_quantity(double F_N);
 
-/// What the table in the text shows, and nothing else.
+/// A row that the table in the text shows, and nothing else.
 Quantity text_only(Value value, const TextColumn& column);
 
 }  // namespace rupture::tools

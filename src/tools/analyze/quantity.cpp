@@ -143,7 +143,7 @@ std::string table(const Quantities& rows, Form form) {
 
 // --- analyze quantities
 
-/// What the name of a quantity with such a value ends with.
+/// The end of the name of a quantity with such a value.
 struct Suffix {
   std::string operator()(const auto&) const { return ""; }
   template <class T>

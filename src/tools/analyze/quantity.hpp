@@ -71,7 +71,7 @@ Numbers each(const std::vector<T>& elements, Of of) {
 /// One list after the other.
 Quantities join(const std::vector<Quantities>& lists);
 
-/// What `analyze quantities` says of a quantity.
+/// A line of `analyze quantities`.
 struct NamedQuantity {
   std::string name;  ///< keys joined by dots, * for an index
   std::string unit, help;
