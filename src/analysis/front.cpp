@@ -64,11 +64,8 @@ SlowStretch describe(const Front& front, const Stretch& stretch, double skip_bel
 
 RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures, double from,
                          double to) {
-  RuptureLine line;
+  RuptureLine line{block_positions(p), {}};
   line.t_rupture.resize(static_cast<std::size_t>(p.Nx));
-  for (std::int64_t i = 0; i < p.Nx; ++i) {
-    line.x.push_back(block_position(p, i));
-  }
   for (const Rupture& rupture : ruptures) {
     auto& t = line.t_rupture[static_cast<std::size_t>(rupture.block)];
     if (rupture.time < from || rupture.time > to) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include "context.hpp"
@@ -23,7 +24,8 @@ std::uint64_t rows_in(const Content& content, const std::string& path) {
 }
 
 // Cuts the datasets of a group to the rows whose step is at most `last`.
-void cut(Content& rows, const std::string& group, const char* steps, std::int64_t last) {
+void cut(Content& rows, const std::string& group, std::int64_t last) {
+  const std::string steps = group + "step";
   const auto step = read_array<std::int64_t>(rows, steps, {rows_in(rows, steps)});
   const auto length =
       static_cast<std::uint64_t>(std::upper_bound(step.begin(), step.end(), last) - step.begin());
@@ -34,58 +36,60 @@ void cut(Content& rows, const std::string& group, const char* steps, std::int64_
   }
 }
 
+template <class T>
+void read(const Content& content, const char* path, std::uint64_t rows, std::int64_t,
+          std::vector<T>& values) {
+  values = read_array<T>(content, path, {rows});
+}
+
 template <class Array>
-Array read_per_block(const Content& content, const char* path, std::uint64_t samples,
-                     std::int64_t Nx) {
-  using T = typename Array::Scalar;
-  expect(content, path, DataTypeOf<T>::value, {samples, static_cast<std::uint64_t>(Nx)});
-  Array array(static_cast<Eigen::Index>(samples), Nx);
+void read(const Content& content, const char* path, std::uint64_t rows, std::int64_t Nx,
+          Array& values) {
+  constexpr DataType type = DataTypeOf<typename Array::Scalar>::value;
+  const Shape shape = {rows, static_cast<std::uint64_t>(Nx)};
+  expect(content, path, type, shape);
+  values.resize(static_cast<Eigen::Index>(rows), Nx);
   read_array_bytes(
-      content, path, DataTypeOf<T>::value, {samples, static_cast<std::uint64_t>(Nx)},
-      std::as_writable_bytes(std::span(array.data(), static_cast<std::size_t>(array.size()))));
-  return array;
+      content, path, type, shape,
+      std::as_writable_bytes(std::span(values.data(), static_cast<std::size_t>(values.size()))));
 }
 
 void read_series(const Content& content, Record& record) {
-  const std::uint64_t n = rows_in(content, layout::kTime);
-  const std::int64_t Nx = record.parameters.Nx;
-  record.time = read_array<double>(content, layout::kTime, {n});
-  record.step = read_array<std::int64_t>(content, layout::kStep, {n});
+  const std::uint64_t n = rows_in(content, layout::kSeriesGroup + std::string("time"));
+  layout::for_each(layout::kSeries, [&](const auto& row) {
+    read(content, row.path, n, record.parameters.Nx, record.*row.in_record);
+  });
   const auto misplaced = std::adjacent_find(record.step.begin(), record.step.end(),
                                             [](auto a, auto b) { return a >= b; });
   if (misplaced != record.step.end()) {
-    throw Failure(fmt::format("{} holds {} and then {}; expected ascending steps", layout::kStep,
-                              misplaced[0], misplaced[1]));
+    throw Failure(fmt::format("{}step holds {} and then {}; expected ascending steps",
+                              layout::kSeriesGroup, misplaced[0], misplaced[1]));
   }
-  record.F_T = read_array<double>(content, layout::kDrivingForce, {n});
-  record.x_drive = read_array<double>(content, layout::kDrivePosition, {n});
-  record.pinned = read_per_block<Record::Counts>(content, layout::kPinned, n, Nx);
-  record.p = read_per_block<RowMajorArray>(content, layout::kNormalForce, n, Nx);
-  record.tau = read_per_block<RowMajorArray>(content, layout::kFriction, n, Nx);
-  record.u_x = read_per_block<RowMajorArray>(content, layout::kDisplacement, n, Nx);
 }
 
 std::vector<Rupture> read_ruptures(const Content& content, std::int64_t Nx) {
-  const std::uint64_t n = rows_in(content, layout::kRuptureTime);
-  const auto step = read_array<std::int64_t>(content, layout::kRuptureStep, {n});
-  const auto time = read_array<double>(content, layout::kRuptureTime, {n});
-  const auto block = read_array<std::int64_t>(content, layout::kRuptureBlock, {n});
   std::vector<Rupture> ruptures;
+  const std::uint64_t n = rows_in(content, layout::kRupturesGroup + std::string("time"));
+  layout::for_each(layout::kRuptures, [&](const auto& row) {
+    using T = std::remove_reference_t<decltype(ruptures[0].*row.member)>;
+    const auto values = read_array<T>(content, row.path, {n});
+    ruptures.resize(n);
+    for (std::size_t i = 0; i < n; ++i) ruptures[i].*row.member = values[i];
+  });
   for (std::size_t i = 0; i < n; ++i) {
-    if (block[i] < 0 || block[i] >= Nx) {
-      throw Failure(fmt::format("{} holds {} at index {}; expected a block from 0 to {}",
-                                layout::kRuptureBlock, block[i], i, Nx - 1));
+    if (const std::int64_t block = ruptures[i].block; block < 0 || block >= Nx) {
+      throw Failure(fmt::format("{}block holds {} at index {}; expected a block from 0 to {}",
+                                layout::kRupturesGroup, block, i, Nx - 1));
     }
-    ruptures.push_back({step[i], time[i], block[i]});
   }
   return ruptures;
 }
 
 void refuse_unknown(const Content& content) {
-  const std::set<std::string> known = {
-      layout::kTime,        layout::kStep,        layout::kDrivingForce, layout::kDrivePosition,
-      layout::kPinned,      layout::kNormalForce, layout::kFriction,     layout::kDisplacement,
-      layout::kRuptureStep, layout::kRuptureTime, layout::kRuptureBlock};
+  std::set<std::string> known;
+  const auto add = [&](const auto& row) { known.insert(row.path); };
+  layout::for_each(layout::kSeries, add);
+  layout::for_each(layout::kRuptures, add);
   for (const auto& [path, dataset] : content) {
     const bool elsewhere = path.starts_with("/parameters/") || path.starts_with("/provenance/");
     if (!elsewhere && !known.contains(path)) {
@@ -119,8 +123,8 @@ Content rows_until(const Content& record, std::int64_t step) {
                  return entry.first.starts_with(layout::kSeriesGroup) ||
                         entry.first.starts_with(layout::kRupturesGroup);
                });
-  cut(rows, layout::kSeriesGroup, layout::kStep, step);
-  cut(rows, layout::kRupturesGroup, layout::kRuptureStep, step);
+  cut(rows, layout::kSeriesGroup, step);
+  cut(rows, layout::kRupturesGroup, step);
   return rows;
 }
 

@@ -18,14 +18,22 @@ namespace {
 namespace layout = record_layout;
 
 template <class T>
-void append_values(std::vector<T>& buffer, const std::vector<T>& values) {
-  buffer.insert(buffer.end(), values.begin(), values.end());
+std::span<const T> values_of(const T& value) {
+  return {&value, 1};
+}
+template <class T>
+std::span<const T> values_of(const std::vector<T>& values) {
+  return values;
 }
 
-void check_size(const char* what, std::size_t size, std::size_t Nx) {
-  if (size != Nx) {
-    throw Failure(fmt::format("a sample has {} values of {}; expected Nx = {}", size, what, Nx));
-  }
+// A dataset without rows: with a value per row, or one per row and block.
+template <class T>
+Dataset no_rows(const T&, const char* unit, std::uint64_t) {
+  return make_array(std::span<const T>(), {0}, unit);
+}
+template <class T>
+Dataset no_rows(const std::vector<T>&, const char* unit, std::uint64_t Nx) {
+  return make_array(std::span<const T>(), {0, Nx}, unit);
 }
 
 void check_count_range(const Parameters& parameters) {
@@ -48,74 +56,66 @@ Content first_piece(const Parameters& parameters, const std::vector<ProvenanceEn
 
 }  // namespace
 
-// What was appended since the last flush, one array per dataset.
+// Rows that were appended since the last flush.
 class RecordWriter::Buffers {
  public:
-  Buffers(std::size_t Nx, std::size_t flush_every) : Nx_(Nx), flush_every_(flush_every) {}
+  Buffers(std::uint64_t Nx, std::size_t flush_every) : flush_every_(flush_every) {
+    layout::for_each(layout::kSeries, [&](const auto& row) {
+      rows_[row.path] = no_rows(Sample{}.*row.in_sample, row.unit, Nx);
+    });
+    layout::for_each(layout::kRuptures, [&](const auto& row) {
+      rows_[row.path] = no_rows(Rupture{}.*row.member, row.unit, Nx);
+    });
+  }
 
   void add(const Sample& sample) {
-    check_size("pinned", sample.pinned.size(), Nx_);
-    check_size("p", sample.p.size(), Nx_);
-    check_size("tau", sample.tau.size(), Nx_);
-    check_size("u_x", sample.u_x.size(), Nx_);
-    time_.push_back(sample.time);
-    step_.push_back(sample.step);
-    F_T_.push_back(sample.F_T);
-    x_drive_.push_back(sample.x_drive);
-    append_values(pinned_, sample.pinned);
-    append_values(p_, sample.p);
-    append_values(tau_, sample.tau);
-    append_values(u_x_, sample.u_x);
+    layout::for_each(layout::kSeries, [&](const auto& row) {
+      check_size(row.path, values_of(sample.*row.in_sample).size());
+    });
+    layout::for_each(layout::kSeries, [&](const auto& row) {
+      append(row.path, std::as_bytes(values_of(sample.*row.in_sample)));
+    });
+    ++samples_;
   }
 
   void add(const Rupture& rupture) {
-    rupture_step_.push_back(rupture.step);
-    rupture_time_.push_back(rupture.time);
-    rupture_block_.push_back(rupture.block);
+    layout::for_each(layout::kRuptures, [&](const auto& row) {
+      append(row.path, std::as_bytes(values_of(rupture.*row.member)));
+    });
+    ++ruptures_;
   }
 
-  bool empty() const { return time_.empty() && rupture_time_.empty(); }
-  bool full() const { return std::max(time_.size(), rupture_time_.size()) >= flush_every_; }
+  bool empty() const { return samples_ + ruptures_ == 0; }
+  bool full() const { return std::max(samples_, ruptures_) >= flush_every_; }
 
-  Content content() const {
-    Content content;
-    content[layout::kTime] = per_row(time_, "s");
-    content[layout::kStep] = per_row(step_, "1");
-    content[layout::kDrivingForce] = per_row(F_T_, "N");
-    content[layout::kDrivePosition] = per_row(x_drive_, "m");
-    content[layout::kPinned] = per_block(pinned_, "1");
-    content[layout::kNormalForce] = per_block(p_, "N");
-    content[layout::kFriction] = per_block(tau_, "N");
-    content[layout::kDisplacement] = per_block(u_x_, "m");
-    content[layout::kRuptureStep] = per_row(rupture_step_, "1");
-    content[layout::kRuptureTime] = per_row(rupture_time_, "s");
-    content[layout::kRuptureBlock] = per_row(rupture_block_, "1");
-    return content;
-  }
+  const Content& content() const { return rows_; }
 
   void clear() {
-    for (auto* buffer : {&time_, &F_T_, &x_drive_, &p_, &tau_, &u_x_, &rupture_time_}) {
-      buffer->clear();
+    for (auto& [path, dataset] : rows_) {
+      dataset.bytes.clear();
+      dataset.shape[0] = 0;
     }
-    for (auto* buffer : {&step_, &rupture_step_, &rupture_block_}) buffer->clear();
-    pinned_.clear();
+    samples_ = ruptures_ = 0;
   }
 
  private:
-  template <class T>
-  static Dataset per_row(const std::vector<T>& values, const char* unit) {
-    return make_array(std::span(values), {values.size()}, unit);
-  }
-  template <class T>
-  Dataset per_block(const std::vector<T>& values, const char* unit) const {
-    return make_array(std::span(values), {values.size() / Nx_, Nx_}, unit);
+  void check_size(const std::string& path, std::size_t size) const {
+    const Shape& shape = rows_.at(path).shape;
+    const std::uint64_t Nx = shape.size() > 1 ? shape[1] : 1;
+    if (size == Nx) return;
+    throw Failure(fmt::format("a sample has {} values of {}; expected Nx = {}", size,
+                              path.substr(std::string_view(layout::kSeriesGroup).size()), Nx));
   }
 
-  std::size_t Nx_;
+  void append(const char* path, std::span<const std::byte> row) {
+    Dataset& dataset = rows_.at(path);
+    dataset.bytes.insert(dataset.bytes.end(), row.begin(), row.end());
+    ++dataset.shape[0];
+  }
+
   std::size_t flush_every_;
-  std::vector<double> time_, F_T_, x_drive_, p_, tau_, u_x_, rupture_time_;
-  std::vector<std::int64_t> step_, rupture_step_, rupture_block_;
-  std::vector<std::uint16_t> pinned_;
+  std::size_t samples_ = 0, ruptures_ = 0;
+  Content rows_;
 };
 
 class RecordWriter::Part : public PartFile {
@@ -138,8 +138,8 @@ RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& paramet
                            Content rows_before, std::size_t flush_every)
     : path_(std::move(path)), if_exists_(if_exists) {
   check_record(path_, parameters, if_exists);
-  buffers_ = std::make_unique<Buffers>(static_cast<std::size_t>(parameters.Nx), flush_every);
-  rows_before.merge(buffers_->content());  // all datasets are there, even if without rows
+  buffers_ = std::make_unique<Buffers>(static_cast<std::uint64_t>(parameters.Nx), flush_every);
+  rows_before.merge(Content(buffers_->content()));  // all datasets are there, even if without rows
   part_ = std::make_unique<Part>(part_path(path_),
                                  first_piece(parameters, provenance, std::move(rows_before)));
 }

@@ -37,6 +37,12 @@ double block_position(const Parameters& p, std::int64_t i) {
   return static_cast<double>(i) * block_spacing(p);
 }
 
+std::vector<double> block_positions(const Parameters& p) {
+  std::vector<double> x;
+  for (std::int64_t i = 0; i < p.Nx; ++i) x.push_back(block_position(p, i));
+  return x;
+}
+
 double normal_force(const Parameters& p, double u_z) {
   if (p.support == Support::ceiling) return mean_normal_force(p);
   return -foundation_stiffness(p) * std::min(u_z, 0.0);

@@ -1,6 +1,8 @@
 // Quantities that follow from the parameters (Table S1, lower half).
 #pragma once
 
+#include <vector>
+
 #include "rupture/model/parameters.hpp"
 
 namespace rupture {
@@ -18,6 +20,7 @@ double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an inte
 
 /// Position of column i along x, i l [m].
 double block_position(const Parameters& p, std::int64_t i);
+std::vector<double> block_positions(const Parameters& p);  ///< of all columns [m]
 
 /// Normal force p_i on a bottom block at u_z, upwards [N]. On a foundation -k_f u_z where u_z < 0,
 /// else 0; under a ceiling F_N / Nx.

@@ -19,18 +19,24 @@ int analyze_help(int argc, const char* const* argv);
 
 const std::vector<Command> kCommands = {
     {"help", "this list, or what analyze COMMAND --help says", analyze_help},
-    {"events", "rupture events in a record", analyze_events},
-    {"front", "rupture line, speed and type of the front in a record", analyze_front},
-    {"classify", "the front's type alone: none, arrested, slow or fast", analyze_classify},
-    {"slip", "fast and slow slip of one block in a record", analyze_slip},
-    {"slow-slip", "slip speed of the blocks behind the slow front in a record", analyze_slow_slip},
-    {"loading", "driving force against time in a record", analyze_loading},
-    {"stress", "normal and friction forces along the interface of a checkpoint", analyze_stress},
-    {"phi", "distribution of junction forces in a checkpoint", analyze_phi},
+    {"events", "rupture events in a record", analyze_events, events_quantities},
+    {"front", "rupture line, speed and type of the front in a record", analyze_front,
+     front_quantities},
+    {"classify", "the front's type alone: none, arrested, slow or fast", analyze_classify,
+     classify_quantities},
+    {"slip", "fast and slow slip of one block in a record", analyze_slip, slip_quantities},
+    {"slow-slip", "slip speed of the blocks behind the slow front in a record", analyze_slow_slip,
+     slow_slip_quantities},
+    {"loading", "driving force against time in a record", analyze_loading, loading_quantities},
+    {"stress", "normal and friction forces along the interface of a checkpoint", analyze_stress,
+     stress_quantities},
+    {"phi", "distribution of junction forces in a checkpoint", analyze_phi, phi_quantities},
     {"strength", "effective static friction of a shape of phi or of a checkpoint's blocks",
-     analyze_strength},
-    {"estimate", "slow slip to expect from a checkpoint's parameters", analyze_estimate},
-    {"steady-state", "friction of a block that slides at constant speed", analyze_steady_state},
+     analyze_strength, strength_quantities},
+    {"estimate", "slow slip to expect from a checkpoint's parameters", analyze_estimate,
+     estimate_quantities},
+    {"steady-state", "friction of a block that slides at constant speed", analyze_steady_state,
+     steady_state_quantities},
     {"quantities", "names and units of all parameters and of what these commands measure",
      analyze_quantities},
     {"checksum", "content checksum of a file", analyze_checksum},
@@ -121,6 +127,10 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+
+const std::vector<Command>& rupture::tools::commands() {
+  return kCommands;
+}
 
 int main(int argc, char** argv) {
   return run_tool("analyze", [&] { return run(argc, argv); });

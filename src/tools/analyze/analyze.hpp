@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "analyze/quantity.hpp"
 #include "cli/command_line.hpp"
-#include "cli/report.hpp"
 
 namespace rupture::tools {
 
@@ -14,24 +14,39 @@ struct Command {
   std::string name;
   std::string purpose;
   int (*run)(int argc, const char* const* argv);
+  Quantities (*quantities)() = nullptr;  ///< rows of what it measures, whatever their values
 };
+
+/// All commands, in the order of the help.
+const std::vector<Command>& commands();
 
 // of records
 int analyze_events(int argc, const char* const* argv);
+Quantities events_quantities();
 int analyze_front(int argc, const char* const* argv);
+Quantities front_quantities();
 int analyze_classify(int argc, const char* const* argv);
+Quantities classify_quantities();
 int analyze_slow_slip(int argc, const char* const* argv);
+Quantities slow_slip_quantities();
 int analyze_slip(int argc, const char* const* argv);
+Quantities slip_quantities();
 int analyze_loading(int argc, const char* const* argv);
+Quantities loading_quantities();
 
 // of checkpoints
 int analyze_stress(int argc, const char* const* argv);
+Quantities stress_quantities();
 int analyze_phi(int argc, const char* const* argv);
+Quantities phi_quantities();
 int analyze_strength(int argc, const char* const* argv);  // or of a shape of phi
+Quantities strength_quantities();
 int analyze_estimate(int argc, const char* const* argv);
+Quantities estimate_quantities();
 
 // of parameters
 int analyze_steady_state(int argc, const char* const* argv);
+Quantities steady_state_quantities();
 
 // of nothing: what all these measure
 int analyze_quantities(int argc, const char* const* argv);

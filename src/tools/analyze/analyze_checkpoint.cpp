@@ -5,6 +5,7 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/checkpoint_command.hpp"
+#include "analyze/common_quantities.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/model/derived.hpp"
@@ -12,6 +13,14 @@
 
 namespace rupture::tools {
 namespace {
+
+std::optional<double> ratio(double force, double strength) {
+  return strength > 0.0 ? std::optional(force / strength) : std::nullopt;
+}
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 /// Centroid of the normal forces, measured from the middle of the interface [m].
 double centroid(const std::vector<double>& x, const std::vector<double>& p, double L) {
@@ -23,7 +32,80 @@ double centroid(const std::vector<double>& x, const std::vector<double>& p, doub
   return total > 0.0 ? moment / total : 0.0;
 }
 
+/// Forces along the interface.
+struct Stress {
+  double time = 0;                ///< [s]
+  std::vector<double> x, p, tau;  ///< per block [m], [N], [N]
+  double F_T = 0, F_N = 0;        ///< [N]
+  double p_centroid = 0;          ///< from the middle of the interface [m]
+};
+
+Stress stress_of(const Checkpoint& checkpoint) {
+  const Parameters& p = checkpoint.parameters;
+  const State& state = checkpoint.state;
+  Stress stress = {time(p, state),          block_positions(p),
+                   normal_forces(p, state), friction_forces(p, state),
+                   driving_force(p, state), p.F_N};
+  stress.p_centroid = centroid(stress.x, stress.p, p.L);
+  return stress;
+}
+
+Quantities quantities_of(const Stress& stress) {
+  const TextColumn forces = {11, "{:.4f}"};
+  Numbers tau_over_p;
+  for (std::size_t i = 0; i < stress.p.size(); ++i) {
+    tau_over_p.push_back(ratio(stress.tau[i], stress.p[i]));
+  }
+  return {
+      {"time", "s", "time of the checkpoint", stress.time},
+      positions(stress.x),
+      {"p", "N", "normal force on each block", stress.p, Csv::yes, forces},
+      {"tau", "N", "friction force on each block, > 0 where it pushes towards -x", stress.tau,
+       Csv::yes, forces},
+      text_only(tau_over_p, {8, "{:.4f}", "tau/p"}),
+      {"F_T", "N", "driving force", stress.F_T},
+      load_quantity(stress.F_N),
+      {"p_centroid", "m", "centroid of the normal forces, from the middle of the interface",
+       stress.p_centroid},
+  };
+}
+
+Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {
+  using B = BlockForces;
+  const TextColumn means = {15, "{:.4f}", "mean/f_thres"}, widths = {12, "{:.4f}", "sigma-bar"},
+                   fractions = {11, "{:.2f}"};
+  const auto relative_mean = [](const B& b) { return ratio(b.mean, b.f_thres); };
+  const auto sigma_bar = [](const B& b) { return b.f_thres > 0.0 ? b.sigma_bar() : 0.0; };
+  Counts histograms;
+  for (const B& b : blocks) {
+    histograms.push_back(b.f_thres > 0.0 ? std::optional(histogram(b, bins)) : std::nullopt);
+  }
+  return {
+      positions(each(blocks, &B::x)),
+      {"mean", "N", "mean junction force of each block", each(blocks, &B::mean), Csv::yes},
+      text_only(each(blocks, relative_mean), means),
+      {"sigma", "N", "standard deviation of the junction forces of each block",
+       each(blocks, &B::sigma), Csv::yes},
+      {"sigma_bar", "1", "sigma/(f_thres - f_slip) of each block", each(blocks, sigma_bar),
+       Csv::yes, widths},
+      {"slipping", "1", "fraction of slipping junctions of each block", each(blocks, &B::slipping),
+       Csv::yes, fractions},
+      {"f_thres", "N", "strength of one junction of each block", each(blocks, &B::f_thres),
+       Csv::yes},
+      {"f_slip", "N", "force of one slipping junction of each block", each(blocks, &B::f_slip)},
+      {"histogram", "1", "junctions of each block in each bin from -f_thres to f_thres",
+       histograms},
+  };
+}
+
 }  // namespace
+
+Quantities stress_quantities() {
+  return quantities_of(Stress{});
+}
+Quantities phi_quantities() {
+  return quantities_of({}, 0);
+}
 
 int analyze_stress(int argc, const char* const* argv) {
   po::options_description options("Options");
@@ -32,32 +114,12 @@ int analyze_stress(int argc, const char* const* argv) {
       "Normal force p and friction force tau on each interface block; tau > 0 where friction\n"
       "pushes the block towards -x.",
       options);
-  const Parameters& p = checkpoint.parameters;
-  const auto normal = normal_forces(p, checkpoint.state);
-  const auto friction = friction_forces(p, checkpoint.state);
-  std::vector<double> x;
-  for (std::size_t i = 0; i < normal.size(); ++i) {
-    x.push_back(block_position(p, static_cast<std::int64_t>(i)));
-  }
-  const double t = time(p, checkpoint.state);
-  const double F_T = driving_force(p, checkpoint.state);
-  const double x_p = centroid(x, normal, p.L);
-  Report report;
-  report.json = {{"time", t},  {"x", x},       {"p", normal},      {"tau", friction},
-                 {"F_T", F_T}, {"F_N", p.F_N}, {"p_centroid", x_p}};
-  report.series = {column("x [m]", x), column("p [N]", normal), column("tau [N]", friction)};
-  report.text = "    x [m]      p [N]    tau [N]   tau/p\n";
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    report.text +=
-        fmt::format("{:9.4f}{:11.4f}{:11.4f}{:>8}\n", x[i], normal[i], friction[i],
-                    normal[i] > 0.0 ? fmt::format("{:.4f}", friction[i] / normal[i]) : "-");
-  }
-  report.text += fmt::format(
+  const Stress stress = stress_of(checkpoint);
+  const std::string text = fmt::format(
       "t = {:.7g} s, F_T = {:.6g} N, sum p = {:.9g} N, sum tau = {:.6g} N, centroid of p at {:.4g} "
       "mm from the middle\n",
-      t, F_T, std::accumulate(normal.begin(), normal.end(), 0.0),
-      std::accumulate(friction.begin(), friction.end(), 0.0), x_p * 1e3);
-  print(report, parsed.values);
+      stress.time, stress.F_T, sum(stress.p), sum(stress.tau), stress.p_centroid * 1e3);
+  print(quantities_of(stress), text, parsed.values);
   return kDone;
 }
 
@@ -75,36 +137,7 @@ int analyze_phi(int argc, const char* const* argv) {
   }
   refuse_single_springs(checkpoint.parameters);
   const auto blocks = block_forces(checkpoint.parameters, checkpoint.state);
-  Report report;
-  std::vector<double> x, mean, sigma, sigma_bar, slipping, f_thres, f_slip;
-  Json histograms = Json::array();
-  report.text = "    x [m]   mean/f_thres   sigma-bar   slipping\n";
-  for (const auto& block : blocks) {
-    const bool pressed = block.f_thres > 0.0;
-    x.push_back(block.x);
-    mean.push_back(block.mean);
-    sigma.push_back(block.sigma);
-    sigma_bar.push_back(pressed ? block.sigma_bar() : 0.0);
-    slipping.push_back(block.slipping);
-    f_thres.push_back(block.f_thres);
-    f_slip.push_back(block.f_slip);
-    histograms.push_back(pressed ? Json(histogram(block, bins)) : Json());
-    report.text += fmt::format("{:9.4f}{:>15}{:12.4f}{:11.2f}\n", block.x,
-                               pressed ? fmt::format("{:.4f}", block.mean / block.f_thres) : "-",
-                               sigma_bar.back(), block.slipping);
-  }
-  report.json = {{"x", x},
-                 {"mean", mean},
-                 {"sigma", sigma},
-                 {"sigma_bar", sigma_bar},
-                 {"slipping", slipping},
-                 {"f_thres", f_thres},
-                 {"f_slip", f_slip},
-                 {"histogram", histograms}};
-  report.series = {column("x [m]", x),           column("mean [N]", mean),
-                   column("sigma [N]", sigma),   column("sigma_bar", sigma_bar),
-                   column("slipping", slipping), column("f_thres [N]", f_thres)};
-  print(report, parsed.values);
+  print(quantities_of(blocks, bins), "", parsed.values);
   return kDone;
 }
 

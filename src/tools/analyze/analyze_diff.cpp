@@ -5,6 +5,7 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/file_command.hpp"
+#include "cli/report.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/file.hpp"

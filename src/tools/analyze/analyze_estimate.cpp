@@ -5,6 +5,7 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/checkpoint_command.hpp"
+#include "analyze/common_quantities.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/analysis/slow_slip.hpp"
@@ -33,31 +34,94 @@ std::optional<RelaxationEnsemble> ensemble(const Parameters& p, const po::variab
   return relax_ensemble(p, blocks);
 }
 
-Json course_of(const std::optional<Relaxation>& relaxation) {
-  if (!relaxation) return {};
-  return {{"time_over_t_R", relaxation->course.time},
-          {"slip_over_f_slip_per_k_ij", relaxation->course.slip}};
+/// Slow slip to expect, of the mean and of each block.
+struct Estimate {
+  double v_slow_slip = 0, p = 0, t_R = 0;  ///< [m/s], mean normal force [N], [s]
+  std::optional<RelaxationEnsemble> ensemble;
+  std::optional<Relaxation> first;  ///< of the ensemble
+  std::vector<double> x, p_i, v_i;  ///< per block [m], [N], [m/s]
+};
+
+Estimate estimate_of(const Checkpoint& checkpoint, const po::variables_map& values) {
+  const Parameters& p = checkpoint.parameters;
+  Estimate estimate;
+  estimate.t_R = mean_slipping_time(p);
+  estimate.x = block_positions(p);
+  estimate.p_i = normal_forces(p, checkpoint.state);
+  for (const double p_i : estimate.p_i) estimate.v_i.push_back(slow_slip_estimate(p, p_i));
+  estimate.p = std::accumulate(estimate.p_i.begin(), estimate.p_i.end(), 0.0) /
+               static_cast<double>(estimate.p_i.size());
+  estimate.v_slow_slip = slow_slip_estimate(p, estimate.p);
+  const Parameters with_seed = seeded(p, values);
+  estimate.ensemble = ensemble(with_seed, values);
+  estimate.first = relax(with_seed, 0);
+  return estimate;
 }
 
-void add_relaxation(Report& report, const std::optional<RelaxationEnsemble>& relaxation) {
-  const auto add = [&](const std::string& name, Mean RelaxationEnsemble::*field) {
-    report.json[name] = relaxation ? Json(((*relaxation).*field).value) : Json();
-    report.json[name + "_deviation"] = relaxation ? Json(((*relaxation).*field).deviation) : Json();
+/// Mean and standard deviation over the ensemble.
+Quantities over_ensemble(const std::string& key, const std::string& help,
+                         const std::optional<Mean>& mean) {
+  const auto known = [&](double Mean::*member) {
+    return mean ? std::optional((*mean).*member) : std::nullopt;
   };
+  return {{key, "1", help + ", mean over the ensemble", known(&Mean::value)},
+          {key + "_deviation", "1", help + ", standard deviation", known(&Mean::deviation)}};
+}
+
+Quantities ensemble_quantities(const std::optional<RelaxationEnsemble>& ensemble) {
   using E = RelaxationEnsemble;
-  add("net_slip_over_f_slip_per_k_ij", &E::net_slip);
-  add("slip_after_two_t_R_over_f_slip_per_k_ij", &E::slip_after_two);
-  add("slip_at_return_over_f_slip_per_k_ij", &E::slip_at_return);
-  add("duration_over_t_R", &E::duration);
-  add("quiet_after_over_t_R", &E::quiet_time);
-  if (!relaxation) {
-    report.text += "relaxation of one block: goes on for ever\n";
-    return;
-  }
+  const auto mean = [&](Mean E::*member) {
+    return ensemble ? std::optional((*ensemble).*member) : std::nullopt;
+  };
+  return join({
+      over_ensemble("net_slip_over_f_slip_per_k_ij",
+                    "slip until no junction slips any more, in f_slip/k_ij", mean(&E::net_slip)),
+      over_ensemble("slip_after_two_t_R_over_f_slip_per_k_ij", "slip after 2 <t_R>, in f_slip/k_ij",
+                    mean(&E::slip_after_two)),
+      over_ensemble("slip_at_return_over_f_slip_per_k_ij",
+                    "slip until each junction has been pinned once, in f_slip/k_ij",
+                    mean(&E::slip_at_return)),
+      over_ensemble("duration_over_t_R", "time until each junction has been pinned once, in <t_R>",
+                    mean(&E::duration)),
+      over_ensemble("quiet_after_over_t_R", "time until no junction slips any more, in <t_R>",
+                    mean(&E::quiet_time)),
+  });
+}
+
+Quantity course_of(const std::optional<Relaxation>& relaxation) {
+  const auto course = relaxation.value_or(Relaxation{}).course;
+  const Quantities rows = {
+      {"time_over_t_R", "1", "time at which each junction was pinned, in <t_R>", course.time},
+      {"slip_over_f_slip_per_k_ij", "1", "slip at that time, in f_slip/k_ij", course.slip},
+  };
+  return {"relaxation", "", "", Group{rows, relaxation.has_value()}};
+}
+
+Quantities quantities_of(const Estimate& e) {
+  const TextColumn forces = {11, "{:.4f}"}, speeds = {11, "{:.4f}", "v [mm/s]", 1e3};
+  const Quantities block = {
+      positions(e.x),
+      {"p", "N", "normal force on each block", e.p_i, Csv::yes, forces},
+      {"v_slow_slip", "m/s", "speed of slow slip by Eq. S1 of each block", e.v_i, Csv::yes, speeds},
+  };
+  return join({
+      {
+          {"v_slow_slip", "m/s", "speed of slow slip by Eq. S1 at the mean normal force",
+           e.v_slow_slip},
+          {"p", "N", "mean normal force on a block", e.p},
+          {"t_R", "s", "mean slipping time <t_R>", e.t_R},
+      },
+      ensemble_quantities(e.ensemble),
+      {course_of(e.first), {"block", "", "", Group{block}}},
+  });
+}
+
+std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation) {
+  if (!relaxation) return "relaxation of one block: goes on for ever\n";
   const auto text = [](const Mean& m) {
     return fmt::format("{:.3f} +- {:.3f}", m.value, m.deviation);
   };
-  report.text += fmt::format(
+  return fmt::format(
       "relaxation of one block (mean +- standard deviation, slip in f_slip/k_ij):\n"
       "  net slip {}, of which {} in 2 <t_R>: on average {:.2f} f_slip/k_ij per <t_R>\n"
       "  every junction has been pinned once after {} <t_R>, at slip {}\n"
@@ -68,6 +132,10 @@ void add_relaxation(Report& report, const std::optional<RelaxationEnsemble>& rel
 }
 
 }  // namespace
+
+Quantities estimate_quantities() {
+  return quantities_of({});
+}
 
 int analyze_estimate(int argc, const char* const* argv) {
   po::options_description options("Options");
@@ -81,33 +149,12 @@ int analyze_estimate(int argc, const char* const* argv) {
                               "and of each block; and the\n"
                               "relaxation of one block from which its coefficient comes.",
                               options);
-  const Parameters& p = checkpoint.parameters;
-  refuse_other_laws(p);
-  const auto normal = normal_forces(p, checkpoint.state);
-  std::vector<double> x, v;
-  for (const double p_i : normal) {
-    x.push_back(block_position(p, static_cast<std::int64_t>(x.size())));
-    v.push_back(slow_slip_estimate(p, p_i));
-  }
-  const double p_mean =
-      std::accumulate(normal.begin(), normal.end(), 0.0) / static_cast<double>(normal.size());
-  const double v_mean = slow_slip_estimate(p, p_mean);
-  Report report;
-  report.json = {{"v_slow_slip", v_mean}, {"p", p_mean}, {"t_R", mean_slipping_time(p)}};
-  report.text = "    x [m]      p [N]   v [mm/s]\n";
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    report.text += fmt::format("{:9.4f}{:11.4f}{:11.4f}\n", x[i], normal[i], v[i] * 1e3);
-  }
-  report.text += fmt::format(
-      "Eq. S1 at the mean normal force {:.5g} N, <t_R> = {:.5g} ms: {:.4f} "
-      "mm/s\n",
-      p_mean, mean_slipping_time(p) * 1e3, v_mean * 1e3);
-  const Parameters with_seed = seeded(p, parsed.values);
-  add_relaxation(report, ensemble(with_seed, parsed.values));
-  report.json["relaxation"] = course_of(relax(with_seed, 0));
-  report.json["block"] = {{"x", x}, {"p", normal}, {"v_slow_slip", v}};
-  report.series = {column("x [m]", x), column("p [N]", normal), column("v_slow_slip [m/s]", v)};
-  print(report, parsed.values);
+  refuse_other_laws(checkpoint.parameters);
+  const Estimate estimate = estimate_of(checkpoint, parsed.values);
+  const std::string text =
+      fmt::format("Eq. S1 at the mean normal force {:.5g} N, <t_R> = {:.5g} ms: {:.4f} mm/s\n",
+                  estimate.p, estimate.t_R * 1e3, estimate.v_slow_slip * 1e3);
+  print(quantities_of(estimate), text + relaxation_text(estimate.ensemble), parsed.values);
   return kDone;
 }
 

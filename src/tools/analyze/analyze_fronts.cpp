@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include "analyze/analyze.hpp"
+#include "analyze/common_quantities.hpp"
 #include "analyze/event_choice.hpp"
 #include "analyze/front_report.hpp"
 #include "analyze/record_command.hpp"
@@ -9,6 +10,34 @@
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
+namespace {
+
+Quantities quantities_of(const Front& front, const Parameters& p) {
+  const TextColumn times = {17, "{:.7f}"}, speeds = {12, "{:.4g}"};
+  return {
+      positions(front.line.x),
+      in_csv(rupture_times(front.line), times),
+      {"v_c", "m/s", "front speed at each block", front.v_c, Csv::yes, speeds},
+      type_quantity(front),
+      arrest_quantity(front),
+      slow_quantity(front.slow),
+      shear_wave_quantity(p),
+      length_quantity(p),
+  };
+}
+
+Quantities classification_of(const Front& front) {
+  return {type_quantity(front), arrest_quantity(front)};
+}
+
+}  // namespace
+
+Quantities front_quantities() {
+  return quantities_of({}, {});
+}
+Quantities classify_quantities() {
+  return classification_of({});
+}
 
 int analyze_front(int argc, const char* const* argv) {
   po::options_description options("Options");
@@ -24,27 +53,9 @@ int analyze_front(int argc, const char* const* argv) {
       options);
   const ChosenEvent event = choose_event(command);
   const Front front = front_of(command, event);
-  const double c_s = shear_wave_speed(command.record.parameters);
-  Report report;
-  report.json = {{"x", front.line.x},
-                 {"t_rupture", json_of(front.line.t_rupture)},
-                 {"v_c", json_of(front.v_c)},
-                 {"type", front_type_name(front.type)},
-                 {"x_arrest", json_of(front.x_arrest)},
-                 {"slow", slow_json(front.slow)},
-                 {"c_s", c_s},
-                 {"L", command.record.parameters.L}};
-  report.series = {column("x [m]", front.line.x),
-                   {"t_rupture [s]", front.line.t_rupture},
-                   {"v_c [m/s]", front.v_c}};
-  report.text = "    x [m]    t_rupture [s]   v_c [m/s]\n";
-  for (std::size_t i = 0; i < front.line.x.size(); ++i) {
-    const auto& t = front.line.t_rupture[i];
-    report.text += fmt::format("{:9.4f}{:>17}{:>12}\n", front.line.x[i],
-                               t ? fmt::format("{:.7f}", *t) : "-", text_of(front.v_c[i]));
-  }
-  report.text += front_text(front, c_s, event);
-  print(report, command.parsed.values);
+  const Parameters& p = command.record.parameters;
+  print(quantities_of(front, p), front_text(front, shear_wave_speed(p), event),
+        command.parsed.values);
   return kDone;
 }
 
@@ -59,10 +70,8 @@ int analyze_classify(int argc, const char* const* argv) {
       "slow or fast,\nand nothing else.",
       options);
   const Front front = front_of(command, choose_event(command));
-  Report report;
-  report.text = fmt::format("{}\n", front_type_name(front.type));
-  report.json = {{"type", front_type_name(front.type)}, {"x_arrest", json_of(front.x_arrest)}};
-  print(report, command.parsed.values);
+  print(classification_of(front), fmt::format("{}\n", front_type_name(front.type)),
+        command.parsed.values);
   return kDone;
 }
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "analyze/analyze.hpp"
-#include "analyze/quantities.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
 
@@ -27,9 +26,19 @@ Json parameters_json() {
   return list;
 }
 
+std::vector<NamedQuantity> all_quantities() {
+  std::vector<NamedQuantity> all;
+  for (const Command& command : commands()) {
+    if (command.quantities == nullptr) continue;
+    const auto measured = named(command.name, command.quantities());
+    all.insert(all.end(), measured.begin(), measured.end());
+  }
+  return all;
+}
+
 Json quantities_json() {
   Json list = Json::array();
-  for (const Quantity& quantity : quantities()) {
+  for (const NamedQuantity& quantity : all_quantities()) {
     list.push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"help", quantity.help}});
   }
   return list;
@@ -38,7 +47,7 @@ Json quantities_json() {
 void print_text() {
   say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
   say("\nQuantities: name (command, then field of its --json; * is an index), unit, meaning\n");
-  for (const Quantity& quantity : quantities()) {
+  for (const NamedQuantity& quantity : all_quantities()) {
     const std::string unit = quantity.unit.empty() ? "" : "[" + quantity.unit + "]";
     say("  {:<58} {:<6} {}\n", quantity.name, unit, quantity.help);
   }

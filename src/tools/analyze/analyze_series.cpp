@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analyze/analyze.hpp"
+#include "analyze/common_quantities.hpp"
 #include "analyze/record_command.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/front.hpp"
@@ -15,13 +16,10 @@
 namespace rupture::tools {
 namespace {
 
-Column column_of_block(const Record& record, const RowMajorArray& values, Eigen::Index block,
-                       std::string name) {
-  Column result{std::move(name), {}};
-  for (std::size_t n = 0; n < record.time.size(); ++n) {
-    result.values.emplace_back(values(static_cast<Eigen::Index>(n), block));
-  }
-  return result;
+/// The series of one block.
+std::vector<double> series_of(const RowMajorArray& values, Eigen::Index block) {
+  const auto column = values.col(block);
+  return {column.begin(), column.end()};
 }
 
 Eigen::Index block_at(const Parameters& p, double x) {
@@ -30,7 +28,104 @@ Eigen::Index block_at(const Parameters& p, double x) {
   throw UsageError(fmt::format("--x {:g} is beyond the interface, which ends at {:g} m", x, p.L));
 }
 
+/// The slip of one block in the window.
+struct Slip {
+  double x = 0;                         ///< position of the block [m]
+  std::optional<double> t_rupture;      ///< [s]
+  std::vector<double> time, u_x, slip;  ///< [s], [m], [m]
+  std::optional<SlipMeasure> measure;
+};
+
+Slip slip_of(const RecordCommand& command, Eigen::Index block) {
+  const Record& record = command.record;
+  const Parameters& p = record.parameters;
+  const auto line = rupture_line(p, record.ruptures, command.from, command.to);
+  const auto i = static_cast<std::size_t>(block);
+  Slip result;
+  result.x = line.x[i];
+  result.t_rupture = line.t_rupture[i];
+  for (std::size_t n = 0; n < record.time.size(); ++n) {
+    if (record.time[n] < command.from || record.time[n] > command.to) continue;
+    result.time.push_back(record.time[n]);
+    result.u_x.push_back(record.u_x(static_cast<Eigen::Index>(n), block));
+    result.slip.push_back(result.u_x.back() - result.u_x.front());
+  }
+  if (result.t_rupture && result.time.size() > 2) {
+    result.measure = measure_slip({result.time, result.u_x}, *result.t_rupture, 0.5 * p.t_R);
+  }
+  return result;
+}
+
+Quantities quantities_of(const Slip& slip) {
+  const auto measured = [&](double SlipMeasure::*member) {
+    return slip.measure ? std::optional((*slip.measure).*member) : std::nullopt;
+  };
+  const auto fitted = [&](double LineFit::*member) {
+    const bool has_fit = slip.measure && slip.measure->slow;
+    return has_fit ? std::optional((*slip.measure->slow).*member) : std::nullopt;
+  };
+  return {
+      {"x", "m", "position of the block", slip.x},
+      {"t_rupture", "s", "first rupture of the block", slip.t_rupture},
+      {"t_arrest", "s", "time at which the block first stops after its rupture",
+       measured(&SlipMeasure::t_arrest)},
+      {"fast_slip", "m", "slip until the block first stops", measured(&SlipMeasure::fast_slip)},
+      {"slow_slip", "m", "slip from then on", measured(&SlipMeasure::slow_slip)},
+      {"slow_from", "s", "start of the fit of the slow slip", measured(&SlipMeasure::t_from)},
+      {"slow_to", "s", "end of the fit of the slow slip", measured(&SlipMeasure::t_to)},
+      {"slow_speed", "m/s", "speed of the slow slip", fitted(&LineFit::slope)},
+      {"slow_speed_error", "m/s", "standard error of that speed", fitted(&LineFit::slope_error)},
+      {"slow_r_squared", "1", "R^2 of the fit", fitted(&LineFit::r_squared)},
+      {"time", "s", "time of each sample", slip.time, Csv::yes},
+      {"slip", "m", "slip since the start of the window, at each sample", slip.slip, Csv::yes},
+  };
+}
+
+std::string text_of(const Slip& slip) {
+  std::string text = fmt::format("block at x = {:.4f} m, rupture at t = {} s\n", slip.x,
+                                 slip.t_rupture ? fmt::format("{:.7f}", *slip.t_rupture) : "-");
+  const auto& measure = slip.measure;
+  if (!measure) return text;
+  text += fmt::format("fast slip {:.4g} um until t = {:.6f} s, then slow slip {:.4g} um\n",
+                      measure->fast_slip * 1e6, measure->t_arrest, measure->slow_slip * 1e6);
+  if (!measure->slow) return text;
+  return text + fmt::format(
+                    "slow slip speed {:.4g} +- {:.1g} mm/s between t = {:.6f} s and "
+                    "{:.6f} s, R^2 = {:.4f}\n",
+                    measure->slow->slope * 1e3, measure->slow->slope_error * 1e3, measure->t_from,
+                    measure->t_to, measure->slow->r_squared);
+}
+
+Quantities quantities_of(const Record& record) {
+  return {
+      load_quantity(record.parameters.F_N),
+      {"time", "s", "time of each sample", record.time, Csv::yes},
+      {"F_T", "N", "driving force at each sample", record.F_T, Csv::yes},
+      {"x_drive", "m", "position of the driving point at each sample", record.x_drive, Csv::yes},
+  };
+}
+
+/// Forces and displacement of one block.
+struct BlockSeries {
+  std::vector<double> p, tau, u_x;  ///< [N], [N], [m]
+};
+
+Quantities quantities_of(const BlockSeries& block) {
+  return {
+      {"p", "N", "normal force on the block of --x at each sample", block.p, Csv::yes},
+      {"tau", "N", "friction force on the block of --x at each sample", block.tau, Csv::yes},
+      {"u_x", "m", "displacement of the block of --x at each sample", block.u_x, Csv::yes},
+  };
+}
+
 }  // namespace
+
+Quantities slip_quantities() {
+  return quantities_of(Slip{});
+}
+Quantities loading_quantities() {
+  return join({quantities_of(Record{}), quantities_of(BlockSeries{})});
+}
 
 int analyze_slip(int argc, const char* const* argv) {
   po::options_description options("Options");
@@ -44,59 +139,9 @@ int analyze_slip(int argc, const char* const* argv) {
                           "into the fast\nslip until the block first stops and the slow slip that "
                           "follows.",
                           options);
-  const Record& record = command.record;
-  const Parameters& p = record.parameters;
-  const Eigen::Index block = block_at(p, non_negative(command.parsed.values, "x"));
-  const auto line = rupture_line(p, record.ruptures, command.from, command.to);
-  const auto& t_rupture = line.t_rupture[static_cast<std::size_t>(block)];
-
-  std::vector<double> time, u_x, slip;
-  for (std::size_t n = 0; n < record.time.size(); ++n) {
-    if (record.time[n] < command.from || record.time[n] > command.to) continue;
-    time.push_back(record.time[n]);
-    u_x.push_back(record.u_x(static_cast<Eigen::Index>(n), block));
-    slip.push_back(u_x.back() - u_x.front());
-  }
-  std::optional<SlipMeasure> measure;
-  if (t_rupture && time.size() > 2) measure = measure_slip({time, u_x}, *t_rupture, 0.5 * p.t_R);
-
-  Report report;
-  report.json = {{"x", line.x[static_cast<std::size_t>(block)]},
-                 {"t_rupture", json_of(t_rupture)},
-                 {"t_arrest", nullptr},
-                 {"fast_slip", nullptr},
-                 {"slow_slip", nullptr},
-                 {"slow_from", nullptr},
-                 {"slow_to", nullptr},
-                 {"slow_speed", nullptr},
-                 {"slow_speed_error", nullptr},
-                 {"slow_r_squared", nullptr},
-                 {"time", time},
-                 {"slip", slip}};
-  report.text = fmt::format("block at x = {:.4f} m, rupture at t = {} s\n",
-                            line.x[static_cast<std::size_t>(block)],
-                            t_rupture ? fmt::format("{:.7f}", *t_rupture) : "-");
-  if (measure) {
-    report.json["t_arrest"] = measure->t_arrest;
-    report.json["fast_slip"] = measure->fast_slip;
-    report.json["slow_slip"] = measure->slow_slip;
-    report.json["slow_from"] = measure->t_from;
-    report.json["slow_to"] = measure->t_to;
-    report.text +=
-        fmt::format("fast slip {:.4g} um until t = {:.6f} s, then slow slip {:.4g} um\n",
-                    measure->fast_slip * 1e6, measure->t_arrest, measure->slow_slip * 1e6);
-  }
-  if (measure && measure->slow) {
-    report.json["slow_speed"] = measure->slow->slope;
-    report.json["slow_speed_error"] = measure->slow->slope_error;
-    report.json["slow_r_squared"] = measure->slow->r_squared;
-    report.text += fmt::format(
-        "slow slip speed {:.4g} +- {:.1g} mm/s between t = {:.6f} s and {:.6f} s, R^2 = {:.4f}\n",
-        measure->slow->slope * 1e3, measure->slow->slope_error * 1e3, measure->t_from,
-        measure->t_to, measure->slow->r_squared);
-  }
-  report.series = {column("time [s]", time), column("slip [m]", slip)};
-  print(report, command.parsed.values);
+  const Slip slip = slip_of(
+      command, block_at(command.record.parameters, non_negative(command.parsed.values, "x")));
+  print(quantities_of(slip), text_of(slip), command.parsed.values);
   return kDone;
 }
 
@@ -110,28 +155,21 @@ int analyze_loading(int argc, const char* const* argv) {
                           "Driving force against time; with --x also one block's forces.", options);
   const Record& record = command.record;
   const Parameters& p = record.parameters;
-  Report report;
-  report.series = {column("time [s]", record.time), column("F_T [N]", record.F_T),
-                   column("x_drive [m]", record.x_drive)};
-  report.json = {
-      {"F_N", p.F_N}, {"time", record.time}, {"F_T", record.F_T}, {"x_drive", record.x_drive}};
+  Quantities rows = quantities_of(record);
   if (const auto x = optional_non_negative(command.parsed.values, "x")) {
     const Eigen::Index block = block_at(p, *x);
-    report.series.push_back(column_of_block(record, record.p, block, "p [N]"));
-    report.series.push_back(column_of_block(record, record.tau, block, "tau [N]"));
-    report.series.push_back(column_of_block(record, record.u_x, block, "u_x [m]"));
-    report.json["p"] = json_of(report.series[3].values);
-    report.json["tau"] = json_of(report.series[4].values);
-    report.json["u_x"] = json_of(report.series[5].values);
+    rows = join(
+        {rows, quantities_of(BlockSeries{series_of(record.p, block), series_of(record.tau, block),
+                                         series_of(record.u_x, block)})});
   }
   const auto peak = std::max_element(record.F_T.begin(), record.F_T.end());
-  report.text = fmt::format(
+  const std::string text = fmt::format(
       "{} samples from t = {:.7g} s to {:.7g} s\nF_T/F_N: {:.4f} at the start, {:.4f} at the end, "
       "peak {:.4f} at t = {:.7g} s\n",
       record.time.size(), record.time.front(), record.time.back(), record.F_T.front() / p.F_N,
       record.F_T.back() / p.F_N, *peak / p.F_N,
       record.time[static_cast<std::size_t>(peak - record.F_T.begin())]);
-  print(report, command.parsed.values);
+  print(rows, text, command.parsed.values);
   return kDone;
 }
 

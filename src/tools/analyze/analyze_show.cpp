@@ -4,6 +4,7 @@
 #include "analyze/analyze.hpp"
 #include "analyze/file_command.hpp"
 #include "analyze/lineage.hpp"
+#include "cli/report.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"

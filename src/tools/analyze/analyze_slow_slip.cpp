@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "analyze/analyze.hpp"
+#include "analyze/common_quantities.hpp"
 #include "analyze/event_choice.hpp"
 #include "analyze/front_report.hpp"
 #include "analyze/record_command.hpp"
@@ -38,7 +39,7 @@ std::vector<std::size_t> chosen_blocks(const Front& front, const po::variables_m
   return blocks;
 }
 
-/// What is known of the slow slip of several blocks, one value per block.
+/// The slow slip of several blocks, one value per block.
 struct SlowSlips {
   std::vector<double> x, t_from, t_to, speed, r_squared, estimate;
   std::vector<std::optional<double>> v_c;
@@ -83,13 +84,52 @@ std::optional<double> median_of_known(const std::vector<std::optional<double>>& 
   return median(known);
 }
 
-Json extremes_json(const std::vector<double>& values) {
-  if (values.empty()) return {{"mean", nullptr}, {"min", nullptr}, {"max", nullptr}};
+/// Mean, least and largest value.
+Quantity extremes(const std::vector<double>& values) {
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-  return {{"mean", *average(values)}, {"min", *least}, {"max", *largest}};
+  const auto known = [&](auto place) {
+    return place == values.end() ? std::nullopt : std::optional(*place);
+  };
+  const Quantities rows = {
+      {"mean", "m/s", "mean of their speeds of slow slip", average(values)},
+      {"min", "m/s", "smallest of their speeds of slow slip", known(least)},
+      {"max", "m/s", "largest of their speeds of slow slip", known(largest)},
+  };
+  return {"speed", "", "", Group{rows}};
+}
+
+Quantity per_block(const SlowSlips& slips) {
+  const TextColumn times = {13, "{:.7f}"}, fit = {10, "{:.4f}"}, speeds = {12, "{:.4g}"},
+                   slip = {14, "{:.4f}", "slip [mm/s]", 1e3};
+  const Quantities rows = {
+      positions(slips.x),
+      {"t_from", "s", "start of the fit at each block", slips.t_from, Csv::yes, times},
+      {"t_to", "s", "end of the fit at each block", slips.t_to, Csv::yes, times},
+      {"speed", "m/s", "speed of slow slip of each block", slips.speed, Csv::yes, slip},
+      {"r_squared", "1", "R^2 of the fit at each block", slips.r_squared, Csv::yes, fit, "R^2"},
+      {"v_c", "m/s", "front speed at each block", slips.v_c, Csv::yes, speeds},
+      {"estimate", "m/s", "Eq. S1 at the normal force on each block", slips.estimate, Csv::yes},
+  };
+  return {"per_block", "", "", Group{rows}};
+}
+
+Quantities quantities_of(const Front& front, const SlowSlips& slips) {
+  return {
+      type_quantity(front),
+      slow_quantity(front.slow),
+      {"blocks", "1", "blocks whose slow slip was measured", std::ssize(slips.x)},
+      {"front_speed", "m/s", "median front speed at these blocks", median_of_known(slips.v_c)},
+      extremes(slips.speed),
+      {"estimate", "m/s", "mean of Eq. S1 at their normal forces", average(slips.estimate)},
+      per_block(slips),
+  };
 }
 
 }  // namespace
+
+Quantities slow_slip_quantities() {
+  return quantities_of({}, {});
+}
 
 int analyze_slow_slip(int argc, const char* const* argv) {
   po::options_description options("Options");
@@ -116,44 +156,14 @@ int analyze_slow_slip(int argc, const char* const* argv) {
   const SlowSlips slips =
       measure_slow_slips(command.record, front, chosen_blocks(front, command.parsed.values),
                          slow_slip_criteria(command.parsed.values));
-  const auto front_speed = median_of_known(slips.v_c);
-  const auto estimate = average(slips.estimate), speed = average(slips.speed);
-
-  Report report;
-  report.json = {{"type", front_type_name(front.type)},
-                 {"slow", slow_json(front.slow)},
-                 {"blocks", slips.x.size()},
-                 {"front_speed", json_of(front_speed)},
-                 {"speed", extremes_json(slips.speed)},
-                 {"estimate", json_of(estimate)},
-                 {"per_block",
-                  {{"x", slips.x},
-                   {"t_from", slips.t_from},
-                   {"t_to", slips.t_to},
-                   {"speed", slips.speed},
-                   {"r_squared", slips.r_squared},
-                   {"v_c", json_of(slips.v_c)},
-                   {"estimate", slips.estimate}}}};
-  report.series = {column("x [m]", slips.x),
-                   column("t_from [s]", slips.t_from),
-                   column("t_to [s]", slips.t_to),
-                   column("speed [m/s]", slips.speed),
-                   column("R^2", slips.r_squared),
-                   {"v_c [m/s]", slips.v_c},
-                   column("estimate [m/s]", slips.estimate)};
-  report.text = "    x [m]   t_from [s]     t_to [s]   slip [mm/s]       R^2   v_c [m/s]\n";
-  for (std::size_t i = 0; i < slips.x.size(); ++i) {
-    report.text +=
-        fmt::format("{:9.4f}{:13.7f}{:13.7f}{:14.4f}{:10.4f}{:>12}\n", slips.x[i], slips.t_from[i],
-                    slips.t_to[i], slips.speed[i] * 1e3, slips.r_squared[i], text_of(slips.v_c[i]));
-  }
-  report.text += fmt::format(
-      "{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n", slips.x.size(),
-      text_of(speed, 1e-3), text_of(estimate, 1e-3), text_of(front_speed));
+  std::string text =
+      fmt::format("{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n",
+                  slips.x.size(), text_of(average(slips.speed), 1e-3),
+                  text_of(average(slips.estimate), 1e-3), text_of(median_of_known(slips.v_c)));
   if (front.type == FrontType::none || event.in_window > 1) {
-    report.text += front_text(front, shear_wave_speed(command.record.parameters), event);
+    text += front_text(front, shear_wave_speed(command.record.parameters), event);
   }
-  print(report, command.parsed.values);
+  print(quantities_of(front, slips), text, command.parsed.values);
   return kDone;
 }
 

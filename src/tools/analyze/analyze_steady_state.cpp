@@ -43,6 +43,30 @@ SteadyRun steady_run(const po::variables_map& values) {
   return run;
 }
 
+/// tau/p at one speed.
+struct SteadyPoint {
+  double v = 0;  ///< [m/s]
+  Mean mu;
+  double mu_theory = 0;
+};
+
+/// `p`: normal force on the block [N].
+Quantities quantities_of(const std::vector<SteadyPoint>& points, double p) {
+  using P = SteadyPoint;
+  const auto mu = [](const P& point) { return point.mu.value; };
+  const auto error = [](const P& point) { return point.mu.standard_error; };
+  return {
+      {"v", "m/s", "each speed", each(points, &P::v), Csv::yes, TextColumn{12, "{:.4g}"}},
+      {"mu", "1", "measured mean tau/p at each speed", each(points, mu), Csv::yes,
+       TextColumn{11, "{:.6f}", "tau/p"}},
+      {"mu_error", "1", "standard error of mu at each speed", each(points, error), Csv::yes,
+       TextColumn{13, "{:.2g}", "std. error"}},
+      {"mu_theory", "1", "tau/p by renewal theory at each speed", each(points, &P::mu_theory),
+       Csv::yes, TextColumn{17, "{:.6f}", "renewal theory"}},
+      {"p", "N", "normal force on the block", p},
+  };
+}
+
 Parsed parse_arguments(int argc, const char* const* argv) {
   po::options_description options("Options");
   auto add = options.add_options();
@@ -62,6 +86,10 @@ Parsed parse_arguments(int argc, const char* const* argv) {
 
 }  // namespace
 
+Quantities steady_state_quantities() {
+  return quantities_of({}, 0.0);
+}
+
 int analyze_steady_state(int argc, const char* const* argv) {
   const Parsed parsed = parse_arguments(argc, argv);
   Parameters p;
@@ -69,26 +97,16 @@ int analyze_steady_state(int argc, const char* const* argv) {
   validate(p);
   refuse_other_laws(p);
   const SteadySliding block{p, mean_normal_force(p)};
-  const auto v = speeds(parsed.values);
+  const auto speed_list = speeds(parsed.values);
   const SteadyRun run = steady_run(parsed.values);
-  std::vector<double> mu, error, theory;
-  Report report;
-  report.text = "     v [m/s]      tau/p   std. error   renewal theory\n";
-  for (const double speed : v) {
-    const Mean measured = measured_friction(block, speed, run);
-    mu.push_back(measured.value);
-    error.push_back(measured.standard_error);
-    theory.push_back(renewal_friction(block, speed));
-    report.text += fmt::format("{:12.4g}{:11.6f}{:13.2g}{:17.6f}\n", speed, mu.back(), error.back(),
-                               theory.back());
+  std::vector<SteadyPoint> points;
+  for (const double v : speed_list) {
+    points.push_back({v, measured_friction(block, v, run), renewal_friction(block, v)});
   }
-  report.text += fmt::format(
+  const std::string text = fmt::format(
       "Not in the standard error: events come up to a step late, which is 1/{} of a cycle.\n",
       run.steps_per_cycle);
-  report.json = {{"v", v}, {"mu", mu}, {"mu_error", error}, {"mu_theory", theory}, {"p", block.p}};
-  report.series = {column("v [m/s]", v), column("mu", mu), column("mu_error", error),
-                   column("mu_theory", theory)};
-  print(report, parsed.values);
+  print(quantities_of(points, block.p), text, parsed.values);
   return kDone;
 }
 

@@ -14,7 +14,25 @@ double friction(const Parameters& p, double mu_bar) {
   return p.mu_d + mu_bar * (p.mu_s - p.mu_d);
 }
 
-Report report_on_shape(const po::variables_map& values) {
+/// mu-bar of a shape of phi, and friction with the default mu_s and mu_d.
+struct ShapeStrength {
+  std::string shape;
+  double sigma_bar = 0, mu_bar_eff = 0, mu_eff = 0;
+};
+
+Quantities quantities_of(const ShapeStrength& s) {
+  return {
+      {"shape", "", "uniform or bell (of a shape)", s.shape},
+      {"sigma_bar", "1", "standard deviation over f_thres - f_slip (of a shape)", s.sigma_bar,
+       Csv::yes},
+      {"mu_bar_eff", "1",
+       "effective static friction, (tau_max/p - mu_d)/(mu_s - mu_d) (of a shape)", s.mu_bar_eff,
+       Csv::yes},
+      {"mu_eff", "1", "tau_max/p at the default mu_s and mu_d (of a shape)", s.mu_eff, Csv::yes},
+  };
+}
+
+void report_on_shape(const po::variables_map& values) {
   if (values.count("shape") == 0 || values.count("sigma-bar") == 0) {
     throw UsageError(
         "--shape and --sigma-bar belong together: give both, or name a checkpoint instead");
@@ -23,44 +41,33 @@ Report report_on_shape(const po::variables_map& values) {
   const double sigma_bar = non_negative(values, "sigma-bar");
   const double mu_bar = effective_strength(shape_named(shape), sigma_bar);
   const double mu = friction(Parameters{}, mu_bar);
-  Report report;
-  report.json = {
-      {"shape", shape}, {"sigma_bar", sigma_bar}, {"mu_bar_eff", mu_bar}, {"mu_eff", mu}};
-  report.series = {{"sigma_bar", {sigma_bar}}, {"mu_bar_eff", {mu_bar}}, {"mu_eff", {mu}}};
-  report.text = fmt::format(
+  const std::string text = fmt::format(
       "{} phi, sigma-bar = {:g}: effective static friction mu-bar = {:.7f}, {:.7f} at mu_s = {:g} "
       "and mu_d = {:g}\n",
       shape, sigma_bar, mu_bar, mu, Parameters{}.mu_s, Parameters{}.mu_d);
-  return report;
+  print(quantities_of(ShapeStrength{shape, sigma_bar, mu_bar, mu}), text, values);
 }
 
-Report report_on_blocks(const Checkpoint& checkpoint) {
-  const Parameters& p = checkpoint.parameters;
-  refuse_single_springs(p);
-  std::vector<std::optional<double>> sigma_bar, tau_bar_0, mu_bar, mu;
-  std::vector<double> x, slipping;
-  Report report;
-  report.text = "    x [m]   slipping   sigma-bar   tau-bar_0      mu-bar   tau_max/p\n";
-  for (const BlockStrength& block : block_strengths(p, checkpoint.state)) {
-    x.push_back(block.x);
-    slipping.push_back(block.slipping);
-    sigma_bar.push_back(block.sigma_bar);
-    tau_bar_0.push_back(block.tau_bar_0);
-    mu_bar.push_back(block.mu_bar_eff);
-    mu.push_back(block.p > 0.0 ? std::optional(block.tau_max / block.p) : std::nullopt);
-    report.text += fmt::format("{:9.4f}{:11.2f}{:>12}{:>12}{:>12}{:>12}\n", block.x, block.slipping,
-                               text_of(sigma_bar.back()), text_of(tau_bar_0.back()),
-                               text_of(mu_bar.back()), text_of(mu.back()));
-  }
-  report.json = {{"x", x},
-                 {"slipping", slipping},
-                 {"sigma_bar", json_of(sigma_bar)},
-                 {"tau_bar_0", json_of(tau_bar_0)},
-                 {"mu_bar_eff", json_of(mu_bar)},
-                 {"mu_eff", json_of(mu)}};
-  report.series = {column("x [m]", x),       column("slipping", slipping), {"sigma_bar", sigma_bar},
-                   {"tau_bar_0", tau_bar_0}, {"mu_bar_eff", mu_bar},       {"mu_eff", mu}};
-  return report;
+Quantities quantities_of(const std::vector<BlockStrength>& blocks) {
+  using B = BlockStrength;
+  const auto mu_eff = [](const B& b) {
+    return b.p > 0.0 ? std::optional(b.tau_max / b.p) : std::nullopt;
+  };
+  const auto headed = [](const char* heading) { return TextColumn{12, "{:.4g}", heading}; };
+  return {
+      {"x", "m", "position of each block (of a checkpoint)", each(blocks, &B::x), Csv::yes,
+       TextColumn{9, "{:.4f}"}},
+      {"slipping", "1", "fraction of slipping junctions of each block (of a checkpoint)",
+       each(blocks, &B::slipping), Csv::yes, TextColumn{11, "{:.2f}"}},
+      {"sigma_bar", "1", "sigma/(f_thres - f_slip) of each block (of a checkpoint)",
+       each(blocks, &B::sigma_bar), Csv::yes, headed("sigma-bar")},
+      {"tau_bar_0", "1", "(tau/p - mu_d)/(mu_s - mu_d) of each block (of a checkpoint)",
+       each(blocks, &B::tau_bar_0), Csv::yes, headed("tau-bar_0")},
+      {"mu_bar_eff", "1", "(tau_max/p - mu_d)/(mu_s - mu_d) of each block (of a checkpoint)",
+       each(blocks, &B::mu_bar_eff), Csv::yes, headed("mu-bar")},
+      {"mu_eff", "1", "tau_max/p of each block (of a checkpoint)", each(blocks, mu_eff), Csv::yes,
+       headed("tau_max/p")},
+  };
 }
 
 Parsed parse_arguments(int argc, const char* const* argv) {
@@ -81,6 +88,10 @@ Parsed parse_arguments(int argc, const char* const* argv) {
 
 }  // namespace
 
+Quantities strength_quantities() {
+  return join({quantities_of(ShapeStrength{}), quantities_of(std::vector<BlockStrength>{})});
+}
+
 int analyze_strength(int argc, const char* const* argv) {
   const Parsed parsed = parse_arguments(argc, argv);
   const auto& values = parsed.values;
@@ -89,10 +100,12 @@ int analyze_strength(int argc, const char* const* argv) {
     throw UsageError("a checkpoint has forces of its own: give it or --shape, not both");
   }
   if (of_shape) {
-    print(report_on_shape(values), values);
+    report_on_shape(values);
   } else {
     const auto path = single_input(values, "checkpoint", "a checkpoint, or give --shape");
-    print(report_on_blocks(read_checkpoint(path)), values);
+    const Checkpoint checkpoint = read_checkpoint(path);
+    refuse_single_springs(checkpoint.parameters);
+    print(quantities_of(block_strengths(checkpoint.parameters, checkpoint.state)), "", values);
   }
   return kDone;
 }

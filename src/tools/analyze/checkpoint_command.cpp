@@ -1,6 +1,6 @@
 #include "analyze/checkpoint_command.hpp"
 
-#include "cli/report.hpp"
+#include "analyze/quantity.hpp"
 
 namespace rupture::tools {
 

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "cli/option_values.hpp"
-#include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
 
@@ -23,18 +22,6 @@ Front front_of(const RecordCommand& command, const ChosenEvent& event) {
   const Parameters& p = command.record.parameters;
   return measure_front(p, rupture_line(p, event.ruptures, event.from, event.to),
                        criteria(command.parsed.values));
-}
-
-Json slow_json(const std::optional<SlowStretch>& slow) {
-  if (!slow) return nullptr;
-  return {{"x_from", slow->x_from},
-          {"x_to", slow->x_to},
-          {"t_from", slow->t_from},
-          {"t_to", slow->t_to},
-          {"duration", slow->duration()},
-          {"speed", slow->speed},
-          {"fast_before", json_of(slow->fast_before)},
-          {"fast_after", json_of(slow->fast_after)}};
 }
 
 std::string slow_text(const std::optional<SlowStretch>& slow, double c_s) {

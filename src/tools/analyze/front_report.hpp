@@ -5,7 +5,6 @@
 #include <string>
 
 #include "analyze/event_choice.hpp"
-#include "cli/report.hpp"
 #include "rupture/analysis/front.hpp"
 
 namespace rupture::tools {
@@ -17,7 +16,6 @@ FrontCriteria criteria(const po::variables_map& values);
 /// The front of the chosen event.
 Front front_of(const RecordCommand& command, const ChosenEvent& event);
 
-Json slow_json(const std::optional<SlowStretch>& slow);
 std::string slow_text(const std::optional<SlowStretch>& slow, double c_s);
 
 /// One line on the front as a whole.

@@ -1,0 +1,214 @@
+#include "analyze/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/report.hpp"
+#include "cli/text.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+std::string heading_of(const Quantity& quantity) {
+  if (!quantity.heading.empty()) return quantity.heading;
+  const bool has_unit = !quantity.unit.empty() && quantity.unit != "1";
+  return has_unit ? fmt::format("{} [{}]", quantity.key, quantity.unit) : quantity.key;
+}
+
+// --- JSON
+
+Json json_of(const Quantities& rows);
+
+struct ToJson {
+  Json operator()(const auto& value) const { return value; }
+  template <class T>
+  Json operator()(const std::optional<T>& value) const {
+    return value ? Json(*value) : Json();
+  }
+  template <class T>
+  Json operator()(const std::vector<std::optional<T>>& values) const {
+    Json array = Json::array();
+    for (const auto& value : values) array.push_back((*this)(value));
+    return array;
+  }
+  Json operator()(const Group& group) const { return group.present ? json_of(group.rows) : Json(); }
+  Json operator()(const List& list) const {
+    Json array = Json::array();
+    for (const auto& element : list.elements) array.push_back(json_of(element));
+    return array;
+  }
+};
+
+Json json_of(const Quantities& rows) {
+  Json json = Json::object();
+  for (const auto& row : rows) {
+    if (!row.key.empty()) json[row.key] = std::visit(ToJson{}, row.value);
+  }
+  return json;
+}
+
+// --- CSV and the table in the text
+
+enum class Form { csv, text };
+
+/// How a row is shown, if it is.
+std::optional<TextColumn> layout_of(const Quantity& row, Form form) {
+  if (form == Form::text && row.text && row.text->heading.empty()) {
+    TextColumn layout = *row.text;
+    layout.heading = heading_of(row);
+    return layout;
+  }
+  if (form == Form::text) return row.text;
+  if (row.csv == Csv::no) return std::nullopt;
+  return TextColumn{0, "{}", heading_of(row)};
+}
+
+/// The rows themselves, and those of their groups.
+std::vector<const Quantity*> leaves(const Quantities& rows) {
+  std::vector<const Quantity*> found;
+  for (const auto& row : rows) {
+    const auto* const group = std::get_if<Group>(&row.value);
+    const auto below = group != nullptr ? leaves(group->rows) : std::vector{&row};
+    found.insert(found.end(), below.begin(), below.end());
+  }
+  return found;
+}
+
+using Cells = std::vector<std::string>;
+
+struct ToCells {
+  const TextColumn& layout;
+  const char* none;
+
+  Cells operator()(const auto& value) const { return {fmt::format("{}", value)}; }
+  Cells operator()(const std::optional<double>& number) const {
+    return {number ? fmt::format(fmt::runtime(layout.format), *number * layout.scale) : none};
+  }
+  template <class T>
+  Cells operator()(const std::vector<T>& numbers) const {
+    Cells cells;
+    for (const auto& number : numbers) cells.push_back((*this)(std::optional(number)).front());
+    return cells;
+  }
+  Cells operator()(const Counts&) const { return {}; }
+  Cells operator()(const Group&) const { return {}; }
+  Cells operator()(const List&) const { return {}; }
+};
+
+/// Columns with their headings: those of the List if there is one.
+std::vector<Cells> columns_of(const Quantities& rows, Form form) {
+  const auto listed = std::find_if(rows.begin(), rows.end(), [](const Quantity& row) {
+    return std::holds_alternative<List>(row.value);
+  });
+  const List list = listed == rows.end() ? List{rows, {rows}} : std::get<List>(listed->value);
+  std::vector<Cells> columns;
+  const auto add = [&](std::size_t column, const TextColumn& layout, const Cells& cells) {
+    if (column == columns.size()) columns.emplace_back();
+    for (const auto& cell : cells) {
+      columns[column].push_back(fmt::format("{:>{}}", cell, layout.width));
+    }
+  };
+  const auto add_line = [&](const Quantities& line, const auto& cells_of) {
+    std::size_t column = 0;
+    for (const Quantity* const row : leaves(line)) {
+      if (const auto layout = layout_of(*row, form))
+        add(column++, *layout, cells_of(*row, *layout));
+    }
+  };
+  add_line(list.kind,
+           [](const Quantity&, const TextColumn& layout) { return Cells{layout.heading}; });
+  for (const auto& element : list.elements) {
+    add_line(element, [&](const Quantity& row, const TextColumn& layout) {
+      return std::visit(ToCells{layout, form == Form::csv ? "" : "-"}, row.value);
+    });
+  }
+  return columns;
+}
+
+std::string table(const Quantities& rows, Form form) {
+  const auto columns = columns_of(rows, form);
+  const std::size_t lines = columns.empty() ? 0 : columns.front().size();
+  std::string text;
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (const Cells& column : columns) {
+      if (form == Form::csv && &column != &columns.front()) text += ",";
+      text += column[line];
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+// --- analyze quantities
+
+/// The end of the name of a quantity with such a value.
+struct Suffix {
+  std::string operator()(const auto&) const { return ""; }
+  template <class T>
+  std::string operator()(const std::vector<T>&) const {
+    return ".*";
+  }
+  std::string operator()(const Counts&) const { return ".*.*"; }
+  std::string operator()(const List&) const { return ".*"; }
+};
+
+}  // namespace
+
+Quantity in_csv(Quantity quantity, const std::optional<TextColumn>& text) {
+  quantity.csv = Csv::yes;
+  quantity.text = text;
+  if (auto* const group = std::get_if<Group>(&quantity.value)) {
+    for (Quantity& row : group->rows) {
+      row.csv = Csv::yes;
+      row.heading = quantity.key + "." + heading_of(row);
+    }
+  }
+  return quantity;
+}
+
+Quantities join(const std::vector<Quantities>& lists) {
+  Quantities all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+std::vector<NamedQuantity> named(const std::string& prefix, const Quantities& rows) {
+  std::vector<NamedQuantity> all;
+  for (const auto& row : rows) {
+    if (row.key.empty()) continue;
+    const std::string name = prefix + "." + row.key + std::visit(Suffix{}, row.value);
+    const auto* const group = std::get_if<Group>(&row.value);
+    const auto* const list = std::get_if<List>(&row.value);
+    if (group == nullptr && list == nullptr) {
+      all.push_back({name, row.unit, row.help});
+      continue;
+    }
+    const auto below = named(name, group != nullptr ? group->rows : list->kind);
+    all.insert(all.end(), below.begin(), below.end());
+  }
+  return all;
+}
+
+void add_format_options(po::options_description& options) {
+  options.add_options()("json", "print one JSON object")("csv", "print the series as CSV");
+}
+
+void print(const Quantities& rows, const std::string& closing, const po::variables_map& values) {
+  const bool json = values.count("json") > 0, csv = values.count("csv") > 0;
+  if (json && csv) throw UsageError("--json and --csv exclude each other: give one");
+  if (json) {
+    say("{}\n", json_text(json_of(rows)));
+  } else if (csv) {
+    say("{}", table(rows, Form::csv));
+  } else {
+    say("{}{}", table(rows, Form::text), closing);
+  }
+}
+
+std::string text_of(const std::optional<double>& value, double unit) {
+  return value ? fmt::format("{:.4g}", *value / unit) : "-";
+}
+
+}  // namespace rupture::tools

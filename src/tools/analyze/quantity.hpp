@@ -1,0 +1,93 @@
+// One row per quantity that a command reports: its key in JSON, unit, meaning and value, and
+// whether CSV and the table in the text show it. JSON, CSV, text and `analyze quantities` come from
+// the rows.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/command_line.hpp"
+
+namespace rupture::tools {
+
+struct Quantity;
+using Quantities = std::vector<Quantity>;
+
+/// Quantities under one key.
+struct Group {
+  Quantities rows;
+  bool present = true;  ///< JSON has null in its place otherwise
+};
+
+/// Objects with the same quantities.
+struct List {
+  Quantities kind;  ///< of an element, also where there is none; its values do not count
+  std::vector<Quantities> elements;
+};
+
+using Numbers = std::vector<std::optional<double>>;
+using Counts = std::vector<std::optional<std::vector<std::int64_t>>>;
+using Value = std::variant<std::optional<double>, std::int64_t, bool, std::string,
+                           std::vector<double>, Numbers, Counts, Group, List>;
+
+enum class Csv { no, yes };
+
+/// A right-aligned column of the table in the text. What has no value is shown as "-".
+struct TextColumn {
+  std::size_t width;
+  std::string format = "{}";  ///< of numbers
+  std::string heading = {};   ///< that of CSV if empty
+  double scale = 1.0;         ///< of the unit in the heading
+};
+
+/// In CSV and text, lists are columns with a line per element, and numbers are columns with one
+/// line, or one per element of the List that they are in.
+struct Quantity {
+  std::string key;   ///< in JSON; empty if only the text shows the quantity
+  std::string unit;  ///< SI; "1" where a number has none, empty for texts and truth values
+  std::string help;
+  Value value;
+  Csv csv = Csv::no;
+  std::optional<TextColumn> text = {};
+  std::string heading = {};  ///< in CSV; "key [unit]" if empty
+};
+
+/// The same, also in CSV, and in the text if there is a column; of a group all its rows, under
+/// "group.key".
+Quantity in_csv(Quantity quantity, const std::optional<TextColumn>& text = {});
+
+/// One number of each element: a member, or what `of` makes of it.
+template <class T, class Of>
+Numbers each(const std::vector<T>& elements, Of of) {
+  Numbers numbers;
+  for (const T& element : elements) numbers.emplace_back(std::invoke(of, element));
+  return numbers;
+}
+
+/// One list after the other.
+Quantities join(const std::vector<Quantities>& lists);
+
+/// A line of `analyze quantities`.
+struct NamedQuantity {
+  std::string name;  ///< keys joined by dots, * for an index
+  std::string unit, help;
+};
+
+/// All that JSON has of these rows.
+std::vector<NamedQuantity> named(const std::string& prefix, const Quantities& rows);
+
+/// Adds --json and --csv.
+void add_format_options(po::options_description& options);
+
+/// Prints the form that was asked for to standard output: one JSON object, CSV, or text, in which
+/// `closing` follows the table. Throws UsageError for two forms at once.
+void print(const Quantities& rows, const std::string& closing, const po::variables_map& values);
+
+/// "-" where there is no value.
+std::string text_of(const std::optional<double>& value, double unit = 1.0);
+
+}  // namespace rupture::tools
