@@ -101,9 +101,8 @@ void read_slow_slip(const Content& content, Junctions& junctions) {
     if (!is_slipping(repin_time)) continue;
     if (repin_time == Junctions::unknown && junctions.slow_until(i, 0) != 0.0) continue;
     throw Failure(
-        fmt::format("the spring of block {} is slipping with {} = {} s and {} = {} s; expected 0 s "
-                    "and, as it has "
-                    "broken, a time",
+        fmt::format("the spring of block {} is slipping with {} = {} s and {} = {} s; "
+                    "expected 0 s and, as it has broken, a time",
                     i, kRepinTime, repin_time, kSlowUntil, junctions.slow_until(i, 0)));
   }
 }
