@@ -2,8 +2,8 @@
 """Finds a quasi-static front: quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
 
 Dynamic events are times at which more than half of the blocks rupture within 1 ms. Between the
-first two of them, the tip is the furthest block that has ruptured. What happens within 10 ms (5 t_R)
-of either event belongs to that: single blocks rupture again, or the later event nucleates. Prints when the tip was where, and the checkpoints nearest to
+first two of them, the tip is the furthest block that has ruptured. Ruptures within 10 ms (5 t_R)
+of either event belong to that: single blocks rupture again, or the later event nucleates. Prints when the tip was where, and the checkpoints nearest to
 each tenth of the stretch, where a run with the driving stopped can branch off.
 """
 

@@ -1,4 +1,4 @@
-"""What Snakemake ran, as recipes/runs/progress.py noted it in results/jobs.jsonl: rule, command,
+"""The jobs that Snakemake ran, as recipes/runs/progress.py noted them in results/jobs.jsonl: rule, command,
 inputs, outputs, start and time of each job."""
 
 import json

@@ -61,7 +61,7 @@ def settle_files(sweep, folder, tools, results):
 
 
 def keep_points(path, copy):
-    """What a user changes in the table during a run is for the next one."""
+    """Copies the table: a change that a user makes during a run is for the next one."""
     content = Path(path).read_bytes()
     with writing(copy) as part:
         part.write_bytes(content)
@@ -118,7 +118,7 @@ def make_plan(path, names, tools, results):
 
 
 def plan_sweep(path, tools, results):
-    """The path of the plan. What cannot be understood is a SweepError with the file and one sentence."""
+    """The path of the plan. A faulty file is a SweepError with its name and one sentence."""
     try:
         return make_plan(path, names_of(tools), tools, results)
     except (OSError, ValueError, configparser.Error) as error:

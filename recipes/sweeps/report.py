@@ -23,7 +23,7 @@ NOT_REACHED = "it was not reached, or its process was ended"
 
 
 def result_of(point, store):
-    """What the point gave. Paths in a sentence are those of this folder."""
+    """The result of the point. Paths in a sentence are those of this folder."""
     result = store.result(point)
     if result is None:
         result = {"status": "unfinished", "sentence": store.crash(point) or NOT_REACHED}
@@ -72,7 +72,7 @@ def print_summary(sweep, table, computed):
 
 
 def picture(stem, sweep, columns):
-    """What came out, in a line: of a picture that cannot be drawn, why. The table is there already."""
+    """The outcome in a line: of a picture that cannot be drawn, why. The table is there already."""
     try:
         no_picture = draw(stem, sweep, columns)
     except Exception as error:  # of Matplotlib, any

@@ -48,7 +48,7 @@ Content first_piece(const Parameters& parameters, const std::vector<ProvenanceEn
 
 }  // namespace
 
-// What was appended since the last flush, one array per dataset.
+// The samples since the last flush, one array per dataset.
 class RecordWriter::Buffers {
  public:
   Buffers(std::size_t Nx, std::size_t flush_every) : Nx_(Nx), flush_every_(flush_every) {}

@@ -152,7 +152,7 @@ def killed_late(scenario):
 
 
 def faults_in_files(scenario, files):
-    """What is wrong with a folder in which the scenario's command was interrupted; [] if nothing."""
+    """Faults of a folder in which the scenario's command was interrupted; [] if nothing."""
     faults = []
     for name, data in sorted(without_temporaries(files).items()):
         if is_part(name):
@@ -191,7 +191,7 @@ def begun(scenario, files):
 
 
 def faults_of_next_run(scenario, files):
-    """What is wrong if the same command is given again in a folder as it was left, or resumed."""
+    """Faults if the same command is given again in a folder as it was left, or resumed."""
     command = scenario.command.removesuffix(" --resume")
     again = [command]
     if begun(scenario, files) and command.split()[0] in ("load", "restart"):

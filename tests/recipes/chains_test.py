@@ -24,7 +24,7 @@ from sweeps.sweep import is_sweep, read_sweep  # noqa: E402  (found through the 
 BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
-# What a rule may say besides: checkpoints for later steps, and which event, where a record has one only.
+# Options that a rule may have besides: checkpoints for later steps, and which event, where a record has one only.
 UNSAID = ("--event", "--checkpoint-every")
 # Commands that no rule runs: the scripts read these records themselves.
 ONLY_BY_HAND = ("analyze loading --x",)
@@ -77,7 +77,7 @@ def of_sweeps():
 
 
 def calls_in(text):
-    """Words of each call of a program. What the shell computes is `$`."""
+    """Words of each call of a program. A part that the shell computes is `$`."""
     text = text.replace("\\\n", " ")
     text = re.sub(r"\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+", "$", text)
     for part in re.split(r"[;\n]|&&|\|\|", text):

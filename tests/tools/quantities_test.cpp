@@ -33,7 +33,7 @@ void drop_absent_objects(Leaves& leaves) {
 
 class Quantities : public ToolTest {
  protected:
-  /// What the commands print that measure anything, of a rupture with a slow stretch.
+  /// Output of all commands that measure something, for a rupture with a slow stretch.
   Leaves printed() const {
     output_of("prepare --tau-bar 0.1 --sigma-bar 0.1 -o p.h5 -q");
     output_of("restart p.h5 -o a.h5 --until-quiet --record r.h5 --record-every 2e-5 -q");

@@ -1,4 +1,4 @@
-// What the commands of analyze report as JSON: name, unit and meaning of every value.
+// The values that the commands of analyze report as JSON: name, unit and meaning of each.
 #pragma once
 
 #include <string>
