@@ -1,4 +1,4 @@
-// What happens once in a while: equilibrium, checkpoints, records; at reference size.
+// Benchmarks of rare operations: equilibrium, checkpoints, records; at reference size.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What this machine could do at best: + and * on registers, and rewriting memory.
+// The best that this machine could do: + and * on registers, and rewriting memory.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 from statistics import median
 
-# What the requirements ask for; every target is met by a value at most as large, but for speedups.
+# Required speeds; every target is met by a value at most as large, but for speedups.
 STEP_TARGETS = {"sse2": 25.0, "avx2": 8.0, "avx512": 5.0}  # [us]
 ONCE_TARGETS = {"equilibrium_solve": 50.0, "checkpoint_write": 5.0}  # [ms]
 RECORD_TARGET = 10.0  # [% of the time of a run without]
@@ -81,7 +81,7 @@ class Measurements:
 
 
 class Results:
-    """What goes into the JSON file."""
+    """The content of the JSON file."""
 
     def __init__(self):
         self.list = []
@@ -164,7 +164,7 @@ def steps(measured, results):
 
 
 def roofline(measured, results):
-    """What fraction of the peak the bulk reaches."""
+    """The fraction of the peak that the bulk reaches."""
     flops = FLOPS_PER_BLOCK * BLOCKS * 1e-3  # [thousands]: per microsecond, these are GFLOP/s
     peaks, shares = [], []
     for isa in measured.instruction_sets:

@@ -1,4 +1,4 @@
-# What `cmake --install` copies: the tools, the library with its headers, and the CMake package
+# Files that `cmake --install` copies: the tools, the library with its headers, and the CMake package
 # through which other projects use them (docs/regression-tests.md).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

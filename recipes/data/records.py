@@ -1,4 +1,4 @@
-"""What the figures read: reports of the tools, and time series of records."""
+"""Readers for the figures: reports of the tools, and time series of records."""
 
 import json
 

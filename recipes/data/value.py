@@ -11,7 +11,7 @@ import sys
 
 
 def find(tree, name):
-    """What `name` leads to; None where it leads nowhere."""
+    """The value that `name` leads to; None where it leads nowhere."""
     try:
         for key in name.split("."):
             tree = tree[int(key)] if isinstance(tree, list) else tree[key]

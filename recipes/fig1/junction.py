@@ -63,7 +63,7 @@ class Junction:
         self.repin_times = pulled.repin_times[:, i]
 
     def stretched(self):
-        """What a pinned junction carries that never breaks: k_ij (x - x_ij), with x_ij the position
+        """The force of a pinned junction that never breaks: k_ij (x - x_ij), with x_ij the position
         at which it was pinned last."""
         attached = np.full(self.u.shape, self.attachment)
         for n in self.repins:

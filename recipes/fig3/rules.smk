@@ -1,6 +1,6 @@
 # Figure 3. A-C here: the fast-slow-fast event restarted under other conditions
-# (runs/continuations.smk). What else there is of Figure 3 has a file of its own beside this one,
-# which adds the claims it writes to FIG3_PARTS. See README.md.
+# (runs/continuations.smk). Each other part of Figure 3 has a file of its own beside this
+# one, which adds the claims it writes to FIG3_PARTS. See README.md.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FIG3_EVENT = f"{DATA}/fast-slow-fast"
 FIG3_PARTS = [f"{DATA}/fig3/claims-ABC.json"]

@@ -1,5 +1,5 @@
-# Figure 5. A here: the driving stopped during the slow front (runs/continuations.smk). What else
-# there is of Figure 5 has a file of its own beside this one, which adds the claims it writes to
+# Figure 5. A here: the driving stopped during the slow front (runs/continuations.smk). Each other
+# part of Figure 5 has a file of its own beside this one, which adds the claims it writes to
 # FIG5_PARTS. See README.md.
 FIG5_PARTS = [f"{DATA}/fig5/claims-A.json"]
 FIG5_RUNS = ["fast-slow-fast", "fast-slow-fast/undriven"]

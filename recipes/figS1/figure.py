@@ -17,7 +17,7 @@ EXACT, CLOSE = 1e-9, 0.01
 
 
 class Stress:
-    """What `analyze stress` says: x [m], forces per block p and tau [N]."""
+    """The result of `analyze stress`: x [m], forces per block p and tau [N]."""
 
     def __init__(self, path):
         stress = report(path)

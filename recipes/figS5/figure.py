@@ -26,7 +26,7 @@ LINES = {"uniform": "-", "bell": "--"}
 
 
 class Strength:
-    """What the tool says of one shape, beside the formula or quadrature."""
+    """The tool's result for one shape, beside the formula or quadrature."""
 
     def __init__(self, path):
         reports = [json.loads(line) for line in Path(path).read_text(encoding="utf-8").splitlines()]

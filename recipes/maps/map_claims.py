@@ -1,4 +1,4 @@
-"""What the claims about maps of front types (4D, S6B) measure and how they are judged."""
+"""Measured values and verdicts of the claims about maps of front types (4D, S6B)."""
 
 import numpy as np
 
@@ -21,8 +21,8 @@ ACCEPTANCE = (
 
 
 def thresholds_compared(fronts, grid, slow_below):
-    """What another threshold for slow fronts changes: numbers of grid points of each type, of those
-    whose type is not that at the first threshold, and of violations over all seeds."""
+    """The effect of another threshold for slow fronts: numbers of grid points of each type, of
+    those whose type is not that at the first threshold, and of violations over all seeds."""
     reference = types_of(grid, 1 / slow_below[0])
     for ratio in slow_below:
         types = types_of(grid, 1 / ratio)
@@ -42,8 +42,8 @@ def median_spread(fronts, places):
 
 
 def seeds_measured(fronts, boundary):
-    """What the seeds at the boundary say. Seeds act through the slipping times only, so where few
-    junctions repin before the front has crossed, they hardly differ."""
+    """The agreement of the seeds at the boundary. Seeds act through the slipping times only, so
+    where few junctions repin before the front has crossed, they hardly differ."""
     kinds = types_of_seeds({place: fronts[place] for place in boundary})
     definite = {place: set(seeds.values()) for place, seeds in kinds.items()}
     spreads = {

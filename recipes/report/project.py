@@ -1,4 +1,4 @@
-"""What the report shows of the project itself: its recipes, their READMEs, the list of claims."""
+"""Parts of the report about the project itself: its recipes, their READMEs, the list of claims."""
 
 import re
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from markupsafe import Markup
 
 
 class Problem(Exception):
-    """What keeps the report from being written, in one sentence for the user."""
+    """A reason why no report is written, in one sentence for the user."""
 
 
 def natural(name):
@@ -86,17 +86,16 @@ class ListedClaim:
 
 
 def listed_claims(root):
-    """The rows of the table in docs/claims.md."""
+    """The list in docs/claims.md, one item per claim."""
     path = root / "docs/claims.md"
     try:
         text = path.read_text(encoding="utf-8")
     except OSError as error:
         raise Problem(f"The list of claims cannot be read ({error}).") from error
-    rows = [
-        [cell.strip() for cell in line.strip().strip("|").split("|")]
-        for line in text.splitlines()
-        if line.startswith("| ")
+    items = [" ".join(item.split()) for item in re.split(r"^- ", text, flags=re.MULTILINE)[1:]]
+    found = [
+        re.fullmatch(r"\*\*(\S+)\*\* \((\S+)\): (.+)\. \*Accepted if:\* (.+)\.", i) for i in items
     ]
-    if not rows[1:] or any(len(row) != 4 for row in rows):
-        raise Problem(f"{path} holds no table with the columns id, recipe, claim, accepted if.")
-    return [ListedClaim(*row) for row in rows[1:]]
+    if not items or None in found:
+        raise Problem(f"{path} holds no list of claims: **id** (recipe): claim. *Accepted if:* ...")
+    return [ListedClaim(*match.groups()) for match in found]

@@ -1,4 +1,4 @@
-"""What may be typed after ./reproduce.sh."""
+"""The command line of ./reproduce.sh."""
 
 import argparse
 import os
@@ -83,7 +83,7 @@ def read_words(words):
 
 @dataclass(frozen=True)
 class Request:
-    """What a command line asks for; paths are absolute."""
+    """The request of a command line; paths are absolute."""
 
     command: str  # of COMMANDS, or `recipes`
     recipes: list

@@ -130,7 +130,7 @@ class Processes:
         print(text, file=self.guard.stdin, flush=True)
 
     def run(self, command, **options):
-        """The exit code of a program. What it has left running is ended with it."""
+        """The exit code of a program. Processes that it has left running are ended with it."""
         self.is_starting = True
         with subprocess.Popen(
             command,

@@ -18,8 +18,8 @@ from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, save
 
 NOTE = (
     "Slow stretches are as slow as in the reference run, but begin next to the loading zone: no"
-    " fast front precedes them. What differs is the interface that earlier events leave, not the"
-    " front: the event of Figure 2 is also continued with exponential times, from the moment when"
+    " fast front precedes them. The interface that earlier events leave differs, not the front:"
+    " the event of Figure 2 is also continued with exponential times, from the moment when"
     " its front is at 0.14 L. The verdict is that of the run with exponential times throughout."
 )
 COLUMNS = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]

@@ -1,4 +1,4 @@
-# What is done with an event whose front becomes slow: the runs behind Figures 3 A-C, 4 A-B, 5 A and S4.
+# Continuations of an event whose front becomes slow: the runs behind Figures 3 A-C, 4 A-B, 5 A and S4.
 # {event} is the one that the figures show, or any of the ensemble (events.smk).
 CONTINUATIONS = {  # from the moment when the front is at 0.14 L
     "stopped": "--set driving.V=0",

@@ -67,7 +67,7 @@ use rule restart_recorded as event_record with:
     message: "{wildcards.event}: run the event as it is"
 
 
-# What the junctions of each block carry just before the event, also after widening their phi.
+# Forces of each block's junctions just before the event, also after widening their phi.
 use rule analyze as event_phi with:
     input: **content_of(h5=f"{DATA}/{{state}}.h5")
     output: f"{DATA}/{{state}}-phi.json"
@@ -77,7 +77,7 @@ use rule analyze as event_phi with:
     message: "{wildcards.state}: measure the forces in the junctions"
 
 
-# What friction each block can bear just before the event.
+# The friction that each block can bear just before the event.
 use rule analyze as event_strength with:
     input: **content_of(h5=f"{DATA}/{{event}}.h5")
     output: f"{DATA}/{{event}}-strength.json"

@@ -1,4 +1,4 @@
-# What the rules have in common, written once: how a file follows content, and a rule per program.
+# The parts that rules have in common, written once: how a file follows content, and a rule per program.
 # A recipe says what differs:
 #
 #     use rule restart_recorded as fig1_event with:

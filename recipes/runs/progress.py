@@ -1,4 +1,4 @@
-"""What Snakemake says on the terminal: one line per step, and everything about a failure.
+"""Snakemake's messages on the terminal: one line per step, and everything about a failure.
 
 Snakemake calls log_handler() with each of its messages. Each command also goes to the log file, and
 what was done, by which command and in which time, to results/jobs.jsonl, for the report.

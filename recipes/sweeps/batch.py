@@ -20,7 +20,7 @@ from sweeps.sweep import read_sweep
 
 
 def result_of(point, store, folder_of_tools):
-    """What is there already, or is computed now; None after a crash."""
+    """The stored result, or else the one computed now; None after a crash."""
     result = store.result(point)
     if result is None:
         try:

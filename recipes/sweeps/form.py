@@ -1,4 +1,4 @@
-"""What a user's sweep file may have: its sections and keys, before their content is looked at."""
+"""Sections and keys of a user's sweep file, checked before their content is looked at."""
 
 from sweeps.expand import STARTS
 from sweeps.names import (
@@ -78,7 +78,7 @@ def check_needed(line, values, programs):
 
 
 def check_given_once(line, values):
-    """What varies must not be set beside {values}, too: all points would be the same run."""
+    """A varied parameter must not be set beside {values}, too: all points would be the same run."""
     varied = {setting(name) for name in values} if "{values}" in line else ()
     for name in (*options_in(line), *parameters_in(line)):
         if setting(name) in varied:

@@ -1,4 +1,4 @@
-"""What a point of a sweep needs of the computer: memory and threads, in [sweep] of its file."""
+"""Memory and threads that a point of a sweep needs, from [sweep] of its file."""
 
 import math
 import re

@@ -61,7 +61,7 @@ def settle_files(sweep, folder, tools, results):
 
 
 def keep_points(path, copy):
-    """What a user changes in the table during a run is for the next one."""
+    """Copies the table: a change that a user makes during a run is for the next one."""
     content = Path(path).read_bytes()
     with writing(copy) as part:
         part.write_bytes(content)

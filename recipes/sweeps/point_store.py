@@ -22,7 +22,7 @@ def digest(*parts):
 
 @cache
 def content_of(base):
-    """What tells two bases apart: the checksum of their content, or else of their bytes."""
+    """The identity of a base: the checksum of their content, or else of their bytes."""
     if not base:
         return ""
     checksum = Path(f"{base}.sum")
@@ -44,7 +44,7 @@ class PointStore:
         return digest(self.code, COMPUTED_BY, content_of(point.base))
 
     def result(self, point):
-        """What the point gave; None if it has to be computed."""
+        """The result of the point; None if it has to be computed."""
         try:
             stored = json.loads(self.path(point).read_text(encoding="utf-8"))
             is_current = stored.pop("origin", None) == self.origin(point)

@@ -23,7 +23,7 @@ NOT_REACHED = "it was not reached, or its process was ended"
 
 
 def result_of(point, store):
-    """What the point gave. Paths in a sentence are those of this folder."""
+    """The result of the point. Paths in a sentence are those of this folder."""
     result = store.result(point)
     if result is None:
         result = {"status": "unfinished", "sentence": store.crash(point) or NOT_REACHED}

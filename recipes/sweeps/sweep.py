@@ -72,23 +72,23 @@ class Sweep:
 # --- points --------------------------------------------------------------------------------
 
 
-def settle(values):
+def evaluate(values):
     """Replaces expressions by their values, in whatever order they depend on each other."""
-    settled = {name: text for name, text in values.items() if not references(text)}
+    known = {name: text for name, text in values.items() if not references(text)}
     waiting = {name: text for name, text in values.items() if references(text)}
     while waiting:
         ready = [n for n, text in waiting.items() if not set(references(text)) & set(waiting)]
         if not ready:
             raise SweepError(f"{', '.join(waiting)} depend on each other")
         for name in ready:
-            settled[name] = calculate(waiting.pop(name), settled)
-    return {name: settled[name] for name in values}
+            known[name] = calculate(waiting.pop(name), known)
+    return {name: known[name] for name in values}
 
 
 def product(lists):
     """Every combination, the last name varying fastest."""
     for combination in itertools.product(*lists.values()):
-        yield settle(dict(zip(lists, combination)))
+        yield evaluate(dict(zip(lists, combination)))
 
 
 def options(values):

@@ -43,7 +43,7 @@ def sweep_at(wildcards):
 
 
 def base_of(batch):
-    """What its points start from. One that the recipes make counts by content (Snakefile)."""
+    """The checkpoint its points start from. One that the recipes make counts by content (Snakefile)."""
     base = batch[0].base
     if base.startswith(f"{DATA}/"):
         return [ancient(base), f"{base}.sum"]

@@ -10,11 +10,12 @@
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
+#include "rupture/model/normal_contact.hpp"
 
 namespace rupture {
 namespace {
 
-/// What the junctions of one block have in common.
+/// Properties that the junctions of one block have in common.
 struct BlockJunctions {
   Eigen::Index i;
   double x;        ///< position of the block [m]
@@ -25,7 +26,7 @@ struct BlockJunctions {
 };
 
 BlockJunctions block_junctions(const Parameters& p, const State& state, Eigen::Index i) {
-  const double p_i = normal_force(p, state.u_z(i, 0));
+  const double p_i = NormalContact(p).normal_force(state.u_z(i, 0));
   const auto springs = static_cast<double>(springs_per_block(p));
   const double junctions_in_each = static_cast<double>(p.N_s) / springs;
   return {i,
@@ -99,9 +100,10 @@ void refuse_single_springs(const Parameters& p) {
 }
 
 std::vector<double> normal_forces(const Parameters& p, const State& state) {
+  const NormalContact contact(p);
   std::vector<double> forces;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    forces.push_back(normal_force(p, state.u_z(i, 0)));
+    forces.push_back(contact.normal_force(state.u_z(i, 0)));
   }
   return forces;
 }

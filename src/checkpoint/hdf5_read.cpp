@@ -126,8 +126,8 @@ std::vector<std::string> names_in(Id group, const std::string& where) {
   return links.names;
 }
 
-// Walks through all groups. What the datasets and objects claim must fit into the file together:
-// otherwise a few bytes, linked or claimed again and again, could keep it busy for ever.
+// Walks through all groups. The sizes that datasets and objects claim must fit into the file
+// together: otherwise a few bytes, linked or claimed again and again, could keep it busy for ever.
 class Collector {
  public:
   explicit Collector(std::size_t file_size) : room_(file_size) {}

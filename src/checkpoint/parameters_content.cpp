@@ -52,7 +52,7 @@ std::string stored_text(const Content& content, const ParameterInfo& info) {
       info.member);
 }
 
-// The interface law of a content: the default if it names none. What is no law is refused later.
+// The interface law of a content: the default if it names none. A name of no law is refused later.
 Law law_of(const Content& content) {
   const ParameterInfo& info = find_parameter("junctions.law");
   const auto stored = content.find(dataset_path(info));

@@ -1,4 +1,4 @@
-// What a run remembers, as datasets under /run.
+// The memory of a run (model/run_so_far.hpp), as datasets under /run.
 #pragma once
 
 #include <optional>

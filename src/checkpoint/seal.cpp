@@ -56,8 +56,7 @@ void check_content(const Content& content, const hdf5::RootAttributes& attribute
   const std::string computed = checksum_by_schema(attributes.schema_version, content);
   if (stored != computed) {
     throw Failure(
-        fmt::format("its content has the checksum {}, but {} is stored in it; write it "
-                    "anew",
+        fmt::format("its content has the checksum {}, but {} is stored in it; write it anew",
                     computed, stored));
   }
 }

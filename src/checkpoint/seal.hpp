@@ -19,8 +19,8 @@ struct Sealed {
 /// Throws Failure if a number is not finite.
 Sealed seal(FileKind kind, const Content& content);
 
-/// What a file of this kind holds whose header was checked. Throws Failure if attributes, content
-/// or content checksum are not as they should be.
+/// The content of a file of this kind whose header was checked. Throws Failure if attributes,
+/// content or content checksum are not as they should be.
 ContentFile unseal(FileKind kind, std::span<const std::byte> file);
 
 }  // namespace rupture

@@ -5,6 +5,23 @@
 
 namespace rupture {
 
+Work& Work::operator+=(const Work& more) {
+  driving += more.driving;
+  damping += more.damping;
+  junctions += more.junctions;
+  return *this;
+}
+
+Work operator-(const Work& a, const Work& b) {
+  return {a.driving - b.driving, a.damping - b.damping, a.junctions - b.junctions};
+}
+
+Work integrate(const Power& before, const Power& now, double dt) {
+  const double half_dt = 0.5 * dt;
+  return {half_dt * (before.driving + now.driving), half_dt * (before.damping + now.damping),
+          half_dt * (before.junctions + now.junctions)};
+}
+
 double EnergyBalance::relative_error() const {
   const double scale = std::max({std::abs(supplied), std::abs(stored), std::abs(taken())});
   return scale > 0.0 ? std::abs(error()) / scale : 0.0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "rupture/model/derived.hpp"
+#include "rupture/model/normal_contact.hpp"
 #include "statics.hpp"
 
 namespace rupture {
@@ -40,18 +41,13 @@ Maybe lattice(const Simulation& simulation) {
                              passed->i, passed->j, simulation.time())};
 }
 
-/// Displacement that presses column i against what bears the slider, if it is above 0 [m].
-double pressed(const Simulation& simulation, Eigen::Index i) {
-  const Parameters& p = simulation.parameters();
-  const Field& u_z = simulation.state().u_z;
-  return p.support == Support::foundation ? -u_z(i, 0) : u_z(i, p.Nz - 1);
-}
-
 Maybe contact(const Simulation& simulation) {
   const Parameters& p = simulation.parameters();
+  const Field& u_z = simulation.state().u_z;
+  const NormalContact normal(p);
   std::int64_t without = 0, first = 0;
   for (std::int64_t i = p.Nx - 1; i >= 0; --i) {
-    if (pressed(simulation, i) > 0.0) continue;
+    if (normal.compression(u_z(i, 0), u_z(i, p.Nz - 1)) > 0.0) continue;
     ++without;
     first = i;
   }

@@ -8,6 +8,7 @@
 #include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/normal_contact.hpp"
 #include "statics.hpp"
 
 namespace rupture {
@@ -28,7 +29,7 @@ double strength_range(const Parameters& p) {
 
 void check_parameters(const Parameters& p) {
   validate(p);
-  if (p.support != Support::ceiling) {
+  if (!NormalContact(p).has_constant_p()) {
     throw UsageError("a prepared interface needs slider.support = ceiling");
   }
   if (!(p.K > 0.0)) {

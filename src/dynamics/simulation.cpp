@@ -18,6 +18,11 @@ namespace {
 /// With fewer blocks for each, threads gain too little for the processors that they take.
 [[maybe_unused]] constexpr std::int64_t kBlocksPerThread = 2000;
 
+const Parameters& valid(const Parameters& parameters) {
+  validate(parameters);
+  return parameters;
+}
+
 }  // namespace
 
 int default_thread_count([[maybe_unused]] const Parameters& p) {
@@ -30,25 +35,20 @@ int default_thread_count([[maybe_unused]] const Parameters& p) {
 }
 
 Simulation::Simulation(const Parameters& parameters, State state, int threads)
-    : parameters_((validate(parameters), parameters)),
+    : parameters_(valid(parameters)),
+      normal_(parameters),
       state_(std::move(state)),
       bulk_(parameters, threads),
       law_(make_law(parameters, state_.junctions)),
-      p_(static_cast<std::size_t>(parameters.Nx)),
-      k_ij_(p_),
-      w_(p_),
-      tau_(p_),
-      top_(p_.size(), mean_normal_force(parameters)),
+      p_(static_cast<std::size_t>(parameters.Nx), normal_.normal_force(0.0)),
+      k_ij_(p_.size(), junction_stiffness(parameters, p_.front())),
+      w_(p_.size(), friction_stretch(parameters, p_.front())),
+      tau_(p_.size()),
+      top_(p_.size(), normal_.top_force(0.0)),
+      F_T_(driving_force(parameters, state_)),
       ruptured_(p_.size()) {
-  if (parameters.support == Support::ceiling) {
-    const double p = mean_normal_force(parameters);
-    std::fill(p_.begin(), p_.end(), p);
-    std::fill(k_ij_.begin(), k_ij_.end(), junction_stiffness(parameters, p));
-    std::fill(w_.begin(), w_.end(), friction_stretch(parameters, p));
-  }
-  find_normal_forces();
+  find_normal_forces();  // of the side with the support; F_N on the other does not change
   law_->friction(state_.u_x.row(0), contact(), tau_.data());
-  F_T_ = driving_force(parameters_, state_);
   note_ruptures();
   ruptures_.clear();  // blocks that had ruptured before this simulation began
   run_ = {.first_step = state_.step, .last_break = state_.step};
@@ -66,12 +66,12 @@ void Simulation::advance(std::int64_t steps) {
   if (blown_up_) report_blow_up();
 }
 
-/// What all threads do together. While one of them moves the interface, the others only read the
-/// bulk. Which thread works on which band changes nothing.
+/// All threads are here together. While one of them moves the interface, the others only read the
+/// bulk. Which thread works on which band changes nothing. Numbers: sub-steps of the header.
 void Simulation::take_steps(std::int64_t steps) {
   const int bands = bulk_.bands();
 #pragma omp for
-  for (int band = 0; band < bands; ++band) bulk_.kick_drift(band, state_);
+  for (int band = 0; band < bands; ++band) bulk_.kick_drift(band, state_);  // 1, of the first step
 
   for (std::int64_t n = 0; n < steps; ++n) {
 #pragma omp for nowait
@@ -79,7 +79,7 @@ void Simulation::take_steps(std::int64_t steps) {
 #pragma omp master
     {
       if (n > 0) add_work();
-      if (!blown_up_) move_interface();
+      if (!blown_up_) move_interface();  // 2, 3, and tau and F_T for 4
     }
 #pragma omp barrier
     if (blown_up_) return;
@@ -87,27 +87,28 @@ void Simulation::take_steps(std::int64_t steps) {
     const Then then = n + 1 < steps ? Then::go_on : Then::stop;
     const Boundary boundary = {p_.data(), tau_.data(), top_.data(), driving_row(parameters_), F_T_};
 #pragma omp for
-    for (int band = 0; band < bands; ++band) bulk_.finish(band, boundary, then, state_);
+    for (int band = 0; band < bands; ++band) {
+      bulk_.finish(band, boundary, then, state_);  // 4, 5, and 1 of the next step if there is one
+    }
   }
 }
 
-/// Steps 2 and 3 of the scheme, and the driving force of step 4.
 void Simulation::move_interface() {
   ++state_.step;
-  find_normal_forces();
+  find_normal_forces();  // 2
   const double* u_x = state_.u_x.row(0);
-  const auto changes = law_->update(u_x, state_.v_x.row(0), contact(), time());
-  law_->friction(u_x, contact(), tau_.data());
+  const auto changes = law_->update(u_x, state_.v_x.row(0), contact(), time());  // 3
+  law_->friction(u_x, contact(), tau_.data());                                   // 4
   if (changes.broken > 0) run_.last_break = state_.step;
   if (changes.broken + changes.repinned > 0) note_ruptures();
-  F_T_ = driving_force(parameters_, state_);
+  F_T_ = driving_force(parameters_, state_);  // 4
 }
 
 void Simulation::find_normal_forces() {
-  if (parameters_.support == Support::ceiling) {
+  if (normal_.has_constant_p()) {
     const double* u_z = state_.u_z.row(parameters_.Nz - 1);
-    for (std::size_t i = 0; i < top_.size(); ++i) top_[i] = top_force(parameters_, u_z[i]);
-    return;  // p, k_ij and w are constant
+    for (std::size_t i = 0; i < top_.size(); ++i) top_[i] = normal_.top_force(u_z[i]);
+    return;
   }
   kernels().contact(parameters_.Nx, state_.u_z.row(0), foundation_stiffness(parameters_),
                     static_cast<double>(parameters_.N_s), parameters_.kappa, contact());
@@ -147,10 +148,7 @@ void Simulation::add_work() {
   const double damping_power = bulk_.damping_power();
   blown_up_ = !std::isfinite(damping_power);
   const Power now = power(damping_power, bulk_.bottom_velocity());
-  const double half_dt = 0.5 * parameters_.dt;
-  work_.driving += half_dt * (power_.driving + now.driving);
-  work_.damping += half_dt * (power_.damping + now.damping);
-  work_.junctions += half_dt * (power_.junctions + now.junctions);
+  work_ += integrate(power_, now, parameters_.dt);
   power_ = now;
 }
 
@@ -158,13 +156,10 @@ Energies Simulation::energies() const {
   Energies e;
   e.kinetic = bulk_.kinetic_energy(state_.v_x, state_.v_z);
   e.bulk = bulk_.elastic_energy(state_.u_x, state_.u_z);
-  const double k_f = foundation_stiffness(parameters_);
-  const bool on_foundation = parameters_.support == Support::foundation;
   for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
     const double bottom = state_.u_z(i, 0), top = state_.u_z(i, parameters_.Nz - 1);
-    const double pressed = on_foundation ? std::min(bottom, 0.0) : std::max(top, 0.0);
-    e.contact += 0.5 * k_f * pressed * pressed;
-    e.load += mean_normal_force(parameters_) * (on_foundation ? top : -bottom);
+    e.contact += normal_.contact_energy(bottom, top);
+    e.load += normal_.load_energy(bottom, top);
   }
   e.driving = parameters_.K > 0.0 ? 0.5 * F_T_ * F_T_ / parameters_.K : 0.0;
   return e;

@@ -8,6 +8,7 @@
 
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
+#include "rupture/model/normal_contact.hpp"
 
 namespace rupture {
 namespace {
@@ -62,15 +63,16 @@ Matrix stiffness(const Parameters& p, const LoadCase& load_case, const State& st
   Triplets triplets;
   triplets.reserve(static_cast<std::size_t>(64 * p.Nx * p.Nz));
   add_springs(p, state, triplets);
+  const NormalContact contact(p);
   const Eigen::Index top = p.Nz - 1;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto forces = interface_forces(p, load_case, state, i);
     Block2 tangent;
     tangent << forces.dtau_dux, forces.dtau_duz, 0.0, -forces.dp_duz;
     add_block(triplets, unknown(p, i, 0), unknown(p, i, 0), tangent);
-    if (p.support == Support::ceiling && state.u_z(i, top) > 0.0) {
-      triplets.emplace_back(unknown(p, i, top) + 1, unknown(p, i, top) + 1,
-                            foundation_stiffness(p));
+    const double slope = contact.top_force_slope(state.u_z(i, top));
+    if (slope > 0.0) {
+      triplets.emplace_back(unknown(p, i, top) + 1, unknown(p, i, top) + 1, slope);
     }
   }
   if (load_case.K > 0.0) {
@@ -107,12 +109,9 @@ void add_displacement(const Parameters& p, const Vector& change, State& state) {
 
 State compressed(const Parameters& p) {
   State state(p);
-  const double sink = mean_normal_force(p) / foundation_stiffness(p);
-  const double strain = p.F_N / (p.L * p.B) / p.E;
+  const NormalContact contact(p);
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
-    const double z = static_cast<double>(j) * block_spacing(p);
-    const double u_z =
-        p.support == Support::foundation ? -sink - strain * z : sink + strain * (p.H - z);
+    const double u_z = contact.compressed_u_z(static_cast<double>(j) * block_spacing(p));
     for (Eigen::Index i = 0; i < p.Nx; ++i) state.u_z(i, j) = u_z;
   }
   return state;
@@ -121,9 +120,9 @@ State compressed(const Parameters& p) {
 InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case, const State& state,
                                  Eigen::Index i) {
   const double u_x = state.u_x(i, 0), u_z = state.u_z(i, 0);
-  const double normal = normal_force(p, u_z);
-  const bool yields = p.support == Support::foundation && u_z < 0.0;
-  const double dp_duz = yields ? -foundation_stiffness(p) : 0.0;
+  const NormalContact contact(p);
+  const double normal = contact.normal_force(u_z);
+  const double dp_duz = contact.normal_force_slope(u_z);
   if (load_case.tau)
     return {normal, (*load_case.tau)[static_cast<std::size_t>(i)], dp_duz, 0.0, 0.0};
   if (!(normal > 0.0)) return {0.0, 0.0, 0.0, 0.0, 0.0};
@@ -133,12 +132,13 @@ InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case,
 
 void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,
                    Field& f_x, Field& f_z) {
+  const NormalContact contact(p);
   bulk.elastic(state.u_x, state.u_z, f_x, f_z);
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto forces = interface_forces(p, load_case, state, i);
     f_x(i, 0) -= forces.tau;
     f_z(i, 0) += forces.p;
-    f_z(i, p.Nz - 1) -= top_force(p, state.u_z(i, p.Nz - 1));
+    f_z(i, p.Nz - 1) -= contact.top_force(state.u_z(i, p.Nz - 1));
   }
   if (load_case.K > 0.0) f_x(0, driving_row(p)) -= load_case.K * state.u_x(0, driving_row(p));
 }

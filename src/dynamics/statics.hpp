@@ -9,7 +9,7 @@
 
 namespace rupture {
 
-/// What holds a slider at rest besides its springs and its support.
+/// Friction and driving spring, which hold a slider at rest besides its springs and its support.
 struct LoadCase {
   /// Friction on each interface block, towards -x [N]. None: that of junctions which were attached
   /// at x_ij = x_i(undeformed) and cannot break.

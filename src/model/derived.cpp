@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "rupture/model/contact_formulas.hpp"
 #include "rupture/model/laws.hpp"
 
 namespace rupture {
@@ -43,16 +44,6 @@ std::vector<double> block_positions(const Parameters& p) {
   return x;
 }
 
-double normal_force(const Parameters& p, double u_z) {
-  if (p.support == Support::ceiling) return mean_normal_force(p);
-  return -foundation_stiffness(p) * std::min(u_z, 0.0);
-}
-
-double top_force(const Parameters& p, double u_z) {
-  if (p.support == Support::foundation) return mean_normal_force(p);
-  return foundation_stiffness(p) * std::max(u_z, 0.0);
-}
-
 std::int64_t driving_row(const Parameters& p) {
   return static_cast<std::int64_t>(std::llround(p.h / block_spacing(p)));
 }
@@ -62,7 +53,7 @@ std::int64_t springs_per_block(const Parameters& p) {
 }
 
 double junction_stiffness(const Parameters& p, double p_i) {
-  return std::sqrt(p.kappa * (p_i / static_cast<double>(p.N_s)));
+  return junction_stiffness(p.kappa, static_cast<double>(p.N_s), p_i);
 }
 
 double mean_slipping_time(const Parameters& p) {
@@ -73,7 +64,7 @@ double mean_slipping_time(const Parameters& p) {
 }
 
 double friction_stretch(const Parameters& p, double p_i) {
-  return junction_stiffness(p, p_i) / p.kappa;
+  return friction_stretch(p.kappa, junction_stiffness(p, p_i), p_i);
 }
 
 double stable_time_step(const Parameters& p) {

@@ -1,5 +1,5 @@
 // Preloaded into a tool (LD_PRELOAD), counts the calls that touch files of its working folder, and
-// ends the tool at one of them or lets one of them fail. What to do is in the environment:
+// ends the tool at one of them or lets one of them fail. The environment says which:
 //
 //   FAULT_AT=n           the call to act on, counted from 1; 0 or absent: none
 //   FAULT=kill           SIGKILL just before it

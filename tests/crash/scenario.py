@@ -191,7 +191,7 @@ def begun(scenario, files):
 
 
 def faults_of_next_run(scenario, files):
-    """What is wrong if the same command is given again in a folder as it was left, or resumed."""
+    """Faults if the same command is given again in a folder as it was left, or resumed."""
     command = scenario.command.removesuffix(" --resume")
     again = [command]
     if begun(scenario, files) and command.split()[0] in ("load", "restart"):

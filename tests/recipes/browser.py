@@ -11,7 +11,7 @@ from pathlib import Path
 TIMEOUT = 240  # [s], of a busy machine
 
 # Goes in front of everything else in a copy of the page, whose links still start from the folder of
-# the original. What it finds is left in an attribute of <html>, which --dump-dom prints.
+# the original. Its findings are left in an attribute of <html>, which --dump-dom prints.
 WATCHER = """
 <base href="{folder}/">
 <script>

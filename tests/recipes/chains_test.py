@@ -77,7 +77,7 @@ def of_sweeps():
 
 
 def calls_in(text):
-    """Words of each call of a program. What the shell computes is `$`."""
+    """Words of each call of a program. A part that the shell computes is `$`."""
     text = text.replace("\\\n", " ")
     text = re.sub(r"\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+", "$", text)
     for part in re.split(r"[;\n]|&&|\|\|", text):

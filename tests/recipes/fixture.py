@@ -94,7 +94,7 @@ class Project:
         spill(self.root / "results/ensemble/ensemble.json", json.dumps([row]))
 
     def account(self, outputs, rule, inputs, started, seconds):
-        """What is noted about a job."""
+        """The line that is noted about a job."""
         made = outputs[0].removesuffix(".sum")
         job = {"rule": rule, "input": inputs, "output": outputs, "started": START + started}
         job["command"] = f"tool --rule {rule} {' '.join(inputs)} && echo <{made}>"

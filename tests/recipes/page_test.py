@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the page of the report says, given made-up results; no browser is needed."""
+"""Tests of the report's page, made of made-up results; no browser is needed."""
 
 import json
 import re

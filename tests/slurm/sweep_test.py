@@ -43,7 +43,7 @@ WITHIN = 600  # [s] a run, however slow the machine
 
 
 def environment_of(folder):
-    """What a process was started with; empty if it has ended or is another user's."""
+    """The environment a process was started with; empty if it has ended or is another user's."""
     try:
         return (folder / "environ").read_bytes()
     except OSError:

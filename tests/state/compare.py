@@ -57,7 +57,7 @@ def computed(path):
 
 
 def compare(old, new):
-    """What is wrong with `new`, or nothing."""
+    """The fault of `new`, or nothing."""
     if not old.exists() or not new.exists():
         return "only one of the two was written"
     a, b = computed(old), computed(new)

@@ -10,7 +10,7 @@ class BadOutput : public ToolTest {
  protected:
   BadOutput() { output_of("load --config small.ini -o a.h5 -q"); }
 
-  /// What each tool that writes says if its output is `file`.
+  /// Expects `sentence` from each tool that writes, with the output `file`.
   void expect_refused(const std::string& file, ExitCode code, const std::string& sentence) const {
     expect_refusal("load --config small.ini --until 1e-4 -o " + file, code, sentence);
     expect_refusal("restart a.h5 --for 1e-4 -o " + file, code, sentence);

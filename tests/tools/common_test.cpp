@@ -1,4 +1,4 @@
-// What all tools have in common: --help, --version, --quiet, unknown options.
+// Tests of the options that all tools have: --help, --version, --quiet, unknown options.
 #include <fmt/core.h>
 
 #include <algorithm>

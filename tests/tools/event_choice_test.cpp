@@ -93,7 +93,7 @@ TEST_F(EventChoice, WhereNothingRupturedThereIsNoFront) {
   }
 }
 
-/// What follows the trigger's event on a prepared interface is no reason to refuse it.
+/// Events after the trigger's on a prepared interface are no reason to refuse it.
 TEST_F(EventChoice, OnAPreparedInterfaceTheTriggersEventIsMeant) {
   output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.8 -o p.h5 -q");
   output_of("restart p.h5 -o q.h5 --for 6e-5 --record early.h5 -q");

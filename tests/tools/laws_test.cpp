@@ -78,8 +78,8 @@ TEST_F(ToolTest, SingleSpringsHaveNoPhi) {
   output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
   const std::string sentence =
       "the checkpoint has junctions.law = simplified: a single spring per block has no "
-      "distribution "
-      "of forces; use a checkpoint of the reference or the decaying or the distance law";
+      "distribution of forces; use a checkpoint of the reference or the decaying or the distance "
+      "law";
   expect_refusal("modify-phi a.h5 -o b.h5", kFailed, sentence);
   expect_refusal_with("analyze phi a.h5", kFailed, sentence);
 }

@@ -36,8 +36,7 @@ std::map<double, double> column(const Json& loading, const char* name) {
 
 TEST_F(Restart, RecordsOfTheHalvesAreThatOfTheWhole) {
   output_of(
-      "load --config small.ini -o whole.h5 --until 6e-4 --record whole-r.h5 "
-      "--record-every 2e-5");
+      "load --config small.ini -o whole.h5 --until 6e-4 --record whole-r.h5 --record-every 2e-5");
   output_of("load --config small.ini -o half.h5 --until 1.9e-4 --record r1.h5 --record-every 2e-5");
   output_of("restart half.h5 -o end.h5 --until 6e-4 --record r2.h5 --record-every 2e-5");
   EXPECT_EQ(checksum_of("end.h5"), checksum_of("whole.h5"));

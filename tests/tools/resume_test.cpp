@@ -1,6 +1,6 @@
 // --resume: an interrupted run goes on and ends with the bits of the uninterrupted one.
 //
-// What an interruption leaves is made here by deleting what the run wrote later; tests/crash
+// Interruptions are imitated here by deleting the files that the run wrote later; tests/crash
 // interrupts real processes.
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "tool_test.hpp"

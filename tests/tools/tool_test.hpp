@@ -1,4 +1,4 @@
-// What the tests of the tools have in common: a fresh folder, a small slider, the tools themselves.
+// Shared by the tests of the tools: a fresh folder, a small slider, the tools themselves.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -76,7 +76,7 @@ class PreparedAtRest : public ::testing::Test {
     state_ = prepared_state(p_, prestress_);
   }
   double x(Eigen::Index i) const { return block_position(p_, i); }
-  double top(Eigen::Index i) const { return top_force(p_, state_.u_z(i, p_.Nz - 1)); }
+  double top(Eigen::Index i) const { return NormalContact(p_).top_force(state_.u_z(i, p_.Nz - 1)); }
 
   Parameters p_ = testing::small_slider(13, 7);
   Prestress prestress_;
@@ -96,7 +96,7 @@ TEST_F(PreparedAtRest, moments_of_all_forces_balance_at_the_displaced_positions)
   const auto tau = prescribed_friction(p_, prestress_);
   double moment = driving_force(p_, s) * (p_.h + s.u_z(0, driving_row(p_)));
   for (Eigen::Index i = 0; i < p_.Nx; ++i) {
-    moment -= normal_force(p_, s.u_z(i, 0)) * (x(i) + s.u_x(i, 0));
+    moment -= NormalContact(p_).normal_force(s.u_z(i, 0)) * (x(i) + s.u_x(i, 0));
     moment -= tau[static_cast<std::size_t>(i)] * s.u_z(i, 0);
     moment += top(i) * (x(i) + s.u_x(i, p_.Nz - 1));
   }

@@ -16,7 +16,7 @@ std::vector<double> normal_forces(const Parameters& parameters, const State& sta
 /// Friction force on each interface block, sum_j k_ij (x_i - x_ij) [N].
 std::vector<double> friction_forces(const Parameters& parameters, const State& state);
 
-/// What the junctions of one block carry.
+/// Forces that the junctions of one block carry.
 struct BlockForces {
   double x = 0;                ///< position of the block [m]
   double f_thres = 0;          ///< strength of one junction [N]
@@ -39,7 +39,7 @@ std::vector<std::int64_t> histogram(const BlockForces& block, int bins);
 /// Throws Failure if the interface has a single spring per block and so no phi.
 void refuse_single_springs(const Parameters& parameters);
 
-/// What becomes of the slipping junctions of a block whose phi is replaced.
+/// Fate of the slipping junctions of a block whose phi is replaced.
 enum class Slipping { keep, pin };
 
 struct PhiChange {

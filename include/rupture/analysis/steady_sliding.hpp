@@ -16,7 +16,7 @@
 
 namespace rupture {
 
-/// What slides: a block of these parameters under the normal force p.
+/// A sliding block of these parameters under the normal force p.
 struct SteadySliding {
   Parameters parameters;
   double p = 0;  ///< [N]

@@ -47,7 +47,7 @@ std::string content_checksum(const Content& content);
 /// The same by the rule for files up to schema 2: all parameters that there were count as they are.
 std::string content_checksum_of_schema_2(const Content& content);
 
-/// What stands before a content checksum wherever one is printed. Not "sha256", because it is not
+/// Label of a content checksum wherever one is printed. Not "sha256", because it is not
 /// what sha256sum gives for the file, and so that sha256sum -c takes no line of ours for one of its
 /// own.
 inline constexpr std::string_view kChecksumLabel = "content-sha256";

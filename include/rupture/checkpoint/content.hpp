@@ -1,4 +1,4 @@
-// What a file holds, as plain data: named datasets with a type, a shape and a unit.
+// The content of a file as plain data: named datasets with a type, a shape and a unit.
 //
 // A Content is what the checksum, the comparison and the HDF5 layer have in common; none of them
 // knows what the datasets mean.

@@ -15,7 +15,7 @@ namespace rupture {
 
 inline constexpr std::int64_t kSchemaVersion = 3;  ///< newest schema that this build knows
 
-/// What to do if the file to be written is already there.
+/// Whether a file that is already there may be written over.
 enum class IfExists { refuse, replace };
 
 /// Whether to write `<path>.sum`, a line with the content checksum, beside a file.

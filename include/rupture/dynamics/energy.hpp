@@ -15,26 +15,33 @@ struct Energies {
   double total() const { return kinetic + bulk + contact + driving + load; }
 };
 
-/// Power of what does not conserve energy, at one instant [W].
+/// Power of each force that does not conserve energy, at one instant [W].
 struct Power {
   double driving = 0;    ///< F_T V, into the system
   double damping = 0;    ///< bulk damping, out of the system
-  double junctions = 0;  ///< work done against the junctions, out of the system
+  double junctions = 0;  ///< against the junctions, out of the system
 };
 
-/// Work since the start of a run [J]; the same terms as Power, summed by the trapezoidal rule,
-/// which is how velocity Verlet itself adds up work.
-using Work = Power;
+/// Work of the same forces over some time [J].
+struct Work {
+  double driving = 0;
+  double damping = 0;
+  double junctions = 0;
 
-inline Work operator-(const Work& a, const Work& b) {
-  return {a.driving - b.driving, a.damping - b.damping, a.junctions - b.junctions};
-}
+  Work& operator+=(const Work& more);
+};
 
-/// What the account of a run says [J].
+Work operator-(const Work& a, const Work& b);
+
+/// Work done in a step of length dt [s], by the trapezoidal rule, which is how velocity Verlet
+/// itself adds up work.
+Work integrate(const Power& before, const Power& now, double dt);
+
+/// The account of a run [J].
 struct EnergyBalance {
   double supplied = 0;   ///< work of the driving point and of F_N
   double stored = 0;     ///< gain of kinetic, bulk, contact and driving-spring energy
-  double damping = 0;    ///< what bulk damping took
+  double damping = 0;    ///< energy that bulk damping took
   double junctions = 0;  ///< work done against the junctions, of which pinned ones can give a part
                          ///< back: it may fall, and be negative
 

@@ -14,7 +14,7 @@ namespace rupture {
 /// A warning is worth knowing; with an alarm the result is meaningless.
 enum class Severity { warning, alarm };
 
-/// What is watched.
+/// Properties of a run that are watched.
 enum class Check { time_step, energy, strength, contact, lattice };
 
 /// One thing that was found.
@@ -36,12 +36,12 @@ class Guard {
   /// Opens the energy account.
   explicit Guard(const Simulation& simulation);
 
-  /// What is wrong now, or in the energy account since the start or the last look. Each check is
+  /// The faults now, and in the energy account since the start or the last look. Each check is
   /// reported once per severity.
   std::vector<Finding> look(const Simulation& simulation);
 
  private:
-  /// What the energy account needs to know of one instant.
+  /// The energy account at one instant.
   struct Entry {
     std::int64_t step;
     Energies energies;

@@ -3,13 +3,14 @@
 // Scheme, for a state complete at step n (u, v, f, junctions at time t_n = n dt):
 //   1. half kick and drift       v += (dt/2m) f;  u += dt v
 //   2. normal forces             p_i on the bottom row and the forces on the top row at the new
-//                                positions (normal_force, top_force: foundation or ceiling)
+//                                positions (NormalContact)
 //   3. junctions                 break, slip, are pinned again at the new x_i, p_i and time t_{n+1}
 //   4. forces                    springs at u, damping at the half-kicked v, p, tau, F_N, F_T
 //   5. half kick                 v += (dt/2m) f
-// Afterwards the state is complete at step n+1. Between two steps that follow each other, 5 and the
-// next 1 are done row by row in one sweep (Bulk::finish). f is part of the state because the
-// damping force was taken at the half-kicked velocity, which is not kept.
+// Afterwards the state is complete at step n+1. take_steps() has the same numbers. Between two
+// steps that follow each other, 5 and the next 1 are done row by row in one sweep (Bulk::finish). f
+// is part of the state because the damping force was taken at the half-kicked velocity, which is
+// not kept.
 #pragma once
 
 #include <memory>
@@ -19,6 +20,7 @@
 #include "rupture/dynamics/energy.hpp"
 #include "rupture/forces/bulk.hpp"
 #include "rupture/forces/interface_law.hpp"
+#include "rupture/model/normal_contact.hpp"
 #include "rupture/model/run_so_far.hpp"
 #include "rupture/model/rupture.hpp"
 #include "rupture/model/state.hpp"
@@ -47,7 +49,7 @@ class Simulation {
   double x_drive() const { return drive_position(parameters_, state_.drive, state_.step); }
   const std::vector<std::int32_t>& pinned() const { return law_->pinned(); }
 
-  /// What happened since the run began: since this simulation was made, or before it as well.
+  /// Events of the run since it began: since this simulation was made, or before it as well.
   const RunSoFar& run() const { return run_; }
   /// Goes on with a run that another simulation began.
   void resume_from(const RunSoFar& run) { run_ = run; }
@@ -71,12 +73,13 @@ class Simulation {
   [[noreturn]] void report_blow_up() const;
 
   const Parameters parameters_;
+  const NormalContact normal_;
   State state_;
   Bulk bulk_;
   std::unique_ptr<InterfaceLaw> law_;
   std::vector<double> p_, k_ij_, w_, tau_;
   std::vector<double> top_;  // force from above on each top block, downwards [N]
-  double F_T_ = 0;
+  double F_T_;
   std::vector<bool> ruptured_;
   std::vector<Rupture> ruptures_;
   RunSoFar run_;

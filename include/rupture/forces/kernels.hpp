@@ -52,7 +52,7 @@ struct Dampers {
   const double* columns;  ///< columns i-1, i, i+1 that exist: 2 at the sides, 3 between
 };
 
-/// What friction needs to know of each interface block, arrays of length Nx.
+/// The normal contact of each interface block, for friction; arrays of length Nx.
 struct ContactView {
   double* p;     ///< normal force p_i [N]
   double* k_ij;  ///< junction stiffness [N/m]
@@ -68,7 +68,7 @@ struct Boundary {
   double F_T;                  ///< driving force, towards +x [N]
 };
 
-/// What moves during a step.
+/// Fields that change during a step.
 struct Motion {
   VectorView u, v, f;  ///< displacement [m], velocity [m/s], net force [N]
   double half_kick;    ///< dt / 2m [s/kg]
@@ -84,7 +84,7 @@ struct Band {
 /// Whether the first half of the next step follows the end of this one.
 enum class Then { stop, go_on };
 
-/// What a step leaves besides the new state.
+/// Results of a step besides the new state.
 struct StepResult {
   double* damping_power;    ///< [Nz] power of the damping forces on each row [W]
   double* bottom_velocity;  ///< [stride] v_x of the bottom row at the end of the step [m/s]
@@ -115,7 +115,7 @@ struct Kernels {
   void (*finish)(const LatticeShape&, const Springs&, const Dampers&, const Boundary&,
                  const Motion&, const Band&, Then, const StepResult&);
 
-  /// p_i = -k_f u_z where u_z < 0, else 0; k_ij = sqrt(kappa f_N); w = f_N / k_ij; f_N = p_i / N_s.
+  /// p_i, k_ij and w of each block on a foundation (model/contact_formulas.hpp).
   void (*contact)(std::ptrdiff_t Nx, const double* u_z, double k_f, double N_s, double kappa,
                   ContactView out);
 

@@ -22,14 +22,6 @@ double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an inte
 double block_position(const Parameters& p, std::int64_t i);
 std::vector<double> block_positions(const Parameters& p);  ///< of all columns [m]
 
-/// Normal force p_i on a bottom block at u_z, upwards [N]. On a foundation -k_f u_z where u_z < 0,
-/// else 0; under a ceiling F_N / Nx.
-double normal_force(const Parameters& p, double u_z);
-
-/// Force from above on a top block at u_z, downwards [N]. On a foundation F_N / Nx; under a ceiling
-/// k_f u_z where u_z > 0, else 0.
-double top_force(const Parameters& p, double u_z);
-
 /// Row of blocks on which the driving spring acts, h / l.
 std::int64_t driving_row(const Parameters& p);
 

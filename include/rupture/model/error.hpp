@@ -5,12 +5,12 @@
 
 namespace rupture {
 
-/// What was asked for makes no sense: unknown name, value out of range, missing option.
+/// The request makes no sense: unknown name, value out of range, missing option.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What was asked for makes sense but could not be done: damaged file, full disk, blow-up.
+/// The request makes sense but could not be met: damaged file, full disk, blow-up.
 struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

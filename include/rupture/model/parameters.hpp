@@ -21,13 +21,13 @@ enum class SlippingTimes { gaussian, exponential };
 /// switches slow slip off (Fig. 3B).
 enum class NewForce { zero, f_slip };
 
-/// What a junction does once it has broken (forces/interface_law.hpp): the reference law, the
+/// How a junction goes on once it has broken (forces/interface_law.hpp): the reference law, the
 /// simplified one with a single spring per block (Fig. S2), the decaying one (Fig. S6), or the
 /// distance law, in which junctions slip for a distance.
 enum class Law { reference, simplified, decaying, distance };
 
-/// What bears the slider in z: an elastic foundation below the bottom row, with F_N on the top row;
-/// or, for prepared interfaces, an elastic ceiling above the top row, with F_N on the bottom row.
+/// The bearing of the slider in z: an elastic foundation below the bottom row, with F_N on the top
+/// row; or, for prepared interfaces, a ceiling above the top row, with F_N on the bottom row.
 enum class Support { foundation, ceiling };
 
 struct Parameters {

@@ -8,7 +8,7 @@
 
 namespace rupture {
 
-/// What a random number is used for; different purposes never share a counter.
+/// Use of a random number; different purposes never share a counter.
 enum class Purpose : std::uint32_t { slipping = 1, force_distribution = 2 };
 
 /// Uniform number in (0, 1), never 0 or 1, with 52 random bits (Philox4x32-10).

@@ -1,12 +1,12 @@
-// What a run remembers beyond its state.
+// The memory of a run beyond its state.
 #pragma once
 
 #include <cstdint>
 
 namespace rupture {
 
-/// What a run has seen since it began. With it, a run that was interrupted goes on and ends as if
-/// it had not been.
+/// Events that a run has seen since it began. With them, a run that was interrupted goes on and
+/// ends as if it had not been.
 struct RunSoFar {
   std::int64_t first_step = 0;         ///< step at which the run began
   std::int64_t last_break = 0;         ///< step at which a junction last broke, or first_step

@@ -3,6 +3,7 @@
 
 #include "lanes.hpp"
 #include "rupture/forces/kernels.hpp"
+#include "rupture/model/contact_formulas.hpp"
 #include "rupture/model/never.hpp"
 
 namespace rupture {
@@ -14,13 +15,11 @@ void contact(Index Nx, const double* u_z, double k_f, double N_s, double kappa, 
   double* w = out.w;
 #pragma omp simd
   for (Index i = 0; i < Nx; ++i) {
-    const double pressed = u_z[i] < 0.0 ? u_z[i] : 0.0;
-    const double p_i = -(k_f * pressed);
-    const double f_N = p_i / N_s;
-    const double k = sqrt(kappa * f_N);
+    const double p_i = foundation_force(k_f, u_z[i]);
+    const double k = junction_stiffness(kappa, N_s, p_i);
     p[i] = p_i;
     k_ij[i] = k;
-    w[i] = p_i > 0.0 ? k / kappa : 0.0;  // f_N / k_ij, without dividing zero by zero
+    w[i] = friction_stretch(kappa, k, p_i);
   }
 }
 

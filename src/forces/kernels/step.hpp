@@ -7,7 +7,7 @@
 namespace rupture {
 namespace {
 
-/// What a band keeps between `prepare` and `finish`: rows of length stride + 16.
+/// Rows that a band keeps between `prepare` and `finish`, of length stride + 16.
 struct BandRows {
   VectorView from_below;  ///< see gather()
   VectorView v_below;     ///< velocities of the row below before its kick, at which damping acts

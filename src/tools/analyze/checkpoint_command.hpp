@@ -1,4 +1,4 @@
-// What the analyze commands that read one checkpoint have in common.
+// Shared by the analyze commands that read one checkpoint.
 #pragma once
 
 #include <string>

@@ -8,6 +8,7 @@
 #include "cli/option_values.hpp"
 #include "rupture/analysis/events.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/normal_contact.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -44,7 +45,7 @@ std::string list_of(const Bursts& bursts, const std::vector<std::size_t>& number
 
 /// Whether the first event is the one that the trigger of a prepared interface started.
 bool begins_with_trigger(const Record& record) {
-  return record.parameters.support == Support::ceiling && record.time.front() == 0.0;
+  return NormalContact(record.parameters).has_constant_p() && record.time.front() == 0.0;
 }
 
 ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) {

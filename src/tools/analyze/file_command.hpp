@@ -1,4 +1,4 @@
-// What the analyze commands that read any of our files have in common.
+// Shared by the analyze commands that read any of our files.
 #pragma once
 
 #include <string>

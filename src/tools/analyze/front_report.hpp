@@ -1,4 +1,4 @@
-// What several commands say of a front, and by which criteria.
+// The report of a front that several commands give, and its criteria.
 #pragma once
 
 #include <optional>

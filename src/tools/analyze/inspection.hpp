@@ -1,4 +1,4 @@
-// What verifying a file or folder brings to light: findings, whatever is wrong.
+// The findings of verifying a file or folder, whatever is wrong.
 #pragma once
 
 #include <filesystem>

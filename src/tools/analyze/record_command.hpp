@@ -1,4 +1,4 @@
-// What the analyze commands that read one record have in common.
+// Shared by the analyze commands that read one record.
 #pragma once
 
 #include <string>

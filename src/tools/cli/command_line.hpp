@@ -1,4 +1,4 @@
-// What all tools share on the command line: parsing, --help, parameters, errors and exit codes.
+// The command line of all tools: parsing, --help, parameters, errors and exit codes.
 #pragma once
 
 #include <boost/program_options.hpp>
@@ -20,7 +20,7 @@ namespace po = boost::program_options;
 /// Exit codes: 0 done, 1 failed, 2 usage.
 enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2 };
 
-/// What --help and --describe say besides the options.
+/// The text of --help and --describe besides the options.
 struct ToolText {
   std::string name;                          ///< e.g. "restart"
   std::string synopsis;                      ///< e.g. "restart CHECKPOINT -o OUT [options]"
@@ -53,7 +53,7 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
              const po::options_description& options, const std::string& positional,
              UsesParameters uses_parameters);
 
-/// What --version says: the last word names the instruction set that the time steps use here.
+/// The text of --version: the last word names the instruction set that the time steps use here.
 std::string version_text(const std::string& tool);
 
 /// Applies the changes one by one. Throws UsageError as set_parameter() does.

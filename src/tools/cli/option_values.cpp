@@ -11,7 +11,7 @@
 namespace rupture::tools {
 namespace {
 
-/// What was given for an option that takes one text or several.
+/// The values given for an option that takes one text or several.
 std::vector<std::string> words_of(const po::variable_value& value) {
   if (const auto* words = boost::any_cast<std::vector<std::string>>(&value.value())) return *words;
   return {value.as<std::string>()};

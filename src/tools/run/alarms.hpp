@@ -1,4 +1,4 @@
-// What load and restart do with the findings of the guard (rupture/dynamics/guard.hpp).
+// How load and restart act on the findings of the guard (rupture/dynamics/guard.hpp).
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ enum class OnAlarm { stop, report };
 
 void add_alarm_option(po::options_description& options);
 
-/// What --on-alarm says. Throws UsageError if it is no such word.
+/// The choice of --on-alarm. Throws UsageError if it is no such word.
 OnAlarm on_alarm(const po::variables_map& values);
 
 /// Looks at the first and last step of a run and every 5000 steps. Warnings and, with

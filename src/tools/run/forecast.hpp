@@ -1,4 +1,4 @@
-// What a run will need: time, memory and disk, from what it will do and how fast this machine is.
+// Time, memory and disk of a run, forecast from what it will do and how fast this machine is.
 //
 // The constants come from measurements of lattices from 57 x 31 to 449 x 241 blocks (x86-64, Debian
 // 12, gcc 12.2).
@@ -15,7 +15,7 @@ namespace rupture::tools {
 enum class RunsFrom { equilibrium, checkpoint };
 enum class End { known, at_the_latest };
 
-/// What a run will do, as far as it costs something.
+/// The work of a run, as far as it costs something.
 struct Workload {
   Parameters parameters;
   RunsFrom from = RunsFrom::checkpoint;
@@ -36,7 +36,7 @@ struct Speed {
 /// blocks.
 Parameters reference_slider();
 
-/// What a run will need. Ruptures in the record, 24 bytes each, are not counted.
+/// The needs of a run. Ruptures in the record, 24 bytes each, are not counted.
 struct Forecast {
   Workload work;
   double memory = 0;            ///< peak of the process [bytes]

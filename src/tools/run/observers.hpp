@@ -1,4 +1,4 @@
-// What watches a run: the record, the checkpoint schedule and the progress line.
+// Observers of a run: the record, the checkpoint schedule and the progress line.
 #pragma once
 
 #include <chrono>

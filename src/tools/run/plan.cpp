@@ -72,7 +72,7 @@ Workload nothing_of(const RunPlan& plan, const RunOptions& options, const fs::pa
           .threads = options.threads.value_or(default_thread_count(p))};
 }
 
-/// What is left to be done.
+/// The part that is left to be done.
 Workload rest_of(const RunPlan& plan, Workload work) {
   work.first_step = plan.begin.checkpoint.state.step;
   work.end = plan.rule.quiet_steps ? End::at_the_latest : End::known;

@@ -1,4 +1,4 @@
-// What a run will do, before it does anything: running it, --dry-run and --resume read this.
+// The plan of a run, made before it does anything: running it, --dry-run and --resume read this.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace rupture::tools {
 
-/// What a run will do. Its provenance already names the program that runs.
+/// A run that has not begun. Its provenance already names the program that runs.
 struct RunPlan {
   Checkpoint start;  ///< where the whole run begins,
   Resumption begin;  ///< and where this part of it does, if it was interrupted: else the same
@@ -32,11 +32,11 @@ struct RunPlan {
 RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& options,
                  const OutputOptions& output, const std::filesystem::path& input);
 
-/// What becomes of a checkpoint on the way that is there already.
+/// Whether to replace a checkpoint on the way that is there already.
 IfExists if_checkpoint_exists(const RunPlan& plan, const RunOptions& options,
                               const std::filesystem::path& path);
 
-/// What becomes of a record that is there already; that of another run was refused.
+/// Whether to replace a record that is there already; that of another run was refused.
 IfExists if_record_exists(const RunOptions& options, const OutputOptions& output);
 
 }  // namespace rupture::tools

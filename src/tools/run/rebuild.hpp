@@ -1,8 +1,8 @@
 // The commands that make a file anew (ProvenanceEntry::rebuild): complete, so that they need
 // nothing but the parent, and canonical, so that equal content has equal commands.
 //
-// What a user types is neither: it may name an INI file that has changed since, stop where the
-// front happens to stop, or write several files at several times.
+// A command as a user types it is neither: it may name an INI file that has changed since, stop
+// where the front happens to stop, or write several files at several times.
 #pragma once
 
 #include <cstdint>

@@ -134,7 +134,7 @@ bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
   return true;
 }
 
-/// What `path`, a record or its .part, holds of the run; empty if there is no such file. Throws
+/// The part of the run in `path`, a record or its .part; empty if there is no such file. Throws
 /// Failure if it holds anything else.
 Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
                  std::int64_t every) {
@@ -169,7 +169,7 @@ Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const Run
 }
 
 /// True if these rows are all that the run had recorded when it wrote the checkpoint.
-bool reach(const Content& rows, const Checkpoint& checkpoint, std::int64_t every) {
+bool have_all_samples(const Content& rows, const Checkpoint& checkpoint, std::int64_t every) {
   const RunSoFar& run = *checkpoint.run;
   const std::int64_t now = checkpoint.state.step;
   const auto steps = sampled_steps(rows);
@@ -179,9 +179,9 @@ bool reach(const Content& rows, const Checkpoint& checkpoint, std::int64_t every
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(run.ruptures);
 }
 
-/// What a command computes: its arguments without the program and without the options that change
-/// no bit. What follows "--" are files.
-std::vector<std::string> essence(const std::string& command_line) {
+/// The part of a command that decides what it computes: its arguments without the program and
+/// without the options that change no bit. The words after "--" are files.
+std::vector<std::string> deciding_arguments(const std::string& command_line) {
   constexpr std::array<std::string_view, 6> without_effect = {"--resume", "--sum",   "--force",
                                                               "-f",       "--quiet", "-q"};
   auto words = shell_words(command_line);
@@ -197,7 +197,8 @@ std::vector<std::string> essence(const std::string& command_line) {
 }
 
 bool same_command(const Checkpoint& a, const Checkpoint& b) {
-  return essence(a.provenance.back().command_line) == essence(b.provenance.back().command_line);
+  return deciding_arguments(a.provenance.back().command_line) ==
+         deciding_arguments(b.provenance.back().command_line);
 }
 
 /// True if a run with this rule ends at this checkpoint of it, as far as the checkpoint tells.
@@ -236,7 +237,7 @@ Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFil
     const std::int64_t step = checkpoint->state.step;
     if (is_beyond_end(step, *checkpoint->run, rule)) continue;
     Content rows = record.empty() ? Content{} : rows_until(record, step);
-    if (!files.record || reach(rows, *checkpoint, files.record_every)) {
+    if (!files.record || have_all_samples(rows, *checkpoint, files.record_every)) {
       remains.newest = {std::move(*checkpoint), path, std::move(rows), {}};
       return remains;
     }

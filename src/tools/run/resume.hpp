@@ -13,7 +13,7 @@
 
 namespace rupture::tools {
 
-/// What a run leaves on its way.
+/// The files that a run leaves on its way.
 struct RunFiles {
   std::filesystem::path output;                 ///< its checkpoints are OUT-tT.h5
   std::optional<std::filesystem::path> record;  ///< or its .part
@@ -24,8 +24,8 @@ struct RunFiles {
 /// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].
 std::filesystem::path path_at(const std::filesystem::path& output, double t);
 
-/// What tells the run that begins with `start` from others: SHA-256 of which tools took which steps
-/// to it, and of its first step. Every checkpoint of the run has it, resumed or not.
+/// Name of the run that begins with `start`: SHA-256 of which tools took which steps to it, and of
+/// its first step. Every checkpoint of the run has it, resumed or not.
 std::string id_of_run(const Checkpoint& start);
 
 /// A run as it was at one of its checkpoints.

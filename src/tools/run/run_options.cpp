@@ -44,8 +44,7 @@ void add_run_options(po::options_description& options) {
   add("dry-run",
       "write nothing: check the command and print about how much time, memory and disk it needs. "
       "The time per step is measured now, for half a second, from the checkpoint or, for load, "
-      "near "
-      "the equilibrium, which is not solved for");
+      "near the equilibrium, which is not solved for");
   add("json", "with --dry-run: print one JSON object");
 }
 

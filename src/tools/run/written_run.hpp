@@ -15,7 +15,7 @@
 
 namespace rupture::tools {
 
-/// What to do if a checkpoint on the way is there already.
+/// Whether to replace a checkpoint on the way that is there already.
 using IfCheckpointExists = std::function<IfExists(const std::filesystem::path&)>;
 
 /// Checkpoints on the way, of which there may be many: one line at the end names them.
@@ -29,7 +29,7 @@ struct OnTheWay {
   }
 };
 
-/// A run with everything that it writes on its way. What it is made with must outlive it.
+/// A run with everything that it writes on its way. The objects it is made with must outlive it.
 class Run {
  public:
   Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,

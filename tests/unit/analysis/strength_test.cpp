@@ -140,7 +140,7 @@ class StrengthOfBlocks : public ::testing::Test {
     }
   }
   double stiffness(Eigen::Index i) const {
-    return junction_stiffness(p_, normal_force(p_, state_.u_z(i, 0)));
+    return junction_stiffness(p_, NormalContact(p_).normal_force(state_.u_z(i, 0)));
   }
 
   Parameters p_ = testing::small_slider(5, 3);

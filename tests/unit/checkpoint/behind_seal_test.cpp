@@ -17,7 +17,7 @@ using testing::expect_contains;
 
 constexpr const char* kPath = "/state/u_x";
 
-// What creates the dataset at kPath.
+// Properties of the dataset that is created at kPath.
 struct Replacement {
   hid_t type = H5T_IEEE_F64LE;
   std::vector<hsize_t> shape = {4, 5};
@@ -26,7 +26,7 @@ struct Replacement {
 
 class BehindSeal : public testing::InFolder {
  protected:
-  // What reading says of the small checkpoint after `change` to its HDF5 part.
+  // The refusal to read the small checkpoint after `change` to its HDF5 part.
   std::string refusal_after(const std::function<void(hid_t)>& change) {
     write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::replace);
     hdf5::prepare();

@@ -23,7 +23,7 @@ class CheckpointFile : public testing::InFolder {
     return write_checkpoint(file("x.h5"), checkpoint, IfExists::replace);
   }
 
-  // What reading says about the small checkpoint after `change` to its content, properly sealed.
+  // The refusal to read the small checkpoint after `change` to its content, properly sealed.
   template <class Work>
   std::string refusal_after(const Work& change) {
     write(small_checkpoint());

@@ -1,4 +1,4 @@
-// What the checkpoint tests share: a folder that vanishes, and a small checkpoint in which every
+// Shared by the checkpoint tests: a folder that vanishes, and a small checkpoint in which every
 // number is different.
 #pragma once
 

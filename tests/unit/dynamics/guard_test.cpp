@@ -85,7 +85,7 @@ TEST(Guard, finds_a_block_pressed_so_hard_that_the_time_step_is_too_long) {
   State state = normal_load_equilibrium(p);
   EXPECT_TRUE(findings_at_once(p, state).empty());
   state.u_z(3, 0) *= 6.0;
-  const double p_3 = normal_force(p, state.u_z(3, 0));
+  const double p_3 = NormalContact(p).normal_force(state.u_z(3, 0));
   EXPECT_LT(stable_time_step(p, p_3), p.dt);
   EXPECT_GT(stable_time_step(p), p.dt);
   expect_one(findings_at_once(p, state), Check::time_step, Severity::alarm,
@@ -163,7 +163,7 @@ TEST(Guard, warns_of_junctions_beyond_their_strength_at_the_start) {
 TEST(Guard, warns_of_slipping_junctions_beyond_the_slipping_force_at_the_start) {
   const Parameters p = quick_slider();
   State state = normal_load_equilibrium(p);
-  const double w = friction_stretch(p, normal_force(p, state.u_z(2, 0)));
+  const double w = friction_stretch(p, NormalContact(p).normal_force(state.u_z(2, 0)));
   state.junctions.attachment(2, 0) = state.u_x(2, 0) + 1.01 * p.mu_d * w;
   EXPECT_TRUE(findings_at_once(p, state).empty()) << "pinned, and below mu_s";
   state.junctions.repin_time(2, 0) = 1.0;

@@ -38,7 +38,8 @@ class Prepared : public ::testing::Test {
 TEST_F(Prepared, has_the_same_p_on_every_block_which_the_ceiling_bears) {
   for (const double p_i : normal_forces(p_, state_)) EXPECT_EQ(p_i, p_.F_N / 57.0);
   double borne = 0.0;
-  for (Eigen::Index i = 0; i < p_.Nx; ++i) borne += top_force(p_, state_.u_z(i, p_.Nz - 1));
+  for (Eigen::Index i = 0; i < p_.Nx; ++i)
+    borne += NormalContact(p_).top_force(state_.u_z(i, p_.Nz - 1));
   EXPECT_NEAR(borne, p_.F_N, 1e-10 * p_.F_N);
 }
 

@@ -21,8 +21,8 @@ using testing::quick_slider;
 
 constexpr std::int64_t kThroughTheRupture = 2500;  // steps
 
-/// What acts on the slider from outside at the new positions: junctions move on, then p, tau, F_N
-/// and F_T are added.
+/// Adds the forces from outside on the slider at the new positions: junctions move on, then p, tau,
+/// F_N and F_T are added.
 void add_boundary_forces(const Parameters& p, InterfaceLaw& law, State& s) {
   std::vector<double> p_i = normal_forces(p, s), k_ij, w, tau(p_i.size());
   for (const double normal : p_i) {
@@ -35,7 +35,7 @@ void add_boundary_forces(const Parameters& p, InterfaceLaw& law, State& s) {
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     s.f_x(i, 0) -= tau[static_cast<std::size_t>(i)];
     s.f_z(i, 0) += p_i[static_cast<std::size_t>(i)];
-    s.f_z(i, p.Nz - 1) -= top_force(p, s.u_z(i, p.Nz - 1));
+    s.f_z(i, p.Nz - 1) -= NormalContact(p).top_force(s.u_z(i, p.Nz - 1));
   }
   const double x_drive =
       s.drive.origin_position + p.V * p.dt * static_cast<double>(s.step - s.drive.origin_step);

@@ -230,8 +230,7 @@ TEST(Validate, wants_a_spacing_above_zero) {
 TEST(Validate, wants_the_driving_height_on_a_row) {
   Parameters p;
   const std::string end =
-      " m is on no row of blocks: give a multiple of the spacing 0.0025 m "
-      "below slider.H";
+      " m is on no row of blocks: give a multiple of the spacing 0.0025 m below slider.H";
   p.h = 0.006;
   EXPECT_EQ(refusal(p), "driving.h = 0.006" + end);
   p.h = 0.0775;  // one row above the top
@@ -304,20 +303,6 @@ TEST(Derived, quantities_of_the_reference_slider_are_those_of_table_S1) {
   EXPECT_DOUBLE_EQ(junction_stiffness(p, mean_normal_force(p)), std::sqrt(39.2e9 * 1920 / 5700));
   EXPECT_DOUBLE_EQ(friction_stretch(p, mean_normal_force(p)), std::sqrt(1920 / 5700.0 / 39.2e9));
   EXPECT_EQ(friction_stretch(p, 0.0), 0.0);
-}
-
-// k_f = 6.75 MN/m: 1 um is 6.75 N. The support pushes and never pulls; the other side bears F_N.
-TEST(Derived, normal_forces_come_from_the_support_on_one_side_and_F_N_on_the_other) {
-  Parameters p;
-  EXPECT_DOUBLE_EQ(normal_force(p, -1e-6), 6.75);
-  EXPECT_EQ(normal_force(p, 1e-6), 0.0);
-  EXPECT_DOUBLE_EQ(top_force(p, -1e-6), 1920.0 / 57);
-  EXPECT_DOUBLE_EQ(top_force(p, 1e-6), 1920.0 / 57);
-  p.support = Support::ceiling;
-  EXPECT_DOUBLE_EQ(normal_force(p, -1e-6), 1920.0 / 57);
-  EXPECT_DOUBLE_EQ(normal_force(p, 1e-6), 1920.0 / 57);
-  EXPECT_DOUBLE_EQ(top_force(p, 1e-6), 6.75);
-  EXPECT_EQ(top_force(p, -1e-6), 0.0);
 }
 
 TEST(Derived, mean_slipping_time_is_that_of_the_folded_gaussian) {
