@@ -1,7 +1,7 @@
 // Alarms: a run whose result is meaningless ends with a sentence, unless the user lets it go on.
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 /// Makes the driving spring all but too stiff for the time step; nothing damps it.
@@ -89,4 +89,4 @@ TEST_F(Alarms, refuse_another_word) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -5,7 +5,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 using Values = std::vector<double>;
@@ -16,7 +16,7 @@ using Cells = std::vector<std::vector<std::string>>;
 
 using Strength = ToolTest;
 
-TEST_F(Strength, OfAShapeIsThatOfItsClosedForm) {
+TEST_F(Strength, of_a_shape_is_that_of_its_closed_form) {
   const Json uniform = json_of("analyze strength --shape uniform --sigma-bar 0.2 --json");
   EXPECT_EQ(uniform["shape"], "uniform");
   EXPECT_EQ(uniform["sigma_bar"], 0.2);
@@ -29,7 +29,7 @@ TEST_F(Strength, OfAShapeIsThatOfItsClosedForm) {
                   .starts_with("bell phi, sigma-bar"));
 }
 
-TEST_F(Strength, OfACheckpointFollowsItsJunctions) {
+TEST_F(Strength, of_a_checkpoint_follows_its_junctions) {
   output_of("load --config small.ini -o a.h5 -q");
   output_of("modify-phi a.h5 -o b.h5 --shape bell --sigma-bar 0.2 -q");
   const Json json = json_of("analyze strength b.h5 --json");
@@ -50,7 +50,7 @@ TEST_F(Strength, OfACheckpointFollowsItsJunctions) {
   EXPECT_EQ(lines_of(output_of("analyze strength b.h5")).size(), 10U);
 }
 
-TEST_F(Strength, OfBlocksAllOfWhoseJunctionsSlipIsZero) {
+TEST_F(Strength, of_blocks_all_of_whose_junctions_slip_is_zero) {
   output_of("load --config small.ini -o a.h5 --until 6e-4 -q");
   const Json json = json_of("analyze strength a.h5 --json");
   int sliding = 0;
@@ -63,7 +63,7 @@ TEST_F(Strength, OfBlocksAllOfWhoseJunctionsSlipIsZero) {
   EXPECT_GT(sliding, 0);
 }
 
-TEST_F(Strength, RefusesWhatMakesNoSense) {
+TEST_F(Strength, refuses_what_makes_no_sense) {
   constexpr const char* both =
       "--shape and --sigma-bar belong together: give both, or name a checkpoint instead";
   expect_refusal("analyze strength", kUsage,
@@ -88,7 +88,7 @@ class Estimate : public ToolTest {
   Estimate() { output_of("load --config small.ini -o a.h5 -q"); }
 };
 
-TEST_F(Estimate, IsEquationS1AtTheNormalForces) {
+TEST_F(Estimate, is_equation_S1_at_the_normal_forces) {
   const Json json = json_of("analyze estimate a.h5 --json");
   const Values p = json_of("analyze stress a.h5 --json")["p"];
   EXPECT_EQ(json["block"]["p"].get<Values>(), p);
@@ -105,7 +105,7 @@ TEST_F(Estimate, IsEquationS1AtTheNormalForces) {
   }
 }
 
-TEST_F(Estimate, RelaxesOneBlock) {
+TEST_F(Estimate, relaxes_one_block) {
   const Json json = json_of("analyze estimate a.h5 --json");
   EXPECT_NEAR(json["net_slip_over_f_slip_per_k_ij"], 8.737, 0.001);
   EXPECT_NEAR(json["slip_after_two_t_R_over_f_slip_per_k_ij"], 8.07, 0.03);
@@ -115,7 +115,7 @@ TEST_F(Estimate, RelaxesOneBlock) {
   EXPECT_NEAR(json["quiet_after_over_t_R"], 5.7, 0.2);
 }
 
-TEST_F(Estimate, FollowsTheSlipOfOneBlock) {
+TEST_F(Estimate, follows_the_slip_of_one_block) {
   const Json json = json_of("analyze estimate a.h5 --json");
   const Values time = json["relaxation"]["time_over_t_R"];
   const Values slip = json["relaxation"]["slip_over_f_slip_per_k_ij"];
@@ -127,14 +127,14 @@ TEST_F(Estimate, FollowsTheSlipOfOneBlock) {
   EXPECT_NEAR(slip.back(), json["net_slip_over_f_slip_per_k_ij"], 1e-12) << "equal for all seeds";
 }
 
-TEST_F(Estimate, DependsOnTheSeedAndOnNothingElse) {
+TEST_F(Estimate, depends_on_the_seed_and_on_nothing_else) {
   const std::string command = "analyze estimate a.h5 --json --ensemble 5";
   EXPECT_EQ(output_of(command), output_of(command));
   EXPECT_EQ(output_of(command), output_of(command + " --seed 1")) << "the checkpoint's";
   EXPECT_NE(output_of(command), output_of(command + " --seed 2"));
 }
 
-TEST_F(Estimate, HasNoRelaxationThatNeverEnds) {
+TEST_F(Estimate, has_no_relaxation_that_never_ends) {
   output_of("load --config small.ini --set junctions.mu_d=0.39 -o b.h5 -q");
   const Json json = json_of("analyze estimate b.h5 --json");
   EXPECT_TRUE(json["net_slip_over_f_slip_per_k_ij"].is_null());
@@ -143,14 +143,14 @@ TEST_F(Estimate, HasNoRelaxationThatNeverEnds) {
   EXPECT_NE(output_of("analyze estimate b.h5").find("goes on for ever"), std::string::npos);
 }
 
-TEST_F(Estimate, PrintsBlocksAsATable) {
+TEST_F(Estimate, prints_blocks_as_a_table) {
   const auto rows = csv_of(output_of("analyze estimate a.h5 --csv"));
   ASSERT_EQ(rows.size(), 10U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"x [m]", "p [N]", "v_slow_slip [m/s]"}));
   EXPECT_EQ(lines_of(output_of("analyze estimate a.h5")).size(), 1U + 9U + 1U + 4U);
 }
 
-TEST_F(Estimate, RefusesWhatMakesNoSense) {
+TEST_F(Estimate, refuses_what_makes_no_sense) {
   expect_refusal("analyze estimate", kUsage, "no file was given: name a checkpoint");
   expect_refusal("analyze estimate a.h5 --ensemble 1", kUsage,
                  "--ensemble 1 makes no sense: give 2 to 100000");
@@ -162,7 +162,7 @@ TEST_F(Estimate, RefusesWhatMakesNoSense) {
 
 using SteadyState = ToolTest;
 
-TEST_F(SteadyState, FollowsRenewalTheory) {
+TEST_F(SteadyState, follows_renewal_theory) {
   const Json json = json_of("analyze steady-state --v-from 1e-3 --v-to 1e-1 --points 3 --json");
   const Values v = json["v"], mu = json["mu"], error = json["mu_error"], theory = json["mu_theory"];
   ASSERT_EQ(v.size(), 3U);
@@ -180,14 +180,14 @@ TEST_F(SteadyState, FollowsRenewalTheory) {
   EXPECT_NEAR(json["p"], 1920.0 / 57.0, 1e-12);
 }
 
-TEST_F(SteadyState, TakesParametersAndSeed) {
+TEST_F(SteadyState, takes_parameters_and_seed) {
   const std::string command = "analyze steady-state --points 1 --v-from 0.01 --json";
   EXPECT_EQ(output_of(command), output_of(command + " --seed 1"));
   EXPECT_NE(json_of(command)["mu"], json_of(command + " --seed 2")["mu"]);
   EXPECT_NEAR(json_of(command + " --set junctions.mu_d=0.1")["mu"][0], 0.1, 0.01);
 }
 
-TEST_F(SteadyState, ComesCloserToTheTheoryWithShorterSteps) {
+TEST_F(SteadyState, comes_closer_to_the_theory_with_shorter_steps) {
   const auto off = [this](const std::string& steps) {
     const Json json = json_of("analyze steady-state --points 1 --v-from 1 --json" + steps);
     return std::abs(double(json["mu"][0]) - double(json["mu_theory"][0]));
@@ -196,14 +196,14 @@ TEST_F(SteadyState, ComesCloserToTheTheoryWithShorterSteps) {
   EXPECT_LT(off(" --steps-per-cycle 40000"), 5e-6);
 }
 
-TEST_F(SteadyState, PrintsATable) {
+TEST_F(SteadyState, prints_a_table) {
   const auto rows = csv_of(output_of("analyze steady-state --points 2 --csv"));
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"v [m/s]", "mu", "mu_error", "mu_theory"}));
   EXPECT_EQ(lines_of(output_of("analyze steady-state --points 2")).size(), 4U);
 }
 
-TEST_F(SteadyState, RefusesWhatMakesNoSense) {
+TEST_F(SteadyState, refuses_what_makes_no_sense) {
   expect_refusal("analyze steady-state --v-from 0", kUsage,
                  "--v-from 0 makes no sense: give a speed from 1e-09 to 1000 m/s");
   expect_refusal("analyze steady-state --v-to inf", kUsage,
@@ -222,4 +222,4 @@ TEST_F(SteadyState, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

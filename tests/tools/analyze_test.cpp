@@ -5,7 +5,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 /// A rupture that crosses the interface, and what follows with the driving point at rest.
@@ -34,7 +34,7 @@ void expect_fields(const Json& json, const std::vector<std::string>& names) {
   for (const auto& name : names) EXPECT_TRUE(json.contains(name)) << name;
 }
 
-TEST_F(Analyze, StressHasTheDocumentedFields) {
+TEST_F(Analyze, stress_has_the_documented_fields) {
   const Json json = json_of("analyze stress a.h5 --json");
   expect_fields(json, {"time", "x", "p", "tau", "F_T", "F_N"});
   EXPECT_EQ(json["time"], 3e-4);
@@ -42,14 +42,14 @@ TEST_F(Analyze, StressHasTheDocumentedFields) {
   expect_csv("analyze stress a.h5", {"x [m]", "p [N]", "tau [N]"}, 9);
 }
 
-TEST_F(Analyze, StressOfSlippingBlocksIsAtTheSlippingForce) {
+TEST_F(Analyze, stress_of_slipping_blocks_is_at_the_slipping_force) {
   output_of("load --config small.ini -o sliding.h5 --until 6e-4");
   const Json json = json_of("analyze stress sliding.h5 --json");
   const std::vector<double> p = json["p"], tau = json["tau"];
   for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(tau[i] / p[i], 0.17, 0.01);
 }
 
-TEST_F(Analyze, FrontHasTheDocumentedFields) {
+TEST_F(Analyze, front_has_the_documented_fields) {
   const Json json = json_of("analyze front r.h5 --json");
   expect_fields(json, {"x", "t_rupture", "v_c", "type", "x_arrest", "slow"});
   EXPECT_EQ(json["type"], "fast");
@@ -62,30 +62,30 @@ TEST_F(Analyze, FrontHasTheDocumentedFields) {
   expect_csv("analyze front r.h5", {"x [m]", "t_rupture [s]", "v_c [m/s]"}, 9);
 }
 
-TEST_F(Analyze, FrontInAWindowThatEndsEarlyIsArrested) {
+TEST_F(Analyze, front_in_a_window_that_ends_early_is_arrested) {
   const Json json = json_of("analyze front r.h5 --from 0 --to 2e-4 --json");
   EXPECT_EQ(json["type"], "arrested");
   EXPECT_NEAR(json["x_arrest"], 0.0525, 1e-9);
   EXPECT_EQ(output_of("analyze classify r.h5 --to 2e-4"), "arrested\n");
 }
 
-TEST_F(Analyze, FrontIsSlowWhereItIsBelowTheGivenSpeed) {
+TEST_F(Analyze, front_is_slow_where_it_is_below_the_given_speed) {
   const Json json = json_of("analyze front r.h5 --slow-below 3 --json");
   EXPECT_EQ(json["type"], "slow");
   expect_fields(json["slow"], {"x_from", "x_to", "duration", "speed"});
   EXPECT_LT(json["slow"]["speed"], 3 * 1000.0);
 }
 
-TEST_F(Analyze, ClassifyPrintsTheTypeAlone) {
+TEST_F(Analyze, classify_prints_the_type_alone) {
   EXPECT_EQ(output_of("analyze classify r.h5"), "fast\n");
   EXPECT_EQ(json_of("analyze classify r.h5 --json")["type"], "fast");
 }
 
-TEST_F(Analyze, ClassifyHasNoSeriesToPrintAsCsv) {
+TEST_F(Analyze, classify_has_no_series_to_print_as_csv) {
   expect_refusal_with("analyze classify r.h5 --csv", kUsage, "unknown option '--csv'");
 }
 
-TEST_F(Analyze, EventsHaveTheDocumentedFields) {
+TEST_F(Analyze, events_have_the_documented_fields) {
   const Json json = json_of("analyze events r.h5 --json");
   ASSERT_EQ(json["events"].size(), 1U);
   const Json& event = json["events"][0];
@@ -98,7 +98,7 @@ TEST_F(Analyze, EventsHaveTheDocumentedFields) {
   EXPECT_EQ(event["type"], "fast");
 }
 
-TEST_F(Analyze, RecordWithoutRuptureHasNoEvents) {
+TEST_F(Analyze, record_without_rupture_has_no_events) {
   output_of("load --config small.ini -o quiet.h5 --until 1e-4 --record quiet-r.h5");
   EXPECT_EQ(json_of("analyze events quiet-r.h5 --json").dump(), R"({"events":[]})");
   EXPECT_EQ(lines_of(output_of("analyze events quiet-r.h5 --csv")).size(), 1U);
@@ -108,7 +108,7 @@ TEST_F(Analyze, RecordWithoutRuptureHasNoEvents) {
   EXPECT_TRUE(json_of("analyze slip quiet-r.h5 --x 0.07 --json")["t_rupture"].is_null());
 }
 
-TEST_F(Analyze, SlipStartsAtZeroAndGrows) {
+TEST_F(Analyze, slip_starts_at_zero_and_grows) {
   const Json json = json_of("analyze slip rest.h5 --x 0.0701 --json");
   expect_fields(json,
                 {"x", "t_rupture", "t_arrest", "fast_slip", "slow_slip", "slow_from", "slow_to",
@@ -125,7 +125,7 @@ TEST_F(Analyze, SlipStartsAtZeroAndGrows) {
   expect_csv("analyze slip rest.h5 --x 0.07", {"time [s]", "slip [m]"}, json["time"].size());
 }
 
-TEST_F(Analyze, SlowSlipOfBlocksBehindASlowFront) {
+TEST_F(Analyze, slow_slip_of_blocks_behind_a_slow_front) {
   output_of("prepare --tau-bar 0.1 --sigma-bar 0.1 -o p.h5");
   output_of("restart p.h5 -o q.h5 --until-quiet --record q-r.h5 --record-every 2e-5");
   const std::string command = "analyze slow-slip q-r.h5 --skip-below-x 0.0275";
@@ -147,7 +147,7 @@ TEST_F(Analyze, SlowSlipOfBlocksBehindASlowFront) {
       {"x [m]", "t_from [s]", "t_to [s]", "speed [m/s]", "R^2", "v_c [m/s]", "estimate [m/s]"}, 16);
 }
 
-TEST_F(Analyze, SlowSlipOfNoBlockHasNoSpeed) {
+TEST_F(Analyze, slow_slip_of_no_block_has_no_speed) {
   const Json json = json_of("analyze slow-slip r.h5 --json");
   EXPECT_EQ(json["blocks"], 0);
   EXPECT_TRUE(json["speed"]["mean"].is_null());
@@ -158,14 +158,14 @@ TEST_F(Analyze, SlowSlipOfNoBlockHasNoSpeed) {
                  "there is no block between --x-from and --x-to");
 }
 
-TEST_F(Analyze, SlipCountsFromTheStartOfTheWindow) {
+TEST_F(Analyze, slip_counts_from_the_start_of_the_window) {
   const Json json = json_of("analyze slip rest.h5 --x 0.07 --from 1e-3 --to 2e-3 --json");
   EXPECT_NEAR(json["time"].front(), 1e-3, 1e-9);
   EXPECT_NEAR(json["time"].back(), 2e-3, 1e-9);
   EXPECT_EQ(json["slip"][0], 0.0);
 }
 
-TEST_F(Analyze, LoadingHoldsTheSeries) {
+TEST_F(Analyze, loading_holds_the_series) {
   const Json json = json_of("analyze loading r.h5 --x 0.07 --json");
   for (const char* name : {"time", "F_T", "x_drive", "p", "tau", "u_x"}) {
     EXPECT_EQ(json[name].size(), 31U) << name;
@@ -176,7 +176,7 @@ TEST_F(Analyze, LoadingHoldsTheSeries) {
              {"time [s]", "F_T [N]", "x_drive [m]", "p [N]", "tau [N]", "u_x [m]"}, 31);
 }
 
-TEST_F(Analyze, RecordEndsWithTheStressOfTheCheckpoint) {
+TEST_F(Analyze, record_ends_with_the_stress_of_the_checkpoint) {
   const Json loading = json_of("analyze loading r.h5 --x 0.07 --json");
   const Json stress = json_of("analyze stress a.h5 --json");
   EXPECT_EQ(loading["F_T"].back(), stress["F_T"]);
@@ -184,7 +184,7 @@ TEST_F(Analyze, RecordEndsWithTheStressOfTheCheckpoint) {
   EXPECT_NEAR(loading["tau"].back(), stress["tau"][4], 1e-12);
 }
 
-TEST_F(Analyze, PhiCountsAllJunctions) {
+TEST_F(Analyze, phi_counts_all_junctions) {
   const Json json = json_of("analyze phi half.h5 --bins 20 --json");
   expect_fields(json,
                 {"x", "mean", "sigma", "sigma_bar", "slipping", "f_thres", "f_slip", "histogram"});
@@ -200,7 +200,7 @@ TEST_F(Analyze, PhiCountsAllJunctions) {
              {"x [m]", "mean [N]", "sigma [N]", "sigma_bar", "slipping", "f_thres [N]"}, 9);
 }
 
-TEST_F(Analyze, TextIsForPeople) {
+TEST_F(Analyze, text_is_for_people) {
   for (const std::string command :
        {"stress a.h5", "phi a.h5", "front r.h5", "events r.h5", "slip r.h5 --x 0.07",
         "loading r.h5", "show a.h5", "show r.h5"}) {
@@ -208,7 +208,7 @@ TEST_F(Analyze, TextIsForPeople) {
   }
 }
 
-TEST_F(Analyze, RefusesWhatMakesNoSense) {
+TEST_F(Analyze, refuses_what_makes_no_sense) {
   expect_refusal("analyze stress", kUsage, "no file was given: name a checkpoint");
   expect_refusal("analyze front", kUsage, "no file was given: name a record");
   expect_refusal("analyze stress a.h5 b.h5", kUsage,
@@ -230,32 +230,32 @@ TEST_F(Analyze, RefusesWhatMakesNoSense) {
                  "--quiet-time -1 makes no sense: give a number of at least 0");
 }
 
-TEST_F(Analyze, RefusesABillionBins) {
+TEST_F(Analyze, refuses_a_billion_bins) {
   if (RUPTURE_SANITIZED) GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
   expect_refusal_with("analyze phi a.h5 --bins 2000000000", kUsage, "--bins",
                       {.memory = std::uint64_t{4} << 30U});
 }
 
-TEST_F(Analyze, RefusesAWindowOutsideTheRecord) {
+TEST_F(Analyze, refuses_a_window_outside_the_record) {
   expect_refusal_with("analyze slip r.h5 --x 0.07 --from 5", kUsage, "--from 5");
 }
 
 // --- checksum, show ---------------------------------------------------------------
 
-TEST_F(Analyze, ChecksumIs64DigitsAndANewline) {
+TEST_F(Analyze, checksum_is_64_digits_and_a_newline) {
   const std::string text = output_of("analyze checksum a.h5");
   EXPECT_EQ(text.find_first_not_of("0123456789abcdef"), 64U);
   EXPECT_EQ(text.substr(64), "\n");
 }
 
-TEST_F(Analyze, ChecksumDoesNotDependOnTheCommandLine) {
+TEST_F(Analyze, checksum_does_not_depend_on_the_command_line) {
   output_of(
       "load --set slider.Nx=9 --set slider.Nz=5 --set slider.H=0.07 --set driving.h=0.0175 "
       "--set driving.V=1 --output other.h5 --until 3e-4");
   EXPECT_EQ(checksum_of("other.h5"), checksum_of("a.h5"));
 }
 
-TEST_F(Analyze, ShowNamesKindParametersAndProvenance) {
+TEST_F(Analyze, show_names_kind_parameters_and_provenance) {
   const Json json = json_of("analyze show r.h5 --json");
   EXPECT_EQ(json["kind"], "a record");
   EXPECT_EQ(json["checksum"], checksum_of("r.h5"));
@@ -271,4 +271,4 @@ TEST_F(Analyze, ShowNamesKindParametersAndProvenance) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

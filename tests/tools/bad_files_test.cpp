@@ -9,7 +9,7 @@
 #include "rupture/version.hpp"
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 constexpr const char* kDamaged =
@@ -58,36 +58,36 @@ class BadFiles : public ToolTest {
   }
 };
 
-TEST_F(BadFiles, Missing) {
+TEST_F(BadFiles, missing) {
   expect_refused_everywhere("gone.h5",
                             "gone.h5 does not exist; give the path of a checkpoint or record");
   expect_refused_everywhere("good.h5/x.h5",
                             "good.h5/x.h5 does not exist; give the path of a checkpoint or record");
 }
 
-TEST_F(BadFiles, Folder) {
+TEST_F(BadFiles, folder) {
   fs::create_directory(path("folder.h5"));
   expect_refused_everywhere("folder.h5",
                             "folder.h5 is a folder; give the path of a checkpoint or record");
 }
 
-TEST_F(BadFiles, Device) {
+TEST_F(BadFiles, device) {
   expect_refused_everywhere(
       "/dev/null", "/dev/null is not a regular file; give the path of a checkpoint or record");
 }
 
-TEST_F(BadFiles, Empty) {
+TEST_F(BadFiles, empty) {
   write("empty.h5", "");
   expect_refused_everywhere("empty.h5", "empty.h5 is empty; expected a checkpoint or record");
 }
 
-TEST_F(BadFiles, Text) {
+TEST_F(BadFiles, text) {
   expect_refused_everywhere("small.ini",
                             "small.ini is not a rupture file: expected the 512-byte header of a "
                             "checkpoint or record; give a file that one of rupture's tools wrote");
 }
 
-TEST_F(BadFiles, Hdf5FileOfAnotherProgram) {
+TEST_F(BadFiles, hdf5_file_of_another_program) {
   const hid_t file = H5Fcreate(path("foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   ASSERT_GE(H5Fclose(file), 0);
   expect_refused_everywhere(
@@ -96,7 +96,7 @@ TEST_F(BadFiles, Hdf5FileOfAnotherProgram) {
       "rupture, or was rewritten by another program; give the original file");
 }
 
-TEST_F(BadFiles, Truncated) {
+TEST_F(BadFiles, truncated) {
   const std::string whole = read("good.h5");
   for (const std::size_t size : {std::size_t{513}, whole.size() / 2, whole.size() - 1}) {
     write("short.h5", whole.substr(0, size));
@@ -111,7 +111,7 @@ TEST_F(BadFiles, Truncated) {
   }
 }
 
-TEST_F(BadFiles, Damaged) {
+TEST_F(BadFiles, damaged) {
   const std::string whole = read("good.h5");
   for (const std::size_t at :
        {std::size_t{40}, std::size_t{300}, std::size_t{512}, whole.size() / 2, whole.size() - 1}) {
@@ -128,7 +128,7 @@ TEST_F(BadFiles, Damaged) {
 }
 
 /// A sample of the bits and lengths; all of them are in tests/unit/checkpoint/damage_test.cpp.
-TEST_F(BadFiles, DamagedAnywhere) {
+TEST_F(BadFiles, damaged_anywhere) {
   const std::string whole = read("good.h5");
   for (std::size_t bit = 40; bit < 8 * whole.size(); bit += 1 + 8 * whole.size() / 60) {
     std::string bytes = whole;
@@ -144,7 +144,7 @@ TEST_F(BadFiles, DamagedAnywhere) {
   }
 }
 
-TEST_F(BadFiles, DamagedRecord) {
+TEST_F(BadFiles, damaged_record) {
   std::string bytes = read("record.h5");
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   write("flipped.h5", bytes);
@@ -152,7 +152,7 @@ TEST_F(BadFiles, DamagedRecord) {
   expect_refused_as_any_file("flipped.h5", kDamaged);
 }
 
-TEST_F(BadFiles, DamagedFirstLine) {
+TEST_F(BadFiles, damaged_first_line) {
   std::string bytes = read("good.h5");
   bytes[0] = 'R';
   write("flipped.h5", bytes);
@@ -170,7 +170,7 @@ void set_schema_version(const fs::path& path, std::int64_t version) {
   ASSERT_GE(H5Fclose(file), 0);
 }
 
-TEST_F(BadFiles, NewerSchema) {
+TEST_F(BadFiles, newer_schema) {
   fs::copy_file(path("good.h5"), path("newer.h5"));
   set_schema_version(path("newer.h5"), kSchemaVersion + 1);
   std::string bytes = read("newer.h5");
@@ -186,31 +186,31 @@ TEST_F(BadFiles, NewerSchema) {
   expect_refused_as_any_file("newer.h5", sentence);
 }
 
-TEST_F(BadFiles, WhoseTextsHoldControlCharactersAreRefusedInOneLine) {
+TEST_F(BadFiles, whose_texts_hold_control_characters_are_refused_in_one_line) {
   Content content = read_content(path("good.h5"));
   content["/parameters/junctions/law"] = make_text("\n\x1b[2J");
   write_content(path("wild.h5"), FileKind::checkpoint, content, IfExists::refuse);
-  expect_refused(
-      "wild.h5",
-      "wild.h5: junctions.law = '??[2J' is unknown: choose one of reference, simplified, decaying, distance");
+  expect_refused("wild.h5",
+                 "wild.h5: junctions.law = '??[2J' is unknown: choose one of reference, "
+                 "simplified, decaying, distance");
 }
 
-TEST_F(BadFiles, RecordWhereACheckpointIsExpected) {
+TEST_F(BadFiles, record_where_a_checkpoint_is_expected) {
   expect_refused("record.h5", "record.h5 is a record; expected a checkpoint");
 }
 
-TEST_F(BadFiles, CheckpointWhereARecordIsExpected) {
+TEST_F(BadFiles, checkpoint_where_a_record_is_expected) {
   expect_refused_as_record("good.h5", "good.h5 is a checkpoint; expected a record");
 }
 
-TEST_F(BadFiles, NumericalBlowUpStopsTheRun) {
+TEST_F(BadFiles, numerical_blow_up_stops_the_run) {
   write_wild_checkpoint();
   expect_refusal_with("restart wild.h5 -o out.h5 --for 1e-4", kFailed,
                       "numerical blow-up at t = 0.000200");
   expect_refusal_with("restart wild.h5 -o out.h5 --for 1e-4", kFailed, "in block (");
 }
 
-TEST_F(BadFiles, NumericalBlowUpKeepsTheLastCheckpoint) {
+TEST_F(BadFiles, numerical_blow_up_keeps_the_last_checkpoint) {
   write_wild_checkpoint();
   const Outcome outcome =
       run("restart wild.h5 -o out.h5 --for 1e-4 --checkpoint-at 2e-4 --record r.h5");
@@ -223,11 +223,11 @@ TEST_F(BadFiles, NumericalBlowUpKeepsTheLastCheckpoint) {
                  "r.h5.part: an unfinished record cannot be verified: its run has not ended");
 }
 
-TEST_F(BadFiles, NumericalBlowUpLosesNoSample) {
+TEST_F(BadFiles, numerical_blow_up_loses_no_sample) {
   write_wild_checkpoint();
   EXPECT_EQ(run("restart wild.h5 -o out.h5 --for 1e-4 --record r.h5").exit_code, kFailed);
   EXPECT_EQ(json_of("analyze loading r.h5.part --json")["time"].size(), 1U);
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -3,7 +3,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 class BadOutput : public ToolTest {
@@ -19,30 +19,30 @@ class BadOutput : public ToolTest {
   }
 };
 
-TEST_F(BadOutput, MissingFolder) {
+TEST_F(BadOutput, missing_folder) {
   expect_refused("gone/b.h5", kFailed,
                  "could not write gone/b.h5: its folder gone: No such file or directory; give "
                  "another path");
 }
 
-TEST_F(BadOutput, FolderItself) {
+TEST_F(BadOutput, folder_itself) {
   fs::create_directory(path("folder"));
   expect_refused("folder", kFailed, "folder is a folder; give the path of a file to write");
 }
 
-TEST_F(BadOutput, BelowAFile) {
+TEST_F(BadOutput, below_a_file) {
   expect_refused("small.ini/b.h5", kFailed,
                  "could not write small.ini/b.h5: its folder small.ini: Not a directory; give "
                  "another path");
 }
 
-TEST_F(BadOutput, BelowProcRefusesBeforeTheRun) {
+TEST_F(BadOutput, below_proc_refuses_before_the_run) {
   const Outcome outcome = run("load --config small.ini --until 1e-4 -o /proc/b.h5");
   EXPECT_EQ(outcome.exit_code, kFailed);
   expect_one_sentence(outcome.err, "load", "could not write /proc/b.h5");
 }
 
-TEST_F(BadOutput, EmptyName) {
+TEST_F(BadOutput, empty_name) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"load", "--config", "small.ini", "-o", ""},
         {"restart", "a.h5", "--for", "1e-5", "-o", ""},
@@ -57,7 +57,7 @@ TEST_F(BadOutput, EmptyName) {
   }
 }
 
-TEST_F(BadOutput, ReadOnlyFolder) {
+TEST_F(BadOutput, read_only_folder) {
   fs::create_directory(path("locked"));
   fs::permissions(path("locked"), fs::perms(0555));
   RunOptions options;
@@ -75,7 +75,7 @@ TEST_F(BadOutput, ReadOnlyFolder) {
   }
 }
 
-TEST_F(BadOutput, UnreadableInput) {
+TEST_F(BadOutput, unreadable_input) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can run a program as another user";
   fs::permissions(path("."), fs::perms(0755));
   fs::permissions(path("a.h5"), fs::perms(0600));
@@ -89,7 +89,7 @@ TEST_F(BadOutput, UnreadableInput) {
                  nobody);
 }
 
-TEST_F(BadOutput, FullDisk) {
+TEST_F(BadOutput, full_disk) {
   const RunOptions full = {.largest_file = 20000};
   expect_refusal("load --config small.ini --until 1e-4 -o b.h5", kFailed,
                  "could not write b.h5: File too large", full);
@@ -98,14 +98,14 @@ TEST_F(BadOutput, FullDisk) {
   expect_refusal("modify-phi a.h5 -o b.h5", kFailed, "could not write b.h5: File too large", full);
 }
 
-TEST_F(BadOutput, FullDiskKeepsTheFileThatWasToBeReplaced) {
+TEST_F(BadOutput, full_disk_keeps_the_file_that_was_to_be_replaced) {
   output_of("load --config small.ini -o old.h5 --record old-r.h5 -q");
   const RunOptions full = {.largest_file = 20000};
   expect_refusal("load --config small.ini --until 1e-4 -o old.h5 --force", kFailed,
                  "could not write old.h5: File too large", full);
 }
 
-TEST_F(BadOutput, FullDiskWhileRecordingKeepsTheOldRecord) {
+TEST_F(BadOutput, full_disk_while_recording_keeps_the_old_record) {
   output_of("load --config small.ini -o old.h5 --record old-r.h5 -q");
   const Files before = files();
   const Outcome outcome =
@@ -117,7 +117,7 @@ TEST_F(BadOutput, FullDiskWhileRecordingKeepsTheOldRecord) {
   for (const auto& [name, bytes] : before) EXPECT_TRUE(files().at(name) == bytes) << name;
 }
 
-TEST_F(BadOutput, FullDiskWhileRecordingLeavesAReadablePart) {
+TEST_F(BadOutput, full_disk_while_recording_leaves_a_readable_part) {
   const Outcome outcome =
       run("load --config small.ini --until 4e-4 -o b.h5 --record r.h5 --record-every 2e-7",
           {.largest_file = 250000});
@@ -129,7 +129,7 @@ TEST_F(BadOutput, FullDiskWhileRecordingLeavesAReadablePart) {
   EXPECT_EQ(loading.exit_code, kDone) << loading.err;
 }
 
-TEST_F(BadOutput, FullStandardOutput) {
+TEST_F(BadOutput, full_standard_output) {
   const RunOptions full = {.standard_output = "/dev/full"};
   constexpr const char* sentence = "cannot write to standard output";
   for (const std::string command :
@@ -140,7 +140,7 @@ TEST_F(BadOutput, FullStandardOutput) {
   }
 }
 
-TEST_F(BadOutput, FullStandardOutputForHelpAndVersion) {
+TEST_F(BadOutput, full_standard_output_for_help_and_version) {
   const RunOptions full = {.standard_output = "/dev/full"};
   for (const std::string command :
        {"load --help", "load --version", "analyze --help", "analyze stress --help"}) {
@@ -148,7 +148,7 @@ TEST_F(BadOutput, FullStandardOutputForHelpAndVersion) {
   }
 }
 
-TEST_F(BadOutput, FullStandardOutputLosesNoFile) {
+TEST_F(BadOutput, full_standard_output_loses_no_file) {
   const Outcome outcome =
       run("load --config small.ini -o b.h5 --until 1e-4", {.standard_output = "/dev/full"});
   EXPECT_EQ(outcome.exit_code, kFailed);
@@ -156,7 +156,7 @@ TEST_F(BadOutput, FullStandardOutputLosesNoFile) {
   EXPECT_DOUBLE_EQ(json_of("analyze stress b.h5 --json")["time"], 1e-4);
 }
 
-TEST_F(BadOutput, TwoOutputsOfTheSameName) {
+TEST_F(BadOutput, two_outputs_of_the_same_name) {
   const std::string load = "load --config small.ini --until 1e-4 -o b.h5";
   for (const std::string force : {"", " --force"}) {
     expect_refusal_with(load + " --record b.h5" + force, kUsage, "b.h5");
@@ -166,16 +166,16 @@ TEST_F(BadOutput, TwoOutputsOfTheSameName) {
   }
 }
 
-TEST_F(BadOutput, RecordUnderTheNameOfASum) {
+TEST_F(BadOutput, record_under_the_name_of_a_sum) {
   expect_refusal_with("load --config small.ini --until 1e-4 -o b.h5 --record b.h5.sum", kUsage,
                       "b.h5.sum");
 }
 
-TEST_F(BadOutput, InputIsNeverOverwrittenByTheRecord) {
+TEST_F(BadOutput, input_is_never_overwritten_by_the_record) {
   expect_refusal_with("restart a.h5 --for 1e-4 -o b.h5 --record a.h5 --force", kUsage, "a.h5");
 }
 
-TEST_F(BadOutput, InputIsNeverOverwrittenNorRemovedAsASum) {
+TEST_F(BadOutput, input_is_never_overwritten_nor_removed_as_a_sum) {
   fs::copy_file(path("a.h5"), path("b.h5.sum"));
   for (const std::string sum : {"", " --sum"}) {
     expect_refusal("restart b.h5.sum --for 1e-5 -o b.h5" + sum, kUsage,
@@ -183,7 +183,7 @@ TEST_F(BadOutput, InputIsNeverOverwrittenNorRemovedAsASum) {
   }
 }
 
-TEST_F(BadOutput, DanglingLinkIsReplacedOrRefusedButNeverFollowed) {
+TEST_F(BadOutput, dangling_link_is_replaced_or_refused_but_never_followed) {
   fs::create_symlink("elsewhere.h5", path("link.h5"));
   expect_refusal("load --config small.ini -o link.h5", kFailed,
                  "link.h5 exists; give --force to replace it");
@@ -192,10 +192,10 @@ TEST_F(BadOutput, DanglingLinkIsReplacedOrRefusedButNeverFollowed) {
   EXPECT_EQ(checksum_of("link.h5"), checksum_of("a.h5"));
 }
 
-TEST_F(BadOutput, SumThatIsAFolder) {
+TEST_F(BadOutput, sum_that_is_a_folder) {
   fs::create_directory(path("b.h5.sum"));
   expect_refusal_with("load --config small.ini -o b.h5 --until 1e-4", kFailed, "b.h5.sum");
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

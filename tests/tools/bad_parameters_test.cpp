@@ -6,7 +6,7 @@
 #include "rupture/model/parameters.hpp"
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 /// A parameter assignment that load refuses, and what it says.
@@ -20,7 +20,7 @@ std::ostream& operator<<(std::ostream& out, const BadParameter& parameter) {
 
 class BadParameters : public ToolTest, public ::testing::WithParamInterface<BadParameter> {};
 
-TEST_P(BadParameters, IsRefusedByLoad) {
+TEST_P(BadParameters, is_refused_by_load) {
   expect_refusal("load --config small.ini -o a.h5 --set " + GetParam().assignment, kUsage,
                  GetParam().sentence);
 }
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 using BadOptions = ToolTest;
 
-TEST_F(BadOptions, SeedMustBeAWholeNumber) {
+TEST_F(BadOptions, seed_must_be_a_whole_number) {
   expect_refusal("load -o a.h5 --seed 1.5", kUsage,
                  "numerics.seed = '1.5' is not a whole number (unit 1)");
   expect_refusal("load -o a.h5 --seed abc", kUsage,
@@ -82,7 +82,7 @@ TEST_F(BadOptions, SeedMustBeAWholeNumber) {
                  "9e+15 (unit 1)");
 }
 
-TEST_F(BadOptions, NumberTooLargeForItsTypeIsOutOfRange) {
+TEST_F(BadOptions, number_too_large_for_its_type_is_out_of_range) {
   expect_refusal_with("load -o a.h5 --seed 99999999999999999999", kUsage, "out of range");
   expect_refusal_with("load -o a.h5 --set slider.L=1e400", kUsage, "out of range");
 }
@@ -91,7 +91,7 @@ std::string not_seconds(const std::string& option, const std::string& value) {
   return option + " " + value + ": give the time in seconds as a plain number, such as 0.01";
 }
 
-TEST_F(BadOptions, TimesOfOtherToolsArePlainSecondsToo) {
+TEST_F(BadOptions, times_of_other_tools_are_plain_seconds_too) {
   output_of("load --config small.ini -o a.h5 --record r.h5 --until 1e-5");
   for (const std::string option : {"--until", "--for", "--until-quiet"}) {
     expect_refusal("restart a.h5 -o b.h5 " + option + " 10ms", kUsage, not_seconds(option, "10ms"));
@@ -103,7 +103,7 @@ TEST_F(BadOptions, TimesOfOtherToolsArePlainSecondsToo) {
                  not_seconds("--quiet-time", "1ms"));
 }
 
-TEST_F(BadOptions, TimesMustBeNumbersFromZero) {
+TEST_F(BadOptions, times_must_be_numbers_from_zero) {
   const std::string load = "load --config small.ini -o a.h5 ";
   for (const std::string value : {"abc", "10ms", "0.1s", "1,5"}) {
     for (const std::string option :
@@ -121,21 +121,21 @@ TEST_F(BadOptions, TimesMustBeNumbersFromZero) {
                  "t = 1e+300 s is too long a time for steps of 2e-07 s");
 }
 
-TEST_F(BadOptions, CheckpointTimesMustBeNumbersFromZero) {
+TEST_F(BadOptions, checkpoint_times_must_be_numbers_from_zero) {
   const std::string load = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at ";
   for (const char* value : {"nan", "inf", "-inf"}) {
     expect_refusal_with(load + value, kUsage, std::string("--checkpoint-at ") + value);
   }
 }
 
-TEST_F(BadOptions, CheckpointTimesMustLieInTheRun) {
+TEST_F(BadOptions, checkpoint_times_must_lie_in_the_run) {
   const std::string load = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at ";
   expect_refusal(load + "2e-4", kUsage,
                  "--checkpoint-at 0.0002 is outside the run, 0 s to 0.0001 s");
   expect_refusal(load + "-1", kUsage, "--checkpoint-at -1 is outside the run, 0 s to 0.0001 s");
 }
 
-TEST_F(BadOptions, IntervalsMustBeAtLeastAStep) {
+TEST_F(BadOptions, intervals_must_be_at_least_a_step) {
   const std::string load = "load --config small.ini -o a.h5 --until 1e-4 ";
   expect_refusal(load + "--checkpoint-every 1e-8", kUsage,
                  "--checkpoint-every is shorter than one time step");
@@ -143,14 +143,14 @@ TEST_F(BadOptions, IntervalsMustBeAtLeastAStep) {
                  "--record-every is shorter than one time step");
 }
 
-TEST_F(BadOptions, ThreadsMustBeAFew) {
+TEST_F(BadOptions, threads_must_be_a_few) {
   for (const std::string value : {"0", "-2", "1025"}) {
     expect_refusal("load --config small.ini -o a.h5 --threads " + value, kUsage,
                    "--threads " + value + " makes no sense: give a number from 1 to 1024");
   }
 }
 
-TEST_F(BadOptions, RestartWantsOneEnd) {
+TEST_F(BadOptions, restart_wants_one_end) {
   output_of("load --config small.ini -o a.h5");
   expect_refusal("restart a.h5 -o b.h5", kUsage,
                  "when to stop? Give --until T, --for T or --until-quiet");
@@ -162,13 +162,13 @@ TEST_F(BadOptions, RestartWantsOneEnd) {
                  "'a.h5' is one file too many: name only a checkpoint to continue");
 }
 
-TEST_F(BadOptions, RestartCannotGoBack) {
+TEST_F(BadOptions, restart_cannot_go_back) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   expect_refusal("restart a.h5 -o b.h5 --until 5e-5", kUsage,
                  "--until 5e-05 is before the checkpoint's time 0.0001 s");
 }
 
-TEST_F(BadOptions, QuietTimeMustBeANumberFromZero) {
+TEST_F(BadOptions, quiet_time_must_be_a_number_from_zero) {
   output_of("load --config small.ini -o a.h5");
   for (const char* value : {"nan", "inf", "-3"}) {
     expect_refusal_with(std::string("restart a.h5 -o b.h5 --until 1e-4 --until-quiet=") + value,
@@ -176,7 +176,7 @@ TEST_F(BadOptions, QuietTimeMustBeANumberFromZero) {
   }
 }
 
-TEST_F(BadOptions, RestartKeepsWhatItsRowSays) {
+TEST_F(BadOptions, restart_keeps_what_its_row_says) {
   output_of("load --config small.ini -o a.h5");
   const Json was = json_of("analyze show a.h5 --json")["parameters"];
   for (const auto& info : parameter_table()) {
@@ -192,7 +192,7 @@ TEST_F(BadOptions, RestartKeepsWhatItsRowSays) {
   }
 }
 
-TEST_F(BadOptions, RestartKeepsTheLattice) {
+TEST_F(BadOptions, restart_keeps_the_lattice) {
   output_of("load --config small.ini -o a.h5");
   for (const auto& [name, value, was] :
        {std::tuple{"slider.Nx", "17", "9"}, std::tuple{"slider.L", "0.15", "0.14"},
@@ -205,7 +205,7 @@ TEST_F(BadOptions, RestartKeepsTheLattice) {
                  "numerics.dt = 2e-07 s is unstable: the limit for this lattice is 4.677e-10 s");
 }
 
-TEST_F(BadOptions, ConfigurationMustBeReadable) {
+TEST_F(BadOptions, configuration_must_be_readable) {
   expect_refusal("load --config gone.ini -o a.h5", kFailed,
                  "cannot read the configuration file gone.ini");
   write("odd.ini", "slider.L\n");
@@ -214,7 +214,7 @@ TEST_F(BadOptions, ConfigurationMustBeReadable) {
   expect_refusal_with("load --config odd.ini -o a.h5", kUsage, "soon");
 }
 
-TEST_F(BadOptions, ParametersOfAConfigurationAreCheckedAlike) {
+TEST_F(BadOptions, parameters_of_a_configuration_are_checked_alike) {
   write("bad.ini", "[slider]\nLL = 0.14\n");
   expect_refusal("load --config bad.ini -o a.h5", kUsage,
                  "unknown parameter 'slider.LL': did you mean 'slider.L'?");
@@ -229,15 +229,15 @@ TEST_F(BadOptions, ParametersOfAConfigurationAreCheckedAlike) {
   expect_refusal_with("load --config bad.ini -o a.h5", kUsage, "untill");
 }
 
-TEST_F(BadOptions, ConfigurationMustNotBeAFolder) {
+TEST_F(BadOptions, configuration_must_not_be_a_folder) {
   expect_refusal_with("load --config . -o a.h5", kFailed, "configuration");
 }
 
-TEST_F(BadOptions, LoadTakesNoFile) {
+TEST_F(BadOptions, load_takes_no_file) {
   expect_refusal_with("load small.ini -o a.h5", kUsage, "small.ini");
 }
 
-TEST_F(BadOptions, SliderThatCannotBearItsLoadIsRefused) {
+TEST_F(BadOptions, slider_that_cannot_bear_its_load_is_refused) {
   expect_refusal_with(
       "load --config small.ini -o a.h5 --set junctions.mu_s=0.01 --set junctions.mu_d=0.001",
       kFailed, "|f|/f_thres");
@@ -246,12 +246,12 @@ TEST_F(BadOptions, SliderThatCannotBearItsLoadIsRefused) {
                  "= 1e-300 Pa or the slider tips over");
 }
 
-TEST_F(BadOptions, LoadThatTurnsTheLatticeInsideOutIsRefused) {
+TEST_F(BadOptions, load_that_turns_the_lattice_inside_out_is_refused) {
   expect_refusal_with("load --config small.ini -o a.h5 --set slider.F_N=1e9", kFailed, "F_N");
   expect_refusal_with("load --config small.ini -o a.h5 --set slider.E=1", kFailed, "slider.E");
 }
 
-TEST_F(BadOptions, StabilityLimitIsANumber) {
+TEST_F(BadOptions, stability_limit_is_a_number) {
   for (const std::string mass : {"1e-298", "1e-300"}) {
     const Outcome outcome = run("load --config small.ini -o a.h5 --set slider.M=" + mass);
     EXPECT_EQ(outcome.exit_code, kUsage);
@@ -259,12 +259,12 @@ TEST_F(BadOptions, StabilityLimitIsANumber) {
   }
 }
 
-TEST_F(BadOptions, TooManyJunctionsForARecordAreRefused) {
+TEST_F(BadOptions, too_many_junctions_for_a_record_are_refused) {
   expect_refusal_with("load --config small.ini -o a.h5 --record r.h5 --set junctions.N_s=70000",
                       kUsage, "junctions.N_s = 70000 is too large for a record");
 }
 
-TEST_F(BadOptions, LatticeTooLargeForTheMemoryIsRefused) {
+TEST_F(BadOptions, lattice_too_large_for_the_memory_is_refused) {
   if (RUPTURE_SANITIZED) GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
   const RunOptions two_gigabytes = {.memory = std::uint64_t{2} << 30U};
   constexpr const char* sentence = "not enough memory for a lattice of this size";
@@ -283,4 +283,4 @@ TEST_F(BadOptions, LatticeTooLargeForTheMemoryIsRefused) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

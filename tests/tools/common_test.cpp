@@ -7,7 +7,7 @@
 #include "rupture/forces/kernels.hpp"
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 /// A tool or a command of analyze, and the long options that it has beside kOfEvery.
@@ -68,7 +68,7 @@ class EveryTool : public ToolTest, public ::testing::WithParamInterface<Interfac
   }
 };
 
-TEST_P(EveryTool, HelpNamesEveryOption) {
+TEST_P(EveryTool, help_names_every_option) {
   const std::string help = output_of(GetParam().command + " --help");
   EXPECT_EQ(help.find("Usage: " + GetParam().command + " "), 0U) << help;
   for (const auto& option : all_options()) {
@@ -76,7 +76,7 @@ TEST_P(EveryTool, HelpNamesEveryOption) {
   }
 }
 
-TEST_P(EveryTool, HelpNamesNoOtherOption) {
+TEST_P(EveryTool, help_names_no_other_option) {
   const std::string help = output_of(GetParam().command + " --help");
   const auto lines = lines_of(help.substr(0, help.find("\nParameters")));
   const auto found = std::count_if(lines.begin(), lines.end(),
@@ -84,14 +84,14 @@ TEST_P(EveryTool, HelpNamesNoOtherOption) {
   EXPECT_EQ(static_cast<std::size_t>(found), all_options().size()) << help;
 }
 
-TEST_P(EveryTool, VersionNamesToolVersionCommitAndInstructionSet) {
+TEST_P(EveryTool, version_names_tool_version_commit_and_instruction_set) {
   const std::string version = output_of(GetParam().command + " --version");
   EXPECT_TRUE(version.starts_with(GetParam().command + " (rupture ")) << version;
   EXPECT_NE(version.find(", commit "), std::string::npos) << version;
   EXPECT_TRUE(version.ends_with(fmt::format(", {})\n", kernels().name))) << version;
 }
 
-TEST_P(EveryTool, SuggestsAnOptionForAMistypedOne) {
+TEST_P(EveryTool, suggests_an_option_for_a_mistyped_one) {
   expect_refusal(GetParam().command + " --versoin", kUsage,
                  "unknown option '--versoin': did you mean '--version'? See " + GetParam().command +
                      " --help");
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Tools, EveryTool, ::testing::ValuesIn(kInterfaces), tes
 
 using Common = ToolTest;
 
-TEST_F(Common, HelpOfToolsThatTakeParametersNamesThem) {
+TEST_F(Common, help_of_tools_that_take_parameters_names_them) {
   for (const std::string tool : {"load", "prepare", "restart"}) {
     const std::string help = output_of(tool + " --help");
     for (const char* parameter : {"slider.Nx", "driving.V", "junctions.t_R", "numerics.dt"}) {
@@ -119,7 +119,7 @@ TEST_F(Common, HelpOfToolsThatTakeParametersNamesThem) {
   }
 }
 
-TEST_F(Common, AnalyzeHelpNamesEveryCommand) {
+TEST_F(Common, analyze_help_names_every_command) {
   const std::string help = output_of("analyze --help");
   for (const auto& [command, options] : kInterfaces) {
     const auto space = command.find(' ');
@@ -129,7 +129,7 @@ TEST_F(Common, AnalyzeHelpNamesEveryCommand) {
   EXPECT_NE(output_of("analyze --version").find("analyze (rupture "), std::string::npos);
 }
 
-TEST_F(Common, AnalyzeHelpIsACommandToo) {
+TEST_F(Common, analyze_help_is_a_command_too) {
   EXPECT_EQ(output_of("analyze help"), output_of("analyze --help"));
   EXPECT_EQ(output_of("analyze help help"), output_of("analyze --help"));
   for (const std::string command : {"events", "slow-slip", "diff"}) {
@@ -141,13 +141,13 @@ TEST_F(Common, AnalyzeHelpIsACommandToo) {
                  "'slip' is one word too many: name one command");
 }
 
-TEST_F(Common, AnalyzeSuggestsACommand) {
+TEST_F(Common, analyze_suggests_a_command) {
   expect_refusal("analyze stres a.h5", kUsage,
                  "unknown command 'stres': did you mean 'stress'? See analyze --help");
   expect_refusal_with("analyze", kUsage, "no command was given: name one of ");
 }
 
-TEST_F(Common, QuietToolsPrintNothing) {
+TEST_F(Common, quiet_tools_print_nothing) {
   EXPECT_EQ(output_of("load --config small.ini -o a.h5 --until 1e-4 --record a-r.h5 "
                       "--checkpoint-at 5e-5 --quiet"),
             "");
@@ -156,7 +156,7 @@ TEST_F(Common, QuietToolsPrintNothing) {
   EXPECT_EQ(output_of("modify-phi a.h5 -o c.h5 --sigma-bar 0.1 -q"), "");
 }
 
-TEST_F(Common, WritingToolsPrintTheChecksumOfWhatTheyWrote) {
+TEST_F(Common, writing_tools_print_the_checksum_of_what_they_wrote) {
   output_of("load --config small.ini -o a.h5 -q");
   const std::string restarted = output_of("restart a.h5 -o b.h5 --for 1e-5");
   EXPECT_NE(restarted.find("wrote b.h5  content-sha256 " + checksum_of("b.h5") + "\n"),
@@ -166,7 +166,7 @@ TEST_F(Common, WritingToolsPrintTheChecksumOfWhatTheyWrote) {
             std::string::npos);
 }
 
-TEST_F(Common, SumsAreWrittenOnRequestOnly) {
+TEST_F(Common, sums_are_written_on_request_only) {
   const std::vector<std::string> commands = {
       "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at 5e-5 --record r.h5",
       "restart a.h5 -o b.h5 --for 2e-5 --checkpoint-at 1.1e-4 --record s.h5",
@@ -181,7 +181,7 @@ TEST_F(Common, SumsAreWrittenOnRequestOnly) {
   }
 }
 
-TEST_F(Common, SumsOfFilesThatAreReplacedAreNeverThoseOfOthers) {
+TEST_F(Common, sums_of_files_that_are_replaced_are_never_those_of_others) {
   output_of("load --config small.ini -o a.h5 --record r.h5 --sum");
   const std::string sum = read("a.h5.sum");
   output_of("load --config small.ini -o a.h5 --record r.h5 --force");
@@ -191,7 +191,7 @@ TEST_F(Common, SumsOfFilesThatAreReplacedAreNeverThoseOfOthers) {
   EXPECT_FALSE(fs::exists(path("r.h5.sum")));
 }
 
-TEST_F(Common, StandardOutputIsNoFileToWrite) {
+TEST_F(Common, standard_output_is_no_file_to_write) {
   output_of("load --config small.ini -o a.h5");
   const auto sentence = [](const std::string& option) {
     return "--" + option +
@@ -208,13 +208,13 @@ TEST_F(Common, StandardOutputIsNoFileToWrite) {
   expect_refusal("analyze lineage a.h5 --commands -o -", kUsage, sentence("output"));
 }
 
-TEST_F(Common, OutputOptionIsRequired) {
+TEST_F(Common, output_option_is_required) {
   expect_refusal("load", kUsage, "the option '--output' is required but missing; see load --help");
   expect_refusal("load -o", kUsage,
                  "the required argument for option '--output' is missing; see load --help");
 }
 
-TEST_F(Common, ExistingFilesAreOnlyReplacedWhenForced) {
+TEST_F(Common, existing_files_are_only_replaced_when_forced) {
   output_of("load --config small.ini -o a.h5 -q");
   output_of("load --config small.ini -o r.h5 --record rec.h5 -q");
   constexpr const char* exists = "a.h5 exists; give --force to replace it";
@@ -232,7 +232,7 @@ TEST_F(Common, ExistingFilesAreOnlyReplacedWhenForced) {
   EXPECT_EQ(checksum_of("a.h5"), before);
 }
 
-TEST_F(Common, TheInputIsNeverReplacedNotEvenByForce) {
+TEST_F(Common, the_input_is_never_replaced_not_even_by_force) {
   output_of("load --config small.ini -o a.h5 -q");
   constexpr const char* never = "a.h5 is the input, which is never changed: give another output";
   for (const std::string force : {"", " --force"}) {
@@ -241,7 +241,7 @@ TEST_F(Common, TheInputIsNeverReplacedNotEvenByForce) {
   }
 }
 
-TEST_F(Common, ExistingIntermediateCheckpointsAreOnlyReplacedWhenForced) {
+TEST_F(Common, existing_intermediate_checkpoints_are_only_replaced_when_forced) {
   write("a-t0.000050000.h5", "precious");
   const std::string command = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at 5e-5";
   expect_refusal(command, kFailed, "a-t0.000050000.h5 exists; give --force to replace it");
@@ -250,4 +250,4 @@ TEST_F(Common, ExistingIntermediateCheckpointsAreOnlyReplacedWhenForced) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

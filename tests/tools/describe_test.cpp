@@ -4,7 +4,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 /// A value that an option takes, or nothing for a flag.
@@ -44,7 +44,7 @@ class Describe : public ToolTest {
   }
 };
 
-TEST_F(Describe, IsOneLine) {
+TEST_F(Describe, is_one_line) {
   for (const Json& program : programs()) {
     const std::string name = program.at("name"), text = output_of(name + " --describe");
     EXPECT_EQ(lines_of(text).size(), 1U) << name;
@@ -54,7 +54,7 @@ TEST_F(Describe, IsOneLine) {
   }
 }
 
-TEST_F(Describe, HasTheTextsOfHelp) {
+TEST_F(Describe, has_the_texts_of_help) {
   for (const Json& program : programs()) {
     const std::string name = program.at("name"), synopsis = program.at("synopsis");
     EXPECT_TRUE(output_of(name + " --help").starts_with("Usage: " + synopsis + "\n")) << name;
@@ -62,7 +62,7 @@ TEST_F(Describe, HasTheTextsOfHelp) {
   }
 }
 
-TEST_F(Describe, NamesOptionsThatAreTakenWithTheirKindOfValue) {
+TEST_F(Describe, names_options_that_are_taken_with_their_kind_of_value) {
   for (const Json& program : programs()) {
     std::string all;
     for (const Json& option : program.at("options")) {
@@ -74,7 +74,7 @@ TEST_F(Describe, NamesOptionsThatAreTakenWithTheirKindOfValue) {
   }
 }
 
-TEST_F(Describe, NumbersHaveUnitsAsInHelp) {
+TEST_F(Describe, numbers_have_units_as_in_help) {
   for (const Json& program : programs()) {
     const std::string name = program.at("name"), help = output_of(name + " --help");
     for (const Json& option : program.at("options")) {
@@ -87,7 +87,7 @@ TEST_F(Describe, NumbersHaveUnitsAsInHelp) {
   }
 }
 
-TEST_F(Describe, OneOfTheNeededIsNeeded) {
+TEST_F(Describe, one_of_the_needed_is_needed) {
   for (const Json& program : programs()) {
     const Json& groups = program.at("one_needed");
     const bool reads = !program.at("input").is_null();
@@ -101,7 +101,7 @@ TEST_F(Describe, OneOfTheNeededIsNeeded) {
   }
 }
 
-TEST_F(Describe, SaysWhatRestartDoes) {
+TEST_F(Describe, says_what_restart_does) {
   const Json restart = json_of("restart --describe");
   EXPECT_EQ(restart.at("input"), "checkpoint");
   EXPECT_EQ(restart.at("outputs"), Json::array({"record", "checkpoint"}));
@@ -118,7 +118,7 @@ TEST_F(Describe, SaysWhatRestartDoes) {
   EXPECT_EQ(option_named(restart, "on-alarm").at("default"), "stop");
 }
 
-TEST_F(Describe, SaysWhatCommandsRead) {
+TEST_F(Describe, says_what_commands_read) {
   EXPECT_EQ(json_of("analyze front --describe").at("input"), "record");
   EXPECT_EQ(json_of("analyze stress --describe").at("input"), "checkpoint");
   EXPECT_EQ(json_of("analyze show --describe").at("input"), "file");
@@ -127,7 +127,7 @@ TEST_F(Describe, SaysWhatCommandsRead) {
   EXPECT_EQ(json_of("load --describe").at("input"), nullptr);
 }
 
-TEST_F(Describe, CoversAllCommandsOfAnalyze) {
+TEST_F(Describe, covers_all_commands_of_analyze) {
   const std::string help = output_of("analyze --help");
   const Json analyze = json_of("analyze --describe");
   EXPECT_TRUE(help.starts_with("Usage: " + std::string(analyze.at("synopsis"))));
@@ -138,4 +138,4 @@ TEST_F(Describe, CoversAllCommandsOfAnalyze) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -4,7 +4,7 @@
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 class Diff : public ToolTest {
@@ -24,7 +24,7 @@ class Diff : public ToolTest {
   }
 };
 
-TEST_F(Diff, TellsEqualFromDifferent) {
+TEST_F(Diff, tells_equal_from_different) {
   EXPECT_EQ(output_of("analyze diff a.h5 a.h5"), "equal\n");
   EXPECT_EQ(json_of("analyze diff a.h5 a.h5 --json")["equal"], true);
   output_of(
@@ -34,7 +34,7 @@ TEST_F(Diff, TellsEqualFromDifferent) {
   expect_refusal("analyze diff a.h5", kUsage, "1 files were given: name the two to compare");
 }
 
-TEST_F(Diff, SaysWhereAndByHowMuch) {
+TEST_F(Diff, says_where_and_by_how_much) {
   write_other();
   const Checkpoint a = read_checkpoint(path("a.h5"));
   const double first = a.state.u_x(1, 2);
@@ -58,7 +58,7 @@ TEST_F(Diff, SaysWhereAndByHowMuch) {
   EXPECT_EQ(lines[8], "3 of 40 datasets differ");
 }
 
-TEST_F(Diff, SaysTheSameAsJson) {
+TEST_F(Diff, says_the_same_as_json) {
   write_other();
   const Json json = Json::parse(run("analyze diff a.h5 b.h5 --json").out);
   EXPECT_EQ(json["equal"], false);
@@ -78,14 +78,14 @@ TEST_F(Diff, SaysTheSameAsJson) {
   EXPECT_GT(u_x["ulp"]["largest"], std::uint64_t{1} << 62U);
 }
 
-TEST_F(Diff, PutsAScalarInOneLine) {
+TEST_F(Diff, puts_a_scalar_in_one_line) {
   output_of("load --config small.ini -o b.h5 --until 1e-4 --set driving.K=2e6 -q");
   EXPECT_EQ(lines_of(run("analyze diff a.h5 b.h5").out).front(),
             "/parameters/driving/K: 4000000 and 2000000, 2.000e+06 absolute, 5.000e-01 relative, "
             "4503599627370496 ULP");
 }
 
-TEST_F(Diff, NamesDatasetsOfOneFileAlone) {
+TEST_F(Diff, names_datasets_of_one_file_alone) {
   const std::string text = run("analyze diff a.h5 r.h5").out;
   EXPECT_NE(text.find("/state/u_x: only in the first file\n"), std::string::npos) << text;
   EXPECT_NE(text.find("/series/u_x: only in the second file\n"), std::string::npos) << text;
@@ -93,7 +93,7 @@ TEST_F(Diff, NamesDatasetsOfOneFileAlone) {
   EXPECT_EQ(json["differences"][0]["change"], "only_in_b");
 }
 
-TEST_F(Diff, ComparesTheCommonRowsOfRecords) {
+TEST_F(Diff, compares_the_common_rows_of_records) {
   output_of("load --config small.ini -o long.h5 --until 2e-4 --record long-r.h5 -q");
   const Outcome shapes = run("analyze diff r.h5 long-r.h5");
   EXPECT_EQ(shapes.exit_code, kFailed);
@@ -106,4 +106,4 @@ TEST_F(Diff, ComparesTheCommonRowsOfRecords) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

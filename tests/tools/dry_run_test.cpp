@@ -3,7 +3,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 class DryRun : public ToolTest {
@@ -45,18 +45,18 @@ class DryRun : public ToolTest {
 constexpr const char* kWide =
     " --set slider.Nx=113 --set slider.Nz=61 --set numerics.dt=1e-7 --set driving.h=0.005";
 
-TEST_F(DryRun, MemoryAndDiskOfLoad) {
+TEST_F(DryRun, memory_and_disk_of_load) {
   expect_forecast_holds(std::string("load -o a.h5 --until 1e-5 --checkpoint-every 5e-6") + kWide);
   expect_forecast_holds("load -o b.h5 --until 2e-4 --record b-r.h5 --record-every 2e-6");
 }
 
-TEST_F(DryRun, MemoryAndDiskOfRestart) {
+TEST_F(DryRun, memory_and_disk_of_restart) {
   output_of(std::string("load -o a.h5 -q") + kWide);
   expect_forecast_holds("restart a.h5 -o b.h5 --for 1e-5 --checkpoint-every 2e-6");
   expect_forecast_holds("restart a.h5 -o c.h5 --for 5e-4 --record c-r.h5 --record-every 1e-7");
 }
 
-TEST_F(DryRun, CountsWhatTheRunWillDo) {
+TEST_F(DryRun, counts_what_the_run_will_do) {
   const Json load = forecast(
       "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-every 3e-5 --checkpoint-at 0 "
       "--threads 2");
@@ -76,7 +76,7 @@ TEST_F(DryRun, CountsWhatTheRunWillDo) {
   EXPECT_DOUBLE_EQ(restart["time"], 1000 * restart["time_per_step"].get<double>());
 }
 
-TEST_F(DryRun, CountsTheSamplesOfTheRecord) {
+TEST_F(DryRun, counts_the_samples_of_the_record) {
   output_of("load --config small.ini -o a.h5 --until 1.3e-5");
   const std::string command =
       "restart a.h5 -o b.h5 --until 1.1e-4 --record r.h5 --record-every 2e-5";
@@ -87,7 +87,7 @@ TEST_F(DryRun, CountsTheSamplesOfTheRecord) {
       << text;
 }
 
-TEST_F(DryRun, OfARunUntilQuietIsAnUpperLimit) {
+TEST_F(DryRun, of_a_run_until_quiet_is_an_upper_limit) {
   output_of("load --config small.ini -o a.h5");
   const Json json = forecast("restart a.h5 -o b.h5 --until-quiet");
   EXPECT_EQ(json["at_most"], true);
@@ -97,7 +97,7 @@ TEST_F(DryRun, OfARunUntilQuietIsAnUpperLimit) {
   EXPECT_TRUE(text.starts_with("steps    at most 50,000,000, 10 s simulated; when ")) << text;
 }
 
-TEST_F(DryRun, OfAResumedRunIsWhatIsLeft) {
+TEST_F(DryRun, of_a_resumed_run_is_what_is_left) {
   const std::string half = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-every 5e-5";
   const std::string whole = "load --config small.ini -o a.h5 --until 3e-4 --checkpoint-every 5e-5";
   output_of(half);
@@ -109,7 +109,7 @@ TEST_F(DryRun, OfAResumedRunIsWhatIsLeft) {
   EXPECT_EQ(json["checkpoints"], 5);
 }
 
-TEST_F(DryRun, RefusesWhatTheRunRefuses) {
+TEST_F(DryRun, refuses_what_the_run_refuses) {
   output_of("load --config small.ini -o a.h5");
   write("r.h5.part", "precious");
   for (const std::string dry : {"", " --dry-run", " --dry-run --json"}) {
@@ -133,7 +133,7 @@ TEST_F(DryRun, RefusesWhatTheRunRefuses) {
                  "--json belongs to --dry-run: give both or neither");
 }
 
-TEST_F(DryRun, TextIsForPeople) {
+TEST_F(DryRun, text_is_for_people) {
   const auto lines = lines_of(output_of("load -o a.h5 --until 1.2 --record r.h5 --dry-run"));
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_EQ(lines[0], "steps    6,000,000, 1.2 s simulated");
@@ -146,4 +146,4 @@ TEST_F(DryRun, TextIsForPeople) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

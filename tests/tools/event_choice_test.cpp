@@ -1,7 +1,7 @@
 // analyze front, classify, slow-slip: which event they speak of where a record holds several.
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 /// Seven events within 6 ms; the second and the fourth span the interface.
@@ -18,7 +18,7 @@ constexpr const char* kSeveral =
     "there are 7 events (0 at 0.001513 s, 1 at 0.001893 s, 2 at 0.003253 s, ..., 6 at 0.005416 s): "
     "choose one with --event N or --event first-spanning, or with --from and --to";
 
-TEST_F(EventChoice, SeveralEventsMakeNoFront) {
+TEST_F(EventChoice, several_events_make_no_front) {
   ASSERT_EQ(json_of("analyze events r.h5 --json")["events"].size(), 7U);
   for (const std::string command : {"front", "classify", "slow-slip"}) {
     expect_refusal("analyze " + command + " r.h5", kFailed, kSeveral);
@@ -28,7 +28,7 @@ TEST_F(EventChoice, SeveralEventsMakeNoFront) {
                  "or --event first-spanning, or with --from and --to");
 }
 
-TEST_F(EventChoice, AnEventIsNamedByItsNumberOrItsTime) {
+TEST_F(EventChoice, an_event_is_named_by_its_number_or_its_time) {
   const Json events = json_of("analyze events r.h5 --json")["events"];
   for (std::size_t n = 0; n < events.size(); ++n) {
     EXPECT_EQ(events[n]["number"], n);
@@ -43,7 +43,7 @@ TEST_F(EventChoice, AnEventIsNamedByItsNumberOrItsTime) {
   EXPECT_EQ(json_of("analyze slow-slip r.h5 --event 1 --json")["type"], "fast");
 }
 
-TEST_F(EventChoice, TheFirstSpanningEventMayBeMeant) {
+TEST_F(EventChoice, the_first_spanning_event_may_be_meant) {
   EXPECT_EQ(output_of("analyze front r.h5 --event first-spanning"),
             output_of("analyze front r.h5 --event 1"));
   output_of("load --config small.ini -o b.h5 --until 2e-4 --record early.h5 -q");
@@ -52,13 +52,13 @@ TEST_F(EventChoice, TheFirstSpanningEventMayBeMeant) {
                  "events lists them)");
 }
 
-TEST_F(EventChoice, TheQuietTimeSplitsAsInEvents) {
+TEST_F(EventChoice, the_quiet_time_splits_as_in_events) {
   EXPECT_EQ(json_of("analyze events r.h5 --quiet-time 1 --json")["events"].size(), 1U);
   EXPECT_EQ(output_of("analyze front r.h5 --quiet-time 1"),
             output_of("analyze front r.h5 --quiet-time 1 --event 0"));
 }
 
-TEST_F(EventChoice, RefusesEventsThatThereAreNot) {
+TEST_F(EventChoice, refuses_events_that_there_are_not) {
   expect_refusal("analyze front r.h5 --event 7", kUsage,
                  "there is no event 7: this record has 0 to 6 (analyze events lists them)");
   for (const std::string name : {"-1", "1.5", "last"}) {
@@ -71,7 +71,7 @@ TEST_F(EventChoice, RefusesEventsThatThereAreNot) {
                  "there is no event 0: in this record nothing ruptured");
 }
 
-TEST_F(EventChoice, AnEventAndAWindowExcludeEachOther) {
+TEST_F(EventChoice, an_event_and_a_window_exclude_each_other) {
   for (const std::string command : {"front", "classify", "slow-slip"}) {
     for (const std::string window : {"--from 1e-3", "--to 2e-3"}) {
       expect_refusal("analyze " + command + " r.h5 --event 1 " + window, kUsage,
@@ -80,7 +80,7 @@ TEST_F(EventChoice, AnEventAndAWindowExcludeEachOther) {
   }
 }
 
-TEST_F(EventChoice, WhereNothingRupturedThereIsNoFront) {
+TEST_F(EventChoice, where_nothing_ruptured_there_is_no_front) {
   const std::string window = " r.h5 --from 4.3e-3 --to 4.5e-3";
   EXPECT_EQ(output_of("analyze classify" + window), "none\n");
   const Json front = json_of("analyze front" + window + " --json");
@@ -94,7 +94,7 @@ TEST_F(EventChoice, WhereNothingRupturedThereIsNoFront) {
 }
 
 /// Events after the trigger's on a prepared interface are no reason to refuse it.
-TEST_F(EventChoice, OnAPreparedInterfaceTheTriggersEventIsMeant) {
+TEST_F(EventChoice, on_a_prepared_interface_the_triggers_event_is_meant) {
   output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.8 -o p.h5 -q");
   output_of("restart p.h5 -o q.h5 --for 6e-5 --record early.h5 -q");
   const std::string quiet = " --quiet-time 5e-6";
@@ -108,7 +108,7 @@ TEST_F(EventChoice, OnAPreparedInterfaceTheTriggersEventIsMeant) {
   expect_refusal_with("analyze front later.h5" + quiet, kFailed, "choose one with --event N");
 }
 
-TEST_F(EventChoice, EventsAsCsvHaveWhatTheJsonHas) {
+TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {
   const auto rows = csv_of(output_of("analyze events r.h5 --csv --slow-below 3"));
   const Json events = json_of("analyze events r.h5 --json --slow-below 3")["events"];
   const std::vector<std::string> head = {"number",
@@ -146,7 +146,7 @@ TEST_F(EventChoice, EventsAsCsvHaveWhatTheJsonHas) {
   EXPECT_FALSE(rows[2][7].empty()) << "the second event is slow by this measure";
 }
 
-TEST_F(EventChoice, EventsAsTextBeginWithTheNumber) {
+TEST_F(EventChoice, events_as_text_begin_with_the_number) {
   const auto lines = lines_of(output_of("analyze events r.h5"));
   ASSERT_EQ(lines.size(), 8U);
   EXPECT_EQ(lines[0].find("number"), 0U);
@@ -154,4 +154,4 @@ TEST_F(EventChoice, EventsAsTextBeginWithTheNumber) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

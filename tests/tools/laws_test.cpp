@@ -3,7 +3,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 class OtherLaw : public ToolTest, public ::testing::WithParamInterface<std::string> {
@@ -14,7 +14,7 @@ class OtherLaw : public ToolTest, public ::testing::WithParamInterface<std::stri
 INSTANTIATE_TEST_SUITE_P(Tools, OtherLaw, ::testing::Values("simplified", "decaying", "distance"),
                          [](const auto& law) { return law.param; });
 
-TEST_P(OtherLaw, LoadsAndRestartsToTheBitsOfOneRun) {
+TEST_P(OtherLaw, loads_and_restarts_to_the_bits_of_one_run) {
   output_of(load_ + " -o whole.h5 --until 4e-4");
   output_of(load_ + " -o half.h5 --until 2e-4");
   output_of("restart half.h5 -o end.h5 --until 4e-4");
@@ -24,13 +24,13 @@ TEST_P(OtherLaw, LoadsAndRestartsToTheBitsOfOneRun) {
   EXPECT_NE(checksum_of("reference.h5"), checksum_of("whole.h5"));
 }
 
-TEST_P(OtherLaw, RecordsTheRuptureOfEveryBlock) {
+TEST_P(OtherLaw, records_the_rupture_of_every_block) {
   output_of(load_ + " -o a.h5 --until 4e-4 --record r.h5");
   const Json front = json_of("analyze front r.h5 --json");
   for (const Json& t : front["t_rupture"]) EXPECT_FALSE(t.is_null());
 }
 
-TEST_P(OtherLaw, TellsTheStressThatTheRunHad) {
+TEST_P(OtherLaw, tells_the_stress_that_the_run_had) {
   output_of(load_ + " -o a.h5 --until 2e-4 --record r.h5");
   const std::vector<double> tau = json_of("analyze stress a.h5 --json")["tau"];
   const Json loading = json_of("analyze loading r.h5 --x 0.07 --json");
@@ -38,7 +38,7 @@ TEST_P(OtherLaw, TellsTheStressThatTheRunHad) {
   EXPECT_NEAR(tau[4], recorded, 1e-9 * std::abs(recorded));
 }
 
-TEST_F(ToolTest, SlowSlipOffIsRefusedWithTheRightWord) {
+TEST_F(ToolTest, slow_slip_off_is_refused_with_the_right_word) {
   output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
   expect_refusal(
       "restart a.h5 -o b.h5 --for 1e-5 --set junctions.f_new=f_slip", kUsage,
@@ -47,7 +47,7 @@ TEST_F(ToolTest, SlowSlipOffIsRefusedWithTheRightWord) {
   output_of("restart a.h5 -o b.h5 --for 1e-5 --set junctions.v_slow=0");
 }
 
-TEST_F(ToolTest, ManyJunctionsCanChangeTheirLawAndSingleSpringsCannot) {
+TEST_F(ToolTest, many_junctions_can_change_their_law_and_single_springs_cannot) {
   output_of("load --config small.ini -o a.h5 --until 2e-4");
   output_of("restart a.h5 -o b.h5 --for 1e-5 --set junctions.law=decaying");
   EXPECT_EQ(json_of("analyze show b.h5 --json")["parameters"]["junctions.law"], "decaying");
@@ -62,7 +62,7 @@ TEST_F(ToolTest, ManyJunctionsCanChangeTheirLawAndSingleSpringsCannot) {
                       "junctions.law cannot change from simplified to reference");
 }
 
-TEST_F(ToolTest, ParametersOfOtherLawsMakeNoOtherContent) {
+TEST_F(ToolTest, parameters_of_other_laws_make_no_other_content) {
   output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
   output_of(
       "load --config small.ini -o b.h5 --set junctions.law=simplified --set "
@@ -74,7 +74,7 @@ TEST_F(ToolTest, ParametersOfOtherLawsMakeNoOtherContent) {
             output_of("analyze checksum --as-schema-2 b.h5"));
 }
 
-TEST_F(ToolTest, SingleSpringsHaveNoPhi) {
+TEST_F(ToolTest, single_springs_have_no_phi) {
   output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
   const std::string sentence =
       "the checkpoint has junctions.law = simplified: a single spring per block has no "
@@ -84,11 +84,11 @@ TEST_F(ToolTest, SingleSpringsHaveNoPhi) {
   expect_refusal_with("analyze phi a.h5", kFailed, sentence);
 }
 
-TEST_F(ToolTest, DecayingJunctionsHavePhi) {
+TEST_F(ToolTest, decaying_junctions_have_phi) {
   output_of("load --config small.ini -o a.h5 --until 2e-4 --set junctions.law=decaying");
   output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.1");
   output_of("restart b.h5 -o c.h5 --for 1e-4");
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -4,7 +4,7 @@
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 class Lineage : public ToolTest {
@@ -57,13 +57,13 @@ class Lineage : public ToolTest {
   }
 };
 
-TEST_F(Lineage, OfTheEquilibriumAlone) {
+TEST_F(Lineage, of_the_equilibrium_alone) {
   output_of("load -o a.h5");
   EXPECT_EQ(rebuilds_of("a.h5"), std::vector<std::string>{"load --until 0"});
   expect_rebuilt("a.h5");
 }
 
-TEST_F(Lineage, OfLoadDoesWithoutTheConfigurationFile) {
+TEST_F(Lineage, of_load_does_without_the_configuration_file) {
   write("other.ini", read("small.ini") + "[numerics]\nseed = 12\ndt = 1.3e-7\n");
   output_of("load --config other.ini -o a.h5 --until 2e-4 --set junctions.t_R=0.0021 --threads 2");
   fs::remove(path("other.ini"));
@@ -74,7 +74,7 @@ TEST_F(Lineage, OfLoadDoesWithoutTheConfigurationFile) {
   expect_rebuilt("a.h5");
 }
 
-TEST_F(Lineage, OfACheckpointOnTheWayStopsThere) {
+TEST_F(Lineage, of_a_checkpoint_on_the_way_stops_there) {
   output_of(
       "load --config small.ini -o a.h5 --until 3e-4 --checkpoint-at 1.2342e-4 --checkpoint-every "
       "1.3e-4");
@@ -83,7 +83,7 @@ TEST_F(Lineage, OfACheckpointOnTheWayStopsThere) {
   expect_rebuilt("a-t0.000130000.h5");
 }
 
-TEST_F(Lineage, OfOtherLawsAndChoices) {
+TEST_F(Lineage, of_other_laws_and_choices) {
   output_of("load --config small.ini -o a.h5 --until 2e-4 --set junctions.law=simplified");
   expect_rebuilt("a.h5");
   output_of(
@@ -92,7 +92,7 @@ TEST_F(Lineage, OfOtherLawsAndChoices) {
   expect_rebuilt("b.h5");
 }
 
-TEST_F(Lineage, OfPrepareHoldsEveryOption) {
+TEST_F(Lineage, of_prepare_holds_every_option) {
   write("prepare.ini",
         "tau-bar = 0.5\nshape = bell\n[slider]\nNx = 9\nNz = 5\nH = 0.07\n"
         "[driving]\nh = 0.0175\n");
@@ -106,7 +106,7 @@ TEST_F(Lineage, OfPrepareHoldsEveryOption) {
   expect_rebuilt("b.h5");
 }
 
-TEST_F(Lineage, OfRestartHoldsWhatItChanged) {
+TEST_F(Lineage, of_restart_holds_what_it_changed) {
   output_of("load --config small.ini -o a.h5 --until 2e-4");
   output_of("restart a.h5 -o b.h5 --for 1e-5 --set driving.V=-1 --set driving.K=3e6 --seed 5");
   EXPECT_EQ(rebuilds_of("b.h5").back(),
@@ -117,7 +117,7 @@ TEST_F(Lineage, OfRestartHoldsWhatItChanged) {
   expect_rebuilt("c.h5");
 }
 
-TEST_F(Lineage, OfARunUntilQuietStopsWhereItStopped) {
+TEST_F(Lineage, of_a_run_until_quiet_stops_where_it_stopped) {
   output_of("load --config small.ini -o a.h5 --until 2e-4");
   output_of("restart a.h5 -o b.h5 --set driving.V=0 --until-quiet 1e-3 --record r.h5");
   EXPECT_EQ(rebuilds_of("b.h5").back(), "restart --set driving.V=0 --until 0.00026");
@@ -125,14 +125,14 @@ TEST_F(Lineage, OfARunUntilQuietStopsWhereItStopped) {
   expect_rebuilt("r.h5");
 }
 
-TEST_F(Lineage, OfRecords) {
+TEST_F(Lineage, of_records) {
   output_of("load --config small.ini -o a.h5 --until 2e-4 --record r.h5 --record-every 1.3e-5");
   output_of("restart a.h5 -o b.h5 --for 1e-5 --record s.h5 --record-every 1e-6");
   expect_rebuilt("r.h5");
   expect_rebuilt("s.h5");
 }
 
-TEST_F(Lineage, OfAChainOfFourTools) {
+TEST_F(Lineage, of_a_chain_of_four_tools) {
   output_of("prepare --tau-bar 0.1 --sigma-bar 0.1 --set slider.Nx=57 -o a.h5");
   output_of("restart a.h5 -o b.h5 --for 2e-4 --seed 9");
   output_of(
@@ -144,7 +144,7 @@ TEST_F(Lineage, OfAChainOfFourTools) {
   expect_rebuilt("r.h5");
 }
 
-TEST_F(Lineage, OfAResumedRun) {
+TEST_F(Lineage, of_a_resumed_run) {
   const std::string command =
       "load --config small.ini -o a.h5 --until 2e-4 --checkpoint-every 1e-4 --record r.h5";
   output_of(command);
@@ -158,14 +158,14 @@ TEST_F(Lineage, OfAResumedRun) {
   expect_rebuilt("r.h5");
 }
 
-TEST_F(Lineage, OfModifyPhiAsWideAsPossible) {
+TEST_F(Lineage, of_modify_phi_as_wide_as_possible) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("modify-phi a.h5 -o b.h5");
   ASSERT_NE(checksum_of("a.h5"), checksum_of("b.h5"));
   expect_rebuilt("b.h5");
 }
 
-TEST_F(Lineage, TakesPathsWithSpacesAndQuotes) {
+TEST_F(Lineage, takes_paths_with_spaces_and_quotes) {
   fs::create_directory(path("it's a folder"));
   const std::string start = "it's a folder/$HOME.h5", end = "\"end\" of 'it'\n.h5";
   run_words({"load", "--config", "small.ini", "-o", start, "--until", "1e-4"});
@@ -177,7 +177,7 @@ TEST_F(Lineage, TakesPathsWithSpacesAndQuotes) {
   EXPECT_EQ(checksum_in("again/a 'new' $name.h5"), checksum_in(end)) << script;
 }
 
-TEST_F(Lineage, TakesPathsThatAreNoUtf8) {
+TEST_F(Lineage, takes_paths_that_are_no_utf8) {
   run_words({"load", "--config", "small.ini", "-o", "\xff.h5"});
   expect_rebuilt("\xff.h5");
   for (const char* command : {"lineage", "show"}) {
@@ -188,7 +188,7 @@ TEST_F(Lineage, TakesPathsThatAreNoUtf8) {
   }
 }
 
-TEST_F(Lineage, ScriptChecksEveryFile) {
+TEST_F(Lineage, script_checks_every_file) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("restart a.h5 -o b.h5 --for 1e-5");
   const std::string good = script_for("b.h5");
@@ -204,7 +204,7 @@ TEST_F(Lineage, ScriptChecksEveryFile) {
 }
 
 // Under the first law the parameter does not count, so that a parent without it would do as well.
-TEST_F(Lineage, NamesParametersWhereTheLawUsesThem) {
+TEST_F(Lineage, names_parameters_where_the_law_uses_them) {
   output_of("load --config small.ini -o a.h5 --set junctions.mu_new=0.05");
   output_of("load --config small.ini -o plain.h5");
   ASSERT_EQ(checksum_of("a.h5"), checksum_of("plain.h5"));
@@ -215,7 +215,7 @@ TEST_F(Lineage, NamesParametersWhereTheLawUsesThem) {
   expect_rebuilt("b.h5");
 }
 
-TEST_F(Lineage, ChecksStepsBySumsOfSchema2) {
+TEST_F(Lineage, checks_steps_by_sums_of_schema_2) {
   output_of("load --config small.ini -o a.h5 --set junctions.law=simplified");
   output_of("restart a.h5 -o b.h5 --for 1e-5");
   change_chain("b.h5", [](auto& chain) {
@@ -230,7 +230,7 @@ TEST_F(Lineage, ChecksStepsBySumsOfSchema2) {
   expect_rebuilt("b.h5");
 }
 
-TEST_F(Lineage, ShowsOneLinePerStep) {
+TEST_F(Lineage, shows_one_line_per_step) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("restart a.h5 -o b.h5 --for 1e-5");
   const auto lines = lines_of(output_of("analyze lineage b.h5"));
@@ -249,7 +249,7 @@ TEST_F(Lineage, ShowsOneLinePerStep) {
   }
 }
 
-TEST_F(Lineage, OfFilesOfSchema1StartsFromTheLastOfThem) {
+TEST_F(Lineage, of_files_of_schema_1_starts_from_the_last_of_them) {
   output_of("load --config small.ini -o old.h5 --until 1e-4");
   change_chain("old.h5", [](auto& chain) { chain[0].rebuild = ""; });
   output_of("restart old.h5 -o new.h5 --for 1e-5");
@@ -266,7 +266,7 @@ TEST_F(Lineage, OfFilesOfSchema1StartsFromTheLastOfThem) {
   EXPECT_EQ(checksum_in("again/rebuilt.h5"), checksum_in("new.h5"));
 }
 
-TEST_F(Lineage, RefusesAChainWithoutBeginning) {
+TEST_F(Lineage, refuses_a_chain_without_beginning) {
   output_of("load --config small.ini -o a.h5");
   change_chain("a.h5", [](auto& chain) { chain[0].parent_checksum = "abc"; });
   expect_refusal("analyze lineage a.h5 --commands", kFailed,
@@ -277,7 +277,7 @@ TEST_F(Lineage, RefusesAChainWithoutBeginning) {
                  "a.h5 does not say which steps led to it");
 }
 
-TEST_F(Lineage, RefusesToPrintCommandsOfOthers) {
+TEST_F(Lineage, refuses_to_print_commands_of_others) {
   output_of("load --config small.ini -o a.h5");
   for (const std::string command : {"load; rm x", "rm -r x", "load\nrm x", "load $(rm x)"}) {
     change_chain("a.h5", [&](auto& chain) { chain[0].rebuild = command; });
@@ -291,14 +291,14 @@ TEST_F(Lineage, RefusesToPrintCommandsOfOthers) {
   EXPECT_EQ(script_for("a.h5").find("\nexit 7"), std::string::npos);
 }
 
-TEST_F(Lineage, RefusesAStartThatIsNoAncestor) {
+TEST_F(Lineage, refuses_a_start_that_is_no_ancestor) {
   output_of("load --config small.ini -o a.h5");
   expect_refusal("analyze lineage a.h5 --commands --from a.h5", kFailed,
                  "no step to a.h5 started from a.h5, whose content checksum is " +
                      checksum_of("a.h5") + "; see analyze lineage a.h5");
 }
 
-TEST_F(Lineage, OfAnUnfinishedRecordHasNoCommands) {
+TEST_F(Lineage, of_an_unfinished_record_has_no_commands) {
   output_of("load --config small.ini -o a.h5 --until 2e-4");
   Checkpoint wild = read_checkpoint(path("a.h5"));
   wild.state.v_x(3, 2) = 1e200;
@@ -309,7 +309,7 @@ TEST_F(Lineage, OfAnUnfinishedRecordHasNoCommands) {
                  "r.h5.part is an unfinished record, which has no checksum to reach");
 }
 
-TEST_F(Lineage, RefusesOptionsThatDoNotBelongTogether) {
+TEST_F(Lineage, refuses_options_that_do_not_belong_together) {
   output_of("load --config small.ini -o a.h5");
   expect_refusal("analyze lineage a.h5 --commands --json", kUsage,
                  "--commands and --json exclude each other: give one");
@@ -318,4 +318,4 @@ TEST_F(Lineage, RefusesOptionsThatDoNotBelongTogether) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

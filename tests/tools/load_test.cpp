@@ -4,12 +4,12 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 using Load = ToolTest;
 
-TEST_F(Load, EquilibriumBearsTheNormalLoadAtRest) {
+TEST_F(Load, equilibrium_bears_the_normal_load_at_rest) {
   output_of("load --config small.ini -o a.h5");
   const Json stress = json_of("analyze stress a.h5 --json");
   const std::vector<double> p = stress["p"], tau = stress["tau"], x = stress["x"];
@@ -24,26 +24,26 @@ TEST_F(Load, EquilibriumBearsTheNormalLoadAtRest) {
   EXPECT_NEAR(std::accumulate(tau.begin(), tau.end(), 0.0), 0.0, 1e-9 * 1920.0);
 }
 
-TEST_F(Load, WritesACheckpointAndNothingElse) {
+TEST_F(Load, writes_a_checkpoint_and_nothing_else) {
   output_of("load --config small.ini -o a.h5");
   EXPECT_EQ(files().size(), 2U);  // with small.ini
 }
 
-TEST_F(Load, SameCommandGivesTheSameBytes) {
+TEST_F(Load, same_command_gives_the_same_bytes) {
   output_of("load --config small.ini -o a.h5 --until 4e-4 --record r.h5 -f");
   const Files first = files();
   output_of("load --config small.ini -o a.h5 --until 4e-4 --record r.h5 -f");
   EXPECT_EQ(files(), first);
 }
 
-TEST_F(Load, ThreadsChangeNoBit) {
+TEST_F(Load, threads_change_no_bit) {
   output_of("load --config small.ini -o a.h5 --until 4e-4 --record a-record.h5");
   output_of("load --config small.ini -o b.h5 --until 4e-4 --record b-record.h5 --threads 3");
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
   EXPECT_EQ(checksum_of("a-record.h5"), checksum_of("b-record.h5"));
 }
 
-TEST_F(Load, DrivesUntilTheGivenTime) {
+TEST_F(Load, drives_until_the_given_time) {
   const std::string out = output_of("load --config small.ini -o a.h5 --until 1e-4");
   EXPECT_NE(out.find("t = 0.0001 s (end of the run), 500 steps"), std::string::npos) << out;
   EXPECT_NE(out.find("relative error"), std::string::npos) << out;
@@ -52,7 +52,7 @@ TEST_F(Load, DrivesUntilTheGivenTime) {
   EXPECT_GT(stress["F_T"], 100.0);
 }
 
-TEST_F(Load, ConfigurationHoldsSectionsCommentsAndOptions) {
+TEST_F(Load, configuration_holds_sections_comments_and_options) {
   write("run.ini",
         "# a comment\nuntil = 1e-4   # five hundred steps\noutput = a.h5\nquiet =\n\n"
         "[slider]\nNx = 9\nNz = 5\nH=0.07\n[driving]\nh = 0.0175\nV = 1\n");
@@ -61,7 +61,7 @@ TEST_F(Load, ConfigurationHoldsSectionsCommentsAndOptions) {
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
 }
 
-TEST_F(Load, CommandLineOverridesTheConfiguration) {
+TEST_F(Load, command_line_overrides_the_configuration) {
   write("run.ini",
         "until = 1e-3\nslider.Nx = 9\nslider.Nz = 5\nslider.H = 0.07\ndriving.h = 0.0175\n"
         "driving.V = 5\n");
@@ -70,14 +70,14 @@ TEST_F(Load, CommandLineOverridesTheConfiguration) {
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
 }
 
-TEST_F(Load, SeedIsShortForTheParameter) {
+TEST_F(Load, seed_is_short_for_the_parameter) {
   output_of("load --config small.ini -o a.h5 --until 4e-4 --seed 7");
   output_of("load --config small.ini -o b.h5 --until 4e-4 --set numerics.seed=7");
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
   EXPECT_EQ(json_of("analyze show a.h5 --json")["parameters"]["numerics.seed"], 7);
 }
 
-TEST_F(Load, AnotherSeedDrawsOtherSlippingTimes) {
+TEST_F(Load, another_seed_draws_other_slipping_times) {
   output_of("load --config small.ini -o a.h5 --until 4e-4 --seed 7");
   output_of("load --config small.ini -o b.h5 --until 4e-4 --seed 8");
   const Outcome diff = run("analyze diff a.h5 b.h5");
@@ -85,7 +85,7 @@ TEST_F(Load, AnotherSeedDrawsOtherSlippingTimes) {
   EXPECT_NE(diff.out.find("/state/junctions/repin_time"), std::string::npos) << diff.out;
 }
 
-TEST_F(Load, CheckpointsOnTheWayEqualRunsThatEndThere) {
+TEST_F(Load, checkpoints_on_the_way_equal_runs_that_end_there) {
   output_of(
       "load --config small.ini -o a.h5 --until 4e-4 --checkpoint-every 2e-4 --checkpoint-at 0 "
       "1e-4");
@@ -98,7 +98,7 @@ TEST_F(Load, CheckpointsOnTheWayEqualRunsThatEndThere) {
   EXPECT_EQ(checksum_of("a-t0.000200000.h5"), checksum_of("at2e-4.h5"));
 }
 
-TEST_F(Load, CheckpointsOnTheWayAreNamedAfterTheOutput) {
+TEST_F(Load, checkpoints_on_the_way_are_named_after_the_output) {
   fs::create_directory(path("sub"));
   output_of("load --config small.ini -o sub/noext --until 1e-4 --checkpoint-at 1e-4 2e-5 -q");
   const Files all = files();
@@ -108,7 +108,7 @@ TEST_F(Load, CheckpointsOnTheWayAreNamedAfterTheOutput) {
   }
 }
 
-TEST_F(Load, NamesCheckpointsOnTheWayInOneLine) {
+TEST_F(Load, names_checkpoints_on_the_way_in_one_line) {
   const std::string load = "load --config small.ini -o a.h5 --until 1e-4 --record r.h5 --force";
   const auto lines = lines_of(output_of(load + " --checkpoint-every 1e-5"));
   ASSERT_EQ(lines.size(), 5U);
@@ -121,7 +121,7 @@ TEST_F(Load, NamesCheckpointsOnTheWayInOneLine) {
   EXPECT_EQ(output_of(load).find("on the way"), std::string::npos);
 }
 
-TEST_F(Load, AccountsForDampingAndForTheJunctionsApart) {
+TEST_F(Load, accounts_for_damping_and_for_the_junctions_apart) {
   output_of("load --config small.ini -o a.h5");
   // Pulled a little, then let go: the junctions give back what they took.
   output_of("restart a.h5 -o b.h5 --for 5e-5");
@@ -139,7 +139,7 @@ TEST_F(Load, AccountsForDampingAndForTheJunctionsApart) {
   EXPECT_EQ(out.find("dissipated"), std::string::npos);
 }
 
-TEST_F(Load, RecordSamplesAtMultiplesOfTheInterval) {
+TEST_F(Load, record_samples_at_multiples_of_the_interval) {
   output_of("load --config small.ini -o a.h5 --until 1.1e-4 --record r.h5 --record-every 2e-5");
   const std::vector<double> time = json_of("analyze loading r.h5 --json")["time"];
   ASSERT_EQ(time.size(), 7U);
@@ -147,11 +147,11 @@ TEST_F(Load, RecordSamplesAtMultiplesOfTheInterval) {
   EXPECT_NEAR(time.back(), 1.1e-4, 1e-15);
 }
 
-TEST_F(Load, RecordingChangesNothing) {
+TEST_F(Load, recording_changes_nothing) {
   output_of("load --config small.ini -o a.h5 --until 4e-4 --record r.h5 --checkpoint-every 1e-4");
   output_of("load --config small.ini -o b.h5 --until 4e-4");
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

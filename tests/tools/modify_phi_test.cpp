@@ -5,7 +5,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 class ModifyPhi : public ToolTest {
@@ -29,7 +29,7 @@ class ModifyPhi : public ToolTest {
   }
 };
 
-TEST_F(ModifyPhi, KeepsTheFrictionOfEachBlock) {
+TEST_F(ModifyPhi, keeps_the_friction_of_each_block) {
   const auto slipping = phi("a.h5", "slipping");
   ASSERT_GT(slipping[1], 0.7);
   ASSERT_LT(slipping[7], 0.3);
@@ -41,7 +41,7 @@ TEST_F(ModifyPhi, KeepsTheFrictionOfEachBlock) {
   }
 }
 
-TEST_F(ModifyPhi, GivesTheWantedWidth) {
+TEST_F(ModifyPhi, gives_the_wanted_width) {
   output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.1");
   output_of("modify-phi a.h5 -o c.h5 --slipping pin --sigma-bar 0.1 --shape bell");
   for (const char* file : {"b.h5", "c.h5"}) {
@@ -49,7 +49,7 @@ TEST_F(ModifyPhi, GivesTheWantedWidth) {
   }
 }
 
-TEST_F(ModifyPhi, WithoutWidthIsAsWideAsEachBlockAllows) {
+TEST_F(ModifyPhi, without_width_is_as_wide_as_each_block_allows) {
   output_of("modify-phi a.h5 -o b.h5 --slipping pin");
   const auto mean = phi("b.h5", "mean"), sigma = phi("b.h5", "sigma");
   const auto f_thres = phi("b.h5", "f_thres");
@@ -59,7 +59,7 @@ TEST_F(ModifyPhi, WithoutWidthIsAsWideAsEachBlockAllows) {
   }
 }
 
-TEST_F(ModifyPhi, ReportsBlocksThatCannotTakeIt) {
+TEST_F(ModifyPhi, reports_blocks_that_cannot_take_it) {
   const std::string out = output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.4");
   EXPECT_NE(out.find("left as it is: block at x = "), std::string::npos) << out;
   EXPECT_NE(out.find(" m, which can take sigma-bar <= "), std::string::npos) << out;
@@ -67,7 +67,7 @@ TEST_F(ModifyPhi, ReportsBlocksThatCannotTakeIt) {
 }
 
 /// A copy would pass for the new distribution.
-TEST_F(ModifyPhi, RefusesWhatChangesNoBlock) {
+TEST_F(ModifyPhi, refuses_what_changes_no_block) {
   expect_refusal_with("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 3", kFailed,
                       "no block between --x-from and --x-to can take this phi: the widest possible "
                       "has --sigma-bar 0.");
@@ -82,7 +82,7 @@ TEST_F(ModifyPhi, RefusesWhatChangesNoBlock) {
   output_of("modify-phi sliding.h5 -o b.h5 --slipping pin");
 }
 
-TEST_F(ModifyPhi, ChangesOnlyTheRegion) {
+TEST_F(ModifyPhi, changes_only_the_region) {
   const std::string out =
       output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.2 --x-from 0.05 --x-to 0.09");
   const auto before = phi("a.h5", "sigma"), after = phi("b.h5", "sigma");
@@ -121,7 +121,7 @@ Histograms printed_histograms(const std::string& out) {
   return result;
 }
 
-TEST_F(ModifyPhi, PrintsTheHistogramOfTheChangedBlocksBeforeAndAfter) {
+TEST_F(ModifyPhi, prints_the_histogram_of_the_changed_blocks_before_and_after) {
   const std::string out =
       output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.2 --x-from 0.05 --x-to 0.09");
   const auto counted = [&](const std::string& file) {
@@ -138,20 +138,20 @@ TEST_F(ModifyPhi, PrintsTheHistogramOfTheChangedBlocksBeforeAndAfter) {
   EXPECT_EQ(printed.after, counted("b.h5")) << out;
 }
 
-TEST_F(ModifyPhi, SlippingJunctionsAreKeptOrPinned) {
+TEST_F(ModifyPhi, slipping_junctions_are_kept_or_pinned) {
   output_of("modify-phi a.h5 -o keep.h5");
   output_of("modify-phi a.h5 -o pin.h5 --slipping pin");
   EXPECT_EQ(phi("keep.h5", "slipping"), phi("a.h5", "slipping"));
   for (const double fraction : phi("pin.h5", "slipping")) EXPECT_EQ(fraction, 0.0);
 }
 
-TEST_F(ModifyPhi, NeverTouchesItsInput) {
+TEST_F(ModifyPhi, never_touches_its_input) {
   const std::string before = read("a.h5");
   output_of("modify-phi a.h5 -o b.h5 --slipping pin");
   EXPECT_EQ(read("a.h5"), before);
 }
 
-TEST_F(ModifyPhi, ItsCheckpointCanBeContinued) {
+TEST_F(ModifyPhi, its_checkpoint_can_be_continued) {
   output_of("modify-phi a.h5 -o b.h5 --slipping pin");
   output_of("restart b.h5 -o c.h5 --for 1e-4");
   const Json chain = json_of("analyze show c.h5 --json")["provenance"];
@@ -160,7 +160,7 @@ TEST_F(ModifyPhi, ItsCheckpointCanBeContinued) {
   EXPECT_EQ(chain[1]["parent_checksum"], checksum_of("a.h5"));
 }
 
-TEST_F(ModifyPhi, RefusesWhatMakesNoSense) {
+TEST_F(ModifyPhi, refuses_what_makes_no_sense) {
   expect_refusal("modify-phi a.h5 -o b.h5 --shape round", kUsage,
                  "--shape round is unknown: choose uniform or bell");
   expect_refusal("modify-phi a.h5 -o b.h5 --slipping maybe", kUsage,
@@ -177,4 +177,4 @@ TEST_F(ModifyPhi, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

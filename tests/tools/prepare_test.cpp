@@ -4,7 +4,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 /// Nine blocks 17.5 mm apart, two of them in the trigger region.
@@ -17,7 +17,7 @@ class Prepare : public ToolTest {
   }
 };
 
-TEST_F(Prepare, WritesThePrestress) {
+TEST_F(Prepare, writes_the_prestress) {
   output_of(kPrepare + "-o a.h5 --tau-bar 0.2 --sigma-bar 0.1 --no-trigger");
   const auto p = numbers("stress a.h5", "p"), tau = numbers("stress a.h5", "tau");
   const auto sigma_bar = numbers("phi a.h5", "sigma_bar");
@@ -30,7 +30,7 @@ TEST_F(Prepare, WritesThePrestress) {
               1e-6);
 }
 
-TEST_F(Prepare, DepinsTheTriggerRegion) {
+TEST_F(Prepare, depins_the_trigger_region) {
   output_of(kPrepare + "-o a.h5 --tau-bar 0.2");
   const auto slipping = numbers("phi a.h5", "slipping");
   for (std::size_t i = 0; i < slipping.size(); ++i) EXPECT_EQ(slipping[i], i < 2 ? 1.0 : 0.0);
@@ -39,7 +39,7 @@ TEST_F(Prepare, DepinsTheTriggerRegion) {
   EXPECT_EQ(numbers("phi b.h5", "slipping")[4], 0.0);
 }
 
-TEST_F(Prepare, SaysWhatItMade) {
+TEST_F(Prepare, says_what_it_made) {
   const std::string out = output_of(kPrepare + "-o a.h5 --tau-bar 0.2 --sigma-bar 0.1");
   EXPECT_NE(out.find("tau/p = 0.216000 beyond x = 0.0225 m, within "), std::string::npos) << out;
   EXPECT_NE(out.find("the largest possible is 0.466"), std::string::npos) << out;
@@ -49,7 +49,7 @@ TEST_F(Prepare, SaysWhatItMade) {
       << out;
 }
 
-TEST_F(Prepare, SetsSupportAndSpeedItself) {
+TEST_F(Prepare, sets_support_and_speed_itself) {
   output_of("prepare -o a.h5 --tau-bar 0.2");
   const Json shown = json_of("analyze show a.h5 --json");
   EXPECT_EQ(shown["parameters"]["slider.support"], "ceiling");
@@ -58,7 +58,7 @@ TEST_F(Prepare, SetsSupportAndSpeedItself) {
   EXPECT_EQ(shown["provenance"][0]["tool"], "prepare");
 }
 
-TEST_F(Prepare, ItsEventRunsOrArrestsAsTheStressAllows) {
+TEST_F(Prepare, its_event_runs_or_arrests_as_the_stress_allows) {
   output_of(kPrepare + "-o high.h5 --tau-bar 0.8");
   output_of(kPrepare + "-o low.h5 --tau-bar 0");
   for (const std::string name : {"high", "low"}) {
@@ -69,7 +69,7 @@ TEST_F(Prepare, ItsEventRunsOrArrestsAsTheStressAllows) {
   EXPECT_EQ(json_of("analyze classify low-record.h5 --json")["type"], "none");
 }
 
-TEST_F(Prepare, TakesSingleSpringsToo) {
+TEST_F(Prepare, takes_single_springs_too) {
   const std::string out =
       output_of(kPrepare + "-o a.h5 --tau-bar 0.8 --set junctions.law=simplified");
   const std::size_t within = out.find(" m, within ");
@@ -79,13 +79,13 @@ TEST_F(Prepare, TakesSingleSpringsToo) {
   EXPECT_EQ(json_of("analyze classify r.h5 --json")["type"], "fast");
 }
 
-TEST_F(Prepare, ItsSupportCannotChange) {
+TEST_F(Prepare, its_support_cannot_change) {
   output_of(kPrepare + "-o a.h5 --tau-bar 0.2");
   expect_refusal("restart a.h5 -o b.h5 --for 1e-5 --set slider.support=foundation", kUsage,
                  "slider.support cannot change in a restart: the state was made with ceiling");
 }
 
-TEST_F(Prepare, RefusesWhatIsImpossible) {
+TEST_F(Prepare, refuses_what_is_impossible) {
   expect_refusal("prepare -o a.h5", kUsage,
                  "the option '--tau-bar' is required but missing; see prepare --help");
   expect_refusal("prepare -o a.h5 --tau-bar 0.1 --sigma-bar 0.6", kUsage,
@@ -109,4 +109,4 @@ TEST_F(Prepare, RefusesWhatIsImpossible) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 /// A file in memory that collects one output stream.
@@ -105,4 +105,4 @@ Outcome run_program(const std::vector<std::string>& arguments, const RunOptions&
   return outcome;
 }
 
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rupture::test {
+namespace rupture::testing {
 
 struct RunOptions {
   std::filesystem::path folder = {};                    ///< working folder
@@ -31,4 +31,4 @@ inline constexpr int kCannotStart = 127;  ///< exit code if the program could no
 /// two minutes of processor time.
 Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options);
 
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -4,12 +4,12 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 class Quantities : public ToolTest {};
 
-TEST_F(Quantities, ParametersAreThoseOfAFile) {
+TEST_F(Quantities, parameters_are_those_of_a_file) {
   output_of("load -o a.h5 -q");
   const Json in_file = json_of("analyze show a.h5 --json")["parameters"];
   const Json listed = json_of("analyze quantities --json")["parameters"];
@@ -29,7 +29,7 @@ TEST_F(Quantities, ParametersAreThoseOfAFile) {
   EXPECT_EQ((*law)["unit"], "");
 }
 
-TEST_F(Quantities, EachIsNamedOnceWithItsMeaning) {
+TEST_F(Quantities, each_is_named_once_with_its_meaning) {
   const Json quantities = json_of("analyze quantities --json")["quantities"];
   EXPECT_FALSE(quantities.empty());
   std::set<std::string> names;
@@ -40,7 +40,7 @@ TEST_F(Quantities, EachIsNamedOnceWithItsMeaning) {
   }
 }
 
-TEST_F(Quantities, TextHasOneLineEach) {
+TEST_F(Quantities, text_has_one_line_each) {
   const Json json = json_of("analyze quantities --json");
   const auto lines = lines_of(output_of("analyze quantities"));
   EXPECT_EQ(lines.size(), json["parameters"].size() + json["quantities"].size() + 3);
@@ -52,4 +52,4 @@ TEST_F(Quantities, TextHasOneLineEach) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

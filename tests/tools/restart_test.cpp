@@ -3,7 +3,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 using Restart = ToolTest;
@@ -11,7 +11,7 @@ using Restart = ToolTest;
 /// Where a run to 6e-4 s is split; the rupture lasts from 1.5e-4 s to 2.5e-4 s.
 class Split : public ToolTest, public ::testing::WithParamInterface<const char*> {};
 
-TEST_P(Split, HalvesEqualTheWhole) {
+TEST_P(Split, halves_equal_the_whole) {
   for (const char* folder : {"whole", "halves"}) fs::create_directory(path(folder));
   output_of("load --config small.ini -o whole/end.h5 --until 6e-4");
   output_of(std::string("load --config small.ini -o half.h5 --until ") + GetParam());
@@ -34,7 +34,7 @@ std::map<double, double> column(const Json& loading, const char* name) {
   return result;
 }
 
-TEST_F(Restart, RecordsOfTheHalvesAreThatOfTheWhole) {
+TEST_F(Restart, records_of_the_halves_are_that_of_the_whole) {
   output_of(
       "load --config small.ini -o whole.h5 --until 6e-4 --record whole-r.h5 --record-every 2e-5");
   output_of("load --config small.ini -o half.h5 --until 1.9e-4 --record r1.h5 --record-every 2e-5");
@@ -49,7 +49,7 @@ TEST_F(Restart, RecordsOfTheHalvesAreThatOfTheWhole) {
   }
 }
 
-TEST_F(Restart, RupturesOfTheHalvesAreThoseOfTheWhole) {
+TEST_F(Restart, ruptures_of_the_halves_are_those_of_the_whole) {
   output_of("load --config small.ini -o whole.h5 --until 6e-4 --record whole-r.h5");
   output_of("load --config small.ini -o half.h5 --until 1.9e-4 --record r1.h5");
   output_of("restart half.h5 -o end.h5 --until 6e-4 --record r2.h5");
@@ -64,21 +64,21 @@ TEST_F(Restart, RupturesOfTheHalvesAreThoseOfTheWhole) {
   EXPECT_TRUE(first[8].is_null());
 }
 
-TEST_F(Restart, ForAndUntilMeanTheSameEnd) {
+TEST_F(Restart, for_and_until_mean_the_same_end) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("restart a.h5 -o for.h5 --for 2e-4");
   output_of("restart a.h5 -o until.h5 --until 3e-4");
   EXPECT_EQ(checksum_of("for.h5"), checksum_of("until.h5"));
 }
 
-TEST_F(Restart, CheckpointsOnTheWayAreThoseOfTheWhole) {
+TEST_F(Restart, checkpoints_on_the_way_are_those_of_the_whole) {
   output_of("load --config small.ini -o whole.h5 --until 3e-4 --checkpoint-every 1e-4");
   output_of("restart whole-t0.000100000.h5 -o end.h5 --until 3e-4 --checkpoint-every 1e-4");
   EXPECT_EQ(checksum_of("end-t0.000200000.h5"), checksum_of("whole-t0.000200000.h5"));
   EXPECT_FALSE(fs::exists(path("end-t0.000100000.h5")));
 }
 
-TEST_F(Restart, ZeroSpeedStopsTheDrivingPointWhereItIs) {
+TEST_F(Restart, zero_speed_stops_the_driving_point_where_it_is) {
   output_of("load --config small.ini -o a.h5 --until 5e-5 --record r1.h5");
   output_of("restart a.h5 -o b.h5 --set driving.V=0 --for 2e-4 --record r2.h5");
   const std::vector<double> before = json_of("analyze loading r1.h5 --json")["x_drive"];
@@ -87,7 +87,7 @@ TEST_F(Restart, ZeroSpeedStopsTheDrivingPointWhereItIs) {
   for (const double x : after) EXPECT_EQ(x, before.back());
 }
 
-TEST_F(Restart, DrivingForceStaysConstantAtRest) {
+TEST_F(Restart, driving_force_stays_constant_at_rest) {
   output_of("load --config small.ini --set driving.V=0.05 -o a.h5 --until 5e-4");
   output_of("restart a.h5 -o rest.h5 --set driving.V=0 --for 2e-2");
   output_of("restart rest.h5 -o b.h5 --for 1e-3 --record r.h5");
@@ -96,7 +96,7 @@ TEST_F(Restart, DrivingForceStaysConstantAtRest) {
   for (const double force : F_T) EXPECT_NEAR(force, F_T.front(), 1e-9 * F_T.front());
 }
 
-TEST_F(Restart, ProvenanceIsAChainOfTools) {
+TEST_F(Restart, provenance_is_a_chain_of_tools) {
   output_of("load --config small.ini -o a.h5 --until 5e-5");
   output_of("restart a.h5 -o b.h5 --set driving.V=0 --for 1e-5");
   const Json chain = json_of("analyze show b.h5 --json")["provenance"];
@@ -111,7 +111,7 @@ TEST_F(Restart, ProvenanceIsAChainOfTools) {
   for (const char* field : {"version", "commit", "compiler"}) EXPECT_NE(chain[1][field], "");
 }
 
-TEST_F(Restart, UntilQuietStopsWhenNothingBreaksAnyMore) {
+TEST_F(Restart, until_quiet_stops_when_nothing_breaks_any_more) {
   output_of("load --config small.ini -o a.h5");
   const std::string out =
       output_of("restart a.h5 -o b.h5 --set driving.V=0 --until-quiet 1e-4 --until 1e-2");
@@ -119,7 +119,7 @@ TEST_F(Restart, UntilQuietStopsWhenNothingBreaksAnyMore) {
       << out;
 }
 
-TEST_F(Restart, UntilQuietWithoutTimeMeansFiveMeanSlippingTimes) {
+TEST_F(Restart, until_quiet_without_time_means_five_mean_slipping_times) {
   output_of("load --config small.ini -o a.h5");
   const std::string out =
       output_of("restart a.h5 -o b.h5 --set driving.V=0 --set junctions.t_R=2e-4 --until-quiet");
@@ -127,7 +127,7 @@ TEST_F(Restart, UntilQuietWithoutTimeMeansFiveMeanSlippingTimes) {
       << out;
 }
 
-TEST_F(Restart, UntilQuietStopsWhenTheFrontHasReachedTheLeadingEdge) {
+TEST_F(Restart, until_quiet_stops_when_the_front_has_reached_the_leading_edge) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   const std::string out = output_of("restart a.h5 -o b.h5 --until-quiet");
   EXPECT_NE(out.find("(the front reached the leading edge)"), std::string::npos) << out;
@@ -135,7 +135,7 @@ TEST_F(Restart, UntilQuietStopsWhenTheFrontHasReachedTheLeadingEdge) {
   EXPECT_NEAR(end, 2.6e-4, 1e-12);  // the edge ruptures at 2.53e-4 s; looked at every 100 steps
 }
 
-TEST_F(Restart, UntilQuietEndsASplitRunWhereItEndsTheWhole) {
+TEST_F(Restart, until_quiet_ends_a_split_run_where_it_ends_the_whole) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("restart a.h5 -o whole.h5 --until-quiet");
   output_of("restart a.h5 -o half.h5 --until 1.77e-4");
@@ -143,7 +143,7 @@ TEST_F(Restart, UntilQuietEndsASplitRunWhereItEndsTheWhole) {
   EXPECT_EQ(checksum_of("end.h5"), checksum_of("whole.h5"));
 }
 
-TEST_F(Restart, ChangedJunctionLawChangesTheRestOfTheRun) {
+TEST_F(Restart, changed_junction_law_changes_the_rest_of_the_run) {
   output_of("load --config small.ini -o a.h5 --until 2e-4");
   output_of("restart a.h5 -o same.h5 --for 5e-3");
   output_of("restart a.h5 -o off.h5 --for 5e-3 --set junctions.f_new=f_slip");
@@ -153,7 +153,7 @@ TEST_F(Restart, ChangedJunctionLawChangesTheRestOfTheRun) {
   EXPECT_EQ(json_of("analyze show off.h5 --json")["parameters"]["junctions.f_new"], "f_slip");
 }
 
-TEST_F(Restart, TakesParametersFromAConfigurationToo) {
+TEST_F(Restart, takes_parameters_from_a_configuration_too) {
   output_of("load --config small.ini -o a.h5 --until 5e-5");
   write("stop.ini", "[driving]\nV = 0\n");
   output_of("restart a.h5 --config stop.ini -o b.h5 --for 1e-4");
@@ -161,11 +161,11 @@ TEST_F(Restart, TakesParametersFromAConfigurationToo) {
   EXPECT_EQ(checksum_of("b.h5"), checksum_of("c.h5"));
 }
 
-TEST_F(Restart, NoTimeMeansACopy) {
+TEST_F(Restart, no_time_means_a_copy) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("restart a.h5 -o b.h5 --for 0");
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -5,7 +5,7 @@
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 constexpr const char* kRun =
@@ -27,7 +27,7 @@ class Resume : public ToolTest {
   std::string said(const std::string& command) const { return output_of(command + " --resume"); }
 };
 
-TEST_F(Resume, GivesTheBitsOfTheUninterruptedRun) {
+TEST_F(Resume, gives_the_bits_of_the_uninterrupted_run) {
   output_of(kRun);
   const Files whole = files();
   for (const int n : {5, 2, 1}) {  // 2: in the middle of the rupture
@@ -40,14 +40,14 @@ TEST_F(Resume, GivesTheBitsOfTheUninterruptedRun) {
   }
 }
 
-TEST_F(Resume, BeginsWhereThereIsNothingToResume) {
+TEST_F(Resume, begins_where_there_is_nothing_to_resume) {
   EXPECT_NE(said(kRun).find("nothing to resume"), std::string::npos);
   const std::string resumed = read("x.h5.sum");
   output_of(std::string(kRun) + " --force");
   EXPECT_EQ(read("x.h5.sum"), resumed);
 }
 
-TEST_F(Resume, OfACompleteRunDoesNothing) {
+TEST_F(Resume, of_a_complete_run_does_nothing) {
   output_of(kRun);
   const Files before = files();
   EXPECT_EQ(said(kRun), "x.h5 is complete\n");
@@ -55,7 +55,7 @@ TEST_F(Resume, OfACompleteRunDoesNothing) {
   EXPECT_TRUE(files() == before);
 }
 
-TEST_F(Resume, QuietRunEndsWhereTheUninterruptedOneEnds) {
+TEST_F(Resume, quiet_run_ends_where_the_uninterrupted_one_ends) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
   const std::string run =
       "restart begin.h5 -o x.h5 --sum --until-quiet 1e-4 --checkpoint-every 1e-4 --set driving.V=0";
@@ -68,7 +68,7 @@ TEST_F(Resume, QuietRunEndsWhereTheUninterruptedOneEnds) {
   }
 }
 
-TEST_F(Resume, ForCountsFromTheBeginningOfTheRun) {
+TEST_F(Resume, for_counts_from_the_beginning_of_the_run) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
   const std::string run = "restart begin.h5 -o x.h5 --sum --for 5e-4 --checkpoint-every 1e-4";
   output_of(run);
@@ -78,7 +78,7 @@ TEST_F(Resume, ForCountsFromTheBeginningOfTheRun) {
   EXPECT_EQ(read("x.h5.sum"), whole);
 }
 
-TEST_F(Resume, UsesNoCheckpointOfAnotherRun) {
+TEST_F(Resume, uses_no_checkpoint_of_another_run) {
   output_of(kRun);
   interrupt_after(3);
   const std::string other = "load --config small.ini -o x.h5 --until 6e-4 --seed 7 --resume";
@@ -87,7 +87,7 @@ TEST_F(Resume, UsesNoCheckpointOfAnotherRun) {
   EXPECT_EQ(checksum_of("x.h5"), checksum_of("y.h5"));
 }
 
-TEST_F(Resume, UsesNoModifiedCheckpoint) {
+TEST_F(Resume, uses_no_modified_checkpoint) {
   output_of(kRun);
   interrupt_after(2);
   output_of("modify-phi x-t0.000200000.h5 -o changed.h5 --sigma-bar 0.05");
@@ -97,7 +97,7 @@ TEST_F(Resume, UsesNoModifiedCheckpoint) {
   EXPECT_NE(said(run + " --force").find("resuming from x-t0.000100000"), std::string::npos);
 }
 
-TEST_F(Resume, PassesOverADamagedCheckpointAndSaysSo) {
+TEST_F(Resume, passes_over_a_damaged_checkpoint_and_says_so) {
   output_of(kRun);
   const std::string whole = read("x.h5.sum");
   interrupt_after(3);
@@ -111,7 +111,7 @@ TEST_F(Resume, PassesOverADamagedCheckpointAndSaysSo) {
   EXPECT_EQ(read("x.h5.sum"), whole);
 }
 
-TEST_F(Resume, ReplacesNoCheckpointOnTheWayThatIsNoneOfTheRun) {
+TEST_F(Resume, replaces_no_checkpoint_on_the_way_that_is_none_of_the_run) {
   output_of(kRun);
   interrupt_after(3);
   write("x-t0.000500000.h5", "precious");
@@ -122,7 +122,7 @@ TEST_F(Resume, ReplacesNoCheckpointOnTheWayThatIsNoneOfTheRun) {
   EXPECT_EQ(read("x-t0.000500000.h5"), "precious");
 }
 
-TEST_F(Resume, GoesBackToWhereTheRecordReaches) {
+TEST_F(Resume, goes_back_to_where_the_record_reaches) {
   output_of(kRun);
   const std::string whole = read("r.h5.sum");
   interrupt_after(4);
@@ -138,7 +138,7 @@ TEST_F(Resume, GoesBackToWhereTheRecordReaches) {
   EXPECT_EQ(read("r.h5.sum"), whole);
 }
 
-TEST_F(Resume, RefusesTheRecordOfAnotherIntervalRunOrEnd) {
+TEST_F(Resume, refuses_the_record_of_another_interval_run_or_end) {
   const std::string sentence =
       " is not what the run to be resumed has recorded, but the record of another run, interval or "
       "end; move it away, give another --record, or --force to replace it";
@@ -152,13 +152,13 @@ TEST_F(Resume, RefusesTheRecordOfAnotherIntervalRunOrEnd) {
   EXPECT_EQ(run(other + " --force").exit_code, kDone);
 }
 
-TEST_F(Resume, NeverReplacesWhatIsNoRecord) {
+TEST_F(Resume, never_replaces_what_is_no_record) {
   write("notes.txt", "precious");
   expect_refusal_with("load --config small.ini -o x.h5 --resume --record notes.txt", kFailed,
                       "notes.txt is not a rupture file");
 }
 
-TEST_F(Resume, GoesNotBeyondTheEndThatIsAskedFor) {
+TEST_F(Resume, goes_not_beyond_the_end_that_is_asked_for) {
   output_of("load --config small.ini -o short.h5 --until 2.5e-4");
   const std::string all = "load --config small.ini -o x.h5 --checkpoint-every 1e-4 --until ";
   output_of(all + "6e-4");
@@ -168,7 +168,7 @@ TEST_F(Resume, GoesNotBeyondTheEndThatIsAskedFor) {
   EXPECT_EQ(checksum_of("x.h5"), checksum_of("short.h5"));
 }
 
-TEST_F(Resume, UsesNoCheckpointBehindTheEndOfAQuietRun) {
+TEST_F(Resume, uses_no_checkpoint_behind_the_end_of_a_quiet_run) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
   const std::string run =
       "restart begin.h5 -o x.h5 --sum --checkpoint-every 1e-4 --set driving.V=0";
@@ -182,7 +182,7 @@ TEST_F(Resume, UsesNoCheckpointBehindTheEndOfAQuietRun) {
   EXPECT_EQ(read("x.h5.sum"), whole);
 }
 
-TEST_F(Resume, UsesNoCheckpointThatFollowsAModifiedOne) {
+TEST_F(Resume, uses_no_checkpoint_that_follows_a_modified_one) {
   output_of("load --config small.ini -o begin.h5");
   output_of("modify-phi begin.h5 -o changed.h5 --shape bell");
   output_of("restart changed.h5 -o x.h5 --until 6e-4 --checkpoint-at 3e-4");
@@ -192,14 +192,14 @@ TEST_F(Resume, UsesNoCheckpointThatFollowsAModifiedOne) {
   EXPECT_NE(output_of(load).find("nothing to resume"), std::string::npos);
 }
 
-TEST_F(Resume, FindsCheckpointsOfAnOutputWithoutExtension) {
+TEST_F(Resume, finds_checkpoints_of_an_output_without_extension) {
   const std::string load = "load --config small.ini -o x --until 6e-4 --checkpoint-at 3e-4";
   output_of(load);
   forget("x");
   EXPECT_NE(said(load).find("resuming from x-t0.000300000"), std::string::npos);
 }
 
-TEST_F(Resume, WritesTheSumsThatAreMissingWhereTheyAreAskedFor) {
+TEST_F(Resume, writes_the_sums_that_are_missing_where_they_are_asked_for) {
   const std::string without =
       "load --config small.ini -o x.h5 --until 3e-4 --checkpoint-every 1e-4 --record r.h5";
   output_of(without);
@@ -235,7 +235,7 @@ class ResumeNamed : public Resume, public ::testing::WithParamInterface<const ch
   static std::string name() { return GetParam() + std::string(".h5"); }
 };
 
-TEST_P(ResumeNamed, RunIsCompleteAndGoesOn) {
+TEST_P(ResumeNamed, run_is_complete_and_goes_on) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
   EXPECT_EQ(run_quietly({}).exit_code, kDone);
   const std::string whole = run_words({"analyze", "checksum", name()}).out;
@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(Awkwardly, ResumeNamed,
                            return std::string("name") + std::to_string(test.index);
                          });
 
-TEST_F(Resume, KnowsItsCheckpointsByTheirId) {
+TEST_F(Resume, knows_its_checkpoints_by_their_id) {
   output_of(kRun);
   interrupt_after(3);
   Checkpoint foreign = read_checkpoint(path("x-t0.000300000.h5"));
@@ -270,7 +270,7 @@ TEST_F(Resume, KnowsItsCheckpointsByTheirId) {
             std::string::npos);
 }
 
-TEST_F(Resume, GoesOnFromCheckpointsOfBuildsWithoutIds) {
+TEST_F(Resume, goes_on_from_checkpoints_of_builds_without_ids) {
   output_of(kRun);
   const std::string whole = read("x.h5.sum"), whole_record = read("r.h5.sum");
   for (const int n : {4, 2}) {  // the second time with a resumed one behind it
@@ -288,7 +288,7 @@ TEST_F(Resume, GoesOnFromCheckpointsOfBuildsWithoutIds) {
   }
 }
 
-TEST_F(Resume, OfACommandWhoseConfigurationHasAnotherEndIsNotComplete) {
+TEST_F(Resume, of_a_command_whose_configuration_has_another_end_is_not_complete) {
   const std::string slider = read("small.ini");
   write("run.ini", "until = 2e-4\n" + slider);
   output_of("load --config run.ini -o x.h5");
@@ -298,4 +298,4 @@ TEST_F(Resume, OfACommandWhoseConfigurationHasAnotherEndIsNotComplete) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

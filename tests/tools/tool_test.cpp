@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 constexpr std::string_view kSmallSlider =
@@ -153,4 +153,4 @@ std::vector<std::vector<std::string>> csv_of(const std::string& text) {
   return rows;
 }
 
-}  // namespace rupture::test
+}  // namespace rupture::testing

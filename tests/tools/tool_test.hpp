@@ -12,7 +12,7 @@
 
 #include "program.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
@@ -76,4 +76,4 @@ std::vector<std::string> lines_of(const std::string& text);
 /// Cells of CSV: one vector per line.
 std::vector<std::vector<std::string>> csv_of(const std::string& text);
 
-}  // namespace rupture::test
+}  // namespace rupture::testing

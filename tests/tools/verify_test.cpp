@@ -3,7 +3,7 @@
 
 #include "tool_test.hpp"
 
-namespace rupture::test {
+namespace rupture::testing {
 namespace {
 
 class Verify : public ToolTest {
@@ -28,20 +28,20 @@ class Verify : public ToolTest {
   }
 };
 
-TEST_F(Verify, NamesEachIntactFile) {
+TEST_F(Verify, names_each_intact_file) {
   EXPECT_EQ(output_of("analyze verify a.h5 r.h5"), intact("a.h5") + intact("r.h5") + "2 intact\n");
   expect_refusal("analyze verify", kUsage,
                  "nothing to verify: name a checkpoint, record or folder, or give --manifest");
 }
 
-TEST_F(Verify, ReadsManifestsRelativeToTheirFolder) {
+TEST_F(Verify, reads_manifests_relative_to_their_folder) {
   fs::create_directory(path("lists"));
   write("lists/m.txt", checksum_of("a.h5") + "  ../a.h5\n\n" + checksum_of("r.h5") + "  ../r.h5\n");
   EXPECT_EQ(lines_of(output_of("analyze verify --manifest lists/m.txt")).size(), 3U);
 }
 
 // before-supports.h5 was written before there was slider.support; reference.h5 is the same run.
-TEST_F(Verify, AcceptsFilesOfEarlierSchemasByEitherChecksum) {
+TEST_F(Verify, accepts_files_of_earlier_schemas_by_either_checksum) {
   const fs::path kept = fs::path(__FILE__).parent_path() / "../compatibility/schema-1";
   if (!fs::exists(kept)) GTEST_SKIP() << "the sources are elsewhere";
   for (const char* name : {"before-supports.h5", "reference.h5"}) {
@@ -58,7 +58,7 @@ TEST_F(Verify, AcceptsFilesOfEarlierSchemasByEitherChecksum) {
   }
 }
 
-TEST_F(Verify, ReadsLinesWithAndWithoutTheWordInFront) {
+TEST_F(Verify, reads_lines_with_and_without_the_word_in_front) {
   write("m.txt", sum_line("a.h5") + checksum_of("r.h5") + "  r.h5\n");
   EXPECT_EQ(output_of("analyze verify --manifest m.txt"),
             intact("a.h5") + intact("r.h5") + "2 intact\n");
@@ -68,21 +68,21 @@ TEST_F(Verify, ReadsLinesWithAndWithoutTheWordInFront) {
                  "digits>  <file>'");
 }
 
-TEST_F(Verify, SumsAreNothingThatSha256sumCouldTakeForItsOwn) {
+TEST_F(Verify, sums_are_nothing_that_sha256sum_could_take_for_its_own) {
   output_of("load --config small.ini -o c.h5 --sum -q");
   const Outcome outcome = run_words({"/usr/bin/env", "LC_ALL=C", "sha256sum", "-c", "c.h5.sum"});
   EXPECT_NE(outcome.err.find("no properly formatted"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.out, "");
 }
 
-TEST_F(Verify, ReadsSumsOfFilesWithSpacesInTheirNames) {
+TEST_F(Verify, reads_sums_of_files_with_spaces_in_their_names) {
   run_words({"load", "--config", "small.ini", "-o", "with space.h5", "--sum"});
   const Outcome outcome = run_words({"analyze", "verify", "--manifest", "with space.h5.sum"});
   EXPECT_EQ(outcome.exit_code, kDone);
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST_F(Verify, SeesOtherContentThanTheManifestSays) {
+TEST_F(Verify, sees_other_content_than_the_manifest_says) {
   write("m.txt", checksum_of("a.h5") + "  b.h5\n");
   expect_refusal("analyze verify --manifest m.txt", kFailed,
                  "b.h5 is intact but has content checksum " + checksum_of("b.h5") + ", not " +
@@ -97,12 +97,12 @@ TEST_F(Verify, SeesOtherContentThanTheManifestSays) {
                  "cannot read the manifest gone.txt");
 }
 
-TEST_F(Verify, RefusesAnEmptyManifest) {
+TEST_F(Verify, refuses_an_empty_manifest) {
   write("m.txt", "");
   expect_refusal_with("analyze verify --manifest m.txt", kFailed, "m.txt");
 }
 
-TEST_F(Verify, LooksAtEveryFileWhateverIsWrongWithOthers) {
+TEST_F(Verify, looks_at_every_file_whatever_is_wrong_with_others) {
   damage("a.h5");
   const Outcome outcome = run("analyze verify a.h5 gone.h5 b.h5");
   EXPECT_EQ(outcome.exit_code, kFailed);
@@ -113,7 +113,7 @@ TEST_F(Verify, LooksAtEveryFileWhateverIsWrongWithOthers) {
   EXPECT_EQ(outcome.err, "analyze: not all is well: 1 intact, 1 damaged, 1 missing\n");
 }
 
-TEST_F(Verify, LooksAtAllOfAManifest) {
+TEST_F(Verify, looks_at_all_of_a_manifest) {
   damage("a.h5");
   write("m.txt", checksum_of("r.h5") + "  a.h5\n" + checksum_of("r.h5") + "  b.h5\n" +
                      checksum_of("r.h5") + "  r.h5\n");
@@ -122,7 +122,7 @@ TEST_F(Verify, LooksAtAllOfAManifest) {
   EXPECT_NE(outcome.out.find("1 intact, 1 differs, 1 damaged\n"), std::string::npos) << outcome.out;
 }
 
-TEST_F(Verify, LooksIntoFoldersInOrder) {
+TEST_F(Verify, looks_into_folders_in_order) {
   fs::create_directories(path("f/m/empty"));
   for (const char* name : {"f/z.h5", "f/m/y.h5", "f/a.h5"}) {
     fs::copy_file(path("a.h5"), path(name));
@@ -137,7 +137,7 @@ TEST_F(Verify, LooksIntoFoldersInOrder) {
   expect_refusal("analyze verify f", kFailed, damage_sentence("f/m/y.h5"));
 }
 
-TEST_F(Verify, FollowsLinksToFilesButNotToFolders) {
+TEST_F(Verify, follows_links_to_files_but_not_to_folders) {
   fs::create_directory(path("f"));
   fs::create_symlink(path("f"), path("f/loop"));
   fs::create_symlink(path("a.h5"), path("f/a.h5"));
@@ -151,7 +151,7 @@ TEST_F(Verify, FollowsLinksToFilesButNotToFolders) {
                       "could not read f/b.h5: Too many levels of symbolic links");
 }
 
-TEST_F(Verify, NamesUnfinishedRecordsInAFolder) {
+TEST_F(Verify, names_unfinished_records_in_a_folder) {
   fs::create_directory(path("f"));
   write("f/r.h5.part", "");
   write("f/film.part", "");
@@ -162,13 +162,13 @@ TEST_F(Verify, NamesUnfinishedRecordsInAFolder) {
                                                "1 intact, 1 skipped\n");
 }
 
-TEST_F(Verify, RefusesAnEmptyFolder) {
+TEST_F(Verify, refuses_an_empty_folder) {
   fs::create_directory(path("f"));
   expect_refusal("analyze verify f", kFailed, "f holds no file *.h5");
   expect_refusal("analyze verify a.h5 f", kFailed, "f holds no file *.h5");
 }
 
-TEST_F(Verify, NamesFoldersThatItCannotList) {
+TEST_F(Verify, names_folders_that_it_cannot_list) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can run a program as another user";
   fs::create_directories(path("f/locked"));
   fs::copy_file(path("a.h5"), path("f/a.h5"));
@@ -184,7 +184,7 @@ TEST_F(Verify, NamesFoldersThatItCannotList) {
             std::string::npos);
 }
 
-TEST_F(Verify, SaysWhichFilesOfAFolderTheManifestDoesNotList) {
+TEST_F(Verify, says_which_files_of_a_folder_the_manifest_does_not_list) {
   fs::create_directory(path("f"));
   for (const char* name : {"a.h5", "b.h5"}) fs::copy_file(path(name), path("f") / name);
   write("m.txt", checksum_of("a.h5") + "  f/a.h5\n" + checksum_of("b.h5") + "  f/../f/b.h5\n");
@@ -198,7 +198,7 @@ TEST_F(Verify, SaysWhichFilesOfAFolderTheManifestDoesNotList) {
   expect_refusal("analyze verify f --manifest m.txt", kFailed, damage_sentence("f/r.h5"));
 }
 
-TEST_F(Verify, PrintsWhatAManifestNeeds) {
+TEST_F(Verify, prints_what_a_manifest_needs) {
   std::string lines;
   for (const auto& line : lines_of(output_of("analyze verify ."))) {
     if (line.starts_with("intact  ")) lines += line.substr(8) + "\n";
@@ -208,4 +208,4 @@ TEST_F(Verify, PrintsWhatAManifestNeeds) {
 }
 
 }  // namespace
-}  // namespace rupture::test
+}  // namespace rupture::testing

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "cli/report.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/nearest.hpp"
 
