@@ -1,5 +1,6 @@
 """Tests of the programs, and checks of the sources: ./reproduce.sh test, check, tidy."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -33,12 +34,27 @@ def run_ctest(processes, preset, log, cores):
     )
 
 
+def slowest_tests(log):
+    """The ten tests that took longest [s], longest first, of the text that ctest logged."""
+    took = re.findall(r"Test +#\d+: (\S+) \.*.*? ([\d.]+) sec$", log, re.MULTILINE)
+    return sorted(((float(seconds), name) for name, seconds in took), reverse=True)[:10]
+
+
+def say_slowest(log):
+    if log.exists():
+        say("The slowest tests:")
+        for seconds, name in slowest_tests(log.read_text()):
+            say(f"  {seconds:6.1f} s  {name}")
+
+
 def run_tests(request, processes):
     (LOGS / "test.log").unlink(missing_ok=True)
     ensure_packages(processes, "run", "test")
     build(processes, request.cores, "all")
     use_own_environment()
     code = run_ctest(processes, "release", "test.log", request.cores)
+    say()
+    say_slowest(LOGS / "test.log")
     say()
     return processes.run(["tests/golden/matrix.sh", "table", "build/release/matrix"]) or code
 

@@ -15,11 +15,6 @@ namespace {
 constexpr std::array kKinds = {FileKind::checkpoint, FileKind::record, FileKind::open_record};
 constexpr std::uint64_t kLargestFile = 1ULL << 62U;  // [bytes]
 
-std::string padded(std::string text) {
-  text.resize(kHeaderSize, '\n');
-  return text;
-}
-
 std::string_view explanation(FileKind kind) {
   if (kind == FileKind::open_record) {
     return "One of the pieces of an unfinished record, which follow each other in this file.\n"
@@ -30,8 +25,10 @@ std::string_view explanation(FileKind kind) {
 }
 
 std::string sealed_header(FileKind kind, std::uint64_t size, std::string_view body_sha256) {
-  return padded(fmt::format("{}\nbytes {}\nsha256 {}\n{}", format_name(kind), size, body_sha256,
-                            explanation(kind)));
+  std::string header = fmt::format("{}\nbytes {}\nsha256 {}\n{}", format_name(kind), size,
+                                   body_sha256, explanation(kind));
+  header.resize(kHeaderSize, '\n');
+  return header;
 }
 
 std::string_view as_text(std::span<const std::byte> bytes) {

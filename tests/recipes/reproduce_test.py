@@ -18,6 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
+from reproduce.checks import slowest_tests  # noqa: E402
 from reproduce.place import count_cores, memory_of_allocation  # noqa: E402
 
 WITHIN = 60  # [s]
@@ -458,6 +459,15 @@ class Places(unittest.TestCase):
         self.assertEqual(memory_of_allocation(per_core, 4), 2000)
         self.assertEqual(memory_of_allocation(per_node, 4), 6000)
         self.assertIsNone(memory_of_allocation({}, 4))
+
+
+class SlowestTests(unittest.TestCase):
+    def test_the_ten_that_took_longest_are_read_from_the_log_of_ctest(self):
+        passed = [f" {n}/12 Test  #{n}: t_{n} ......   Passed    {n}.50 sec" for n in range(1, 12)]
+        failed = "12/12 Test #40: Units/of.a/1 ...***Failed  Required regular expression  99.05 sec"
+        found = slowest_tests("\n".join([*passed, failed, "Total Test time (real) = 200 sec"]))
+        self.assertEqual(found[:2], [(99.05, "Units/of.a/1"), (11.5, "t_11")])
+        self.assertEqual(len(found), 10)
 
 
 class Profiles(Project):

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/report.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
@@ -163,19 +164,20 @@ std::string text_of(const Forecast& f) {
       time_account(f));
 }
 
-Json json_of(const Forecast& f) {
+std::string json_text(const Forecast& f) {
   const auto whole = [](double value) { return std::llround(value); };
-  return {{"steps", f.steps()},
-          {"simulated_time", f.simulated_time()},
-          {"at_most", f.work.end == End::at_the_latest},
-          {"blocks", whole(blocks(f.work.parameters))},
-          {"junctions", whole(junctions(f.work.parameters))},
-          {"threads", f.work.threads},
-          {"memory", whole(f.memory)},
-          {"disk", whole(f.disk())},
-          {"checkpoints", f.work.checkpoints},
-          {"time", f.time()},
-          {"time_per_step", f.time_per_step}};
+  const Json json = {{"steps", f.steps()},
+                     {"simulated_time", f.simulated_time()},
+                     {"at_most", f.work.end == End::at_the_latest},
+                     {"blocks", whole(blocks(f.work.parameters))},
+                     {"junctions", whole(junctions(f.work.parameters))},
+                     {"threads", f.work.threads},
+                     {"memory", whole(f.memory)},
+                     {"disk", whole(f.disk())},
+                     {"checkpoints", f.work.checkpoints},
+                     {"time", f.time()},
+                     {"time_per_step", f.time_per_step}};
+  return json_text(json);
 }
 
 }  // namespace rupture::tools

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <string>
 
-#include "cli/report.hpp"
 #include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
@@ -55,8 +54,8 @@ Forecast forecast(const Workload& work, const Speed& speed);
 /// Samples of a record from step `first` to `last`: at both, and at multiples of `every` between.
 std::int64_t sample_count(std::int64_t first, std::int64_t last, std::int64_t every);
 
-/// A few lines for people, and the same as one object.
+/// A few lines for people, and the same as one JSON object.
 std::string text_of(const Forecast& forecast);
-Json json_of(const Forecast& forecast);
+std::string json_text(const Forecast& forecast);
 
 }  // namespace rupture::tools

@@ -45,7 +45,7 @@ void say_where_it_begins(const RunPlan& plan) {
 /// Prints what the run needs.
 void print_forecast(const RunPlan& plan, DryRun how) {
   const Forecast needs = forecast(plan.work, measure_speed(plan.work, plan.begin.checkpoint.state));
-  say("{}", how == DryRun::json ? json_text(json_of(needs)) + "\n" : text_of(needs));
+  say("{}", how == DryRun::json ? json_text(needs) + "\n" : text_of(needs));
 }
 
 /// Runs and writes what the plan says.
