@@ -3,37 +3,58 @@
 import json
 import os
 import re
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 REPRODUCED = "reproduced"
+DEPENDS = "depends"
 DIFFERS = "differs"
 NOT_COMPARABLE = "not comparable"
-VERDICTS = (REPRODUCED, DIFFERS, NOT_COMPARABLE)
+VERDICTS = (REPRODUCED, DEPENDS, DIFFERS, NOT_COMPARABLE)
+SHOWN_ONLY = "shown case only"  # begins the reason of a verdict without units
+
+
+@dataclass(frozen=True)
+class Share:
+    """The units for which a claim holds under one convention; `low` and `high` bound their part."""
+
+    convention: str
+    holds: int
+    units: int
+    low: float
+    high: float
+
+    def part(self):
+        return self.holds / self.units
+
+    def text(self, unit):
+        return f"{self.holds} of {self.units} {plural(unit)} ({self.convention})"
+
+
+def plural(unit):
+    return unit.replace("load", "loads").replace("event", "events")
 
 
 @dataclass(frozen=True)
 class Claim:
-    """One row. `measured` is text, or numbers by name and unit: {"slow speed [m/s]": 9.8}. `note`
-    says what a reader has to know to judge the verdict; where a claim differs, why."""
+    """One row. `measured` is text, or numbers by name and unit: {"slow speed [m/s]": 9.8}. `shown`
+    says whether the claim holds for the case that the picture shows; None if that could not be
+    measured. `note` says what a reader has to know to judge the verdict; where a claim differs,
+    why."""
 
     id: str
     paper: str
-    measured: str | dict
     acceptance: str
+    measured: str | dict
+    shown: bool | None
+    shares: list  # of Share, the primary convention first
     verdict: str
+    reason: str
     note: str = ""
 
     def __post_init__(self):
         if self.verdict not in VERDICTS:
             raise ValueError(f"claim {self.id}: '{self.verdict}' is none of {', '.join(VERDICTS)}")
-
-
-def verdict(accepted):
-    """The verdict for True, False or None (there was nothing to compare)."""
-    if accepted is None:
-        return NOT_COMPARABLE
-    return REPRODUCED if accepted else DIFFERS
 
 
 def plain(value):
@@ -54,7 +75,8 @@ def write_claims(path, claims):
 
 def read_claims(path):
     with open(path, encoding="utf-8") as file:
-        return [Claim(**row) for row in json.load(file)]
+        claims = [Claim(**row) for row in json.load(file)]
+    return [replace(c, shares=[Share(**share) for share in c.shares]) for c in claims]
 
 
 # --- for readers ---------------------------------------------------------------------------

@@ -7,45 +7,37 @@ import sys
 import textwrap
 from pathlib import Path
 
-from claims.claim import NOT_COMPARABLE, VERDICTS, measured_parts, read_claims
+from claims.claim import VERDICTS, Share, read_claims
 
 SUMMARY = "summary.txt"  # what a recipe has to say beyond claims, beside its claims.json
 WIDTH = 100
-GAP = "  "
-HEADS = ("claim", "paper", "measured", "acceptance", "verdict")
+HEADS = ("claim", "verdict", "shown", "share", "least", "under")
+FORM = "{:6}{:16}{:8}{:20}{:7}{}"
+SHOWN = {True: "holds", False: "fails", None: "-"}
 
 
-def measured_text(measured):
-    return "; ".join(measured_parts(measured))
+def share_text(share):
+    return f"{share.part():.2f} ({share.low:.2f}-{share.high:.2f})"
 
 
-def widths(rows):
-    """The first and last column as wide as they must be; the others share the rest."""
-    first = max(len(row[0]) for row in rows)
-    last = len(NOT_COMPARABLE)
-    rest = WIDTH - first - last - 4 * len(GAP)
-    return first, rest // 3, rest - 2 * (rest // 3), rest // 3, last
-
-
-def print_row(cells, columns):
-    wrapped = [textwrap.wrap(cell, width) or [""] for cell, width in zip(cells, columns)]
-    for line in range(max(map(len, wrapped))):
-        parts = [
-            (cell[line] if line < len(cell) else "").ljust(width)
-            for cell, width in zip(wrapped, columns)
-        ]
-        print(GAP.join(parts).rstrip())
+def cells(claim):
+    """Share under the primary convention with its 90 % interval, and the least of all."""
+    if not claim.shares:
+        return claim.id, claim.verdict, SHOWN[claim.shown], "", "", ""
+    least = min(claim.shares, key=Share.part)
+    return (
+        *(claim.id, claim.verdict, SHOWN[claim.shown]),
+        *(share_text(claim.shares[0]), f"{least.part():.2f}", least.convention),
+    )
 
 
 def print_table(claims):
-    rows = [HEADS] + [
-        (c.id, c.paper, measured_text(c.measured), c.acceptance, c.verdict) for c in claims
-    ]
-    columns = widths(rows)
-    print_row(rows[0], columns)
-    print(GAP.join("-" * width for width in columns))
-    for row in rows[1:]:
-        print_row(row, columns)
+    print(FORM.format(*HEADS).rstrip())
+    print("-" * WIDTH)
+    for claim in claims:
+        print(FORM.format(*cells(claim)).rstrip())
+        reason = textwrap.shorten(claim.reason, WIDTH - 6, placeholder=" ...")
+        print(f"      {reason}")
 
 
 def summary(claims):

@@ -16,12 +16,12 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import beta
 
-from claims.claim import REPRODUCED, read_claims, split_unit, write_claims
+from claims.claim import read_claims, split_unit, write_claims
 from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
-from events.event_claims import all_claims
-from events.fronts import counted, has_slow_stretch, is_fast_only, is_fast_slow_fast, slows_down
+from events.event_claims import all_claims, is_fast_slow_fast
+from events.fronts import counted, has_slow_stretch, is_fast_only, slows_down
 from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
 
 SHOWN = "fast-slow-fast"
@@ -100,11 +100,9 @@ def claim_quantities(claims_of_events, claims_of_shown):
     for claim_id in TESTED:
         claims = [claims[claim_id] for claims in claims_of_events]
         shown = claims_of_shown[claim_id]
-        accepted = [claim.verdict == REPRODUCED for claim in claims]
+        accepted = [claim.shown is True for claim in claims]
         rows.append(
-            share(
-                claim_id, "share of seeds for which it holds", accepted, shown.verdict == REPRODUCED
-            )
+            share(claim_id, "share of seeds for which it holds", accepted, shown.shown is True)
         )
         for name, single in shown.measured.items():
             numbers = [c.measured[name] for c in claims if is_number(c.measured[name])]
@@ -116,7 +114,7 @@ def claim_quantities(claims_of_events, claims_of_shown):
 def quasistatic_quantities(seeds, shown):
     """Of claim 5B: `seeds` from fig5/quasistatic_seeds.py, `shown` the claim of the shown run."""
     holds = [seed["holds"] for seed in seeds]
-    rows = [share("5B", "share of seeds for which it holds", holds, shown.verdict == REPRODUCED)]
+    rows = [share("5B", "share of seeds for which it holds", holds, shown.shown is True)]
     for name, key in QUASISTATIC.items():
         numbers = [seed[key] for seed in seeds]
         rows.append(distribution("5B", name, numbers, float(shown.measured[name])))

@@ -12,7 +12,8 @@ import math
 import sys
 
 from data.records import report
-from events.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast
+from events.event_claims import is_fast_slow_fast
+from events.fronts import has_slow_stretch, is_fast_only
 
 LEAD = 0.5e-3  # [s]
 

@@ -7,12 +7,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.records import report, values
 from data.tables import write_table
 
-FIRST = 5  # events that count as "the first ones" (claim 1D)
-NEAR = 0.1e-3  # peak and rupture of a block, claim 1E [s]
+NEAR = 0.1e-3  # peak and rupture of a block [s]
 MIDDLE = 0.5  # of L; the block of panel E
 
 
@@ -27,16 +27,27 @@ class Blocks:
         self.ratio = self.tau / self.p
 
 
+def case_1D(events, first):
+    """Of one load. `first`: how many events count as the first ones; None: all before one spans."""
+    spanning = [event["spanning"] for event in events]
+    precursors = events[: spanning.index(True)] if any(spanning) else events
+    counted = precursors[:first]
+    return {
+        "furthest arrest of the first events [L]": max(
+            (event["x_last"] / event["L"] for event in counted), default=None
+        ),
+        "spanning events": sum(spanning),
+    }
+
+
 def claim_1D(events):
     first_spanning = [event["spanning"] for event in events].index(True)
     precursors = [event["x_last"] for event in events[:first_spanning]]
     drops = [e["F_T_before"] - e["F_T_after"] for e in events if e["spanning"]]
     others = [e["F_T_before"] - e["F_T_after"] for e in events if not e["spanning"]]
-    first = precursors[:FIRST]
-    accepted = len(first) == FIRST and max(first) < 0.5 * events[0]["L"] and len(drops) >= 5
-    return Claim(
-        id="1D",
-        paper="elastic loading, then precursors, then interface-spanning events with large drops",
+    return judged(
+        "1D",
+        shown=case_1D(events, None),
         measured={
             "arrest of the events before the first spanning one [mm]": [
                 x * 1e3 for x in precursors
@@ -47,13 +58,8 @@ def claim_1D(events):
             "drops of F_T in them [N]": drops,
             "largest drop in any other event [N]": max(others),
         },
-        acceptance="first events arrest before x = 0.5 L; >= 5 interface-spanning drops"
-        " by t = 1.2 s",
-        verdict=verdict(accepted),
-        note=f"'First events' is read as the first {FIRST}. Of the {len(precursors)} events before"
-        f" the first spanning one, the last stops at {precursors[-1] * 1e3:.1f} mm, 0.5 L being"
-        f" {0.5 * events[0]['L'] * 1e3:.1f} mm: they grow until one spans. Arrested events go on"
-        " between the spanning ones later.",
+        note="'First events' are all before the first one that spans the interface. Arrested events"
+        " go on between the spanning ones later.",
     )
 
 
@@ -63,10 +69,12 @@ def claim_1E(blocks, front):
     off = np.abs(t_peak - t_rupture)
     i = middle(front)
     ratio = blocks.ratio[:, i]
-    accepted = off[i] <= NEAR and ratio[0] < ratio.max() > ratio[-1]
-    return Claim(
-        id="1E",
-        paper="tau/p of one block rises, peaks at its rupture, falls",
+    return judged(
+        "1E",
+        shown={
+            "peak minus rupture [ms]": (t_peak[i] - t_rupture[i]) * 1e3,
+            "rises and falls": "yes" if ratio[0] < ratio.max() > ratio[-1] else "no",
+        },
         measured={
             "block at [L]": front["x"][i] / front["L"],
             "tau/p 0.5 ms before the event": ratio[0],
@@ -77,8 +85,6 @@ def claim_1E(blocks, front):
             "blocks within 0.1 ms": int((off <= NEAR).sum()),
             "the others are at [mm]": np.array(front["x"])[off > NEAR] * 1e3,
         },
-        acceptance="peak within the rupture +- 0.1 ms",
-        verdict=verdict(accepted),
         note="The verdict is that of the block in the middle during the fast-slow-fast event of"
         " Figure 2. A block ruptures when 70 % of its junctions have broken, and tau/p is largest"
         " just before. The blocks farther off are in the loading zone, where later loading exceeds"

@@ -11,7 +11,8 @@ import sys
 import h5py
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.tables import write_table
 
 EXACT = 1e-12  # relative to the threshold mu_s f_N
@@ -102,10 +103,13 @@ def claim_1F(junctions):
     late = sorted({steps for _, steps in repinned})
     bracketed = bool(np.all((largest[:, 0] <= mu_s) & (mu_s < largest[:, 1])))
     forward = all(junction.is_forward() for junction in junctions)
-    accepted = max(linear, dropped, zero) <= EXACT and bracketed and late == [0]
-    return Claim(
-        id="1F",
-        paper="one junction: linear rise to 0.4, drop to 0.17, zero after t_R",
+    return judged(
+        "1F",
+        shown={
+            "largest deviation": max(linear, dropped, zero),
+            "breaks in the first step beyond f_thres": "yes" if bracketed else "no",
+            "latest repinning after t_R [steps]": max(late),
+        },
         measured={
             "junctions, breaks, repinnings": [len(junctions), len(largest), len(repinned)],
             "pinned: |f - k_ij (x - x_ij)|/f_thres": linear,
@@ -116,8 +120,6 @@ def claim_1F(junctions):
             "steps between t_R and the repinning": late,
             "blocks moved forwards throughout": "yes" if forward else "no",
         },
-        acceptance="exact within 1e-12 relative",
-        verdict=verdict(accepted),
         note="Relative to f_thres, over every step of all junctions. Time is discrete: a junction"
         " breaks in the first step in which it would carry more than 0.4 f_N, so that the largest"
         " force is up to one step's stretch below that; it is zero in the first step at or after"

@@ -6,11 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
 from data.records import Pinned, report, values
 from data.tables import write_fronts
-from events.event_claims import claim_2A, slowest
-from events.fronts import is_fast_only
+from events.event_claims import claims_of_fronts
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
 from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 
@@ -49,28 +48,12 @@ def draw(data, fronts, stem):
     save(fig, stem)
 
 
-def claim_2B(front):
-    return Claim(
-        id="2B",
-        paper="other events are fast across the whole interface",
-        measured={
-            "slowest stencil [m/s]": slowest(front),
-            "c_s/slowest": front["c_s"] / slowest(front),
-        },
-        acceptance="v_c >= c_s/20 at every stencil with x > 2 cm",
-        verdict=verdict(is_fast_only(front)),
-    )
-
-
 def main(data, results):
     data, results = Path(data), Path(results)
     fronts = {name: report(data / f"{name}-front.json") for name in EVENTS}
     draw(data, fronts, results / "fig2")
     write_fronts(results / "front-speed.csv", fronts)
-    write_claims(
-        results / "claims.json",
-        [claim_2A(fronts["fast-slow-fast"]), claim_2B(fronts["fast-only"])],
-    )
+    write_claims(results / "claims.json", claims_of_fronts(data, *fronts.values()))
 
 
 if __name__ == "__main__":

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.fits import fit_through_origin
 from data.tables import numbers, read_rows
 from pictures.plotting import BLACK, BLUE, GREEN, SINGLE, figure, save
@@ -111,22 +112,18 @@ def claim(prepared, event, beside):
     fitted, longer = fit(prepared), fit_followed_for_longer(prepared)
     speeds = numbers(prepared, "front speed [m/s]")
     x, y = estimate_and_measured(event)
-    return Claim(
-        id="3Ci",
-        paper="measured slow-slip speed matches 4.2 tau_slip/(k_i <t_R>) as t_R, tau_slip,"
-        " k_i vary",
+    case = {"slope": fitted.slope, "R^2": fitted.r_squared}
+    return judged(
+        "3Ci",
+        shown=case,
         measured={
-            "slope": fitted.slope,
-            "R^2": fitted.r_squared,
+            **case,
             "prepared interfaces": fitted.points,
             "slowest and fastest front [m/s]": [speeds.min(), speeds.max()],
             "slope if followed for up to 2 <t_R>": longer.slope,
             "event, slope": fit(event).slope,
             "event, measured/estimate": [np.min(y / x), np.max(y / x)],
         },
-        acceptance="prepared interfaces: fit through origin, R^2 >= 0.95, slope in [0.75, 1.25];"
-        " event-based: reported",
-        verdict=verdict(fitted.r_squared >= 0.95 and 0.75 <= fitted.slope <= 1.25),
         note=f"{WHERE} A change of tau_slip alone is nearly a change of units (p and k_i do not"
         " depend on it). Where k_i varies, the trigger region's prestress makes up for the driving"
         " spring, as in the paper. Measured/estimate without that:"

@@ -12,7 +12,6 @@ MAP = FrontTypes(
     slow_below=(20, 10, 30, 40, 60),
     claim="4D",
     claims_file="claims-4D.json",
-    paper="arrest at low tau_bar_0 and sigma_bar, fast at high, a slow region between",
     note=(
         "Below-left: neither tau_bar_0 nor sigma_bar larger, over all points and seeds. Boundary:"
         " grid points and points halfway between them that are next to another type. Seeds act"

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.rank_test import share_of_lower, signed_rank, van_elteren
 from data.records import report, values
 from data.tables import read_rows, write_table
@@ -247,15 +248,6 @@ def measure_events(shown, ensemble, lines):
     }
 
 
-def is_accepted(measured):
-    p = [
-        measured["van Elteren p"],
-        measured[f"signed-rank p over the ensemble's events, bins of {BINS[0]:g}"],
-    ]
-    on_curves = measured["largest deviation of prepared points from the curves"] <= TOLERANCE
-    return on_curves and None not in p and max(p) < SIGNIFICANT
-
-
 def claim_4C(data, points, lines, shown, ensemble):
     measured = {
         "prepared points": len(points),
@@ -265,14 +257,10 @@ def claim_4C(data, points, lines, shown, ensemble):
         **measure_map(data),
         **measure_events(shown, ensemble, lines),
     }
-    return Claim(
-        id="4C",
-        paper="mu_bar_eff of all blocks lies on or near the uniform and bell curves; slow points"
-        " cluster at low sigma_bar among points of equal tau_bar_0",
+    return judged(
+        "4C",
+        shown=measured,
         measured=measured,
-        acceptance="prepared points within 2 % of the curves; clustering shown and tested"
-        " (rank test)",
-        verdict=verdict(is_accepted(measured)),
         note="Prepared: van Elteren's test over the grid points of 4D with strata tau_bar_0; n is"
         " the number of runs, one per place. Blocks of one event are no independent points: each"
         f" event gives one share, over pairs with tau_bar_0 in the same bin of {BINS[0]:g}, and n"

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import h5py
 import numpy as np
-from quasistatic_stretch import is_quasistatic, read_ruptures
+from quasistatic_stretch import read_ruptures
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.records import Pinned, report, shear_wave_speed
 from data.tables import write_table
 from pictures.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
@@ -101,25 +102,22 @@ def draw(data, stretch, L, stem):
 def claim_5B(stretch, c_s, branches):
     speed, middle = stretch["speed"], branches[MIDDLE]
     start, end = stretch["tip"][0], stretch["tip"][-1]
-    return Claim(
-        id="5B",
-        paper="driven at h = 0: fronts over the inter-event time, which stop with the driving",
+    case = {"c_s/speed": c_s / speed, "blocks in 20 ms, V = 0": middle["stopped"]}
+    return judged(
+        "5B",
+        shown=case,
         measured={
             "mean speed [m/s]": speed,
-            "c_s/speed": c_s / speed,
+            **case,
             "from [s]": start[0],
             "to [s]": end[0],
             "tip from [mm]": start[1] * 1e3,
             "tip to [mm]": end[1] * 1e3,
             "V = 0 from [s]": middle["t"],
-            "blocks in 20 ms, V = 0": middle["stopped"],
             "blocks in 20 ms, driven": middle["driven"],
             "all branches, V = 0": [branch["stopped"] for branch in branches],
             "all branches, driven": [branch["driven"] for branch in branches],
         },
-        acceptance="mean speed of the quasi-static stretch <= c_s/1000; with V = 0 the tip advances"
-        " <= 2 blocks in 20 ms",
-        verdict=verdict(is_quasistatic(c_s / speed, middle["stopped"])),
         note="The stretch lies between the first two dynamic events (more than half of the blocks"
         " within 1 ms) and ends 10 ms before the second; the verdict is that of the branch in the"
         " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the"

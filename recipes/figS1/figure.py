@@ -8,7 +8,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.records import report
 from data.tables import write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
@@ -65,25 +66,24 @@ def claim_S1(unloaded, before, levers):
     total = abs(unloaded.p.sum() / unloaded.F_N - 1)
     shift = before.centroid() - unloaded.centroid()
     lever = before.F_T * levers.h / before.F_N
-    accepted = max(symmetry, antisymmetry, total) <= EXACT and abs(shift / lever - 1) <= CLOSE
-    return Claim(
-        id="S1",
-        paper="p symmetric, tau antisymmetric at F_T = 0; both modified before event I (torque)",
+    case = {
+        "asymmetry of p/mean p": symmetry,
+        "symmetric part of tau/largest tau": antisymmetry,
+        "|sum p/F_N - 1|": total,
+        "their difference [%]": (shift / lever - 1) * 100,
+    }
+    return judged(
+        "S1",
+        shown=case,
         measured={
-            "asymmetry of p/mean p": symmetry,
-            "symmetric part of tau/largest tau": antisymmetry,
-            "|sum p/F_N - 1|": total,
+            **case,
             "before the event: F_T [N]": before.F_T,
             "shift of the centroid of p [mm]": shift * 1e3,
             "F_T h/F_N [mm]": lever * 1e3,
-            "their difference [%]": (shift / lever - 1) * 100,
             "from all moments, were it at rest [mm]": levers.centroid_at_rest(before) * 1e3,
             "from all moments, with inertia [mm]": levers.centroid(before) * 1e3,
             "sum p/F_N - 1 before the event": before.p.sum() / before.F_N - 1,
         },
-        acceptance="symmetry to 1e-9; sum p = F_N to 1e-9; before event I the centroid of p has"
-        " moved towards the leading edge by F_T h/F_N within 1 %",
-        verdict=verdict(accepted),
         note="Symmetry and the sum of p are judged at F_T = 0, where the slider rests. Event I is"
         " the fast-slow-fast event of Figure 2, 0.5 ms before its first rupture: h is the height of"
         " the driven block. The slider still oscillates a little from earlier events: what the"

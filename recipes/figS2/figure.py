@@ -7,7 +7,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.records import report, values
 from data.tables import write_fronts, write_table
 from pictures.panels import draw_front_speeds
@@ -87,9 +88,12 @@ def claim_S2(choice, event, without):
     """`without` holds the front without slow slip of each fast-slow event; `event` is the first."""
     slow, front = event["slow"], without[0]
     lost = sum(not has_fast_to_slow(f) for f in without)
-    return Claim(
-        id="S2",
-        paper="simplified law, v_slow = 1.5 mm/s: a fast-slow event; none when slow slip is off",
+    return judged(
+        "S2",
+        shown={
+            "transition with slow slip": "yes" if has_fast_to_slow(event) else "no",
+            "transition without": "yes" if has_fast_to_slow(front) else "no",
+        },
         measured={
             "first fast-slow event at [s]": choice["events"][0]["event"],
             "fast [m/s]": slow["fast_before"],
@@ -101,8 +105,6 @@ def claim_S2(choice, event, without):
             "fast-slow events of the load": len(without),
             "of them without a slow stretch when slow slip is off": lost,
         },
-        acceptance="a fast-to-slow transition present / absent",
-        verdict=verdict(has_fast_to_slow(event) and not has_fast_to_slow(front)),
         note="Present: the front crosses the interface and runs at least 10 times as fast between"
         " the loading zone (x = 2 cm) and its slow stretch as within it. Absent: restarted with"
         " v_slow = 0 from 0.5 ms before its first rupture, it has no stencil below c_s/20 beyond"

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.records import report
 from data.tables import read_rows, write_table
 from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
@@ -91,12 +92,10 @@ def rows(points):
 def claim_S3(points):
     each = [deviations(tau_bar, point) for (tau_bar, _), point in points.items()]
     worst = {f"largest relative deviation, {name}": max(d[name] for d in each) for name in each[0]}
-    return Claim(
-        id="S3",
-        paper="prestress tau_bar_0 = 0.3 in the trigger region, homogeneous 0.2 or 0.3 beyond it",
+    return judged(
+        "S3",
+        shown={"largest relative deviation": max(worst.values())},
         measured={"prepared interfaces": len(points)} | worst,
-        acceptance="profile equals the prescribed one to 1e-9",
-        verdict=verdict(max(worst.values()) <= TOLERANCE),
         note="For sigma_bar = 0 and 0.2. Prescribed is tau_0/p = mu_d + tau_bar_0 (mu_s - mu_d).",
     )
 

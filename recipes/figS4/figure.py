@@ -7,10 +7,11 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.records import Pinned, report, values
 from data.tables import write_table
-from events.event_claims import ROUNDING, largest_change_of_mean
+from events.event_claims import largest_change_of_mean
 from events.junctions import Junctions
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
@@ -114,20 +115,20 @@ def claim_S4(wider, phis):
     changed = np.flatnonzero(wider.x_over_L > REGION - 1e-9)
     change = largest_change_of_mean(*phis)
     p_values = [kolmogorov_smirnov(wider, block) for block in changed]
-    return Claim(
-        id="S4",
-        paper="phi uniform and wider beyond 0.25 L, with the same mean on each block",
+    case = {
+        "largest relative change of a block's mean": change,
+        "smallest Kolmogorov-Smirnov p": min(p_values),
+    }
+    return judged(
+        "S4",
+        shown=case,
         measured={
-            "largest relative change of a block's mean": change,
+            **case,
             "changed blocks": len(changed),
-            "smallest Kolmogorov-Smirnov p": min(p_values),
             "largest distance from exact quantiles [f_thres]": max(
                 distance_from_quantiles(wider, block) for block in changed
             ),
         },
-        acceptance="block means equal; new phi uniform (Kolmogorov-Smirnov p > 0.01 or"
-        " exact quantiles)",
-        verdict=verdict(change <= ROUNDING and min(p_values) > 0.01),
         note="Means over all junctions of a block; the slipping ones keep their force, the others"
         " get the quantiles of the widest uniform distribution that f_thres allows.",
     )

@@ -14,7 +14,8 @@ from quadrature import (
     uniform_closed_form,
 )
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.tables import write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, figure, letter, save
 
@@ -95,18 +96,20 @@ def claim_S5(uniform, bell):
     }
     falls = bool(np.all(np.diff(uniform.mu_bar) < 0) and np.all(np.diff(bell.mu_bar) < 0))
     at = {f"{s.shape} at 0.1, 0.3, 1.0": s.mu_bar[[5, 15, 50]] for s in (uniform, bell)}
-    return Claim(
-        id="S5",
-        paper="mu_s^eff falls with sigma for uniform and bell phi",
+    case = {
+        "falls from each to the next": "yes" if falls else "no",
+        "largest deviation of mu-bar": max(off.values()),
+    }
+    return judged(
+        "S5",
+        shown=case,
         measured={
             "widths": len(uniform.sigma_bar),
             "from, to sigma-bar": [uniform.sigma_bar[0], uniform.sigma_bar[-1]],
-            "falls from each to the next": "yes" if falls else "no",
+            **case,
             **{f"mu-bar, largest |{name}|": value for name, value in off.items()},
             **{f"mu-bar {name}": list(values) for name, values in at.items()},
         },
-        acceptance="against a closed form where one exists and quadrature elsewhere, to 1e-6",
-        verdict=verdict(falls and max(off.values()) <= CLOSE),
         note="Formula and quadrature are those of recipes/figS5/quadrature.py, made from the"
         " definition of tau_max and independent of the tool.",
     )

@@ -6,9 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from claims.claim import Claim, verdict, write_claims
+from claims.claim import write_claims
+from claims.judge import judged
 from data.records import Pinned, report, values
 from data.tables import write_fronts, write_table
+from events.event_claims import case_of_event, words_case
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
 
@@ -17,11 +19,7 @@ RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", BLUE, "o"),
     "t_R-double": (r"$2\,\langle t_R\rangle$", ORANGE, "^"),
 }
-RATIOS = ("fast before", "fast after")
-TRIED = (
-    " Other seeds, springs constant in time, less bulk damping, longer slipping times and a smaller"
-    " mu_new did not change that (recipes/figS6/README.md, 'What was tried besides')."
-)
+RATIOS = {"fast/slow before", "fast/slow after"}
 
 
 def draw_speeds(axes, fronts):
@@ -48,23 +46,18 @@ def draw(record, fronts, stem):
 def write_events(path, events):
     keys = ("x_from", "x_to", "duration", "speed", "fast_before", "fast_after")
     names = ["t_start [s]", "slow from [m]", "to [m]", "duration [s]", "slow speed [m/s]"]
-    names += ["fast before [m/s]", "fast after [m/s]", *(f"meets: {c}" for c in events[0]["met"])]
+    names += ["fast before [m/s]", "fast after [m/s]", "conditions of S6A not met"]
     rows = (
-        [event["t_start"], *(slow[key] for key in keys), *event["met"].values()]
+        [event["t_start"], *(slow[key] for key in keys), "; ".join(event["unmet"])]
         for event in events
         for slow in [event["slow"] or dict.fromkeys(keys)]
     )
     write_table(path, names, rows)
 
 
-def meets_all_but_ratios(event):
-    return all(met for name, met in event["met"].items() if name not in RATIOS)
-
-
-def measured(fronts, events, best):
+def measured(fronts, events):
     front, longer = fronts["event"], fronts["t_R-double"]["slow"]
     slow, L = front["slow"], front["L"]
-    counts = {c: sum(event["met"][c] for event in events) for c in best["met"]}
     return {
         "slow speed [m/s]": slow["speed"],
         "c_s/slow speed": front["c_s"] / slow["speed"],
@@ -76,30 +69,25 @@ def measured(fronts, events, best):
         "fast after [m/s]": slow["fast_after"],
         "slow with doubled t_R [m/s]": longer and longer["speed"],
         "fast after with doubled t_R [m/s]": longer and longer["fast_after"],
-        "not met": ", ".join(c for c, met in best["met"].items() if not met) or "none",
+        "not met": ", ".join(min((event["unmet"] for event in events), key=len)) or "none",
         "spanning events": len(events),
-        "of them meet all but the ratios": sum(meets_all_but_ratios(event) for event in events),
-        **{f"of them meet '{c}'": count for c, count in counts.items()},
+        "of them meet all but the ratios": sum(set(e["unmet"]) <= RATIOS for e in events),
     }
 
 
-def claim_S6A(fronts, events):
-    best = max(events, key=lambda event: sum(event["met"].values()))
-    accepted = all(best["met"].values())
-    note = (
-        "Slow is what runs below c_s/8; of the spanning events, the first that meets most criteria"
-        " is shown. With a slow speed near c_s/8 a fast one of ten times that would exceed c_s, so"
-        " the ratio can be met by clearly slower fronts only."
-    )
-    return Claim(
-        id="S6A",
-        paper="decaying law: a fast-slow-fast event",
-        measured=measured(fronts, events, best),
-        acceptance="as 2A with slow speed <= c_s/8 (for 0.5-3 ms, transitions in [0.25, 0.55] L and"
-        " [0.5, 0.85] L, fast >= 10 x slow on both sides)",
-        verdict=verdict(accepted),
-        note=note + ("" if accepted else TRIED),
-    )
+def claims_of(fronts, events):
+    in_words = [words_case(event) for event in events]
+    first = next((c for c in in_words if c["fast-slow-fast in words"] == "yes"), in_words[0])
+    return [
+        judged(
+            "S6A",
+            shown=case_of_event(fronts["event"]),
+            measured=measured(fronts, events),
+            note="Slow is what runs below c_s/8; of the spanning events, the first that meets most"
+            " conditions is shown. What was tried besides is in recipes/figS6/README.md.",
+        ),
+        judged("S6Aw", shown=first, measured=first),
+    ]
 
 
 def main(data, results):
@@ -109,7 +97,7 @@ def main(data, results):
     draw(data / "event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", events)
-    write_claims(data / "claims-event.json", [claim_S6A(fronts, events)])
+    write_claims(data / "claims-event.json", claims_of(fronts, events))
 
 
 if __name__ == "__main__":

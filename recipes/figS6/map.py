@@ -12,7 +12,6 @@ MAP = FrontTypes(
     slow_below=(20, 8, 10, 30, 40),
     claim="S6B",
     claims_file="claims-map.json",
-    paper="decaying law: arrested, slow and fast regions as in Fig. 4D",
     note=(
         "As 4D, slow below c_s/20 as there; c_s/8 is what the acceptance of S6A allows a slow"
         " stretch. tau_bar_0 counts from mu_d, the friction just after breaking; it falls to mu_new"

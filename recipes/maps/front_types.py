@@ -18,7 +18,6 @@ class FrontTypes:
     slow_below: tuple  # slow is below c_s over this; the first is the default
     claim: str
     claims_file: str
-    paper: str
     note: str
 
 
@@ -30,5 +29,5 @@ def make_map(m, data, results):
     draw_map(fronts, grid, m.slow_below, m.panel, results / f"{m.recipe}{m.panel}")
     write_types(results / "front-types.csv", fronts)
     write_table(results / "thresholds.csv", list(thresholds[0]), map(dict.values, thresholds))
-    claim = map_claim(m.claim, m.paper, fronts, grid, boundary, thresholds, m.note)
+    claim = map_claim(m.claim, fronts, grid, boundary, thresholds, m.note)
     write_claims(data / m.recipe / m.claims_file, [claim])

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from claims.claim import Claim, verdict
+from claims.judge import judged
 from maps.front_map import (
     axes_of,
     band,
@@ -10,13 +10,6 @@ from maps.front_map import (
     spread_of_crossing,
     types_of,
     types_of_seeds,
-)
-
-GRID = 20  # places along either axis
-SEEDS = 5  # at the boundary
-ACCEPTANCE = (
-    "arrested, slow and fast all present; no fast point below-left of an arrest point;"
-    " >= 20 x 20 grid, >= 5 seeds at the boundary"
 )
 
 
@@ -77,6 +70,7 @@ def measured(fronts, grid, boundary, thresholds):
     }
     return {
         "grid": f"{len(taus)} x {len(sigmas)}",
+        "smaller side of the grid": min(len(taus), len(sigmas)),
         **kinds,
         "points with all seeds": sum(map(len, fronts.values())),
         "fast points below-left of an arrest point": len(
@@ -88,13 +82,6 @@ def measured(fronts, grid, boundary, thresholds):
     }
 
 
-def is_accepted(values, grid):
-    present = all(values[f"{kind} grid points"] > 0 for kind in ("arrested", "slow", "fast"))
-    in_order = values["fast points below-left of an arrest point"] == 0
-    large = min(map(len, axes_of(grid))) >= GRID
-    return present and in_order and large and values["fewest seeds at one of them"] >= SEEDS
-
-
-def map_claim(name, paper, fronts, grid, boundary, thresholds, note):
+def map_claim(name, fronts, grid, boundary, thresholds, note):
     values = measured(fronts, grid, boundary, thresholds)
-    return Claim(name, paper, values, ACCEPTANCE, verdict(is_accepted(values, grid)), note)
+    return judged(name, values, values, note=note)

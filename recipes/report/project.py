@@ -1,6 +1,7 @@
 """Parts of the report about the project itself: its recipes, their READMEs, the list of claims."""
 
 import re
+import tomllib
 from dataclasses import dataclass
 
 import markdown
@@ -86,16 +87,13 @@ class ListedClaim:
 
 
 def listed_claims(root):
-    """The list in docs/claims.md, one item per claim."""
-    path = root / "docs/claims.md"
+    """All claims, in the order of recipes/claims/claims.toml."""
+    path = root / "recipes/claims/claims.toml"
     try:
-        text = path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise Problem(f"The list of claims cannot be read ({error}).") from error
-    items = [" ".join(item.split()) for item in re.split(r"^- ", text, flags=re.MULTILINE)[1:]]
-    found = [
-        re.fullmatch(r"\*\*(\S+)\*\* \((\S+)\): (.+)\. \*Accepted if:\* (.+)\.", i) for i in items
-    ]
-    if not items or None in found:
-        raise Problem(f"{path} holds no list of claims: **id** (recipe): claim. *Accepted if:* ...")
-    return [ListedClaim(*match.groups()) for match in found]
+        rows = tomllib.loads(path.read_text(encoding="utf-8"))
+        return [
+            ListedClaim(claim_id, row["recipe"], row["says"], row["accepted"])
+            for claim_id, row in rows.items()
+        ]
+    except (OSError, ValueError, KeyError) as error:
+        raise Problem(f"The claims in {path} cannot be read ({error}).") from error

@@ -4,7 +4,6 @@
 Shows what is there and says how to compute the rest. Needs results/NAME/ of any number of recipes.
 """
 
-import json
 import os
 import struct
 import sys
@@ -15,8 +14,9 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from caption import NOT_RUN, filled
-from claims.claim import VERDICTS, Claim, measured_parts, number, read_claims
+from claims.claim import VERDICTS, Claim, measured_parts, read_claims
 from claims.own_result import read_own
+from glance import draw_glance
 from jobs import Accounts, Job, steps, total
 from origin import builds, last_run, present_build, processor
 from project import Problem, Readme, as_html, listed_claims, natural, read_readme, recipe_names
@@ -116,7 +116,7 @@ def results_by_id(recipes, listed):
         for claim in recipe.claims or []:
             path = f"results/{recipe.name}/claims.json"
             if claim.id not in known:
-                raise Problem(f"{path} has a claim '{claim.id}' that docs/claims.md does not list.")
+                raise Problem(f"{path} has a claim '{claim.id}' that claims.toml does not list.")
             if claim.id in found:
                 raise Problem(f"Claim '{claim.id}' is in {path} although it was found before.")
             found[claim.id] = recipe.name, claim
@@ -128,7 +128,8 @@ def summary_rows(listed, results):
     for claim in listed:
         recipe, result = results.get(claim.id, (claim.recipe, None))
         verdict = result.verdict if result else NOT_RUN
-        rows.append({"listed": claim, "recipe": recipe, "verdict": verdict})
+        reason = result.reason if result else ""
+        rows.append({"listed": claim, "recipe": recipe, "verdict": verdict, "reason": reason})
     return rows
 
 
@@ -137,21 +138,12 @@ def counts(rows):
     return [(sum(row["verdict"] == name for row in rows), name) for name in names]
 
 
-def ensemble_by_id(root, listed):
-    """{claim id: its rows of results/ensemble/ensemble.json}; empty without that file."""
-    path = root / "results/ensemble/ensemble.json"
-    if not path.exists():
-        return {}
-    found: dict[str, list] = {claim.id: [] for claim in listed}
-    try:
-        for row in json.loads(path.read_text(encoding="utf-8")):
-            keys = ("quantity", "unit", "n", "median", "p5", "p95", "single")
-            found[row["id"]].append({key: row[key] for key in keys})
-    except (OSError, ValueError, TypeError, KeyError) as error:
-        raise Problem(
-            f"{path} does not hold the rows it should ({error!r}): run ./reproduce.sh ensemble."
-        ) from error
-    return found
+def draw_claims(root, recipes):
+    """results/claims.png, all claims at a glance; False without any claim over units."""
+    found = [claim for recipe in recipes for claim in recipe.claims or [] if claim.shares]
+    if found:
+        draw_glance(found, root / "results/claims")
+    return bool(found)
 
 
 # --- the page ------------------------------------------------------------------------------
@@ -181,7 +173,7 @@ def contents(root):
         "recipes": recipes,
         "rows": rows,
         "counts": counts(rows),
-        "ensemble": ensemble_by_id(root, listed),
+        "glance": picture(root / "results/claims.png") if draw_claims(root, recipes) else None,
         "jobs": jobs,
         "run": last_run(root, jobs),
         "builds": builds(root, files),
@@ -203,7 +195,6 @@ def render(content):
         date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
         duration=duration,
         measured_parts=measured_parts,
-        number=number,
         steps=steps,
         total=total,
     )

@@ -7,7 +7,6 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "recipes"))
-from claims.claim import verdict  # noqa: E402
 from events.event_claims import claim_3A  # noqa: E402
 from maps.front_map import is_like_analyze, type_on_map  # noqa: E402
 from maps.map_points import types_in  # noqa: E402
@@ -36,7 +35,7 @@ class NoFront(unittest.TestCase):
         slow = {"speed": 10.0}
         for kind, accepted in (("slow", True), ("arrested", False), ("none", False)):
             claim = claim_3A(REFERENCE, {"type": kind, "slow": slow})
-            self.assertEqual(claim.verdict, verdict(accepted), kind)
+            self.assertEqual(claim.shown, accepted, kind)
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ class Page(unittest.TestCase):
 
     def test_counts_verdicts(self):
         counts = re.findall(r"<strong>(\d+)</strong>", self.page())
-        expected = [len(self.project.listed) - len(NOT_RUN) - 1, 1, 0, len(NOT_RUN)]
+        expected = [len(self.project.listed) - len(NOT_RUN) - 1, 0, 1, 0, len(NOT_RUN)]
         self.assertEqual([int(count) for count in counts], expected)
 
     def test_says_what_to_run_for_what_was_not(self):
@@ -110,11 +110,12 @@ class Page(unittest.TestCase):
         self.assertIn("<li>speed = 12.35 m/s</li>", section)
         self.assertIn("<li>list = 1, none mm</li>", section)
 
-    def test_shows_the_ensemble_under_its_claim(self):
-        self.project.make_ensemble("2A")
+    def test_shows_shares_and_reasons(self):
         row = re.findall(r'<tbody id="result-2A".*?</tbody>', self.page(), re.S)[0]
         text = " ".join(row.split())
-        self.assertIn("slow speed, n = 20: 21.5 (18.25 to 26.12) m/s; shown: 22.9 m/s", text)
+        self.assertIn("primary: 7 of 20 (0.20 to 0.53)", text)
+        self.assertIn("holds as it should", text)
+        self.assertTrue((self.project.root / "results/claims.png").exists())
 
     def test_adds_up_times_counting_a_job_once(self):
         self.project.make_accounts()
@@ -175,12 +176,9 @@ class Page(unittest.TestCase):
         spill(path, json.dumps([claims[0], claims[0]]))
         self.assertIn("Claim '3A' is in", self.refusal())
         spill(path, json.dumps([claims[0] | {"id": "3Z"}]))
-        self.assertIn("a claim '3Z' that docs/claims.md does not list", self.refusal())
+        self.assertIn("a claim '3Z' that claims.toml does not list", self.refusal())
 
-    def test_refuses_a_broken_ensemble_and_a_broken_picture(self):
-        self.project.make_ensemble("9Z")
-        self.assertIn("ensemble.json does not hold the rows it should", self.refusal())
-        self.project.make_ensemble("2A")
+    def test_refuses_a_broken_picture(self):
         spill(self.project.root / "results/fig3/fig3.png", "no picture")
         self.assertIn("fig3.png is no PNG", self.refusal())
 

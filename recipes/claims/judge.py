@@ -1,0 +1,155 @@
+"""The one judge of claims: cases measured by the recipes, against the conditions of claims.toml.
+
+A claim is judged over units (independent realisations: loads, events) and under conventions (ways
+to measure that the paper leaves open). The shares over the conventions are what statistics calls a
+multiverse (Steegen et al. 2016). docs/claims.md has the rules.
+"""
+
+import re
+import tomllib
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+from scipy.stats import beta
+
+from claims.claim import (
+    DEPENDS,
+    DIFFERS,
+    NOT_COMPARABLE,
+    REPRODUCED,
+    SHOWN_ONLY,
+    Claim,
+    Share,
+)
+
+TABLE = Path(__file__).with_name("claims.toml")
+PRIMARY = "primary"  # the first convention
+SHOWN = "shown"  # the unit of a case that stands alone
+NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
+FEW = 0.2  # share up to which it `differs`
+CONDITION = re.compile(
+    r"(?:(?P<low>\S+) <= )?(?P<of>.+?)(?: (?P<relation><=|>=|<|>|is) (?P<bound>\S+))?"
+)
+RELATIONS = {
+    "<=": lambda value, bound: value <= bound,
+    ">=": lambda value, bound: value >= bound,
+    "<": lambda value, bound: value < bound,
+    ">": lambda value, bound: value > bound,
+}
+
+
+@cache
+def table():
+    return tomllib.loads(TABLE.read_text(encoding="utf-8"))
+
+
+# --- one case ------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Condition:
+    """`low <= of <= bound`, `of > bound`, or `of is word`."""
+
+    of: str
+    low: float | None
+    relation: str
+    bound: str
+
+    def holds(self, case):
+        """A quantity that could not be measured (None) meets no condition."""
+        if self.of not in case:
+            raise KeyError(f"a condition asks for '{self.of}', which was not measured")
+        value = case[self.of]
+        if value is None:
+            return False
+        if self.relation == "is":
+            return str(value) == self.bound
+        above = self.low is None or value >= self.low
+        return bool(above and RELATIONS[self.relation](value, float(Fraction(self.bound))))
+
+
+def parse(text):
+    match = CONDITION.fullmatch(text)
+    if match is None or match["relation"] is None:
+        raise ValueError(f"{TABLE.name}: '{text}' is no condition")
+    low = match["low"] and float(Fraction(match["low"]))
+    return Condition(match["of"], low, match["relation"], match["bound"])
+
+
+def conditions_of(claim_id):
+    return [parse(text) for text in table()[claim_id]["conditions"]]
+
+
+def holds(claim_id, cases):
+    """Whether one of the cases of a unit meets all conditions."""
+    conditions = conditions_of(claim_id)
+    return any(all(c.holds(case) for c in conditions) for case in cases)
+
+
+def unmet(claim_id, case):
+    """The quantities of the conditions that a case does not meet."""
+    return [c.of for c in conditions_of(claim_id) if not c.holds(case)]
+
+
+# --- all units -----------------------------------------------------------------------------
+
+
+def interval(k, n):
+    """90 % interval of a share (Jeffreys)."""
+    low, high = beta.ppf((0.05, 0.95), k + 0.5, n - k + 0.5)
+    return float(low if k else 0.0), float(high if k < n else 1.0)
+
+
+def shares_of(claim_id, units):
+    """One per convention, the primary one first. `units`: {unit: {convention: [case, ...]}}."""
+    conventions = dict.fromkeys(c for measured in units.values() for c in measured)
+    shares = []
+    for convention in sorted(conventions, key=lambda c: c != PRIMARY):
+        held = [holds(claim_id, m[convention]) for m in units.values() if convention in m]
+        shares.append(Share(convention, sum(held), len(held), *interval(sum(held), len(held))))
+    return shares
+
+
+def needed(claim_id):
+    return NEEDED_IF_ONE_EXISTS if table()[claim_id].get("exists") else NEEDED
+
+
+def verdict_of(claim_id, shown, shares):
+    """The verdict, and its reason in one line."""
+    unit = table()[claim_id]["unit"]
+    if shown is None:
+        return NOT_COMPARABLE, "it could not be measured"
+    holding = "holds" if shown else "does not hold"
+    if not shares:
+        verdict = REPRODUCED if shown else DIFFERS
+        reason = f"{holding} for {'this state' if not unit else 'the shown case only'}"
+        return verdict, reason if not unit else f"{SHOWN_ONLY}: {holding}"
+    worst, best = min(shares, key=Share.part), max(shares, key=Share.part)
+    if shown and worst.part() >= needed(claim_id):
+        return REPRODUCED, f"holds as shown and in at least {worst.text(unit)}"
+    if not shown and best.part() <= FEW:
+        return DIFFERS, f"does not hold as shown, and in at most {best.text(unit)}"
+    decides = worst if shown else best
+    return DEPENDS, f"{holding} as shown; in {decides.text(unit)}"
+
+
+def judged(claim_id, measured, shown, units=None, note=""):
+    """The claim with its verdict. `measured`: what readers see of the shown case; `shown`: that
+    case, None if it could not be measured; `units`: {unit: {convention: [case, ...]}}."""
+    row = table()[claim_id]
+    accepted = None if shown is None else holds(claim_id, [shown])
+    shares = shares_of(claim_id, units or {})
+    verdict, reason = verdict_of(claim_id, accepted, shares)
+    return Claim(
+        id=claim_id,
+        paper=row["says"],
+        acceptance=row["accepted"],
+        measured=measured,
+        shown=accepted,
+        shares=shares,
+        verdict=verdict,
+        reason=reason,
+        note=note,
+    )
