@@ -6,6 +6,8 @@ import re
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 REPRODUCED = "reproduced"
 DEPENDS = "depends"
 DIFFERS = "differs"
@@ -87,7 +89,7 @@ def number(value):
         return "none"
     if isinstance(value, list):
         return ", ".join(map(number, value))
-    if isinstance(value, float):
+    if isinstance(value, (float, np.floating)):
         return f"{value:.4g}"
     return str(value)
 

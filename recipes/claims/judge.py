@@ -22,6 +22,7 @@ from claims.claim import (
     SHOWN_ONLY,
     Claim,
     Share,
+    number,
 )
 
 TABLE = Path(__file__).with_name("claims.toml")
@@ -52,6 +53,7 @@ def table():
 class Condition:
     """`low <= of <= bound`, `of > bound`, or `of is word`."""
 
+    text: str
     of: str
     low: float | None
     relation: str
@@ -75,7 +77,7 @@ def parse(text):
     if match is None or match["relation"] is None:
         raise ValueError(f"{TABLE.name}: '{text}' is no condition")
     low = match["low"] and float(Fraction(match["low"]))
-    return Condition(match["of"], low, match["relation"], match["bound"])
+    return Condition(text, match["of"], low, match["relation"], match["bound"])
 
 
 def conditions_of(claim_id):
@@ -91,6 +93,12 @@ def holds(claim_id, cases):
 def unmet(claim_id, case):
     """The quantities of the conditions that a case does not meet."""
     return [c.of for c in conditions_of(claim_id) if not c.holds(case)]
+
+
+def unmet_text(claim_id, case):
+    """The same for readers: what was wanted, and what there is."""
+    conditions = [c for c in conditions_of(claim_id) if not c.holds(case)]
+    return "; ".join(f"wanted {c.text}: it is {number(case[c.of])}" for c in conditions)
 
 
 # --- all units -----------------------------------------------------------------------------
@@ -124,8 +132,7 @@ def verdict_of(claim_id, shown, shares):
     holding = "holds" if shown else "does not hold"
     if not shares:
         verdict = REPRODUCED if shown else DIFFERS
-        reason = f"{holding} for {'this state' if not unit else 'the shown case only'}"
-        return verdict, reason if not unit else f"{SHOWN_ONLY}: {holding}"
+        return verdict, f"{SHOWN_ONLY}: {holding}" if unit else holding
     worst, best = min(shares, key=Share.part), max(shares, key=Share.part)
     if shown and worst.part() >= needed(claim_id):
         return REPRODUCED, f"holds as shown and in at least {worst.text(unit)}"
@@ -142,6 +149,8 @@ def judged(claim_id, measured, shown, units=None, note=""):
     accepted = None if shown is None else holds(claim_id, [shown])
     shares = shares_of(claim_id, units or {})
     verdict, reason = verdict_of(claim_id, accepted, shares)
+    if accepted is False:
+        reason += f" ({unmet_text(claim_id, shown)})"
     return Claim(
         id=claim_id,
         paper=row["says"],

@@ -1,0 +1,114 @@
+"""The units of the ensemble and their cases, for the judge: {unit: {convention: [case, ...]}}.
+
+`paths` are results/data/ensemble/SETTING-SEED-events.json, {convention: events}, or
+...-continued.json, {number: what became of the event} (ensemble/continue_events.py); those that
+there are. A unit that lacks what is asked for has no case, which counts against the claim.
+"""
+
+from pathlib import Path
+
+from claims.judge import PRIMARY
+from data.records import report
+from events.conventions import DECAYING, IN_WORDS
+from events.event_claims import case_3A, case_3B, case_3C, case_4AB, case_5A, words_case
+
+FIRST_BRANCH, *LATER_BRANCHES = "0.14", "0.2", "0.25"
+FIRST_BLOCK, *OTHER_BLOCKS = "0.34", "0.30", "0.38"
+
+
+def name_of(path):
+    """load-03 of .../load-03-events.json"""
+    return Path(path).name.rsplit("-", 1)[0]
+
+
+# --- loads ---------------------------------------------------------------------------------
+
+
+def of_loads(paths, case, conventions=None):
+    """Of each event. `conventions`: {name: name in the file}; None: all but that of S6A."""
+    units = {}
+    for path in paths:
+        events = report(path)
+        names = conventions or {name: name for name in events if name != DECAYING}
+        units[name_of(path)] = {
+            name: [case(event) for event in events[of]] for name, of in names.items()
+        }
+    return units
+
+
+def in_words(paths):
+    """Claims 2Aw, S6Aw and Expw."""
+    return of_loads(paths, words_case, {PRIMARY: PRIMARY})
+
+
+def below_c_s_over_8(paths, case):
+    """Claim S6A, for which slow may be up to c_s/8."""
+    return of_loads(
+        paths, case, {PRIMARY: DECAYING, IN_WORDS: IN_WORDS, "slow below c_s/20": PRIMARY}
+    )
+
+
+# --- events of loads -----------------------------------------------------------------------
+
+
+def cases(case, *measured):
+    """The case of these fronts or slips; none if one of them is missing."""
+    return [] if None in measured else [case(*measured)]
+
+
+def of_branch(event, branch, run):
+    return (event["branches"][branch] or {}).get(run)
+
+
+def fronts_3A_3B(event, case, run):
+    """Under each way to measure a front at the first branch, and at the later ones."""
+    by_convention = event["conventions"] or {}
+    units = {PRIMARY: cases(case, event["unmodified"], of_branch(event, FIRST_BRANCH, run))}
+    for name, fronts in by_convention.items():
+        if name not in (PRIMARY, DECAYING):
+            units[name] = cases(case, fronts["unmodified"], fronts[run])
+    for branch in LATER_BRANCHES:
+        measured = event["unmodified"], of_branch(event, branch, run)
+        units[f"branch at {branch} L"] = cases(case, *measured)
+    return units
+
+
+def slips_3C(event):
+    def slips(branch, block):
+        return cases(case_3C, (of_branch(event, branch, "slip") or {}).get(block))
+
+    return {
+        PRIMARY: slips(FIRST_BRANCH, FIRST_BLOCK),
+        **{f"branch at {branch} L": slips(branch, FIRST_BLOCK) for branch in LATER_BRANCHES},
+        **{f"block at {block} L": slips(FIRST_BRANCH, block) for block in OTHER_BLOCKS},
+    }
+
+
+def wider_4AB(event):
+    def with_phi(branch):
+        phi = of_branch(event, branch, "phi") or {"before": None, "after": None}
+        return lambda unmodified, wider: case_4AB(unmodified, wider, **phi)
+
+    units = fronts_3A_3B(event, with_phi(FIRST_BRANCH), "wider")
+    for branch in LATER_BRANCHES:
+        measured = event["unmodified"], of_branch(event, branch, "wider")
+        units[f"branch at {branch} L"] = cases(with_phi(branch), *measured)
+    return units
+
+
+OF_EVENT = {
+    "3A": lambda event: fronts_3A_3B(event, case_3A, "stopped"),
+    "3B": lambda event: fronts_3A_3B(event, case_3B, "no-slow-slip"),
+    "3C": slips_3C,
+    "4AB": wider_4AB,
+    "5A": lambda event: {PRIMARY: cases(case_5A, event["unmodified"], event["undriven"])},
+}
+
+
+def of_events(paths, claim_id):
+    """Of every fast-slow-fast event of the loads."""
+    return {
+        f"{name_of(path)}, event {number}": OF_EVENT[claim_id](event)
+        for path in paths
+        for number, event in report(path).items()
+    }
