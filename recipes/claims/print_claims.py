@@ -13,6 +13,7 @@ SUMMARY = "summary.txt"  # what a recipe has to say beyond claims, beside its cl
 WIDTH = 100
 HEADS = ("claim", "verdict", "shown", "share", "least", "under")
 FORM = "{:6}{:16}{:8}{:20}{:7}{}"
+INDENT = " " * 6
 SHOWN = {True: "holds", False: "fails", None: "-"}
 
 
@@ -36,8 +37,7 @@ def print_table(claims):
     print("-" * WIDTH)
     for claim in claims:
         print(FORM.format(*cells(claim)).rstrip())
-        reason = textwrap.shorten(claim.reason, WIDTH - 6, placeholder=" ...")
-        print(f"      {reason}")
+        print(textwrap.fill(claim.reason, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT))
 
 
 def summary(claims):
