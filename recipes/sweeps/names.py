@@ -36,7 +36,7 @@ def parameters_in(text):
 
 
 def setting(name):
-    """What an option or a parameter sets: `--seed 1` is short for `--set numerics.seed=1`."""
+    """The parameter or option that is set: `--seed 1` is short for `--set numerics.seed=1`."""
     return "numerics.seed" if name == "seed" else name
 
 
