@@ -93,9 +93,8 @@ def listed_claims(root):
     except OSError as error:
         raise Problem(f"The list of claims cannot be read ({error}).") from error
     items = [" ".join(item.split()) for item in re.split(r"^- ", text, flags=re.MULTILINE)[1:]]
-    found = [
-        re.fullmatch(r"\*\*(\S+)\*\* \((\S+)\): (.+)\. \*Accepted if:\* (.+)\.", i) for i in items
-    ]
-    if not items or None in found:
+    form = r"\*\*(\S+)\*\* \((\S+)\): (.+)\. \*Accepted if:\* (.+)\."
+    claims = [ListedClaim(*match.groups()) for i in items if (match := re.fullmatch(form, i))]
+    if not items or len(claims) < len(items):
         raise Problem(f"{path} holds no list of claims: **id** (recipe): claim. *Accepted if:* ...")
-    return [ListedClaim(*match.groups()) for match in found]
+    return claims
