@@ -49,8 +49,8 @@ void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Ind
                   Eigen::Index j, double u, double w, double t);
 
 /// Makes junctions of the law of `before` junctions of that of `after`, of which both have N_s per
-/// block, at time t [s]. Where the two do not agree on when a spring is pinned again, those
-/// that slip now begin to slip anew under the new law.
+/// block, at time t [s]. Unless both draw the time at which a spring is pinned again, those that
+/// slip now begin to slip anew under the new law.
 void change_law(const Parameters& before, const Parameters& after, double t, Junctions& junctions);
 
 }  // namespace rupture
