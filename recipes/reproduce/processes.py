@@ -126,7 +126,7 @@ class Processes:
             sys.exit(128 + self.received)
         end_group(self.group, signal.SIGINT if is_first else signal.SIGKILL)
 
-    def tell_guard(self, text):
+    def write_to_guard(self, text):
         print(text, file=self.guard.stdin, flush=True)
 
     def run(self, command, **options):
@@ -140,7 +140,7 @@ class Processes:
             **options,
         ) as process:
             self.group = process.pid
-            self.tell_guard(process.pid)
+            self.write_to_guard(process.pid)
             self.is_starting = False
             if self.received:
                 end_group(process.pid, signal.SIGINT)
@@ -150,6 +150,6 @@ class Processes:
         if code:
             end_group(process.pid, signal.SIGINT)
         else:
-            self.tell_guard("")
+            self.write_to_guard("")
         self.group = None
         return code

@@ -36,7 +36,7 @@ def parameters_in(text):
 
 
 def setting(name):
-    """What an option or a parameter sets: `--seed 1` is short for `--set numerics.seed=1`."""
+    """The parameter or option that is set: `--seed 1` is short for `--set numerics.seed=1`."""
     return "numerics.seed" if name == "seed" else name
 
 
@@ -142,10 +142,12 @@ class Names:
 
 def names_of(folder_of_tools):
     """As the programs in this folder have them."""
-    command = [Path(folder_of_tools) / "analyze", "quantities", "--json"]
-    done = subprocess.run(command, capture_output=True, check=False)
+    analyze = Path(folder_of_tools) / "analyze"
+    done = subprocess.run([analyze, "quantities", "--json"], capture_output=True, check=False)
     if done.returncode:
-        raise SweepError(f"{command[0]} is too old for sweeps: it has no command 'quantities'")
+        raise SweepError(f"{analyze} is too old for sweeps: it has no command 'quantities'")
     listed = json.loads(done.stdout)
-    units = [{entry["name"]: entry["unit"] for entry in listed[kind]} for kind in KINDS]
-    return Names(*units, Programs(folder_of_tools))
+    parameters, quantities = (
+        {entry["name"]: entry["unit"] for entry in listed[kind]} for kind in KINDS
+    )
+    return Names(parameters, quantities, Programs(folder_of_tools))

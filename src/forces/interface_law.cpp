@@ -49,7 +49,9 @@ void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Ind
 
 void change_law(const Parameters& before, const Parameters& after, double t, Junctions& junctions) {
   const LawInfo &old_law = law_info(before.law), &new_law = law_info(after.law);
-  if (before.law == after.law || old_law.repinning == new_law.repinning) return;
+  const bool both_at_a_drawn_time = old_law.repinning == Repinning::at_a_drawn_time &&
+                                    new_law.repinning == Repinning::at_a_drawn_time;
+  if (before.law == after.law || both_at_a_drawn_time) return;
   if (old_law.memory) (junctions.*old_law.memory->array).resize(0, 0);
   if (new_law.memory) (junctions.*new_law.memory->array).setZero(after.Nx, junctions.draws.cols());
   with_class_of(after.law, [&](auto chosen) {

@@ -30,12 +30,6 @@ load -q --config "$here/small.ini" --set junctions.slipping_times=exponential --
   --until 8e-4 -o exponential.h5
 restart rupture.h5 -q --set slider.damping=0 --set driving.V=-1 --for 8e-4 -o return.h5
 
-# The other interface laws: a rupture, then rest, in which springs slip slowly and are pinned.
-for law in simplified decaying distance; do
-  load -q --config "$here/small.ini" --set "junctions.law=$law" --until 3e-4 -o "$law.h5"
-  restart "$law.h5" -q --set driving.V=0 --for 4e-4 -o "$law-rest.h5"
-done
-
 # The event of Figure 3 from its shipped checkpoint: a rupture that crosses the slider fast, then
 # slowly, then fast again.
 restart "$here/../../checkpoints/fast-slow-fast.h5" -q --for 2.5e-3 -o event.h5 \
@@ -55,3 +49,10 @@ restart prepared.h5 -q --threads 3 --until-quiet 5e-4 -o prepared-event-3-thread
 # New forces in the junctions.
 modify-phi rest.h5 -q --shape bell --slipping pin --sigma-bar 0.1 -o bell.h5
 restart bell.h5 -q --set driving.V=1 --for 4e-4 -o bell-rupture.h5
+
+# The other interface laws: a rupture, then rest, in which springs slip slowly and are pinned.
+# They come last, because tests/state/compare.py runs this with programs that lack the newest law.
+for law in simplified decaying distance; do
+  load -q --config "$here/small.ini" --set "junctions.law=$law" --until 3e-4 -o "$law.h5"
+  restart "$law.h5" -q --set driving.V=0 --for 4e-4 -o "$law-rest.h5"
+done

@@ -33,8 +33,8 @@ F_T = stress.F_T
 
 def described(name, kind, *options):
     """As a program says it of itself; the options take numbers."""
-    options = [{"name": word, "short": None, "kind": "number", "unit": "1"} for word in options]
-    return {"name": name, "input": kind, "one_needed": [], "options": options}
+    numbers = [{"name": word, "short": None, "kind": "number", "unit": "1"} for word in options]
+    return {"name": name, "input": kind, "one_needed": [], "options": numbers}
 
 
 # Knows enough of analyze for a sweep to be planned.

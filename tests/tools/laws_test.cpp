@@ -51,8 +51,8 @@ TEST_F(ToolTest, many_junctions_can_change_their_law_and_single_springs_cannot) 
   output_of("load --config small.ini -o a.h5 --until 2e-4");
   output_of("restart a.h5 -o b.h5 --for 1e-5 --set junctions.law=decaying");
   EXPECT_EQ(json_of("analyze show b.h5 --json")["parameters"]["junctions.law"], "decaying");
-  output_of("restart a.h5 -o d.h5 --for 1e-5 --set junctions.law=distance");
-  output_of("restart d.h5 -o back.h5 --for 1e-5 --set junctions.law=reference");
+  output_of("restart a.h5 -o distance.h5 --for 1e-5 --set junctions.law=distance");
+  output_of("restart distance.h5 -o back.h5 --for 1e-5 --set junctions.law=reference");
   expect_refusal("restart a.h5 -o c.h5 --for 1e-5 --set junctions.law=simplified", kUsage,
                  "junctions.law cannot change from reference to simplified in a restart: the "
                  "simplified law has one spring per block; start with load --set "

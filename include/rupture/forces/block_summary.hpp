@@ -1,4 +1,4 @@
-// What the many junctions of each block amount to, kept so that untouched blocks cost nothing.
+// Sums and bounds over the many junctions of each block, by which untouched blocks cost nothing.
 //
 // Everything here follows from the junctions, to the last bit and whatever happened before: a run
 // that is split has the same summary.

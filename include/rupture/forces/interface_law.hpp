@@ -1,4 +1,4 @@
-// What the step (dynamics/simulation.hpp) asks of the friction between interface blocks and track.
+// Friction between interface blocks and track, as the step (dynamics/simulation.hpp) asks for it.
 //
 // A law moves the junctions in State and says which force they exert; it keeps nothing that does
 // not follow from State and Parameters, so that a run may be split anywhere. One class per choice
@@ -43,14 +43,14 @@ class InterfaceLaw {
 /// The law that `parameters.law` names, working on `junctions`, which must outlive it.
 std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& junctions);
 
-/// What that law does when junction j of block i breaks, with the block at u and w = f_N / k_ij
-/// [m], at time t [s].
+/// Breaks junction j of block i as that law does, with the block at u and w = f_N / k_ij [m], at
+/// time t [s].
 void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
                   Eigen::Index j, double u, double w, double t);
 
 /// Makes junctions of the law of `before` junctions of that of `after`, of which both have N_s per
-/// block, at time t [s]. Where the two do not agree on when a spring is pinned again, those
-/// that slip now begin to slip anew under the new law.
+/// block, at time t [s]. Unless both draw the time at which a spring is pinned again, those that
+/// slip now begin to slip anew under the new law.
 void change_law(const Parameters& before, const Parameters& after, double t, Junctions& junctions);
 
 }  // namespace rupture

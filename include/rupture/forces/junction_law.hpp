@@ -1,9 +1,8 @@
-// What all interface laws with N_s junctions per block have in common: the loop over the junctions.
+// The common part of all interface laws with N_s junctions per block: the loop over the junctions.
 //
 // Valid for any normal force p_i >= 0. With f_N = p_i / N_s at the current p_i and k_ij =
 // sqrt(kappa f_N), a junction carries f = k_ij (x_i - x_ij):
-//   pinned:   x_ij is fixed; breaks when |f| > f_thres = mu_s f_N, then |f| = mu_d f_N with the
-//   same
+//   pinned:   x_ij is fixed; breaks when |f| > f_thres = mu_s f_N, then |f| = mu_d f_N with its
 //             sign;
 //   slipping: x_ij trails the block so that |f| does not exceed the slipping force, until the law
 //             pins the junction again;

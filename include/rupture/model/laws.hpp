@@ -19,8 +19,8 @@ enum class SpringsPerBlock { N_s, one };
 /// finds it due.
 enum class Repinning { at_a_drawn_time, when_due };
 
-/// What only some laws remember of each spring; a dataset of /state/junctions. Of a slipping spring
-/// it is never 0.
+/// A number that only some laws remember of each spring; a dataset of /state/junctions. Of a
+/// slipping spring it is never 0.
 struct SpringMemory {
   JunctionArray<double> Junctions::*array;
   std::string_view name;  ///< of the dataset

@@ -3,11 +3,13 @@
 #include "fixtures.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/compare.hpp"
+#include "support/sliders.hpp"
 
 namespace rupture {
 namespace {
 
-const std::vector<Law> kLaws = {Law::reference, Law::simplified, Law::decaying, Law::distance};
+using testing::kAllLaws;
+
 constexpr const char* kNewPath = "/parameters/junctions/new";
 
 Content content_of(Law law) {
@@ -44,7 +46,7 @@ Content content_with_new(double value) {
 }
 
 TEST(CountedParameters, stay_what_they_were_when_a_parameter_is_added) {
-  for (const Law law : kLaws) {
+  for (const Law law : kAllLaws) {
     const Content counted = counted_parameters(content_of(law));
     EXPECT_EQ(counted_parameters(content_of(law), table_with_new({})), counted);
     EXPECT_EQ(counted_parameters(content_of(law), table_with_new({law})), counted);
@@ -64,7 +66,7 @@ TEST(CountedParameters, have_a_later_one_only_away_from_its_default) {
 TEST(CountedParameters, are_those_that_the_law_uses) {
   for (const ParameterInfo& info : parameter_table()) {
     if (info.name == "junctions.law") continue;
-    for (const Law law : kLaws) {
+    for (const Law law : kAllLaws) {
       EXPECT_EQ(content_checksum(changed(law, info)) != content_checksum(content_of(law)),
                 is_used(info, law))
           << info.name;
@@ -101,7 +103,7 @@ TEST(CountedParameters, are_what_a_difference_is_sought_in) {
 }
 
 TEST(CountedParameters, all_counted_in_schema_2) {
-  for (const Law law : kLaws) {
+  for (const Law law : kAllLaws) {
     EXPECT_EQ(content_checksum_of_schema_2(content_of(law)), content_checksum(content_of(law)));
     const Content odd = changed(law, find_parameter("junctions.delta_t_R"));
     EXPECT_NE(content_checksum_of_schema_2(odd), content_checksum_of_schema_2(content_of(law)));

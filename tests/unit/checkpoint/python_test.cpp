@@ -4,6 +4,7 @@
 
 #include "fixtures.hpp"
 #include "rupture/checkpoint/checksum.hpp"
+#include "support/sliders.hpp"
 
 namespace rupture {
 namespace {
@@ -56,7 +57,7 @@ TEST_F(Python, recomputes_the_checksum_of_a_checkpoint) {
 
 // All parameters of laws are away from their defaults, of which the law uses some.
 TEST_F(Python, recomputes_the_checksum_under_each_law) {
-  for (const Law law : {Law::reference, Law::simplified, Law::decaying, Law::distance}) {
+  for (const Law law : testing::kAllLaws) {
     Checkpoint checkpoint;
     for (const ParameterInfo& info : parameter_table()) {
       if (info.laws.empty()) continue;
