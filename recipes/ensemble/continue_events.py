@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""Continues every fast-slow-fast event of a load in other ways, and measures what becomes of it:
+
+    continue_events.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
+
+RUN is results/data/ensemble/load-03, say: the load's checkpoints and events have names that begin so.
+The commands run in the folder RUN-scratch, which is deleted at the end. Prints, by the events' numbers:
+
+    "unmodified"    front of the event as it is
+    "strength"      of each block before the event
+    "peaks"         of tau/p of each block
+    "branches"      {branch: {run: front, "slip": {x: {run: slip}}, "phi": {"before", "after"}}}
+    "undriven"      front if the driving stops in the middle of the slow stretch, "undriven_from"
+    "conventions"   {convention: {run: front}} of the first branch, and the unmodified event
+
+A branch is null where the front does not rupture its block; a front where nothing ruptures.
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from data.scratch import scratch
+from events.choose_events import start
+from events.continuations import BRANCHES, CONTINUATIONS, DURATION, LEAD, SLIP_AT, SLIPS, WIDER
+from events.conventions import IN_WORDS, PRIMARY, Analysis
+from events.fronts import is_fast_slow_fast_in_words, middle_of_slow_stretch
+
+RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
+FRONTS = ["stopped", "no-slow-slip", "wider"]  # of which the front is measured
+RECORD_EVERY = "1e-5"  # [s]
+LONG = ("time", "slip", "histogram", "bins", "x")  # series that nobody needs for each run
+
+
+def short(report):
+    return {key: value for key, value in report.items() if key not in LONG}
+
+
+class Workshop:
+    """Runs programs in a folder."""
+
+    def __init__(self, programs, folder, record_options):
+        self.programs = Path(programs).resolve()
+        self.analyze = Analysis(programs)
+        self.conventions = self.analyze.conventions()
+        self.folder = folder
+        self.record_options = record_options.split()
+
+    def path(self, name):
+        return self.folder / f"{name}.h5"
+
+    def run(self, tool, source, name, *options):
+        words = [self.programs / tool, source, "-o", self.path(name), "--force", "--quiet"]
+        subprocess.run([*words, *map(str, options)], stdout=sys.stderr, check=True)
+
+    def recorded(self, source, name, *options):
+        record = ["--record", self.path(f"{name}-record"), "--record-every", RECORD_EVERY]
+        self.run("restart", source, name, *options, *record, *self.record_options)
+
+    def front(self, name, convention=PRIMARY):
+        """Of the first event of a run; None where nothing ruptures."""
+        record, options = self.path(f"{name}-record"), self.conventions[convention]
+        with h5py.File(record) as file:
+            if len(file["ruptures/time"]) == 0:
+                return None
+        return self.analyze("front --event 0", record, options)
+
+    def slip(self, name, x):
+        """As rule event_slip measures it: until the front leaves its slow stretch, or reaches the
+        leading edge, or to the end."""
+        front = self.front(name) or {"slow": None, "t_rupture": [None]}
+        until = front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
+        options = ["--x", x] + ([] if until is None else ["--to", until])
+        return short(self.analyze("slip", self.path(f"{name}-record"), options))
+
+
+def peaks(record):
+    """When tau/p of each block is largest [s], and tau/p at the start, then, and at the end. The end
+    is LEAD after the last block's rupture."""
+    with h5py.File(record) as file:
+        time, tau, p = (file[f"series/{name}"][()] for name in ("time", "tau", "p"))
+        ruptures, first = np.unique(file["ruptures/block"][()], return_index=True)
+        last = file["ruptures/time"][()][first].max()
+    ratio = np.divide(tau, p, out=np.full_like(tau, -np.inf), where=p > 0)[time <= last + LEAD]
+    return {
+        "t_peak": time[np.argmax(ratio, axis=0)].tolist(),
+        **{
+            name: [value if np.isfinite(value) else None for value in values]
+            for name, values in (
+                ("before", ratio[0]),
+                ("at_peak", ratio.max(axis=0)),
+                ("after", ratio[-1]),
+            )
+        },
+    }
+
+
+def continued(workshop, branch, duration):
+    """What becomes of the event from a branch on; leaves the records there."""
+    source = workshop.path(branch)
+    for run in RUNS:
+        options = CONTINUATIONS[run].split()
+        workshop.recorded(source, f"{branch}-{run}", *options, "--for", duration)
+    workshop.run("modify-phi", source, f"{branch}-wider-start", *WIDER.split())
+    workshop.recorded(workshop.path(f"{branch}-wider-start"), f"{branch}-wider", "--for", duration)
+    phi = {"before": source, "after": workshop.path(f"{branch}-wider-start")}
+    return {
+        **{run: shortened(workshop.front(f"{branch}-{run}")) for run in FRONTS},
+        "slip": {
+            place: {run: workshop.slip(f"{branch}-{run}", x) for run in SLIPS}
+            for place, x in SLIP_AT.items()
+        },
+        "phi": {when: short(workshop.analyze("phi", path)) for when, path in phi.items()},
+    }
+
+
+def shortened(front):
+    return front and short(front)
+
+
+def without_lines(front):
+    return front and {key: value for key, value in front.items() if not isinstance(value, list)}
+
+
+def under_conventions(workshop, branch):
+    """Fronts of the first branch and of the unmodified event, without their lines."""
+    runs = {"unmodified": "event", **{run: f"{branch}-{run}" for run in FRONTS}}
+    return {
+        convention: {
+            name: without_lines(workshop.front(run, convention)) for name, run in runs.items()
+        }
+        for convention in workshop.conventions
+    }
+
+
+def times_of_branches(event):
+    """{branch: time}, None where its block does not rupture."""
+    return {branch: event["t_rupture"][block] for branch, block in BRANCHES.items()}
+
+
+def duration_of(event):
+    """Of a continuation [s]: longer where the front takes longer than half of it."""
+    crossing = max(t for t in event["t_rupture"] if t is not None) - event["t_start"]
+    return max(DURATION, 2 * crossing)
+
+
+def run_event(workshop, event, before, times):
+    """The event as it is, and its states at the times of the branches."""
+    duration = duration_of(event)
+    workshop.run("restart", before["checkpoint"], "start", "--until", before["until"])
+    stops = sorted(t for t in times.values() if t is not None)
+    at = ["--checkpoint-at", *stops]
+    workshop.recorded(workshop.path("start"), "event", "--for", duration, *at)
+    for name, t in times.items():
+        if t is not None:
+            shutil.copy(workshop.folder / f"event-t{t:.9f}.h5", workshop.path(name))
+
+
+def measure(workshop, event, before):
+    """One event. `before` says from which checkpoint and when to start."""
+    times = times_of_branches(event)
+    amid_slow = middle_of_slow_stretch(event)
+    run_event(workshop, event, before, times | {"amid-slow": amid_slow})
+    duration = duration_of(event)
+    stop = ["--set", "driving.V=0", "--for", duration]
+    workshop.recorded(workshop.path("amid-slow"), "undriven", *stop)
+    branches = {
+        branch: None if t is None else continued(workshop, branch, duration)
+        for branch, t in times.items()
+    }
+    first = next(iter(BRANCHES))
+    return {
+        "t_start": event["t_start"],
+        "unmodified": workshop.front("event"),
+        "strength": workshop.analyze("strength", workshop.path("start")),
+        "peaks": peaks(workshop.path("event-record")),
+        "branches": branches,
+        "undriven": shortened(workshop.front("undriven")),
+        "undriven_from": amid_slow,
+        "conventions": branches[first] and under_conventions(workshop, first),
+    }
+
+
+def main(programs, run, checkpoint_every, record_options):
+    events = json.loads(Path(f"{run}-events.json").read_text(encoding="utf-8"))[IN_WORDS]
+    found = {}
+    for event in filter(is_fast_slow_fast_in_words, events):
+        before = start(event, float(checkpoint_every))
+        before["checkpoint"] = Path(f"{run}-t{before['from']}.h5")
+        with scratch(Path(f"{run}-scratch")) as folder:
+            workshop = Workshop(programs, folder, record_options)
+            found[event["number"]] = measure(workshop, event, before)
+    print(json.dumps(found))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
