@@ -3,8 +3,8 @@
 
     continue_events.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
 
-RUN is results/data/ensemble/load-03, say: the load's checkpoints and events have names that begin so.
-The commands run in the folder RUN-scratch, which is deleted at the end. Prints, by the events' numbers:
+RUN is results/data/ensemble/load-03, say: names of the load's checkpoints and events begin so. The
+commands run in the folder RUN-scratch, which is deleted at the end. Prints, by the events' numbers:
 
     "unmodified"    front of the event as it is
     "strength"      of each block before the event
@@ -18,85 +18,41 @@ A branch is null where the front does not rupture its block; a front where nothi
 
 import json
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import h5py
 import numpy as np
+from workshop import Workshop, short, without_lines
 
 from data.scratch import scratch
 from events.choose_events import start
 from events.continuations import BRANCHES, CONTINUATIONS, DURATION, LEAD, SLIP_AT, SLIPS, WIDER
-from events.conventions import IN_WORDS, PRIMARY, Analysis
+from events.conventions import IN_WORDS
 from events.fronts import is_fast_slow_fast_in_words, middle_of_slow_stretch
 
 RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FRONTS = ["stopped", "no-slow-slip", "wider"]  # of which the front is measured
-RECORD_EVERY = "1e-5"  # [s]
-LONG = ("time", "slip", "histogram", "bins", "x")  # series that nobody needs for each run
 
 
-def short(report):
-    return {key: value for key, value in report.items() if key not in LONG}
-
-
-class Workshop:
-    """Runs programs in a folder."""
-
-    def __init__(self, programs, folder, record_options):
-        self.programs = Path(programs).resolve()
-        self.analyze = Analysis(programs)
-        self.conventions = self.analyze.conventions()
-        self.folder = folder
-        self.record_options = record_options.split()
-
-    def path(self, name):
-        return self.folder / f"{name}.h5"
-
-    def run(self, tool, source, name, *options):
-        words = [self.programs / tool, source, "-o", self.path(name), "--force", "--quiet"]
-        subprocess.run([*words, *map(str, options)], stdout=sys.stderr, check=True)
-
-    def recorded(self, source, name, *options):
-        record = ["--record", self.path(f"{name}-record"), "--record-every", RECORD_EVERY]
-        self.run("restart", source, name, *options, *record, *self.record_options)
-
-    def front(self, name, convention=PRIMARY):
-        """Of the first event of a run; None where nothing ruptures."""
-        record, options = self.path(f"{name}-record"), self.conventions[convention]
-        with h5py.File(record) as file:
-            if len(file["ruptures/time"]) == 0:
-                return None
-        return self.analyze("front --event 0", record, options)
-
-    def slip(self, name, x):
-        """As rule event_slip measures it: until the front leaves its slow stretch, or reaches the
-        leading edge, or to the end."""
-        front = self.front(name) or {"slow": None, "t_rupture": [None]}
-        until = front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
-        options = ["--x", x] + ([] if until is None else ["--to", until])
-        return short(self.analyze("slip", self.path(f"{name}-record"), options))
+def numbers(values):
+    """For JSON."""
+    return [value if np.isfinite(value) else None for value in values]
 
 
 def peaks(record):
-    """When tau/p of each block is largest [s], and tau/p at the start, then, and at the end. The end
-    is LEAD after the last block's rupture."""
+    """When tau/p of each block is largest [s], and tau/p at the start, then, and LEAD after the
+    last block has ruptured. A block without contact has none."""
     with h5py.File(record) as file:
         time, tau, p = (file[f"series/{name}"][()] for name in ("time", "tau", "p"))
-        ruptures, first = np.unique(file["ruptures/block"][()], return_index=True)
+        _, first = np.unique(file["ruptures/block"][()], return_index=True)
         last = file["ruptures/time"][()][first].max()
     ratio = np.divide(tau, p, out=np.full_like(tau, -np.inf), where=p > 0)[time <= last + LEAD]
     return {
         "t_peak": time[np.argmax(ratio, axis=0)].tolist(),
-        **{
-            name: [value if np.isfinite(value) else None for value in values]
-            for name, values in (
-                ("before", ratio[0]),
-                ("at_peak", ratio.max(axis=0)),
-                ("after", ratio[-1]),
-            )
-        },
+        "before": numbers(ratio[0]),
+        "at_peak": numbers(ratio.max(axis=0)),
+        "after": numbers(ratio[-1]),
     }
 
 
@@ -110,21 +66,13 @@ def continued(workshop, branch, duration):
     workshop.recorded(workshop.path(f"{branch}-wider-start"), f"{branch}-wider", "--for", duration)
     phi = {"before": source, "after": workshop.path(f"{branch}-wider-start")}
     return {
-        **{run: shortened(workshop.front(f"{branch}-{run}")) for run in FRONTS},
+        **{run: short(workshop.front(f"{branch}-{run}")) for run in FRONTS},
         "slip": {
             place: {run: workshop.slip(f"{branch}-{run}", x) for run in SLIPS}
             for place, x in SLIP_AT.items()
         },
         "phi": {when: short(workshop.analyze("phi", path)) for when, path in phi.items()},
     }
-
-
-def shortened(front):
-    return front and short(front)
-
-
-def without_lines(front):
-    return front and {key: value for key, value in front.items() if not isinstance(value, list)}
 
 
 def under_conventions(workshop, branch):
@@ -140,7 +88,7 @@ def under_conventions(workshop, branch):
 
 def times_of_branches(event):
     """{branch: time}, None where its block does not rupture."""
-    return {branch: event["t_rupture"][block] for branch, block in BRANCHES.items()}
+    return {branch: event["t_rupture"][block] for branch, (block, _) in BRANCHES.items()}
 
 
 def duration_of(event):
@@ -180,7 +128,7 @@ def measure(workshop, event, before):
         "strength": workshop.analyze("strength", workshop.path("start")),
         "peaks": peaks(workshop.path("event-record")),
         "branches": branches,
-        "undriven": shortened(workshop.front("undriven")),
+        "undriven": short(workshop.front("undriven")),
         "undriven_from": amid_slow,
         "conventions": branches[first] and under_conventions(workshop, first),
     }

@@ -3,7 +3,7 @@
 rule ensemble:
     input:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
-        continued=[f"{DATA}/ensemble/{load}-continued.json" for load in REFERENCE_LOADS],
+        continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
         quasistatic=[f"{DATA}/ensemble/h0-{seed:02d}.json" for seed in range(1, 21)],
         **script("recipes/ensemble/figure.py"),
     output:

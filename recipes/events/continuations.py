@@ -4,7 +4,11 @@ those of the ensemble by a script (ensemble/continue_events.py)."""
 LEAD = 0.5e-3  # from here to the first rupture of the event [s]
 DURATION = 0.01  # of a continuation [s]
 
-BRANCHES = {"0.14": 8, "0.2": 11, "0.25": 14}  # front at [L]: the block that then ruptures
+BRANCHES = {  # front at [L]: the block that then ruptures, its x [m]
+    "0.14": (8, 0.02),
+    "0.2": (11, 0.0275),
+    "0.25": (14, 0.035),
+}
 SLIP_AT = {"0.34": 0.0476, "0.30": 0.042, "0.38": 0.0532}  # [L]: [m]
 CONTINUATIONS = {  # from a branch on
     "stopped": "--set driving.V=0",

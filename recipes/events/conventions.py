@@ -1,5 +1,5 @@
 """Ways to measure a front that the paper leaves open, as data: options of `analyze events` and
-`analyze front`. The first one is the primary convention; each other one differs from it in one way."""
+`analyze front`. The first is the primary convention; each other differs from it in one way."""
 
 import json
 import subprocess

@@ -32,6 +32,14 @@ def is_fast_slow_fast_in_words(front):
     )
 
 
+def is_fast_slow(front):
+    """Claim S2: crosses the interface, and becomes slow after it was fast."""
+    slow = front["slow"]
+    if front["type"] != "slow" or slow["fast_before"] is None:
+        return False
+    return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and slow["duration"] >= DURATION[0]
+
+
 def has_slow_stretch(front):
     """Spans the interface, with a slow stretch beyond the loading zone."""
     return front["type"] == "slow"

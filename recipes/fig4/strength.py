@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Figure 4 C, its data and claim 4C: strength.py results/data results/fig4 load-01-continued.json ..."""
+"""Figure 4 C, its data and claim 4C:
+
+    strength.py results/data results/fig4 load-01-continued.json ...
+"""
 
 import sys
 from dataclasses import dataclass

@@ -19,7 +19,10 @@ use rule restart_recorded as event_continuation with:
     input: **content_of(h5=f"{DATA}/{{event}}/branch.h5")
     output: **recorded(f"{DATA}/{{event}}/{{continuation}}")
     params:
-        **run_with(f"--for {DURATION}", changes=lambda wildcards: CONTINUATIONS[wildcards.continuation]),
+        **run_with(
+            f"--for {DURATION}",
+            changes=lambda wildcards: CONTINUATIONS[wildcards.continuation],
+        ),
     wildcard_constraints: continuation="|".join(CONTINUATIONS)
     log: f"{LOGS}/{{event}}/{{continuation}}.log"
     message: "{wildcards.event}: restart {wildcards.continuation} ({params.changes})"

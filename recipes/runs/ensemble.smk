@@ -65,19 +65,27 @@ rule events:
     shell: "{PYTHON} {input.script} {BIN} {input.h5} > {output} 2> {log}"
 
 
-# Every fast-slow-fast event of a load under the changes that Figures 3 A-C, 4 A-B and 5 A make.
+# The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
+# fast-slow-fast event of the reference slider, Figure S2 for the fast-slow ones with the simplified law.
+CONTINUED = {"load": "continue_events", "simplified": "without_slow_slip"}  # setting: script
+CONTINUED_LOADS = [load for load in LOADS if load.split("-")[0] in CONTINUED]
+
+
 rule continued:
     input:
         events=f"{DATA}/ensemble/{{load}}-events.json",
         **content_of(checkpoints=checkpoints_of_load(f"{DATA}/ensemble/{{load}}")),
-        script="recipes/ensemble/continue_events.py",
-        shared=[f"recipes/events/{name}.py" for name in ("conventions", "continuations", "fronts")],
+        script=lambda wildcards: f"recipes/ensemble/{CONTINUED[wildcards.load.split('-')[0]]}.py",
+        shared=[
+            "recipes/ensemble/workshop.py",
+            *(f"recipes/events/{name}.py" for name in ("conventions", "continuations", "fronts")),
+        ],
     output: f"{DATA}/ensemble/{{load}}-continued.json"
     priority: 80  # long: before what is short
     params: code=CODE, run=f"{DATA}/ensemble/{{load}}", crossings=CROSSINGS
-    wildcard_constraints: load="|".join(REFERENCE_LOADS)
+    wildcard_constraints: load="|".join(CONTINUED_LOADS)
     log: f"{LOGS}/ensemble/{{load}}-continued.log"
-    message: "continued: continue each fast-slow-fast event of {wildcards.load} in other ways"
+    message: "continued: continue the events of {wildcards.load} in other ways"
     shell:
         "{PYTHON} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} '{params.crossings}'"
         " > {output} 2> {log}"
