@@ -113,8 +113,9 @@ def measure(workshop, event, before):
     """One event. `before` says from which checkpoint and when to start."""
     times = times_of_branches(event)
     amid_slow = middle_of_slow_stretch(event)
-    run_event(workshop, event, before, times | {"amid-slow": amid_slow})
+    run_event(workshop, event, before, times)
     duration = duration_of(event)
+    workshop.run("restart", workshop.path("start"), "amid-slow", "--until", amid_slow)
     stop = ["--set", "driving.V=0", "--for", duration]
     workshop.recorded(workshop.path("amid-slow"), "undriven", *stop)
     branches = {
