@@ -3,15 +3,12 @@
 `front` is what `analyze front --json` prints, or one entry of `analyze events --json`.
 """
 
-DURATION = (0.5e-3, 3e-3)  # [s]
 SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of `analyze front`
 FAST_IN_WORDS = 1 / 10  # of c_s
 STENCILS_IN_WORDS = 3
+FAST_OVER_SLOW = 10  # claim S2
+SLOW_FOR = 0.5e-3  # [s], at least (claim S2)
 LOADING_ZONE = 0.02  # [m]; speeds within it do not count
-
-
-def within(value, bounds):
-    return bounds[0] <= value <= bounds[1]
 
 
 def middle_of_slow_stretch(front):
@@ -37,7 +34,7 @@ def is_fast_slow(front):
     slow = front["slow"]
     if front["type"] != "slow" or slow["fast_before"] is None:
         return False
-    return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and slow["duration"] >= DURATION[0]
+    return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and slow["duration"] >= SLOW_FOR
 
 
 def has_slow_stretch(front):

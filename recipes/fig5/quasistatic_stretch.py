@@ -19,8 +19,6 @@ APART = 10e-3  # from a dynamic event [s]
 TENTHS = range(1, 10)
 MIDDLE = 4  # of the branches
 STOPPED_FOR = 20e-3  # [s]
-SLOWEST = 1000  # c_s over the mean speed, at least (claim 5B)
-FURTHEST = 2  # blocks by which the tip advances without driving, at most (claim 5B)
 
 
 def read_ruptures(path):
@@ -52,11 +50,6 @@ def tip_advances(time, block, from_t, to_t):
     time, tip = time[within], np.maximum.accumulate(block[within])
     first = np.diff(tip, prepend=-1) > 0
     return time[first], tip[first]
-
-
-def is_quasistatic(c_s_over_speed, blocks_without_driving):
-    """Claim 5B."""
-    return c_s_over_speed >= SLOWEST and blocks_without_driving <= FURTHEST
 
 
 def branch_times(start, end, checkpoint_every):
