@@ -65,12 +65,10 @@ def continued(workshop, branch, duration):
     workshop.run("modify-phi", source, f"{branch}-wider-start", *WIDER.split())
     workshop.recorded(workshop.path(f"{branch}-wider-start"), f"{branch}-wider", "--for", duration)
     phi = {"before": source, "after": workshop.path(f"{branch}-wider-start")}
+    slips = {run: workshop.slips(f"{branch}-{run}", SLIP_AT) for run in SLIPS}
     return {
         **{run: short(workshop.front(f"{branch}-{run}")) for run in FRONTS},
-        "slip": {
-            place: {run: workshop.slip(f"{branch}-{run}", x) for run in SLIPS}
-            for place, x in SLIP_AT.items()
-        },
+        "slip": {place: {run: of_run[place] for run, of_run in slips.items()} for place in SLIP_AT},
         "phi": {when: short(workshop.analyze("phi", path)) for when, path in phi.items()},
     }
 

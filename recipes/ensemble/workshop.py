@@ -54,10 +54,14 @@ class Workshop:
         options = [*self.conventions[convention], "--skip-below-x", x]
         return self.analyze("front --event 0", record, options)
 
-    def slip(self, name, x):
-        """As rule event_slip measures it: until the front leaves its slow stretch, or reaches the
-        leading edge, or to the end."""
+    def slips(self, name, places):
+        """{place: slip} at {place: x}, as rule event_slip measures it: until the front leaves its
+        slow stretch, or reaches the leading edge, or to the end."""
         front = self.front(name) or {"slow": None, "t_rupture": [None]}
         until = front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
-        options = ["--x", x] + ([] if until is None else ["--to", until])
-        return short(self.analyze("slip", self.path(f"{name}-record"), options))
+        end = [] if until is None else ["--to", until]
+        record = self.path(f"{name}-record")
+        return {
+            place: short(self.analyze("slip", record, ["--x", x, *end]))
+            for place, x in places.items()
+        }
