@@ -1,41 +1,16 @@
-# The ensemble over seeds (runs/ensemble.smk): how typical the events are that the figures show. The
-# chain of commands is in README.md.
-ENSEMBLE_RUNS = ["stopped", "no-slow-slip", "wider", "undriven"]
-ENSEMBLE_MEASURED = ["fast-slow-fast", *ENSEMBLE_EVENTS]
-
-
-STAGES["start"]["ensemble"] = [
-    f"{DATA}/ensemble/choice.json",
-    f"{DATA}/fast-slow-fast.compared",
-]
-
-
+# Independent loads (runs/ensemble.smk), all their events, and each fast-slow-fast one continued in other
+# ways. The chain of commands is in README.md.
 rule ensemble:
     input:
-        choice=f"{DATA}/ensemble/choice.json",
-        events=[f"{DATA}/ensemble/run-{seed}-events.json" for seed in SEEDS],
-        fronts=[f"{DATA}/{event}-front.json" for event in ENSEMBLE_MEASURED],
-        continued=[
-            f"{DATA}/{event}/{run}-front.json"
-            for event in ENSEMBLE_MEASURED
-            for run in ENSEMBLE_RUNS
-        ],
-        slips=[f"{DATA}/{event}/{run}-slip.json" for event in ENSEMBLE_MEASURED for run in SLIPS],
-        phi=[
-            f"{DATA}/{event}{state}-phi.json"
-            for event in ENSEMBLE_MEASURED
-            for state in ("", "/wider-start")
-        ],
-        quasistatic=f"{DATA}/fig5/quasistatic-seeds.json",
-        quasistatic_shown=f"{DATA}/fig5/claims-quasistatic.json",
+        events=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
+        continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
+        quasistatic=[f"{DATA}/ensemble/h0-{seed:02d}.json" for seed in range(1, 21)],
         **script("recipes/ensemble/figure.py"),
     output:
         claims=f"{RESULTS}/ensemble/claims.json",
-        ensemble=f"{RESULTS}/ensemble/ensemble.json",
-        table=f"{RESULTS}/ensemble/ensemble.csv",
         events=f"{RESULTS}/ensemble/events.csv",
         **picture(f"{RESULTS}/ensemble/ensemble"),
         summary=f"{RESULTS}/ensemble/summary.txt",
     log: f"{LOGS}/ensemble.log"
-    message: "ensemble: draw, compare the shown event with the others"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/ensemble {input.events} 2> {log}"
+    message: "ensemble: draw, list the events of all loads"
+    shell: "{PYTHON} {input.script} {RESULTS}/ensemble {input.events} 2> {log}"

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Chooses the events that figures show by rule: choose_events.py events.json CHECKPOINT_EVERY
 
-fast-slow-fast is the first event that meets the criteria of claim 2A, fast-only the first that
-meets those of claim 2B (events/fronts.py), second-slow the first after fast-slow-fast that spans
-the interface and has a slow stretch. Each is to be continued from 0.5 ms before its first rupture.
-Prints, per event, that time and the last checkpoint before it.
+fast-slow-fast, event I, is the first of the load that is so in words, second-slow, event II, the
+second; fast-only, event III, is the first after event I that spans the interface and is fast
+everywhere (claim 2B; events/fronts.py). Each is to be continued from 0.5 ms before its first
+rupture. Prints, per event, that time and the last checkpoint before it.
 """
 
 import json
@@ -12,17 +12,9 @@ import math
 import sys
 
 from data.records import report
-from events.event_claims import is_fast_slow_fast
-from events.fronts import has_slow_stretch, is_fast_only
-
-LEAD = 0.5e-3  # [s]
-
-
-def first(events, name, is_wanted):
-    for event in events:
-        if is_wanted(event):
-            return event
-    sys.exit(f"none of the {len(events)} events of this run is {name}: load for longer")
+from events.continuations import LEAD
+from events.conventions import IN_WORDS, PRIMARY
+from events.fronts import is_fast_only, is_fast_slow_fast_in_words
 
 
 def start(event, checkpoint_every):
@@ -31,19 +23,26 @@ def start(event, checkpoint_every):
     return {"from": f"{last_checkpoint:.9f}", "until": f"{until:.7f}", "event": event["t_start"]}
 
 
-def read_events(path):
-    return report(path)["events"]
+def read_events(path, convention=PRIMARY):
+    """The events of a load as ensemble/measure_events.py lists them."""
+    return report(path)[convention]
+
+
+def choose(events_in_words, events):
+    """{name: event}; None where the load has no such event."""
+    slow = [event for event in events_in_words if is_fast_slow_fast_in_words(event)] + [None, None]
+    later = (event for event in events if slow[0] and event["t_start"] > slow[0]["t_start"])
+    return {
+        "fast-slow-fast": slow[0],
+        "fast-only": next(filter(is_fast_only, later), None),
+        "second-slow": slow[1],
+    }
 
 
 def main(path, checkpoint_every):
-    events = read_events(path)
-    first_slow = first(events, "fast-slow-fast", is_fast_slow_fast)
-    later = events[events.index(first_slow) + 1 :]
-    chosen = {
-        "fast-slow-fast": first_slow,
-        "fast-only": first(events, "fast-only", is_fast_only),
-        "second-slow": first(later, "a second one with a slow stretch", has_slow_stretch),
-    }
+    chosen = choose(read_events(path, IN_WORDS), read_events(path))
+    if missing := [name for name, event in chosen.items() if event is None]:
+        sys.exit(f"{path} has no event {' and no '.join(missing)}: load for longer")
     starts = {name: start(event, float(checkpoint_every)) for name, event in chosen.items()}
     print(json.dumps(starts, indent=2))
 

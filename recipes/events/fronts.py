@@ -3,13 +3,12 @@
 `front` is what `analyze front --json` prints, or one entry of `analyze events --json`.
 """
 
-DURATION = (0.5e-3, 3e-3)  # [s]
 SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of `analyze front`
+FAST_IN_WORDS = 1 / 10  # of c_s
+STENCILS_IN_WORDS = 3
+FAST_OVER_SLOW = 10  # claim S2
+SLOW_FOR = 0.5e-3  # [s], at least (claim S2)
 LOADING_ZONE = 0.02  # [m]; speeds within it do not count
-
-
-def within(value, bounds):
-    return bounds[0] <= value <= bounds[1]
 
 
 def middle_of_slow_stretch(front):
@@ -17,18 +16,25 @@ def middle_of_slow_stretch(front):
     return (front["slow"]["t_from"] + front["slow"]["t_to"]) / 2
 
 
-def slows_down(front):
-    """Of the kind of claim 2A: fast, slow for as long as it says, and fast again, at whatever
-    positions and however much faster."""
+def is_fast_slow_fast_in_words(front):
+    """Spans, with three stencils or more below c_s/10, and a median of at least c_s/10 before and
+    after them. The front is measured with `--slow-below 0.1` (conventions.IN_WORDS)."""
     slow = front["slow"]
     if front["type"] != "slow" or slow["fast_before"] is None or slow["fast_after"] is None:
         return False
-    fast = SLOW_BELOW * front["c_s"]
+    spacing = front["L"] / (len(front["t_rupture"]) - 1)
     return (
-        within(slow["duration"], DURATION)
-        and slow["fast_before"] >= fast
-        and slow["fast_after"] >= fast
+        slow["x_to"] - slow["x_from"] > (STENCILS_IN_WORDS - 1 - 0.5) * spacing
+        and min(slow["fast_before"], slow["fast_after"]) >= FAST_IN_WORDS * front["c_s"]
     )
+
+
+def is_fast_slow(front):
+    """Claim S2: crosses the interface, and becomes slow after it was fast."""
+    slow = front["slow"]
+    if front["type"] != "slow" or slow["fast_before"] is None:
+        return False
+    return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and slow["duration"] >= SLOW_FOR
 
 
 def has_slow_stretch(front):
@@ -39,8 +45,3 @@ def has_slow_stretch(front):
 def is_fast_only(front):
     """Claim 2B: no stencil beyond the loading zone is slow."""
     return front["type"] == "fast"
-
-
-def counted(events):
-    """The spanning events of a seed that count: the second and the third (runs/ensemble.smk)."""
-    return [event for event in events if event["spanning"]][1:3]

@@ -11,6 +11,7 @@ from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report, values
 from data.tables import write_table
+from events.choose_events import read_events
 
 NEAR = 0.1e-3  # peak and rupture of a block [s]
 MIDDLE = 0.5  # of L; the block of panel E
@@ -135,7 +136,7 @@ def write_tables(results, loading, events, blocks, front):
 def main(data, results):
     data, results = Path(data), Path(results)
     loading = report(data / "fig1/loading.json")
-    events = report(data / "events.json")["events"]
+    events = read_events(data / "ensemble/load-01-events.json")
     front = report(data / "fig1/event-front.json")
     blocks = Blocks(data / "fig1/event-record.h5")
     write_tables(results, loading, events, blocks, front)

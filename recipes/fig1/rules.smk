@@ -19,7 +19,7 @@ STAGES["start"]["fig1"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
 use rule analyze as fig1_loading with:
-    input: **content_of(h5=f"{DATA}/load-record.h5")
+    input: **content_of(h5=f"{SHOWN_LOAD}-record.h5")
     output: f"{FIG1}/loading.json"
     params: **analysis("loading")
     log: f"{LOGS}/fig1/loading.log"
@@ -76,7 +76,7 @@ rule fig1_steady:
 rule fig1_curves:
     input:
         loading=f"{FIG1}/loading.json",
-        events=f"{DATA}/events.json",
+        events=f"{SHOWN_LOAD}-events.json",
         front=f"{FIG1}/event-front.json",
         **content_of(record=f"{FIG1}/event-record.h5"),
         **script("recipes/fig1/curves.py"),

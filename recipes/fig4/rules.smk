@@ -8,10 +8,8 @@ include: "wider.smk"
 
 # The map of front types: a grid with one seed, then places halfway between fast neighbours and
 # others, then five seeds at all places next to another type. Each decides where the next is needed.
-# The ensemble's choice decides which of its events there are for C.
 STAGES["start"]["fig4"] = [
     f"{DATA}/fig4/between.csv",
-    f"{DATA}/ensemble/choice.json",
     *[f"{DATA}/{event}.compared" for event in FIG4_SHOWN],
 ]
 
@@ -64,17 +62,17 @@ rule fig4_strength:
         prepared=f"{DATA}/fig4/strength.csv",
         curves=f"{DATA}/fig4/strength-curves.csv",
         map=f"{DATA}/fig4/map.csv",
-        events=[f"{DATA}/{event}-strength.json" for event in [*FIG4_SHOWN, *ENSEMBLE_EVENTS]],
-        fronts=[f"{DATA}/{event}-front.json" for event in [*FIG4_SHOWN, *ENSEMBLE_EVENTS]],
+        events=[f"{DATA}/{event}-strength.json" for event in FIG4_SHOWN],
+        fronts=[f"{DATA}/{event}-front.json" for event in FIG4_SHOWN],
+        repeated=of_ensemble(f"{DATA}/ensemble/{load}-continued.json" for load in REFERENCE_LOADS),
         **script("recipes/fig4/strength.py"),
     output:
         claims=f"{DATA}/fig4/claims-4C.json",
         **picture(f"{RESULTS}/fig4/fig4C"),
         table=f"{RESULTS}/fig4/strength.csv",
-    params: repeated=ENSEMBLE_EVENTS
     log: f"{LOGS}/fig4/strength.log"
     message: "fig4: draw C, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {params.repeated} 2> {log}"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {input.repeated} 2> {log}"
 
 
 use rule join_claims as fig4 with:

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Figure 4 C, its data and claim 4C: strength.py results/data results/fig4 ENSEMBLE_EVENT..."""
+"""Figure 4 C, its data and claim 4C:
+
+    strength.py results/data results/fig4 load-01-continued.json ...
+"""
 
 import sys
 from dataclasses import dataclass
@@ -51,10 +54,8 @@ def kind_of(x, v_c, c_s):
     return "slow" if v_c < SLOW_BELOW * c_s else "fast"
 
 
-def blocks_of(data, event):
+def blocks_of(front, strength):
     """The blocks of one event: what they could bear before it, how fast the front passed them."""
-    front = report(data / f"{event}-front.json")
-    strength = report(data / f"{event}-strength.json")
     kinds = [kind_of(x, v, front["c_s"]) for x, v in zip(front["x"], values(front["v_c"]))]
     quantities = zip(*(values(strength[q]) for q in ("sigma_bar", "tau_bar_0", "mu_bar_eff")))
     return [Block(kind, *numbers) for kind, numbers in zip(kinds, quantities) if kind]
@@ -270,11 +271,18 @@ def claim_4C(data, points, lines, shown, ensemble):
 
 def main(data, results, *ensemble):
     data, results = Path(data), Path(results)
-    shown = {event: blocks_of(data, event) for event in SHOWN}
+    shown = {
+        event: blocks_of(*(report(data / f"{event}-{of}.json") for of in ("front", "strength")))
+        for event in SHOWN
+    }
     points, lines = list(prepared_points(data)), curves(data)
     draw(shown, points, lines, results / "fig4C")
     write_table(results / "strength.csv", ["points", "kind", *QUANTITIES], rows(shown, points))
-    repeated = {event: blocks_of(data, event) for event in ensemble}
+    repeated = {
+        (path, number): blocks_of(event["unmodified"], event["strength"])
+        for path in ensemble
+        for number, event in report(path).items()
+    }
     write_claims(data / "fig4/claims-4C.json", [claim_4C(data, points, lines, shown, repeated)])
 
 

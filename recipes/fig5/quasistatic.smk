@@ -56,45 +56,25 @@ rule quasistatic_stopped:
         " --record {output.record} --record-every 1e-3 2> {log}"
 
 
-# The same over seeds: other slipping times from shortly before the first dynamic event, which renews all
-# junctions; the driving stopped when it is in the shown run.
-QUASISTATIC_SEEDS_FROM = 0.48  # s
-QUASISTATIC_SEEDS_STOP = 0.57  # s
+# The same over seeds, each from t = 0. Their second dynamic event comes later.
+H0_SEEDS = [f"{seed:02d}" for seed in range(2, 21)]
+H0_UNTIL = 0.75  # s
+H0_LOADS = [f"{DATA}/ensemble/h0-{seed}.json" for seed in ["01", *H0_SEEDS]]  # 01: rule quasistatic
 
 
-use rule restart_recorded as quasistatic_seed with:
-    input: **content_of(h5=f"{DATA}/fig5/quasistatic-load-t{QUASISTATIC_SEEDS_FROM:.9f}.h5")
-    output: **recorded(f"{DATA}/fig5/seed-{{seed}}")
-    params:
-        **run_with(
-            f"--seed $((10#{{seed}})) --until {QUASISTATIC_SEEDS_STOP}",
-            record_every="1e-3",
-        ),
-    log: f"{LOGS}/fig5/seed-{{seed}}.log"
-    message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}"
-
-
-use rule restart_recorded as quasistatic_seed_stopped with:
-    input: **content_of(h5=f"{DATA}/fig5/seed-{{seed}}.h5")
-    output: **recorded(f"{DATA}/fig5/seed-{{seed}}-stopped")
-    params: **run_with("--for 0.02", changes="--set driving.V=0", record_every="1e-3")
-    log: f"{LOGS}/fig5/seed-{{seed}}-stopped.log"
-    message: "fig5: stop the driving with seed {wildcards.seed}"
-
-
-rule quasistatic_seeds:
+rule quasistatic_seed:
     input:
-        **content_of(
-            driven=[f"{DATA}/fig5/seed-{seed}-record.h5" for seed in SEEDS],
-            stopped=[f"{DATA}/fig5/seed-{seed}-stopped-record.h5" for seed in SEEDS],
-        ),
-        **script("recipes/fig5/quasistatic_seeds.py"),
+        script="recipes/fig5/quasistatic_seed.py",
         stretch_script="recipes/fig5/quasistatic_stretch.py",
-    output: f"{DATA}/fig5/quasistatic-seeds.json"
-    params: seeds=SEEDS
-    log: f"{LOGS}/fig5/quasistatic-seeds.log"
-    message: "fig5: measure the quasi-static fronts of all seeds"
-    shell: "{PYTHON} {input.script} {DATA}/fig5 {params.seeds} > {output} 2> {log}"
+    output: f"{DATA}/ensemble/h0-{{seed}}.json"
+    params: code=CODE, folder=f"{DATA}/ensemble/h0-{{seed}}-scratch"
+    priority: 90  # long: first
+    wildcard_constraints: seed="|".join(H0_SEEDS)
+    log: f"{LOGS}/ensemble/h0-{{seed}}.log"
+    message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}, stop the driving"
+    shell:
+        "{PYTHON} {input.script} {BIN} {wildcards.seed} {H0_UNTIL} {QUASISTATIC_EVERY}"
+        " {params.folder} > {output} 2> {log}"
 
 
 rule quasistatic:
@@ -111,6 +91,7 @@ rule quasistatic:
         **script("recipes/fig5/quasistatic.py"),
     output:
         claims=f"{DATA}/fig5/claims-quasistatic.json",
+        seed=f"{DATA}/ensemble/h0-01.json",
         **picture(f"{RESULTS}/fig5/fig5B"),
         table=f"{RESULTS}/fig5/quasistatic-tip.csv",
         branches=f"{RESULTS}/fig5/quasistatic-branches.csv",

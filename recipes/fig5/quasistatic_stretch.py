@@ -17,8 +17,8 @@ import numpy as np
 WINDOW = 1e-3  # [s]
 APART = 10e-3  # from a dynamic event [s]
 TENTHS = range(1, 10)
-SLOWEST = 1000  # c_s over the mean speed, at least (claim 5B)
-FURTHEST = 2  # blocks by which the tip advances without driving, at most (claim 5B)
+MIDDLE = 4  # of the branches
+STOPPED_FOR = 20e-3  # [s]
 
 
 def read_ruptures(path):
@@ -52,31 +52,55 @@ def tip_advances(time, block, from_t, to_t):
     return time[first], tip[first]
 
 
-def is_quasistatic(c_s_over_speed, blocks_without_driving):
-    """Claim 5B."""
-    return c_s_over_speed >= SLOWEST and blocks_without_driving <= FURTHEST
-
-
 def branch_times(start, end, checkpoint_every):
     tenths = [start + tenth / 10 * (end - start) for tenth in TENTHS]
     return [f"{round(t / checkpoint_every) * checkpoint_every:.9f}" for t in tenths]
 
 
-def main(path, checkpoint_every):
+def quasistatic_stretch(path, checkpoint_every):
+    """Between the first two dynamic events, or from the first one to the end of the record."""
     time, block, x = read_ruptures(path)
     events = dynamic_events(time, block, len(x))
-    if len(events) < 2:
-        sys.exit("this load has fewer than two dynamic events: load for longer")
-    (_, event), (next_event, _) = events[:2]
-    t, tip = tip_advances(time, block, event + APART, next_event - APART)
-    stretch = {
+    if not events:
+        sys.exit("this load has no dynamic event: load for longer")
+    end = events[1][0] if len(events) > 1 else np.inf
+    start = events[0][1] + APART
+    t, tip = tip_advances(time, block, start, end - APART)
+    return {
         "dynamic_events": [start for start, _ in events],
-        "interval_from": event + APART,
+        "interval_from": start,
         "tip": [[when, x[b]] for when, b in zip(t, tip)],
         "speed": (x[tip[-1]] - x[tip[0]]) / (t[-1] - t[0]),
-        "branches": branch_times(t[0], t[-1], float(checkpoint_every)),
+        "branches": branch_times(t[0], t[-1], checkpoint_every),
     }
-    print(json.dumps(stretch, indent=2))
+
+
+def furthest(ruptures, from_t, to_t):
+    """Furthest block that ruptures in a stretch of time; -1 if there is none."""
+    time, block, _ = ruptures
+    return max(block[(time > from_t) & (time <= to_t)], default=-1)
+
+
+def advances(load, stopped, interval_from, t_branch):
+    """Blocks by which the tip advances after a branch, with the driving and without it."""
+    until = t_branch + STOPPED_FOR
+    tip = furthest(load, interval_from, t_branch)
+    driven = max(furthest(load, t_branch, until) - tip, 0)
+    return {
+        "t": t_branch,
+        "tip": int(tip),
+        "driven": int(driven),
+        "stopped": int(max(furthest(stopped, t_branch, until) - tip, 0)),
+    }
+
+
+def measured(stretch, c_s, branch):
+    """One load, for claim 5B; the driving stops in the middle of the stretch."""
+    return {"c_s": c_s, "speed": stretch["speed"], "tip": stretch["tip"], "branch": branch}
+
+
+def main(path, checkpoint_every):
+    print(json.dumps(quasistatic_stretch(path, float(checkpoint_every)), indent=2))
 
 
 if __name__ == "__main__":

@@ -12,14 +12,7 @@ import json
 import sys
 
 from events.choose_events import read_events, start
-from events.fronts import DURATION, FAST_OVER_SLOW
-
-
-def is_fast_slow(front):
-    slow = front["slow"]
-    if front["type"] != "slow" or slow["fast_before"] is None:
-        return False
-    return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and slow["duration"] >= DURATION[0]
+from events.fronts import is_fast_slow
 
 
 def main(path, checkpoint_every):

@@ -1,8 +1,7 @@
 # Figure S2: the simplified law, one spring per block and slow slip imposed. See README.md.
 import json
 
-FIGS2_UNTIL = 0.65  # s; there are three fast-slow events until then
-FIGS2_LOADED = checkpoints_of(f"{DATA}/figS2/load", until=FIGS2_UNTIL, every=CHECKPOINT_EVERY)
+FIGS2_LOAD = f"{DATA}/ensemble/simplified-01"
 FIGS2_CHOICE = Path(DATA, "figS2/choice.json")
 
 
@@ -13,30 +12,9 @@ def figS2_events():
     return range(len(json.loads(FIGS2_CHOICE.read_text())["events"]))
 
 
-use rule load_recorded as figS2_load with:
-    output: **recorded(f"{DATA}/figS2/load", checkpoints=FIGS2_LOADED)
-    priority: 90  # long: first
-    params:
-        **run_with(
-            f"--until {FIGS2_UNTIL} --checkpoint-every {CHECKPOINT_EVERY}",
-            changes="--set junctions.law=simplified --set junctions.v_slow=1.5e-3",
-            record_every="1e-3",
-        ),
-    log: f"{LOGS}/figS2/load.log"
-    message: f"figS2: drive the slider with the simplified law to t = {FIGS2_UNTIL} s"
-
-
-use rule analyze as figS2_events with:
-    input: **content_of(h5=f"{DATA}/figS2/load-record.h5")
-    output: f"{DATA}/figS2/events.json"
-    params: **analysis("events")
-    log: f"{LOGS}/figS2/events.log"
-    message: "figS2: find the rupture events"
-
-
 rule figS2_choice:
     input:
-        events=f"{DATA}/figS2/events.json",
+        events=f"{FIGS2_LOAD}-events.json",
         **script("recipes/figS2/choose.py"),
     output: FIGS2_CHOICE.as_posix()
     log: f"{LOGS}/figS2/choice.log"
@@ -50,9 +28,9 @@ STAGES["start"]["figS2"] = [FIGS2_CHOICE.as_posix()]
 use rule restart_before_event as figS2_before with:
     input:
         choice=FIGS2_CHOICE.as_posix(),
-        **content_of(checkpoints=FIGS2_LOADED),
+        **content_of(checkpoints=checkpoints_of_load(FIGS2_LOAD)),
     output: **with_sums(h5=f"{DATA}/figS2/before-{{n}}.h5")
-    params: **event_of(f"{DATA}/figS2/load", "events.{n}")
+    params: **event_of(FIGS2_LOAD, "events.{n}")
     wildcard_constraints: n=r"\d+"
     log: f"{LOGS}/figS2/before-{{n}}.log"
     message: "figS2: go to 0.5 ms before event {wildcards.n}"

@@ -1,37 +1,14 @@
 # Figure S6 A: a fast-slow-fast event that arises while the slider is driven.
 FIGS6_PARTS.append(f"{DATA}/figS6/claims-event.json")
-FIGS6_UNTIL = 1.2  # s
-FIGS6_LOADED = checkpoints_of(f"{DATA}/figS6/load", until=FIGS6_UNTIL, every=CHECKPOINT_EVERY)
+FIGS6_LOAD = f"{DATA}/ensemble/decaying-01"
 # The slow stretch of an event is where v_c is below this part of c_s: a speed of c_s/8 passes as
 # slow here, and with the tools' default it would not.
 FIGS6_SLOW_BELOW = 1 / 8
 
 
-use rule load_recorded as figS6_load with:
-    output: **recorded(f"{DATA}/figS6/load", checkpoints=FIGS6_LOADED)
-    priority: 90  # long: first
-    params:
-        **run_with(
-            f"--until {FIGS6_UNTIL} --checkpoint-every {CHECKPOINT_EVERY}",
-            changes=FIGS6_LAW,
-            record_every="1e-3",
-        ),
-    log: f"{LOGS}/figS6/load.log"
-    message:
-        f"figS6: drive the slider with the decaying law to t = {FIGS6_UNTIL} s (about a minute)"
-
-
-use rule analyze as figS6_events with:
-    input: **content_of(h5=f"{DATA}/figS6/load-record.h5")
-    output: f"{DATA}/figS6/events.json"
-    params: **analysis(f"events --slow-below {FIGS6_SLOW_BELOW}")
-    log: f"{LOGS}/figS6/events.log"
-    message: "figS6: find the rupture events"
-
-
 rule figS6_choice:
     input:
-        events=f"{DATA}/figS6/events.json",
+        events=f"{FIGS6_LOAD}-events.json",
         **script("recipes/figS6/event_choice.py"),
     output: f"{DATA}/figS6/choice.json"
     log: f"{LOGS}/figS6/choice.log"
@@ -42,9 +19,9 @@ rule figS6_choice:
 use rule restart_before_event as figS6_before with:
     input:
         choice=f"{DATA}/figS6/choice.json",
-        **content_of(checkpoints=FIGS6_LOADED),
+        **content_of(checkpoints=checkpoints_of_load(FIGS6_LOAD)),
     output: **with_sums(h5=f"{DATA}/figS6/before.h5")
-    params: **event_of(f"{DATA}/figS6/load")
+    params: **event_of(FIGS6_LOAD)
     log: f"{LOGS}/figS6/before.log"
     message: "figS6: go to 0.5 ms before the event"
 

@@ -13,10 +13,11 @@ import sys
 from claims.judge import unmet
 from events.choose_events import read_events, start
 from events.event_claims import case_of_event
+from events.conventions import DECAYING
 
 
 def main(path, checkpoint_every):
-    spanning = [event for event in read_events(path) if event["spanning"]]
+    spanning = [event for event in read_events(path, DECAYING) if event["spanning"]]
     if not spanning:
         sys.exit("no event of this load spans the interface: load for longer")
     for event in spanning:

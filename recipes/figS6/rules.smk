@@ -1,8 +1,4 @@
 # Figure S6: the decaying law. One file per part; each adds its claims to FIGS6_PARTS.
-FIGS6_LAW = (
-    "--set junctions.law=decaying --set junctions.kappa=54.1e9"
-    " --set junctions.mu_d=0.28 --set junctions.mu_new=0.196"
-)
 FIGS6_PARTS = []
 
 

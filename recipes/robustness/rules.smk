@@ -7,33 +7,9 @@ ROBUSTNESS_EVENT = f"{DATA}/fast-slow-fast"
 STAGES["start"]["robustness"] = [f"{ROBUSTNESS_EVENT}.compared"]
 
 
-# Until the first junction breaks, at 0.18 s, no slipping time is drawn: the reference run is also the
-# beginning of this one.
-use rule restart_recorded as robustness_exponential with:
-    input: **content_of(h5=f"{DATA}/load-t0.150000000.h5")
-    output: **recorded(f"{DATA}/robustness/exponential")
-    priority: 90  # long: first
-    params:
-        **run_with(
-            f"--until {LOAD_UNTIL}",
-            changes="--set junctions.slipping_times=exponential",
-            record_every="1e-3",
-        ),
-    log: f"{LOGS}/robustness/exponential.log"
-    message: "robustness: drive the slider with exponential slipping times to t = 1.2 s"
-
-
-use rule analyze as robustness_exponential_events with:
-    input: **content_of(h5=f"{DATA}/robustness/exponential-record.h5")
-    output: f"{DATA}/robustness/exponential-events.json"
-    params: **analysis("events")
-    log: f"{LOGS}/robustness/exponential-events.log"
-    message: "robustness: find the events with exponential slipping times"
-
-
 rule robustness_Exp:
     input:
-        events=f"{DATA}/robustness/exponential-events.json",
+        events=f"{DATA}/ensemble/exponential-01-events.json",
         unmodified=f"{ROBUSTNESS_EVENT}-front.json",
         continued=f"{ROBUSTNESS_EVENT}/exponential-front.json",
         **script("recipes/robustness/exponential.py"),

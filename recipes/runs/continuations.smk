@@ -1,14 +1,6 @@
 # Continuations of an event whose front becomes slow: the runs behind Figures 3 A-C, 4 A-B, 5 A and S4.
-# {event} is the one that the figures show, or any of the ensemble (events.smk).
-CONTINUATIONS = {  # from the moment when the front is at 0.14 L
-    "stopped": "--set driving.V=0",
-    "no-slow-slip": "--set driving.V=0 --set junctions.f_new=f_slip",
-    "t_R-half": "--set driving.V=0 --set junctions.t_R=1e-3 --set junctions.delta_t_R=0.3e-3",
-    "t_R-double": "--set driving.V=0 --set junctions.t_R=4e-3 --set junctions.delta_t_R=1.2e-3",
-    "exponential": "--set junctions.slipping_times=exponential",
-    "distance": "--set junctions.law=distance",
-}
-SLIPS = ["stopped", "t_R-half", "t_R-double"]
+# {event} is one that figures show (events.smk); events/continuations.py says what each run changes.
+from events.continuations import CONTINUATIONS, SLIPS, WIDER
 
 
 # The moment when block 8, at 0.14 L, ruptures: the front has left the loading zone, and all that
@@ -27,7 +19,10 @@ use rule restart_recorded as event_continuation with:
     input: **content_of(h5=f"{DATA}/{{event}}/branch.h5")
     output: **recorded(f"{DATA}/{{event}}/{{continuation}}")
     params:
-        **run_with("--for 0.01", changes=lambda wildcards: CONTINUATIONS[wildcards.continuation]),
+        **run_with(
+            f"--for {DURATION}",
+            changes=lambda wildcards: CONTINUATIONS[wildcards.continuation],
+        ),
     wildcard_constraints: continuation="|".join(CONTINUATIONS)
     log: f"{LOGS}/{{event}}/{{continuation}}.log"
     message: "{wildcards.event}: restart {wildcards.continuation} ({params.changes})"
@@ -59,14 +54,14 @@ rule event_wider_phi:
     log: f"{LOGS}/{{event}}/wider-start.log"
     message: "{wildcards.event}: make phi uniform and as wide as each block allows for x > 0.25 L"
     shell:
-        "{BIN}/modify-phi {input.h5} -o {output.h5} --force --sum --shape uniform --x-from 0.035"
+        "{BIN}/modify-phi {input.h5} -o {output.h5} --force --sum {WIDER}"
         " > {output.histogram} 2> {log}"
 
 
 use rule restart_recorded as event_wider with:
     input: **content_of(h5=f"{DATA}/{{event}}/wider-start.h5")
     output: **recorded(f"{DATA}/{{event}}/wider")
-    params: **run_with("--for 0.01")
+    params: **run_with(f"--for {DURATION}")
     log: f"{LOGS}/{{event}}/wider.log"
     message: "{wildcards.event}: restart with the wider phi"
 
@@ -85,6 +80,6 @@ use rule restart as event_amid_slow with:
 use rule restart_recorded as event_undriven with:
     input: **content_of(h5=f"{DATA}/{{event}}/amid-slow.h5")
     output: **recorded(f"{DATA}/{{event}}/undriven")
-    params: **run_with("--for 0.01", changes="--set driving.V=0")
+    params: **run_with(f"--for {DURATION}", changes="--set driving.V=0")
     log: f"{LOGS}/{{event}}/undriven.log"
     message: "{wildcards.event}: stop the driving during the slow front"

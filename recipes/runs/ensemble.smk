@@ -1,70 +1,98 @@
-# Twenty more seeds: the reference slider continued from t = 0.6 s, between two spanning events, each
-# time with other slipping times. The first spanning event after that still starts from the shared
-# history and is left out; it renews all junctions. The two after it count: events with and without a
-# slow stretch tend to alternate, so a third would favour one kind (recipes/ensemble/README.md).
-SEEDS = [f"{seed:02d}" for seed in range(2, 22)]
-SEEDS_FROM = 0.6  # [s]
-SEEDS_UNTIL = 0.82  # [s]
-SEED_CHECKPOINTS = checkpoints_of(
-    f"{DATA}/ensemble/run-{{seed}}",
-    start=SEEDS_FROM,
-    until=SEEDS_UNTIL,
-    every=CHECKPOINT_EVERY,
-)
+# Independent loads: each is driven from t = 0 with its own seed. load-01, the reference slider, is the
+# one that Figures 1 and S1 show; with --from-scratch, the checkpoints in checkpoints/ come from it, too.
+LOAD_UNTIL = 1.2  # s
+CHECKPOINT_EVERY = 0.05  # s
+CROSSINGS = ""  # options of a run whose record holds enough for all conventions
+SETTINGS = {  # name: parameters, number of seeds
+    "load": ("", 20),
+    "simplified": ("--set junctions.law=simplified --set junctions.v_slow=1.5e-3", 8),
+    "decaying": (
+        "--set junctions.law=decaying --set junctions.kappa=54.1e9"
+        " --set junctions.mu_d=0.28 --set junctions.mu_new=0.196",
+        8,
+    ),
+    "exponential": ("--set junctions.slipping_times=exponential", 8),
+}
+LOADS = [
+    f"{setting}-{seed:02d}"
+    for setting, (_, seeds) in SETTINGS.items()
+    for seed in range(1, seeds + 1)
+]
+REFERENCE_LOADS = [load for load in LOADS if load.startswith("load-")]
+SHOWN_LOAD = f"{DATA}/ensemble/load-01"
 
 
-wildcard_constraints: seed=r"\d\d"
+def checkpoints_of_load(run):
+    return checkpoints_of(run, until=LOAD_UNTIL, every=CHECKPOINT_EVERY)
 
 
-use rule restart_recorded as ensemble_run with:
-    input: **content_of(h5=f"{DATA}/load-t{SEEDS_FROM:.9f}.h5")
-    output: **recorded(f"{DATA}/ensemble/run-{{seed}}", checkpoints=SEED_CHECKPOINTS)
-    priority: 80  # long: first
+def parameters_of_load(wildcards):
+    setting, seed = wildcards.load.split("-")
+    return f"{SETTINGS[setting][0]} --set numerics.seed={int(seed)}"
+
+
+wildcard_constraints:
+    load="|".join(LOADS),
+
+
+use rule load_recorded as load with:
+    output:
+        **recorded(
+            f"{DATA}/ensemble/{{load}}",
+            checkpoints=checkpoints_of_load(f"{DATA}/ensemble/{{load}}"),
+        ),
+    priority: 100  # long: first
     params:
         **run_with(
-            f"--seed $((10#{{seed}})) --until {SEEDS_UNTIL} --checkpoint-every {CHECKPOINT_EVERY}",
+            f"--until {LOAD_UNTIL} --checkpoint-every {CHECKPOINT_EVERY} {CROSSINGS}",
+            changes=parameters_of_load,
             record_every="1e-3",
         ),
-    log: f"{LOGS}/ensemble/run-{{seed}}.log"
-    message: "ensemble: run seed {wildcards.seed}"
+    log: f"{LOGS}/ensemble/{{load}}.log"
+    message:
+        f"load: drive the slider to t = {LOAD_UNTIL} s, {{wildcards.load}} (about a minute)"
 
 
-use rule analyze as ensemble_events with:
-    input: **content_of(h5=f"{DATA}/ensemble/run-{{seed}}-record.h5")
-    output: f"{DATA}/ensemble/run-{{seed}}-events.json"
-    params: **analysis("events")
-    log: f"{LOGS}/ensemble/run-{{seed}}-events.log"
-    message: "ensemble: find the events of seed {wildcards.seed}"
-
-
-rule ensemble_choice:
+rule events:
     input:
-        events=[f"{DATA}/ensemble/run-{seed}-events.json" for seed in SEEDS],
-        **script("recipes/ensemble/choose.py"),
-    output: f"{DATA}/ensemble/choice.json"
-    log: f"{LOGS}/ensemble/choice.log"
-    message: "ensemble: choose the first event of each seed that slows down"
-    shell: "{PYTHON} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
+        **content_of(h5=f"{DATA}/ensemble/{{load}}-record.h5"),
+        script="recipes/ensemble/measure_events.py",
+        conventions="recipes/events/conventions.py",
+    output: f"{DATA}/ensemble/{{load}}-events.json"
+    params: code=CODE
+    log: f"{LOGS}/ensemble/{{load}}-events.log"
+    message: "events: find the rupture events of {wildcards.load}, under each convention"
+    shell: "{PYTHON} {input.script} {BIN} {input.h5} > {output} 2> {log}"
 
 
-use rule restart_before_event as ensemble_event_start with:
+# The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
+# fast-slow-fast event of the reference slider, Figure S2 for the fast-slow ones with the simplified law.
+CONTINUED = {"load": "continue_events", "simplified": "without_slow_slip"}  # setting: script
+CONTINUED_LOADS = [load for load in LOADS if load.split("-")[0] in CONTINUED]
+
+
+rule continued:
     input:
-        choice=f"{DATA}/ensemble/choice.json",
-        **content_of(checkpoints=SEED_CHECKPOINTS),
-    output: **with_sums(h5=f"{DATA}/ensemble/seed-{{seed}}.h5")
-    params: **event_of(f"{DATA}/ensemble/run-{{seed}}", "seed-{seed}")
-    log: f"{LOGS}/ensemble/seed-{{seed}}-start.log"
-    message: "ensemble: go to 0.5 ms before the event of seed {wildcards.seed}"
+        events=f"{DATA}/ensemble/{{load}}-events.json",
+        **content_of(checkpoints=checkpoints_of_load(f"{DATA}/ensemble/{{load}}")),
+        script=lambda wildcards: f"recipes/ensemble/{CONTINUED[wildcards.load.split('-')[0]]}.py",
+        shared=[
+            "recipes/ensemble/workshop.py",
+            *(f"recipes/events/{name}.py" for name in ("conventions", "continuations", "fronts")),
+        ],
+    output: f"{DATA}/ensemble/{{load}}-continued.json"
+    priority: 80  # long: before what is short
+    params: code=CODE, run=f"{DATA}/ensemble/{{load}}", crossings=CROSSINGS
+    wildcard_constraints: load="|".join(CONTINUED_LOADS)
+    log: f"{LOGS}/ensemble/{{load}}-continued.log"
+    message: "continued: continue the events of {wildcards.load} in other ways"
+    shell:
+        "{PYTHON} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} '{params.crossings}'"
+        " > {output} 2> {log}"
 
 
-def seeds_with_event():
-    """The seeds for which `rule ensemble_choice` has found an event; none before it has run."""
-    choice = Path(f"{DATA}/ensemble/choice.json")
-    if not choice.exists():
-        return []
-    return [seed for seed, start in json.loads(choice.read_text()).items() if start]
-
-
-# The events {event} of the ensemble. Whoever uses them has a rule *_start that asks for
-# ensemble_choice's output, so that this is known when it counts.
-ENSEMBLE_EVENTS = [f"ensemble/{seed}" for seed in seeds_with_event()]
+def of_ensemble(paths):
+    """What a recipe uses of the ensemble besides its own case: with the recipe `ensemble`, or where no
+    recipes are named, all; without it, what is there already."""
+    everything = not ASKED or "ensemble" in ASKED
+    return [path for path in paths if everything or Path(path).exists()]

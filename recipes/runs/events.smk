@@ -1,22 +1,20 @@
 # Events of the reference slider that figures show, each as a checkpoint from shortly before the event
 # and as a record of it; choose_events.py says by which rule they are chosen. The paper's event I is
 # fast-slow-fast, its event II second-slow, its event III fast-only.
-EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
+from events.continuations import DURATION
 
-# The ensemble has its own events, to which all but what concerns the shipped checkpoints applies, too.
-EVENT = "|".join([*EVENTS, r"ensemble/seed-\d\d"])
+EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
 
 
 wildcard_constraints:
-    event=EVENT,
-    shown_event="|".join(EVENTS),
+    event="|".join(EVENTS),
 
 
 if FROM_SCRATCH:
 
     rule choice:
         input:
-            events=f"{DATA}/events.json",
+            events=f"{SHOWN_LOAD}-events.json",
             **script("recipes/events/choose_events.py"),
         output: f"{DATA}/choice.json"
         log: f"{LOGS}/choice.log"
@@ -26,33 +24,33 @@ if FROM_SCRATCH:
     use rule restart_before_event as event_start with:
         input:
             choice=f"{DATA}/choice.json",
-            **content_of(checkpoints=LOADED),
-        output: **with_sums(h5=f"{DATA}/{{shown_event}}.h5")
-        params: **event_of(f"{DATA}/load", "{shown_event}")
-        log: f"{LOGS}/{{shown_event}}-start.log"
-        message: "{wildcards.shown_event}: go to 0.5 ms before the event"
+            **content_of(checkpoints=checkpoints_of_load(SHOWN_LOAD)),
+        output: **with_sums(h5=f"{DATA}/{{event}}.h5")
+        params: **event_of(SHOWN_LOAD, "{event}")
+        log: f"{LOGS}/{{event}}-start.log"
+        message: "{wildcards.event}: go to 0.5 ms before the event"
 
 else:
 
     rule event_start:
-        input: h5="checkpoints/{shown_event}.h5"
-        output: **with_sums(h5=f"{DATA}/{{shown_event}}.h5")
+        input: h5="checkpoints/{event}.h5"
+        output: **with_sums(h5=f"{DATA}/{{event}}.h5")
         params: code=CODE
-        log: f"{LOGS}/{{shown_event}}-start.log"
-        message: "{wildcards.shown_event}: verify the shipped checkpoint"
+        log: f"{LOGS}/{{event}}-start.log"
+        message: "{wildcards.event}: verify the shipped checkpoint"
         shell:
             "sum=$({BIN}/analyze checksum {input.h5} 2> {log}) && cp {input.h5} {output.h5}"
-            " && echo \"content-sha256 $sum  {wildcards.shown_event}.h5\" > {output.h5_sum}"
+            " && echo \"content-sha256 $sum  {wildcards.event}.h5\" > {output.h5_sum}"
 
 
 # In either case the checkpoint must be the one that the manifest names.
 rule event_compared:
     input:
-        sum=f"{DATA}/{{shown_event}}.h5.sum",
+        sum=f"{DATA}/{{event}}.h5.sum",
         manifest="checkpoints/manifest",
-    output: f"{DATA}/{{shown_event}}.compared"
-    log: f"{LOGS}/{{shown_event}}-compared.log"
-    message: "{wildcards.shown_event}: compare its checksum with checkpoints/manifest"
+    output: f"{DATA}/{{event}}.compared"
+    log: f"{LOGS}/{{event}}-compared.log"
+    message: "{wildcards.event}: compare its checksum with checkpoints/manifest"
     shell:
         "{{ grep -xFf {input.sum} {input.manifest} > {output}"
         " || {{ echo 'not in checkpoints/manifest (see checkpoints/README.md):';"
@@ -62,7 +60,7 @@ rule event_compared:
 use rule restart_recorded as event_record with:
     input: **content_of(h5=f"{DATA}/{{event}}.h5")
     output: **with_sums(h5=f"{DATA}/{{event}}-after.h5", record=f"{DATA}/{{event}}-record.h5")
-    params: **run_with("--for 0.01")
+    params: **run_with(f"--for {DURATION}")
     log: f"{LOGS}/{{event}}-record.log"
     message: "{wildcards.event}: run the event as it is"
 
@@ -72,7 +70,7 @@ use rule analyze as event_phi with:
     input: **content_of(h5=f"{DATA}/{{state}}.h5")
     output: f"{DATA}/{{state}}-phi.json"
     params: **analysis("phi")
-    wildcard_constraints: state=f"({EVENT})(/wider-start)?"
+    wildcard_constraints: state=f"({'|'.join(EVENTS)})(/wider-start)?"
     log: f"{LOGS}/{{state}}-phi.log"
     message: "{wildcards.state}: measure the forces in the junctions"
 

@@ -26,8 +26,8 @@ PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
 # A rule may also ask for checkpoints for later steps, and name the only event of a record.
 UNSAID = ("--event", "--checkpoint-every")
-# Commands that no rule runs: the scripts read these records themselves.
-ONLY_BY_HAND = ("analyze loading --x",)
+# Commands that no rule runs: scripts read these records, or call the program, themselves.
+ONLY_BY_HAND = ("analyze loading --x", "analyze events", "analyze events --slow-below")
 RECIPES = sorted(path.parent.name for path in (SOURCE / "recipes").glob("*/rules.smk"))
 
 HANDLER = """
@@ -43,11 +43,9 @@ def planned(folder):
     """All commands of a run from scratch, in which events have been found."""
     for name in ("recipes", "checkpoints", "docs"):
         (folder / name).symlink_to(SOURCE / name)
-    choices = {"ensemble": {"seed-02": {"from": "", "until": ""}}, "figS2": {"events": [{}]}}
-    for name, choice in choices.items():
-        path = folder / f"results/data/{name}/choice.json"
-        path.parent.mkdir(parents=True)
-        path.write_text(json.dumps(choice))
+    choice = folder / "results/data/figS2/choice.json"
+    choice.parent.mkdir(parents=True)
+    choice.write_text(json.dumps({"events": [{}]}))
     (folder / "handler.py").write_text(HANDLER)
     done = subprocess.run(
         [

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Continues every fast-slow-fast event of a load in other ways, and measures what becomes of it:
+
+    continue_events.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
+
+RUN is results/data/ensemble/load-03, say: names of the load's checkpoints and events begin so. The
+commands run in the folder RUN-scratch, which is deleted at the end. Prints, by the events' numbers:
+
+    "unmodified"    front of the event as it is
+    "strength"      of each block before the event
+    "peaks"         of tau/p of each block
+    "branches"      {branch: {run: front, "slip": {x: {run: slip}}, "phi": {"before", "after"}}}
+    "undriven"      front if the driving stops in the middle of the slow stretch, "undriven_from"
+    "conventions"   {convention: {run: front}} of the first branch, and the unmodified event
+
+A branch is null where the front does not rupture its block; a front where nothing ruptures.
+"""
+
+import json
+import shutil
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+from workshop import Workshop, short, without_lines
+
+from data.scratch import scratch
+from events.choose_events import start
+from events.continuations import BRANCHES, CONTINUATIONS, DURATION, LEAD, SLIP_AT, SLIPS, WIDER
+from events.conventions import IN_WORDS
+from events.fronts import is_fast_slow_fast_in_words, middle_of_slow_stretch
+
+RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
+FRONTS = ["stopped", "no-slow-slip", "wider"]  # of which the front is measured
+
+
+def numbers(values):
+    """For JSON."""
+    return [value if np.isfinite(value) else None for value in values]
+
+
+def peaks(record):
+    """When tau/p of each block is largest [s], and tau/p at the start, then, and LEAD after the
+    last block has ruptured. A block without contact has none."""
+    with h5py.File(record) as file:
+        time, tau, p = (file[f"series/{name}"][()] for name in ("time", "tau", "p"))
+        _, first = np.unique(file["ruptures/block"][()], return_index=True)
+        last = file["ruptures/time"][()][first].max()
+    ratio = np.divide(tau, p, out=np.full_like(tau, -np.inf), where=p > 0)[time <= last + LEAD]
+    return {
+        "t_peak": time[np.argmax(ratio, axis=0)].tolist(),
+        "before": numbers(ratio[0]),
+        "at_peak": numbers(ratio.max(axis=0)),
+        "after": numbers(ratio[-1]),
+    }
+
+
+def continued(workshop, branch, duration):
+    """What becomes of the event from a branch on; leaves the records there."""
+    source = workshop.path(branch)
+    for run in RUNS:
+        options = CONTINUATIONS[run].split()
+        workshop.recorded(source, f"{branch}-{run}", *options, "--for", duration)
+    workshop.run("modify-phi", source, f"{branch}-wider-start", *WIDER.split())
+    workshop.recorded(workshop.path(f"{branch}-wider-start"), f"{branch}-wider", "--for", duration)
+    phi = {"before": source, "after": workshop.path(f"{branch}-wider-start")}
+    slips = {run: workshop.slips(f"{branch}-{run}", SLIP_AT) for run in SLIPS}
+    return {
+        **{run: short(workshop.front(f"{branch}-{run}")) for run in FRONTS},
+        "slip": {place: {run: of_run[place] for run, of_run in slips.items()} for place in SLIP_AT},
+        "phi": {when: short(workshop.analyze("phi", path)) for when, path in phi.items()},
+    }
+
+
+def under_conventions(workshop, branch):
+    """Fronts of the first branch and of the unmodified event, without their lines."""
+    runs = {"unmodified": "event", **{run: f"{branch}-{run}" for run in FRONTS}}
+    return {
+        convention: {
+            name: without_lines(workshop.front(run, convention)) for name, run in runs.items()
+        }
+        for convention in workshop.conventions
+    }
+
+
+def times_of_branches(event):
+    """{branch: time}, None where its block does not rupture."""
+    return {branch: event["t_rupture"][block] for branch, (block, _) in BRANCHES.items()}
+
+
+def duration_of(event):
+    """Of a continuation [s]: longer where the front takes longer than half of it."""
+    crossing = max(t for t in event["t_rupture"] if t is not None) - event["t_start"]
+    return max(DURATION, 2 * crossing)
+
+
+def run_event(workshop, event, before, times):
+    """The event as it is, and its states at the times of the branches."""
+    duration = duration_of(event)
+    workshop.run("restart", before["checkpoint"], "start", "--until", before["until"])
+    stops = sorted(t for t in times.values() if t is not None)
+    at = ["--checkpoint-at", *stops]
+    workshop.recorded(workshop.path("start"), "event", "--for", duration, *at)
+    for name, t in times.items():
+        if t is not None:
+            shutil.copy(workshop.folder / f"event-t{t:.9f}.h5", workshop.path(name))
+
+
+def measure(workshop, event, before):
+    """One event. `before` says from which checkpoint and when to start."""
+    times = times_of_branches(event)
+    amid_slow = middle_of_slow_stretch(event)
+    run_event(workshop, event, before, times)
+    duration = duration_of(event)
+    workshop.run("restart", workshop.path("start"), "amid-slow", "--until", amid_slow)
+    stop = ["--set", "driving.V=0", "--for", duration]
+    workshop.recorded(workshop.path("amid-slow"), "undriven", *stop)
+    branches = {
+        branch: None if t is None else continued(workshop, branch, duration)
+        for branch, t in times.items()
+    }
+    first = next(iter(BRANCHES))
+    return {
+        "t_start": event["t_start"],
+        "unmodified": workshop.front("event"),
+        "strength": workshop.analyze("strength", workshop.path("start")),
+        "peaks": peaks(workshop.path("event-record")),
+        "branches": branches,
+        "undriven": short(workshop.front("undriven")),
+        "undriven_from": amid_slow,
+        "conventions": branches[first] and under_conventions(workshop, first),
+    }
+
+
+def main(programs, run, checkpoint_every, record_options):
+    events = json.loads(Path(f"{run}-events.json").read_text(encoding="utf-8"))[IN_WORDS]
+    found = {}
+    for event in filter(is_fast_slow_fast_in_words, events):
+        before = start(event, float(checkpoint_every))
+        before["checkpoint"] = Path(f"{run}-t{before['from']}.h5")
+        with scratch(Path(f"{run}-scratch")) as folder:
+            workshop = Workshop(programs, folder, record_options)
+            found[event["number"]] = measure(workshop, event, before)
+    print(json.dumps(found))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

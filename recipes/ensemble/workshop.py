@@ -1,0 +1,67 @@
+"""The programs at work in a folder: runs of events, and what is measured of them."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+
+from events.continuations import BRANCHES
+from events.conventions import PRIMARY, Analysis
+from events.fronts import LOADING_ZONE
+
+RECORD_EVERY = "1e-5"  # [s]
+LONG = ("time", "slip", "histogram", "bins", "x")  # series that nobody needs for each run
+
+
+def short(report):
+    return report and {key: value for key, value in report.items() if key not in LONG}
+
+
+def without_lines(front):
+    return front and {key: value for key, value in front.items() if not isinstance(value, list)}
+
+
+class Workshop:
+    """Runs programs in a folder."""
+
+    def __init__(self, programs, folder, record_options):
+        self.programs = Path(programs).resolve()
+        self.analyze = Analysis(programs)
+        self.conventions = self.analyze.conventions()
+        self.folder = folder
+        self.record_options = record_options.split()
+
+    def path(self, name):
+        return self.folder / f"{name}.h5"
+
+    def run(self, tool, source, name, *options):
+        words = [self.programs / tool, source, "-o", self.path(name), "--force", "--quiet"]
+        subprocess.run([*words, *map(str, options)], stdout=sys.stderr, check=True)
+
+    def recorded(self, source, name, *options):
+        record = ["--record", self.path(f"{name}-record"), "--record-every", RECORD_EVERY]
+        self.run("restart", source, name, *options, *record, *self.record_options)
+
+    def front(self, name, convention=PRIMARY):
+        """Of the first event of a run; None where nothing ruptures. Speeds of a run that branches
+        off count beyond the branch: the blocks before it may rupture once more."""
+        record = self.path(f"{name}-record")
+        with h5py.File(record) as file:
+            if len(file["ruptures/time"]) == 0:
+                return None
+        _, x = BRANCHES.get(name.split("-")[0], (None, LOADING_ZONE))
+        options = [*self.conventions[convention], "--skip-below-x", x]
+        return self.analyze("front --event 0", record, options)
+
+    def slips(self, name, places):
+        """{place: slip} at {place: x}, as rule event_slip measures it: until the front leaves its
+        slow stretch, or reaches the leading edge, or to the end."""
+        front = self.front(name) or {"slow": None, "t_rupture": [None]}
+        until = front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
+        end = [] if until is None else ["--to", until]
+        record = self.path(f"{name}-record")
+        return {
+            place: short(self.analyze("slip", record, ["--x", x, *end]))
+            for place, x in places.items()
+        }

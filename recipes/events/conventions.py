@@ -1,0 +1,49 @@
+"""Ways to measure a front that the paper leaves open, as data: options of `analyze events` and
+`analyze front`. The first is the primary convention; each other differs from it in one way."""
+
+import json
+import subprocess
+from pathlib import Path
+
+SLOW_BELOW = 1 / 20  # of c_s; the default of the programs
+C_S, C_S_OF_LATTICE = 968, 993  # [m/s]
+PRIMARY = "primary"
+IN_WORDS = "slow below c_s/10"  # "at least 1 order of magnitude slower than the wave speeds"
+DECAYING = "slow below c_s/8"  # claim S6A allows a slow speed up to this
+
+CONVENTIONS = {  # name: options
+    PRIMARY: {},
+    "stencil 3": {"--stencil": 3},
+    "stencil 7": {"--stencil": 7},
+    "20 % pinned": {"--ruptured-below": 0.2},
+    "50 % pinned": {"--ruptured-below": 0.5},
+    IN_WORDS: {"--slow-below": 1 / 10},
+    "slow below c_s/30": {"--slow-below": 1 / 30},
+    "lattice's c_s": {"--slow-below": SLOW_BELOW * C_S_OF_LATTICE / C_S},
+    "ends to the slow": {"--stencils-at-ends": "slow"},
+    "ends to the fast": {"--stencils-at-ends": "fast"},
+    DECAYING: {"--slow-below": 1 / 8},
+}
+
+
+class Analysis:
+    """`analyze` of a folder of programs."""
+
+    def __init__(self, programs):
+        self.program = Path(programs).resolve() / "analyze"
+
+    def __call__(self, command, path, options=()):
+        """The report of `analyze COMMAND FILE --json OPTION...`. Raises CalledProcessError."""
+        words = [self.program, *command.split(), path, "--json", *map(str, options)]
+        return json.loads(subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout)
+
+    def conventions(self):
+        """{name: options as words} of those whose options `analyze` has."""
+        describe = [self.program, "events", "--describe"]
+        told = json.loads(subprocess.run(describe, stdout=subprocess.PIPE, check=True).stdout)
+        known = {f"--{option['name']}" for option in told["options"]}
+        return {
+            name: [word for option in options.items() for word in option]
+            for name, options in CONVENTIONS.items()
+            if options.keys() <= known
+        }
