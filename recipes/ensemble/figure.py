@@ -24,18 +24,20 @@ NAMES = {  # setting: title
     "decaying": "decaying law",
     "exponential": "exponential $t_R$",
 }
+FAST_SLOW_FAST = "fast-slow-fast"  # in words
 KINDS = {  # label: colour
-    "fast-slow-fast in words": BLUE,
+    FAST_SLOW_FAST: BLUE,
     "fast everywhere": VERMILION,
     "other": SKY,
 }
+SHOWN = 5  # after the first rupture [ms]
 OF_SLOW = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]
 UNITS = ["m", "m", "s", "m/s", "m/s", "m/s"]
 
 
 def kind_of(event, event_in_words):
     if is_fast_slow_fast_in_words(event_in_words):
-        return "fast-slow-fast in words"
+        return FAST_SLOW_FAST
     return "fast everywhere" if is_fast_only(event) else "other"
 
 
@@ -58,7 +60,7 @@ def draw_rupture_lines(axes, events):
         t_rupture = values(event["t_rupture"])
         time = (t_rupture - event["t_start"]) * 1e3
         axes.plot(np.linspace(0, 1, len(time)), time, color=KINDS[kind], linewidth=0.5)
-    axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, None))
+    axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, SHOWN))
 
 
 def draw(loads, stem):
@@ -72,8 +74,8 @@ def draw(loads, stem):
         letter(axes, text)
     panels[0].set_ylabel("block ruptures after [ms]")
     for label, colour in KINDS.items():
-        panels[0].plot([], [], color=colour, label=label)
-    panels[0].legend(loc="upper left")
+        panels[1].plot([], [], color=colour, label=label)
+    panels[1].legend(loc="lower right", handlelength=1, frameon=True)
     save(fig, stem)
 
 

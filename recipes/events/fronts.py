@@ -20,7 +20,9 @@ def is_fast_slow_fast_in_words(front):
     """Spans, with three stencils or more below c_s/10, and a median of at least c_s/10 before and
     after them. The front is measured with `--slow-below 0.1` (conventions.IN_WORDS)."""
     slow = front["slow"]
-    if front["type"] != "slow" or slow["fast_before"] is None or slow["fast_after"] is None:
+    if front["type"] != "slow" or slow is None:
+        return False
+    if slow["fast_before"] is None or slow["fast_after"] is None:
         return False
     spacing = front["L"] / (len(front["t_rupture"]) - 1)
     return (
@@ -32,7 +34,7 @@ def is_fast_slow_fast_in_words(front):
 def is_fast_slow(front):
     """Claim S2: crosses the interface, and becomes slow after it was fast."""
     slow = front["slow"]
-    if front["type"] != "slow" or slow["fast_before"] is None:
+    if front["type"] != "slow" or slow is None or slow["fast_before"] is None:
         return False
     return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and slow["duration"] >= SLOW_FOR
 

@@ -42,6 +42,7 @@ class InWords(unittest.TestCase):
         self.assertFalse(is_fast_slow_fast_in_words(event(after=None)))
 
     def test_what_arrests_or_has_no_slow_stretch_is_none(self):
+        self.assertFalse(is_fast_slow_fast_in_words(event() | {"slow": None}))
         self.assertFalse(is_fast_slow_fast_in_words(event(kind="arrested")))
         self.assertFalse(is_fast_slow_fast_in_words(event(kind="fast")))
 
