@@ -24,12 +24,13 @@ from claims.claim import (
     Share,
     number,
 )
+from events.conventions import PRIMARY
 
 TABLE = Path(__file__).with_name("claims.toml")
-PRIMARY = "primary"  # the first convention
 SHOWN = "shown"  # the unit of a case that stands alone
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
+FEWEST = 5  # units; fewer tell nothing
 CONDITION = re.compile(
     r"(?:(?P<low>\S+) <= )?(?P<of>.+?)(?: (?P<relation><=|>=|<|>|is) (?P<bound>\S+))?"
 )
@@ -76,7 +77,7 @@ def parse(text):
     match = CONDITION.fullmatch(text)
     if match is None or match["relation"] is None:
         raise ValueError(f"{TABLE.name}: '{text}' is no condition")
-    low = match["low"] and float(Fraction(match["low"]))
+    low = float(Fraction(match["low"])) if match["low"] else None
     return Condition(text, match["of"], low, match["relation"], match["bound"])
 
 
@@ -147,7 +148,8 @@ def judged(claim_id, measured, shown, units=None, note=""):
     case, None if it could not be measured; `units`: {unit: {convention: [case, ...]}}."""
     row = table()[claim_id]
     accepted = None if shown is None else holds(claim_id, [shown])
-    shares = shares_of(claim_id, units or {})
+    units = units or {}
+    shares = shares_of(claim_id, units) if len(units) >= FEWEST else []
     verdict, reason = verdict_of(claim_id, accepted, shares)
     if accepted is False:
         reason += f" ({unmet_text(claim_id, shown)})"

@@ -11,7 +11,7 @@ PRIMARY = "primary"
 IN_WORDS = "slow below c_s/10"  # "at least 1 order of magnitude slower than the wave speeds"
 DECAYING = "slow below c_s/8"  # claim S6A allows a slow speed up to this
 
-CONVENTIONS = {  # name: options
+CONVENTIONS: dict[str, dict] = {  # name: options
     PRIMARY: {},
     "stencil 3": {"--stencil": 3},
     "stencil 7": {"--stencil": 7},
@@ -24,6 +24,10 @@ CONVENTIONS = {  # name: options
     "ends to the fast": {"--stencils-at-ends": "fast"},
     DECAYING: {"--slow-below": 1 / 8},
 }
+
+
+def words_of(options):
+    return [str(word) for option in options.items() for word in option]
 
 
 class Analysis:
@@ -43,7 +47,7 @@ class Analysis:
         told = json.loads(subprocess.run(describe, stdout=subprocess.PIPE, check=True).stdout)
         known = {f"--{option['name']}" for option in told["options"]}
         return {
-            name: [word for option in options.items() for word in option]
+            name: words_of(options)
             for name, options in CONVENTIONS.items()
             if options.keys() <= known
         }

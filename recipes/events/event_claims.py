@@ -1,20 +1,16 @@
 """The claims about single fronts and about an event with its continuations: 2A-2C, 3A-3C, 4AB, 5A.
 
 case_*() measure what the conditions in claims/claims.toml ask for, of the event that the figures
-show and of each event of the ensemble alike. `data` is the folder results/data, `event` the name
-of the event there.
+show and of each event of the ensemble alike.
 """
 
 import numpy as np
 
-from claims.judge import judged, unmet
-from data.records import report, values
-from events.fronts import LOADING_ZONE, middle_of_slow_stretch
+from claims.judge import holds, judged, unmet
+from data.records import values
+from events.fronts import LOADING_ZONE, is_fast_slow_fast_in_words, middle_of_slow_stretch
 
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
-IN_WORDS = 1 / 10  # of c_s: "at least 1 order of magnitude slower than the wave speeds"
-STENCILS = 3  # that a slow stretch has at least, in words
-HALF_STENCIL = 2  # blocks on either side of a stencil's middle
 
 
 def ratio(a, b):
@@ -56,51 +52,27 @@ def is_fast_slow_fast(front):
     return not unmet("2A", case_of_event(front))
 
 
-def front_speeds(front):
-    """Position [m] and v_c [m/s] at each block, with stencils of five blocks; NaN where there is
-    none. Of an event of `analyze events`, which has no v_c."""
-    t = values(front["t_rupture"])
-    x = np.linspace(0, front["L"], len(t))
-    v = np.full(len(t), np.nan)
-    h = HALF_STENCIL
-    with np.errstate(divide="ignore", invalid="ignore"):
-        v[h:-h] = (x[2 * h :] - x[: -2 * h]) / (t[2 * h :] - t[: -2 * h])
-    v[np.isnan(t) | np.isinf(v)] = np.nan
-    return x, v
-
-
-def stretches(is_slow):
-    """Runs of consecutive slow stencils: [(first, last)]."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], is_slow.astype(int), [0]))))
-    return [(first, after - 1) for first, after in edges.reshape(-1, 2)]
-
-
 def words_case(front):
-    """Claims 2Aw, S6Aw and Expw: the longest stretch of stencils with v_c < c_s/10, and whether it
-    makes the event fast-slow-fast in words."""
-    x, v = front_speeds(front)
-    limit = IN_WORDS * front["c_s"]
-    beyond = x > LOADING_ZONE
-    found = [
-        (last - first + 1, first, last)
-        for first, last in stretches(beyond & (v > 0) & (v < limit))
-        if last - first + 1 >= STENCILS
-    ]
-    length, first, last = max(found, default=(0, None, None))
-    case = {"slow stencils": length, "fast before [m/s]": None, "fast after [m/s]": None}
-    if length:
-        before, after = v[:first][beyond[:first]], v[last + 1 :]
-        for side, speeds in (("before", before), ("after", after)):
-            if np.isfinite(speeds).any():
-                case[f"fast {side} [m/s]"] = float(np.nanmedian(speeds))
-    fast = (case["fast before [m/s]"], case["fast after [m/s]"])
-    spans = front["type"] in ("slow", "fast")
-    holds = spans and None not in fast and min(fast) >= limit
-    return case | {"fast-slow-fast in words": yes(holds)}
+    """Claims 2Aw, S6Aw and Expw; the front is measured with conventions.IN_WORDS."""
+    return case_of_event(front) | {
+        "fast-slow-fast in words": yes(is_fast_slow_fast_in_words(front))
+    }
 
 
-def claims_of_fronts(data, slow_front, fast_front):
-    """Claims 2A, 2Aw, 2B, 2C for the events that Figure 2 shows."""
+def words_shown(front):
+    """The same for readers."""
+    slow = front["slow"] or {}
+    return {
+        "fast-slow-fast in words": words_case(front)["fast-slow-fast in words"],
+        "below c_s/10 from [L]": ratio(slow.get("x_from"), front["L"]),
+        "to [L]": ratio(slow.get("x_to"), front["L"]),
+        "fast before [m/s]": slow.get("fast_before"),
+        "fast after [m/s]": slow.get("fast_after"),
+    }
+
+
+def claims_of_fronts(slow_front, in_words, fast_front, units, units_in_words):
+    """Claims 2A, 2Aw, 2B, 2C for the events of Figure 2; `in_words`: the first one again."""
     slow, case = slow_front["slow"], case_of_event(slow_front)
     speeds = {
         "slow speed [m/s]": slow["speed"],
@@ -114,18 +86,15 @@ def claims_of_fronts(data, slow_front, fast_front):
         "fast/slow after": case["fast/slow after"],
     }
     slowest_of_fast = slowest(fast_front)
+    fast = {
+        "slowest stencil [m/s]": slowest_of_fast,
+        "c_s/slowest": fast_front["c_s"] / slowest_of_fast,
+    }
     return [
-        judged("2A", speeds, case),
-        judged("2Aw", words_case(slow_front), words_case(slow_front)),
-        judged(
-            "2B",
-            {
-                "slowest stencil [m/s]": slowest_of_fast,
-                "c_s/slowest": fast_front["c_s"] / slowest_of_fast,
-            },
-            case_of_event(fast_front),
-        ),
-        judged("2C", speeds_compared(slow_front, case), case),
+        judged("2A", speeds, case, units),
+        judged("2Aw", words_shown(in_words), words_case(in_words), units_in_words),
+        judged("2B", fast, case_of_event(fast_front), units),
+        judged("2C", speeds_compared(slow_front, case), case, units),
     ]
 
 
@@ -145,6 +114,17 @@ def speeds_compared(front, case):
 # --- an event and its continuations --------------------------------------------------------
 
 
+def judged_event(claim_id, events, case, details, units, note=""):
+    """`events`: {name: fronts or slips}; the first one is judged as the one that is shown, the
+    others are reported beside it. `case` and `details` measure such fronts."""
+    (name, first), *others = events.items()
+    measured = {"event": name} | details(*first)
+    for other, fronts in others:
+        beside = details(*fronts) | {"holds": yes(holds(claim_id, [case(*fronts)]))}
+        measured |= {f"{other}: {key}": value for key, value in beside.items()}
+    return judged(claim_id, measured, case(*first), units, note)
+
+
 def case_3A(unmodified, stopped):
     slow, reference = stopped["slow"] or {}, unmodified["slow"] or {}
     return {
@@ -153,18 +133,18 @@ def case_3A(unmodified, stopped):
     }
 
 
-def claim_3A(unmodified, stopped):
-    slow, case = stopped["slow"], case_3A(unmodified, stopped)
-    return judged(
-        "3A",
-        shown=case,
-        measured={
-            "front": stopped["type"],
-            "slow speed [m/s]": slow and slow["speed"],
-            "unmodified [m/s]": unmodified["slow"]["speed"],
-            "slow speed/unmodified": case["slow speed/unmodified"],
-        },
-    )
+def details_3A(unmodified, stopped):
+    slow = stopped["slow"]
+    return {
+        "front": stopped["type"],
+        "slow speed [m/s]": slow and slow["speed"],
+        "unmodified [m/s]": unmodified["slow"]["speed"],
+        "slow speed/unmodified": case_3A(unmodified, stopped)["slow speed/unmodified"],
+    }
+
+
+def claim_3A(events, units):
+    return judged_event("3A", events, case_3A, details_3A, units)
 
 
 def case_3B(unmodified, no_slow_slip):
@@ -173,19 +153,18 @@ def case_3B(unmodified, no_slow_slip):
     return {"arrest - transition [L]": ratio(apart, no_slow_slip["L"])}
 
 
-def claim_3B(unmodified, no_slow_slip):
+def details_3B(unmodified, no_slow_slip):
     L = no_slow_slip["L"]
-    case = case_3B(unmodified, no_slow_slip)
-    return judged(
-        "3B",
-        shown=case,
-        measured={
-            "front": no_slow_slip["type"],
-            "arrest [L]": ratio(no_slow_slip["x_arrest"], L),
-            "transition of the unmodified event [L]": unmodified["slow"]["x_from"] / L,
-            **case,
-        },
-    )
+    return {
+        "front": no_slow_slip["type"],
+        "arrest [L]": ratio(no_slow_slip["x_arrest"], L),
+        "transition of the unmodified event [L]": unmodified["slow"]["x_from"] / L,
+        **case_3B(unmodified, no_slow_slip),
+    }
+
+
+def claim_3B(events, units):
+    return judged_event("3B", events, case_3B, details_3B, units)
 
 
 def case_3C(slips):
@@ -197,15 +176,19 @@ def case_3C(slips):
     }
 
 
-def claim_3C(slips):
+def details_3C(slips):
     measured = {}
     for run, t_R in SLIPS.items():
         fast_slip, slow_speed = slips[run]["fast_slip"], slips[run]["slow_speed"]
         measured[f"fast slip at {t_R} [um]"] = fast_slip and fast_slip * 1e6
         measured[f"slow slip speed at {t_R} [mm/s]"] = slow_speed and slow_speed * 1e3
         measured[f"R^2 at {t_R}"] = slips[run]["slow_r_squared"]
-    case = case_3C(slips)
-    return judged("3C", shown=case, measured=measured | case)
+    return measured | case_3C(slips)
+
+
+def claim_3C(events, units):
+    events = {name: (slips,) for name, slips in events.items()}
+    return judged_event("3C", events, case_3C, details_3C, units)
 
 
 def largest_change_of_mean(before, after):
@@ -228,21 +211,21 @@ def case_4AB(unmodified, wider, phi_before, phi_after):
     }
 
 
-def claim_4AB(unmodified, wider, phi_before, phi_after):
-    case = case_4AB(unmodified, wider, phi_before, phi_after)
-    return judged(
-        "4AB",
-        shown=case,
-        measured=case
-        | {
-            "its slowest stencil [m/s]": slowest(wider),
-            "slow stretch of the unmodified restart [ms]": unmodified["slow"]["duration"] * 1e3,
-            "slow stretch with the wider phi [ms]": (wider["slow"] or {"duration": 0})["duration"]
-            * 1e3,
-        },
-        note="Both start 0.5 ms before the first rupture. Widened: the blocks from 0.25 L on, which"
-        " is itself the position of one.",
+def details_4AB(unmodified, wider, phi_before, phi_after):
+    return case_4AB(unmodified, wider, phi_before, phi_after) | {
+        "its slowest stencil [m/s]": slowest(wider),
+        "slow stretch of the unmodified restart [ms]": unmodified["slow"]["duration"] * 1e3,
+        "slow stretch with the wider phi [ms]": (wider["slow"] or {"duration": 0})["duration"]
+        * 1e3,
+    }
+
+
+def claim_4AB(events, units):
+    note = (
+        "Both start 0.5 ms before the first rupture, those of the ensemble when the front is at the"
+        " branch. Widened: the blocks from 0.25 L on, which is itself the position of one."
     )
+    return judged_event("4AB", events, case_4AB, details_4AB, units, note)
 
 
 def case_5A(unmodified, undriven):
@@ -253,39 +236,20 @@ def case_5A(unmodified, undriven):
     return {"difference/slow duration": share}
 
 
-def claim_5A(unmodified, undriven):
-    case = case_5A(unmodified, undriven)
-    share, slow = case["difference/slow duration"], unmodified["slow"]
+def details_5A(unmodified, undriven):
+    case, slow = case_5A(unmodified, undriven), unmodified["slow"]
+    share = case["difference/slow duration"]
     passed = values(unmodified["t_rupture"]) <= middle_of_slow_stretch(unmodified)
-    return judged(
-        "5A",
-        shown=case,
-        measured={
-            "driving stopped at [L]": np.array(unmodified["x"])[passed].max() / unmodified["L"],
-            "largest difference of the rupture line [us]": share and share * slow["duration"] * 1e6,
-            **case,
-        },
-        note="The driving stops in the middle of the slow stretch; the difference is the largest of"
-        " all blocks that rupture later.",
+    return {
+        "driving stopped at [L]": np.array(unmodified["x"])[passed].max() / unmodified["L"],
+        "largest difference of the rupture line [us]": share and share * slow["duration"] * 1e6,
+        **case,
+    }
+
+
+def claim_5A(events, units):
+    note = (
+        "The driving stops in the middle of the slow stretch; the difference is the largest of all"
+        " blocks that rupture later."
     )
-
-
-def all_claims(data, event):
-    """Every claim of this file for one event."""
-
-    def of(run, kind):
-        return report(data / event / f"{run}-{kind}.json")
-
-    unmodified = report(data / f"{event}-front.json")
-    return [
-        claim_3A(unmodified, of("stopped", "front")),
-        claim_3B(unmodified, of("no-slow-slip", "front")),
-        claim_3C({run: of(run, "slip") for run in SLIPS}),
-        claim_4AB(
-            unmodified,
-            of("wider", "front"),
-            report(data / f"{event}-phi.json"),
-            of("wider-start", "phi"),
-        ),
-        claim_5A(unmodified, of("undriven", "front")),
-    ]
+    return judged_event("5A", events, case_5A, details_5A, units, note)

@@ -7,9 +7,8 @@ there are. A unit that lacks what is asked for has no case, which counts against
 
 from pathlib import Path
 
-from claims.judge import PRIMARY
 from data.records import report
-from events.conventions import DECAYING, IN_WORDS
+from events.conventions import DECAYING, IN_WORDS, PRIMARY
 from events.event_claims import case_3A, case_3B, case_3C, case_4AB, case_5A, words_case
 
 FIRST_BRANCH, *LATER_BRANCHES = "0.14", "0.2", "0.25"
@@ -38,7 +37,7 @@ def of_loads(paths, case, conventions=None):
 
 def in_words(paths):
     """Claims 2Aw, S6Aw and Expw."""
-    return of_loads(paths, words_case, {PRIMARY: PRIMARY})
+    return of_loads(paths, words_case, {PRIMARY: IN_WORDS})
 
 
 def below_c_s_over_8(paths, case):

@@ -12,6 +12,8 @@ from claims.judge import judged
 from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
+from events.conventions import PRIMARY
+from events.units import name_of
 
 NEAR = 0.1e-3  # peak and rupture of a block [s]
 MIDDLE = 0.5  # of L; the block of panel E
@@ -41,7 +43,17 @@ def case_1D(events, first):
     }
 
 
-def claim_1D(events):
+def units_1D(paths):
+    return {
+        name_of(path): {
+            PRIMARY: [case_1D(read_events(path), None)],
+            "the first five": [case_1D(read_events(path), 5)],
+        }
+        for path in paths
+    }
+
+
+def claim_1D(events, paths):
     first_spanning = [event["spanning"] for event in events].index(True)
     precursors = [event["x_last"] for event in events[:first_spanning]]
     drops = [e["F_T_before"] - e["F_T_after"] for e in events if e["spanning"]]
@@ -49,6 +61,7 @@ def claim_1D(events):
     return judged(
         "1D",
         shown=case_1D(events, None),
+        units=units_1D(paths),
         measured={
             "arrest of the events before the first spanning one [mm]": [
                 x * 1e3 for x in precursors
@@ -133,14 +146,16 @@ def write_tables(results, loading, events, blocks, front):
     )
 
 
-def main(data, results):
+def main(data, results, *loads):
     data, results = Path(data), Path(results)
     loading = report(data / "fig1/loading.json")
     events = read_events(data / "ensemble/load-01-events.json")
     front = report(data / "fig1/event-front.json")
     blocks = Blocks(data / "fig1/event-record.h5")
     write_tables(results, loading, events, blocks, front)
-    write_claims(data / "fig1/claims-curves.json", [claim_1D(events), claim_1E(blocks, front)])
+    write_claims(
+        data / "fig1/claims-curves.json", [claim_1D(events, loads), claim_1E(blocks, front)]
+    )
 
 
 if __name__ == "__main__":

@@ -79,6 +79,7 @@ rule fig1_curves:
         events=f"{SHOWN_LOAD}-events.json",
         front=f"{FIG1}/event-front.json",
         **content_of(record=f"{FIG1}/event-record.h5"),
+        loads=of_ensemble(f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS),
         **script("recipes/fig1/curves.py"),
     output:
         claims=f"{FIG1}/claims-curves.json",
@@ -87,7 +88,7 @@ rule fig1_curves:
         block=f"{RESULTS}/fig1/block.csv",
     log: f"{LOGS}/fig1/curves.log"
     message: "fig1: the slider's loading (D) and one block's (E)"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig1 2> {log}"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig1 {input.loads} 2> {log}"
 
 
 rule fig1_junction:

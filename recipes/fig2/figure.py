@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Figure 2, its data and its claims: figure.py results/data results/fig2"""
+"""Figure 2, its data and its claims: figure.py results/data results/fig2 load-01-events.json ..."""
 
 import sys
 from pathlib import Path
@@ -9,7 +9,8 @@ import numpy as np
 from claims.claim import write_claims
 from data.records import Pinned, report, values
 from data.tables import write_fronts
-from events.event_claims import claims_of_fronts
+from events.event_claims import case_of_event, claims_of_fronts
+from events.units import in_words, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
 from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 
@@ -48,12 +49,15 @@ def draw(data, fronts, stem):
     save(fig, stem)
 
 
-def main(data, results):
+def main(data, results, *loads):
     data, results = Path(data), Path(results)
     fronts = {name: report(data / f"{name}-front.json") for name in EVENTS}
     draw(data, fronts, results / "fig2")
     write_fronts(results / "front-speed.csv", fronts)
-    write_claims(results / "claims.json", claims_of_fronts(data, *fronts.values()))
+    slow, fast = fronts.values()
+    again = report(data / "fast-slow-fast-front-in-words.json")
+    units = of_loads(loads, case_of_event), in_words(loads)
+    write_claims(results / "claims.json", claims_of_fronts(slow, again, fast, *units))
 
 
 if __name__ == "__main__":

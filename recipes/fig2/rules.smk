@@ -9,6 +9,8 @@ rule fig2:
     input:
         fronts=[f"{DATA}/{event}-front.json" for event in FIG2_EVENTS],
         **content_of(records=[f"{DATA}/{event}-record.h5" for event in FIG2_EVENTS]),
+        in_words=f"{DATA}/fast-slow-fast-front-in-words.json",
+        loads=of_ensemble(f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS),
         **script("recipes/fig2/figure.py"),
     output:
         claims=f"{RESULTS}/fig2/claims.json",
@@ -16,4 +18,4 @@ rule fig2:
         table=f"{RESULTS}/fig2/front-speed.csv",
     log: f"{LOGS}/fig2.log"
     message: "fig2: draw, compare with the paper's claims"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 2> {log}"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 {input.loads} 2> {log}"

@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
-"""Figure 3 A-C, its data and its claims: figure.py results/data results/fig3 CLAIMS.json"""
+"""Figure 3 A-C, its data and its claims:
+
+    figure.py results/data results/fig3 CLAIMS.json load-01-continued.json ...
+"""
 
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from claims.claim import write_claims
-from data.records import Pinned, report
+from data.records import Pinned, report, values
 from data.tables import write_table
 from events.event_claims import claim_3A, claim_3B, claim_3C
+from events.units import of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, VERMILION, figure, letter, save
 
-EVENT = "fast-slow-fast"
+EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 SLIPS = {  # run: label, colour, line style
     "t_R-half": (r"$\langle t_R\rangle/2$", VERMILION, "--"),
     "stopped": (r"$\langle t_R\rangle$ (as in A)", BLUE, "-"),
@@ -41,38 +46,64 @@ def draw_slip(axes, slips, t_zero):
     axes.legend(loc="lower right")
 
 
-def draw(data, fronts, slips, stem):
+@dataclass(frozen=True)
+class Event:
+    """An event and its continuations."""
+
+    data: Path
+    name: str
+
+    def front(self, run=""):
+        return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front.json")
+
+    def slips(self):
+        return {run: report(self.data / f"{self.name}/{run}-slip.json") for run in SLIPS}
+
+
+def draw_event(fig, axes, event, letters):
+    slips = event.slips()
     t_zero = slips["stopped"]["time"][0]
-    last = (np.nanmax(np.array(fronts["stopped"]["t_rupture"], dtype=float)) - t_zero) * 1e3
-    fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=3)
-    draw_maps(fig, axes[:2], data, t_zero, (0, last + 0.5))
+    t_rupture = values(event.front("stopped")["t_rupture"])
+    window = (0, (np.nanmax(t_rupture) - t_zero) * 1e3 + 0.5)
+    draw_maps(fig, axes[:2], event.data / event.name, t_zero, window)
     draw_slip(axes[2], slips, t_zero)
-    for axis, text in zip(axes, "ABC"):
+    for axis, text in zip(axes, letters):
         letter(axis, text)
+
+
+def draw(events, stem):
+    """The paper's event above, the other one below."""
+    fig, axes = figure(DOUBLE, 0.7 * DOUBLE, nrows=len(events), ncols=3)
+    for row, (event, name) in zip(axes, events.items()):
+        draw_event(fig, row, event, [f"{text} {name}" for text in "ABC"])
     save(fig, stem)
 
 
-def write_slips(path, slips):
-    rows = ([run, *row] for run, slip in slips.items() for row in zip(slip["time"], slip["slip"]))
-    write_table(path, ["run", "time [s]", "slip [m]"], rows)
+def rows(events):
+    for event, name in events.items():
+        for run, slip in event.slips().items():
+            for row in zip(slip["time"], slip["slip"]):
+                yield [name, run, *row]
 
 
-def main(data, results, claims):
-    data, results = Path(data), Path(results)
-    unmodified = report(data / f"{EVENT}-front.json")
-    data = data / EVENT
-    fronts = {run: report(data / f"{run}-front.json") for run in ("stopped", "no-slow-slip")}
-    slips = {run: report(data / f"{run}-slip.json") for run in SLIPS}
-    draw(data, fronts, slips, results / "fig3")
-    write_slips(results / "slip.csv", slips)
-    write_claims(
-        claims,
-        [
-            claim_3A(unmodified, fronts["stopped"]),
-            claim_3B(unmodified, fronts["no-slow-slip"]),
-            claim_3C(slips),
-        ],
-    )
+def claims_of(events, continued):
+    def fronts(run):
+        return {name: (event.front(), event.front(run)) for event, name in events.items()}
+
+    return [
+        claim_3A(fronts("stopped"), of_events(continued, "3A")),
+        claim_3B(fronts("no-slow-slip"), of_events(continued, "3B")),
+        claim_3C(
+            {name: event.slips() for event, name in events.items()}, of_events(continued, "3C")
+        ),
+    ]
+
+
+def main(data, results, claims, *continued):
+    events = {Event(Path(data), name): title for name, title in EVENTS.items()}
+    draw(events, Path(results) / "fig3")
+    write_table(Path(results) / "slip.csv", ["event", "run", "time [s]", "slip [m]"], rows(events))
+    write_claims(claims, claims_of(events, continued))
 
 
 if __name__ == "__main__":

@@ -2,19 +2,22 @@
 # (runs/continuations.smk). Each other part of Figure 3 has a file of its own beside this
 # one, which adds the claims it writes to FIG3_PARTS. See README.md.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
-FIG3_EVENT = f"{DATA}/fast-slow-fast"
+FIG3_EVENTS = [f"{DATA}/{event}" for event in ("fast-slow-fast", "second-slow")]  # I, II
 FIG3_PARTS = [f"{DATA}/fig3/claims-ABC.json"]
 
 
-STAGES["start"]["fig3"] = [f"{DATA}/fast-slow-fast.compared"]
+STAGES["start"]["fig3"] = [f"{event}.compared" for event in FIG3_EVENTS]
 
 
 rule fig3_ABC:
     input:
-        fronts=[f"{FIG3_EVENT}/{run}-front.json" for run in FIG3_RUNS],
-        **content_of(records=[f"{FIG3_EVENT}/{run}-record.h5" for run in FIG3_RUNS]),
-        slips=[f"{FIG3_EVENT}/{run}-slip.json" for run in SLIPS],
-        unmodified=f"{FIG3_EVENT}-front.json",
+        fronts=[f"{event}/{run}-front.json" for event in FIG3_EVENTS for run in FIG3_RUNS],
+        **content_of(
+            records=[f"{event}/{run}-record.h5" for event in FIG3_EVENTS for run in FIG3_RUNS]
+        ),
+        slips=[f"{event}/{run}-slip.json" for event in FIG3_EVENTS for run in SLIPS],
+        unmodified=[f"{event}-front.json" for event in FIG3_EVENTS],
+        continued=of_ensemble(f"{DATA}/ensemble/{load}-continued.json" for load in REFERENCE_LOADS),
         **script("recipes/fig3/figure.py"),
     output:
         claims=f"{DATA}/fig3/claims-ABC.json",
@@ -22,7 +25,7 @@ rule fig3_ABC:
         table=f"{RESULTS}/fig3/slip.csv",
     log: f"{LOGS}/fig3.log"
     message: "fig3: draw A-C, compare with the paper's claims"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig3 {output.claims} 2> {log}"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig3 {output.claims} {input.continued} 2> {log}"
 
 
 for part in sorted(set(Path("recipes/fig3").glob("*.smk")) - {Path("recipes/fig3/rules.smk")}):

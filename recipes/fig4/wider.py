@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Figure 4 A-B and its claim: wider.py results/data results/fig4 CLAIMS.json"""
+"""Figure 4 A-B and its claim:
+
+    wider.py results/data results/fig4 CLAIMS.json load-01-continued.json ...
+"""
 
 import sys
 from pathlib import Path
@@ -9,44 +12,56 @@ import numpy as np
 from claims.claim import write_claims
 from data.records import Pinned, report, values
 from events.event_claims import claim_4AB
+from events.units import of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import DOUBLE, figure, letter, save
 
-EVENT = "fast-slow-fast"
+EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 REGION = 0.25  # from here on phi was changed [L]
 
 
-def draw_events(axes, data, fronts):
-    """The pinned fraction of both, with the same time axis. Returns the image."""
-    t_zero = min(np.nanmin(values(front["t_rupture"])) for front in fronts)
-    last = max(np.nanmax(values(front["t_rupture"])) for front in fronts)
-    window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
-    for axis, run in zip(axes, (EVENT, f"{EVENT}/wider")):
+def fronts_of(data, event):
+    return [report(data / f"{run}-front.json") for run in (event, f"{event}/wider")]
+
+
+def draw_event(axes, data, event):
+    """The pinned fraction as it is and with the wider phi, with the same time axis."""
+    ruptures = [values(front["t_rupture"]) for front in fronts_of(data, event)]
+    t_zero = np.nanmin(ruptures)
+    window = (-MARGIN, (np.nanmax(ruptures) - t_zero) * 1e3 + MARGIN)
+    for axis, run in zip(axes, (event, f"{event}/wider")):
         image = draw_pinned(axis, Pinned(data / f"{run}-record.h5"), t_zero, window)
-    return image
-
-
-def draw(data, fronts, stem):
-    fig, axes = figure(0.7 * DOUBLE, 0.36 * DOUBLE, ncols=2, sharey=True)
-    image = draw_events(axes, data, fronts)
-    titles = ("as it is", r"wider $\varphi$ beyond $0.25\,L$")
-    for axis, text, title in zip(axes, "AB", titles):
-        axis.set_title(title)
-        letter(axis, text)
     axes[1].set_ylabel("")
     arrow = {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
     axes[1].annotate("", (1, 0.03), (REGION, 0.03), "axes fraction", "axes fraction", arrow)
-    draw_pinned_scale(fig, image, axes)
+    return image
+
+
+def draw(data, stem):
+    """The paper's event above, the other one below."""
+    fig, axes = figure(0.7 * DOUBLE, 0.7 * DOUBLE, nrows=len(EVENTS), ncols=2, sharey="row")
+    for row, (event, name) in zip(axes, EVENTS.items()):
+        image = draw_event(row, data, event)
+        titles = ("as it is", r"wider $\varphi$ beyond $0.25\,L$")
+        for axis, text, title in zip(row, "AB", titles):
+            axis.set_title(title)
+            letter(axis, f"{text} {name}")
+        draw_pinned_scale(fig, image, row)
     save(fig, stem)
 
 
-def main(data, results, claims):
+def phi_of(data, event):
+    return [report(data / f"{run}-phi.json") for run in (event, f"{event}/wider-start")]
+
+
+def main(data, results, claims, *continued):
     data, results = Path(data), Path(results)
-    fronts = [report(data / f"{run}-front.json") for run in (EVENT, f"{EVENT}/wider")]
-    phi = [report(data / f"{run}-phi.json") for run in (EVENT, f"{EVENT}/wider-start")]
-    draw(data, fronts, results / "fig4AB")
-    write_claims(claims, [claim_4AB(*fronts, *phi)])
+    draw(data, results / "fig4AB")
+    events = {
+        name: (*fronts_of(data, event), *phi_of(data, event)) for event, name in EVENTS.items()
+    }
+    write_claims(claims, [claim_4AB(events, of_events(continued, "4AB"))])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Figure 5 A, its data and its claim: driving.py results/data results/fig5 CLAIMS.json"""
+"""Figure 5 A, its data and its claim:
+
+    driving.py results/data results/fig5 CLAIMS.json load-01-continued.json ...
+"""
 
 import sys
 from pathlib import Path
@@ -12,6 +15,7 @@ from data.records import Pinned, report, values
 from data.tables import write_table
 from events.event_claims import claim_5A
 from events.fronts import middle_of_slow_stretch
+from events.units import of_events
 from pictures.panels import draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
 
@@ -80,13 +84,13 @@ def write_ruptures(path, fronts):
     write_table(path, names, zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts)))
 
 
-def main(data, results, claims):
+def main(data, results, claims, *continued):
     data, results = Path(data), Path(results)
     fronts = [report(data / f"{run}-front.json") for run in (EVENT, f"{EVENT}/undriven")]
     t_stop = middle_of_slow_stretch(fronts[0])
     draw(data, fronts, t_stop, results / "fig5A")
     write_ruptures(results / "rupture-lines.csv", fronts)
-    write_claims(claims, [claim_5A(*fronts)])
+    write_claims(claims, [claim_5A({"event I": fronts}, of_events(continued, "5A"))])
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from claims.claim import write_claims
 from claims.judge import judged
 from data.records import Pinned, report, shear_wave_speed
 from data.tables import write_table
+from events.conventions import PRIMARY
 from pictures.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
 
 SLIPPING = 0.05  # part of a block's junctions from which a stopped run is shown
@@ -79,13 +80,28 @@ def draw(data, stretch, L, stem):
     save(fig, stem)
 
 
-def claim_5B(stretch, c_s, branches):
+def case_5B(c_s, speed, branch):
+    return {"c_s/speed": c_s / speed, "blocks in 20 ms, V = 0": branch["stopped"]}
+
+
+def units_5B(paths):
+    """The other seeds, by quasistatic_stretch.measured()."""
+    found = {Path(path).stem: report(path) for path in paths}
+    return {
+        name: {PRIMARY: [case_5B(load["c_s"], load["speed"], load["branch"])]}
+        for name, load in found.items()
+    }
+
+
+def claim_5B(stretch, c_s, branches, others):
     speed, middle = stretch["speed"], branches[MIDDLE]
     start, end = stretch["tip"][0], stretch["tip"][-1]
-    case = {"c_s/speed": c_s / speed, "blocks in 20 ms, V = 0": middle["stopped"]}
+    case = case_5B(c_s, speed, middle)
+    units = {"h0-01": {PRIMARY: [case]}} | units_5B(others) if others else {}
     return judged(
         "5B",
         shown=case,
+        units=units,
         measured={
             "mean speed [m/s]": speed,
             **case,
@@ -107,7 +123,7 @@ def claim_5B(stretch, c_s, branches):
     )
 
 
-def main(data, results):
+def main(data, results, *others):
     data, results = Path(data), Path(results)
     stretch = report(data / "quasistatic-stretch.json")
     record = data / "quasistatic-load-record.h5"
@@ -131,7 +147,7 @@ def main(data, results):
     c_s = shear_wave_speed(record)
     of_seed = json.dumps(measured(stretch, c_s, branches[MIDDLE]))
     (data.parent / "ensemble/h0-01.json").write_text(of_seed, encoding="utf-8")
-    write_claims(data / "claims-quasistatic.json", [claim_5B(stretch, c_s, branches)])
+    write_claims(data / "claims-quasistatic.json", [claim_5B(stretch, c_s, branches, others)])
 
 
 if __name__ == "__main__":

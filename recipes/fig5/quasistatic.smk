@@ -88,6 +88,7 @@ rule quasistatic:
             ],
         ),
         stretch_script="recipes/fig5/quasistatic_stretch.py",
+        others=of_ensemble(f"{DATA}/ensemble/h0-{seed}.json" for seed in H0_SEEDS),
         **script("recipes/fig5/quasistatic.py"),
     output:
         claims=f"{DATA}/fig5/claims-quasistatic.json",
@@ -97,4 +98,4 @@ rule quasistatic:
         branches=f"{RESULTS}/fig5/quasistatic-branches.csv",
     log: f"{LOGS}/fig5/quasistatic.log"
     message: "fig5: draw the quasi-static front, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {DATA}/fig5 {RESULTS}/fig5 2> {log}"
+    shell: "{PYTHON} {input.script} {DATA}/fig5 {RESULTS}/fig5 {input.others} 2> {log}"

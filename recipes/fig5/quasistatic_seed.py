@@ -43,8 +43,8 @@ def measure(programs, seed, until, every, folder):
     t = stretch["branches"][MIDDLE]
     stop = ["--set", "driving.V=0", "--for", STOPPED_FOR]
     stopped = run(programs / "restart", folder, "stopped", folder / f"load-t{t}.h5", *stop)
-    ruptures = (read_ruptures(record) for record in (load, stopped))
-    branch = advances(*ruptures, stretch["interval_from"], float(t))
+    driven, undriven = read_ruptures(load), read_ruptures(stopped)
+    branch = advances(driven, undriven, stretch["interval_from"], float(t))
     return measured(stretch, shear_wave_speed(load), branch)
 
 

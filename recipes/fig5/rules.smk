@@ -12,6 +12,7 @@ rule fig5_driving:
     input:
         fronts=[f"{DATA}/{run}-front.json" for run in FIG5_RUNS],
         **content_of(records=[f"{DATA}/{run}-record.h5" for run in FIG5_RUNS]),
+        continued=of_ensemble(f"{DATA}/ensemble/{load}-continued.json" for load in REFERENCE_LOADS),
         **script("recipes/fig5/driving.py"),
     output:
         claims=f"{DATA}/fig5/claims-A.json",
@@ -19,7 +20,8 @@ rule fig5_driving:
         table=f"{RESULTS}/fig5/rupture-lines.csv",
     log: f"{LOGS}/fig5-driving.log"
     message: "fig5: draw A, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig5 {output.claims} 2> {log}"
+    shell:
+        "{PYTHON} {input.script} {DATA} {RESULTS}/fig5 {output.claims} {input.continued} 2> {log}"
 
 
 for part in sorted(set(Path("recipes/fig5").glob("*.smk")) - {Path("recipes/fig5/rules.smk")}):

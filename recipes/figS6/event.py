@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Figure S6 A, its data and its claim: event.py results/data/figS6 results/figS6"""
+"""Figure S6 A, its data and its claims:
+
+    event.py results/data/figS6 results/figS6 decaying-01-events.json ...
+"""
 
 import sys
 from pathlib import Path
@@ -10,7 +13,12 @@ from claims.claim import write_claims
 from claims.judge import judged
 from data.records import Pinned, report, values
 from data.tables import write_fronts, write_table
-from events.event_claims import case_of_event, words_case
+from events.choose_events import read_events
+from events.conventions import IN_WORDS
+from events.event_claims import case_of_event, words_case, words_shown
+from events.fronts import is_fast_slow_fast_in_words
+from events.units import below_c_s_over_8
+from events.units import in_words as units_in_words
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
 
@@ -69,35 +77,37 @@ def measured(fronts, events):
         "fast after [m/s]": slow["fast_after"],
         "slow with doubled t_R [m/s]": longer and longer["speed"],
         "fast after with doubled t_R [m/s]": longer and longer["fast_after"],
-        "not met": ", ".join(min((event["unmet"] for event in events), key=len)) or "none",
+        "not met": ", ".join(min(events, key=lambda event: len(event["unmet"]))["unmet"]) or "none",
         "spanning events": len(events),
         "of them meet all but the ratios": sum(set(e["unmet"]) <= RATIOS for e in events),
     }
 
 
-def claims_of(fronts, events):
-    in_words = [words_case(event) for event in events]
-    first = next((c for c in in_words if c["fast-slow-fast in words"] == "yes"), in_words[0])
+def claims_of(fronts, events, in_words, loads):
+    first = next(filter(is_fast_slow_fast_in_words, in_words), in_words[0])
     return [
         judged(
             "S6A",
             shown=case_of_event(fronts["event"]),
             measured=measured(fronts, events),
+            units=below_c_s_over_8(loads, case_of_event),
             note="Slow is what runs below c_s/8; of the spanning events, the first that meets most"
             " conditions is shown. What was tried besides is in recipes/figS6/README.md.",
         ),
-        judged("S6Aw", shown=first, measured=first),
+        judged("S6Aw", words_shown(first), words_case(first), units_in_words(loads)),
     ]
 
 
-def main(data, results):
+def main(data, results, *loads):
     data, results = Path(data), Path(results)
+    shown_load, *_ = loads
     events = report(data / "choice.json")["events"]
+    in_words = [event for event in read_events(shown_load, IN_WORDS) if event["spanning"]]
     fronts = {run: report(data / f"{run}-front-c_s-8.json") for run in RUNS}
     draw(data / "event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", events)
-    write_claims(data / "claims-event.json", claims_of(fronts, events))
+    write_claims(data / "claims-event.json", claims_of(fronts, events, in_words, loads))
 
 
 if __name__ == "__main__":

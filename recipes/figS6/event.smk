@@ -56,6 +56,10 @@ rule figS6_event:
         choice=f"{DATA}/figS6/choice.json",
         fronts=[f"{DATA}/figS6/{run}-front-c_s-8.json" for run in FIGS6_RUNS],
         **content_of(record=f"{DATA}/figS6/event-record.h5"),
+        load=f"{FIGS6_LOAD}-events.json",
+        others=of_ensemble(
+            f"{DATA}/ensemble/{load}-events.json" for load in LOADS_OF["decaying"][1:]
+        ),
         **script("recipes/figS6/event.py"),
     output:
         claims=f"{DATA}/figS6/claims-event.json",
@@ -64,4 +68,5 @@ rule figS6_event:
         events=f"{RESULTS}/figS6/events.csv",
     log: f"{LOGS}/figS6/event-figure.log"
     message: "figS6: draw the event, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {DATA}/figS6 {RESULTS}/figS6 2> {log}"
+    shell:
+        "{PYTHON} {input.script} {DATA}/figS6 {RESULTS}/figS6 {input.load} {input.others} 2> {log}"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Exponential slipping times, events and claim:
 
-    exponential.py EVENTS.json FRONT.json FRONT_WITH_EXPONENTIAL_TIMES.json FOLDER CLAIMS.json
+    exponential.py FRONT.json FRONT_WITH_EXPONENTIAL_TIMES.json FOLDER CLAIMS.json LOAD.json...
 """
 
 import sys
@@ -14,8 +14,11 @@ from claims.judge import judged, unmet
 from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
-from events.event_claims import case_of_event, words_case
-from events.fronts import has_slow_stretch, is_fast_only
+from events.conventions import IN_WORDS, PRIMARY
+from events.event_claims import case_of_event, words_case, words_shown
+from events.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast_in_words
+from events.units import in_words as units_in_words
+from events.units import of_loads
 from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, save
 
 COLUMNS = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]
@@ -66,13 +69,14 @@ def slow_stretch(front):
     return f"{slow['speed']:.3g} m/s for {slow['duration'] * 1e3:.3g} ms, {where}"
 
 
-def claims_of(events, unmodified, continued):
+def claims_of(events, in_words, unmodified, continued, loads):
     shown = closest(events)
     slow, L = shown["slow"] or dict.fromkeys(COLUMNS), shown["L"]
     accepted = [event for event in events if not unmet("Exp", case_of_event(event))]
     strict = judged(
         "Exp",
         shown=case_of_event(shown),
+        units=of_loads(loads, case_of_event),
         measured={
             "spanning events": len(events),
             "with a slow stretch": sum(map(has_slow_stretch, events)),
@@ -92,19 +96,23 @@ def claims_of(events, unmodified, continued):
         " of Figure 2 is also continued with exponential times, from the moment when its front is"
         " at 0.14 L.",
     )
-    in_words = [words_case(event) for event in events]
-    first = next(
-        (case for case in in_words if case["fast-slow-fast in words"] == "yes"), in_words[0]
-    )
-    return [strict, judged("Expw", shown=first, measured=first)]
+    first = next(filter(is_fast_slow_fast_in_words, in_words), in_words[0])
+    words = judged("Expw", words_shown(first), words_case(first), units_in_words(loads))
+    return [strict, words]
 
 
-def main(events, unmodified, continued, results, claims):
+def main(unmodified, continued, results, claims, *loads):
     results = Path(results)
-    spanning = [event for event in read_events(events) if event["spanning"]]
+    shown_load, *_ = loads
+    spanning, in_words = (
+        [event for event in read_events(shown_load, convention) if event["spanning"]]
+        for convention in (PRIMARY, IN_WORDS)
+    )
     draw(spanning, results / "exponential")
     write_events(results / "exponential-events.csv", spanning)
-    write_claims(claims, claims_of(spanning, report(unmodified), report(continued)))
+    write_claims(
+        claims, claims_of(spanning, in_words, report(unmodified), report(continued), loads)
+    )
 
 
 if __name__ == "__main__":

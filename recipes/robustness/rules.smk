@@ -12,6 +12,9 @@ rule robustness_Exp:
         events=f"{DATA}/ensemble/exponential-01-events.json",
         unmodified=f"{ROBUSTNESS_EVENT}-front.json",
         continued=f"{ROBUSTNESS_EVENT}/exponential-front.json",
+        others=of_ensemble(
+            f"{DATA}/ensemble/{load}-events.json" for load in LOADS_OF["exponential"][1:]
+        ),
         **script("recipes/robustness/exponential.py"),
     output:
         claims=f"{DATA}/robustness/claims-Exp.json",
@@ -20,8 +23,8 @@ rule robustness_Exp:
     log: f"{LOGS}/robustness/Exp.log"
     message: "robustness: draw the events with exponential slipping times, compare with the claim"
     shell:
-        "{PYTHON} {input.script} {input.events} {input.unmodified} {input.continued}"
-        " {RESULTS}/robustness {output.claims} 2> {log}"
+        "{PYTHON} {input.script} {input.unmodified} {input.continued} {RESULTS}/robustness"
+        " {output.claims} {input.events} {input.others} 2> {log}"
 
 
 for part in sorted(

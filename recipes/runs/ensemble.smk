@@ -18,7 +18,8 @@ LOADS = [
     for setting, (_, seeds) in SETTINGS.items()
     for seed in range(1, seeds + 1)
 ]
-REFERENCE_LOADS = [load for load in LOADS if load.startswith("load-")]
+LOADS_OF = {name: [load for load in LOADS if load.startswith(f"{name}-")] for name in SETTINGS}
+REFERENCE_LOADS = LOADS_OF["load"]
 SHOWN_LOAD = f"{DATA}/ensemble/load-01"
 
 

@@ -20,7 +20,8 @@ from maps.front_map import (  # noqa: E402
     neighbours,
     to_refine,
 )
-from maps.map_claims import is_accepted, measured  # noqa: E402
+from claims.judge import holds  # noqa: E402
+from maps.map_claims import measured  # noqa: E402
 
 C_S = 1000.0  # [m/s]
 
@@ -105,7 +106,7 @@ class Claims(unittest.TestCase):
 
     def judge(self, seeds):
         grid, fronts = self.fronts([1]), self.fronts(seeds)
-        return is_accepted(measured(fronts, grid, [(0.2, 0.0), (0.25, 0.0)], []), grid)
+        return holds("4D", [measured(fronts, grid, [(0.2, 0.0), (0.25, 0.0)], [])])
 
     def test_five_seeds_at_the_boundary_are_enough_and_four_are_not(self):
         self.assertTrue(self.judge(range(1, 6)))
