@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import h5py
+import numpy as np
 
 from events.continuations import BRANCHES
 from events.conventions import PRIMARY, Analysis
@@ -20,6 +21,15 @@ def short(report):
 
 def without_lines(front):
     return front and {key: value for key, value in front.items() if not isinstance(value, list)}
+
+
+def peak_speed(slip):
+    """Of the fast slip, between two samples [m/s]; None where the block does not stop."""
+    if slip["t_arrest"] is None:
+        return None
+    time, moved = np.array(slip["time"]), np.array(slip["slip"])
+    fast = time <= slip["t_arrest"]
+    return float(np.max(np.diff(moved[fast]) / np.diff(time[fast])))
 
 
 class Workshop:
@@ -56,12 +66,13 @@ class Workshop:
 
     def slips(self, name, places):
         """{place: slip} at {place: x}, as rule event_slip measures it: until the front leaves its
-        slow stretch, or reaches the leading edge, or to the end."""
+        slow stretch, or reaches the leading edge, or to the end. With the peak of the speed."""
         front = self.front(name) or {"slow": None, "t_rupture": [None]}
         until = front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
         end = [] if until is None else ["--to", until]
         record = self.path(f"{name}-record")
         return {
-            place: short(self.analyze("slip", record, ["--x", x, *end]))
+            place: short(slip) | {"peak_speed": peak_speed(slip)}
             for place, x in places.items()
+            for slip in [self.analyze("slip", record, ["--x", x, *end])]
         }
