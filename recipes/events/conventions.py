@@ -38,7 +38,7 @@ class Analysis:
 
     def __call__(self, command, path, options=()):
         """The report of `analyze COMMAND FILE --json OPTION...`. Raises CalledProcessError."""
-        words = [self.program, *command.split(), path, "--json", *map(str, options)]
+        words = [str(self.program), *command.split(), str(path), "--json", *map(str, options)]
         return json.loads(subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout)
 
     def conventions(self):

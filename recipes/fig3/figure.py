@@ -60,14 +60,15 @@ class Event:
         return {run: report(self.data / f"{self.name}/{run}-slip.json") for run in SLIPS}
 
 
-def draw_event(fig, axes, event, letters):
+def draw_event(fig, axes, event, name):
     slips = event.slips()
     t_zero = slips["stopped"]["time"][0]
     t_rupture = values(event.front("stopped")["t_rupture"])
     window = (0, (np.nanmax(t_rupture) - t_zero) * 1e3 + 0.5)
     draw_maps(fig, axes[:2], event.data / event.name, t_zero, window)
     draw_slip(axes[2], slips, t_zero)
-    for axis, text in zip(axes, letters):
+    for axis, text in zip(axes, "ABC"):
+        axis.set_title(", ".join(filter(None, (name, axis.get_title()))))
         letter(axis, text)
 
 
@@ -75,7 +76,7 @@ def draw(events, stem):
     """The paper's event above, the other one below."""
     fig, axes = figure(DOUBLE, 0.7 * DOUBLE, nrows=len(events), ncols=3)
     for row, (event, name) in zip(axes, events.items()):
-        draw_event(fig, row, event, [f"{text} {name}" for text in "ABC"])
+        draw_event(fig, row, event, name)
     save(fig, stem)
 
 

@@ -43,10 +43,10 @@ def draw(data, stem):
     fig, axes = figure(0.7 * DOUBLE, 0.7 * DOUBLE, nrows=len(EVENTS), ncols=2, sharey="row")
     for row, (event, name) in zip(axes, EVENTS.items()):
         image = draw_event(row, data, event)
-        titles = ("as it is", r"wider $\varphi$ beyond $0.25\,L$")
+        titles = ("as it is", r"wider $\varphi$")
         for axis, text, title in zip(row, "AB", titles):
-            axis.set_title(title)
-            letter(axis, f"{text} {name}")
+            axis.set_title(f"{name}, {title}")
+            letter(axis, text)
         draw_pinned_scale(fig, image, row)
     save(fig, stem)
 
