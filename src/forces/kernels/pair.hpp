@@ -24,6 +24,13 @@ inline Pair operator*(double a, Pair b) {
   return {a * b.x, a * b.z};
 }
 
+inline Pair shifted_up(Pair before, Pair now) {
+  return {shifted_up(before.x, now.x), shifted_up(before.z, now.z)};
+}
+inline Pair shifted_down(Pair now, Pair after) {
+  return {shifted_down(now.x, after.x), shifted_down(now.z, after.z)};
+}
+
 inline ConstVectorView constant(VectorView v) {
   return {v.x, v.z};
 }

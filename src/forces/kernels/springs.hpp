@@ -59,36 +59,28 @@ inline Tension Tension::at_large_strain(const Springs& c) const {
   return {k, S, SS, SS > c.small ? k * s / (square_root(q2) + q2) : value};
 }
 
-/// Blocks of a row that one loop hands to the next, few enough to stay in the nearest cache.
+/// Blocks whose forces one loop hands to the next, few enough to stay in the nearest cache.
 constexpr Index kChunk = 64;
 
-/// Forces of the four springs that start in block (i, j), summed by the block that feels them;
-/// arrays over the blocks of a chunk and the block before it, index -1.
+/// Forces of the springs that start in a block on the blocks to its right.
+struct ToRight {
+  Pair same_row;   ///< on (i+1, j): fall - right
+  Pair row_above;  ///< on (i+1, j+1), reversed: rise
+};
+
+/// Sums of the springs' forces on blocks first..last-1 of a row at displacements u, `up` being the
+/// row above. `from_below` holds, reversed, what these blocks receive from the row below, and then
+/// what those above receive. `left` comes from the block before; returns the same for the next.
 ///
 ///     (i,j+1)   (i+1,j+1)        right:  (i,j)   - (i+1,j)
 ///        |  \ /  |               up:     (i,j)   - (i,j+1)
 ///        |  / \  |               rise:   (i,j)   - (i+1,j+1)
 ///     (i,j) --- (i+1,j)          fall:   (i+1,j) - (i,j+1)
-struct SpringForces {
-  VectorView here;         ///< on (i, j): right + up + rise
-  VectorView right;        ///< on (i+1, j): fall - right
-  VectorView above;        ///< on (i, j+1), reversed: up + fall
-  VectorView above_right;  ///< on (i+1, j+1), reversed: rise
-};
-constexpr Index kSpringRows = 8;
-constexpr Index kChunkRow = 8 + kChunk + 8;  // [doubles]
-
-inline SpringForces spring_forces_in(double* scratch) {
-  const auto row = [scratch](Index r) { return scratch + r * kChunkRow + 8; };
-  return {{row(0), row(1)}, {row(2), row(3)}, {row(4), row(5)}, {row(6), row(7)}};
-}
-
-/// Springs that start in blocks first..last-1 of a row at displacements u, `up` being the row
-/// above.
-[[gnu::always_inline]] inline void compute_springs(const Springs& springs, SpringRow stiffness,
-                                                   ConstVectorView u, ConstVectorView up,
-                                                   Index first, Index last, SpringForces out) {
-  const Springs c = springs;  // a copy, which no store to `out` can change
+[[gnu::always_inline]] inline ToRight add_springs(const Springs& springs, SpringRow stiffness,
+                                                  ConstVectorView u, ConstVectorView up,
+                                                  Index first, Index last, ToRight left,
+                                                  VectorView from_below, VectorView forces) {
+  const Springs c = springs;  // a copy, which no store to `forces` can change
   const double l = c.l;
   for (Index i = first; i < last; i += RUPTURE_LANES) {
     const Pair here = load(u, i), to_right = load(u, i + 1);
@@ -114,43 +106,25 @@ inline SpringForces spring_forces_in(double* scratch) {
 
     const Pair f_right = right.pull(l, t_right.value), f_up = upward.pull(l, t_up.value);
     const Pair f_rise = rise.pull(l, t_rise.value), f_fall = fall.pull(l, t_fall.value);
-    store(out.here, i - first, (f_right + f_rise) + f_up);
-    store(out.right, i - first, f_fall - f_right);
-    store(out.above, i - first, f_up + f_fall);
-    store(out.above_right, i - first, f_rise);
+    const ToRight now = {f_fall - f_right, f_rise};
+    const Pair from_left = shifted_up(left.same_row, now.same_row);
+    store(forces, i - first, (((f_right + f_rise) + f_up) + from_left) - load(from_below, i));
+    store(from_below, i, (f_up + f_fall) + shifted_up(left.row_above, now.row_above));
+    left = now;
   }
-}
-
-/// Moves the last block of a chunk to where the next chunk looks for the block before it. At the
-/// end of a row these are zeros, because no spring leads to the right from there.
-inline void pass_on(const SpringForces& forces, Index blocks) {
-  for (const VectorView v : {forces.right, forces.above_right}) {
-    v.x[-1] = v.x[blocks - 1];
-    v.z[-1] = v.z[blocks - 1];
-  }
-}
-
-/// Sum of the springs' forces on blocks i, i + 1, ... of the row, b = i - first. `from_below`
-/// holds, reversed, what these blocks receive from the row below, and then what those above
-/// receive.
-inline Pair gather(const SpringForces& from, Index b, VectorView from_below, Index i) {
-  const Pair force = (load(from.here, b) + load(from.right, b - 1)) - load(from_below, i);
-  store(from_below, i, load(from.above, b) + load(from.above_right, b - 1));
-  return force;
+  return left;
 }
 
 /// Calls use(i, force) for every register of blocks of a row.
 template <class Use>
 void each_force(const LatticeShape& n, const Springs& c, const SpringRow& stiffness,
-                ConstVectorView u, ConstVectorView up, VectorView from_below,
-                const SpringForces& forces, Use use) {
+                ConstVectorView u, ConstVectorView up, VectorView from_below, VectorView forces,
+                Use use) {
+  ToRight left = {};
   for (Index first = 0; first < n.Nx; first += kChunk) {
     const Index last = first + kChunk < n.Nx ? first + kChunk : n.Nx;
-    compute_springs(c, stiffness, u, up, first, last, forces);
-    for (Index i = first; i < last; i += RUPTURE_LANES) {
-      use(i, gather(forces, i - first, from_below, i));
-    }
-    pass_on(forces, last - first);
+    left = add_springs(c, stiffness, u, up, first, last, left, from_below, forces);
+    for (Index i = first; i < last; i += RUPTURE_LANES) use(i, load(forces, i - first));
   }
 }
 

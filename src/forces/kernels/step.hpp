@@ -9,12 +9,12 @@ namespace {
 
 /// Rows that a band keeps between `prepare` and `finish`, of length stride + 16.
 struct BandRows {
-  VectorView from_below;  ///< see gather()
+  VectorView from_below;  ///< see add_springs()
   VectorView v_below;     ///< velocities of the row below before its kick, at which damping acts
   VectorView u_above;     ///< displacements of the row above the band
   VectorView v_above;     ///< and velocities
   double* unused;         ///< for what nobody wants to keep
-  SpringForces springs;
+  VectorView springs;     ///< forces on one chunk of blocks
 };
 
 constexpr Index kBandRows = 9;
@@ -24,14 +24,14 @@ inline Index row_size(const LatticeShape& n) {
 }
 
 std::ptrdiff_t scratch_size(const LatticeShape& n) {
-  return kBandRows * row_size(n) + kSpringRows * kChunkRow;
+  return kBandRows * row_size(n) + 2 * kChunk;
 }
 
 inline BandRows rows_of(const LatticeShape& n, const Band& band) {
   const auto row = [&](Index r) { return band.scratch + r * row_size(n) + 8; };
   const auto pair = [&](Index r) { return VectorView{row(2 * r), row(2 * r + 1)}; };
-  return {pair(0), pair(1), pair(2),
-          pair(3), row(8),  spring_forces_in(band.scratch + kBandRows * row_size(n))};
+  double* chunk = band.scratch + kBandRows * row_size(n);
+  return {pair(0), pair(1), pair(2), pair(3), row(8), {chunk, chunk + kChunk}};
 }
 
 inline VectorView row_of(const LatticeShape& n, VectorView v, Index j) {
@@ -119,8 +119,7 @@ void finish_then(LatticeShape n, Springs c, Dampers d, Boundary boundary, Motion
     each_force(n, c, stiffness_of(n, c, j), constant(u), constant(u_above), rows.from_below,
                rows.springs, [&](Index i, const Pair& springs) {
                  const Pair after = sum(i + RUPTURE_LANES);
-                 const Pair left = {shifted_up(before.x, here.x), shifted_up(before.z, here.z)};
-                 const Pair right = {shifted_down(here.x, after.x), shifted_down(here.z, after.z)};
+                 const Pair left = shifted_up(before, here), right = shifted_down(here, after);
                  const Pair velocity = load(v, i);
                  const Pair damping =
                      damping_force(load(d.eta + i), neighbour_rows * load(d.columns + i), left,
