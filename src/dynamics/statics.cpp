@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
+#include "nested_dissection.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/normal_contact.hpp"
@@ -18,10 +20,27 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Block2 = Eigen::Matrix2d;
 
-/// Unknowns of block (i, j): 2 (j Nx + i) for u_x, one more for u_z.
-Eigen::Index unknown(const Parameters& p, Eigen::Index i, Eigen::Index j) {
-  return 2 * (j * p.Nx + i);
+/// The blocks one after the other: row by row, or in the order of nested dissection.
+std::vector<Eigen::Index> places_of_blocks(const Parameters& p, Elimination elimination) {
+  if (elimination == Elimination::nested_dissection) return nested_dissection(p.Nx, p.Nz);
+  std::vector<Eigen::Index> places(static_cast<std::size_t>(p.Nx * p.Nz));
+  std::iota(places.begin(), places.end(), 0);
+  return places;
 }
+
+/// Index of u_x of block (i, j) among the unknowns; that of u_z is one more.
+class Unknowns {
+ public:
+  Unknowns(const Parameters& p, Elimination elimination)
+      : Nx_(p.Nx), places_(places_of_blocks(p, elimination)) {}
+  Eigen::Index operator()(Eigen::Index i, Eigen::Index j) const {
+    return 2 * places_[static_cast<std::size_t>(j * Nx_ + i)];
+  }
+
+ private:
+  Eigen::Index Nx_;
+  std::vector<Eigen::Index> places_;
+};
 
 /// Derivative of the force of one spring with respect to the relative displacement of its ends:
 /// k [(1 - 1/q) I + r r^T / (l_0^2 q^3)], q = |r| / l_0.
@@ -36,7 +55,8 @@ void add_block(Triplets& triplets, Eigen::Index row, Eigen::Index column, const 
   }
 }
 
-void add_springs(const Parameters& p, const State& state, Triplets& triplets) {
+void add_springs(const Parameters& p, const Unknowns& unknown, const State& state,
+                 Triplets& triplets) {
   constexpr std::array<std::array<int, 2>, 4> bonds = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
   const double l = block_spacing(p);
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
@@ -48,7 +68,7 @@ void add_springs(const Parameters& p, const State& state, Triplets& triplets) {
         const Eigen::Vector2d r(ix * l + state.u_x(i2, j2) - state.u_x(i, j),
                                 iz * l + state.u_z(i2, j2) - state.u_z(i, j));
         const Block2 tangent = spring_tangent(bulk_stiffness(p) / n, std::sqrt(n) * l, r);
-        const Eigen::Index here = unknown(p, i, j), there = unknown(p, i2, j2);
+        const Eigen::Index here = unknown(i, j), there = unknown(i2, j2);
         add_block(triplets, here, here, tangent);
         add_block(triplets, there, there, tangent);
         add_block(triplets, here, there, -tangent);
@@ -59,24 +79,25 @@ void add_springs(const Parameters& p, const State& state, Triplets& triplets) {
 }
 
 /// Minus the derivative of static_forces with respect to the displacements.
-Matrix stiffness(const Parameters& p, const LoadCase& load_case, const State& state) {
+Matrix stiffness(const Parameters& p, const LoadCase& load_case, const Unknowns& unknown,
+                 const State& state) {
   Triplets triplets;
   triplets.reserve(static_cast<std::size_t>(64 * p.Nx * p.Nz));
-  add_springs(p, state, triplets);
+  add_springs(p, unknown, state, triplets);
   const NormalContact contact(p);
   const Eigen::Index top = p.Nz - 1;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto forces = interface_forces(p, load_case, state, i);
     Block2 tangent;
     tangent << forces.dtau_dux, forces.dtau_duz, 0.0, -forces.dp_duz;
-    add_block(triplets, unknown(p, i, 0), unknown(p, i, 0), tangent);
+    add_block(triplets, unknown(i, 0), unknown(i, 0), tangent);
     const double slope = contact.top_force_slope(state.u_z(i, top));
     if (slope > 0.0) {
-      triplets.emplace_back(unknown(p, i, top) + 1, unknown(p, i, top) + 1, slope);
+      triplets.emplace_back(unknown(i, top) + 1, unknown(i, top) + 1, slope);
     }
   }
   if (load_case.K > 0.0) {
-    const Eigen::Index driven = unknown(p, 0, driving_row(p));
+    const Eigen::Index driven = unknown(0, driving_row(p));
     triplets.emplace_back(driven, driven, load_case.K);
   }
   const Eigen::Index size = 2 * p.Nx * p.Nz;
@@ -85,24 +106,56 @@ Matrix stiffness(const Parameters& p, const LoadCase& load_case, const State& st
   return matrix;
 }
 
-Vector gather(const Parameters& p, const Field& x, const Field& z) {
+Vector gather(const Parameters& p, const Unknowns& unknown, const Field& x, const Field& z) {
   Vector values(2 * p.Nx * p.Nz);
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
     for (Eigen::Index i = 0; i < p.Nx; ++i) {
-      values[unknown(p, i, j)] = x(i, j);
-      values[unknown(p, i, j) + 1] = z(i, j);
+      values[unknown(i, j)] = x(i, j);
+      values[unknown(i, j) + 1] = z(i, j);
     }
   }
   return values;
 }
 
-void add_displacement(const Parameters& p, const Vector& change, State& state) {
+void add_displacement(const Parameters& p, const Unknowns& unknown, const Vector& change,
+                      State& state) {
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
     for (Eigen::Index i = 0; i < p.Nx; ++i) {
-      state.u_x(i, j) += change[unknown(p, i, j)];
-      state.u_z(i, j) += change[unknown(p, i, j) + 1];
+      state.u_x(i, j) += change[unknown(i, j)];
+      state.u_z(i, j) += change[unknown(i, j) + 1];
     }
   }
+}
+
+template <class Ordering>
+std::optional<State> newton(const Parameters& p, const LoadCase& load_case,
+                            const Unknowns& unknown) {
+  constexpr int most_iterations = 50;
+  const double tolerance = 1e-11 * mean_normal_force(p);
+  Bulk bulk(p);
+  State state = compressed(p);
+  Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
+  std::optional<Eigen::SparseLU<Matrix, Ordering>> solver;
+  double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    static_forces(p, load_case, bulk, state, f_x, f_z);
+    const double residual = largest(f_x, f_z);
+    if (!std::isfinite(residual)) break;
+    if (residual <= tolerance) {
+      if (passed_block(p, state)) break;
+      return state;
+    }
+    if (residual > 0.1 * previous_residual) {
+      if (p.Nx * p.Nz > kBlocksOfDissection) solver.reset();  // the next matrix needs its memory
+      const Matrix matrix = stiffness(p, load_case, unknown, state);
+      if (!solver) solver.emplace().analyzePattern(matrix);
+      solver->factorize(matrix);
+      if (solver->info() != Eigen::Success) break;
+    }
+    previous_residual = residual;
+    add_displacement(p, unknown, solver->solve(gather(p, unknown, f_x, f_z)), state);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -159,32 +212,19 @@ double largest(const Field& f_x, const Field& f_z) {
   return std::max(f_x.blocks().abs().maxCoeff(), f_z.blocks().abs().maxCoeff());
 }
 
-std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case) {
-  constexpr int most_iterations = 50;
-  const double tolerance = 1e-11 * mean_normal_force(p);
-  Bulk bulk(p);
-  State state = compressed(p);
-  Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
-  Eigen::SparseLU<Matrix> solver;
-  double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    static_forces(p, load_case, bulk, state, f_x, f_z);
-    const double residual = largest(f_x, f_z);
-    if (!std::isfinite(residual)) break;
-    if (residual <= tolerance) {
-      if (passed_block(p, state)) break;
-      return state;
-    }
-    if (residual > 0.1 * previous_residual) {
-      const Matrix matrix = stiffness(p, load_case, state);
-      if (iteration == 0) solver.analyzePattern(matrix);
-      solver.factorize(matrix);
-      if (solver.info() != Eigen::Success) break;
-    }
-    previous_residual = residual;
-    add_displacement(p, solver.solve(gather(p, f_x, f_z)), state);
+std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
+                                   Elimination elimination) {
+  const Unknowns unknown(p, elimination);
+  if (elimination == Elimination::nested_dissection) {
+    return newton<Eigen::NaturalOrdering<int>>(p, load_case, unknown);  // they are in order already
   }
-  return std::nullopt;
+  return newton<Eigen::COLAMDOrdering<int>>(p, load_case, unknown);
+}
+
+std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case) {
+  return solve_statics(p, load_case,
+                       p.Nx * p.Nz > kBlocksOfDissection ? Elimination::nested_dissection
+                                                         : Elimination::column_minimum_degree);
 }
 
 State relax(const Parameters& p, const LoadCase& load_case, double duration) {

@@ -49,6 +49,13 @@ double largest(const Field& f_x, const Field& f_z);
 /// inside out.
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case);
 
+/// The order in which the factorisation takes the blocks. It moves the last bits of the solution.
+enum class Elimination { column_minimum_degree, nested_dissection };
+
+/// The same in the given order.
+std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
+                                   Elimination elimination);
+
 /// The same by damped relaxation: velocity Verlet with an extra force -alpha v, alpha = eta/40, on
 /// every block for `duration` [s].
 State relax(const Parameters& p, const LoadCase& load_case, double duration);

@@ -45,8 +45,13 @@ class DryRun : public ToolTest {
 constexpr const char* kWide =
     " --set slider.Nx=113 --set slider.Nz=61 --set numerics.dt=1e-7 --set driving.h=0.005";
 
+/// The same with more blocks, solved in another order.
+constexpr const char* kWider =
+    " --set slider.Nx=141 --set slider.Nz=76 --set numerics.dt=1e-7 --set driving.h=0.005";
+
 TEST_F(DryRun, memory_and_disk_of_load) {
   expect_forecast_holds(std::string("load -o a.h5 --until 1e-5 --checkpoint-every 5e-6") + kWide);
+  expect_forecast_holds(std::string("load -o c.h5 --until 1e-5 --checkpoint-every 5e-6") + kWider);
   expect_forecast_holds("load -o b.h5 --until 2e-4 --record b-r.h5 --record-every 2e-6");
 }
 

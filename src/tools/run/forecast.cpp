@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/report.hpp"
+#include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
@@ -45,13 +46,22 @@ double run_memory(const Parameters& p, double record) {
   return 18.5 * kMB + 6.7 * checkpoint_size(p) + 3.0 * record;
 }
 
-/// The factorisation fills in the more the wider the lattice is.
+bool dissected(const Parameters& p) {
+  return p.Nx * p.Nz > kBlocksOfDissection;
+}
+
+/// The factorisation fills in the more the wider the lattice is, hardly so with nested dissection.
 double equilibrium_memory(const Parameters& p) {
-  const auto side = static_cast<double>(std::min(p.Nx, p.Nz));
-  return 12.0 * kMB + 1300.0 * blocks(p) * std::log2(side);
+  const double width = std::log2(static_cast<double>(std::min(p.Nx, p.Nz)));
+  const double per_block = dissected(p) ? 3500.0 + 200.0 * width : 1300.0 * width;
+  return 12.0 * kMB + per_block * blocks(p);
 }
 
 double equilibrium_time(const Parameters& p, double reference) {
+  if (dissected(p)) {
+    const auto side = static_cast<double>(std::min(p.Nx, p.Nz));
+    return reference * (0.25 + 0.003 * side) * blocks(p) / blocks(reference_slider());
+  }
   return reference * std::pow(bandwidth_sum(p) / bandwidth_sum(reference_slider()), 0.9);
 }
 
