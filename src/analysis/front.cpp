@@ -8,8 +8,6 @@
 namespace rupture {
 namespace {
 
-constexpr std::size_t kHalfStencil = 2;  // blocks on either side of a five-block stencil
-
 std::vector<double> speeds(const std::vector<std::optional<double>>& v_c, std::size_t from,
                            std::size_t to) {
   std::vector<double> values;
@@ -19,19 +17,30 @@ std::vector<double> speeds(const std::vector<std::optional<double>>& v_c, std::s
   return values;
 }
 
-/// Blocks first..last (inclusive) of one run of slow stencils.
+/// Blocks first..last (inclusive), centres of stencils.
 struct Stretch {
   std::size_t first, last;
 };
 
+/// Whether the stencil around block i measures a front that moves on, beyond the loading zone.
+bool moves_on(const Front& front, std::size_t i, const FrontCriteria& criteria) {
+  const auto& v = front.v_c[i];
+  return front.line.x[i] > criteria.skip_below_x && v && *v > 0.0;
+}
+
+/// Whether block i + 1 ruptured after block i; both did.
+bool in_order(const Front& front, std::size_t i) {
+  return *front.line.t_rupture[i + 1] >= *front.line.t_rupture[i];
+}
+
 /// Maximal runs of slow stencils whose blocks rupture one after the other.
-std::vector<Stretch> slow_stretches(const Front& front, double limit, double skip_below_x) {
+std::vector<Stretch> slow_stretches(const Front& front, double limit,
+                                    const FrontCriteria& criteria) {
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
-    const auto& v = front.v_c[i];
-    if (front.line.x[i] <= skip_below_x || !v || *v <= 0.0 || *v >= limit) continue;
+    if (!moves_on(front, i, criteria) || *front.v_c[i] >= limit) continue;
     const bool next = !stretches.empty() && stretches.back().last + 1 == i;
-    if (next && *front.line.t_rupture[i] >= *front.line.t_rupture[i - 1]) {
+    if (next && in_order(front, i - 1)) {
       stretches.back().last = i;
     } else {
       stretches.push_back({i, i});
@@ -40,24 +49,67 @@ std::vector<Stretch> slow_stretches(const Front& front, double limit, double ski
   return stretches;
 }
 
-double duration(const RuptureLine& line, const Stretch& stretch) {
-  return *line.t_rupture[stretch.last] - *line.t_rupture[stretch.first];
+/// The stretch with up to n more blocks on either side.
+Stretch widened(const Front& front, Stretch stretch, std::size_t n, const FrontCriteria& criteria) {
+  const Stretch limits = {stretch.first - n, stretch.last + n};
+  while (stretch.first > limits.first && moves_on(front, stretch.first - 1, criteria) &&
+         in_order(front, stretch.first - 1)) {
+    --stretch.first;
+  }
+  while (stretch.last < limits.last && moves_on(front, stretch.last + 1, criteria) &&
+         in_order(front, stretch.last)) {
+    ++stretch.last;
+  }
+  return stretch;
 }
 
-SlowStretch describe(const Front& front, const Stretch& stretch, double skip_below_x) {
+/// The centres that count to the slow stretch around a run of slow stencils; none if it is shorter
+/// than a stencil and those that touch its surroundings do not count.
+std::optional<Stretch> counted(const Front& front, const Stretch& run,
+                               const FrontCriteria& criteria) {
+  const std::size_t h = criteria.half_stencil();
+  if (criteria.stencils_at_ends == StencilsAtEnds::slow) return widened(front, run, h, criteria);
+  if (run.last - run.first < 2 * h) return std::nullopt;
+  return Stretch{run.first + h, run.last - h};
+}
+
+/// The centres between which no stencil counts to the fast sides.
+Stretch not_fast(const Stretch& run, const FrontCriteria& criteria) {
+  const std::size_t h = criteria.half_stencil();
+  if (criteria.stencils_at_ends == StencilsAtEnds::fast) return {run.first + h, run.last - h};
+  return {run.first - h, run.last + h};
+}
+
+std::optional<SlowStretch> describe(const Front& front, const Stretch& run,
+                                    const FrontCriteria& criteria) {
+  const auto stretch = counted(front, run, criteria);
+  if (!stretch) return std::nullopt;
+  const auto& x = front.line.x;
   const auto loading_zone = static_cast<std::size_t>(
-      std::upper_bound(front.line.x.begin(), front.line.x.end(), skip_below_x) -
-      front.line.x.begin());
+      std::upper_bound(x.begin(), x.end(), criteria.skip_below_x) - x.begin());
+  const Stretch between = not_fast(run, criteria);
+  const auto v_c = speeds(front.v_c, stretch->first, stretch->last + 1);
   SlowStretch slow;
-  slow.x_from = front.line.x[stretch.first];
-  slow.x_to = front.line.x[stretch.last];
-  slow.t_from = *front.line.t_rupture[stretch.first];
-  slow.t_to = *front.line.t_rupture[stretch.last];
-  slow.speed = *median(speeds(front.v_c, stretch.first, stretch.last + 1));
-  // a stencil that straddles a transition measures neither the slow nor the fast speed
-  slow.fast_before = median(speeds(front.v_c, loading_zone, stretch.first - kHalfStencil));
-  slow.fast_after = median(speeds(front.v_c, stretch.last + 1 + kHalfStencil, front.v_c.size()));
+  slow.x_from = x[stretch->first];
+  slow.x_to = x[stretch->last];
+  slow.t_from = *front.line.t_rupture[stretch->first];
+  slow.t_to = *front.line.t_rupture[stretch->last];
+  slow.speed = *median(v_c);
+  slow.slowest = *std::min_element(v_c.begin(), v_c.end());
+  slow.fast_before = median(speeds(front.v_c, loading_zone, between.first));
+  slow.fast_after = median(speeds(front.v_c, between.last + 1, front.v_c.size()));
   return slow;
+}
+
+/// The slow stretch that lasted longest; none if no block counts to any.
+std::optional<SlowStretch> longest(const Front& front, const std::vector<Stretch>& runs,
+                                   const FrontCriteria& criteria) {
+  std::optional<SlowStretch> longest;
+  for (const Stretch& run : runs) {
+    const auto slow = describe(front, run, criteria);
+    if (slow && (!longest || slow->duration() > longest->duration())) longest = slow;
+  }
+  return longest;
 }
 
 }  // namespace
@@ -74,15 +126,22 @@ RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures,
   return line;
 }
 
-std::vector<std::optional<double>> front_speed(const RuptureLine& line) {
+std::vector<std::optional<double>> front_speed(const RuptureLine& line,
+                                               const FrontCriteria& criteria) {
+  const std::size_t h = criteria.half_stencil();
   std::vector<std::optional<double>> v_c(line.x.size());
-  for (std::size_t i = kHalfStencil; i + kHalfStencil < line.x.size(); ++i) {
-    const auto& before = line.t_rupture[i - kHalfStencil];
-    const auto& after = line.t_rupture[i + kHalfStencil];
+  for (std::size_t i = h; i + h < line.x.size(); ++i) {
+    const auto& before = line.t_rupture[i - h];
+    const auto& after = line.t_rupture[i + h];
     if (!line.t_rupture[i] || !before || !after || *before == *after) continue;
-    v_c[i] = (line.x[i + kHalfStencil] - line.x[i - kHalfStencil]) / (*after - *before);
+    v_c[i] = (line.x[i + h] - line.x[i - h]) / (*after - *before);
   }
   return v_c;
+}
+
+std::optional<double> SlowStretch::mean() const {
+  if (duration() == 0.0) return std::nullopt;
+  return (x_to - x_from) / duration();
 }
 
 std::string_view front_type_name(FrontType type) {
@@ -106,21 +165,16 @@ bool spans(FrontType type) {
 Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& criteria) {
   Front front;
   front.line = std::move(line);
-  front.v_c = front_speed(front.line);
+  front.v_c = front_speed(front.line, criteria);
   for (std::size_t i = 0; i < front.line.x.size(); ++i) {
     if (front.line.t_rupture[i]) front.x_arrest = front.line.x[i];
   }
   if (front.x_arrest) front.type = FrontType::arrested;
-  const auto stretches =
-      slow_stretches(front, criteria.slow_below * shear_wave_speed(p), criteria.skip_below_x);
-  const auto longest =
-      std::max_element(stretches.begin(), stretches.end(), [&](const Stretch& a, const Stretch& b) {
-        return duration(front.line, a) < duration(front.line, b);
-      });
-  if (longest != stretches.end()) front.slow = describe(front, *longest, criteria.skip_below_x);
+  const auto runs = slow_stretches(front, criteria.slow_below * shear_wave_speed(p), criteria);
+  front.slow = longest(front, runs, criteria);
   if (front.line.t_rupture.back()) {
     front.x_arrest.reset();
-    front.type = front.slow ? FrontType::slow : FrontType::fast;
+    front.type = runs.empty() ? FrontType::fast : FrontType::slow;
   }
   return front;
 }

@@ -8,7 +8,6 @@ namespace rupture {
 namespace {
 
 constexpr double kFitFrom = 0.2, kFitTo = 0.8;  // of the slow slip
-constexpr std::size_t kHalfStencil = 2;         // blocks, see front.hpp
 
 /// First sample at or after t; the number of samples if there is none.
 std::size_t index_at(std::span<const double> time, double t) {
@@ -86,12 +85,12 @@ std::optional<SlowSlipTime> slow_slip_time(const Parameters& p, const Front& fro
   return time;
 }
 
-std::vector<std::size_t> blocks_well_inside(const Front& front) {
+std::vector<std::size_t> slow_blocks(const Front& front) {
   std::vector<std::size_t> blocks;
   if (!front.slow) return blocks;
-  for (std::size_t i = kHalfStencil; i + kHalfStencil < front.line.x.size(); ++i) {
-    const bool begun = front.line.x[i - kHalfStencil] >= front.slow->x_from;
-    if (begun && front.line.x[i + kHalfStencil] <= front.slow->x_to) blocks.push_back(i);
+  for (std::size_t i = 0; i < front.line.x.size(); ++i) {
+    const double x = front.line.x[i];
+    if (x >= front.slow->x_from && x <= front.slow->x_to) blocks.push_back(i);
   }
   return blocks;
 }

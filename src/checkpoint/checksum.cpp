@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/error.hpp"
@@ -12,9 +13,9 @@
 namespace rupture {
 namespace {
 
-constexpr std::string_view kParameters = "/parameters/";  // the first group in order of paths
-constexpr std::array<std::string_view, 4> kChecksummedGroups = {kParameters, "/state/", "/series/",
-                                                                "/ruptures/"};
+constexpr std::string_view kParameters = "/parameters/";
+constexpr std::array<std::string_view, 5> kChecksummedGroups = {kParameters, "/state/", "/series/",
+                                                                "/ruptures/", "/crossings/"};
 constexpr std::string_view kCanonicalForm = "rupture content 1\n";
 
 void check(int success) {
@@ -39,12 +40,14 @@ void update_dataset(Sha256& hash, const std::string& path, const Dataset& datase
 }
 
 std::string checksum_with(const Content& parameters, const Content& content) {
+  std::map<std::string, const Dataset*> sorted;
+  for (const auto& [path, dataset] : parameters) sorted.emplace(path, &dataset);
+  for (const auto& [path, dataset] : content) {
+    if (is_checksummed(path) && !path.starts_with(kParameters)) sorted.emplace(path, &dataset);
+  }
   Sha256 hash;
   hash.update(kCanonicalForm);
-  for (const auto& [path, dataset] : parameters) update_dataset(hash, path, dataset);
-  for (const auto& [path, dataset] : content) {
-    if (is_checksummed(path) && !path.starts_with(kParameters)) update_dataset(hash, path, dataset);
-  }
+  for (const auto& [path, dataset] : sorted) update_dataset(hash, path, *dataset);
   return hash.hex();
 }
 

@@ -9,6 +9,8 @@ namespace rupture::record_layout {
 
 inline constexpr const char* kSeriesGroup = "/series/";
 inline constexpr const char* kRupturesGroup = "/ruptures/";
+inline constexpr const char* kCrossingsGroup = "/crossings/";
+inline constexpr const char* kCrossingLevels = "/crossings/levels";  // those asked for
 
 /// A dataset with a row per sample: one value, or one per interface block.
 template <class InSample, class InRecord>
@@ -33,7 +35,7 @@ inline constexpr std::tuple kSeries = {
     Series{"/series/u_x", "m", &Sample::u_x, &Record::u_x},
 };
 
-/// A dataset with one value per rupture.
+/// A dataset with one value per rupture, or per crossing of another pinned fraction.
 template <class T>
 struct OfRupture {
   const char* path;
@@ -47,6 +49,13 @@ inline constexpr std::tuple kRuptures = {
     OfRupture{"/ruptures/step", "1", &Rupture::step},
     OfRupture{"/ruptures/time", "s", &Rupture::time},
     OfRupture{"/ruptures/block", "1", &Rupture::block},
+};
+
+inline constexpr std::tuple kCrossings = {
+    OfRupture{"/crossings/step", "1", &Rupture::step},
+    OfRupture{"/crossings/time", "s", &Rupture::time},
+    OfRupture{"/crossings/block", "1", &Rupture::block},
+    OfRupture{"/crossings/pinned_below", "1", &Rupture::pinned_below},
 };
 
 /// Calls `use` with each row of a table above.

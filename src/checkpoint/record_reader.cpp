@@ -23,17 +23,20 @@ std::uint64_t rows_in(const Content& content, const std::string& path) {
   return found == content.end() || found->second.shape.empty() ? 0 : found->second.shape[0];
 }
 
-// Cuts the datasets of a group to the rows whose step is at most `last`.
-void cut(Content& rows, const std::string& group, std::int64_t last) {
+// Copies the rows of a table whose step is at most `last`.
+template <class Table>
+void copy_rows(const Content& from, const std::string& group, const Table& table, std::int64_t last,
+               Content& to) {
   const std::string steps = group + "step";
-  const auto step = read_array<std::int64_t>(rows, steps, {rows_in(rows, steps)});
+  const auto step = read_array<std::int64_t>(from, steps, {rows_in(from, steps)});
   const auto length =
       static_cast<std::uint64_t>(std::upper_bound(step.begin(), step.end(), last) - step.begin());
-  for (auto& [path, dataset] : rows) {
-    if (!path.starts_with(group) || step.empty()) continue;
+  layout::for_each(table, [&](const auto& row) {
+    Dataset& dataset = to[row.path] = from.at(row.path);
+    if (step.empty()) return;
     dataset.bytes.resize(dataset.bytes.size() / step.size() * length);
     dataset.shape[0] = length;
-  }
+  });
 }
 
 template <class T>
@@ -67,29 +70,45 @@ void read_series(const Content& content, Record& record) {
   }
 }
 
-std::vector<Rupture> read_ruptures(const Content& content, std::int64_t Nx) {
-  std::vector<Rupture> ruptures;
-  const std::uint64_t n = rows_in(content, layout::kRupturesGroup + std::string("time"));
-  layout::for_each(layout::kRuptures, [&](const auto& row) {
+template <class Table>
+std::vector<Rupture> read_ruptures(const Content& content, const std::string& group,
+                                   const Table& table, std::int64_t Nx) {
+  std::vector<Rupture> ruptures(rows_in(content, group + "time"));
+  layout::for_each(table, [&](const auto& row) {
     using T = std::remove_reference_t<decltype(ruptures[0].*row.member)>;
-    const auto values = read_array<T>(content, row.path, {n});
-    ruptures.resize(n);
-    for (std::size_t i = 0; i < n; ++i) ruptures[i].*row.member = values[i];
+    const auto values = read_array<T>(content, row.path, {ruptures.size()});
+    for (std::size_t i = 0; i < ruptures.size(); ++i) ruptures[i].*row.member = values[i];
   });
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < ruptures.size(); ++i) {
     if (const std::int64_t block = ruptures[i].block; block < 0 || block >= Nx) {
       throw Failure(fmt::format("{}block holds {} at index {}; expected a block from 0 to {}",
-                                layout::kRupturesGroup, block, i, Nx - 1));
+                                group, block, i, Nx - 1));
     }
   }
   return ruptures;
 }
 
+// Whether the record holds crossings of other pinned fractions; they are there or not as a whole.
+bool has_crossings(const Content& content) {
+  return std::any_of(content.begin(), content.end(), [](const auto& entry) {
+    return entry.first.starts_with(layout::kCrossingsGroup);
+  });
+}
+
+void read_crossings(const Content& content, Record& record) {
+  if (!has_crossings(content)) return;
+  const char* const levels = layout::kCrossingLevels;
+  record.crossing_levels = read_array<double>(content, levels, {rows_in(content, levels)});
+  record.crossings =
+      read_ruptures(content, layout::kCrossingsGroup, layout::kCrossings, record.parameters.Nx);
+}
+
 void refuse_unknown(const Content& content) {
-  std::set<std::string> known;
+  std::set<std::string> known = {layout::kCrossingLevels};
   const auto add = [&](const auto& row) { known.insert(row.path); };
   layout::for_each(layout::kSeries, add);
   layout::for_each(layout::kRuptures, add);
+  layout::for_each(layout::kCrossings, add);
   for (const auto& [path, dataset] : content) {
     const bool elsewhere = path.starts_with("/parameters/") || path.starts_with("/provenance/");
     if (!elsewhere && !known.contains(path)) {
@@ -105,7 +124,9 @@ Record record_from_content(const Content& content, Complete complete) {
   record.parameters = read_parameters(content);
   record.provenance = read_provenance(content);
   read_series(content, record);
-  record.ruptures = read_ruptures(content, record.parameters.Nx);
+  record.ruptures =
+      read_ruptures(content, layout::kRupturesGroup, layout::kRuptures, record.parameters.Nx);
+  read_crossings(content, record);
   return record;
 }
 
@@ -118,14 +139,29 @@ Record record_from(const ContentFile& file) {
 
 Content rows_until(const Content& record, std::int64_t step) {
   Content rows;
-  std::copy_if(record.begin(), record.end(), std::inserter(rows, rows.end()),
-               [](const auto& entry) {
-                 return entry.first.starts_with(layout::kSeriesGroup) ||
-                        entry.first.starts_with(layout::kRupturesGroup);
-               });
-  cut(rows, layout::kSeriesGroup, step);
-  cut(rows, layout::kRupturesGroup, step);
+  copy_rows(record, layout::kSeriesGroup, layout::kSeries, step, rows);
+  copy_rows(record, layout::kRupturesGroup, layout::kRuptures, step, rows);
+  if (has_crossings(record)) {
+    copy_rows(record, layout::kCrossingsGroup, layout::kCrossings, step, rows);
+  }
   return rows;
+}
+
+std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
+  if (fraction == kRupturedFraction) return record.ruptures;
+  const auto& levels = record.crossing_levels;
+  if (std::find(levels.begin(), levels.end(), fraction) == levels.end()) {
+    std::vector<double> held = levels;
+    held.push_back(kRupturedFraction);
+    throw Failure(fmt::format(
+        "the record does not tell when blocks fell below a pinned fraction of {}, only of {}: "
+        "record it with --crossings {}",
+        fraction, fmt::join(held, ", "), fraction));
+  }
+  std::vector<Rupture> ruptures;
+  std::copy_if(record.crossings.begin(), record.crossings.end(), std::back_inserter(ruptures),
+               [&](const Rupture& crossing) { return crossing.pinned_below == fraction; });
+  return ruptures;
 }
 
 Record read_record(const std::filesystem::path& path) {

@@ -59,13 +59,16 @@ Content first_piece(const Parameters& parameters, const std::vector<ProvenanceEn
 // Rows that were appended since the last flush.
 class RecordWriter::Buffers {
  public:
-  Buffers(std::uint64_t Nx, std::size_t flush_every) : flush_every_(flush_every) {
+  Buffers(std::uint64_t Nx, std::size_t flush_every, const std::vector<double>& crossing_levels)
+      : flush_every_(flush_every) {
     layout::for_each(layout::kSeries, [&](const auto& row) {
       rows_[row.path] = no_rows(Sample{}.*row.in_sample, row.unit, Nx);
     });
-    layout::for_each(layout::kRuptures, [&](const auto& row) {
+    const auto add_ruptures = [&](const auto& row) {
       rows_[row.path] = no_rows(Rupture{}.*row.member, row.unit, Nx);
-    });
+    };
+    layout::for_each(layout::kRuptures, add_ruptures);
+    if (!crossing_levels.empty()) layout::for_each(layout::kCrossings, add_ruptures);
   }
 
   void add(const Sample& sample) {
@@ -79,9 +82,14 @@ class RecordWriter::Buffers {
   }
 
   void add(const Rupture& rupture) {
-    layout::for_each(layout::kRuptures, [&](const auto& row) {
+    const auto append_value = [&](const auto& row) {
       append(row.path, std::as_bytes(values_of(rupture.*row.member)));
-    });
+    };
+    if (rupture.pinned_below == kRupturedFraction) {
+      layout::for_each(layout::kRuptures, append_value);
+    } else {
+      layout::for_each(layout::kCrossings, append_value);
+    }
     ++ruptures_;
   }
 
@@ -135,10 +143,16 @@ void check_record(const std::filesystem::path& path, const Parameters& parameter
 
 RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& parameters,
                            const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
-                           Content rows_before, std::size_t flush_every)
+                           Content rows_before, std::size_t flush_every,
+                           const std::vector<double>& crossing_levels)
     : path_(std::move(path)), if_exists_(if_exists) {
   check_record(path_, parameters, if_exists);
-  buffers_ = std::make_unique<Buffers>(static_cast<std::uint64_t>(parameters.Nx), flush_every);
+  buffers_ = std::make_unique<Buffers>(static_cast<std::uint64_t>(parameters.Nx), flush_every,
+                                       crossing_levels);
+  if (!crossing_levels.empty()) {
+    rows_before[layout::kCrossingLevels] =
+        make_array(std::span(crossing_levels), {crossing_levels.size()}, "1");
+  }
   rows_before.merge(Content(buffers_->content()));  // all datasets are there, even if without rows
   part_ = std::make_unique<Part>(part_path(path_),
                                  first_piece(parameters, provenance, std::move(rows_before)));

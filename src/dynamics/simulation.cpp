@@ -34,7 +34,8 @@ int default_thread_count([[maybe_unused]] const Parameters& p) {
 #endif
 }
 
-Simulation::Simulation(const Parameters& parameters, State state, int threads)
+Simulation::Simulation(const Parameters& parameters, State state, int threads,
+                       const std::vector<double>& crossings)
     : parameters_(valid(parameters)),
       normal_(parameters),
       state_(std::move(state)),
@@ -46,7 +47,10 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads)
       tau_(p_.size()),
       top_(p_.size(), normal_.top_force(0.0)),
       F_T_(driving_force(parameters, state_)),
-      ruptured_(p_.size()) {
+      pinned_below_{{kRupturedFraction, std::vector<bool>(p_.size())}} {
+  for (const double fraction : crossings) {
+    pinned_below_.push_back({fraction, std::vector<bool>(p_.size())});
+  }
   find_normal_forces();  // of the side with the support; F_N on the other does not change
   law_->friction(state_.u_x.row(0), contact(), tau_.data());
   note_ruptures();
@@ -115,16 +119,22 @@ void Simulation::find_normal_forces() {
 }
 
 void Simulation::note_ruptures() {
-  const double limit = kRupturedFraction * static_cast<double>(springs_per_block(parameters_));
-  for (std::size_t i = 0; i < ruptured_.size(); ++i) {
-    const bool now = law_->pinned()[i] < limit;
-    if (now && !ruptured_[i]) {
-      ruptures_.push_back({state_.step, time(), static_cast<std::int64_t>(i)});
-      ++run_.ruptures;
-      run_.leading_edge_ruptured |= i + 1 == ruptured_.size();
+  const auto springs = static_cast<double>(springs_per_block(parameters_));
+  for (auto& [fraction, below] : pinned_below_) {
+    const double limit = fraction * springs;
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      const bool now = law_->pinned()[i] < limit;
+      if (now && !below[i]) note({state_.step, time(), static_cast<std::int64_t>(i), fraction});
+      below[i] = now;
     }
-    ruptured_[i] = now;
   }
+}
+
+void Simulation::note(const Rupture& rupture) {
+  ruptures_.push_back(rupture);
+  if (rupture.pinned_below != kRupturedFraction) return;
+  ++run_.ruptures;
+  run_.leading_edge_ruptured |= rupture.block + 1 == parameters_.Nx;
 }
 
 Power Simulation::power(double damping_power, const double* bottom_velocity) const {

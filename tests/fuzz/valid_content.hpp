@@ -53,6 +53,12 @@ inline Content record_content() {
   content["/ruptures/step"] = make_array(std::span(steps), {3}, "1");
   content["/ruptures/time"] = make_array(std::span(times), {3}, "s");
   content["/ruptures/block"] = make_array(std::span(blocks), {3}, "1");
+  const std::vector<double> levels = {0.2, 0.5}, crossed = {0.5, 0.5, 0.2};
+  content["/crossings/levels"] = make_array(std::span(levels), {2}, "1");
+  content["/crossings/step"] = make_array(std::span(steps), {3}, "1");
+  content["/crossings/time"] = make_array(std::span(times), {3}, "s");
+  content["/crossings/block"] = make_array(std::span(blocks), {3}, "1");
+  content["/crossings/pinned_below"] = make_array(std::span(crossed), {3}, "1");
   return content;
 }
 

@@ -143,6 +143,38 @@ TEST_F(BadOptions, intervals_must_be_at_least_a_step) {
                  "--record-every is shorter than one time step");
 }
 
+TEST_F(BadOptions, crossings_must_be_other_pinned_fractions_of_a_record) {
+  const std::string load = "load --config small.ini -o a.h5 ";
+  expect_refusal(load + "--crossings 0.2", kUsage,
+                 "--crossings are part of a record: give --record as well");
+  expect_refusal(load + "--record r.h5 --crossings 0.2,0.3", kUsage,
+                 "--crossings 0.3 is recorded always: leave it out");
+  for (const std::string value : {"0", "1.1", "-0.2", "nan", "a", "0.2,,0.5", ","}) {
+    expect_refusal(
+        load + "--record r.h5 --crossings=" + value, kUsage,
+        "--crossings " + value + " makes no sense: a pinned fraction is above 0 and at most 1");
+  }
+}
+
+TEST_F(BadOptions, conventions_of_fronts_must_make_sense) {
+  output_of("load --config small.ini -o a.h5 --record r.h5 --until 1e-5 --crossings 0.5");
+  const std::string front = "analyze front r.h5 ";
+  for (const std::string value : {"1", "4", "-3"}) {
+    expect_refusal(
+        front + "--stencil " + value, kUsage,
+        "--stencil " + value + " makes no sense: give an odd number of blocks from 3 on");
+  }
+  expect_refusal(front + "--stencils-at-ends both", kUsage,
+                 "--stencils-at-ends both is not known: give neither, slow or fast");
+  expect_refusal(front + "--ruptured-below 1.5", kUsage,
+                 "--ruptured-below 1.5 makes no sense: a pinned fraction is above 0 and at most 1");
+  for (const std::string command : {"front", "classify", "events", "slow-slip"}) {
+    expect_refusal("analyze " + command + " r.h5 --ruptured-below 0.2", kFailed,
+                   "the record does not tell when blocks fell below a pinned fraction of 0.2, only "
+                   "of 0.5, 0.3: record it with --crossings 0.2");
+  }
+}
+
 TEST_F(BadOptions, threads_must_be_a_few) {
   for (const std::string value : {"0", "-2", "1025"}) {
     expect_refusal("load --config small.ini -o a.h5 --threads " + value, kUsage,

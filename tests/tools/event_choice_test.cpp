@@ -109,8 +109,10 @@ TEST_F(EventChoice, on_a_prepared_interface_the_triggers_event_is_meant) {
 }
 
 TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {
-  const auto rows = csv_of(output_of("analyze events r.h5 --csv --slow-below 3"));
-  const Json events = json_of("analyze events r.h5 --json --slow-below 3")["events"];
+  const auto rows =
+      csv_of(output_of("analyze events r.h5 --csv --slow-below 3 --stencils-at-ends slow"));
+  const Json events =
+      json_of("analyze events r.h5 --json --slow-below 3 --stencils-at-ends slow")["events"];
   const std::vector<std::string> head = {"number",
                                          "t_start [s]",
                                          "t_end [s]",
@@ -124,6 +126,8 @@ TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {
                                          "slow.t_to [s]",
                                          "slow.duration [s]",
                                          "slow.speed [m/s]",
+                                         "slow.slowest [m/s]",
+                                         "slow.mean [m/s]",
                                          "slow.fast_before [m/s]",
                                          "slow.fast_after [m/s]",
                                          "F_T_before [N]",
@@ -141,6 +145,7 @@ TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {
     EXPECT_EQ(row[7].empty(), slow.is_null());
     if (!slow.is_null()) {
       EXPECT_EQ(std::stod(row[12]), slow["speed"]);
+      EXPECT_EQ(std::stod(row[13]), slow["slowest"]);
     }
   }
   EXPECT_FALSE(rows[2][7].empty()) << "the second event is slow by this measure";

@@ -64,6 +64,42 @@ TEST_F(Restart, ruptures_of_the_halves_are_those_of_the_whole) {
   EXPECT_TRUE(first[8].is_null());
 }
 
+TEST_F(Restart, crossings_of_the_halves_are_those_of_the_whole) {
+  const std::string how = " --crossings 0.7,0.2 --record ";
+  output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.6 --sigma-bar 0.2 -o p.h5");
+  output_of("restart p.h5 -o whole.h5 --until 1e-4" + how + "whole-r.h5");
+  output_of("restart p.h5 -o half.h5 --until 5.58e-5" + how + "r1.h5");  // block 4 in between
+  output_of("restart half.h5 -o end.h5 --until 1e-4" + how + "r2.h5");
+  for (const std::string level : {"0.2", "0.3", "0.7"}) {
+    const auto ruptures_in = [&](const std::string& record) {
+      return json_of("analyze front " + record + " --json --ruptured-below " + level)["t_rupture"];
+    };
+    const Json whole = ruptures_in("whole-r.h5"), first = ruptures_in("r1.h5"),
+               second = ruptures_in("r2.h5");
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_TRUE(first[i].is_null() || second[i].is_null()) << "block " << i << " at " << level;
+      EXPECT_EQ(first[i].is_null() ? second[i] : first[i], whole[i]) << "block " << i;
+    }
+    EXPECT_FALSE(whole[4].is_null());
+    EXPECT_EQ(first[4].is_null(), level == "0.2");
+  }
+}
+
+TEST_F(Restart, crossings_change_nothing_else) {
+  const std::string run = "load --config small.ini --until 3e-4 -o ";
+  output_of(run + "a.h5 --record a-r.h5");
+  output_of(run + "b.h5 --record b-r.h5 --crossings 0.5");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+  const Outcome outcome = run_words({"analyze", "diff", "a-r.h5", "b-r.h5", "--json"});
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  const Json differences = Json::parse(outcome.out)["differences"];
+  EXPECT_EQ(differences.size(), 5U);
+  for (const Json& difference : differences) {
+    EXPECT_EQ(difference["change"], "only_in_b");
+    EXPECT_TRUE(std::string(difference["path"]).starts_with("/crossings/"));
+  }
+}
+
 TEST_F(Restart, for_and_until_mean_the_same_end) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("restart a.h5 -o for.h5 --for 2e-4");

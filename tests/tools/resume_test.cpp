@@ -40,6 +40,22 @@ TEST_F(Resume, gives_the_bits_of_the_uninterrupted_run) {
   }
 }
 
+TEST_F(Resume, gives_the_crossings_of_the_uninterrupted_run) {
+  output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.6 --sigma-bar 0.2 -o p.h5");
+  const std::string run =
+      "restart p.h5 -o x.h5 --sum --until 1e-4 --checkpoint-every 2e-5 --record r.h5 "
+      "--record-every 3e-5 --crossings 0.2,0.7";
+  output_of(run);
+  const std::string whole = read("r.h5.sum");
+  for (const std::size_t lost : {1U, 2U, 3U}) {  // all but the first amid the rupture
+    forget("x.h5");
+    const char* const later[] = {"x-t0.000100000.h5", "x-t0.000080000.h5", "x-t0.000060000.h5"};
+    for (std::size_t n = 0; n < lost; ++n) forget(later[n]);
+    EXPECT_NE(said(run).find("resuming from"), std::string::npos);
+    EXPECT_EQ(read("r.h5.sum"), whole) << lost;
+  }
+}
+
 TEST_F(Resume, begins_where_there_is_nothing_to_resume) {
   EXPECT_NE(said(kRun).find("nothing to resume"), std::string::npos);
   const std::string resumed = read("x.h5.sum");
@@ -138,15 +154,17 @@ TEST_F(Resume, goes_back_to_where_the_record_reaches) {
   EXPECT_EQ(read("r.h5.sum"), whole);
 }
 
-TEST_F(Resume, refuses_the_record_of_another_interval_run_or_end) {
+TEST_F(Resume, refuses_the_record_of_another_interval_run_end_or_choice) {
   const std::string sentence =
-      " is not what the run to be resumed has recorded, but the record of another run, interval or "
-      "end; move it away, give another --record, or --force to replace it";
+      " is not what the run to be resumed has recorded, but the record of another run, interval, "
+      "end or choice of --crossings; move it away, give another --record, or --force to replace it";
   output_of(kRun);
   interrupt_after(3);
   const std::string load = "load --config small.ini -o x.h5 --resume --record r.h5 ";
   expect_refusal(load + "--until 6e-4 --record-every 4e-5", kFailed, "r.h5" + sentence);
   expect_refusal(load + "--until 3e-4 --record-every 3e-5", kFailed, "r.h5" + sentence);
+  expect_refusal(load + "--until 6e-4 --record-every 3e-5 --crossings 0.5", kFailed,
+                 "r.h5" + sentence);
   const std::string other = load + "--until 6e-4 --record-every 3e-5 --seed 7";
   expect_refusal(other, kFailed, "r.h5" + sentence);
   EXPECT_EQ(run(other + " --force").exit_code, kDone);

@@ -2,6 +2,7 @@
 // quantities").
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -12,10 +13,18 @@
 
 namespace rupture {
 
-/// Choices behind a front's type; the tools show them as options.
+/// Whether the stencils that touch both the slow stretch and its surroundings count to neither, to
+/// the slow stretch, or to its fast surroundings.
+enum class StencilsAtEnds { neither, slow, fast };
+
+/// Choices behind a front's type, speeds and places; the tools show them as options.
 struct FrontCriteria {
   double slow_below = 1.0 / 20.0;  ///< a front is slow where v_c < slow_below * c_s
   double skip_below_x = 0.02;      ///< the loading or triggering zone does not count [m]
+  std::size_t stencil = 5;         ///< blocks of the moving stencil, odd
+  StencilsAtEnds stencils_at_ends = StencilsAtEnds::neither;
+
+  std::size_t half_stencil() const { return stencil / 2; }  ///< blocks on either side of its centre
 };
 
 /// One interface-length array each; a block that did not rupture has no value.
@@ -28,10 +37,12 @@ struct RuptureLine {
 RuptureLine rupture_line(const Parameters& parameters, std::span<const Rupture> ruptures,
                          double from, double to);
 
-/// Front speed at each block, the inverse slope between the end points of a five-block stencil
-/// [m/s]. No value within two blocks of the edges, where a block did not rupture, and where the
-/// stencil's ends ruptured in the same step. Negative where the front runs towards the driven edge.
-std::vector<std::optional<double>> front_speed(const RuptureLine& line);
+/// Front speed at each block, the inverse slope between the end points of the stencil around it
+/// [m/s]. No value where the stencil reaches beyond an edge, where a block did not rupture, and
+/// where the stencil's ends ruptured in the same step. Negative where the front runs towards the
+/// driven edge.
+std::vector<std::optional<double>> front_speed(const RuptureLine& line,
+                                               const FrontCriteria& criteria);
 
 enum class FrontType { none, arrested, slow, fast };
 std::string_view front_type_name(FrontType type);
@@ -40,15 +51,30 @@ std::string_view front_type_name(FrontType type);
 bool spans(FrontType type);
 
 /// A stretch of consecutive blocks over which the front is slow.
+///
+/// The centres of slow stencils form a run first..last. With h = half_stencil(), centres up to h
+/// blocks from its first or last one, on either side, have stencils that touch both the slow
+/// stretch and its surroundings. StencilsAtEnds says where they count, for places, times and speeds
+/// alike:
+///
+///              fast before       slow                    fast after
+///   neither    .. first-h-1      first+h .. last-h       last+h+1 ..
+///   slow       .. first-h-1      first-h .. last+h       last+h+1 ..
+///   fast       .. first+h-1      first+h .. last-h       last-h+1 ..
+///
+/// The stretch grows only over stencils that exist, beyond the loading zone, and only while the
+/// blocks rupture one after the other.
 struct SlowStretch {
-  double x_from = 0, x_to = 0;  ///< first and last block of the stretch [m]
+  double x_from = 0, x_to = 0;  ///< first and last block that count to the stretch [m]
   double t_from = 0, t_to = 0;  ///< when these two ruptured [s]
   double speed = 0;             ///< median of v_c over the stretch [m/s]
+  double slowest = 0;           ///< smallest v_c in it [m/s]
 
   double duration() const { return t_to - t_from; }  ///< [s]
+  /// Length over duration [m/s]; no value for a single block.
+  std::optional<double> mean() const;
 
-  /// Medians of v_c beyond the loading zone on either side, over the stencils that lie wholly
-  /// there.
+  /// Medians of v_c over the stencils that count to the fast sides, beyond the loading zone.
   std::optional<double> fast_before, fast_after;  ///< [m/s]
 };
 
@@ -57,12 +83,13 @@ struct Front {
   std::vector<std::optional<double>> v_c;
   FrontType type = FrontType::none;
   std::optional<double> x_arrest;   ///< furthest ruptured block if the front did not span [m]
-  std::optional<SlowStretch> slow;  ///< the slow stretch that lasted longest
+  std::optional<SlowStretch> slow;  ///< the slow stretch that lasted longest; none also where slow
+                                    ///< stencils exist but no block counts to any stretch
 };
 
 /// Measures the front in one rupture line. None: nothing ruptured; arrested: it does not reach the
 /// leading edge; slow: it does, and v_c < slow_below c_s somewhere beyond skip_below_x; fast: the
-/// rest.
+/// rest. The type does not depend on stencils_at_ends.
 Front measure_front(const Parameters& parameters, RuptureLine line, const FrontCriteria& criteria);
 
 }  // namespace rupture

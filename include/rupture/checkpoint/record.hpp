@@ -52,6 +52,8 @@ struct Record {
   RowMajorArray p, tau;         ///< [samples][Nx] [N]
   RowMajorArray u_x;            ///< [samples][Nx] [m]
   std::vector<Rupture> ruptures;
+  std::vector<double> crossing_levels;  ///< other pinned fractions, ascending,
+  std::vector<Rupture> crossings;       ///< and when blocks fell below them
 };
 
 /// `<path>.part`, where the record lives until it is finished.
@@ -66,11 +68,15 @@ void check_record(const std::filesystem::path& path, const Parameters& parameter
 /// the .part file.
 class RecordWriter {
  public:
-  /// Begins with `rows_before`, of rows_until(). Throws as check_record(), and Failure if the .part
-  /// cannot be written.
+  static constexpr std::size_t kFlushEvery = 256;
+
+  /// Begins with `rows_before`, of rows_until(). The record has crossings of the pinned fractions
+  /// `crossing_levels`, ascending, and no datasets for them if there are none. Throws as
+  /// check_record(), and Failure if the .part cannot be written.
   RecordWriter(std::filesystem::path path, const Parameters& parameters,
                const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
-               Content rows_before = {}, std::size_t flush_every = 256);
+               Content rows_before = {}, std::size_t flush_every = kFlushEvery,
+               const std::vector<double>& crossing_levels = {});
   ~RecordWriter();
   RecordWriter(const RecordWriter&) = delete;
   RecordWriter& operator=(const RecordWriter&) = delete;
@@ -79,6 +85,7 @@ class RecordWriter {
 
   /// Throws Failure if the disk is full or a number is not finite, which is seen at the next flush.
   void append(const Sample& sample);
+  /// Ruptures, and crossings of the record's levels.
   void append(std::span<const Rupture> ruptures);
 
   /// Brings everything appended so far to the .part file.
@@ -108,6 +115,10 @@ Record read_record(const std::filesystem::path& path);
 /// The record in a file that was read already. Throws Failure.
 Record record_from(const ContentFile& file);
 
+/// When blocks' pinned fractions fell below `fraction`: the ruptures, or the crossings of this
+/// level. Throws Failure if the record does not hold them.
+std::vector<Rupture> ruptures_below(const Record& record, double fraction);
+
 /// A record, and its datasets as they are in the file.
 struct RecordFile {
   Record record;
@@ -117,8 +128,8 @@ struct RecordFile {
 /// Reads a finished record or a .part with which another one can begin. Throws Failure.
 RecordFile read_record_file(const std::filesystem::path& path);
 
-/// The samples and ruptures of a record up to and including a step, with which another one can
-/// begin.
+/// The samples, ruptures and crossings of a record up to and including a step, with which another
+/// one can begin.
 Content rows_until(const Content& record, std::int64_t step);
 
 }  // namespace rupture

@@ -30,8 +30,10 @@ namespace rupture {
 class Simulation {
  public:
   /// Takes over a complete state. The bulk is shared out among `threads` threads, which changes no
-  /// bit of any result. Throws UsageError if the parameters are invalid.
-  Simulation(const Parameters& parameters, State state, int threads = 1);
+  /// bit of any result. Of the pinned fractions `crossings`, ruptures() tells as well when blocks
+  /// fall below them. Throws UsageError if the parameters are invalid.
+  Simulation(const Parameters& parameters, State state, int threads = 1,
+             const std::vector<double>& crossings = {});
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
@@ -54,7 +56,8 @@ class Simulation {
   /// Goes on with a run that another simulation began.
   void resume_from(const RunSoFar& run) { run_ = run; }
 
-  /// Block ruptures since this simulation was made, in the order of time.
+  /// Block ruptures since this simulation was made, and crossings of the fractions asked for, in
+  /// the order of time.
   const std::vector<Rupture>& ruptures() const { return ruptures_; }
 
   /// Energies now, and work done since the simulation was made.
@@ -62,11 +65,18 @@ class Simulation {
   const Work& work() const { return work_; }
 
  private:
+  /// The blocks whose pinned fraction is below one value.
+  struct PinnedBelow {
+    double fraction;
+    std::vector<bool> blocks;
+  };
+
   ContactView contact() { return {p_.data(), k_ij_.data(), w_.data()}; }
   void take_steps(std::int64_t steps);
   void find_normal_forces();
   void move_interface();
   void note_ruptures();
+  void note(const Rupture& rupture);
   Power power(double damping_power, const double* bottom_velocity) const;
   Power initial_power();
   void add_work();
@@ -80,7 +90,7 @@ class Simulation {
   std::vector<double> p_, k_ij_, w_, tau_;
   std::vector<double> top_;  // force from above on each top block, downwards [N]
   double F_T_;
-  std::vector<bool> ruptured_;
+  std::vector<PinnedBelow> pinned_below_;  // first of kRupturedFraction
   std::vector<Rupture> ruptures_;
   RunSoFar run_;
   Work work_;

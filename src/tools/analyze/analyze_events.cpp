@@ -14,7 +14,7 @@ namespace {
 Quantities event_quantities(const Parameters& p, const Event& event, std::int64_t number) {
   const TextColumn times = {13, "{:.7f}"};
   const double drop = event.F_T_before - event.F_T_after;
-  const std::string slow = "   " + slow_text(event.front.slow, shear_wave_speed(p));
+  const std::string slow = "   " + slow_text(event.front, shear_wave_speed(p));
   return {
       {"number", "1", "as --event counts, from 0", number, Csv::yes, TextColumn{6}},
       {"t_start", "s", "first block rupture of the event", event.t_start, Csv::yes, times},

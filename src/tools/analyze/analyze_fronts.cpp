@@ -44,13 +44,13 @@ int analyze_front(int argc, const char* const* argv) {
   add_format_options(options);
   add_event_options(options);
   add_criteria_options(options);
-  const auto command = read_record_command(
-      argc, argv, "front",
-      "Rupture line, speed and type of one event's front: first rupture of "
-      "each block,\nv_c from the end points of a five-block stencil. Of several "
-      "events one has to be\nchosen, but on a prepared interface the one that "
-      "the trigger started is meant.",
-      options);
+  const auto command =
+      read_record_command(argc, argv, "front",
+                          "Rupture line, speed and type of one event's front: first rupture of "
+                          "each block,\nv_c from the end points of a moving stencil. Of several "
+                          "events one has to be\nchosen, but on a prepared interface the one that "
+                          "the trigger started is meant.",
+                          options);
   const ChosenEvent event = choose_event(command);
   const Front front = front_of(command, event);
   const Parameters& p = command.record.parameters;

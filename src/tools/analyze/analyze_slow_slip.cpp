@@ -24,11 +24,11 @@ SlowSlipCriteria slow_slip_criteria(const po::variables_map& values) {
   return {non_negative(values, "longest"), non_negative(values, "shortest")};
 }
 
-/// The blocks between --x-from and --x-to, or those well inside the slow stretch.
+/// The blocks between --x-from and --x-to, or those of the slow stretch.
 std::vector<std::size_t> chosen_blocks(const Front& front, const po::variables_map& values) {
   const auto from = optional_non_negative(values, "x-from");
   const auto to = optional_non_negative(values, "x-to");
-  if (!from && !to) return blocks_well_inside(front);
+  if (!from && !to) return slow_blocks(front);
   const double half = 0.5 * front.line.x[1];
   std::vector<std::size_t> blocks;
   for (std::size_t i = 0; i < front.line.x.size(); ++i) {
@@ -137,8 +137,7 @@ int analyze_slow_slip(int argc, const char* const* argv) {
   add_event_options(options);
   add_criteria_options(options);
   auto add = options.add_options();
-  add("x-from", number("X", "m"),
-      "blocks from here on, instead of those well inside the slow stretch");
+  add("x-from", number("X", "m"), "blocks from here on, instead of those of the slow stretch");
   add("x-to", number("X", "m"), "blocks up to here");
   add("longest", number("W")->default_value(1.0, "1"),
       "the slip of a block is followed for W <t_R> at most");

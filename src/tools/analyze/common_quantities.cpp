@@ -22,6 +22,8 @@ Quantity slow_quantity(const std::optional<SlowStretch>& slow) {
       {"t_to", "s", "time at which the slow stretch ends", known(s.t_to)},
       {"duration", "s", "duration of the slow stretch", known(s.duration())},
       {"speed", "m/s", "median front speed in the slow stretch", known(s.speed)},
+      {"slowest", "m/s", "smallest front speed in the slow stretch", known(s.slowest)},
+      {"mean", "m/s", "length of the slow stretch over its duration", s.mean()},
       {"fast_before", "m/s", "median front speed before the slow stretch", s.fast_before},
       {"fast_after", "m/s", "median front speed after the slow stretch", s.fast_after},
   };

@@ -3,8 +3,29 @@
 #include <fmt/core.h>
 
 #include "cli/option_values.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
+
+namespace {
+
+std::size_t stencil(const po::variables_map& values) {
+  const int blocks = values["stencil"].as<int>();
+  if (blocks >= 3 && blocks % 2 == 1) return static_cast<std::size_t>(blocks);
+  throw UsageError(
+      fmt::format("--stencil {} makes no sense: give an odd number of blocks from 3 on", blocks));
+}
+
+StencilsAtEnds stencils_at_ends(const po::variables_map& values) {
+  const auto& name = values["stencils-at-ends"].as<std::string>();
+  if (name == "neither") return StencilsAtEnds::neither;
+  if (name == "slow") return StencilsAtEnds::slow;
+  if (name == "fast") return StencilsAtEnds::fast;
+  throw UsageError(
+      fmt::format("--stencils-at-ends {} is not known: give neither, slow or fast", name));
+}
+
+}  // namespace
 
 void add_criteria_options(po::options_description& options) {
   auto add = options.add_options();
@@ -12,10 +33,21 @@ void add_criteria_options(po::options_description& options) {
       "the front is slow where v_c < R c_s");
   add("skip-below-x", number("X", "m")->default_value(0.02, "0.02"),
       "loading zone in which speeds do not count");
+  add("stencil", integer("N")->default_value(5),
+      "blocks of the stencil whose end points give v_c, odd");
+  add("stencils-at-ends", one_of("neither|slow|fast")->default_value("neither"),
+      "where stencils count that touch both the slow stretch and its surroundings: to neither, to "
+      "the slow stretch, or to the fast sides");
+  add("ruptured-below", number("F")->default_value(kRupturedFraction, "0.3"),
+      "pinned fraction below which a block counts as ruptured: 0.3, or one of the record's "
+      "--crossings");
 }
 
 FrontCriteria criteria(const po::variables_map& values) {
-  return {non_negative(values, "slow-below"), non_negative(values, "skip-below-x")};
+  return {.slow_below = non_negative(values, "slow-below"),
+          .skip_below_x = non_negative(values, "skip-below-x"),
+          .stencil = stencil(values),
+          .stencils_at_ends = stencils_at_ends(values)};
 }
 
 Front front_of(const RecordCommand& command, const ChosenEvent& event) {
@@ -24,7 +56,9 @@ Front front_of(const RecordCommand& command, const ChosenEvent& event) {
                        criteria(command.parsed.values));
 }
 
-std::string slow_text(const std::optional<SlowStretch>& slow, double c_s) {
+std::string slow_text(const Front& front, double c_s) {
+  const auto& slow = front.slow;
+  if (!slow && front.type == FrontType::slow) return "slow for less than a stencil";
   if (!slow) return "no slow stretch";
   return fmt::format("slow from x = {:.4f} m to {:.4f} m for {:.3g} ms at {:.3g} m/s (c_s/{:.0f})",
                      slow->x_from, slow->x_to, slow->duration() * 1e3, slow->speed,
@@ -40,7 +74,7 @@ std::string front_text(const Front& front, double c_s, const ChosenEvent& event)
       event.in_window > 1 ? fmt::format("; event {}, the trigger's, of {} (see analyze events)",
                                         event.number, event.in_window)
                           : "";
-  return fmt::format("{} front; {}{}\n", front_type_name(front.type), slow_text(front.slow, c_s),
+  return fmt::format("{} front; {}{}\n", front_type_name(front.type), slow_text(front, c_s),
                      others);
 }
 

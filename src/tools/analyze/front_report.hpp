@@ -1,7 +1,6 @@
 // The report of a front that several commands give, and its criteria.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "analyze/event_choice.hpp"
@@ -9,14 +8,17 @@
 
 namespace rupture::tools {
 
-/// --slow-below and --skip-below-x.
+/// --slow-below, --skip-below-x, --stencil, --stencils-at-ends and --ruptured-below, by which
+/// read_record_command() goes.
 void add_criteria_options(po::options_description& options);
+
+/// Throws UsageError for a criterion that makes no sense.
 FrontCriteria criteria(const po::variables_map& values);
 
 /// The front of the chosen event.
 Front front_of(const RecordCommand& command, const ChosenEvent& event);
 
-std::string slow_text(const std::optional<SlowStretch>& slow, double c_s);
+std::string slow_text(const Front& front, double c_s);
 
 /// One line on the front as a whole.
 std::string front_text(const Front& front, double c_s, const ChosenEvent& event);

@@ -45,6 +45,9 @@ RecordCommand read_record_command(int argc, const char* const* argv, const std::
   command.to = command.record.time.back();
   if (windowed && values.count("from") > 0) command.from = time_from_zero(values, "from");
   if (windowed && values.count("to") > 0) command.to = time_from_zero(values, "to");
+  if (options.find_nothrow("ruptured-below", false) != nullptr) {
+    command.record.ruptures = ruptures_below(command.record, fraction(values, "ruptured-below"));
+  }
   check_overlap(command);
   if (command.to < command.from)
     throw UsageError("the time window is empty: --to is before --from");

@@ -19,9 +19,10 @@ struct RecordCommand {
 void add_window_options(po::options_description& options);
 
 /// Parses the arguments of `analyze NAME` and reads the record. The window is the whole record
-/// unless `options` has --from and --to and they were given. Throws UsageError if the window is
-/// empty, beside the record or given with --event, Failure if the record cannot be read or holds no
-/// samples.
+/// unless `options` has --from and --to and they were given. The record's ruptures are those that
+/// --ruptured-below asks for, if `options` has it. Throws UsageError if the window is empty, beside
+/// the record or given with --event, Failure if the record cannot be read, holds no samples or not
+/// these ruptures.
 RecordCommand read_record_command(int argc, const char* const* argv, const std::string& name,
                                   const std::string& purpose, po::options_description& options);
 

@@ -5,6 +5,7 @@
 #include <boost/any.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <cmath>
+#include <sstream>
 
 #include "rupture/model/error.hpp"
 
@@ -22,6 +23,21 @@ double time_in(const std::string& text, const std::string& option) {
   if (boost::conversion::try_lexical_convert(text, t)) return t;
   throw UsageError(fmt::format("--{} {}: give the time in seconds as a plain number, such as 0.01",
                                option, text));
+}
+
+/// The pinned fractions in a text with commas between them.
+std::vector<double> fractions_in(const std::string& text, const std::string& option) {
+  std::vector<double> result;
+  std::istringstream list(text + ",");  // so that an empty text is refused as well
+  for (std::string word; std::getline(list, word, ',');) {
+    double value = 0.0;
+    if (!boost::conversion::try_lexical_convert(word, value) || !(value > 0.0 && value <= 1.0)) {
+      throw UsageError(fmt::format(
+          "--{} {} makes no sense: a pinned fraction is above 0 and at most 1", option, text));
+    }
+    result.push_back(value);
+  }
+  return result;
 }
 
 template <class T>
@@ -114,6 +130,14 @@ std::optional<double> optional_non_negative(const po::variables_map& values,
                                             const std::string& option) {
   if (values.count(option) == 0) return std::nullopt;
   return non_negative(values, option);
+}
+
+double fraction(const po::variables_map& values, const std::string& option) {
+  return fractions_in(fmt::format("{}", values[option].as<double>()), option).front();
+}
+
+std::vector<double> fractions(const po::variables_map& values, const std::string& option) {
+  return fractions_in(values[option].as<std::string>(), option);
 }
 
 }  // namespace rupture::tools

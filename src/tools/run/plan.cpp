@@ -96,7 +96,7 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
       .start = {},
       .begin = {},
       .rule = rule,
-      .files = {output.output, options.record, every, output.if_exists},
+      .files = {output.output, options.record, every, output.if_exists, options.crossings},
       .checkpoint_steps = checkpoint_steps(p, start.state.step, rule.last_step, options),
       .written_before = {},
       .work = {}};

@@ -60,9 +60,13 @@ std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
 
 std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
                                             const Parameters& parameters, std::int64_t step,
-                                            std::int64_t every) {
+                                            std::int64_t every,
+                                            const std::vector<double>& crossings) {
   chain = run_until(std::move(chain), parameters, step);
   chain.back().rebuild += " --record-every " + time_text(parameters, every);
+  if (!crossings.empty()) {
+    chain.back().rebuild += fmt::format(" --crossings {}", fmt::join(crossings, ","));
+  }
   return chain;
 }
 

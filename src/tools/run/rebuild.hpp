@@ -31,9 +31,11 @@ std::vector<std::string> with_options(std::vector<std::string> command,
 std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
                                        const Parameters& parameters, std::int64_t step);
 
-/// The chain of a record that ends at `step` and has a sample every so many steps.
+/// The chain of a record that ends at `step` and has a sample every so many steps, and crossings of
+/// these pinned fractions.
 std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
                                             const Parameters& parameters, std::int64_t step,
-                                            std::int64_t every);
+                                            std::int64_t every,
+                                            const std::vector<double>& crossings);
 
 }  // namespace rupture::tools

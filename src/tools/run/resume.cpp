@@ -137,16 +137,18 @@ bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
 /// The part of the run in `path`, a record or its .part; empty if there is no such file. Throws
 /// Failure if it holds anything else.
 Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
-                 std::int64_t every) {
+                 const RunFiles& files) {
   if (!fs::exists(path)) return {};
   auto [record, content] = read_record_file(path);
   if (parameters_content(record.parameters) != parameters_content(start.parameters) ||
       !is_chain_of(record.provenance, start.provenance) ||
-      !samples_of_run(record.step, start.state.step, every) ||
+      !samples_of_run(record.step, start.state.step, files.record_every) ||
+      record.crossing_levels != files.crossings ||
       (!record.step.empty() && record.step.back() > rule.last_step)) {
     throw Failure(fmt::format(
         "{} is not what the run to be resumed has recorded, but the record of another "
-        "run, interval or end; move it away, give another --record, or --force to replace it",
+        "run, interval, end or choice of --crossings; move it away, give another --record, or "
+        "--force to replace it",
         path.string()));
   }
   return std::move(content);
@@ -157,7 +159,7 @@ Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const Run
   if (!files.record) return {};
   const auto held_by = [&](const fs::path& path) {
     try {
-      return recorded(path, start, rule, files.record_every);
+      return recorded(path, start, rule, files);
     } catch (const Failure&) {
       if (files.if_exists == IfExists::refuse) throw;
       return Content{};  // and it will be replaced
@@ -256,8 +258,7 @@ bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& 
   if (!is_end(*end, rule) || (rule.quiet_steps && !same_command(*end, start))) return false;
   if (!files.record) return true;
   const StopRule until_then = {.last_step = end->state.step, .quiet_steps = {}};
-  return last_sample(recorded(*files.record, start, until_then, files.record_every)) ==
-         end->state.step;
+  return last_sample(recorded(*files.record, start, until_then, files)) == end->state.step;
 }
 
 bool may_write(const fs::path& path, const Checkpoint& start) {

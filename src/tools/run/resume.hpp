@@ -19,6 +19,7 @@ struct RunFiles {
   std::optional<std::filesystem::path> record;  ///< or its .part
   std::int64_t record_every = 1;                ///< [steps]
   IfExists if_exists = IfExists::refuse;        ///< what is not of the run
+  std::vector<double> crossings = {};           ///< levels of the record, ascending
 };
 
 /// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].

@@ -7,6 +7,7 @@
 
 #include "cli/option_values.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/rupture.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -16,6 +17,22 @@ int thread_count(int threads) {
   if (threads >= 1 && threads <= most) return threads;
   throw UsageError(
       fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
+}
+
+/// The levels of --crossings, ascending, so that equal records come from equal commands.
+std::vector<double> crossing_levels(const po::variables_map& values) {
+  if (values.count("crossings") == 0) return {};
+  if (values.count("record") == 0) {
+    throw UsageError("--crossings are part of a record: give --record as well");
+  }
+  auto levels = fractions(values, "crossings");
+  if (std::find(levels.begin(), levels.end(), kRupturedFraction) != levels.end()) {
+    throw UsageError(
+        fmt::format("--crossings {} is recorded always: leave it out", kRupturedFraction));
+  }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
 }
 
 DryRun dry_run(const po::variables_map& values) {
@@ -34,6 +51,8 @@ void add_run_options(po::options_description& options) {
   add("record", output_file("record"), "record time series of the interface in FILE");
   add("record-every", seconds()->default_value("1e-4"),
       "sampling interval of the record; ruptures are recorded to the step");
+  add("crossings", text("F,..."),
+      "pinned fractions besides 0.3 whose crossing by a block is recorded, such as 0.2,0.5");
   add("threads", integer("N"),
       "threads that share the work; default: as many as pay for this size of slider. Results do "
       "not depend on it");
@@ -61,6 +80,7 @@ RunOptions run_options(const Parsed& parsed) {
   run.checkpoint_every = optional_time(values, "checkpoint-every");
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
   run.record_every = time_from_zero(values, "record-every");
+  run.crossings = crossing_levels(values);
   run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
   run.dry_run = dry_run(values);

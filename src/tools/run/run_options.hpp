@@ -20,8 +20,9 @@ struct RunOptions {
   std::vector<double> checkpoint_at;       ///< [s]
   std::optional<double> checkpoint_every;  ///< [s]
   std::optional<std::filesystem::path> record;
-  double record_every = 1e-4;  ///< [s]
-  std::optional<int> threads;  ///< none: as many as pay
+  double record_every = 1e-4;     ///< [s]
+  std::vector<double> crossings;  ///< pinned fractions, ascending
+  std::optional<int> threads;     ///< none: as many as pay
   OnAlarm on_alarm = OnAlarm::stop;
   Resume resume = Resume::no;
   DryRun dry_run = DryRun::no;

@@ -70,12 +70,12 @@ Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
       provenance_(begin.checkpoint.provenance),
       record_provenance_(begin.record_provenance),
       saved_(begin.file),
-      simulation_(begin.checkpoint.parameters, begin.checkpoint.state, threads) {
+      simulation_(begin.checkpoint.parameters, begin.checkpoint.state, threads, files.crossings) {
   simulation_.resume_from(*begin.checkpoint.run);
   if (!files.record) return;
-  writer_ =
-      std::make_unique<RecordWriter>(*files.record, begin.checkpoint.parameters,
-                                     record_provenance(last_step), if_record_exists, begin.rows);
+  writer_ = std::make_unique<RecordWriter>(*files.record, begin.checkpoint.parameters,
+                                           record_provenance(last_step), if_record_exists,
+                                           begin.rows, RecordWriter::kFlushEvery, files.crossings);
   recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, begin.checkpoint.state.step,
                                          last_step, last_sample(begin.rows));
 }
@@ -135,7 +135,8 @@ const fs::path& Run::save_on_the_way() {
 }
 
 std::vector<ProvenanceEntry> Run::record_provenance(std::int64_t step) const {
-  return recorded_until(record_provenance_, simulation_.parameters(), step, files_.record_every);
+  return recorded_until(record_provenance_, simulation_.parameters(), step, files_.record_every,
+                        files_.crossings);
 }
 
 std::string Run::save(const fs::path& path, IfExists if_exists) {

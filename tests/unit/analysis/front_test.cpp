@@ -37,6 +37,10 @@ void arrest_behind(RuptureLine& line, std::size_t last) {
   for (std::size_t n = last + 1; n < kBlocks; ++n) line.t_rupture[n].reset();
 }
 
+std::vector<std::optional<double>> speed_of(const RuptureLine& line) {
+  return front_speed(line, FrontCriteria{});
+}
+
 Front measure(RuptureLine line, const FrontCriteria& criteria = {}) {
   return measure_front(Parameters{}, std::move(line), criteria);
 }
@@ -56,23 +60,30 @@ TEST(RuptureLine, holds_the_first_rupture_of_each_block_in_the_window) {
 }
 
 TEST(FrontSpeed, is_exact_for_a_constant_speed) {
-  const auto v_c = front_speed(line_of([](std::size_t) { return kFast; }));
+  const auto v_c = speed_of(line_of([](std::size_t) { return kFast; }));
   for (std::size_t i = 2; i + 2 < kBlocks; ++i) {
     ASSERT_TRUE(v_c[i]) << i;
     EXPECT_NEAR(*v_c[i], kFast, 1e-7 * kFast) << i;  // t is known to 1e-16 s, of 33 us
   }
 }
 
-TEST(FrontSpeed, is_the_inverse_slope_over_five_blocks) {
+TEST(FrontSpeed, is_the_inverse_slope_over_the_stencil) {
   // blocks 20-24 take 3 fast intervals and a slow one
-  const auto v_c = front_speed(slow_between(23, 40));
+  const auto v_c = speed_of(slow_between(23, 40));
   EXPECT_NEAR(*v_c[22], 4.0 / (3.0 / kFast + 1.0 / kSlow), 1e-6);
+  const auto v_3 = front_speed(slow_between(23, 40), {.stencil = 3});
+  EXPECT_NEAR(*v_3[22], kFast, 1e-6 * kFast);
+  EXPECT_NEAR(*v_3[23], 2.0 / (1.0 / kFast + 1.0 / kSlow), 1e-6);
+  const auto v_7 = front_speed(slow_between(23, 40), {.stencil = 7});
+  EXPECT_NEAR(*v_7[22], 6.0 / (4.0 / kFast + 2.0 / kSlow), 1e-6);
+  EXPECT_FALSE(v_7[2]);
+  EXPECT_TRUE(v_7[3]);
 }
 
 TEST(FrontSpeed, has_no_value_near_the_edges_and_holes) {
   RuptureLine line = line_of([](std::size_t) { return kFast; });
   line.t_rupture[30].reset();
-  const auto v_c = front_speed(line);
+  const auto v_c = speed_of(line);
   for (const std::size_t i : {0U, 1U, 55U, 56U, 28U, 30U, 32U}) EXPECT_FALSE(v_c[i]) << i;
   for (const std::size_t i : {2U, 54U, 27U, 29U, 31U, 33U}) EXPECT_TRUE(v_c[i]) << i;
 }
@@ -80,13 +91,13 @@ TEST(FrontSpeed, has_no_value_near_the_edges_and_holes) {
 TEST(FrontSpeed, has_no_value_where_the_ends_rupture_at_once) {
   RuptureLine line = line_of([](std::size_t) { return kFast; });
   line.t_rupture[12] = line.t_rupture[8];
-  EXPECT_FALSE(front_speed(line)[10]);
+  EXPECT_FALSE(speed_of(line)[10]);
 }
 
 TEST(FrontSpeed, is_negative_towards_the_driven_edge) {
   RuptureLine line = line_of([](std::size_t) { return kFast; });
   std::reverse(line.t_rupture.begin(), line.t_rupture.end());
-  EXPECT_NEAR(*front_speed(line)[20], -kFast, 1e-7 * kFast);
+  EXPECT_NEAR(*speed_of(line)[20], -kFast, 1e-7 * kFast);
 }
 
 TEST(Front, without_a_slow_stretch_is_fast) {
@@ -98,14 +109,14 @@ TEST(Front, without_a_slow_stretch_is_fast) {
 
 TEST(Front, with_a_slow_stretch_is_slow_and_tells_where_and_how_slow) {
   // Slow from block 20 to 35. A stencil with one slow interval of four is slow already (36 m/s), so
-  // the stretch reaches from block 19 to block 36.
+  // slow stencils have their centres from block 19 to block 36; two at either end do not count.
   const Front front = measure(slow_between(20, 35));
   EXPECT_EQ(front.type, FrontType::slow);
   ASSERT_TRUE(front.slow);
-  EXPECT_DOUBLE_EQ(front.slow->x_from, 19 * kSpacing);
-  EXPECT_DOUBLE_EQ(front.slow->x_to, 36 * kSpacing);
-  EXPECT_NEAR(front.slow->duration(), 15 * kSpacing / kSlow + 2 * kSpacing / kFast, 1e-12);
-  EXPECT_NEAR(front.slow->t_from, 1.0 + 19 * kSpacing / kFast, 1e-12);
+  EXPECT_DOUBLE_EQ(front.slow->x_from, 21 * kSpacing);
+  EXPECT_DOUBLE_EQ(front.slow->x_to, 34 * kSpacing);
+  EXPECT_NEAR(front.slow->duration(), 13 * kSpacing / kSlow, 1e-12);
+  EXPECT_NEAR(front.slow->t_from, 1.0 + 20 * kSpacing / kFast + kSpacing / kSlow, 1e-12);
   EXPECT_NEAR(front.slow->speed, kSlow, 1e-6);
   ASSERT_TRUE(front.slow->fast_before);
   ASSERT_TRUE(front.slow->fast_after);
@@ -129,7 +140,7 @@ TEST(Front, that_arrests_in_its_slow_stretch_has_no_speed_after_it) {
   arrest_behind(line, 30);
   const Front front = measure(line);
   ASSERT_TRUE(front.slow);
-  EXPECT_DOUBLE_EQ(front.slow->x_to, 28 * kSpacing) << "the last block with a whole stencil";
+  EXPECT_DOUBLE_EQ(front.slow->x_to, 26 * kSpacing) << "28 is the last with a whole stencil";
   EXPECT_TRUE(front.slow->fast_before);
   EXPECT_FALSE(front.slow->fast_after);
 }
@@ -161,6 +172,19 @@ TEST(Front, tells_of_the_slow_stretch_that_lasted_longest) {
   EXPECT_GT(front.slow->x_from, 30 * kSpacing);
 }
 
+TEST(Front, tells_its_slowest_and_its_mean_speed) {
+  const auto line = line_of([](std::size_t n) {
+    if (n == 28) return 4.0;
+    return n >= 20 && n < 35 ? kSlow : kFast;
+  });
+  const Front front = measure(line);
+  ASSERT_TRUE(front.slow);
+  EXPECT_NEAR(front.slow->slowest, 4.0 / (3.0 / kSlow + 1.0 / 4.0), 1e-6);
+  ASSERT_TRUE(front.slow->mean());
+  EXPECT_NEAR(*front.slow->mean(), 13.0 / (12.0 / kSlow + 1.0 / 4.0), 1e-6);
+  EXPECT_NEAR(front.slow->speed, kSlow, 1e-6);
+}
+
 TEST(Front, may_skip_a_block_in_its_slow_stretch) {
   RuptureLine line = slow_between(20, 40);
   line.t_rupture[30].reset();
@@ -177,6 +201,125 @@ TEST(Front, of_no_rupture_is_none) {
   EXPECT_EQ(front.type, FrontType::none);
   EXPECT_FALSE(front.x_arrest);
   EXPECT_FALSE(front.slow);
+}
+
+// --- stencils at the ends of the slow stretch
+
+/// Centres that count: to the slow stretch, and next to it to the fast sides.
+struct Centres {
+  std::size_t slow_from, slow_to, before_to, after_from;
+};
+
+/// The front is slow between blocks 20 and 35, at 5 m/s; everywhere else each interval has another
+/// speed, so that the medians tell which stencils they are of. With h blocks on either side of its
+/// centre, a stencil is slow if its centre lies between blocks 21 - h and 34 + h.
+class StencilAtEnds : public ::testing::TestWithParam<std::size_t> {
+ protected:
+  static constexpr std::size_t kFirstCounted = 9;  // the first beyond the loading zone
+
+  void expect_centres(const Centres& centres, StencilsAtEnds rule) const {
+    const FrontCriteria criteria = {.stencil = GetParam(), .stencils_at_ends = rule};
+    const Front front = measure(line_, criteria);
+    ASSERT_EQ(front.type, FrontType::slow);
+    ASSERT_TRUE(front.slow);
+    EXPECT_EQ(front.slow->x_from, line_.x[centres.slow_from]);
+    EXPECT_EQ(front.slow->x_to, line_.x[centres.slow_to]);
+    EXPECT_EQ(front.slow->t_from, line_.t_rupture[centres.slow_from]);
+    EXPECT_EQ(front.slow->t_to, line_.t_rupture[centres.slow_to]);
+    EXPECT_EQ(front.slow->speed, median_of(centres.slow_from, centres.slow_to));
+    EXPECT_EQ(front.slow->fast_before, median_of(kFirstCounted, centres.before_to));
+    EXPECT_EQ(front.slow->fast_after, median_of(centres.after_from, kBlocks - 1 - h_));
+  }
+
+  const std::size_t h_ = GetParam() / 2;
+  const std::size_t first_ = 21 - h_, last_ = 34 + h_;  // centres of slow stencils
+
+ private:
+  /// Median of v_c at blocks from..to.
+  std::optional<double> median_of(std::size_t from, std::size_t to) const {
+    std::vector<double> v_c;
+    for (std::size_t i = from; i <= to; ++i) {
+      v_c.push_back((line_.x[i + h_] - line_.x[i - h_]) /
+                    (*line_.t_rupture[i + h_] - *line_.t_rupture[i - h_]));
+    }
+    return median(v_c);
+  }
+
+  const RuptureLine line_ = line_of([](std::size_t n) {
+    return n >= 20 && n < 35 ? 5.0 : kFast + 10.0 * static_cast<double>(n);
+  });
+};
+
+INSTANTIATE_TEST_SUITE_P(Front, StencilAtEnds, ::testing::Values(3U, 5U, 7U));
+
+TEST_P(StencilAtEnds, counts_to_neither) {
+  expect_centres({first_ + h_, last_ - h_, first_ - h_ - 1, last_ + h_ + 1},
+                 StencilsAtEnds::neither);
+}
+
+TEST_P(StencilAtEnds, counts_to_the_slow_stretch) {
+  expect_centres({first_ - h_, last_ + h_, first_ - h_ - 1, last_ + h_ + 1}, StencilsAtEnds::slow);
+}
+
+TEST_P(StencilAtEnds, counts_to_the_fast_sides) {
+  expect_centres({first_ + h_, last_ - h_, first_ + h_ - 1, last_ - h_ + 1}, StencilsAtEnds::fast);
+}
+
+FrontCriteria with_ends(StencilsAtEnds rule) {
+  return {.stencils_at_ends = rule};
+}
+
+TEST(SlowStretches, grow_only_over_stencils_that_exist) {
+  const FrontCriteria slow = with_ends(StencilsAtEnds::slow);
+  EXPECT_DOUBLE_EQ(measure(slow_between(50, kBlocks), slow).slow->x_to, 54 * kSpacing);
+  RuptureLine line = slow_between(20, 35);
+  arrest_behind(line, 37);  // the last stencil is that around block 35
+  EXPECT_DOUBLE_EQ(measure(line, slow).slow->x_to, 35 * kSpacing);
+}
+
+TEST(SlowStretches, grow_not_into_the_loading_zone) {
+  const Front front = measure(slow_between(11, 35), with_ends(StencilsAtEnds::slow));
+  EXPECT_DOUBLE_EQ(front.slow->x_from, 9 * kSpacing);
+}
+
+TEST(SlowStretches, grow_only_while_blocks_rupture_one_after_the_other) {
+  RuptureLine line = slow_between(20, 35);
+  line.t_rupture[18] = *line.t_rupture[19] + 1e-7;
+  line.t_rupture[38] = *line.t_rupture[37] - 1e-7;
+  const Front front = measure(line, with_ends(StencilsAtEnds::slow));
+  EXPECT_DOUBLE_EQ(front.slow->x_from, 19 * kSpacing);
+  EXPECT_DOUBLE_EQ(front.slow->x_to, 37 * kSpacing);
+}
+
+TEST(SlowStretches, of_a_single_block_have_no_mean_speed) {
+  const Front front = measure(slow_between(20, 22));  // slow stencils around blocks 19 to 23
+  ASSERT_TRUE(front.slow);
+  EXPECT_EQ(front.slow->x_from, front.slow->x_to);
+  EXPECT_GT(front.slow->speed, 0.0);
+  EXPECT_FALSE(front.slow->mean());
+}
+
+TEST(SlowStretches, shorter_than_a_stencil_are_none_but_the_front_is_slow) {
+  const RuptureLine line = slow_between(20, 21);  // slow stencils around blocks 19 to 22
+  for (const auto rule : {StencilsAtEnds::neither, StencilsAtEnds::fast}) {
+    const Front front = measure(line, with_ends(rule));
+    EXPECT_EQ(front.type, FrontType::slow);
+    EXPECT_FALSE(front.slow);
+  }
+  const Front front = measure(line, with_ends(StencilsAtEnds::slow));
+  ASSERT_TRUE(front.slow);
+  EXPECT_DOUBLE_EQ(front.slow->x_from, 17 * kSpacing);
+  EXPECT_DOUBLE_EQ(front.slow->x_to, 24 * kSpacing);
+}
+
+TEST(SlowStretches, are_compared_by_the_blocks_that_count) {
+  // one interval at 0.5 m/s lasts longer than five at 10 m/s, but is shorter than a stencil
+  const auto line = line_of([](std::size_t n) {
+    if (n == 15) return 0.5;
+    return n >= 35 && n < 40 ? kSlow : kFast;
+  });
+  EXPECT_DOUBLE_EQ(measure(line).slow->x_from, 36 * kSpacing);
+  EXPECT_LT(measure(line, with_ends(StencilsAtEnds::slow)).slow->x_from, 15 * kSpacing);
 }
 
 TEST(FrontTypes, have_names) {

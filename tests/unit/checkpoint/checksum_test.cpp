@@ -60,6 +60,7 @@ TEST(ContentChecksum, changes_with_path_type_shape_value_and_presence) {
 TEST(ContentChecksum, covers_series_and_ruptures_too) {
   EXPECT_TRUE(is_checksummed("/series/p"));
   EXPECT_TRUE(is_checksummed("/ruptures/step"));
+  EXPECT_TRUE(is_checksummed("/crossings/step"));
   EXPECT_FALSE(is_checksummed("/provenance/0000/tool"));
   EXPECT_FALSE(is_checksummed("/statement"));
 }

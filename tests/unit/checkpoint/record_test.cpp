@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fixtures.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 
 namespace rupture {
 namespace {
@@ -211,6 +212,85 @@ TEST_F(RecordFile, that_begins_with_the_rows_of_another_continues_it) {
     expect_samples(read_record(file("r.h5.part")), kept);
     append(out, kept, 20);
     EXPECT_EQ(out.finish(), checksum) << kept;
+  }
+}
+
+/// A record with crossings of 0.2 and 0.5 besides the ruptures.
+class RecordWithCrossings : public RecordFile {
+ protected:
+  RecordWriter writer_of(const char* name, const Content& rows = {}) {
+    return {file(name), small_parameters(), {}, IfExists::replace, rows, 8, {0.2, 0.5}};
+  }
+  static void append_all(RecordWriter& record, int from, int to) {
+    for (int n = from; n < to; ++n) {
+      append(record, n, n + 1);
+      record.append(std::vector<Rupture>{{100 * n, 0.001 * n, n % 5, n % 3 == 0 ? 0.2 : 0.5}});
+    }
+  }
+};
+
+TEST_F(RecordWithCrossings, returns_them_by_their_level) {
+  auto out = writer_of("r.h5");
+  append_all(out, 0, 20);
+  out.finish();
+  const Record record = read_record(file("r.h5"));
+  expect_samples(record, 20);
+  EXPECT_EQ(record.crossing_levels, (std::vector<double>{0.2, 0.5}));
+  EXPECT_EQ(record.crossings.size(), 20U);
+  EXPECT_EQ(ruptures_below(record, kRupturedFraction), record.ruptures);
+  EXPECT_EQ(ruptures_below(record, kRupturedFraction).size(), 5U);
+  const auto low = ruptures_below(record, 0.2);
+  ASSERT_EQ(low.size(), 7U);
+  EXPECT_EQ(low[6], (Rupture{1800, 0.001 * 18, 3, 0.2}));
+  EXPECT_EQ(ruptures_below(record, 0.5).size(), 13U);
+  EXPECT_EQ(
+      failure_of([&] { ruptures_below(record, 0.4); }),
+      "the record does not tell when blocks fell below a pinned fraction of 0.4, only of 0.2, "
+      "0.5, 0.3: record it with --crossings 0.4");
+}
+
+TEST_F(RecordWithCrossings, knows_its_levels_without_any_crossing) {
+  auto out = writer_of("r.h5");
+  append(out, 0, 4);
+  out.finish();
+  EXPECT_TRUE(ruptures_below(read_record(file("r.h5")), 0.5).empty());
+}
+
+TEST_F(RecordWithCrossings, that_begins_with_the_rows_of_another_continues_it) {
+  auto whole = writer_of("whole.h5");
+  append_all(whole, 0, 20);
+  const std::string checksum = whole.finish();
+  for (const int kept : {0, 1, 8, 13}) {
+    auto out = writer_of("r.h5", rows_until(read_content(file("whole.h5")), 100 * kept - 1));
+    EXPECT_EQ(read_record(file("r.h5.part")).crossings.size(), static_cast<std::size_t>(kept));
+    append_all(out, kept, 20);
+    EXPECT_EQ(out.finish(), checksum) << kept;
+  }
+}
+
+TEST_F(RecordWithCrossings, has_another_checksum_than_one_without_and_equal_other_datasets) {
+  auto out = writer_of("r.h5"), without = writer("q.h5");
+  append_all(out, 0, 20);
+  append(without, 0, 20);
+  EXPECT_NE(out.finish(), without.finish());
+  Content content = read_content(file("r.h5"));
+  std::erase_if(content, [](const auto& entry) { return entry.first.starts_with("/crossings/"); });
+  EXPECT_EQ(content_checksum(content), content_checksum(read_content(file("q.h5"))));
+}
+
+TEST_F(RecordWithCrossings, with_impossible_datasets_is_refused) {
+  auto out = writer_of("r.h5");
+  append_all(out, 0, 5);
+  out.finish();
+  const auto refusal_without = [&](const char* path) {
+    Content content = read_content(file("r.h5"));
+    content.erase(path);
+    write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
+    return failure_of([&] { read_record(file("q.h5")); });
+  };
+  for (const char* path :
+       {"/crossings/levels", "/crossings/step", "/crossings/block", "/crossings/pinned_below"}) {
+    expect_contains(refusal_without(path), std::string(path) + " is missing");
   }
 }
 

@@ -129,6 +129,45 @@ TEST(Simulation, notes_each_rupture_at_its_step) {
   EXPECT_EQ(simulation.run().last_break, last_break);
 }
 
+TEST(Simulation, notes_crossings_of_other_pinned_fractions) {
+  const Parameters p = testing::prepared_slider();
+  Prestress prestress = testing::quick_prestress();
+  prestress.sigma_bar = 0.2;  // so that the junctions of a block break one after the other
+  const State start = prepared_state(p, prestress);
+  const std::vector<double> levels = {0.2, 0.7};
+  Simulation simulation(p, start, 1, levels), plain(p, start);
+  std::vector<Rupture> expected;
+  for (int n = 0; n < kThroughTheRupture; ++n) {
+    std::vector<double> before, after;
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      before.push_back(pinned_fraction(simulation.state().junctions, i));
+    }
+    simulation.advance();
+    plain.advance();
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      after.push_back(pinned_fraction(simulation.state().junctions, i));
+    }
+    for (const double level : {kRupturedFraction, 0.2, 0.7}) {
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] < level || after[i] >= level) continue;
+        expected.push_back(
+            {simulation.state().step, simulation.time(), static_cast<std::int64_t>(i), level});
+      }
+    }
+  }
+  EXPECT_EQ(simulation.ruptures(), expected);
+  EXPECT_EQ(simulation.run(), plain.run());
+  const auto at = [&](double level) {
+    std::vector<std::int64_t> steps;
+    for (const Rupture& rupture : simulation.ruptures()) {
+      if (rupture.pinned_below == level && rupture.block == 6) steps.push_back(rupture.step);
+    }
+    return steps.at(0);
+  };
+  EXPECT_LT(at(0.7), at(kRupturedFraction));
+  EXPECT_LT(at(kRupturedFraction), at(0.2));
+}
+
 TEST(Simulation, forgets_ruptures_from_before_it_began) {
   const Parameters p = quick_slider();
   Simulation first(p, normal_load_equilibrium(p));
