@@ -201,7 +201,7 @@ const std::vector<ParameterInfo>& parameter_table() {
             only_of({Law::simplified},
                     at_least(0, "junctions.v_slow", "v_slow", "m/s", &P::v_slow, 10,
                              "speed of the imposed slow slip; 0 switches it off"))),
-      kept_by_restart(positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step")),
+      positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step"),
       at_least(0, "numerics.seed", "seed", "1", &P::seed, 9e15, "key of the random numbers"),
   };
   return table;
