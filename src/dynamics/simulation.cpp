@@ -112,6 +112,11 @@ void Simulation::find_normal_forces() {
   }
   kernels().contact(parameters_.Nx, state_.u_z.row(0), foundation_stiffness(parameters_),
                     static_cast<double>(parameters_.N_s), parameters_.kappa, contact());
+  if (parameters_.k_ij_from == StiffnessFrom::current) return;
+  for (std::size_t i = 0; i < p_.size(); ++i) {
+    k_ij_[i] = junction_stiffness(parameters_, p_[i]);
+    w_[i] = friction_stretch(parameters_, p_[i]);
+  }
 }
 
 void Simulation::note_ruptures() {

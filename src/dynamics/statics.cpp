@@ -127,7 +127,8 @@ InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case,
     return {normal, (*load_case.tau)[static_cast<std::size_t>(i)], dp_duz, 0.0, 0.0};
   if (!(normal > 0.0)) return {0.0, 0.0, 0.0, 0.0, 0.0};
   const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, normal);
-  return {normal, k_i * u_x, dp_duz, k_i, dp_duz * k_i * u_x / (2.0 * normal)};
+  const bool k_i_varies = p.k_ij_from == StiffnessFrom::current;  // then with the root of p_i
+  return {normal, k_i * u_x, dp_duz, k_i, k_i_varies ? dp_duz * k_i * u_x / (2.0 * normal) : 0.0};
 }
 
 void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,

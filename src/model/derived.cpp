@@ -53,7 +53,9 @@ std::int64_t springs_per_block(const Parameters& p) {
 }
 
 double junction_stiffness(const Parameters& p, double p_i) {
-  return junction_stiffness(p.kappa, static_cast<double>(p.N_s), p_i);
+  const bool initial = p.k_ij_from == StiffnessFrom::initial && p_i > 0.0;
+  return junction_stiffness(p.kappa, static_cast<double>(p.N_s),
+                            initial ? mean_normal_force(p) : p_i);
 }
 
 double mean_slipping_time(const Parameters& p) {
@@ -64,7 +66,9 @@ double mean_slipping_time(const Parameters& p) {
 }
 
 double friction_stretch(const Parameters& p, double p_i) {
-  return friction_stretch(p.kappa, junction_stiffness(p, p_i), p_i);
+  const double k_ij = junction_stiffness(p, p_i);
+  if (p.k_ij_from == StiffnessFrom::current) return friction_stretch(p.kappa, k_ij, p_i);
+  return p_i > 0.0 ? p_i / static_cast<double>(p.N_s) / k_ij : 0.0;
 }
 
 double stable_time_step(const Parameters& p) {

@@ -20,9 +20,19 @@ namespace {
 using P = Parameters;
 constexpr double kNoLimit = std::numeric_limits<double>::max();
 
-const std::vector<std::string_view> kSlippingTimesNames = {"gaussian", "exponential"};
-const std::vector<std::string_view> kNewForceNames = {"zero", "f_slip"};
-const std::vector<std::string_view> kSupportNames = {"foundation", "ceiling"};
+using Names = std::vector<std::string_view>;
+
+/// The words for the values of an enumeration, in their order.
+template <class Enum>
+const Names kNames;
+template <>
+const Names kNames<SlippingTimes> = {"gaussian", "exponential"};
+template <>
+const Names kNames<NewForce> = {"zero", "f_slip"};
+template <>
+const Names kNames<Support> = {"foundation", "ceiling"};
+template <>
+const Names kNames<StiffnessFrom> = {"current", "initial"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
                        ParameterMember member, double maximum, std::string_view help) {
@@ -56,15 +66,11 @@ ParameterInfo kept_by_restart(ParameterInfo info) {
 }
 
 template <class Enum>
-const std::vector<std::string_view>& names_of() {
-  if constexpr (std::is_same_v<Enum, SlippingTimes>) {
-    return kSlippingTimesNames;
-  } else if constexpr (std::is_same_v<Enum, NewForce>) {
-    return kNewForceNames;
-  } else if constexpr (std::is_same_v<Enum, Law>) {
+const Names& names_of() {
+  if constexpr (std::is_same_v<Enum, Law>) {
     return law_names();
   } else {
-    return kSupportNames;
+    return kNames<Enum>;
   }
 }
 
@@ -176,6 +182,8 @@ const std::vector<ParameterInfo>& parameter_table() {
       at_least(0, "junctions.mu_d", "mu_d", "1", &P::mu_d, 100, "slipping coefficient f_slip/f_N"),
       positive("junctions.kappa", "kappa", "N/m^2", &P::kappa, 1e20,
                "junction stiffness: k_ij = sqrt(kappa f_N)"),
+      since(Since::later, choice("junctions.k_ij_from", "-", &P::k_ij_from,
+                                 "normal force in k_ij: current p_i, or initial, F_N/N_x")),
       only_of({Law::reference, Law::simplified, Law::decaying},
               positive("junctions.t_R", "t_R", "s", &P::t_R, 1e3, "mean slipping time")),
       only_of({Law::reference, Law::decaying},
@@ -226,11 +234,12 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info) {
 }
 
 std::vector<std::string_view> choices(const ParameterInfo& info) {
-  if (std::holds_alternative<SlippingTimes P::*>(info.member)) return kSlippingTimesNames;
-  if (std::holds_alternative<NewForce P::*>(info.member)) return kNewForceNames;
-  if (std::holds_alternative<Law P::*>(info.member)) return law_names();
-  if (std::holds_alternative<Support P::*>(info.member)) return kSupportNames;
-  return {};
+  return std::visit(
+      []<class T>(T P::*) -> Names {
+        if constexpr (std::is_enum_v<T>) return names_of<T>();
+        return {};
+      },
+      info.member);
 }
 
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {

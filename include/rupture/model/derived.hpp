@@ -29,14 +29,15 @@ std::int64_t driving_row(const Parameters& p);
 /// law.
 std::int64_t springs_per_block(const Parameters& p);
 
-/// Junction stiffness k_ij = sqrt(kappa f_N) at normal force p_i = N_s f_N on the block [N/m].
+/// Junction stiffness k_ij = sqrt(kappa f_N) at normal force p_i = N_s f_N on the block [N/m]. With
+/// junctions.k_ij_from = initial, f_N in it is F_N / (N_x N_s) wherever there is contact.
 double junction_stiffness(const Parameters& p, double p_i);
 
 /// Mean <t_R> of the slipping times [s]: of |N(t_R, delta_t_R)|, delta_t_R sqrt(2/pi)
 /// exp(-t_R^2 / 2 delta_t_R^2) + t_R erf(t_R / sqrt(2) delta_t_R); of the exponential T, t_R.
 double mean_slipping_time(const Parameters& p);
 
-/// Stretch w = f_N / k_ij = k_ij / kappa, so that f_thres = k_ij (mu_s w); 0 without contact [m].
+/// Stretch w = f_N / k_ij, so that f_thres = k_ij (mu_s w); 0 without contact [m].
 double friction_stretch(const Parameters& p, double p_i);
 
 /// Largest stable time step of velocity Verlet on this lattice [s].

@@ -30,6 +30,10 @@ enum class Law { reference, simplified, decaying, distance };
 /// row; or, for prepared interfaces, a ceiling above the top row, with F_N on the bottom row.
 enum class Support { foundation, ceiling };
 
+/// The normal force that the stiffness k_ij of a block's junctions follows: its p_i, or that of an
+/// even load, F_N / N_x, throughout.
+enum class StiffnessFrom { current, initial };
+
 struct Parameters {
   // slider
   double L = 0.140;         ///< length along x [m]
@@ -49,10 +53,11 @@ struct Parameters {
   double V = 0.4e-3;  ///< driving speed [m/s]
   // junctions
   Law law = Law::reference;
-  std::int64_t N_s = 100;     ///< junctions per interface block
-  double mu_s = 0.4;          ///< f_thres / f_N
-  double mu_d = 0.17;         ///< f_slip / f_N
-  double kappa = 39.2e9;      ///< k_ij^2 / f_N [N/m^2]
+  std::int64_t N_s = 100;  ///< junctions per interface block
+  double mu_s = 0.4;       ///< f_thres / f_N
+  double mu_d = 0.17;      ///< f_slip / f_N
+  double kappa = 39.2e9;   ///< k_ij^2 / f_N [N/m^2]
+  StiffnessFrom k_ij_from = StiffnessFrom::current;
   double t_R = 2e-3;          ///< mean slipping time [s]
   double delta_t_R = 0.6e-3;  ///< standard deviation of the slipping time [s]
   SlippingTimes slipping_times = SlippingTimes::gaussian;
@@ -71,7 +76,8 @@ struct Parameters {
 /// The member of Parameters that a table row describes.
 using ParameterMember =
     std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
-                 NewForce Parameters::*, Law Parameters::*, Support Parameters::*>;
+                 NewForce Parameters::*, Law Parameters::*, Support Parameters::*,
+                 StiffnessFrom Parameters::*>;
 
 /// Whether a restart may give a parameter another value; not if it gives the state its meaning.
 enum class Restart { may_change, must_keep };

@@ -78,6 +78,12 @@ TEST_P(StepUnder, follows_the_stated_order) {
   expect_stated_order(p, normal_load_equilibrium(p), 9);
 }
 
+TEST_P(StepUnder, follows_the_stated_order_with_stiffness_of_an_even_load) {
+  Parameters p = quick_slider(GetParam());
+  p.k_ij_from = StiffnessFrom::initial;
+  expect_stated_order(p, normal_load_equilibrium(p), 9);
+}
+
 TEST(Step, follows_the_stated_order_under_a_ceiling) {
   const Parameters p = testing::prepared_slider();
   expect_stated_order(p, prepared_state(p, testing::quick_prestress()), 6);  // three have already
