@@ -33,6 +33,8 @@ template <>
 const Names kNames<Support> = {"foundation", "ceiling"};
 template <>
 const Names kNames<StiffnessFrom> = {"current", "initial"};
+template <>
+const Names kNames<WithoutContact> = {"follow", "break"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
                        ParameterMember member, double maximum, std::string_view help) {
@@ -202,6 +204,10 @@ const std::vector<ParameterInfo>& parameter_table() {
       only_of({Law::reference, Law::distance},
               choice("junctions.f_new", "f_new", &P::f_new,
                      "force of a newly pinned junction; f_slip switches slow slip off")),
+      since(Since::later,
+            only_of({Law::reference, Law::decaying, Law::distance},
+                    choice("junctions.without_contact", "-", &P::without_contact,
+                           "pinned junctions of a block without contact follow it, or break"))),
       since(Since::schema_2,
             only_of({Law::decaying}, at_least(0, "junctions.mu_new", "mu_new", "1", &P::mu_new, 100,
                                               "coefficient f_new/f_N at the end of slipping"))),

@@ -6,7 +6,9 @@
 //             sign;
 //   slipping: x_ij trails the block so that |f| does not exceed the slipping force, until the law
 //             pins the junction again;
-//   p_i = 0:  no friction; attachment points follow the block.
+//   p_i = 0:  no friction; attachment points follow the block. With junctions.without_contact =
+//             break, its pinned junctions break; one that the law pins before the block is pressed
+//             again breaks anew.
 // All comparisons are made on stretches x_i - x_ij against mu w, where w = f_N / k_ij.
 // A law has a file of its own, with what is its own: slipping force, end of slipping, force of the
 // newly pinned junction.
@@ -75,6 +77,7 @@ class JunctionLaw : public InterfaceLaw {
   }
 
   const Parameters parameters_;
+  const bool breaks_without_contact_ = parameters_.without_contact == WithoutContact::break_all;
   Junctions& junctions_;
   BlockSummary blocks_;
 
@@ -94,7 +97,7 @@ class JunctionLaw : public InterfaceLaw {
         junctions_.repin_time(i, j) = Junctions::never;
         own().pin(i, j, u);
         ++changes.repinned;
-      } else if (std::abs(u - a) > f_thres_stretch) {
+      } else if (std::abs(u - a) > f_thres_stretch || (!contact && breaks_without_contact_)) {
         break_spring(parameters_, junctions_, i, j, u, w, t);
         own().has_broken(i, j);
         ++changes.broken;

@@ -34,6 +34,9 @@ enum class Support { foundation, ceiling };
 /// even load, F_N / N_x, throughout.
 enum class StiffnessFrom { current, initial };
 
+/// What becomes of the pinned junctions of a block without contact: they follow it, or they break.
+enum class WithoutContact { follow, break_all };
+
 struct Parameters {
   // slider
   double L = 0.140;         ///< length along x [m]
@@ -62,6 +65,7 @@ struct Parameters {
   double delta_t_R = 0.6e-3;  ///< standard deviation of the slipping time [s]
   SlippingTimes slipping_times = SlippingTimes::gaussian;
   NewForce f_new = NewForce::zero;
+  WithoutContact without_contact = WithoutContact::follow;
   double d_R = 1e-6;          ///< mean slipping distance of the distance law [m]
   double delta_d_R = 0.3e-6;  ///< standard deviation of that distance [m]
   double mu_new = 0.119;      ///< f_new / f_N of the decaying law, 0.7 mu_d
@@ -77,7 +81,7 @@ struct Parameters {
 using ParameterMember =
     std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
                  NewForce Parameters::*, Law Parameters::*, Support Parameters::*,
-                 StiffnessFrom Parameters::*>;
+                 StiffnessFrom Parameters::*, WithoutContact Parameters::*>;
 
 /// Whether a restart may give a parameter another value; not if it gives the state its meaning.
 enum class Restart { may_change, must_keep };
