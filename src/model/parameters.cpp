@@ -35,6 +35,8 @@ template <>
 const Names kNames<StiffnessFrom> = {"current", "initial"};
 template <>
 const Names kNames<WithoutContact> = {"follow", "break"};
+template <>
+const Names kNames<Repin> = {"as_is", "exact"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
                        ParameterMember member, double maximum, std::string_view help) {
@@ -211,6 +213,9 @@ const std::vector<ParameterInfo>& parameter_table() {
       since(Since::schema_2,
             only_of({Law::decaying}, at_least(0, "junctions.mu_new", "mu_new", "1", &P::mu_new, 100,
                                               "coefficient f_new/f_N at the end of slipping"))),
+      since(Since::later,
+            only_of({Law::decaying}, choice("junctions.repin", "-", &P::repin,
+                                            "junctions are pinned as they are, or at f_new"))),
       since(Since::schema_2,
             only_of({Law::simplified},
                     at_least(0, "junctions.v_slow", "v_slow", "m/s", &P::v_slow, 10,

@@ -26,7 +26,7 @@ namespace rupture {
 /// The law `Own`, which derives from this. Its own are
 ///   start_slipping(parameters, junctions, i, j, t): junction j of block i begins to slip at t [s];
 ///   is_over(i, j, slid, t): whether it is pinned again at t, after sliding by another `slid` [m];
-///   pin(i, j, u): makes of it a pinned one, with the block at u [m];
+///   pin(i, j, u, w): makes of it a pinned one, with the block at u [m] and w as in ContactView;
 /// and, unless what is here will do, slip_stretch(), has_broken() and trail().
 template <class Own>
 class JunctionLaw : public InterfaceLaw {
@@ -95,7 +95,7 @@ class JunctionLaw : public InterfaceLaw {
         a = std::clamp(a, u - stretch, u + stretch);
         if (!own().is_over(i, j, std::abs(a - before), t)) continue;
         junctions_.repin_time(i, j) = Junctions::never;
-        own().pin(i, j, u);
+        own().pin(i, j, u, w);
         ++changes.repinned;
       } else if (std::abs(u - a) > f_thres_stretch || (!contact && breaks_without_contact_)) {
         break_spring(parameters_, junctions_, i, j, u, w, t);

@@ -37,6 +37,9 @@ enum class StiffnessFrom { current, initial };
 /// What becomes of the pinned junctions of a block without contact: they follow it, or they break.
 enum class WithoutContact { follow, break_all };
 
+/// How the decaying law pins a junction: where it is, or so that it carries exactly f_new.
+enum class Repin { as_is, exact };
+
 struct Parameters {
   // slider
   double L = 0.140;         ///< length along x [m]
@@ -66,10 +69,11 @@ struct Parameters {
   SlippingTimes slipping_times = SlippingTimes::gaussian;
   NewForce f_new = NewForce::zero;
   WithoutContact without_contact = WithoutContact::follow;
-  double d_R = 1e-6;          ///< mean slipping distance of the distance law [m]
-  double delta_d_R = 0.3e-6;  ///< standard deviation of that distance [m]
-  double mu_new = 0.119;      ///< f_new / f_N of the decaying law, 0.7 mu_d
-  double v_slow = 1.5e-3;     ///< speed of slow slip that the simplified law imposes [m/s]
+  double d_R = 1e-6;           ///< mean slipping distance of the distance law [m]
+  double delta_d_R = 0.3e-6;   ///< standard deviation of that distance [m]
+  double mu_new = 0.119;       ///< f_new / f_N of the decaying law, 0.7 mu_d
+  Repin repin = Repin::as_is;  ///< of the decaying law
+  double v_slow = 1.5e-3;      ///< speed of slow slip that the simplified law imposes [m/s]
   // numerics
   double dt = 2e-7;       ///< time step [s]
   std::int64_t seed = 1;  ///< key of the random numbers
@@ -81,7 +85,7 @@ struct Parameters {
 using ParameterMember =
     std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
                  NewForce Parameters::*, Law Parameters::*, Support Parameters::*,
-                 StiffnessFrom Parameters::*, WithoutContact Parameters::*>;
+                 StiffnessFrom Parameters::*, WithoutContact Parameters::*, Repin Parameters::*>;
 
 /// Whether a restart may give a parameter another value; not if it gives the state its meaning.
 enum class Restart { may_change, must_keep };
