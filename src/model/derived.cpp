@@ -24,6 +24,9 @@ double damping_coefficient(const Parameters& p) {
 double foundation_stiffness(const Parameters& p) {
   return p.foundation * bulk_stiffness(p);
 }
+double foundation_damping_coefficient(const Parameters& p) {
+  return std::sqrt(p.foundation_damping * foundation_stiffness(p) * block_mass(p));
+}
 double density(const Parameters& p) {
   return p.M / (p.L * p.H * p.B);
 }
@@ -83,7 +86,7 @@ double stable_time_step(const Parameters& p, double largest_p) {
   const double interface = driving_row(p) == 0 ? k_i + p.K : k_i;
   const double surface = std::max({interface, foundation_stiffness(p), p.K});
   const double omega = std::sqrt(std::max(6.0 * k, 5.0 * k + surface)) / std::sqrt(m);
-  const double c = 12.0 * damping_coefficient(p) / m;
+  const double c = 12.0 * damping_coefficient(p) / m + foundation_damping_coefficient(p) / m;
   return 4.0 / (std::hypot(c, 2.0 * omega) + c);  // the formula of the header without cancellation
 }
 

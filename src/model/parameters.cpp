@@ -167,6 +167,9 @@ const std::vector<ParameterInfo>& parameter_table() {
                "normal load on the row opposite the support"),
       positive("slider.foundation", "k_f/k", "1", &P::foundation, 100,
                "modulus of the elastic foundation or ceiling, relative to the bulk springs"),
+      since(Since::later,
+            at_least(0, "slider.foundation_damping", "eta_f^2/(k_f m)", "1", &P::foundation_damping,
+                     10, "dashpots beside it: eta_f = sqrt(foundation_damping k_f m)")),
       since(
           Since::schema_2,
           kept_by_restart(choice(

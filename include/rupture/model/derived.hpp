@@ -18,6 +18,9 @@ double density(const Parameters& p);               ///< rho = M / (L H B) [kg/m^
 double shear_wave_speed(const Parameters& p);   ///< c_s = sqrt(G / rho), G = E / (2 (1 + nu)) [m/s]
 double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an interface block [N]
 
+/// Of the foundation's dashpots, eta_f = sqrt(foundation_damping k_f m) [N s/m].
+double foundation_damping_coefficient(const Parameters& p);
+
 /// Position of column i along x, i l [m].
 double block_position(const Parameters& p, std::int64_t i);
 std::vector<double> block_positions(const Parameters& p);  ///< of all columns [m]
@@ -45,7 +48,7 @@ double friction_stretch(const Parameters& p, double p_i);
 /// With damping taken at the half-kicked velocity a mode of frequency omega and damping rate c is
 /// stable for dt < (sqrt(c^2 + 4 omega^2) - c) / omega^2. The stiffest bulk mode has omega^2 = 6
 /// k/m and c = 12 eta/m (wave vector (pi, 0)); a bottom block adds its junctions or the foundation.
-/// No block is taken to bear more than 4 F_N / Nx.
+/// The foundation's dashpots add eta_f/m to c. No block is taken to bear more than 4 F_N / Nx.
 double stable_time_step(const Parameters& p);
 
 /// The same where no block bears more than `largest_p` [N].

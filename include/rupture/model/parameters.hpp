@@ -42,16 +42,17 @@ enum class Repin { as_is, exact };
 
 struct Parameters {
   // slider
-  double L = 0.140;         ///< length along x [m]
-  double H = 0.075;         ///< height along z [m]
-  double B = 0.006;         ///< width along y [m]
-  std::int64_t Nx = 57;     ///< blocks along x
-  std::int64_t Nz = 31;     ///< blocks along z
-  double M = 0.0756;        ///< mass [kg]
-  double E = 3e9;           ///< Young's modulus [Pa]
-  double damping = 0.1;     ///< eta^2 / (k m), dimensionless
-  double F_N = 1920;        ///< normal load [N]
-  double foundation = 0.5;  ///< k_f / k, dimensionless
+  double L = 0.140;                 ///< length along x [m]
+  double H = 0.075;                 ///< height along z [m]
+  double B = 0.006;                 ///< width along y [m]
+  std::int64_t Nx = 57;             ///< blocks along x
+  std::int64_t Nz = 31;             ///< blocks along z
+  double M = 0.0756;                ///< mass [kg]
+  double E = 3e9;                   ///< Young's modulus [Pa]
+  double damping = 0.1;             ///< eta^2 / (k m), dimensionless
+  double F_N = 1920;                ///< normal load [N]
+  double foundation = 0.5;          ///< k_f / k, dimensionless
+  double foundation_damping = 0.0;  ///< eta_f^2 / (k_f m), dimensionless
   Support support = Support::foundation;
   // driving
   double K = 4e6;     ///< driving spring modulus [N/m]
