@@ -38,7 +38,7 @@ void add_block(Triplets& triplets, Eigen::Index row, Eigen::Index column, const 
 
 void add_springs(const Parameters& p, const State& state, Triplets& triplets) {
   constexpr std::array<std::array<int, 2>, 4> bonds = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
-  const double l = block_spacing(p);
+  const double l = spring_length(p);
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
     for (Eigen::Index i = 0; i < p.Nx; ++i) {
       for (const auto [ix, iz] : bonds) {

@@ -12,6 +12,9 @@ namespace rupture {
 double block_spacing(const Parameters& p) {
   return p.L / static_cast<double>(p.Nx - 1);
 }
+double spring_length(const Parameters& p) {
+  return p.springs == BulkSprings::linearised ? 0x1p60 * block_spacing(p) : block_spacing(p);
+}
 double block_mass(const Parameters& p) {
   return p.M / static_cast<double>(p.Nx * p.Nz);
 }

@@ -37,6 +37,8 @@ template <>
 const Names kNames<WithoutContact> = {"follow", "break"};
 template <>
 const Names kNames<Repin> = {"as_is", "exact"};
+template <>
+const Names kNames<BulkSprings> = {"exact", "linearised"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
                        ParameterMember member, double maximum, std::string_view help) {
@@ -161,6 +163,8 @@ const std::vector<ParameterInfo>& parameter_table() {
           at_least(2, "slider.Nz", "N_z", "1", &P::Nz, 65536, "number of blocks along z")),
       positive("slider.M", "M", "kg", &P::M, 1e6, "mass of the slider"),
       positive("slider.E", "E", "Pa", &P::E, 1e13, "Young's modulus"),
+      since(Since::later, choice("slider.springs", "-", &P::springs,
+                                 "bulk springs: exact, or linearised for small displacements")),
       at_least(0, "slider.damping", "eta^2/(k m)", "1", &P::damping, 10,
                "bulk damping: eta = sqrt(damping k m) on every bond"),
       positive("slider.F_N", "F_N", "N", &P::F_N, 1e9,

@@ -21,6 +21,11 @@ double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an inte
 /// Of the foundation's dashpots, eta_f = sqrt(foundation_damping k_f m) [N s/m].
 double foundation_damping_coefficient(const Parameters& p);
 
+/// Rest length of the bulk springs along x and z, which their forces are computed with [m].
+/// Linearised springs are those of endless length: they never turn, and the tension is linear in
+/// the displacement. 2^60 l is as good as endless and costs no digits.
+double spring_length(const Parameters& p);
+
 /// Position of column i along x, i l [m].
 double block_position(const Parameters& p, std::int64_t i);
 std::vector<double> block_positions(const Parameters& p);  ///< of all columns [m]

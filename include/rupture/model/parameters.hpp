@@ -40,15 +40,19 @@ enum class WithoutContact { follow, break_all };
 /// How the decaying law pins a junction: where it is, or so that it carries exactly f_new.
 enum class Repin { as_is, exact };
 
+/// Bulk springs pull along their current direction, or are linearised for small displacements.
+enum class BulkSprings { exact, linearised };
+
 struct Parameters {
   // slider
-  double L = 0.140;                 ///< length along x [m]
-  double H = 0.075;                 ///< height along z [m]
-  double B = 0.006;                 ///< width along y [m]
-  std::int64_t Nx = 57;             ///< blocks along x
-  std::int64_t Nz = 31;             ///< blocks along z
-  double M = 0.0756;                ///< mass [kg]
-  double E = 3e9;                   ///< Young's modulus [Pa]
+  double L = 0.140;      ///< length along x [m]
+  double H = 0.075;      ///< height along z [m]
+  double B = 0.006;      ///< width along y [m]
+  std::int64_t Nx = 57;  ///< blocks along x
+  std::int64_t Nz = 31;  ///< blocks along z
+  double M = 0.0756;     ///< mass [kg]
+  double E = 3e9;        ///< Young's modulus [Pa]
+  BulkSprings springs = BulkSprings::exact;
   double damping = 0.1;             ///< eta^2 / (k m), dimensionless
   double F_N = 1920;                ///< normal load [N]
   double foundation = 0.5;          ///< k_f / k, dimensionless
@@ -86,7 +90,8 @@ struct Parameters {
 using ParameterMember =
     std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
                  NewForce Parameters::*, Law Parameters::*, Support Parameters::*,
-                 StiffnessFrom Parameters::*, WithoutContact Parameters::*, Repin Parameters::*>;
+                 StiffnessFrom Parameters::*, WithoutContact Parameters::*, Repin Parameters::*,
+                 BulkSprings Parameters::*>;
 
 /// Whether a restart may give a parameter another value; not if it gives the state its meaning.
 enum class Restart { may_change, must_keep };
