@@ -29,6 +29,8 @@ constexpr std::array<FieldRow, 6> kFields = {{
 constexpr std::int64_t kLastStep = std::int64_t{1} << 53U;  // beyond it times are not exact
 
 constexpr const char* kStep = "/state/step";
+constexpr const char* kClockStep = "/state/clock/origin_step";
+constexpr const char* kClockTime = "/state/clock/origin_time";
 constexpr const char* kOriginStep = "/state/drive/origin_step";
 constexpr const char* kOriginPosition = "/state/drive/origin_position";
 constexpr const char* kAttachment = "/state/junctions/attachment";
@@ -126,11 +128,24 @@ std::int64_t read_step(const Content& content, const char* path, std::int64_t la
   return step;
 }
 
+// The origin of the clock, which only a state has whose dt was changed.
+Clock read_clock(const Content& content, std::int64_t step) {
+  if (!content.contains(kClockStep) && !content.contains(kClockTime)) return {};
+  const Clock clock = {read_step(content, kClockStep, step),
+                       read_scalar<double>(content, kClockTime)};
+  if (clock.origin_time > 0.0) return clock;
+  throw Failure(fmt::format("{} = {} s; expected a time above 0", kClockTime, clock.origin_time));
+}
+
 }  // namespace
 
 Content state_content(const State& state) {
   Content content;
   content[kStep] = make_scalar(state.step, "1");
+  if (state.clock != Clock{}) {
+    content[kClockStep] = make_scalar(state.clock.origin_step, "1");
+    content[kClockTime] = make_scalar(state.clock.origin_time, "s");
+  }
   content[kOriginStep] = make_scalar(state.drive.origin_step, "1");
   content[kOriginPosition] = make_scalar(state.drive.origin_position, "m");
   for (const FieldRow& row : kFields) content[row.path] = field_dataset(state.*row.field, row.unit);
@@ -156,6 +171,7 @@ State read_state(const Content& content, const Parameters& parameters) {
   expect(content, kFields[0].path, DataType::float64, shape_of(parameters.Nz, parameters.Nx));
   State state(parameters);
   state.step = read_step(content, kStep, kLastStep);
+  state.clock = read_clock(content, state.step);
   state.drive.origin_step = read_step(content, kOriginStep, state.step);
   state.drive.origin_position = read_scalar<double>(content, kOriginPosition);
   for (const FieldRow& row : kFields) read_field(content, row.path, state.*row.field);

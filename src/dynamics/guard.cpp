@@ -148,8 +148,8 @@ std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& 
                              "where {:.2g} % is the limit: numerics.dt = {:g} s is too long for "
                              "what happens (the fastest block, ({}, {}), moves at {:.2g} m/s); "
                              "start anew with a smaller numerics.dt, or change the parameters less",
-                             static_cast<double>(from.step) * p.dt, simulation.time(),
-                             100.0 * error, 100.0 * limit, p.dt, place.i, place.j,
+                             time_at(p, state.clock, from.step), simulation.time(), 100.0 * error,
+                             100.0 * limit, p.dt, place.i, place.j,
                              std::hypot(state.v_x(place.i, place.j), state.v_z(place.i, place.j)))};
 }
 

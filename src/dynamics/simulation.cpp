@@ -45,6 +45,8 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads,
       k_ij_(p_.size(), junction_stiffness(parameters, p_.front())),
       w_(p_.size(), friction_stretch(parameters, p_.front())),
       tau_(p_.size()),
+      eta_f_(foundation_damping_coefficient(parameters)),
+      bottom_(p_),
       top_(p_.size(), normal_.top_force(0.0)),
       F_T_(driving_force(parameters, state_)),
       pinned_below_{{kRupturedFraction, std::vector<bool>(p_.size())}} {
@@ -89,7 +91,9 @@ void Simulation::take_steps(std::int64_t steps) {
     if (blown_up_) return;
 
     const Then then = n + 1 < steps ? Then::go_on : Then::stop;
-    const Boundary boundary = {p_.data(), tau_.data(), top_.data(), driving_row(parameters_), F_T_};
+    const double* from_below = eta_f_ > 0.0 ? bottom_.data() : p_.data();
+    const Boundary boundary = {from_below, tau_.data(), top_.data(), driving_row(parameters_),
+                               F_T_};
 #pragma omp for
     for (int band = 0; band < bands; ++band) {
       bulk_.finish(band, boundary, then, state_);  // 4, 5, and 1 of the next step if there is one
@@ -112,10 +116,34 @@ void Simulation::find_normal_forces() {
   if (normal_.has_constant_p()) {
     const double* u_z = state_.u_z.row(parameters_.Nz - 1);
     for (std::size_t i = 0; i < top_.size(); ++i) top_[i] = normal_.top_force(u_z[i]);
-    return;
+  } else {
+    find_contact();
   }
+  if (eta_f_ > 0.0) damp_support();
+}
+
+void Simulation::find_contact() {
   kernels().contact(parameters_.Nx, state_.u_z.row(0), foundation_stiffness(parameters_),
                     static_cast<double>(parameters_.N_s), parameters_.kappa, contact());
+  if (parameters_.k_ij_from == StiffnessFrom::current) return;
+  for (std::size_t i = 0; i < p_.size(); ++i) {
+    k_ij_[i] = junction_stiffness(parameters_, p_[i]);
+    w_[i] = friction_stretch(parameters_, p_[i]);
+  }
+}
+
+/// Adds the dashpots to the force of the support on the side where that is.
+void Simulation::damp_support() {
+  const bool is_below = !normal_.has_constant_p();
+  const double* v_z = state_.v_z.row(is_below ? 0 : parameters_.Nz - 1);
+  dashpot_power_ = 0.0;
+  for (std::size_t i = 0; i < p_.size(); ++i) {
+    const double elastic = is_below ? p_[i] : top_[i];
+    const double inwards = is_below ? -v_z[i] : v_z[i];
+    const double f = elastic > 0.0 ? std::max(eta_f_ * inwards, -elastic) : 0.0;
+    (is_below ? bottom_ : top_)[i] = elastic + f;
+    dashpot_power_ += f * inwards;
+  }
 }
 
 void Simulation::note_ruptures() {
@@ -149,7 +177,8 @@ Power Simulation::power(double damping_power, const double* bottom_velocity) con
 Power Simulation::initial_power() {
   Field f_x(parameters_.Nx, parameters_.Nz), f_z(f_x);
   bulk_.damping(state_.v_x, state_.v_z, f_x, f_z);
-  return power((f_x.blocks() * state_.v_x.blocks() + f_z.blocks() * state_.v_z.blocks()).sum(),
+  return power((f_x.blocks() * state_.v_x.blocks() + f_z.blocks() * state_.v_z.blocks()).sum() -
+                   dashpot_power_,
                state_.v_x.row(0));
 }
 
@@ -157,7 +186,7 @@ Power Simulation::initial_power() {
 void Simulation::add_work() {
   const double damping_power = bulk_.damping_power();
   blown_up_ = !std::isfinite(damping_power);
-  const Power now = power(damping_power, bulk_.bottom_velocity());
+  const Power now = power(damping_power - dashpot_power_, bulk_.bottom_velocity());
   work_ += integrate(power_, now, parameters_.dt);
   power_ = now;
 }

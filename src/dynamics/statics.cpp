@@ -58,7 +58,7 @@ void add_block(Triplets& triplets, Eigen::Index row, Eigen::Index column, const 
 void add_springs(const Parameters& p, const Unknowns& unknown, const State& state,
                  Triplets& triplets) {
   constexpr std::array<std::array<int, 2>, 4> bonds = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
-  const double l = block_spacing(p);
+  const double l = spring_length(p);
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
     for (Eigen::Index i = 0; i < p.Nx; ++i) {
       for (const auto [ix, iz] : bonds) {
@@ -180,7 +180,8 @@ InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case,
     return {normal, (*load_case.tau)[static_cast<std::size_t>(i)], dp_duz, 0.0, 0.0};
   if (!(normal > 0.0)) return {0.0, 0.0, 0.0, 0.0, 0.0};
   const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, normal);
-  return {normal, k_i * u_x, dp_duz, k_i, dp_duz * k_i * u_x / (2.0 * normal)};
+  const bool k_i_varies = p.k_ij_from == StiffnessFrom::current;  // then with the root of p_i
+  return {normal, k_i * u_x, dp_duz, k_i, k_i_varies ? dp_duz * k_i * u_x / (2.0 * normal) : 0.0};
 }
 
 void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,

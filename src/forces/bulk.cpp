@@ -32,7 +32,7 @@ Bulk::Bulk(const Parameters& p, int bands, const Kernels& variant)
   rows_.assign(static_cast<std::size_t>(kRows * shape_.stride), 0.0);
   const auto row = [this](Row r) { return rows_.data() + r * shape_.stride; };
 
-  const double l = block_spacing(p), k = bulk_stiffness(p), l2 = l * l;
+  const double l = spring_length(p), k = bulk_stiffness(p), l2 = l * l;
   springs_.l = l;
   double scale = l2;
   for (std::size_t n = 0; n < kTensionTerms; ++n) {

@@ -12,6 +12,9 @@ namespace rupture {
 double block_spacing(const Parameters& p) {
   return p.L / static_cast<double>(p.Nx - 1);
 }
+double spring_length(const Parameters& p) {
+  return p.springs == BulkSprings::linearised ? 0x1p60 * block_spacing(p) : block_spacing(p);
+}
 double block_mass(const Parameters& p) {
   return p.M / static_cast<double>(p.Nx * p.Nz);
 }
@@ -23,6 +26,9 @@ double damping_coefficient(const Parameters& p) {
 }
 double foundation_stiffness(const Parameters& p) {
   return p.foundation * bulk_stiffness(p);
+}
+double foundation_damping_coefficient(const Parameters& p) {
+  return std::sqrt(p.foundation_damping * foundation_stiffness(p) * block_mass(p));
 }
 double density(const Parameters& p) {
   return p.M / (p.L * p.H * p.B);
@@ -53,7 +59,9 @@ std::int64_t springs_per_block(const Parameters& p) {
 }
 
 double junction_stiffness(const Parameters& p, double p_i) {
-  return junction_stiffness(p.kappa, static_cast<double>(p.N_s), p_i);
+  const bool initial = p.k_ij_from == StiffnessFrom::initial && p_i > 0.0;
+  return junction_stiffness(p.kappa, static_cast<double>(p.N_s),
+                            initial ? mean_normal_force(p) : p_i);
 }
 
 double mean_slipping_time(const Parameters& p) {
@@ -64,7 +72,9 @@ double mean_slipping_time(const Parameters& p) {
 }
 
 double friction_stretch(const Parameters& p, double p_i) {
-  return friction_stretch(p.kappa, junction_stiffness(p, p_i), p_i);
+  const double k_ij = junction_stiffness(p, p_i);
+  if (p.k_ij_from == StiffnessFrom::current) return friction_stretch(p.kappa, k_ij, p_i);
+  return p_i > 0.0 ? p_i / static_cast<double>(p.N_s) / k_ij : 0.0;
 }
 
 double stable_time_step(const Parameters& p) {
@@ -79,7 +89,7 @@ double stable_time_step(const Parameters& p, double largest_p) {
   const double interface = driving_row(p) == 0 ? k_i + p.K : k_i;
   const double surface = std::max({interface, foundation_stiffness(p), p.K});
   const double omega = std::sqrt(std::max(6.0 * k, 5.0 * k + surface)) / std::sqrt(m);
-  const double c = 12.0 * damping_coefficient(p) / m;
+  const double c = 12.0 * damping_coefficient(p) / m + foundation_damping_coefficient(p) / m;
   return 4.0 / (std::hypot(c, 2.0 * omega) + c);  // the formula of the header without cancellation
 }
 

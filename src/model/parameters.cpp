@@ -20,9 +20,25 @@ namespace {
 using P = Parameters;
 constexpr double kNoLimit = std::numeric_limits<double>::max();
 
-const std::vector<std::string_view> kSlippingTimesNames = {"gaussian", "exponential"};
-const std::vector<std::string_view> kNewForceNames = {"zero", "f_slip"};
-const std::vector<std::string_view> kSupportNames = {"foundation", "ceiling"};
+using Names = std::vector<std::string_view>;
+
+/// The words for the values of an enumeration, in their order.
+template <class Enum>
+const Names kNames;
+template <>
+const Names kNames<SlippingTimes> = {"gaussian", "exponential"};
+template <>
+const Names kNames<NewForce> = {"zero", "f_slip"};
+template <>
+const Names kNames<Support> = {"foundation", "ceiling"};
+template <>
+const Names kNames<StiffnessFrom> = {"current", "initial"};
+template <>
+const Names kNames<WithoutContact> = {"follow", "break"};
+template <>
+const Names kNames<Repin> = {"as_is", "exact"};
+template <>
+const Names kNames<BulkSprings> = {"exact", "linearised"};
 
 ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
                        ParameterMember member, double maximum, std::string_view help) {
@@ -56,15 +72,11 @@ ParameterInfo kept_by_restart(ParameterInfo info) {
 }
 
 template <class Enum>
-const std::vector<std::string_view>& names_of() {
-  if constexpr (std::is_same_v<Enum, SlippingTimes>) {
-    return kSlippingTimesNames;
-  } else if constexpr (std::is_same_v<Enum, NewForce>) {
-    return kNewForceNames;
-  } else if constexpr (std::is_same_v<Enum, Law>) {
+const Names& names_of() {
+  if constexpr (std::is_same_v<Enum, Law>) {
     return law_names();
   } else {
-    return kSupportNames;
+    return kNames<Enum>;
   }
 }
 
@@ -151,12 +163,17 @@ const std::vector<ParameterInfo>& parameter_table() {
           at_least(2, "slider.Nz", "N_z", "1", &P::Nz, 65536, "number of blocks along z")),
       positive("slider.M", "M", "kg", &P::M, 1e6, "mass of the slider"),
       positive("slider.E", "E", "Pa", &P::E, 1e13, "Young's modulus"),
+      since(Since::later, choice("slider.springs", "-", &P::springs,
+                                 "bulk springs: exact, or linearised for small displacements")),
       at_least(0, "slider.damping", "eta^2/(k m)", "1", &P::damping, 10,
                "bulk damping: eta = sqrt(damping k m) on every bond"),
       positive("slider.F_N", "F_N", "N", &P::F_N, 1e9,
                "normal load on the row opposite the support"),
       positive("slider.foundation", "k_f/k", "1", &P::foundation, 100,
                "modulus of the elastic foundation or ceiling, relative to the bulk springs"),
+      since(Since::later,
+            at_least(0, "slider.foundation_damping", "eta_f^2/(k_f m)", "1", &P::foundation_damping,
+                     10, "dashpots beside it: eta_f = sqrt(foundation_damping k_f m)")),
       since(
           Since::schema_2,
           kept_by_restart(choice(
@@ -176,6 +193,8 @@ const std::vector<ParameterInfo>& parameter_table() {
       at_least(0, "junctions.mu_d", "mu_d", "1", &P::mu_d, 100, "slipping coefficient f_slip/f_N"),
       positive("junctions.kappa", "kappa", "N/m^2", &P::kappa, 1e20,
                "junction stiffness: k_ij = sqrt(kappa f_N)"),
+      since(Since::later, choice("junctions.k_ij_from", "-", &P::k_ij_from,
+                                 "normal force in k_ij: current p_i, or initial, F_N/N_x")),
       only_of({Law::reference, Law::simplified, Law::decaying},
               positive("junctions.t_R", "t_R", "s", &P::t_R, 1e3, "mean slipping time")),
       only_of({Law::reference, Law::decaying},
@@ -194,14 +213,21 @@ const std::vector<ParameterInfo>& parameter_table() {
       only_of({Law::reference, Law::distance},
               choice("junctions.f_new", "f_new", &P::f_new,
                      "force of a newly pinned junction; f_slip switches slow slip off")),
+      since(Since::later,
+            only_of({Law::reference, Law::decaying, Law::distance},
+                    choice("junctions.without_contact", "-", &P::without_contact,
+                           "pinned junctions of a block without contact follow it, or break"))),
       since(Since::schema_2,
             only_of({Law::decaying}, at_least(0, "junctions.mu_new", "mu_new", "1", &P::mu_new, 100,
                                               "coefficient f_new/f_N at the end of slipping"))),
+      since(Since::later,
+            only_of({Law::decaying}, choice("junctions.repin", "-", &P::repin,
+                                            "junctions are pinned as they are, or at f_new"))),
       since(Since::schema_2,
             only_of({Law::simplified},
                     at_least(0, "junctions.v_slow", "v_slow", "m/s", &P::v_slow, 10,
                              "speed of the imposed slow slip; 0 switches it off"))),
-      kept_by_restart(positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step")),
+      positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step"),
       at_least(0, "numerics.seed", "seed", "1", &P::seed, 9e15, "key of the random numbers"),
   };
   return table;
@@ -226,11 +252,12 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info) {
 }
 
 std::vector<std::string_view> choices(const ParameterInfo& info) {
-  if (std::holds_alternative<SlippingTimes P::*>(info.member)) return kSlippingTimesNames;
-  if (std::holds_alternative<NewForce P::*>(info.member)) return kNewForceNames;
-  if (std::holds_alternative<Law P::*>(info.member)) return law_names();
-  if (std::holds_alternative<Support P::*>(info.member)) return kSupportNames;
-  return {};
+  return std::visit(
+      []<class T>(T P::*) -> Names {
+        if constexpr (std::is_enum_v<T>) return names_of<T>();
+        return {};
+      },
+      info.member);
 }
 
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {

@@ -21,12 +21,22 @@ State::State(const Parameters& p)
   }
 }
 
+double time_at(const Parameters& p, const Clock& clock, std::int64_t step) {
+  return clock.origin_time + static_cast<double>(step - clock.origin_step) * p.dt;
+}
+
 double time(const Parameters& p, const State& state) {
-  return static_cast<double>(state.step) * p.dt;
+  return time_at(p, state.clock, state.step);
 }
 
 double drive_position(const Parameters& p, const Drive& drive, std::int64_t step) {
   return drive.origin_position + p.V * (static_cast<double>(step - drive.origin_step) * p.dt);
+}
+
+void change_pace(const Parameters& before, const Parameters& after, State& state) {
+  if (before.dt == after.dt && before.V == after.V) return;
+  state.drive = {state.step, drive_position(before, state.drive, state.step)};
+  if (before.dt != after.dt) state.clock = {state.step, time(before, state)};
 }
 
 double driving_force(const Parameters& p, const State& state) {

@@ -117,6 +117,17 @@ TEST_F(Lineage, of_restart_holds_what_it_changed) {
   expect_rebuilt("c.h5");
 }
 
+TEST_F(Lineage, of_a_changed_time_step_goes_by_the_clock) {
+  output_of("load --config small.ini -o a.h5 --until 1.13e-4");
+  output_of(
+      "restart a.h5 -o b.h5 --until 2.203e-4 --set numerics.dt=3e-8 --record r.h5 "
+      "--checkpoint-at 1.7e-4");
+  output_of("restart b.h5 -o c.h5 --for 3e-5 --record s.h5 --record-every 7e-6");
+  for (const char* file : {"b.h5", "b-t0.000170000.h5", "r.h5", "c.h5", "s.h5"}) {
+    expect_rebuilt(file);
+  }
+}
+
 TEST_F(Lineage, of_a_run_until_quiet_stops_where_it_stopped) {
   output_of("load --config small.ini -o a.h5 --until 2e-4");
   output_of("restart a.h5 -o b.h5 --set driving.V=0 --until-quiet 1e-3 --record r.h5");

@@ -13,11 +13,23 @@
 namespace rupture {
 namespace {
 
-/// Driven at 0.1 m/s with junctions that cannot break, from a smooth velocity field.
-State slider_after_80_us(Parameters p, double dt) {
+/// Driven at 0.1 m/s with junctions that cannot break, in time steps of dt.
+Parameters unbroken(Parameters p, double dt) {
   p.dt = dt;
   p.mu_s = 100.0;
   p.V = 0.1;
+  return p;
+}
+
+State after_another_80_us(const Parameters& p, const State& state) {
+  Simulation simulation(p, state);
+  testing::advance(simulation, std::llround(80e-6 / p.dt));
+  return simulation.state();
+}
+
+/// From a smooth velocity field.
+State slider_after_80_us(Parameters p, double dt) {
+  p = unbroken(p, dt);
   State state = normal_load_equilibrium(p);
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
     for (Eigen::Index i = 0; i < p.Nx; ++i) {
@@ -27,9 +39,15 @@ State slider_after_80_us(Parameters p, double dt) {
       state.v_z(i, j) = 0.05 * std::cos(3.0 * x - z + 1.0);
     }
   }
-  Simulation simulation(p, state);
-  testing::advance(simulation, std::llround(80e-6 / dt));
-  return simulation.state();
+  return after_another_80_us(p, state);
+}
+
+/// That, and then 80 us in other steps.
+State continued(const Parameters& p, double first_dt, double dt) {
+  const Parameters before = unbroken(p, first_dt), after = unbroken(p, dt);
+  State state = slider_after_80_us(p, first_dt);
+  change_pace(before, after, state);
+  return after_another_80_us(after, state);
 }
 
 double distance(const Field& a, const Field& b) {
@@ -41,10 +59,10 @@ struct Orders {
   double displacement, velocity;
 };
 
-Orders orders(const Parameters& p, double dt) {
-  const State coarse = slider_after_80_us(p, dt);
-  const State middle = slider_after_80_us(p, dt / 2.0);
-  const State fine = slider_after_80_us(p, dt / 4.0);
+/// `run(dt)` gives the state at the end.
+template <class Run>
+Orders orders(double dt, const Run& run) {
+  const State coarse = run(dt), middle = run(dt / 2.0), fine = run(dt / 4.0);
   const auto order = [&](Field State::*u) {
     return std::log2(distance(coarse.*u, middle.*u) / distance(middle.*u, fine.*u));
   };
@@ -54,15 +72,24 @@ Orders orders(const Parameters& p, double dt) {
 TEST(VelocityVerlet, is_of_second_order_without_damping) {
   Parameters p = testing::small_slider(9, 5);
   p.damping = 0.0;
-  const Orders found = orders(p, 1e-7);
+  const Orders found = orders(1e-7, [&](double dt) { return slider_after_80_us(p, dt); });
   EXPECT_NEAR(found.displacement, 2.0, 0.02);
   EXPECT_NEAR(found.velocity, 2.0, 0.02);
 }
 
 TEST(VelocityVerlet, is_of_first_order_with_damping) {
-  const Orders found = orders(testing::small_slider(9, 5), 1e-7);
+  const Parameters p = testing::small_slider(9, 5);
+  const Orders found = orders(1e-7, [&](double dt) { return slider_after_80_us(p, dt); });
   EXPECT_NEAR(found.displacement, 1.0, 0.05);
   EXPECT_NEAR(found.velocity, 1.0, 0.05);
+}
+
+TEST(VelocityVerlet, is_of_second_order_from_a_state_whose_time_step_was_changed) {
+  Parameters p = testing::small_slider(9, 5);
+  p.damping = 0.0;
+  const Orders found = orders(1e-7, [&](double dt) { return continued(p, 2e-7, dt); });
+  EXPECT_NEAR(found.displacement, 2.0, 0.02);
+  EXPECT_NEAR(found.velocity, 2.0, 0.02);
 }
 
 }  // namespace

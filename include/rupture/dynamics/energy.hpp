@@ -18,7 +18,7 @@ struct Energies {
 /// Power of each force that does not conserve energy, at one instant [W].
 struct Power {
   double driving = 0;    ///< F_T V, into the system
-  double damping = 0;    ///< bulk damping, out of the system
+  double damping = 0;    ///< bulk damping and the support's dashpots, out of the system
   double junctions = 0;  ///< against the junctions, out of the system
 };
 
@@ -41,7 +41,7 @@ Work integrate(const Power& before, const Power& now, double dt);
 struct EnergyBalance {
   double supplied = 0;   ///< work of the driving point and of F_N
   double stored = 0;     ///< gain of kinetic, bulk, contact and driving-spring energy
-  double damping = 0;    ///< energy that bulk damping took
+  double damping = 0;    ///< energy that damping took
   double junctions = 0;  ///< work done against the junctions, of which pinned ones can give a part
                          ///< back: it may fall, and be negative
 

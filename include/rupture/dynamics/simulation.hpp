@@ -5,7 +5,9 @@
 //   2. normal forces             p_i on the bottom row and the forces on the top row at the new
 //                                positions (NormalContact)
 //   3. junctions                 break, slip, are pinned again at the new x_i, p_i and time t_{n+1}
-//   4. forces                    springs at u, damping at the half-kicked v, p, tau, F_N, F_T
+//   4. forces                    springs at u, damping at the half-kicked v, p, tau, F_N, F_T, and
+//                                that of the support's dashpots, eta_f v_z at the half-kicked v,
+//                                where it is pressed; it never pulls. Friction follows p alone.
 //   5. half kick                 v += (dt/2m) f
 // Afterwards the state is complete at step n+1. take_steps() has the same numbers. Between two
 // steps that follow each other, 5 and the next 1 are done row by row in one sweep (Bulk::finish). f
@@ -74,6 +76,8 @@ class Simulation {
   ContactView contact() { return {p_.data(), k_ij_.data(), w_.data()}; }
   void take_steps(std::int64_t steps);
   void find_normal_forces();
+  void find_contact();
+  void damp_support();
   void move_interface();
   void note_ruptures();
   void note(const Rupture& rupture);
@@ -88,7 +92,10 @@ class Simulation {
   Bulk bulk_;
   std::unique_ptr<InterfaceLaw> law_;
   std::vector<double> p_, k_ij_, w_, tau_;
-  std::vector<double> top_;  // force from above on each top block, downwards [N]
+  const double eta_f_;          // of the support's dashpots, 0 without them [N s/m]
+  double dashpot_power_ = 0;    // that they take [W]
+  std::vector<double> bottom_;  // with them: force from below on each bottom block [N]
+  std::vector<double> top_;     // force from above on each top block, downwards [N]
   double F_T_;
   std::vector<PinnedBelow> pinned_below_;  // first of kRupturedFraction
   std::vector<Rupture> ruptures_;

@@ -6,7 +6,9 @@
 // time since the junction broke:
 //   slipping: |f| <= f_slip(t_s) = f_slip^0 - (f_slip^0 - f_new) t_s / t_R,  f_slip^0 = mu_d f_N,
 //             f_new = mu_new f_N, all at the current f_N, for a slipping time t_R that is drawn;
-//   then      pinned where it is, carrying f_new (less if the block has reversed).
+//   then      pinned where it is, carrying f_new (less if the block has reversed); with
+//             junctions.repin = exact so that it carries f_new in any case, with the sign of the
+//             force that it has.
 // The decay is computed from the time that is left, t_R - t_s = repin_time - t, and the t_R that
 // the junction drew last, which is a function of its number of draws: so the state needs no more
 // than that of the reference law. (A restart that changes t_R takes the new one at once for this
@@ -35,7 +37,11 @@ class DecayingLaw final : public JunctionLaw<DecayingLaw> {
   bool is_over(Eigen::Index i, Eigen::Index j, double /*slid*/, double t) const {
     return t >= junctions_.repin_time(i, j);
   }
-  void pin(Eigen::Index /*i*/, Eigen::Index /*j*/, double /*u*/) {}
+  void pin(Eigen::Index i, Eigen::Index j, double u, double w) {
+    double& a = junctions_.attachment(i, j);
+    if (parameters_.repin == Repin::as_is || a == u) return;
+    a = u - std::copysign(parameters_.mu_new * w, u - a);
+  }
   double slip_stretch(Eigen::Index i, Eigen::Index j, double w, double t) const;
   void has_broken(Eigen::Index i, Eigen::Index j);
   void trail(Eigen::Index i, double u, double w, double t);

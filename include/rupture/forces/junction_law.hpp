@@ -6,7 +6,9 @@
 //             sign;
 //   slipping: x_ij trails the block so that |f| does not exceed the slipping force, until the law
 //             pins the junction again;
-//   p_i = 0:  no friction; attachment points follow the block.
+//   p_i = 0:  no friction; attachment points follow the block. With junctions.without_contact =
+//             break, its pinned junctions break; one that the law pins before the block is pressed
+//             again breaks anew.
 // All comparisons are made on stretches x_i - x_ij against mu w, where w = f_N / k_ij.
 // A law has a file of its own, with what is its own: slipping force, end of slipping, force of the
 // newly pinned junction.
@@ -24,7 +26,7 @@ namespace rupture {
 /// The law `Own`, which derives from this. Its own are
 ///   start_slipping(parameters, junctions, i, j, t): junction j of block i begins to slip at t [s];
 ///   is_over(i, j, slid, t): whether it is pinned again at t, after sliding by another `slid` [m];
-///   pin(i, j, u): makes of it a pinned one, with the block at u [m];
+///   pin(i, j, u, w): makes of it a pinned one, with the block at u [m] and w as in ContactView;
 /// and, unless what is here will do, slip_stretch(), has_broken() and trail().
 template <class Own>
 class JunctionLaw : public InterfaceLaw {
@@ -75,6 +77,7 @@ class JunctionLaw : public InterfaceLaw {
   }
 
   const Parameters parameters_;
+  const bool breaks_without_contact_ = parameters_.without_contact == WithoutContact::break_all;
   Junctions& junctions_;
   BlockSummary blocks_;
 
@@ -92,9 +95,9 @@ class JunctionLaw : public InterfaceLaw {
         a = std::clamp(a, u - stretch, u + stretch);
         if (!own().is_over(i, j, std::abs(a - before), t)) continue;
         junctions_.repin_time(i, j) = Junctions::never;
-        own().pin(i, j, u);
+        own().pin(i, j, u, w);
         ++changes.repinned;
-      } else if (std::abs(u - a) > f_thres_stretch) {
+      } else if (std::abs(u - a) > f_thres_stretch || (!contact && breaks_without_contact_)) {
         break_spring(parameters_, junctions_, i, j, u, w, t);
         own().has_broken(i, j);
         ++changes.broken;

@@ -24,7 +24,7 @@ class ReferenceLaw final : public JunctionLaw<ReferenceLaw> {
   bool is_over(Eigen::Index i, Eigen::Index j, double /*slid*/, double t) const {
     return t >= junctions_.repin_time(i, j);
   }
-  void pin(Eigen::Index i, Eigen::Index j, double u) {
+  void pin(Eigen::Index i, Eigen::Index j, double u, double /*w*/) {
     if (parameters_.f_new == NewForce::zero) junctions_.attachment(i, j) = u;
   }
 };

@@ -18,6 +18,14 @@ double density(const Parameters& p);               ///< rho = M / (L H B) [kg/m^
 double shear_wave_speed(const Parameters& p);   ///< c_s = sqrt(G / rho), G = E / (2 (1 + nu)) [m/s]
 double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an interface block [N]
 
+/// Of the foundation's dashpots, eta_f = sqrt(foundation_damping k_f m) [N s/m].
+double foundation_damping_coefficient(const Parameters& p);
+
+/// Rest length of the bulk springs along x and z, which their forces are computed with [m].
+/// Linearised springs are those of endless length: they never turn, and the tension is linear in
+/// the displacement. 2^60 l is as good as endless and costs no digits.
+double spring_length(const Parameters& p);
+
 /// Position of column i along x, i l [m].
 double block_position(const Parameters& p, std::int64_t i);
 std::vector<double> block_positions(const Parameters& p);  ///< of all columns [m]
@@ -29,14 +37,15 @@ std::int64_t driving_row(const Parameters& p);
 /// law.
 std::int64_t springs_per_block(const Parameters& p);
 
-/// Junction stiffness k_ij = sqrt(kappa f_N) at normal force p_i = N_s f_N on the block [N/m].
+/// Junction stiffness k_ij = sqrt(kappa f_N) at normal force p_i = N_s f_N on the block [N/m]. With
+/// junctions.k_ij_from = initial, f_N in it is F_N / (N_x N_s) wherever there is contact.
 double junction_stiffness(const Parameters& p, double p_i);
 
 /// Mean <t_R> of the slipping times [s]: of |N(t_R, delta_t_R)|, delta_t_R sqrt(2/pi)
 /// exp(-t_R^2 / 2 delta_t_R^2) + t_R erf(t_R / sqrt(2) delta_t_R); of the exponential T, t_R.
 double mean_slipping_time(const Parameters& p);
 
-/// Stretch w = f_N / k_ij = k_ij / kappa, so that f_thres = k_ij (mu_s w); 0 without contact [m].
+/// Stretch w = f_N / k_ij, so that f_thres = k_ij (mu_s w); 0 without contact [m].
 double friction_stretch(const Parameters& p, double p_i);
 
 /// Largest stable time step of velocity Verlet on this lattice [s].
@@ -44,7 +53,7 @@ double friction_stretch(const Parameters& p, double p_i);
 /// With damping taken at the half-kicked velocity a mode of frequency omega and damping rate c is
 /// stable for dt < (sqrt(c^2 + 4 omega^2) - c) / omega^2. The stiffest bulk mode has omega^2 = 6
 /// k/m and c = 12 eta/m (wave vector (pi, 0)); a bottom block adds its junctions or the foundation.
-/// No block is taken to bear more than 4 F_N / Nx.
+/// The foundation's dashpots add eta_f/m to c. No block is taken to bear more than 4 F_N / Nx.
 double stable_time_step(const Parameters& p);
 
 /// The same where no block bears more than `largest_p` [N].

@@ -30,18 +30,33 @@ enum class Law { reference, simplified, decaying, distance };
 /// row; or, for prepared interfaces, a ceiling above the top row, with F_N on the bottom row.
 enum class Support { foundation, ceiling };
 
+/// The normal force that the stiffness k_ij of a block's junctions follows: its p_i, or that of an
+/// even load, F_N / N_x, throughout.
+enum class StiffnessFrom { current, initial };
+
+/// What becomes of the pinned junctions of a block without contact: they follow it, or they break.
+enum class WithoutContact { follow, break_all };
+
+/// How the decaying law pins a junction: where it is, or so that it carries exactly f_new.
+enum class Repin { as_is, exact };
+
+/// Bulk springs pull along their current direction, or are linearised for small displacements.
+enum class BulkSprings { exact, linearised };
+
 struct Parameters {
   // slider
-  double L = 0.140;         ///< length along x [m]
-  double H = 0.075;         ///< height along z [m]
-  double B = 0.006;         ///< width along y [m]
-  std::int64_t Nx = 57;     ///< blocks along x
-  std::int64_t Nz = 31;     ///< blocks along z
-  double M = 0.0756;        ///< mass [kg]
-  double E = 3e9;           ///< Young's modulus [Pa]
-  double damping = 0.1;     ///< eta^2 / (k m), dimensionless
-  double F_N = 1920;        ///< normal load [N]
-  double foundation = 0.5;  ///< k_f / k, dimensionless
+  double L = 0.140;      ///< length along x [m]
+  double H = 0.075;      ///< height along z [m]
+  double B = 0.006;      ///< width along y [m]
+  std::int64_t Nx = 57;  ///< blocks along x
+  std::int64_t Nz = 31;  ///< blocks along z
+  double M = 0.0756;     ///< mass [kg]
+  double E = 3e9;        ///< Young's modulus [Pa]
+  BulkSprings springs = BulkSprings::exact;
+  double damping = 0.1;             ///< eta^2 / (k m), dimensionless
+  double F_N = 1920;                ///< normal load [N]
+  double foundation = 0.5;          ///< k_f / k, dimensionless
+  double foundation_damping = 0.0;  ///< eta_f^2 / (k_f m), dimensionless
   Support support = Support::foundation;
   // driving
   double K = 4e6;     ///< driving spring modulus [N/m]
@@ -49,18 +64,21 @@ struct Parameters {
   double V = 0.4e-3;  ///< driving speed [m/s]
   // junctions
   Law law = Law::reference;
-  std::int64_t N_s = 100;     ///< junctions per interface block
-  double mu_s = 0.4;          ///< f_thres / f_N
-  double mu_d = 0.17;         ///< f_slip / f_N
-  double kappa = 39.2e9;      ///< k_ij^2 / f_N [N/m^2]
+  std::int64_t N_s = 100;  ///< junctions per interface block
+  double mu_s = 0.4;       ///< f_thres / f_N
+  double mu_d = 0.17;      ///< f_slip / f_N
+  double kappa = 39.2e9;   ///< k_ij^2 / f_N [N/m^2]
+  StiffnessFrom k_ij_from = StiffnessFrom::current;
   double t_R = 2e-3;          ///< mean slipping time [s]
   double delta_t_R = 0.6e-3;  ///< standard deviation of the slipping time [s]
   SlippingTimes slipping_times = SlippingTimes::gaussian;
   NewForce f_new = NewForce::zero;
-  double d_R = 1e-6;          ///< mean slipping distance of the distance law [m]
-  double delta_d_R = 0.3e-6;  ///< standard deviation of that distance [m]
-  double mu_new = 0.119;      ///< f_new / f_N of the decaying law, 0.7 mu_d
-  double v_slow = 1.5e-3;     ///< speed of slow slip that the simplified law imposes [m/s]
+  WithoutContact without_contact = WithoutContact::follow;
+  double d_R = 1e-6;           ///< mean slipping distance of the distance law [m]
+  double delta_d_R = 0.3e-6;   ///< standard deviation of that distance [m]
+  double mu_new = 0.119;       ///< f_new / f_N of the decaying law, 0.7 mu_d
+  Repin repin = Repin::as_is;  ///< of the decaying law
+  double v_slow = 1.5e-3;      ///< speed of slow slip that the simplified law imposes [m/s]
   // numerics
   double dt = 2e-7;       ///< time step [s]
   std::int64_t seed = 1;  ///< key of the random numbers
@@ -71,7 +89,9 @@ struct Parameters {
 /// The member of Parameters that a table row describes.
 using ParameterMember =
     std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
-                 NewForce Parameters::*, Law Parameters::*, Support Parameters::*>;
+                 NewForce Parameters::*, Law Parameters::*, Support Parameters::*,
+                 StiffnessFrom Parameters::*, WithoutContact Parameters::*, Repin Parameters::*,
+                 BulkSprings Parameters::*>;
 
 /// Whether a restart may give a parameter another value; not if it gives the state its meaning.
 enum class Restart { may_change, must_keep };

@@ -38,12 +38,22 @@ struct Drive {
   double origin_position = 0;  ///< [m]
 };
 
+/// Time of the steps: t(n) = origin_time + (n - origin_step) dt. The origin is where dt changed
+/// last.
+struct Clock {
+  std::int64_t origin_step = 0;
+  double origin_time = 0;  ///< [s]
+
+  bool operator==(const Clock&) const = default;
+};
+
 struct State {
   State() = default;
   /// The undeformed slider at rest with every junction pinned and unstretched.
   explicit State(const Parameters& parameters);
 
-  std::int64_t step = 0;  ///< time is step * dt
+  std::int64_t step = 0;  ///< steps done, whatever dt they had
+  Clock clock;
   Drive drive;
   Field u_x, u_z;  ///< displacement from the undeformed lattice [m]
   Field v_x, v_z;  ///< velocity [m/s]
@@ -51,11 +61,18 @@ struct State {
   Junctions junctions;
 };
 
+/// Time of `step`, not before the clock's origin [s].
+double time_at(const Parameters& parameters, const Clock& clock, std::int64_t step);
+
 /// Simulated time of the state [s].
 double time(const Parameters& parameters, const State& state);
 
 /// Position x_drive of the driving point at `step` [m].
 double drive_position(const Parameters& parameters, const Drive& drive, std::int64_t step);
+
+/// Lets the state go on under the dt and V of `after`: its time and its driving point stay where
+/// they are.
+void change_pace(const Parameters& before, const Parameters& after, State& state);
 
 /// Force of the driving spring, F_T = K (x_drive - u_x) at the driven block [N].
 double driving_force(const Parameters& parameters, const State& state);

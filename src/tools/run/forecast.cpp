@@ -152,9 +152,10 @@ Forecast forecast(const Workload& work, const Speed& speed) {
   return f;
 }
 
-std::int64_t sample_count(std::int64_t first, std::int64_t last, std::int64_t every) {
-  const bool extra_at_end = last > first && last % every != 0;
-  return 1 + last / every - first / every + (extra_at_end ? 1 : 0);
+std::int64_t sample_count(std::int64_t first, std::int64_t last, const Interval& every) {
+  const std::int64_t number = every.number_at(last);
+  const bool extra_at_end = last > first && last != every.step_of(number);
+  return 1 + number - every.number_at(first) + (extra_at_end ? 1 : 0);
 }
 
 std::string text_of(const Forecast& f) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "run/interval.hpp"
 #include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
@@ -51,8 +52,8 @@ struct Forecast {
 };
 Forecast forecast(const Workload& work, const Speed& speed);
 
-/// Samples of a record from step `first` to `last`: at both, and at multiples of `every` between.
-std::int64_t sample_count(std::int64_t first, std::int64_t last, std::int64_t every);
+/// Samples of a record from step `first` to `last`: at both, and whenever `every` passes between.
+std::int64_t sample_count(std::int64_t first, std::int64_t last, const Interval& every);
 
 /// A few lines for people, and the same as one JSON object.
 std::string text_of(const Forecast& forecast);

@@ -45,7 +45,7 @@ int run(const Options& options) {
                       dry ? roughly_loaded(p) : normal_load_equilibrium(p),
                       {make_provenance("load", options.run.arguments, "",
                                        shell_line(rebuild_command("load", Parameters{}, p)))}};
-  simulate(std::move(start), {step_at(p, options.until), {}}, options.run, options.output, {});
+  simulate(std::move(start), {steps_in(p, options.until), {}}, options.run, options.output, {});
   return kDone;
 }
 

@@ -27,7 +27,7 @@ Sample sample_of(const Simulation& simulation) {
 
 }  // namespace
 
-Recorder::Recorder(RecordWriter& writer, std::int64_t every, std::int64_t now,
+Recorder::Recorder(RecordWriter& writer, const Interval& every, std::int64_t now,
                    std::int64_t last_step, std::int64_t sampled)
     : writer_(writer),
       every_(every),
@@ -36,7 +36,7 @@ Recorder::Recorder(RecordWriter& writer, std::int64_t every, std::int64_t now,
       next_(sampled < 0 ? now : sample_after(now)) {}
 
 std::int64_t Recorder::sample_after(std::int64_t step) const {
-  const std::int64_t next = (step / every_ + 1) * every_;
+  const std::int64_t next = every_.after(step);
   return step < last_step_ ? std::min(next, last_step_) : next;
 }
 
@@ -89,8 +89,8 @@ void Progress::observe(const Simulation& simulation) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   const double rate = static_cast<double>(step - first_) / elapsed.count();
   fmt::print(stderr, "\rt = {:.4f} s of {:.4f} s   {:.0f} steps/s   {:.0f} s left   ",
-             simulation.time(), static_cast<double>(last_) * simulation.parameters().dt, rate,
-             static_cast<double>(last_ - step) / rate);
+             simulation.time(), time_at(simulation.parameters(), simulation.state().clock, last_),
+             rate, static_cast<double>(last_ - step) / rate);
   std::fflush(stderr);
 }
 

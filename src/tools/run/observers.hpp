@@ -6,18 +6,19 @@
 #include <functional>
 #include <vector>
 
+#include "run/interval.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
 
-/// Appends a sample to a record at the first and last step of a run and at multiples of
-/// `every` steps counted from step 0, so that split runs sample the same steps.
+/// Appends a sample to a record at the first and last step of a run and whenever `every` has
+/// passed.
 class Recorder : public Observer {
  public:
   /// `sampled`: the step of the last sample that the record has already; negative if it has none.
-  Recorder(RecordWriter& writer, std::int64_t every, std::int64_t now, std::int64_t last_step,
+  Recorder(RecordWriter& writer, const Interval& every, std::int64_t now, std::int64_t last_step,
            std::int64_t sampled = -1);
   std::int64_t next_step() const override { return next_; }
   void observe(const Simulation& simulation) override;
@@ -31,7 +32,8 @@ class Recorder : public Observer {
   std::int64_t sample_after(std::int64_t step) const;
 
   RecordWriter& writer_;
-  const std::int64_t every_, last_step_;
+  const Interval every_;
+  const std::int64_t last_step_;
   std::int64_t sampled_, next_;
   std::size_t ruptures_written_ = 0;
 };

@@ -27,8 +27,8 @@ std::vector<fs::path> paths_at(const std::vector<std::int64_t>& steps, const Run
   std::vector<fs::path> paths;
   paths.reserve(steps.size());
   for (const std::int64_t step : steps) {
-    paths.push_back(
-        path_at(plan.files.output, static_cast<double>(step) * plan.start.parameters.dt));
+    const double t = time_at(plan.start.parameters, plan.start.state.clock, step);
+    paths.push_back(path_at(plan.files.output, t));
   }
   return paths;
 }
@@ -91,13 +91,14 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
   const Parameters& p = start.parameters;
   start.run = {.first_step = start.state.step, .last_break = start.state.step};
   start.run_id = id_of_run(start);
-  const std::int64_t every = options.record ? sampling_steps(p, options) : 1;
+  const Interval every =
+      options.record ? sampling_interval(p, start.state.clock, options) : Interval{};
   RunPlan plan = {
       .start = {},
       .begin = {},
       .rule = rule,
       .files = {output.output, options.record, every, output.if_exists, options.crossings},
-      .checkpoint_steps = checkpoint_steps(p, start.state.step, rule.last_step, options),
+      .checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options),
       .written_before = {},
       .work = {}};
   plan.start = std::move(start);

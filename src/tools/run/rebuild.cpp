@@ -10,13 +10,13 @@ namespace rupture::tools {
 namespace {
 
 /// The time of a step with the fewest digits by which step_at() finds the step again.
-std::string time_text(const Parameters& p, std::int64_t step) {
-  const double t = static_cast<double>(step) * p.dt;
+std::string time_text(const Parameters& p, const Clock& clock, std::int64_t step) {
+  const double t = time_at(p, clock, step);
   constexpr int most = 17;
   std::string text;
   for (int digits = 1; digits <= most; ++digits) {
     text = fmt::format("{:.{}g}", t, digits);
-    if (step_at(p, std::stod(text)) == step) break;
+    if (step_at(p, clock, std::stod(text)) == step) break;
   }
   return text;
 }
@@ -53,17 +53,18 @@ std::vector<std::string> with_options(std::vector<std::string> command,
 }
 
 std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
-                                       const Parameters& parameters, std::int64_t step) {
-  chain.back().rebuild += " --until " + time_text(parameters, step);
+                                       const Parameters& parameters, const Clock& clock,
+                                       std::int64_t step) {
+  chain.back().rebuild += " --until " + time_text(parameters, clock, step);
   return chain;
 }
 
 std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
-                                            const Parameters& parameters, std::int64_t step,
-                                            std::int64_t every,
+                                            const Parameters& parameters, const Clock& clock,
+                                            std::int64_t step, std::int64_t every,
                                             const std::vector<double>& crossings) {
-  chain = run_until(std::move(chain), parameters, step);
-  chain.back().rebuild += " --record-every " + time_text(parameters, every);
+  chain = run_until(std::move(chain), parameters, clock, step);
+  chain.back().rebuild += " --record-every " + time_text(parameters, {}, every);
   if (!crossings.empty()) {
     chain.back().rebuild += fmt::format(" --crossings {}", fmt::join(crossings, ","));
   }

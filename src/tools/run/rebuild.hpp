@@ -11,6 +11,7 @@
 
 #include "cli/command_line.hpp"
 #include "rupture/checkpoint/provenance.hpp"
+#include "rupture/model/state.hpp"
 
 namespace rupture::tools {
 
@@ -29,13 +30,14 @@ std::vector<std::string> with_options(std::vector<std::string> command,
 /// The chain of a checkpoint that a run writes at `step`. Its last entry, which names the run,
 /// lacks only the time.
 std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
-                                       const Parameters& parameters, std::int64_t step);
+                                       const Parameters& parameters, const Clock& clock,
+                                       std::int64_t step);
 
 /// The chain of a record that ends at `step` and has a sample every so many steps, and crossings of
 /// these pinned fractions.
 std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
-                                            const Parameters& parameters, std::int64_t step,
-                                            std::int64_t every,
+                                            const Parameters& parameters, const Clock& clock,
+                                            std::int64_t step, std::int64_t every,
                                             const std::vector<double>& crossings);
 
 }  // namespace rupture::tools

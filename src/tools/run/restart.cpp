@@ -91,7 +91,7 @@ void refuse_changes_of_kept(const Parameters& before, const Parameters& after) {
   }
 }
 
-/// Applies the changes; the driving point stays where it is when its speed changes.
+/// Applies the changes to a checkpoint.
 void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) {
   const Parameters before = checkpoint.parameters;
   apply(changes, checkpoint.parameters);
@@ -99,10 +99,7 @@ void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) 
   refuse_other_springs(before, checkpoint.parameters);
   change_law(before, checkpoint.parameters, time(before, checkpoint.state),
              checkpoint.state.junctions);
-  if (checkpoint.parameters.V != before.V) {
-    State& state = checkpoint.state;
-    state.drive = {state.step, drive_position(before, state.drive, state.step)};
-  }
+  change_pace(before, checkpoint.parameters, checkpoint.state);
 }
 
 StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
@@ -110,16 +107,16 @@ StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
   const std::int64_t now = checkpoint.state.step;
   StopRule rule;
   if (options.until) {
-    rule.last_step = step_at(p, *options.until);
+    rule.last_step = step_at(p, checkpoint.state.clock, *options.until);
     if (rule.last_step < now) {
       throw UsageError(fmt::format("--until {:g} is before the checkpoint's time {:.7g} s",
                                    *options.until, time(p, checkpoint.state)));
     }
   } else {
-    rule.last_step = now + step_at(p, options.duration.value_or(kLongestQuietRun));
+    rule.last_step = now + steps_in(p, options.duration.value_or(kLongestQuietRun));
   }
   if (options.quiet) {
-    rule.quiet_steps = step_at(p, *options.quiet < 0.0 ? 5.0 * p.t_R : *options.quiet);
+    rule.quiet_steps = steps_in(p, *options.quiet < 0.0 ? 5.0 * p.t_R : *options.quiet);
   }
   return rule;
 }

@@ -118,14 +118,14 @@ std::vector<std::int64_t> sampled_steps(const Content& rows) {
   return read_array<std::int64_t>(rows, found->first, found->second.shape);
 }
 
-/// Sample number n of a run: its first step, then multiples of `every`.
-std::int64_t sample_step(std::int64_t first, std::int64_t every, std::size_t n) {
-  return n == 0 ? first : (first / every + static_cast<std::int64_t>(n)) * every;
+/// Step of sample number n of a run: its first step, then whenever `every` has passed.
+std::int64_t sample_step(std::int64_t first, const Interval& every, std::size_t n) {
+  return n == 0 ? first : every.step_of(every.number_at(first) + static_cast<std::int64_t>(n));
 }
 
 /// True if these are the steps that the run samples; the last one may be that of an earlier end.
 bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
-                    std::int64_t every) {
+                    const Interval& every) {
   for (std::size_t n = 0; n < steps.size(); ++n) {
     const std::int64_t due = sample_step(first, every, n);
     const bool is_last = n > 0 && n + 1 == steps.size();
@@ -171,11 +171,11 @@ Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const Run
 }
 
 /// True if these rows are all that the run had recorded when it wrote the checkpoint.
-bool have_all_samples(const Content& rows, const Checkpoint& checkpoint, std::int64_t every) {
+bool have_all_samples(const Content& rows, const Checkpoint& checkpoint, const Interval& every) {
   const RunSoFar& run = *checkpoint.run;
-  const std::int64_t now = checkpoint.state.step;
   const auto steps = sampled_steps(rows);
-  const auto samples = static_cast<std::size_t>(1 + now / every - run.first_step / every);
+  const auto samples = static_cast<std::size_t>(1 + every.number_at(checkpoint.state.step) -
+                                                every.number_at(run.first_step));
   return steps.size() == samples &&
          steps.back() == sample_step(run.first_step, every, samples - 1) &&
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(run.ruptures);

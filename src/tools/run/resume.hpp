@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "run/interval.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/run.hpp"
 
@@ -17,9 +18,9 @@ namespace rupture::tools {
 struct RunFiles {
   std::filesystem::path output;                 ///< its checkpoints are OUT-tT.h5
   std::optional<std::filesystem::path> record;  ///< or its .part
-  std::int64_t record_every = 1;                ///< [steps]
-  IfExists if_exists = IfExists::refuse;        ///< what is not of the run
-  std::vector<double> crossings = {};           ///< levels of the record, ascending
+  Interval record_every;
+  IfExists if_exists = IfExists::refuse;  ///< what is not of the run
+  std::vector<double> crossings = {};     ///< levels of the record, ascending
 };
 
 /// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].

@@ -42,6 +42,13 @@ DryRun dry_run(const po::variables_map& values) {
   return json ? DryRun::json : DryRun::text;
 }
 
+/// Throws UsageError if the time that `option` gives is shorter than a step.
+Interval interval(const Parameters& p, const Clock& clock, double t, std::string_view option) {
+  const Interval every = {steps_in(p, t), step_at(p, clock, 0.0)};
+  if (every.steps >= 1) return every;
+  throw UsageError(fmt::format("--{} is shorter than one time step", option));
+}
+
 }  // namespace
 
 void add_run_options(po::options_description& options) {
@@ -88,36 +95,39 @@ RunOptions run_options(const Parsed& parsed) {
   return run;
 }
 
-std::int64_t step_at(const Parameters& p, double t) {
-  const double step = std::round(t / p.dt);
-  if (!(std::abs(step) < 0x1p53)) {
-    throw UsageError(fmt::format("t = {:g} s is too long a time for steps of {:g} s", t, p.dt));
+std::int64_t steps_in(const Parameters& p, double duration) {
+  const double steps = std::round(duration / p.dt);
+  if (!(std::abs(steps) < 0x1p53)) {
+    throw UsageError(
+        fmt::format("t = {:g} s is too long a time for steps of {:g} s", duration, p.dt));
   }
-  return static_cast<std::int64_t>(step);
+  return static_cast<std::int64_t>(steps);
 }
 
-std::vector<std::int64_t> checkpoint_steps(const Parameters& p, std::int64_t first,
+std::int64_t step_at(const Parameters& p, const Clock& clock, double t) {
+  return clock.origin_step + steps_in(p, t - clock.origin_time);
+}
+
+std::vector<std::int64_t> checkpoint_steps(const Parameters& p, const State& first,
                                            std::int64_t last, const RunOptions& run) {
   std::vector<std::int64_t> steps;
   for (const double t : run.checkpoint_at) {
-    const std::int64_t step = step_at(p, t);
-    if (step < first || step > last) {
+    const std::int64_t step = step_at(p, first.clock, t);
+    if (step < first.step || step > last) {
       throw UsageError(fmt::format("--checkpoint-at {:g} is outside the run, {:g} s to {:g} s", t,
-                                   static_cast<double>(first) * p.dt,
-                                   static_cast<double>(last) * p.dt));
+                                   time(p, first), time_at(p, first.clock, last)));
     }
     steps.push_back(step);
   }
   if (run.checkpoint_every) {
-    const std::int64_t every = step_at(p, *run.checkpoint_every);
-    if (every < 1) throw UsageError("--checkpoint-every is shorter than one time step");
+    const Interval every = interval(p, first.clock, *run.checkpoint_every, "checkpoint-every");
     constexpr std::int64_t most = 1'000'000;
-    if ((last - first) / every > most) {
+    if (const std::int64_t count = (last - first.step) / every.steps; count > most) {
       throw UsageError(
           fmt::format("--checkpoint-every {:g} would write {} checkpoints: give a longer time",
-                      *run.checkpoint_every, (last - first) / every));
+                      *run.checkpoint_every, count));
     }
-    for (std::int64_t step = (first / every + 1) * every; step <= last; step += every) {
+    for (auto step = every.after(first.step); step <= last; step = every.after(step)) {
       steps.push_back(step);
     }
   }
@@ -126,10 +136,8 @@ std::vector<std::int64_t> checkpoint_steps(const Parameters& p, std::int64_t fir
   return steps;
 }
 
-std::int64_t sampling_steps(const Parameters& p, const RunOptions& run) {
-  const std::int64_t every = step_at(p, run.record_every);
-  if (every < 1) throw UsageError("--record-every is shorter than one time step");
-  return every;
+Interval sampling_interval(const Parameters& p, const Clock& clock, const RunOptions& run) {
+  return interval(p, clock, run.record_every, "record-every");
 }
 
 }  // namespace rupture::tools

@@ -8,6 +8,8 @@
 
 #include "cli/command_line.hpp"
 #include "run/alarms.hpp"
+#include "run/interval.hpp"
+#include "rupture/model/state.hpp"
 
 namespace rupture::tools {
 
@@ -32,15 +34,18 @@ struct RunOptions {
 void add_run_options(po::options_description& options);
 RunOptions run_options(const Parsed& parsed);
 
-/// The step nearest to time t. Throws UsageError if it is not before step 2^53.
-std::int64_t step_at(const Parameters& parameters, double t);
+/// The step nearest to time t [s]. Throws UsageError if it is not before step 2^53.
+std::int64_t step_at(const Parameters& parameters, const Clock& clock, double t);
+
+/// The number of steps nearest to a duration [s]; throws as step_at().
+std::int64_t steps_in(const Parameters& parameters, double duration);
 
 /// The steps in a run from `first` to `last` at which checkpoints are wanted, in order. Throws
 /// UsageError if one is outside.
-std::vector<std::int64_t> checkpoint_steps(const Parameters& parameters, std::int64_t first,
+std::vector<std::int64_t> checkpoint_steps(const Parameters& parameters, const State& first,
                                            std::int64_t last, const RunOptions& run);
 
-/// Steps between samples of the record. Throws UsageError if there is less than one.
-std::int64_t sampling_steps(const Parameters& parameters, const RunOptions& run);
+/// When to sample for the record. Throws UsageError if that is more than once per step.
+Interval sampling_interval(const Parameters& parameters, const Clock& clock, const RunOptions& run);
 
 }  // namespace rupture::tools

@@ -135,15 +135,15 @@ const fs::path& Run::save_on_the_way() {
 }
 
 std::vector<ProvenanceEntry> Run::record_provenance(std::int64_t step) const {
-  return recorded_until(record_provenance_, simulation_.parameters(), step, files_.record_every,
-                        files_.crossings);
+  return recorded_until(record_provenance_, simulation_.parameters(), simulation_.state().clock,
+                        step, files_.record_every.steps, files_.crossings);
 }
 
 std::string Run::save(const fs::path& path, IfExists if_exists) {
   const Parameters& p = simulation_.parameters();
   const State& state = simulation_.state();
-  const Checkpoint now = {p,  state, run_until(provenance_, p, state.step), simulation_.run(),
-                          {}, id_};
+  const Checkpoint now = {
+      p, state, run_until(provenance_, p, state.clock, state.step), simulation_.run(), {}, id_};
   std::string checksum = write_checkpoint(path, now, if_exists, output_.sum);
   saved_ = path;
   return checksum;

@@ -110,6 +110,32 @@ TEST_F(CheckpointFile, stores_pinned_junctions_with_repin_time_zero) {
   EXPECT_EQ(repin[1], 0);
 }
 
+TEST_F(CheckpointFile, stores_the_origin_of_a_clock_that_was_changed_and_of_no_other) {
+  Checkpoint checkpoint = small_checkpoint();
+  EXPECT_FALSE(state_content(checkpoint.state).contains("/state/clock/origin_step"));
+  checkpoint.state.clock = {1000, 1.0 / 3.0};
+  const Content content = state_content(checkpoint.state);
+  EXPECT_EQ(content.at("/state/clock/origin_step"), make_scalar<std::int64_t>(1000, "1"));
+  EXPECT_EQ(content.at("/state/clock/origin_time"), make_scalar(1.0 / 3.0, "s"));
+  EXPECT_NE(write(checkpoint), content_checksum(checkpoint.parameters, small_checkpoint().state));
+  EXPECT_EQ(read_checkpoint(file("x.h5")).state.clock, checkpoint.state.clock);
+}
+
+TEST_F(CheckpointFile, with_an_impossible_clock_is_refused) {
+  const auto refusal_of = [&](std::int64_t step, double t) {
+    return refusal_after([&](Content& c) {
+      c["/state/clock/origin_step"] = make_scalar(step, "1");
+      c["/state/clock/origin_time"] = make_scalar(t, "s");
+    });
+  };
+  expect_contains(refusal_of(1234568, 0.1), "/state/clock/origin_step = 1234568; expected 0");
+  expect_contains(refusal_of(1000, -0.1), "/state/clock/origin_time = -0.1 s; expected a time");
+  expect_contains(refusal_of(0, 0.0), "/state/clock/origin_time = 0 s; expected a time above 0");
+  expect_contains(
+      refusal_after([](Content& c) { c["/state/clock/origin_time"] = make_scalar(0.1, "s"); }),
+      "/state/clock/origin_step is missing");
+}
+
 TEST_F(CheckpointFile, with_nan_is_not_written) {
   Checkpoint checkpoint = small_checkpoint();
   checkpoint.state.v_x(2, 1) = std::numeric_limits<double>::quiet_NaN();

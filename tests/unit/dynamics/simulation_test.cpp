@@ -32,10 +32,17 @@ void add_boundary_forces(const Parameters& p, InterfaceLaw& law, State& s) {
   const ContactView contact = {p_i.data(), k_ij.data(), w.data()};
   law.update(s.u_x.row(0), s.v_x.row(0), contact, time(p, s));
   law.friction(s.u_x.row(0), contact, tau.data());
+  const double eta_f = foundation_damping_coefficient(p);
+  const bool ceiling = p.support == Support::ceiling;
+  const auto damped = [&](double force, double inwards) {
+    return force > 0.0 ? std::max(force + eta_f * inwards, 0.0) : 0.0;
+  };
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const double from_below = p_i[static_cast<std::size_t>(i)];
+    const double from_above = NormalContact(p).top_force(s.u_z(i, p.Nz - 1));
     s.f_x(i, 0) -= tau[static_cast<std::size_t>(i)];
-    s.f_z(i, 0) += p_i[static_cast<std::size_t>(i)];
-    s.f_z(i, p.Nz - 1) -= NormalContact(p).top_force(s.u_z(i, p.Nz - 1));
+    s.f_z(i, 0) += ceiling ? from_below : damped(from_below, -s.v_z(i, 0));
+    s.f_z(i, p.Nz - 1) -= ceiling ? damped(from_above, s.v_z(i, p.Nz - 1)) : from_above;
   }
   const double x_drive =
       s.drive.origin_position + p.V * p.dt * static_cast<double>(s.step - s.drive.origin_step);
@@ -78,9 +85,24 @@ TEST_P(StepUnder, follows_the_stated_order) {
   expect_stated_order(p, normal_load_equilibrium(p), 9);
 }
 
+TEST_P(StepUnder, follows_the_stated_order_with_stiffness_of_an_even_load) {
+  Parameters p = quick_slider(GetParam());
+  p.k_ij_from = StiffnessFrom::initial;
+  expect_stated_order(p, normal_load_equilibrium(p), 9);
+}
+
 TEST(Step, follows_the_stated_order_under_a_ceiling) {
   const Parameters p = testing::prepared_slider();
   expect_stated_order(p, prepared_state(p, testing::quick_prestress()), 6);  // three have already
+}
+
+TEST(Step, follows_the_stated_order_on_a_damped_support) {
+  Parameters p = quick_slider();
+  p.foundation_damping = 0.5;
+  expect_stated_order(p, normal_load_equilibrium(p), 9);
+  Parameters under_ceiling = testing::prepared_slider();
+  under_ceiling.foundation_damping = 0.5;
+  expect_stated_order(under_ceiling, prepared_state(under_ceiling, testing::quick_prestress()), 6);
 }
 
 TEST_P(StepUnder, the_forces_of_the_state_are_reported) {

@@ -118,6 +118,39 @@ TEST(DecayingLaw, pins_inside_the_play_with_the_force_there_is) {
   EXPECT_NEAR(block.friction(), 0.02, kRounding);
 }
 
+TEST(DecayingLaw, pins_with_exactly_f_new_if_it_is_to) {
+  Parameters p = decaying(1);
+  p.repin = Repin::exact;
+  for (const double sign : {1.0, -1.0}) {
+    for (const double force : {0.02, -0.02, 0.12}) {  // 0.11 m is the attachment point
+      Decaying block(p, sign);
+      block.move(sign * (0.11 + 0.5 * force), kSlippingTime);
+      EXPECT_EQ(block.pinned(), 1);
+      EXPECT_NEAR(block.friction(), std::copysign(0.12, sign * force), kRounding);
+    }
+  }
+}
+
+TEST(DecayingLaw, pins_without_force_where_there_is_none_even_if_exact) {
+  Parameters p = decaying(1);
+  p.repin = Repin::exact;
+  Decaying block(p);
+  block.move(block.attachment(), kSlippingTime);
+  EXPECT_EQ(block.pinned(), 1);
+  EXPECT_EQ(block.friction(), 0.0);
+}
+
+TEST(DecayingLaw, pins_a_sliding_junction_with_f_new_exactly_or_as_it_is_alike) {
+  Parameters p = decaying(1);
+  p.repin = Repin::exact;
+  Decaying exact(p), as_is;
+  for (const double t : {1e-3, kSlippingTime, 3e-3}) {
+    exact.move(0.3 + t, t);
+    as_is.move(0.3 + t, t);
+    EXPECT_NEAR(exact.friction(), as_is.friction(), kRounding);
+  }
+}
+
 TEST(DecayingLaw, ends_without_force_if_mu_new_is_zero) {
   Parameters p = decaying(1);
   p.mu_new = 0.0;

@@ -193,6 +193,34 @@ TEST(WithoutContact, a_junction_still_slipping_when_pressed_again_slips_on) {
   EXPECT_EQ(block.move(1.2, kSlippingTime).repinned, 1);
 }
 
+TEST(WithoutContact, pinned_junctions_break_if_they_are_to) {
+  Parameters p = hand_made(1);
+  p.without_contact = WithoutContact::break_all;
+  Interface block(p);
+  block.move(0.1, 0.0);
+  block.press(0.0);
+  EXPECT_EQ(block.move(0.15, 1e-3).broken, 1);
+  EXPECT_EQ(block.friction(), 0.0);
+  EXPECT_EQ(block.move(0.2, 1.1e-3).broken, 0);
+  EXPECT_EQ(block.attachment(), 0.2);
+  block.press(1.0);
+  block.move(0.5, 1.5e-3);
+  EXPECT_NEAR(block.friction(), kSlipForce, kRounding) << "it slips when pressed again";
+  EXPECT_EQ(block.move(0.5, 1e-3 + kSlippingTime).repinned, 1) << "t_R after it broke";
+  EXPECT_EQ(block.move(0.51, 4e-3).broken, 0);
+}
+
+TEST(WithoutContact, what_is_pinned_in_the_air_breaks_again_if_it_is_to) {
+  Parameters p = hand_made(1);
+  p.without_contact = WithoutContact::break_all;
+  Interface block(p);
+  block.press(0.0);
+  EXPECT_EQ(block.move(0.1, 0.0).broken, 1);
+  EXPECT_EQ(block.move(0.1, kSlippingTime).repinned, 1);
+  EXPECT_EQ(block.move(0.1, 1.1 * kSlippingTime).broken, 1);
+  EXPECT_EQ(block.junctions().draws(0, 0), 2U);
+}
+
 TEST(SlippingTimes, each_break_draws_the_next_number_of_its_junction) {
   Parameters p = hand_made(3);
   p.delta_t_R = 0.6e-3;
