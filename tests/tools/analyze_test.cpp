@@ -291,7 +291,7 @@ TEST_F(Analyze, show_names_kind_parameters_and_provenance) {
   const Json json = json_of("analyze show r.h5 --json");
   EXPECT_EQ(json["kind"], "a record");
   EXPECT_EQ(json["checksum"], checksum_of("r.h5"));
-  EXPECT_EQ(json["parameters"].size(), 27U);
+  EXPECT_EQ(json["parameters"].size(), 29U);
   EXPECT_EQ(json["parameters"]["driving.V"], 1.0);
   EXPECT_TRUE(json["parameters"]["driving.V"].is_number_float());
   EXPECT_EQ(json["parameters"]["slider.Nx"], 9);
