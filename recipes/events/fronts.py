@@ -16,17 +16,20 @@ def middle_of_slow_stretch(front):
     return (front["slow"]["t_from"] + front["slow"]["t_to"]) / 2
 
 
+def front_spans(front):
+    return front["type"] in ("slow", "fast")
+
+
 def is_fast_slow_fast_in_words(front):
     """Spans, with three stencils or more below c_s/10, and a median of at least c_s/10 before and
-    after them. The front is measured with `--slow-below 0.1` (conventions.IN_WORDS)."""
+    after them. The front is measured as conventions.IN_WORDS says."""
     slow = front["slow"]
     if front["type"] != "slow" or slow is None:
         return False
     if slow["fast_before"] is None or slow["fast_after"] is None:
         return False
-    spacing = front["L"] / (len(front["t_rupture"]) - 1)
     return (
-        slow["x_to"] - slow["x_from"] > (STENCILS_IN_WORDS - 1 - 0.5) * spacing
+        slow["stencils"] >= STENCILS_IN_WORDS
         and min(slow["fast_before"], slow["fast_after"]) >= FAST_IN_WORDS * front["c_s"]
     )
 

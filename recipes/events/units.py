@@ -8,7 +8,7 @@ there are. A unit that lacks what is asked for has no case, which counts against
 from pathlib import Path
 
 from data.records import report
-from events.conventions import DECAYING, IN_WORDS, PRIMARY
+from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
 from events.event_claims import case_3A, case_3B, case_3C, case_4AB, case_5A, words_case
 
 FIRST_BRANCH, *LATER_BRANCHES = "0.14", "0.2", "0.25"
@@ -24,11 +24,11 @@ def name_of(path):
 
 
 def of_loads(paths, case, conventions=None):
-    """Of each event. `conventions`: {name: name in the file}; None: all but that of S6A."""
+    """Of each event. `conventions`: {name: name in the file}; None: all of them."""
     units = {}
     for path in paths:
         events = report(path)
-        names = conventions or {name: name for name in events if name != DECAYING}
+        names = conventions or {name: name for name in events if name in CONVENTIONS}
         units[name_of(path)] = {
             name: [case(event) for event in events[of]] for name, of in names.items()
         }
@@ -42,9 +42,7 @@ def in_words(paths):
 
 def below_c_s_over_8(paths, case):
     """Claim S6A, for which slow may be up to c_s/8."""
-    return of_loads(
-        paths, case, {PRIMARY: DECAYING, IN_WORDS: IN_WORDS, "slow below c_s/20": PRIMARY}
-    )
+    return of_loads(paths, case, {PRIMARY: DECAYING, "slow below c_s/20": PRIMARY})
 
 
 # --- events of loads -----------------------------------------------------------------------
@@ -64,7 +62,7 @@ def fronts_3A_3B(event, case, run):
     by_convention = event["conventions"] or {}
     units = {PRIMARY: cases(case, event["unmodified"], of_branch(event, FIRST_BRANCH, run))}
     for name, fronts in by_convention.items():
-        if name not in (PRIMARY, DECAYING):
+        if name in CONVENTIONS and name != PRIMARY:
             units[name] = cases(case, fronts["unmodified"], fronts[run])
     for branch in LATER_BRANCHES:
         measured = event["unmodified"], of_branch(event, branch, run)

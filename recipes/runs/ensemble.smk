@@ -2,7 +2,7 @@
 # one that Figures 1 and S1 show; with --from-scratch, the checkpoints in checkpoints/ come from it, too.
 LOAD_UNTIL = 1.2  # s
 CHECKPOINT_EVERY = 0.05  # s
-CROSSINGS = ""  # options of a run whose record holds enough for all conventions
+CROSSINGS = "--crossings 0.2,0.5"  # options of a run whose record holds enough for all conventions
 SETTINGS = {  # name: parameters, number of seeds
     "load": ("", 20),
     "simplified": ("--set junctions.law=simplified --set junctions.v_slow=1.5e-3", 8),

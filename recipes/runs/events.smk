@@ -2,7 +2,7 @@
 # and as a record of it; choose_events.py says by which rule they are chosen. The paper's event I is
 # fast-slow-fast, its event II second-slow, its event III fast-only.
 from events.continuations import DURATION
-from events.conventions import CONVENTIONS, IN_WORDS, words_of
+from events.conventions import IN_WORDS, OWN_WAYS, words_of
 
 EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
 
@@ -98,6 +98,6 @@ use rule analyze as front with:
 use rule analyze as front_in_words with:
     input: **content_of(h5=f"{DATA}/{{run}}-record.h5")
     output: f"{DATA}/{{run}}-front-in-words.json"
-    params: **analysis(f"front --event 0 {' '.join(words_of(CONVENTIONS[IN_WORDS]))}")
+    params: **analysis(f"front --event 0 {' '.join(words_of(OWN_WAYS[IN_WORDS]))}")
     log: f"{LOGS}/{{run}}-front-in-words.log"
     message: "{wildcards.run}: measure the front, slow where it is so in words"

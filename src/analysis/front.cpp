@@ -95,6 +95,7 @@ std::optional<SlowStretch> describe(const Front& front, const Stretch& run,
   slow.t_from = *front.line.t_rupture[stretch->first];
   slow.t_to = *front.line.t_rupture[stretch->last];
   slow.speed = *median(v_c);
+  slow.stencils = run.last - run.first + 1;
   slow.slowest = *std::min_element(v_c.begin(), v_c.end());
   slow.fast_before = median(speeds(front.v_c, loading_zone, between.first));
   slow.fast_after = median(speeds(front.v_c, between.last + 1, front.v_c.size()));

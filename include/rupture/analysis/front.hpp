@@ -69,6 +69,7 @@ struct SlowStretch {
   double t_from = 0, t_to = 0;  ///< when these two ruptured [s]
   double speed = 0;             ///< median of v_c over the stretch [m/s]
   double slowest = 0;           ///< smallest v_c in it [m/s]
+  std::size_t stencils = 0;     ///< of the run of slow stencils, wherever those at its ends count
 
   double duration() const { return t_to - t_from; }  ///< [s]
   /// Length over duration [m/s]; no value for a single block.
