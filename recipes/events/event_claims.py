@@ -228,9 +228,12 @@ def claim_4AB(events, units):
     return judged_event("4AB", events, case_4AB, details_4AB, units, note)
 
 
-def case_5A(unmodified, undriven):
+def case_5A(unmodified, undriven, stopped_at=None):
+    """The driving stops in the middle of the slow stretch, if no other time is given [s]."""
+    if unmodified["slow"] is None:
+        return {"difference/slow duration": None}
     original, other = values(unmodified["t_rupture"]), values(undriven["t_rupture"])
-    to_come = original > middle_of_slow_stretch(unmodified)
+    to_come = original > (stopped_at or middle_of_slow_stretch(unmodified))
     difference = float(np.max(np.abs(other - original)[to_come]))
     share = None if np.isnan(difference) else difference / unmodified["slow"]["duration"]
     return {"difference/slow duration": share}

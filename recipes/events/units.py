@@ -84,7 +84,7 @@ def slips_3C(event):
 def wider_4AB(event):
     def with_phi(branch):
         phi = of_branch(event, branch, "phi") or {"before": None, "after": None}
-        return lambda unmodified, wider: case_4AB(unmodified, wider, **phi)
+        return lambda *fronts: case_4AB(*fronts, phi["before"], phi["after"])
 
     units = fronts_3A_3B(event, with_phi(FIRST_BRANCH), "wider")
     for branch in LATER_BRANCHES:
@@ -98,7 +98,9 @@ OF_EVENT = {
     "3B": lambda event: fronts_3A_3B(event, case_3B, "no-slow-slip"),
     "3C": slips_3C,
     "4AB": wider_4AB,
-    "5A": lambda event: {PRIMARY: cases(case_5A, event["unmodified"], event["undriven"])},
+    "5A": lambda event: {
+        PRIMARY: cases(case_5A, event["unmodified"], event["undriven"], event["undriven_from"])
+    },
 }
 
 
