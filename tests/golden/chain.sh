@@ -32,7 +32,7 @@ restart rupture.h5 -q --set slider.damping=0 --set driving.V=-1 --for 8e-4 -o re
 
 # The event of Figure 3 from its shipped checkpoint: a rupture that crosses the slider fast, then
 # slowly, then fast again.
-restart "$here/../../checkpoints/fast-slow-fast.h5" -q --for 2.5e-3 -o event.h5 \
+restart "$here/../../checkpoints/second-slow.h5" -q --for 2.5e-3 -o event.h5 \
   --record event-record.h5
 # And the moment when it becomes slow, with the rows shared out among threads.
 for threads in 1 2 4 7; do
