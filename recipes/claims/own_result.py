@@ -23,12 +23,12 @@ def text_of(result):
     return "\n".join([*lines, *(f"  {part}" for part in measured_parts(result.measured))])
 
 
-def write_own(folder, results):
-    """The file for programs, and what the terminal shows."""
+def write_own(folder, results, before=""):
+    """The file for programs, and what the terminal shows, with another text before it."""
     folder = Path(folder)
     rows = json.dumps([asdict(result) for result in results], indent=2, default=plain)
     (folder / OWN).write_text(rows + "\n", encoding="utf-8")
-    text = "\n".join(map(text_of, results))
+    text = "\n".join([before, *map(text_of, results)] if before else map(text_of, results))
     (folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
 
 

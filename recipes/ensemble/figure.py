@@ -7,9 +7,11 @@
 import sys
 from pathlib import Path
 
+import alternation
 import numpy as np
 
 from claims.claim import write_claims
+from claims.own_result import write_own
 from data.records import values
 from data.tables import write_table
 from events.choose_events import read_events
@@ -118,9 +120,11 @@ def summary(loads):
 def main(results, *paths):
     results = Path(results)
     loads = {load_of(path): spanning_events(path) for path in paths}
+    reference = {load: pairs for load, pairs in loads.items() if setting_of(load) == "load"}
     draw(loads, results / "ensemble")
+    alternation.draw(reference, results / "alternation")
     write_events(results / "events.csv", loads)
-    (results / "summary.txt").write_text(summary(loads), encoding="utf-8")
+    write_own(results, [alternation.own_result(reference)], summary(loads))
     write_claims(results / "claims.json", [])
 
 

@@ -5,11 +5,15 @@ rule ensemble:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
         continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
         quasistatic=[f"{DATA}/ensemble/h0-{seed:02d}.json" for seed in range(1, 21)],
+        beside="recipes/ensemble/alternation.py",
         **script("recipes/ensemble/figure.py"),
     output:
         claims=f"{RESULTS}/ensemble/claims.json",
         events=f"{RESULTS}/ensemble/events.csv",
         **picture(f"{RESULTS}/ensemble/ensemble"),
+        alternation=f"{RESULTS}/ensemble/alternation.png",
+        alternation_pdf=f"{RESULTS}/ensemble/alternation.pdf",
+        own=f"{RESULTS}/ensemble/own.json",
         summary=f"{RESULTS}/ensemble/summary.txt",
     log: f"{LOGS}/ensemble.log"
     message: "ensemble: draw, list the events of all loads"
