@@ -12,12 +12,14 @@ from data.tables import write_fronts
 from events.event_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
-from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
+from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 EVENTS = {  # label, colour, marker
     "fast-slow-fast": ("fast-slow-fast", BLUE, "o"),
     "fast-only": ("fast-only", VERMILION, "^"),
 }
+PAPER_SPEEDS = {3: "$c_s/3$", 100: "$c_s/100$"}  # c_s over the speed
+PAPER_TRANSITIONS = (0.4, 0.6)  # [L]
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 
 
@@ -33,6 +35,12 @@ def draw_map(axes, front, pinned):
 
 def draw_speeds(axes, fronts):
     draw_front_speeds(axes, fronts, EVENTS)
+    c_s = fronts["fast-slow-fast"]["c_s"]
+    for part, text in PAPER_SPEEDS.items():
+        axes.axhline(c_s / part, color=BLACK, linestyle=":", linewidth=0.8)
+        axes.annotate(text, (0.86, c_s / part), xytext=(0, 2), textcoords="offset points")
+    for x in PAPER_TRANSITIONS:
+        axes.axvline(x, color=BLACK, linestyle=":", linewidth=0.8)
     axes.set(ylim=(1, None))
     axes.legend(loc="lower left", bbox_to_anchor=(0.12, 0))
 

@@ -1,4 +1,4 @@
-# Figure 3. A-C here: the fast-slow-fast event restarted under other conditions
+# Figure 3. A-C here: events I and II restarted under other conditions
 # (runs/continuations.smk). Each other part of Figure 3 has a file of its own beside this
 # one, which adds the claims it writes to FIG3_PARTS. See README.md.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]

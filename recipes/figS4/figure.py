@@ -16,7 +16,7 @@ from events.junctions import Junctions
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
 
-EVENT = "fast-slow-fast"
+EVENT = "second-slow"
 STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows
 TITLES = ("as it is", r"wider $\varphi$ beyond $0.25\,L$")
 REGION = 0.25  # phi was changed from here on, this block included [L]

@@ -1,9 +1,9 @@
 # Figure S4: Figure 4 A-B with the distributions of junction forces. See README.md.
-FIGS4_STATES = ["fast-slow-fast", "fast-slow-fast/wider-start"]
-FIGS4_RECORDS = ["fast-slow-fast", "fast-slow-fast/wider"]
+FIGS4_STATES = ["second-slow", "second-slow/wider-start"]
+FIGS4_RECORDS = ["second-slow", "second-slow/wider"]
 
 
-STAGES["start"]["figS4"] = [f"{DATA}/fast-slow-fast.compared"]
+STAGES["start"]["figS4"] = [f"{DATA}/second-slow.compared"]
 
 
 rule figS4:
