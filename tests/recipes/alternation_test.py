@@ -29,7 +29,7 @@ class Alternation(unittest.TestCase):
         self.assertGreater(p_of_changes([kinds("ssss----")] * 5), 0.99)
 
     def test_shares_go_by_the_event_before(self):
-        load = [(SLOW if letter == "s" else "other", {}) for letter in "s-s-ss"]
+        load: list = [(SLOW if letter == "s" else "other", {}) for letter in "s-s-ss"]
         measured = own_result({"load-01": load}).measured
         self.assertAlmostEqual(measured["share after a fast-slow-fast event"], 1 / 3)
         self.assertEqual(measured["share after another event"], 1.0)
