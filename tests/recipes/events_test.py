@@ -14,15 +14,11 @@ from events.fronts import is_fast_slow_fast_in_words  # noqa: E402
 
 
 def event(t_start=0.0, *, stencils=3, before=200.0, after=200.0, kind="slow"):
-    """Eleven blocks, 10 mm apart."""
-    slow = {"x_from": 0.04, "x_to": 0.04 + 0.01 * (stencils - 1)}
-    slow |= {"fast_before": before, "fast_after": after}
+    slow = {"stencils": stencils, "fast_before": before, "fast_after": after}
     return {
         "t_start": t_start,
         "type": kind,
         "slow": slow if kind != "fast" else None,
-        "t_rupture": [0.0] * 11,
-        "L": 0.1,
         "c_s": 1000.0,
     }
 
