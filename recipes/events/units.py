@@ -84,7 +84,7 @@ def slips_3C(event):
 def wider_4AB(event):
     def with_phi(branch):
         phi = of_branch(event, branch, "phi") or {"before": None, "after": None}
-        return lambda *fronts: case_4AB(*fronts, phi["before"], phi["after"])
+        return lambda front, wider: case_4AB(front, wider, phi["before"], phi["after"])
 
     units = fronts_3A_3B(event, with_phi(FIRST_BRANCH), "wider")
     for branch in LATER_BRANCHES:
