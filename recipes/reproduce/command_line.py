@@ -6,14 +6,14 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from reproduce.project import PROFILES, UsageError, recipe_names
+from reproduce.project import BESIDE_ALL, PROFILES, UsageError, recipe_names
 
 HELP = """\
 Usage: ./reproduce.sh COMMAND [OPTION]...
 
 Commands
   fig3 (or another figure)  install what is missing, build, compute, draw, print the claims
-  all                       the same for everything, and the report
+  all                       the same for everything but choices and convergence, and the report
   sweep FILE.ini            run the model for all values that the file lists, and write a table and
                             a picture (docs/sweeps.md)
   report                    write results/index.html: all figures and claims on one page
@@ -36,7 +36,7 @@ Options
 """
 
 COMMANDS = {
-    "all": "everything above",
+    "all": f"everything above but {' and '.join(BESIDE_ALL)}",
     "sweep": "a sweep of your own",
     "report": "the page of all figures and claims",
     "test": "the tests",

@@ -50,7 +50,8 @@ def planned(folder):
     (folder / "handler.py").write_text(HANDLER)
     done = subprocess.run(
         [
-            *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile", "all"),
+            *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile"),
+            *RECIPES,
             "--dryrun",
             *("--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
             *("--log-handler-script", "handler.py"),
