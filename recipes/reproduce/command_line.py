@@ -13,7 +13,7 @@ Usage: ./reproduce.sh COMMAND [OPTION]...
 
 Commands
   fig3 (or another figure)  install what is missing, build, compute, draw, print the claims
-  all                       the same for everything, and the report
+  all                       the same for everything but choices and convergence, and the report
   sweep FILE.ini            run the model for all values that the file lists, and write a table and
                             a picture (docs/sweeps.md)
   report                    write results/index.html: all figures and claims on one page
@@ -36,7 +36,7 @@ Options
 """
 
 COMMANDS = {
-    "all": "everything above",
+    "all": "everything above but choices and convergence",
     "sweep": "a sweep of your own",
     "report": "the page of all figures and claims",
     "test": "the tests",

@@ -1,6 +1,8 @@
 """Where things are, and how the commands fail."""
 
+import ast
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -21,6 +23,13 @@ class UsageError(Exception):
 def recipe_names():
     """The figures, and recipes that belong to none."""
     return [path.parent.name for path in Path("recipes").glob("*/rules.smk")]
+
+
+def recipes_of_all():
+    """Those that `all` computes; the Snakefile names the ones that it leaves out."""
+    text = Path("recipes/Snakefile").read_text(encoding="utf-8")
+    left_out = ast.literal_eval(re.findall(r"^BESIDE_ALL = (.*)$", text, re.MULTILINE)[0])
+    return [name for name in recipe_names() if name not in left_out]
 
 
 def use_own_environment():

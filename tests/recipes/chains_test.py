@@ -40,7 +40,7 @@ def log_handler(message):
 
 
 def planned(folder):
-    """All commands of a run from scratch, in which events have been found."""
+    """All commands of all recipes from scratch, in which events have been found."""
     for name in ("recipes", "checkpoints", "docs"):
         (folder / name).symlink_to(SOURCE / name)
     choice = folder / "results/data/figS2/choice.json"
@@ -49,7 +49,8 @@ def planned(folder):
     (folder / "handler.py").write_text(HANDLER)
     done = subprocess.run(
         [
-            *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile", "all"),
+            *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile"),
+            *RECIPES,
             "--dryrun",
             *("--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
             *("--log-handler-script", "handler.py"),
