@@ -41,7 +41,7 @@ def log_handler(message):
 
 
 def planned(folder):
-    """All commands of a run from scratch, in which events have been found."""
+    """All commands of all recipes from scratch, in which events have been found."""
     for name in ("recipes", "checkpoints", "docs"):
         (folder / name).symlink_to(SOURCE / name)
     choice = folder / "results/data/figS2/choice.json"
