@@ -95,7 +95,8 @@ def read_places(data):
     steps = [[row for row in rows if row["numerics.dt"] == dt] for dt in STEPS]
     finer = [read_rows(data / f"convergence/lattice-{n}.csv") for n in ("113", "225")]
     found = {}
-    for series, levels in ((TIME_STEP, steps), (LATTICE, [steps[0], *finer])):
+    series_of_levels: dict[str, list] = {TIME_STEP: steps, LATTICE: [steps[0], *finer]}
+    for series, levels in series_of_levels.items():
         fronts = [{place_of(row): row_front(row) for row in level} for level in levels]
         places = sorted(set.intersection(*map(set, fronts)), key=lambda place: place[::-1])
         found[series] = {place: [level[place] for level in fronts] for place in places}
@@ -176,7 +177,7 @@ def slow_measured(series, places):
 
 
 def own_result(cases, places):
-    measured = {}
+    measured: dict = {}
     for case in cases[: len(EVENTS)]:
         measured |= event_measured(case)
     for series in LEVELS:

@@ -34,7 +34,8 @@ class NoFront(unittest.TestCase):
     def test_does_not_span(self):
         slow = {"speed": 10.0}
         for kind, accepted in (("slow", True), ("arrested", False), ("none", False)):
-            claim = claim_3A(REFERENCE, {"type": kind, "slow": slow})
+            fronts = REFERENCE, {"type": kind, "slow": slow}
+            claim = claim_3A({"event": fronts}, {})
             self.assertEqual(claim.shown, accepted, kind)
 
 
