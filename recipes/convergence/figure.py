@@ -94,12 +94,12 @@ def read_places(data):
     rows = read_rows(data / "convergence/time-step.csv")
     steps = [[row for row in rows if row["numerics.dt"] == dt] for dt in STEPS]
     finer = [read_rows(data / f"convergence/lattice-{n}.csv") for n in ("113", "225")]
-    found = {}
-    series_of_levels: dict[str, list] = {TIME_STEP: steps, LATTICE: [steps[0], *finer]}
+    found: dict = {}
+    series_of_levels: dict = {TIME_STEP: steps, LATTICE: [steps[0], *finer]}
     for series, levels in series_of_levels.items():
         fronts = [{place_of(row): row_front(row) for row in level} for level in levels]
         places = sorted(set.intersection(*map(set, fronts)), key=lambda place: place[::-1])
-        found[series] = {place: [level[place] for level in fronts] for place in places}
+        found[series] = {place: [of_level[place] for of_level in fronts] for place in places}
     return found
 
 
