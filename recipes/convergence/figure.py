@@ -98,7 +98,8 @@ def read_places(data):
     series_of_levels: dict = {TIME_STEP: steps, LATTICE: [steps[0], *finer]}
     for series, levels in series_of_levels.items():
         fronts = [{place_of(row): row_front(row) for row in level} for level in levels]
-        places = sorted(set.intersection(*map(set, fronts)), key=lambda place: place[::-1])
+        shared = [place for place in fronts[0] if all(place in level for level in fronts)]
+        places = sorted(shared, key=lambda place: place[::-1])
         found[series] = {place: [of_level[place] for of_level in fronts] for place in places}
     return found
 
