@@ -95,9 +95,9 @@ def read_places(data):
     steps = [[row for row in rows if row["numerics.dt"] == dt] for dt in STEPS]
     finer = [read_rows(data / f"convergence/lattice-{n}.csv") for n in ("113", "225")]
     found = {}
-    for series, levels in ((TIME_STEP, steps), (LATTICE, [steps[0], *finer])):
+    for series, levels in {TIME_STEP: steps, LATTICE: [steps[0], *finer]}.items():
         fronts = [{place_of(row): row_front(row) for row in level} for level in levels]
-        places = sorted(set.intersection(*map(set, fronts)), key=lambda place: place[::-1])
+        places = sorted(set(fronts[0]).intersection(*fronts), key=lambda place: place[::-1])
         found[series] = {place: [level[place] for level in fronts] for place in places}
     return found
 
@@ -176,7 +176,7 @@ def slow_measured(series, places):
 
 
 def own_result(cases, places):
-    measured = {}
+    measured: dict = {}
     for case in cases[: len(EVENTS)]:
         measured |= event_measured(case)
     for series in LEVELS:

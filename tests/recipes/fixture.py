@@ -72,12 +72,13 @@ def result(listed):
 
 
 class Project:
-    """At first, it has nothing but the list of claims."""
+    """At first, it has nothing but the list of claims, and the page about them."""
 
     def __init__(self, root):
         self.root = Path(root)
         table = "recipes/claims/claims.toml"
         spill(self.root / table, (SOURCE / table).read_bytes())
+        spill(self.root / "docs/claims.md", "# Claims\n")  # the page links to it
         self.listed = listed_claims(self.root)
 
     def make_recipes(self):
