@@ -101,11 +101,13 @@ def read_places(data):
     rows = read_rows(data / "convergence/time-step.csv")
     steps = [[row for row in rows if row["numerics.dt"] == dt] for dt in STEPS]
     finer = [read_rows(data / f"convergence/lattice-{n}.csv") for n in ("113", "225")]
-    found = {}
-    for series, levels in {TIME_STEP: steps, LATTICE: [steps[0], *finer]}.items():
+    found: dict = {}
+    series_of_levels: dict = {TIME_STEP: steps, LATTICE: [steps[0], *finer]}
+    for series, levels in series_of_levels.items():
         fronts = [{place_of(row): row_front(row) for row in level} for level in levels]
-        places = sorted(set(fronts[0]).intersection(*fronts), key=lambda place: place[::-1])
-        found[series] = {place: [level[place] for level in fronts] for place in places}
+        shared = [place for place in fronts[0] if all(place in level for level in fronts)]
+        places = sorted(shared, key=lambda place: place[::-1])
+        found[series] = {place: [of_level[place] for of_level in fronts] for place in places}
     return found
 
 

@@ -10,7 +10,15 @@ from pathlib import Path
 from reproduce import checks, compute
 from reproduce.command_line import HELP, listing, natural, parse
 from reproduce.processes import Processes
-from reproduce.project import ROOT, Failure, UsageError, complain, recipes_of_all, say
+from reproduce.project import (
+    BESIDE_ALL,
+    ROOT,
+    Failure,
+    UsageError,
+    complain,
+    recipe_names,
+    say,
+)
 from reproduce.set_up import ensure_packages
 
 
@@ -46,7 +54,8 @@ def recipes(request, processes):
 
 def everything(request, processes):
     started = time.monotonic()
-    compute.reproduce(request, sorted(recipes_of_all(), key=natural), processes)
+    names = sorted(set(recipe_names()).difference(BESIDE_ALL), key=natural)
+    compute.reproduce(request, names, processes)
     say()
     code = compute.write_report(processes)
     say(f"\nDone in {duration(time.monotonic() - started)}.")

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from reproduce.project import PROFILES, UsageError, recipe_names
+from reproduce.project import BESIDE_ALL, PROFILES, UsageError, recipe_names
 
 HELP = """\
 Usage: ./reproduce.sh COMMAND [OPTION]...
@@ -36,7 +36,7 @@ Options
 """
 
 COMMANDS = {
-    "all": "everything above but choices and convergence",
+    "all": f"everything above but {' and '.join(BESIDE_ALL)}",
     "sweep": "a sweep of your own",
     "report": "the page of all figures and claims",
     "test": "the tests",

@@ -24,8 +24,9 @@ from sweeps.sweep import is_sweep, read_sweep  # noqa: E402  (found through the 
 BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
-# A rule may also ask for checkpoints for later steps, and name the only event of a record.
-UNSAID = ("--event", "--checkpoint-every")
+# A rule may also ask for checkpoints and crossings for later steps, and name the only event of a
+# record.
+UNSAID = ("--event", "--checkpoint-every", "--crossings")
 # Commands that no rule runs: scripts read these records, or call the program, themselves.
 ONLY_BY_HAND = ("analyze loading --x", "analyze events", "analyze events --slow-below")
 RECIPES = sorted(path.parent.name for path in (SOURCE / "recipes").glob("*/rules.smk"))

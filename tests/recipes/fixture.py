@@ -72,13 +72,13 @@ def result(listed):
 
 
 class Project:
-    """At first, it has nothing but the list of claims, and the page about them."""
+    """At first, it has nothing but the list of claims and the page about it."""
 
     def __init__(self, root):
         self.root = Path(root)
         table = "recipes/claims/claims.toml"
-        spill(self.root / table, (SOURCE / table).read_bytes())
-        spill(self.root / "docs/claims.md", "# Claims\n")  # the page links to it
+        for path in (table, "docs/claims.md"):
+            spill(self.root / path, (SOURCE / path).read_bytes())
         self.listed = listed_claims(self.root)
 
     def make_recipes(self):

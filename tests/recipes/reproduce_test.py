@@ -1,7 +1,6 @@
 """./reproduce.sh itself: what may be typed, installing and building (with stand-ins for apt-get and
 cmake), and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
 
-import contextlib
 import hashlib
 import json
 import os
@@ -21,7 +20,6 @@ sys.path.insert(0, str(ROOT / "recipes"))
 
 from reproduce.checks import slowest_tests  # noqa: E402
 from reproduce.place import count_cores, memory_of_allocation  # noqa: E402
-from reproduce.project import recipe_names, recipes_of_all  # noqa: E402
 
 WITHIN = 60  # [s]
 SWEEP = """[sweep]
@@ -145,12 +143,6 @@ class CommandLine(Project):
         self.assertTrue(done.stderr.startswith("Usage: ./reproduce.sh COMMAND"))
         names = re.findall(r"^  (\S+) ", self.call("list").stdout, re.M)
         self.assertEqual(names[names.index("fig1") :][:3], ["fig1", "fig2", "fig3"])
-
-    def test_all_leaves_out_the_recipes_that_the_snakefile_names(self):
-        with contextlib.chdir(ROOT):
-            left_out = {*recipe_names()} - {*recipes_of_all()}
-        self.assertIn("convergence", left_out)
-        self.assertLessEqual(left_out, {"choices", "convergence"})
 
     def test_modules_in_the_users_folder_are_not_taken_for_ours(self):
         for name in ("data", "queue", "sweeps"):
