@@ -24,6 +24,10 @@ LATTICES = ["57 x 31", "113 x 61", "225 x 121"]  # blocks
 TIME_STEP, LATTICE = "time step", "lattice"
 LEVELS = {TIME_STEP: STEPS, LATTICE: LATTICES}
 SIGMAS = (0.0, 0.285)  # of the prepared interfaces
+COLUMNS = (
+    *("type", "speed", "duration", "x_from", "x_to", "arrest"),
+    *("whole speed", "whole duration"),  # not of events
+)
 
 
 @dataclass(frozen=True)
@@ -39,6 +43,8 @@ class Case:
     starts: list  # of the slow stretch
     ends: list
     arrests: list  # where the front stopped [m]
+    whole_speeds: list  # with the stencils at the ends of the slow stretch
+    whole_durations: list
 
     def changes_type(self):
         """Between the two finest levels."""
@@ -46,9 +52,8 @@ class Case:
 
 
 def case_of(series, name, fronts):
-    """`fronts`: for each level {type, arrest, x_from, x_to, speed, duration}."""
-    columns = ("type", "speed", "duration", "x_from", "x_to", "arrest")
-    return Case(series, name, *([front[column] for front in fronts] for column in columns))
+    """`fronts`: for each level its values by name, as in COLUMNS."""
+    return Case(series, name, *([front.get(column) for front in fronts] for column in COLUMNS))
 
 
 # --- events --------------------------------------------------------------------------------
@@ -86,6 +91,8 @@ def row_front(row):
         "x_to": number_of(row["slow stretch to [m]"]),
         "speed": number_of(row["slow speed [m/s]"]),
         "duration": number_of(row["duration [s]"]),
+        "whole speed": number_of(row["speed with ends [m/s]"]),
+        "whole duration": number_of(row["duration with ends [s]"]),
     }
 
 
@@ -138,9 +145,14 @@ def event_measured(case):
     }
 
 
+def is_slow(case):
+    """At the two finest levels."""
+    return case.types[-2:] == ["slow", "slow"]
+
+
 def relative_changes(cases):
-    """Of the slow speed, between the two finest levels."""
-    pairs = [case.speeds[-2:] for case in cases if case.types[-2:] == ["slow", "slow"]]
+    """Of the slow speed, between the two finest levels. A slow stretch may be too short for one."""
+    pairs = [case.speeds[-2:] for case in cases if is_slow(case)]
     return [abs(b / a - 1) for a, b in pairs if a and b]
 
 
@@ -158,7 +170,8 @@ def series_measured(series, cases):
         f"{series}: type is not the same at all levels": sum(
             len(set(case.types)) > 1 for case in cases
         ),
-        f"{series}: slow at the two finest levels": len(changes),
+        f"{series}: slow at the two finest levels": sum(map(is_slow, cases)),
+        f"{series}: of these with a slow speed at both": len(changes),
         f"{series}: slow speed changes by at most [%]": max(changes) * 100 if changes else None,
     }
 
@@ -246,7 +259,10 @@ def draw(events, places, stem):
 
 def rows(cases):
     for case in cases:
-        columns = [case.types, case.speeds, case.durations, case.starts, case.ends, case.arrests]
+        columns = [
+            *(case.types, case.speeds, case.durations, case.starts, case.ends, case.arrests),
+            *(case.whole_speeds, case.whole_durations),
+        ]
         mark = "yes" if case.changes_type() else "no"
         for level, *cells in zip(LEVELS[case.series], *columns):
             yield [case.series, case.name, level, *cells, mark]
@@ -254,7 +270,8 @@ def rows(cases):
 
 NAMES = [
     *("varied", "case", "level", "type", "slow speed [m/s]", "duration [s]", "slow from [m]"),
-    *("slow to [m]", "arrested at [m]", "type changes between the two finest"),
+    *("slow to [m]", "arrested at [m]", "speed with ends [m/s]", "duration with ends [s]"),
+    "type changes between the two finest",
 ]
 
 

@@ -130,7 +130,8 @@ class CommandLine(Project):
                 self.refuse(arguments, f"{sentence}.*See --help.\n$")
 
     def test_what_there_is_follows_an_unknown_name(self):
-        self.refuse(["fig33"], "there is no figure or command 'fig33'. There are:\n  ensemble ")
+        there_are = r"There are:\n  (choices|convergence) "
+        self.refuse(["fig33"], f"there is no figure or command 'fig33'. {there_are}")
         self.refuse(["test", "fig3"], "'test' cannot be combined with other commands. There are:")
 
     def test_help_and_list(self):
