@@ -26,9 +26,8 @@ NAMES = {  # setting: title
     "decaying": "decaying law",
     "exponential": "exponential $t_R$",
 }
-FAST_SLOW_FAST = "fast-slow-fast"  # in words
 KINDS = {  # label: colour
-    FAST_SLOW_FAST: BLUE,
+    alternation.SLOW: BLUE,
     "fast everywhere": VERMILION,
     "other": SKY,
 }
@@ -39,7 +38,7 @@ UNITS = ["m", "m", "s", "m/s", "m/s", "m/s"]
 
 def kind_of(event, event_in_words):
     if is_fast_slow_fast_in_words(event_in_words):
-        return FAST_SLOW_FAST
+        return alternation.SLOW
     return "fast everywhere" if is_fast_only(event) else "other"
 
 
