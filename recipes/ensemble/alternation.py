@@ -72,5 +72,5 @@ def draw(loads, stem):
     axes.set_yticks(range(len(loads)), [load.removeprefix("load-") for load in loads], fontsize=6)
     axes.set(xlabel="first rupture of the event [s]", ylabel="seed of the load")
     axes.invert_yaxis()
-    axes.legend(loc="lower left", frameon=True)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
     save(fig, stem)

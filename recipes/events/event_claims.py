@@ -230,7 +230,7 @@ def claim_4AB(events, units):
 
 def case_5A(unmodified, undriven, stopped_at=None):
     """The driving stops in the middle of the slow stretch, if no other time is given [s]."""
-    if unmodified["slow"] is None:
+    if unmodified["slow"] is None or unmodified["slow"]["duration"] == 0:
         return {"difference/slow duration": None}
     original, other = values(unmodified["t_rupture"]), values(undriven["t_rupture"])
     to_come = original > (stopped_at or middle_of_slow_stretch(unmodified))

@@ -15,8 +15,8 @@ from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 EVENTS = {  # label, colour, marker
-    "fast-slow-fast": ("fast-slow-fast", BLUE, "o"),
-    "fast-only": ("fast-only", VERMILION, "^"),
+    "fast-slow-fast": ("event I", BLUE, "o"),
+    "fast-only": ("event III", VERMILION, "^"),
 }
 PAPER_SPEEDS = {3: "$c_s/3$", 100: "$c_s/100$"}  # c_s over the speed
 PAPER_TRANSITIONS = (0.4, 0.6)  # [L]
@@ -38,7 +38,7 @@ def draw_speeds(axes, fronts):
     c_s = fronts["fast-slow-fast"]["c_s"]
     for part, text in PAPER_SPEEDS.items():
         axes.axhline(c_s / part, color=BLACK, linestyle=":", linewidth=0.8)
-        axes.annotate(text, (0.86, c_s / part), xytext=(0, 2), textcoords="offset points")
+        axes.annotate(text, (0.01, c_s / part), xytext=(0, 2), textcoords="offset points")
     for x in PAPER_TRANSITIONS:
         axes.axvline(x, color=BLACK, linestyle=":", linewidth=0.8)
     axes.set(ylim=(1, None))
@@ -49,7 +49,7 @@ def draw(data, fronts, stem):
     fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=3)
     for axis, name, text in zip(axes, EVENTS, "AB"):
         image = draw_map(axis, fronts[name], Pinned(data / f"{name}-record.h5"))
-        axis.set_title(name)
+        axis.set_title(EVENTS[name][0])
         letter(axis, text)
     draw_pinned_scale(fig, image, axes[:2])
     draw_speeds(axes[2], fronts)
