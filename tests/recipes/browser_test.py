@@ -23,7 +23,7 @@ class InBrowser(unittest.TestCase):
 
     def test_page_is_complete(self):
         seen = self.look()
-        self.assertEqual(len(seen.images), len(list(self.project.root.glob("results/*/*.png"))))
+        self.assertEqual(len(seen.images), len(list(self.project.root.glob("results/**/*.png"))))
         self.assertEqual(seen.missing_images(), [])
         self.assertEqual(seen.foreign_requests(), [])
         self.assertEqual(seen.errors, [])
