@@ -253,8 +253,9 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info) {
 
 std::vector<std::string_view> choices(const ParameterInfo& info) {
   return std::visit(
-      []<class T>(T P::*) -> Names {
-        if constexpr (std::is_enum_v<T>) return names_of<T>();
+      [](auto member) -> Names {
+        using Value = std::remove_reference_t<decltype(std::declval<Parameters>().*member)>;
+        if constexpr (std::is_enum_v<Value>) return names_of<Value>();
         return {};
       },
       info.member);
