@@ -127,6 +127,7 @@ TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {
                                          "slow.duration [s]",
                                          "slow.speed [m/s]",
                                          "slow.slowest [m/s]",
+                                         "slow.stencils",
                                          "slow.mean [m/s]",
                                          "slow.fast_before [m/s]",
                                          "slow.fast_after [m/s]",
