@@ -72,7 +72,7 @@ void record_cost(benchmark::State& bench) {
   const Folder folder;
   RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse);
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
-  tools::Recorder recorder(writer, every, first, last);
+  tools::Recorder recorder(writer, tools::Interval{every}, first, last);
 
   std::vector<double> without, with, ratio;
   bool record_a = false;
