@@ -121,8 +121,8 @@ def claim(prepared, event, beside):
             "prepared interfaces": fitted.points,
             "slowest and fastest front [m/s]": [speeds.min(), speeds.max()],
             "slope if followed for up to 2 <t_R>": longer.slope,
-            "event, slope": fit(event).slope,
-            "event, measured/estimate": [np.min(y / x), np.max(y / x)],
+            "event, slope": fit(event).slope if event else None,
+            "event, measured/estimate": [np.min(y / x), np.max(y / x)] if event else None,
         },
         note=f"{WHERE} A change of tau_slip alone is nearly a change of units (p and k_i do not"
         " depend on it). Where k_i varies, the trigger region's prestress makes up for the driving"
