@@ -260,7 +260,7 @@ def claim_4C(data, points, lines, shown, ensemble):
     }
     return judged(
         "4C",
-        shown=measured,
+        shown=measured if ensemble else None,  # without it, nothing is known of other events
         measured=measured,
         note="Prepared: van Elteren's test over the grid points of 4D with strata tau_bar_0; n is"
         " the number of runs, one per place. Blocks of one event are no independent points: each"
