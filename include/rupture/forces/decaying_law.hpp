@@ -34,9 +34,6 @@ class DecayingLaw final : public JunctionLaw<DecayingLaw> {
 
  private:
   friend JunctionLaw;
-  bool is_over(Eigen::Index i, Eigen::Index j, double /*slid*/, double t) const {
-    return t >= junctions_.repin_time(i, j);
-  }
   void pin(Eigen::Index i, Eigen::Index j, double u, double w) {
     double& a = junctions_.attachment(i, j);
     if (parameters_.repin == Repin::as_is || a == u) return;

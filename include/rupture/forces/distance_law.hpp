@@ -27,9 +27,9 @@ class DistanceLaw final : public JunctionLaw<DistanceLaw> {
   bool is_over(Eigen::Index i, Eigen::Index j, double slid, double /*t*/) {
     return (junctions_.slip_left(i, j) -= slid) <= 0.0;
   }
-  void pin(Eigen::Index i, Eigen::Index j, double u, double /*w*/) {
+  void pin(Eigen::Index i, Eigen::Index j, double u, double w) {
     junctions_.slip_left(i, j) = 0.0;
-    if (parameters_.f_new == NewForce::zero) junctions_.attachment(i, j) = u;
+    JunctionLaw::pin(i, j, u, w);
   }
 };
 

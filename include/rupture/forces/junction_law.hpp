@@ -25,9 +25,8 @@ namespace rupture {
 
 /// The law `Own`, which derives from this. Its own are
 ///   start_slipping(parameters, junctions, i, j, t): junction j of block i begins to slip at t [s];
-///   is_over(i, j, slid, t): whether it is pinned again at t, after sliding by another `slid` [m];
-///   pin(i, j, u, w): makes of it a pinned one, with the block at u [m] and w as in ContactView;
-/// and, unless what is here will do, slip_stretch(), has_broken() and trail().
+/// and, unless those of the reference law, which stand here, will do, slip_stretch(), is_over(),
+/// pin(), has_broken() and trail().
 template <class Own>
 class JunctionLaw : public InterfaceLaw {
  public:
@@ -67,6 +66,14 @@ class JunctionLaw : public InterfaceLaw {
   /// Slipping force / k_ij of a junction at time t [m].
   double slip_stretch(Eigen::Index /*i*/, Eigen::Index /*j*/, double w, double /*t*/) const {
     return parameters_.mu_d * w;
+  }
+  /// Whether a junction is pinned again at time t, after sliding by another `slid` [m].
+  bool is_over(Eigen::Index i, Eigen::Index j, double /*slid*/, double t) const {
+    return t >= junctions_.repin_time(i, j);
+  }
+  /// Makes of it a pinned one, with the block at u [m] and w as in ContactView.
+  void pin(Eigen::Index i, Eigen::Index j, double u, double /*w*/) {
+    if (parameters_.f_new == NewForce::zero) junctions_.attachment(i, j) = u;
   }
   /// Called after each break.
   void has_broken(Eigen::Index /*i*/, Eigen::Index /*j*/) {}

@@ -18,15 +18,6 @@ class ReferenceLaw final : public JunctionLaw<ReferenceLaw> {
   /// Junction j of block i slips from time t [s] on, until t_R later, which is drawn.
   static void start_slipping(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
                              Eigen::Index j, double t);
-
- private:
-  friend JunctionLaw;
-  bool is_over(Eigen::Index i, Eigen::Index j, double /*slid*/, double t) const {
-    return t >= junctions_.repin_time(i, j);
-  }
-  void pin(Eigen::Index i, Eigen::Index j, double u, double /*w*/) {
-    if (parameters_.f_new == NewForce::zero) junctions_.attachment(i, j) = u;
-  }
 };
 
 extern template class JunctionLaw<ReferenceLaw>;
