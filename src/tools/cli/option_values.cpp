@@ -25,19 +25,12 @@ double time_in(const std::string& text, const std::string& option) {
                                option, text));
 }
 
-/// The pinned fractions in a text with commas between them.
-std::vector<double> fractions_in(const std::string& text, const std::string& option) {
-  std::vector<double> result;
-  std::istringstream list(text + ",");  // so that an empty text is refused as well
-  for (std::string word; std::getline(list, word, ',');) {
-    double value = 0.0;
-    if (!boost::conversion::try_lexical_convert(word, value) || !(value > 0.0 && value <= 1.0)) {
-      throw UsageError(fmt::format(
-          "--{} {} makes no sense: a pinned fraction is above 0 and at most 1", option, text));
-    }
-    result.push_back(value);
-  }
-  return result;
+/// The value, which `given` holds for the option, if it is a pinned fraction.
+template <class Given>
+double pinned_fraction(double value, const Given& given, const std::string& option) {
+  if (value > 0.0 && value <= 1.0) return value;
+  throw UsageError(fmt::format("--{} {} makes no sense: a pinned fraction is above 0 and at most 1",
+                               option, given));
 }
 
 template <class T>
@@ -133,11 +126,20 @@ std::optional<double> optional_non_negative(const po::variables_map& values,
 }
 
 double fraction(const po::variables_map& values, const std::string& option) {
-  return fractions_in(fmt::format("{}", values[option].as<double>()), option).front();
+  const auto value = values[option].as<double>();
+  return pinned_fraction(value, value, option);
 }
 
 std::vector<double> fractions(const po::variables_map& values, const std::string& option) {
-  return fractions_in(values[option].as<std::string>(), option);
+  const auto& text = values[option].as<std::string>();
+  std::vector<double> result;
+  std::istringstream list(text + ",");  // so that an empty text is refused as well
+  for (std::string word; std::getline(list, word, ',');) {
+    double value = 0.0;
+    if (!boost::conversion::try_lexical_convert(word, value)) value = 0.0;  // no fraction
+    result.push_back(pinned_fraction(value, text, option));
+  }
+  return result;
 }
 
 }  // namespace rupture::tools
