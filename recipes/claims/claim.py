@@ -1,12 +1,12 @@
 """Claims of the paper, beside what was measured: results/figN/claims.json."""
 
 import json
-import os
 import re
 from dataclasses import asdict, dataclass, replace
-from pathlib import Path
 
 import numpy as np
+
+from data.replacing import write_whole
 
 REPRODUCED = "reproduced"
 DEPENDS = "depends"
@@ -66,13 +66,9 @@ def plain(value):
 
 def write_claims(path, claims):
     """Writes all or nothing. NaN is an error: what has no value is None."""
-    path = Path(path)
     rows = [asdict(claim) for claim in claims]
     text = json.dumps(rows, indent=2, ensure_ascii=False, allow_nan=False, default=plain) + "\n"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(path.name + ".part")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, path)
+    write_whole(path, text)
 
 
 def read_claims(path):

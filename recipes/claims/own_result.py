@@ -5,6 +5,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from claims.claim import measured_parts, plain
+from data.replacing import write_whole
 
 OWN = "own.json"  # beside a recipe's claims.json
 
@@ -27,9 +28,9 @@ def write_own(folder, results, before=""):
     """The file for programs, and what the terminal shows, with another text before it."""
     folder = Path(folder)
     rows = json.dumps([asdict(result) for result in results], indent=2, default=plain)
-    (folder / OWN).write_text(rows + "\n", encoding="utf-8")
+    write_whole(folder / OWN, rows + "\n")
     text = "\n".join([before, *map(text_of, results)] if before else map(text_of, results))
-    (folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
+    write_whole(folder / "summary.txt", text + "\n")
 
 
 def read_own(folder):

@@ -16,3 +16,8 @@ def replacing(path):
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def write_whole(path, text):
+    with replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")

@@ -4,7 +4,6 @@
 Shows what is there and says how to compute the rest. Needs results/NAME/ of any number of recipes.
 """
 
-import os
 import struct
 import sys
 import time
@@ -16,6 +15,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from caption import NOT_RUN, filled
 from claims.claim import VERDICTS, Claim, measured_parts, read_claims
 from claims.own_result import read_own
+from data.replacing import write_whole
 from glance import draw_glance
 from jobs import Accounts, Job, steps, total
 from origin import builds, last_run, present_build, processor
@@ -202,19 +202,11 @@ def render(content):
     return environment.get_template("page.html.j2").render(content)
 
 
-def write(path, text):
-    """All or nothing."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(path.name + ".part")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, path)
-
-
 def main(folder="."):
     root = Path(folder).resolve()
     path = root / "results/index.html"
     try:
-        write(path, render(contents(root)))
+        write_whole(path, render(contents(root)))
     except Problem as problem:
         sys.exit(f"report.py: {problem}")
     print(f"Report: {path}")
