@@ -34,6 +34,14 @@ def read_map(rows, points):
     return fronts
 
 
+def read_variants(path, names, points):
+    """{variant: map} of a table with a column of variants."""
+    table = read_rows(path)
+    return {
+        name: read_map([row for row in table if row["variant"] == name], points) for name in names
+    }
+
+
 # --- types ---------------------------------------------------------------------------------
 
 
@@ -185,3 +193,13 @@ def write_types(path, fronts):
         for seed, front in sorted(seeds.items())
     ]
     write_table(path, ["tau_bar_0", "sigma_bar", "seed", "type", *names], rows)
+
+
+def write_variants(path, maps):
+    """One row per place of each {variant: map}."""
+    rows = (
+        [name, *place, kind]
+        for name, fronts in maps.items()
+        for place, kind in sorted(types_of(fronts).items())
+    )
+    write_table(path, ["variant", "tau_bar_0", "sigma_bar", "type"], rows)

@@ -9,8 +9,7 @@ import numpy as np
 
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
-from data.tables import read_rows, write_table
-from maps.front_map import TYPES, axes_of, band, read_map, types_of
+from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import BLACK, BLUE, DOUBLE, figure, letter, save
 
@@ -83,22 +82,12 @@ def draw(maps, fronts, stem):
     save(fig, stem)
 
 
-def rows(maps):
-    for name, fronts in maps.items():
-        for place, kind in sorted(types_of(fronts).items()):
-            yield [name, *place, kind]
-
-
 def main(data, unmodified, continued, results):
     data, results = Path(data), Path(results)
-    table = read_rows(data / "robustness/distance.csv")
-    maps = {
-        name: read_map([row for row in table if row["variant"] == name], data / "points")
-        for name in TITLES
-    }
+    maps = read_variants(data / "robustness/distance.csv", TITLES, data / "points")
     fronts = {"by time": report(unmodified), "by distance": report(continued)}
     draw(maps, fronts, results / "distance")
-    write_table(results / "distance.csv", ["variant", "tau_bar_0", "sigma_bar", "type"], rows(maps))
+    write_variants(results / "distance.csv", maps)
     write_own(results, [own_result(maps, *fronts.values())])
 
 

@@ -7,15 +7,15 @@ from pathlib import Path
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.tables import read_rows, write_table
 from maps.front_map import (
     TYPES,
     axes_of,
     band,
     fast_below_left_of_arrested,
-    read_map,
+    read_variants,
     types_of,
     types_of_seeds,
+    write_variants,
 )
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import DOUBLE, figure, letter, save
@@ -100,21 +100,11 @@ def draw(maps, stem):
     save(fig, stem)
 
 
-def rows(maps):
-    for name, fronts in maps.items():
-        for place, kind in sorted(types_of(fronts).items()):
-            yield [name, *place, kind]
-
-
 def main(data, results):
     data, results = Path(data), Path(results)
-    table = read_rows(data / "robustness/geometry.csv")
-    maps = {
-        name: read_map([row for row in table if row["variant"] == name], data / "points")
-        for name in TITLES
-    }
+    maps = read_variants(data / "robustness/geometry.csv", TITLES, data / "points")
     draw(maps, results / "geometry")
-    write_table(results / "geometry.csv", ["variant", "tau_bar_0", "sigma_bar", "type"], rows(maps))
+    write_variants(results / "geometry.csv", maps)
     write_claims(data / "robustness/claims-Geo.json", [claim_Geo(maps)])
 
 
