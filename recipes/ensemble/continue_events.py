@@ -28,7 +28,7 @@ from workshop import Workshop, short, without_lines
 from data.scratch import scratch
 from events.choose_events import start
 from events.continuations import BRANCHES, CONTINUATIONS, DURATION, LEAD, SLIP_AT, SLIPS, WIDER
-from events.conventions import IN_WORDS
+from events.conventions import IN_WORDS, WAYS
 from events.fronts import is_fast_slow_fast_in_words, middle_of_slow_stretch
 
 RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
@@ -80,7 +80,7 @@ def under_conventions(workshop, branch):
         convention: {
             name: without_lines(workshop.front(run, convention)) for name, run in runs.items()
         }
-        for convention in workshop.conventions
+        for convention in WAYS
     }
 
 

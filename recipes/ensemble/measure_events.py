@@ -6,14 +6,14 @@
 import json
 import sys
 
-from events.conventions import Analysis
+from events.conventions import WAYS, Analysis, words_of
 
 
 def main(programs, record):
     analyze = Analysis(programs)
     events = {
-        name: analyze("events", record, options)["events"]
-        for name, options in analyze.conventions().items()
+        name: analyze("events", record, words_of(options))["events"]
+        for name, options in WAYS.items()
     }
     print(json.dumps(events))
 

@@ -16,6 +16,7 @@ from workshop import Workshop, without_lines
 
 from data.scratch import scratch
 from events.choose_events import start
+from events.conventions import WAYS
 from events.fronts import is_fast_slow
 
 WITHOUT = ["--set", "junctions.v_slow=0"]
@@ -27,7 +28,7 @@ def measure(workshop, run, event, checkpoint_every):
     before = start(event, checkpoint_every)
     workshop.run("restart", f"{run}-t{before['from']}.h5", "start", "--until", before["until"])
     workshop.recorded(workshop.path("start"), "without", *WITHOUT, *LASTING)
-    fronts = {name: workshop.front("without", name) for name in workshop.conventions}
+    fronts = {name: workshop.front("without", name) for name in WAYS}
     return {
         "t_start": event["t_start"],
         "conventions": {name: without_lines(front) for name, front in fronts.items()},

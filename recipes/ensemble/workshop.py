@@ -8,7 +8,7 @@ import h5py
 import numpy as np
 
 from events.continuations import BRANCHES
-from events.conventions import PRIMARY, Analysis
+from events.conventions import PRIMARY, WAYS, Analysis, words_of
 from events.fronts import LOADING_ZONE
 
 RECORD_EVERY = "1e-5"  # [s]
@@ -38,7 +38,6 @@ class Workshop:
     def __init__(self, programs, folder, record_options):
         self.programs = Path(programs).resolve()
         self.analyze = Analysis(programs)
-        self.conventions = self.analyze.conventions()
         self.folder = folder
         self.record_options = record_options.split()
 
@@ -61,7 +60,7 @@ class Workshop:
             if len(file["ruptures/time"]) == 0:
                 return None
         _, x = BRANCHES.get(name.split("-")[0], (None, LOADING_ZONE))
-        options = [*self.conventions[convention], "--skip-below-x", x]
+        options = [*words_of(WAYS[convention]), "--skip-below-x", x]
         return self.analyze("front --event 0", record, options)
 
     def slips(self, name, places):

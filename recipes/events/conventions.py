@@ -28,6 +28,7 @@ OWN_WAYS: dict[str, dict] = {
     IN_WORDS: {"--slow-below": 1 / 10, "--stencils-at-ends": "slow"},
     DECAYING: {"--slow-below": 1 / 8},
 }
+WAYS = CONVENTIONS | OWN_WAYS
 
 
 def words_of(options):
@@ -44,14 +45,3 @@ class Analysis:
         """The report of `analyze COMMAND FILE --json OPTION...`. Raises CalledProcessError."""
         words = [str(self.program), *command.split(), str(path), "--json", *map(str, options)]
         return json.loads(subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout)
-
-    def conventions(self):
-        """{name: options as words} of those whose options `analyze` has."""
-        describe = [str(self.program), "events", "--describe"]
-        told = json.loads(subprocess.run(describe, stdout=subprocess.PIPE, check=True).stdout)
-        known = {f"--{option['name']}" for option in told["options"]}
-        return {
-            name: words_of(options)
-            for name, options in (CONVENTIONS | OWN_WAYS).items()
-            if options.keys() <= known
-        }
