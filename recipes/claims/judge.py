@@ -27,7 +27,6 @@ from claims.claim import (
 from events.conventions import PRIMARY
 
 TABLE = Path(__file__).with_name("claims.toml")
-SHOWN = "shown"  # the unit of a case that stands alone
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing

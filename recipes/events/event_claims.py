@@ -8,7 +8,12 @@ import numpy as np
 
 from claims.judge import holds, judged, unmet
 from data.records import values
-from events.fronts import LOADING_ZONE, is_fast_slow_fast_in_words, middle_of_slow_stretch
+from events.fronts import (
+    LOADING_ZONE,
+    front_spans,
+    is_fast_slow_fast_in_words,
+    middle_of_slow_stretch,
+)
 
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
 
@@ -33,7 +38,7 @@ def case_of_event(front):
     duration = slow.get("duration")
     return {
         "type": front["type"],
-        "spans": yes(front["type"] in ("slow", "fast")),
+        "spans": yes(front_spans(front)),
         "slow speed/c_s": ratio(speed, c_s),
         "duration [ms]": duration and duration * 1e3,
         "from [L]": ratio(slow.get("x_from"), L),
@@ -103,9 +108,9 @@ def speeds_compared(front, case):
     return {
         "fast before [m/s]": front["slow"]["fast_before"],
         "over the paper's c_s/3": ratio(case["fast before/c_s"], 1 / 3),
-        "slowest stencil [m/s]": front["slow"].get("slowest"),
+        "slowest stencil [m/s]": front["slow"]["slowest"],
         "over the paper's c_s/100": ratio(case["slowest/c_s"], 1 / 100),
-        "mean over the slow stretch [m/s]": front["slow"].get("mean"),
+        "mean over the slow stretch [m/s]": front["slow"]["mean"],
         "fast/slowest": case["fast/slowest"],
         "over the paper's 33": ratio(case["fast/slowest"], 100 / 3),
     }
@@ -128,7 +133,7 @@ def judged_event(claim_id, events, case, details, units, note=""):
 def case_3A(unmodified, stopped):
     slow, reference = stopped["slow"] or {}, unmodified["slow"] or {}
     return {
-        "spans": yes(stopped["type"] in ("slow", "fast")),
+        "spans": yes(front_spans(stopped)),
         "slow speed/unmodified": ratio(slow.get("speed"), reference.get("speed")),
     }
 

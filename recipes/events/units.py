@@ -8,11 +8,12 @@ there are. A unit that lacks what is asked for has no case, which counts against
 from pathlib import Path
 
 from data.records import report
+from events.continuations import BRANCHES, SLIP_AT
 from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
 from events.event_claims import case_3A, case_3B, case_3C, case_4AB, case_5A, words_case
 
-FIRST_BRANCH, *LATER_BRANCHES = "0.14", "0.2", "0.25"
-FIRST_BLOCK, *OTHER_BLOCKS = "0.34", "0.30", "0.38"
+FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
+FIRST_BLOCK, *OTHER_BLOCKS = SLIP_AT
 
 
 def name_of(path):
