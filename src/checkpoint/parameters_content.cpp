@@ -10,7 +10,7 @@
 namespace rupture {
 namespace {
 
-constexpr std::string_view kGroup = "/parameters/";
+constexpr std::string_view kParametersGroup = "/parameters/";
 
 bool may_be_missing(const ParameterInfo& info) {
   return info.since != Since::original;
@@ -19,7 +19,7 @@ bool may_be_missing(const ParameterInfo& info) {
 std::string dataset_path(const ParameterInfo& info) {
   std::string name(info.name);
   std::replace(name.begin(), name.end(), '.', '/');
-  return std::string(kGroup) + name;
+  return std::string(kParametersGroup) + name;
 }
 
 template <class T>
@@ -66,7 +66,7 @@ Law law_of(const Content& content) {
 Content stored_parameters(const Content& content) {
   Content stored;
   std::copy_if(content.begin(), content.end(), std::inserter(stored, stored.end()),
-               [](const auto& entry) { return entry.first.starts_with(kGroup); });
+               [](const auto& entry) { return entry.first.starts_with(kParametersGroup); });
   return stored;
 }
 
@@ -101,7 +101,7 @@ void refuse_unknown_parameters(const Content& content) {
   std::set<std::string> known;
   for (const ParameterInfo& info : parameter_table()) known.insert(dataset_path(info));
   for (const auto& [path, dataset] : content) {
-    if (path.starts_with(kGroup) && !known.contains(path)) {
+    if (path.starts_with(kParametersGroup) && !known.contains(path)) {
       throw Failure(fmt::format("{} is no parameter of this build: use a newer rupture", path));
     }
   }

@@ -26,7 +26,7 @@ constexpr std::array<Member, 7> kMembers = {{
     {"rebuild", &ProvenanceEntry::rebuild},
 }};
 constexpr std::string_view kAddedInSchema2 = "rebuild";
-constexpr std::string_view kGroup = "/provenance/";
+constexpr std::string_view kProvenanceGroup = "/provenance/";
 
 std::string compiler_name() {
 #if defined(__clang__)
@@ -48,21 +48,21 @@ std::string shell_quoted(const std::string& argument) {
 }
 
 std::string entry_path(std::size_t index, std::string_view member) {
-  return fmt::format("{}{:04}/{}", kGroup, index, member);
+  return fmt::format("{}{:04}/{}", kProvenanceGroup, index, member);
 }
 
 // Number of groups, whatever they are called.
 std::size_t count_entries(const Content& content) {
   std::set<std::string> names;
   for (const auto& [path, dataset] : content) {
-    if (path.starts_with(kGroup)) names.insert(path.substr(0, path.find('/', kGroup.size())));
+    if (path.starts_with(kProvenanceGroup)) names.insert(path.substr(0, path.find('/', kProvenanceGroup.size())));
   }
   return names.size();
 }
 
 void refuse_unknown(const Content& content, const Content& known) {
   for (const auto& [path, dataset] : content) {
-    if (path.starts_with(kGroup) && !known.contains(path)) {
+    if (path.starts_with(kProvenanceGroup) && !known.contains(path)) {
       throw Failure(fmt::format("{} is not part of a provenance: use a newer rupture", path));
     }
   }

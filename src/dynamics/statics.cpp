@@ -1,12 +1,12 @@
 #include "statics.hpp"
 
 #include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
+#include "linear_solver.hpp"
 #include "nested_dissection.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
@@ -15,8 +15,8 @@
 namespace rupture {
 namespace {
 
-using Vector = Eigen::VectorXd;
-using Matrix = Eigen::SparseMatrix<double>;
+using Vector = LinearSolver::Vector;
+using Matrix = LinearSolver::Matrix;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Block2 = Eigen::Matrix2d;
 
@@ -127,35 +127,9 @@ void add_displacement(const Parameters& p, const Unknowns& unknown, const Vector
   }
 }
 
-template <class Ordering>
-std::optional<State> newton(const Parameters& p, const LoadCase& load_case,
-                            const Unknowns& unknown) {
-  constexpr int most_iterations = 50;
-  const double tolerance = 1e-11 * mean_normal_force(p);
-  Bulk bulk(p);
-  State state = compressed(p);
-  Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
-  std::optional<Eigen::SparseLU<Matrix, Ordering>> solver;
-  double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    static_forces(p, load_case, bulk, state, f_x, f_z);
-    const double residual = largest(f_x, f_z);
-    if (!std::isfinite(residual)) break;
-    if (residual <= tolerance) {
-      if (passed_block(p, state)) break;
-      return state;
-    }
-    if (residual > 0.1 * previous_residual) {
-      if (p.Nx * p.Nz > kBlocksOfDissection) solver.reset();  // the next matrix needs its memory
-      const Matrix matrix = stiffness(p, load_case, unknown, state);
-      if (!solver) solver.emplace().analyzePattern(matrix);
-      solver->factorize(matrix);
-      if (solver->info() != Eigen::Success) break;
-    }
-    previous_residual = residual;
-    add_displacement(p, unknown, solver->solve(gather(p, unknown, f_x, f_z)), state);
-  }
-  return std::nullopt;
+std::unique_ptr<LinearSolver> solver_for(Elimination elimination) {
+  const bool in_order = elimination == Elimination::nested_dissection;  // as Unknowns numbers them
+  return in_order ? ordered_solver() : minimum_degree_solver();
 }
 
 }  // namespace
@@ -216,10 +190,31 @@ double largest(const Field& f_x, const Field& f_z) {
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
                                    Elimination elimination) {
   const Unknowns unknown(p, elimination);
-  if (elimination == Elimination::nested_dissection) {
-    return newton<Eigen::NaturalOrdering<int>>(p, load_case, unknown);  // they are in order already
+  constexpr int most_iterations = 50;
+  const double tolerance = 1e-11 * mean_normal_force(p);
+  Bulk bulk(p);
+  State state = compressed(p);
+  Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
+  std::unique_ptr<LinearSolver> solver;
+  double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    static_forces(p, load_case, bulk, state, f_x, f_z);
+    const double residual = largest(f_x, f_z);
+    if (!std::isfinite(residual)) break;
+    if (residual <= tolerance) {
+      if (passed_block(p, state)) break;
+      return state;
+    }
+    if (residual > 0.1 * previous_residual) {
+      if (p.Nx * p.Nz > kBlocksOfDissection) solver.reset();  // the next matrix needs its memory
+      const Matrix matrix = stiffness(p, load_case, unknown, state);
+      if (!solver) solver = solver_for(elimination);
+      if (!solver->factorize(matrix)) break;
+    }
+    previous_residual = residual;
+    add_displacement(p, unknown, solver->solve(gather(p, unknown, f_x, f_z)), state);
   }
-  return newton<Eigen::COLAMDOrdering<int>>(p, load_case, unknown);
+  return std::nullopt;
 }
 
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case) {

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
-# Builds the tools as a line of matrix.txt says and checks that they read the files of
-# tests/compatibility and give the golden checksums.
+# Builds the programs that make states as a line of matrix.txt says and checks that they go on from
+# the files of tests/compatibility and give the golden checksums. Another build's `analyze` reads them.
 #
-#   matrix.sh check BUILD FOLDER   builds in FOLDER/BUILD; exit code 0: the checksums are equal,
-#                                  1: they are not, 77: this machine lacks what the build needs
-#                                  (where CI is set, as in GitHub Actions, that is 1, too)
-#   matrix.sh table FOLDER         prints how the last check of every build ended
+#   matrix.sh check BUILD FOLDER ANALYZE   builds in FOLDER/BUILD; exit code 0: the checksums are
+#                                          equal, 1: they are not, 77: this machine lacks what the
+#                                          build needs (where CI is set, as in GitHub Actions, that is
+#                                          1, too)
+#   matrix.sh table FOLDER                 prints how the last check of every build ended
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 source=$(dirname "$(dirname "$here")")
-readonly here source skipped=77
+readonly here source skipped=77 programs=(load prepare restart modify-phi)
 
 builds() { grep -v '^#' "$here/matrix.txt"; }
 
@@ -42,16 +43,18 @@ demand_sysroot() {
   fi
 }
 
-# The states come from the library, so that the programs' own code is compiled as fast as it can be.
-build_tools() {
+# As fast as it can be compiled: the states come from the library, so the programs need no optimisation;
+# and the build that is tested compiles each file alone, so here all of a target are one.
+build_programs() {
   cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None "$@" \
     -DCMAKE_CXX_FLAGS="$level" -DRUPTURE_KERNEL_FLAGS="$level" -DRUPTURE_PROGRAM_FLAGS=-O0 \
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
     -DRUPTURE_WERROR=OFF -DRUPTURE_TESTS=OFF -DRUPTURE_BENCHMARKS=OFF || return
-  cmake --build "$build" --parallel 1 --target tools
+  cmake --build "$build" --parallel 1 --target "${programs[@]}"
 }
 
 build_or_stop() {
-  if ! build_tools "$@" >"$build/log" 2>&1; then
+  if ! build_programs "$@" >"$build/log" 2>&1; then
     tail -n 40 "$build/log"
     echo "The build failed; its whole output is in $build/log."
     exit 1
@@ -60,6 +63,7 @@ build_or_stop() {
 
 # The last line is that of the goldens.
 compare() {
+  ln -sf "$analyze" "$1/analyze"
   "$source/tests/compatibility/compatibility.sh" check "$1"
   "$source/src/tools/rupture-golden" check --tools "$1" --work "$build/golden" \
     "$here/checksums.txt" "$here/chain.sh"
@@ -77,9 +81,9 @@ check_native() {
 emulate() {
   local program script
   mkdir -p "$build/emulated"
-  for program in "$build"/bin/*; do
-    script=$build/emulated/${program##*/}
-    printf '#!/bin/bash\nexec %q -L %q %q "$@"\n' "$1" "$sysroot" "$program" >"$script"
+  for program in "${programs[@]}"; do
+    script=$build/emulated/$program
+    printf '#!/bin/bash\nexec %q -L %q %q "$@"\n' "$1" "$sysroot" "$build/bin/$program" >"$script"
     chmod +x "$script"
   done
 }
@@ -94,9 +98,10 @@ check_cross() {
 }
 
 check() {
-  local compiler level architecture build sysroot
+  local compiler level architecture build sysroot analyze
   read -r compiler level architecture < <(builds | sed -n "s/^$1  *//p") || usage
   build=$(realpath -m "$2/$1")
+  analyze=$(realpath "$3")
   sysroot=$(realpath -m "$2/sysroot-$architecture")
   mkdir -p "$build"
   if [[ -z $architecture ]]; then check_native; else check_cross; fi | tee "$build/said"
@@ -119,6 +124,6 @@ usage() {
 }
 
 case "${1-} $#" in
-  "check 3" | "table 2") "$@" ;;
+  "check 4" | "table 2") "$@" ;;
   *) usage ;;
 esac

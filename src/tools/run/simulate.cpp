@@ -50,7 +50,7 @@ void print_forecast(const RunPlan& plan, DryRun how) {
 
 /// Runs and writes what the plan says.
 void carry_out(const RunPlan& plan, const RunOptions& options, const OutputOptions& output) {
-  const InterruptionNoted noted;
+  const InterruptionNoted interruption;
   StopRule rule = plan.rule;
   rule.interrupted = [] { return InterruptionNoted::signal() != 0; };
   const auto if_exists = [&](const fs::path& path) {
