@@ -7,7 +7,7 @@ from claims.judge import needed
 from pictures.plotting import BLACK, BLUE, DOUBLE, MM, VERMILION, figure, save
 
 SHOWN = {True: ("^", 1.07), False: ("v", -0.07)}  # marker and height of the shown case
-GAP, LEAST = 1.5, 2  # between two claims, and width of a claim, in widths of a convention
+GAP, LEAST = 1.5, 3  # between two claims, and width of a claim, in widths of a convention
 ROW = 3.0 * MM  # height of a convention's line [inch]
 SHARES = 45 * MM  # height of the upper panel [inch]
 
