@@ -66,6 +66,17 @@ rule events:
     shell: "{PYTHON} {input.script} {BIN} {input.h5} > {output} 2> {log}"
 
 
+rule product:
+    input:
+        **content_of(h5=f"{DATA}/ensemble/{{load}}-record.h5"),
+        **script("recipes/ensemble/measure_product.py"),
+    output: f"{DATA}/ensemble/{{load}}-product.json"
+    params: code=CODE
+    log: f"{LOGS}/ensemble/{{load}}-product.log"
+    message: "product: measure the fronts of {wildcards.load} under all combinations of conventions"
+    shell: "{PYTHON} {input.script} {BIN} {input.h5} > {output} 2> {log}"
+
+
 # The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
 # fast-slow-fast event of the reference slider, Figure S2 for the fast-slow ones with the simplified law.
 CONTINUED = {"load": "continue_events", "simplified": "without_slow_slip"}  # setting: script

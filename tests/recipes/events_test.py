@@ -11,6 +11,7 @@ sys.path.insert(0, str(ROOT / "recipes"))
 from events.choose_events import choose  # noqa: E402
 from events.conventions import CONVENTIONS, PRIMARY  # noqa: E402
 from events.fronts import is_fast_slow_fast_in_words  # noqa: E402
+from events.product import combinations, range_of  # noqa: E402
 
 
 def event(t_start=0.0, *, stencils=3, before=200.0, after=200.0, kind="slow"):
@@ -66,6 +67,27 @@ class Conventions(unittest.TestCase):
         self.assertEqual(CONVENTIONS[PRIMARY], {})
         others = [options for name, options in CONVENTIONS.items() if name != PRIMARY]
         self.assertEqual({len(options) for options in others}, {1})
+
+
+class FullProduct(unittest.TestCase):
+    def test_each_way_to_measure_is_combined_with_each_other(self):
+        found = combinations()
+        self.assertEqual(len(found), 3 * 3 * 4 * 3)  # stencil, pinned fraction, slow below, ends
+        self.assertEqual(found[PRIMARY], {})
+        both = found["stencil 3, 20 % pinned"]
+        self.assertEqual(both, {"--stencil": 3, "--ruptured-below": 0.2})
+
+    def test_conventions_one_at_a_time_are_among_the_combinations(self):
+        found = combinations()
+        self.assertEqual({name: found[name] for name in CONVENTIONS}, CONVENTIONS)
+
+    def test_the_range_goes_over_combinations_not_over_loads(self):
+        loads = [
+            {"a": {"2A": True}, "b": {"2A": False}},
+            {"a": {"2A": True}, "b": {"2A": True}},
+            {"a": {"2A": False}, "b": {"2A": False}},
+        ]
+        self.assertEqual(range_of(loads, "2A"), (1, 2))
 
 
 if __name__ == "__main__":
