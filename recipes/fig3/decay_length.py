@@ -14,6 +14,7 @@ from data.records import report
 from events.conventions import PRIMARY
 
 REACH = 8  # blocks ahead of the tip; the leading edge is farther away
+FITTED = (0, 3)  # blocks ahead of the tip, in the primary method
 
 
 # --- one profile ---------------------------------------------------------------------------
@@ -45,7 +46,7 @@ def distance_to_1_over_e(excess):
 
 
 METHODS = {
-    PRIMARY: exponential(0, 3),
+    PRIMARY: exponential(*FITTED),
     "5 blocks ahead": exponential(0, 5),
     "without the block at the tip": exponential(1, 4),
     "fall to 1/e": distance_to_1_over_e,

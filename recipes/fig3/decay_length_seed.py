@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Decay length ahead of slow fronts of one seed: decay_length_seed.py PROGRAMS SEED FOLDER
 
-Runs fronts over prepared interfaces, those of Figure 3 D that have the reference parameters. Works in
-FOLDER, which is deleted at the end. Prints
+Runs fronts over prepared interfaces, those of Figure 3 D that have the reference parameters. Works
+in FOLDER, which is deleted at the end. Prints
 
     "l_0"       {method: l_0 [m]}, the median of the fronts
     "fronts"    {tau_bar_0: what decay_length.of_front() says}
