@@ -127,6 +127,8 @@ def needed(claim_id):
 def verdict_of(claim_id, shown, shares):
     """The verdict, and its reason in one line."""
     unit = table()[claim_id]["unit"]
+    if not table()[claim_id]["conditions"]:
+        return NOT_COMPARABLE, "the paper states nothing to compare with; ours is reported"
     if shown is None:
         return NOT_COMPARABLE, "it could not be measured"
     holding = "holds" if shown else "does not hold"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Figure S3, its data and its claim: figure.py results/data results/figS3"""
+"""Figure S3, its data and its claims: figure.py results/data results/figS3"""
 
 import sys
 from pathlib import Path
@@ -8,8 +8,9 @@ import numpy as np
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.records import report
+from data.records import report, values
 from data.tables import read_rows, write_table
+from maps.front_map import SKIP_BELOW_X, front_type
 from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
 MU_S, MU_D = 0.4, 0.17  # Table S1
@@ -29,8 +30,8 @@ def ratio(stress):
     return np.array(stress["tau"]) / np.array(stress["p"])
 
 
-def deviation(values, wanted):
-    return float(np.abs(values / wanted - 1).max())
+def deviation(found, wanted):
+    return float(np.abs(found / wanted - 1).max())
 
 
 def deviations(tau_bar, point):
@@ -47,6 +48,12 @@ def deviations(tau_bar, point):
         ),
         "p from F_N/N_x": deviation(np.array(stress["p"]), stress["F_N"] / len(stress["p"])),
     }
+
+
+def median_speed(front):
+    """Of the stencils beyond the trigger region [m/s]; None if there are none."""
+    v_c = values(front["v_c"])[np.array(front["x"]) > SKIP_BELOW_X]
+    return float(np.nanmedian(v_c)) if np.any(np.isfinite(v_c)) else None
 
 
 def draw(points, stem):
@@ -100,6 +107,21 @@ def claim_S3(points):
     )
 
 
+def claim_S3t(points):
+    """The type of the front over each state, and its speed."""
+    measured = {}
+    for (tau_bar, sigma_bar), point in points.items():
+        where = f"tau_bar_0 {tau_bar:g}, sigma_bar {sigma_bar:g}"
+        measured[f"type at {where}"] = front_type(point["front"])
+        measured[f"speed at {where} [m/s]"] = median_speed(point["front"])
+    return judged(
+        "S3t",
+        shown=None,
+        measured=measured,
+        note="Types as in Figure 4 D; speeds are medians beyond the trigger region. One seed.",
+    )
+
+
 def main(data, results):
     data, results = Path(data), Path(results)
     points = {
@@ -111,7 +133,7 @@ def main(data, results):
     draw(points, results / "figS3")
     names = ["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"]
     write_table(results / "profiles.csv", names, rows(points))
-    write_claims(results / "claims.json", [claim_S3(points)])
+    write_claims(results / "claims.json", [claim_S3(points), claim_S3t(points)])
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ MADE_UP = {
     "all": ROW | {"conditions": ["1/4 <= x/L <= 0.5", "type is fast"]},
     "one": ROW | {"conditions": ["x > 2"], "exists": True},
     "alone": ROW | {"unit": "", "conditions": ["x < 1"]},
+    "unstated": ROW | {"unit": "", "conditions": []},
 }
 GOOD, BAD = {"x": 3}, {"x": 1}
 
@@ -55,6 +56,11 @@ class Judge(unittest.TestCase):
         self.assertEqual(judged("alone", {}, {"x": 2}).verdict, "differs")
         self.assertEqual(judged("one", {}, GOOD).reason, "shown case only: holds")
         self.assertEqual(judged("one", {}, None).verdict, "not comparable")
+
+    def test_without_conditions_there_is_nothing_to_compare_with(self):
+        claim = judged("unstated", {"x": 3}, None)
+        self.assertEqual(claim.verdict, "not comparable")
+        self.assertIn("states nothing", claim.reason)
 
     def test_verdicts_go_by_the_shown_case_and_the_shares(self):
         for shown, measured, verdict in (

@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""Decay length of the shear force ahead of slow fronts: picture, data and claim l0.
+
+decay_length_figure.py FOLDER CLAIMS.json l0-seed-1.json [l0-seed-2.json ...]
+
+The first report is that of the seed that is shown; decay_length_seed.py says what is in it.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from decay_length import FITTED, METHODS, exponential, median
+
+from claims.claim import write_claims
+from claims.judge import judged
+from data.records import report
+from data.tables import write_table
+from events.conventions import PRIMARY
+from pictures.plotting import BLACK, BLUE, SINGLE, VERMILION, figure, save
+
+PAPERS_L_0 = 7e-3  # [m]
+
+
+def case(l_0):
+    """What the conditions ask for, of l_0 [m]."""
+    return {"l_0 [mm]": l_0 and l_0 * 1e3}
+
+
+def units_of(paths):
+    """{seed: {convention: [case]}}; l0-seed-3.json is the report of seed 3."""
+    return {
+        Path(path)
+        .stem.removeprefix("l0-")
+        .replace("-", " "): {name: [case(report(path)["l_0"][name])] for name in METHODS}
+        for path in paths
+    }
+
+
+def measured_fronts(seed):
+    """{tau_bar_0: front} of those with a slow stretch."""
+    return {tau_bar: f for tau_bar, f in seed["fronts"].items() if f["profiles"]}
+
+
+# --- picture -------------------------------------------------------------------------------
+
+
+def exponential_through_middle(x, excess, l_0):
+    """An exponential with this l_0 that has the fitted blocks in its middle."""
+    fitted = slice(FITTED[0], FITTED[1] + 1)
+    amplitude = np.mean(np.log(excess[fitted]) + x[fitted] / l_0)
+    return np.exp(amplitude - x / l_0)
+
+
+def draw(seed, stem):
+    fronts = measured_fronts(seed)
+    fig, axes = figure(SINGLE, 0.75 * SINGLE)
+    first = next(iter(fronts.values()))
+    x, excess = np.array(first["x - x_0"]), np.array([f["excess"] for f in fronts.values()])
+    axes.plot(x * 1e3, excess.T, color="0.7", linewidth=0.6)
+    middle = np.median(excess, axis=0)
+    axes.plot(x * 1e3, middle, "o", color=BLACK, markersize=3, label="median of the fronts")
+    for l_0, text, look in (
+        (seed["l_0"][PRIMARY], "fitted", {"color": BLUE}),
+        (PAPERS_L_0, "paper", {"color": VERMILION, "linestyle": "--"}),
+    ):
+        label = rf"{text}: $l_0 = {l_0 * 1e3:.1f}$ mm"
+        line = exponential_through_middle(x, middle, l_0)
+        axes.plot(x * 1e3, line, label=label, linewidth=1, **look)
+    axes.axvspan(*(x[list(FITTED)] * 1e3), color="0.93", linewidth=0, zorder=0)
+    axes.set(xlabel="$x - x_0$ [mm]", yscale="log", ylim=(0.06, 1.3))
+    axes.set_ylabel(r"$(\tau - \tau_0)/(\tau - \tau_0)_{x_0}$")
+    axes.legend(loc="upper right")
+    save(fig, stem)
+
+
+def rows(seed):
+    for tau_bar, front in measured_fronts(seed).items():
+        for row in zip(front["x - x_0"], front["excess"]):
+            yield [tau_bar, *row]
+
+
+# --- claim ---------------------------------------------------------------------------------
+
+
+def to_the_farthest_block(front):
+    """l_0 [mm] of an exponential through the whole profile."""
+    dx = front["x - x_0"][1] * 1e3
+    in_dx = exponential(0, len(front["excess"]) - 1)(np.array(front["excess"]))
+    return in_dx and in_dx * dx
+
+
+def claim(paths):
+    seed = report(paths[0])
+    fronts = measured_fronts(seed).values()
+    lengths = [f["l_0"][PRIMARY] * 1e3 for f in fronts if f["l_0"][PRIMARY] is not None]
+    others = {
+        f"l_0, {name} [mm]": seed["l_0"][name] and seed["l_0"][name] * 1e3
+        for name in METHODS
+        if name != PRIMARY
+    }
+    return judged(
+        "l0",
+        shown=case(seed["l_0"][PRIMARY]),
+        units=units_of(paths),
+        measured={
+            **case(seed["l_0"][PRIMARY]),
+            "slow fronts": len(fronts),
+            "profiles": sum(front["profiles"] for front in fronts),
+            "least and most of a front [mm]": [min(lengths), max(lengths)] if lengths else None,
+            **others,
+            "l_0, all blocks of the picture [mm]": median(map(to_the_farthest_block, fronts)),
+        },
+        note="The excess of the shear force over tau_0, when the block that ruptures next (x_0)"
+        " carries its largest force; an exponential from x_0 to 3 blocks ahead, median over the"
+        " blocks of the slow stretch, then over the fronts. Other conventions fit other blocks, or"
+        " take the distance at which the excess has fallen to 1/e. The excess is no exponential:"
+        " the farther a fit reaches, the longer l_0. The fit through all blocks of the picture was"
+        " made when the others were known; it is reported and does not count.",
+    )
+
+
+def main(folder, claims_path, *paths):
+    shown = report(paths[0])
+    draw(shown, Path(folder) / "fig3-l0")
+    names = ["tau_bar_0", "x - x_0 [m]", "excess over that at x_0"]
+    write_table(Path(folder) / "decay-length.csv", names, rows(shown))
+    write_claims(claims_path, [claim(paths)])
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

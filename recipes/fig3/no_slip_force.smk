@@ -1,0 +1,18 @@
+# Beside Figure 3: no slow fronts without a slipping force. The sweeps are no_slip_force.ini, and
+# no_slip_force_seeds.ini for other seeds.
+FIG3_PARTS += [f"{DATA}/fig3/claims-0slip.json"]
+
+
+rule fig3_no_slip_force:
+    input:
+        shown=f"{DATA}/fig3/no_slip_force.csv",
+        seeds=of_ensemble([f"{DATA}/fig3/no_slip_force_seeds.csv"]),
+        **script("recipes/fig3/no_slip_force.py"),
+    output:
+        claims=f"{DATA}/fig3/claims-0slip.json",
+        table=f"{RESULTS}/fig3/no-slip-force.csv",
+    log: f"{LOGS}/fig3-no-slip-force.log"
+    message: "fig3: find the fronts without a slipping force, compare with the claim"
+    shell:
+        "{PYTHON} {input.script} {POINTS} {RESULTS}/fig3 {output.claims} {input.shown} {input.seeds}"
+        " 2> {log}"

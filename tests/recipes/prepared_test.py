@@ -1,0 +1,149 @@
+"""What is measured of prepared interfaces beside Figure 3: the decay length ahead of slow fronts
+(recipes/fig3/decay_length.py), and fronts without a slipping force (no_slip_force.py)."""
+
+import math
+import sys
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "recipes"), str(ROOT / "recipes/fig3")]
+
+import decay_length  # noqa: E402
+import no_slip_force  # noqa: E402
+from claims.judge import holds  # noqa: E402
+from events.conventions import PRIMARY  # noqa: E402
+
+DX = 2.5e-3  # [m]
+BLOCKS = 16
+TAU_0 = 3.0
+
+
+class OneProfile(unittest.TestCase):
+    def test_an_exponential_has_its_own_decay_length_by_each_method(self):
+        excess = 5 * np.exp(-np.arange(9) / 2.0)
+        for name in (PRIMARY, "5 blocks ahead", "without the block at the tip"):
+            self.assertAlmostEqual(decay_length.METHODS[name](excess), 2.0)
+        self.assertAlmostEqual(decay_length.METHODS["fall to 1/e"](excess), 2.0)
+
+    def test_1_over_e_lies_on_a_straight_line_between_blocks(self):
+        # 1, 0.5, 0: falls to 1/e at 1 + (0.5 - 1/e)/0.5
+        found = decay_length.distance_to_1_over_e(np.array([2.0, 1.0, 0.0]))
+        self.assertAlmostEqual(found, 2 - 2 / math.e)
+
+    def test_each_fit_uses_its_own_blocks(self):
+        excess = np.exp(-np.array([0, 1, 2, 4, 14, 24.0]))
+        # slope: (1.5 * 0 + 0.5 * 1 - 0.5 * 2 - 1.5 * 4)/(2 * 1.5^2 + 2 * 0.5^2) = -1.3
+        self.assertAlmostEqual(decay_length.exponential(0, 3)(excess), 1 / 1.3)
+        self.assertAlmostEqual(decay_length.exponential(3, 5)(excess), 0.1)
+
+    def test_what_does_not_decay_has_no_length(self):
+        self.assertIsNone(decay_length.exponential(0, 3)(np.array([1.0, 0.5, 0.0, 0.1])))
+        self.assertIsNone(decay_length.exponential(0, 3)(np.array([1.0, 2, 3, 4])))
+        self.assertIsNone(decay_length.distance_to_1_over_e(np.array([1.0, 0.9, 0.8])))
+
+
+def record(rupture_of):
+    """A front that ruptures block n at time n, and moves the force on n up to 1 above tau_0 half a
+    time before, falling by 1/e per block ahead; right at its rupture half of that is left."""
+    time = np.arange(0, BLOCKS, 0.5)
+    tau = np.full((len(time), BLOCKS), TAU_0)
+    for sample, t in enumerate(time[1:], 1):
+        tip = math.ceil(t)
+        ahead = np.arange(BLOCKS) - tip
+        height = 0.5 if t == tip else 1.0
+        tau[sample, ahead >= 0] += height * np.exp(-ahead[ahead >= 0])
+    slow = {"x_from": 3 * DX, "x_to": 12 * DX}
+    x = (DX * np.arange(BLOCKS)).tolist()
+    return {"type": "slow", "x": x, "t_rupture": rupture_of, "slow": slow}, time, tau
+
+
+class OneFront(unittest.TestCase):
+    RUPTURES: list = [float(n) for n in range(BLOCKS)]
+
+    def test_tips_are_in_the_slow_stretch_with_all_blocks_of_the_profile_ahead(self):
+        front, *_ = record(self.RUPTURES)
+        self.assertEqual(decay_length.tips(front), [3, 4, 5, 6, 7])  # 7 + 8 is the last block
+
+    def test_a_profile_is_that_of_the_largest_force_before_the_rupture(self):
+        _, time, tau = record(self.RUPTURES)
+        excess = decay_length.profile(4, self.RUPTURES, time, tau)
+        np.testing.assert_allclose(excess, np.exp(-np.arange(9.0)))
+
+    def test_a_block_that_ruptures_before_the_one_behind_has_no_profile(self):
+        _, time, tau = record(self.RUPTURES)
+        ruptures = [*self.RUPTURES[:4], 2.0, *self.RUPTURES[5:]]
+        self.assertIsNone(decay_length.profile(4, ruptures, time, tau))
+        ruptures = [*self.RUPTURES[:3], None, *self.RUPTURES[4:]]
+        self.assertIsNone(decay_length.profile(4, ruptures, time, tau))
+
+    def test_lengths_are_in_metres(self):
+        found = decay_length.of_front(*record(self.RUPTURES))
+        self.assertEqual(found["profiles"], 5)
+        self.assertAlmostEqual(found["l_0"][PRIMARY], DX)
+        self.assertAlmostEqual(found["excess"][1], 1 / math.e)
+
+    def test_a_front_that_is_not_slow_has_none(self):
+        front, time, tau = record(self.RUPTURES)
+        for other in ({"type": "arrested"}, {"slow": None}):
+            found = decay_length.of_front(front | other, time, tau)
+            self.assertEqual((found["profiles"], found["l_0"][PRIMARY]), (0, None))
+
+
+class OneSeed(unittest.TestCase):
+    def test_fronts_count_equally_and_those_without_a_length_not(self):
+        fronts = [{"l_0": dict.fromkeys(decay_length.METHODS, l_0)} for l_0 in (1, None, 2, 9)]
+        self.assertEqual(decay_length.of_seed(fronts)[PRIMARY], 2)
+
+    def test_none_where_no_front_is_slow(self):
+        self.assertIsNone(decay_length.of_seed([])[PRIMARY])
+        self.assertFalse(holds("l0", [{"l_0 [mm]": None}]))
+
+
+def point(slowest, *, arrives=True, stencil_3=None):
+    """A point of the sweep: beyond the trigger region, stencils run at 500 m/s and `slowest`."""
+
+    def front(speed):
+        return {
+            "x": [0.0, 0.03, 0.04],
+            "t_rupture": [0.0, 0.1, 0.2 if arrives else None],
+            "v_c": [1.0, 500.0, speed],
+            "c_s": 1000.0,
+        }
+
+    commands = ("front", *no_slip_force.COMMANDS.values())
+    own = {"stencil_3": front(stencil_3)} if stencil_3 else {}
+    return {name: front(slowest) for name in commands} | own
+
+
+class NoSlipForce(unittest.TestCase):
+    SEEDS = {1: [point(90.0), point(300.0), point(1.0, arrives=False), {}]}
+
+    def test_counts_types_under_each_convention(self):
+        units = no_slip_force.units_of(self.SEEDS)["seed 1"]
+        kinds = {"arrested fronts": 1, "slow fronts": 0, "fast fronts": 2}
+        self.assertEqual(units[PRIMARY], [kinds])
+        one_slow = kinds | {"slow fronts": 1, "fast fronts": 1}
+        self.assertEqual(units["slow below c_s/10"], [one_slow])
+        self.assertTrue(holds("0slip", units["stencil 7"]))
+        self.assertFalse(holds("0slip", units["slow below c_s/10"]))
+
+    def test_conventions_have_measurements_of_their_own(self):
+        kinds = no_slip_force.types_of(point(300.0, stencil_3=40.0))
+        self.assertEqual({name for name, kind in kinds.items() if kind == "slow"}, {"stencil 3"})
+
+    def test_what_cannot_be_prepared_is_impossible(self):
+        self.assertEqual(set(no_slip_force.types_of({}).values()), {"impossible"})
+        measured = no_slip_force.claim(self.SEEDS).measured
+        self.assertEqual(measured["interfaces that cannot be prepared"], 1)
+
+    def test_the_lowest_speed_is_of_fronts_that_span_beyond_the_trigger_region(self):
+        measured = no_slip_force.claim(self.SEEDS).measured
+        self.assertEqual(measured["lowest speed of fronts that span [m/s]"], 90.0)
+        self.assertEqual(measured["fronts that are slow under any convention"], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
