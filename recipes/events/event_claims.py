@@ -201,8 +201,34 @@ def details_3C(slips):
 
 
 def claim_3C(events, units):
-    events = {name: (slips,) for name, slips in events.items()}
-    return judged_event("3C", events, case_3C, details_3C, units)
+    return judged_event("3C", in_tuples(events), case_3C, details_3C, units)
+
+
+def in_tuples(slips):
+    return {name: (of_event,) for name, of_event in slips.items()}
+
+
+def case_3Cv(slips):
+    peak = slips["stopped"]["peak_speed"]
+    return {"peak slip speed [mm/s]": peak and peak * 1e3}
+
+
+def details_3Cv(slips):
+    slip = slips["stopped"]
+    fast, slow, slow_speed = (slip[name] for name in ("fast_slip", "slow_slip", "slow_speed"))
+    return {
+        **case_3Cv(slips),
+        "slow slip speed [mm/s]": slow_speed and slow_speed * 1e3,
+        "peak/slow speed": ratio(slip["peak_speed"], slow_speed),
+        "fast slip [um]": fast and fast * 1e6,
+        "slow slip [um]": slow and slow * 1e6,
+        "fast/slow slip distance": ratio(fast, slow),
+        "peak speed over the paper's": ratio(slip["peak_speed"], paper.FAST_SLIP_SPEED),
+    }
+
+
+def claim_3Cv(events, units):
+    return judged_event("3Cv", in_tuples(events), case_3Cv, details_3Cv, units)
 
 
 def largest_change_of_mean(before, after):
