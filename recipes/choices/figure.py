@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from claims import paper
 from claims.claim import number, write_claims
 from claims.own_result import OwnResult, write_own
 from data.records import report
@@ -43,7 +44,11 @@ SPAN, FOUND = "spanning events", "fast-slow-fast events"  # in words
 SHARE, SLOW = "share fast-slow-fast", "fast-slow-fast below c_s/20"
 COUNTS = (SPAN, FOUND, SHARE, SLOW)
 SIGMAS = (0.0, 0.285)  # sigma_bar of the prepared interfaces
-PAPER = {"fast before [c_s]": 1 / 3, "slowest [c_s]": 1 / 100, "transition [L]": 0.4}
+PAPER = {
+    "fast before [c_s]": paper.FAST,
+    "slowest [c_s]": paper.SLOW,
+    "transition [L]": paper.TRANSITIONS[0],
+}
 RANGE = (5, 95)  # [%]
 
 

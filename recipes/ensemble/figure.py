@@ -32,8 +32,16 @@ KINDS = {  # label: colour
     "other": SKY,
 }
 SHOWN = 5  # after the first rupture [ms]
-OF_SLOW = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]
-UNITS = ["m", "m", "s", "m/s", "m/s", "m/s"]
+OF_SLOW = {  # name in a report: for readers
+    "x_from": "x_from [m]",
+    "x_to": "x_to [m]",
+    "duration": "duration [s]",
+    "speed": "median speed [m/s]",
+    "mean": "mean speed [m/s]",
+    "slowest": "slowest stencil [m/s]",
+    "fast_before": "fast_before [m/s]",
+    "fast_after": "fast_after [m/s]",
+}
 
 
 def kind_of(event, event_in_words):
@@ -88,8 +96,7 @@ def row_of(load, kind, event):
 
 def write_events(path, loads):
     """Each event that spans the interface, with its slow stretch below c_s/20."""
-    slow = [f"{key} [{unit}]" for key, unit in zip(OF_SLOW, UNITS)]
-    names = ["load", "t_start [s]", "type", "kind", "meets 2A", *slow]
+    names = ["load", "t_start [s]", "type", "kind", "meets 2A", *OF_SLOW.values()]
     rows = (row_of(load, *pair) for load, pairs in loads.items() for pair in pairs)
     write_table(path, names, rows)
 

@@ -5,11 +5,11 @@ import sys
 from pathlib import Path
 
 import h5py
-import numpy as np
 
 from events.continuations import BRANCHES
 from events.conventions import PRIMARY, WAYS, Analysis, words_of
 from events.fronts import LOADING_ZONE
+from events.slip import with_peak_speed
 
 RECORD_EVERY = "1e-5"  # [s]
 LONG = ("time", "slip", "histogram", "bins", "x")  # series that nobody needs for each run
@@ -21,15 +21,6 @@ def short(report):
 
 def without_lines(front):
     return front and {key: value for key, value in front.items() if not isinstance(value, list)}
-
-
-def peak_speed(slip):
-    """Of the fast slip, between two samples [m/s]; None where the block does not stop."""
-    if slip["t_arrest"] is None:
-        return None
-    time, moved = np.array(slip["time"]), np.array(slip["slip"])
-    fast = time <= slip["t_arrest"]
-    return float(np.max(np.diff(moved[fast]) / np.diff(time[fast])))
 
 
 class Workshop:
@@ -71,7 +62,7 @@ class Workshop:
         end = [] if until is None else ["--to", until]
         record = self.path(f"{name}-record")
         return {
-            place: short(slip) | {"peak_speed": peak_speed(slip)}
+            place: short(with_peak_speed(slip))
             for place, x in places.items()
             for slip in [self.analyze("slip", record, ["--x", x, *end])]
         }

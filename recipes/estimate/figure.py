@@ -7,13 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
+from claims import paper
 from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
-from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
-
-COEFFICIENT = 4.2  # of Eq. S1
+from pictures.plotting import BLACK, BLUE, DOUBLE, OF_PAPER, VERMILION, figure, letter, save
 
 
 def net_slip(estimate):
@@ -53,7 +52,10 @@ def draw_relaxation(axes, reference, unbreakable):
         time = np.array([0.0, *estimate["relaxation"]["time_over_t_R"], longest])
         slip = [0.0, *estimate["relaxation"]["slip_over_f_slip_per_k_ij"], net_slip(estimate)]
         axes.step(time, slip, line, where="post", color=colour, label=label)
-    axes.plot([0, 2], [0, 2 * COEFFICIENT], color=BLACK, linestyle=":", label="Eq. S1")
+    axes.plot([0, 2], [0, 2 * paper.COEFFICIENT], label="paper: Eq. S1", **OF_PAPER)
+    axes.axhline(paper.NET_SLIP, **OF_PAPER)
+    text = f"paper: net slip {paper.NET_SLIP}"
+    axes.annotate(text, (0, paper.NET_SLIP), xytext=(3, 2), textcoords="offset points")
     axes.set(xlabel=r"time $[\langle t_R\rangle]$", ylabel=r"slip $[f_\mathrm{slip}/k_{ij}]$")
     axes.set(xlim=(0, longest), ylim=(0, 9.5))
     axes.legend(loc="lower right")

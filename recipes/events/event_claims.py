@@ -1,4 +1,4 @@
-"""The claims about single fronts and about an event with its continuations: 2A-2C, 3A-3C, 4AB, 5A.
+"""The claims about single fronts and about an event with its continuations: 2A-2C, 3A-3Cv, 4AB, 5A.
 
 case_*() measure what the conditions in claims/claims.toml ask for, of the event that the figures
 show and of each event of the ensemble alike.
@@ -6,6 +6,7 @@ show and of each event of the ensemble alike.
 
 import numpy as np
 
+from claims import paper
 from claims.judge import holds, judged, unmet
 from data.records import values
 from events.fronts import (
@@ -80,7 +81,7 @@ def claims_of_fronts(slow_front, in_words, fast_front, units, units_in_words):
     """Claims 2A, 2Aw, 2B, 2C for the events of Figure 2; `in_words`: the first one again."""
     slow, case = slow_front["slow"], case_of_event(slow_front)
     speeds = {
-        "slow speed [m/s]": slow["speed"],
+        **slow_speeds(slow),
         "c_s/slow speed": slow_front["c_s"] / slow["speed"],
         "duration [ms]": slow["duration"] * 1e3,
         "from [L]": case["from [L]"],
@@ -103,16 +104,24 @@ def claims_of_fronts(slow_front, in_words, fast_front, units, units_in_words):
     ]
 
 
+def slow_speeds(slow):
+    """Of a slow stretch, in three ways [m/s]."""
+    return {
+        "median slow speed [m/s]": slow["speed"],
+        "mean slow speed [m/s]": slow["mean"],
+        "slowest stencil [m/s]": slow["slowest"],
+    }
+
+
 def speeds_compared(front, case):
     """Measured speeds over the paper's: c_s/3, c_s/100 and their ratio."""
     return {
         "fast before [m/s]": front["slow"]["fast_before"],
-        "over the paper's c_s/3": ratio(case["fast before/c_s"], 1 / 3),
-        "slowest stencil [m/s]": front["slow"]["slowest"],
-        "over the paper's c_s/100": ratio(case["slowest/c_s"], 1 / 100),
-        "mean over the slow stretch [m/s]": front["slow"]["mean"],
+        "over the paper's c_s/3": ratio(case["fast before/c_s"], paper.FAST),
+        **slow_speeds(front["slow"]),
+        "slowest over the paper's c_s/100": ratio(case["slowest/c_s"], paper.SLOW),
         "fast/slowest": case["fast/slowest"],
-        "over the paper's 33": ratio(case["fast/slowest"], 100 / 3),
+        "over the paper's 33": ratio(case["fast/slowest"], paper.FAST / paper.SLOW),
     }
 
 
@@ -192,8 +201,34 @@ def details_3C(slips):
 
 
 def claim_3C(events, units):
-    events = {name: (slips,) for name, slips in events.items()}
-    return judged_event("3C", events, case_3C, details_3C, units)
+    return judged_event("3C", in_tuples(events), case_3C, details_3C, units)
+
+
+def in_tuples(slips):
+    return {name: (of_event,) for name, of_event in slips.items()}
+
+
+def case_3Cv(slips):
+    peak = slips["stopped"]["peak_speed"]
+    return {"peak slip speed [mm/s]": peak and peak * 1e3}
+
+
+def details_3Cv(slips):
+    slip = slips["stopped"]
+    fast, slow, slow_speed = (slip[name] for name in ("fast_slip", "slow_slip", "slow_speed"))
+    return {
+        **case_3Cv(slips),
+        "slow slip speed [mm/s]": slow_speed and slow_speed * 1e3,
+        "peak/slow speed": ratio(slip["peak_speed"], slow_speed),
+        "fast slip [um]": fast and fast * 1e6,
+        "slow slip [um]": slow and slow * 1e6,
+        "fast/slow slip distance": ratio(fast, slow),
+        "peak speed over the paper's": ratio(slip["peak_speed"], paper.FAST_SLIP_SPEED),
+    }
+
+
+def claim_3Cv(events, units):
+    return judged_event("3Cv", in_tuples(events), case_3Cv, details_3Cv, units)
 
 
 def largest_change_of_mean(before, after):

@@ -10,7 +10,7 @@ from pathlib import Path
 from data.records import report
 from events.continuations import BRANCHES, SLIP_AT
 from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
-from events.event_claims import case_3A, case_3B, case_3C, case_4AB, case_5A, words_case
+from events.event_claims import case_3A, case_3B, case_3C, case_3Cv, case_4AB, case_5A, words_case
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
 FIRST_BLOCK, *OTHER_BLOCKS = SLIP_AT
@@ -71,9 +71,11 @@ def fronts_3A_3B(event, case, run):
     return units
 
 
-def slips_3C(event):
+def slips_3C(event, case):
+    """Of claims 3C and 3Cv, at each branch and of each block."""
+
     def slips(branch, block):
-        return cases(case_3C, (of_branch(event, branch, "slip") or {}).get(block))
+        return cases(case, (of_branch(event, branch, "slip") or {}).get(block))
 
     return {
         PRIMARY: slips(FIRST_BRANCH, FIRST_BLOCK),
@@ -97,7 +99,8 @@ def wider_4AB(event):
 OF_EVENT = {
     "3A": lambda event: fronts_3A_3B(event, case_3A, "stopped"),
     "3B": lambda event: fronts_3A_3B(event, case_3B, "no-slow-slip"),
-    "3C": slips_3C,
+    "3C": lambda event: slips_3C(event, case_3C),
+    "3Cv": lambda event: slips_3C(event, case_3Cv),
     "4AB": wider_4AB,
     "5A": lambda event: {
         PRIMARY: cases(case_5A, event["unmodified"], event["undriven"], event["undriven_from"])

@@ -1,8 +1,47 @@
-# Figure 2: two events that span the interface. The chain of commands is in README.md.
-FIG2_EVENTS = ["fast-slow-fast", "fast-only"]
+# Figure 2: two events that span the interface, and of all independent loads the one most like the paper's
+# once there are all of them. The chain of commands is in README.md.
+FIG2_LOADS = of_ensemble(f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS)
+FIG2_OF_ALL = len(FIG2_LOADS) == len(REFERENCE_LOADS)
+FIG2_EVENTS = ["fast-slow-fast", "fast-only", *(["most-like"] if FIG2_OF_ALL else [])]
 
 
 STAGES["start"]["fig2"] = [f"{DATA}/{event}.compared" for event in EVENTS]
+
+
+rule fig2_choice:
+    input:
+        events=[f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS],
+        **script("recipes/fig2/most_like.py"),
+    output: f"{DATA}/most-like.json"
+    log: f"{LOGS}/most-like.log"
+    message: "fig2: choose the event most like the paper's"
+    shell: "{PYTHON} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
+
+
+# Which load it is of is known when the command runs, so that all of them have to be there.
+use rule restart_before_event as fig2_before with:
+    input:
+        choice=f"{DATA}/most-like.json",
+        **content_of(
+            checkpoints=[
+                checkpoint
+                for load in REFERENCE_LOADS
+                for checkpoint in checkpoints_of_load(f"{DATA}/ensemble/{load}")
+            ]
+        ),
+    output: **with_sums(h5=f"{DATA}/most-like.h5")
+    params:
+        **event_of(lambda wildcards, input: f"{DATA}/ensemble/$({VALUE} {input.choice} load)")
+    log: f"{LOGS}/most-like-start.log"
+    message: "fig2: go to 0.5 ms before the event most like the paper's"
+
+
+use rule restart_recorded as fig2_most_like with:
+    input: **content_of(h5=f"{DATA}/most-like.h5")
+    output: **with_sums(h5=f"{DATA}/most-like-after.h5", record=f"{DATA}/most-like-record.h5")
+    params: **run_with(f"--for {DURATION}")
+    log: f"{LOGS}/most-like-record.log"
+    message: "fig2: run the event most like the paper's"
 
 
 rule fig2:
@@ -10,12 +49,16 @@ rule fig2:
         fronts=[f"{DATA}/{event}-front.json" for event in FIG2_EVENTS],
         **content_of(records=[f"{DATA}/{event}-record.h5" for event in FIG2_EVENTS]),
         in_words=f"{DATA}/fast-slow-fast-front-in-words.json",
-        loads=of_ensemble(f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS),
+        choice=[f"{DATA}/most-like.json"] if FIG2_OF_ALL else [],
+        loads=FIG2_LOADS,
         **script("recipes/fig2/figure.py"),
     output:
         claims=f"{RESULTS}/fig2/claims.json",
+        own=f"{RESULTS}/fig2/own.json",
+        summary=f"{RESULTS}/fig2/summary.txt",
         **picture(f"{RESULTS}/fig2/fig2"),
         table=f"{RESULTS}/fig2/front-speed.csv",
+        candidates=[f"{RESULTS}/fig2/most-like.csv"] if FIG2_OF_ALL else [],
     log: f"{LOGS}/fig2.log"
     message: "fig2: draw, compare with the paper's claims"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 {input.loads} 2> {log}"
+    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 '{input.choice}' {input.loads} 2> {log}"

@@ -10,13 +10,15 @@ from pathlib import Path
 
 import numpy as np
 
+from claims import paper
 from claims.claim import write_claims
 from data.records import Pinned, report, values
 from data.tables import write_table
-from events.event_claims import claim_3A, claim_3B, claim_3C
+from events.event_claims import claim_3A, claim_3B, claim_3C, claim_3Cv
+from events.slip import with_peak_speed
 from events.units import of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
-from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, VERMILION, figure, letter, save
+from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, OF_PAPER, VERMILION, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 SLIPS = {  # run: label, colour, line style
@@ -42,6 +44,10 @@ def draw_slip(axes, slips, t_zero):
         start = np.interp(slip["slow_from"], slip["time"], slip["slip"])
         line = start + slip["slow_speed"] * (fitted - fitted[0])
         axes.plot((fitted - t_zero) * 1e3, line * 1e6 + 0.15, color=BLACK, linewidth=0.7)
+    highest = max(max(slip["slip"]) for slip in slips.values())
+    fastest = [0, highest / paper.FAST_SLIP_SPEED * 1e3]
+    label = f"paper: {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s"
+    axes.plot(fastest, [0, highest * 1e6], label=label, **OF_PAPER)
     axes.set(xlabel="time [ms]", ylabel=r"slip at $x = 0.34\,L$ [µm]")
     axes.legend(loc="lower right")
 
@@ -57,7 +63,8 @@ class Event:
         return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front.json")
 
     def slips(self):
-        return {run: report(self.data / f"{self.name}/{run}-slip.json") for run in SLIPS}
+        paths = {run: self.data / f"{self.name}/{run}-slip.json" for run in SLIPS}
+        return {run: with_peak_speed(report(path)) for run, path in paths.items()}
 
 
 def draw_event(fig, axes, event, name):
@@ -91,12 +98,12 @@ def claims_of(events, continued):
     def fronts(run):
         return {name: (event.front(), event.front(run)) for event, name in events.items()}
 
+    slips = {name: event.slips() for event, name in events.items()}
     return [
         claim_3A(fronts("stopped"), of_events(continued, "3A")),
         claim_3B(fronts("no-slow-slip"), of_events(continued, "3B")),
-        claim_3C(
-            {name: event.slips() for event, name in events.items()}, of_events(continued, "3C")
-        ),
+        claim_3C(slips, of_events(continued, "3C")),
+        claim_3Cv(slips, of_events(continued, "3Cv")),
     ]
 
 

@@ -17,6 +17,8 @@ BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
 YELLOW, BLUE, VERMILION, PURPLE = "#F0E442", "#0072B2", "#D55E00", "#CC79A7"
 LINES = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK]
 
+OF_PAPER = {"color": BLACK, "linestyle": ":", "linewidth": 0.8}  # lines of the paper's numbers
+
 STYLE = {
     "font.family": "DejaVu Sans",  # comes with Matplotlib
     "font.size": 8,

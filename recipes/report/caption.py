@@ -1,5 +1,5 @@
-"""Numbers in captions come from the results: "at {2A: slow speed [m/s]}" in a recipe's README
-becomes "at 22.91 m/s", from the claims and the own results that the recipe has written."""
+"""Numbers in captions come from the results: "at {2A: fast before [m/s]}" in a recipe's README
+becomes "at 229.1 m/s", from the claims and the own results that the recipe has written."""
 
 import re
 

@@ -90,7 +90,7 @@ rule continued:
         script=lambda wildcards: f"recipes/ensemble/{CONTINUED[wildcards.load.split('-')[0]]}.py",
         shared=[
             "recipes/ensemble/workshop.py",
-            *(f"recipes/events/{name}.py" for name in ("conventions", "continuations", "fronts")),
+            *(f"recipes/events/{name}.py" for name in ("conventions", "continuations", "fronts", "slip")),
         ],
     output: f"{DATA}/ensemble/{{load}}-continued.json"
     priority: 80  # long: before what is short

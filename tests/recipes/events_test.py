@@ -9,9 +9,13 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
 from events.choose_events import choose  # noqa: E402
+from claims.judge import holds  # noqa: E402
 from events.conventions import CONVENTIONS, PRIMARY  # noqa: E402
+from events.event_claims import case_3Cv, claim_3Cv, slow_speeds, speeds_compared  # noqa: E402
 from events.fronts import is_fast_slow_fast_in_words  # noqa: E402
 from events.product import combinations, range_of  # noqa: E402
+from events.slip import peak_speed, with_peak_speed  # noqa: E402
+from events.units import slips_3C  # noqa: E402
 
 
 def event(t_start=0.0, *, stencils=3, before=200.0, after=200.0, kind="slow"):
@@ -88,6 +92,77 @@ class FullProduct(unittest.TestCase):
             {"a": {"2A": False}, "b": {"2A": False}},
         ]
         self.assertEqual(range_of(loads, "2A"), (1, 2))
+
+
+# Slip of a block: 1 um, then 5 um in 0.05 ms (0.1 m/s), then 1 um; after its arrest, faster still.
+SLIP = {
+    "time": [0.0, 1e-4, 1.5e-4, 2.5e-4, 2.6e-4],
+    "slip": [0.0, 1e-6, 6e-6, 7e-6, 27e-6],
+    "t_arrest": 2.5e-4,
+    "fast_slip": 7e-6,
+    "slow_slip": 2e-6,
+    "slow_speed": 2e-3,
+}
+
+
+class Slip(unittest.TestCase):
+    def test_the_peak_speed_is_that_before_the_arrest(self):
+        self.assertAlmostEqual(peak_speed(SLIP), 0.1)
+
+    def test_a_block_that_does_not_stop_has_none(self):
+        self.assertIsNone(peak_speed(SLIP | {"t_arrest": None}))
+
+    def test_both_ratios_are_reported(self):
+        claim = claim_3Cv({"event II": {"stopped": with_peak_speed(SLIP)}}, {})
+        self.assertTrue(claim.shown)
+        for name, expected in (
+            ("peak slip speed [mm/s]", 100.0),
+            ("peak/slow speed", 50.0),
+            ("fast/slow slip distance", 3.5),
+            ("peak speed over the paper's", 1.0),
+        ):
+            self.assertAlmostEqual(claim.measured[name], expected, msg=name)
+
+    def test_a_block_that_never_stops_counts_against_the_claim(self):
+        unstopped = with_peak_speed(
+            SLIP | dict.fromkeys(("t_arrest", "fast_slip", "slow_slip", "slow_speed"))
+        )
+        claim = claim_3Cv({"event II": {"stopped": unstopped}}, {})
+        self.assertFalse(claim.shown)
+        self.assertIsNone(claim.measured["peak/slow speed"])
+
+    def test_within_a_factor_of_two(self):
+        for speed, expected in ((0.0499, False), (0.05, True), (0.2, True), (0.201, False)):
+            case = case_3Cv({"stopped": {"peak_speed": speed}})
+            self.assertEqual(holds("3Cv", [case]), expected, speed)
+
+    def test_units_are_measured_at_each_branch_and_of_each_block(self):
+        def slips(speed):
+            return {"slip": {x: {"stopped": {"peak_speed": speed}} for x in ("0.34", "0.30")}}
+
+        branches = {"0.14": slips(0.1), "0.2": slips(0.3), "0.25": None}
+        cases = slips_3C({"branches": branches}, case_3Cv)
+        speed = "peak slip speed [mm/s]"
+        self.assertEqual(cases[PRIMARY], [{speed: 100.0}])
+        self.assertEqual(cases["branch at 0.2 L"], [{speed: 300.0}])
+        self.assertEqual(cases["branch at 0.25 L"], [])
+        self.assertEqual(cases["block at 0.30 L"], [{speed: 100.0}])
+        self.assertEqual(cases["block at 0.38 L"], [])
+
+
+class SlowSpeeds(unittest.TestCase):
+    def test_median_mean_and_slowest_are_all_there(self):
+        speeds = slow_speeds({"speed": 12.0, "mean": 15.0, "slowest": 9.0})
+        self.assertEqual(list(speeds.values()), [12.0, 15.0, 9.0])
+        self.assertEqual([name.split()[0] for name in speeds], ["median", "mean", "slowest"])
+
+    def test_compared_with_the_papers(self):
+        slow = {"speed": 12.0, "mean": 15.0, "slowest": 20.0, "fast_before": 600.0}
+        case = {"fast before/c_s": 2 / 3, "slowest/c_s": 1 / 50, "fast/slowest": 30.0}
+        compared = speeds_compared({"slow": slow}, case)
+        self.assertAlmostEqual(compared["over the paper's c_s/3"], 2)
+        self.assertAlmostEqual(compared["slowest over the paper's c_s/100"], 2)
+        self.assertAlmostEqual(compared["over the paper's 33"], 0.9)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,15 @@
+"""The paper's numbers, in one place. What is measured is compared with them, in claims, in pictures
+and to choose the event most like the paper's. No simulation and no measurement reads them."""
+
+# Fig. 2 and the text on it: a fast-slow-fast event
+FAST = 1 / 3  # speed of the front before its slow stretch [c_s]
+SLOW = 1 / 100  # along it [c_s]
+TRANSITIONS = (0.4, 0.6)  # from fast to slow, and back [L]
+SLOW_FOR = 1e-3  # duration of the slow front [s]
+
+# Discussion, of the experiments of its ref. 20
+FAST_SLIP_SPEED = 0.1  # [m/s]
+
+# SI, on the speed of slow slip
+COEFFICIENT = 4.2  # Eq. S1: that speed [tau_slip/(k_i <t_R>)]
+NET_SLIP = 8.5  # [f_slip/k_ij]

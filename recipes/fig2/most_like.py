@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Chooses the event most like the paper's of independent loads:
+
+    most_like.py CHECKPOINT_EVERY load-01-events.json ...
+
+It has the least sum of squared logarithms of the ratios of its speed before the slow stretch, its
+slowest stencil, both transitions and the duration to the paper's. Prints the load, where to
+continue it from, the number of loads, and all candidates in order: the first is the one chosen.
+"""
+
+import json
+import sys
+
+import numpy as np
+
+from claims import paper
+from events.choose_events import read_events, start
+from events.event_claims import case_of_event
+from events.fronts import has_slow_stretch
+from events.units import name_of
+
+PAPER = {  # for readers: of case_of_event(), the paper's value
+    "fast before over c_s/3": ("fast before/c_s", paper.FAST),
+    "slowest stencil over c_s/100": ("slowest/c_s", paper.SLOW),
+    "from over 0.4 L": ("from [L]", paper.TRANSITIONS[0]),
+    "to over 0.6 L": ("to [L]", paper.TRANSITIONS[1]),
+    "duration over 1 ms": ("duration [ms]", paper.SLOW_FOR * 1e3),
+}
+SUM = "sum of squared logarithms"
+
+
+def ratios_of(event):
+    """Measured over the paper's; None where the event spans without a slow stretch, or where one of
+    the five is not known. A stretch that is not fast at an end has no transition there."""
+    case = case_of_event(event)
+    known = [case[key] for key, _ in PAPER.values()] + [case["fast/slow after"]]
+    if not has_slow_stretch(event) or not all(known):
+        return None
+    return {name: case[key] / of_paper for name, (key, of_paper) in PAPER.items()}
+
+
+def unlikeness(ratios):
+    return float(np.sum(np.log(list(ratios.values())) ** 2))
+
+
+def row_of(load, event, ratios):
+    return {"load": load, "t_start [s]": event["t_start"], **ratios, SUM: unlikeness(ratios)}
+
+
+def candidates(loads):
+    """[(event, row), ...], the most like one first. `loads`: {name: events}."""
+    found = [
+        (event, row_of(load, event, ratios))
+        for load, events in loads.items()
+        for event in events
+        if (ratios := ratios_of(event))
+    ]
+    return sorted(found, key=lambda pair: pair[1][SUM])
+
+
+def choice_of(loads, checkpoint_every):
+    found = candidates(loads)
+    if not found:
+        sys.exit("no event of these loads has all that is compared: load for longer")
+    chosen, row = found[0]
+    before = start(chosen, checkpoint_every)
+    rows = [row for _, row in found]
+    return {"load": row["load"], **before, "loads": len(loads), "candidates": rows}
+
+
+def main(checkpoint_every, *paths):
+    loads = {name_of(path): read_events(path) for path in paths}
+    print(json.dumps(choice_of(loads, float(checkpoint_every)), indent=2))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,68 @@
+"""The event most like the paper's of independent loads: made-up events worked out by hand."""
+
+import math
+import sys
+import unittest
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(SOURCE / "recipes"), str(SOURCE / "recipes/fig2")]
+from most_like import candidates, choice_of, ratios_of, unlikeness  # noqa: E402
+
+C_S, L = 900.0, 0.14
+
+
+def event(t_start=0.3, kind="slow", **changed):
+    """The paper's own numbers where nothing else is said."""
+    slow = {"x_from": 0.4 * L, "x_to": 0.6 * L, "duration": 1e-3, "fast_before": C_S / 3}
+    slow |= {"slowest": C_S / 100, "speed": 12.0, "mean": 15.0, "fast_after": 400.0} | changed
+    return {"t_start": t_start, "type": kind, "slow": slow, "c_s": C_S, "L": L}
+
+
+FAST_EVENT = event(kind="fast") | {"slow": None}
+
+
+class MostLike(unittest.TestCase):
+    def test_the_papers_own_numbers_are_one(self):
+        for name, ratio in ratios_of(event()).items():
+            self.assertAlmostEqual(ratio, 1, msg=name)
+        self.assertAlmostEqual(unlikeness(ratios_of(event())), 0)
+
+    def test_each_of_the_five_counts_by_its_logarithm(self):
+        for changed in (
+            *({"fast_before": C_S / 6}, {"slowest": C_S / 50}, {"duration": 2e-3}),
+            *({"x_from": 0.2 * L}, {"x_to": 1.2 * L}),
+        ):
+            with self.subTest(changed):
+                self.assertAlmostEqual(unlikeness(ratios_of(event(**changed))), math.log(2) ** 2)
+
+    def test_median_and_mean_do_not_count(self):
+        changed = event(speed=24.0, mean=30.0, fast_after=800.0)
+        self.assertAlmostEqual(unlikeness(ratios_of(changed)), 0)
+
+    def test_an_event_that_lacks_one_is_no_candidate(self):
+        for name in ("fast_before", "slowest", "x_from", "x_to", "duration", "fast_after"):
+            self.assertIsNone(ratios_of(event(**{name: None})), name)
+        self.assertIsNone(ratios_of(FAST_EVENT))
+        self.assertIsNone(ratios_of(event(kind="arrested")))
+        self.assertIsNone(ratios_of(event(duration=0.0)))
+
+    def test_half_the_duration_is_nearer_than_three_times(self):
+        loads = {
+            "load-01": [FAST_EVENT, event(0.1, duration=3e-3)],
+            "load-02": [event(0.2, slowest=C_S / 25), event(0.3123456, duration=0.5e-3)],
+        }
+        rows = [row for _, row in candidates(loads)]
+        self.assertEqual([row["t_start [s]"] for row in rows], [0.3123456, 0.1, 0.2])
+        chosen = choice_of(loads, 0.05)
+        self.assertEqual((chosen["load"], chosen["loads"]), ("load-02", 2))
+        self.assertEqual((chosen["from"], chosen["until"]), ("0.300000000", "0.3118456"))
+        self.assertEqual(chosen["candidates"], rows)
+
+    def test_no_candidate_is_an_error_that_says_so(self):
+        with self.assertRaisesRegex(SystemExit, "load for longer"):
+            choice_of({"load-01": [FAST_EVENT]}, 0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()
