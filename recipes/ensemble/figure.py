@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The events of independent loads, picture and table:
 
-    figure.py results/ensemble load-01-events.json ... exponential-08-events.json
+    figure.py results/ensemble load-01-events.json ... exponential-08-events.json load-01-product.json ...
 """
 
 import sys
@@ -11,13 +11,15 @@ import alternation
 import numpy as np
 
 from claims.claim import write_claims
-from claims.own_result import write_own
-from data.records import values
+from claims.own_result import OwnResult, write_own
+from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
 from events.event_claims import is_fast_slow_fast
 from events.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast_in_words
+from events.product import CLAIMS as PRODUCT_CLAIMS
+from events.product import range_of
 from pictures.plotting import BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
 
 NAMES = {  # setting: title
@@ -123,14 +125,31 @@ def summary(loads):
     return "\n".join([head, *(counts(setting, loads) for setting in NAMES)]) + "\n"
 
 
+def own_result_of_product(reports):
+    """How far the shares of the claims on single fronts move if conventions are combined."""
+    ranges = {claim: range_of(reports, claim) for claim in PRODUCT_CLAIMS}
+    return OwnResult(
+        id="product",
+        question="for how many loads do 2A, 2B and 2C hold if several conventions change at once?",
+        measured={
+            "loads": len(reports),
+            "combinations": len(reports[0]),
+            **{f"{claim}: fewest and most": list(ends) for claim, ends in ranges.items()},
+        },
+    )
+
+
 def main(results, *paths):
     results = Path(results)
-    loads = {load_of(path): spanning_events(path) for path in paths}
+    events = [path for path in paths if path.endswith("-events.json")]
+    products = [report(path) for path in paths if path.endswith("-product.json")]
+    loads = {load_of(path): spanning_events(path) for path in events}
     reference = {load: pairs for load, pairs in loads.items() if setting_of(load) == "load"}
     draw(loads, results / "ensemble")
     alternation.draw(reference, results / "alternation")
     write_events(results / "events.csv", loads)
-    write_own(results, [alternation.own_result(reference)], summary(loads))
+    own = [alternation.own_result(reference), own_result_of_product(products)]
+    write_own(results, own, summary(loads))
     write_claims(results / "claims.json", [])
 
 

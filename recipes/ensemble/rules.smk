@@ -5,6 +5,7 @@ rule ensemble:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
         continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
         quasistatic=[f"{DATA}/ensemble/h0-{seed:02d}.json" for seed in range(1, 21)],
+        products=[f"{DATA}/ensemble/{load}-product.json" for load in REFERENCE_LOADS],
         beside="recipes/ensemble/alternation.py",
         **script("recipes/ensemble/figure.py"),
     output:
@@ -17,4 +18,4 @@ rule ensemble:
         summary=f"{RESULTS}/ensemble/summary.txt",
     log: f"{LOGS}/ensemble.log"
     message: "ensemble: draw, list the events of all loads"
-    shell: "{PYTHON} {input.script} {RESULTS}/ensemble {input.events} 2> {log}"
+    shell: "{PYTHON} {input.script} {RESULTS}/ensemble {input.events} {input.products} 2> {log}"
