@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The events of independent loads, picture and table:
 
-    figure.py results/ensemble load-01-events.json ... exponential-08-events.json load-01-product.json ...
+    figure.py results/ensemble load-01-events.json ... load-01-product.json ...
 """
 
 import sys
