@@ -147,7 +147,8 @@ def claim_1E(blocks, front, paths):
         " curve is that of the block in the middle. A block ruptures when 70 % of its junctions"
         " have broken, and tau/p is largest just before. Blocks farther off may be in the"
         " loading zone, where later loading exceeds it or junctions break gradually before the"
-        " front starts, and where the front is slow or has just been. Peaks count until 0.5 ms after the last rupture of the front.",
+        " front starts, and where the front is slow or has just been. Peaks count until 0.5 ms"
+        " after the last rupture of the front.",
     )
 
 
