@@ -10,7 +10,7 @@ from scipy.stats import mannwhitneyu
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
-from data.rank_test import share_of_lower, van_elteren  # noqa: E402
+from data.rank_test import permutation, share_of_lower, van_elteren  # noqa: E402
 from maps.front_map import (  # noqa: E402
     boundary,
     changes,
@@ -200,6 +200,26 @@ class RankTests(unittest.TestCase):
             first, second, alternative="less", method="asymptotic", use_continuity=False
         )
         self.assertAlmostEqual(van_elteren([(first, second)])["p"], expected.pvalue, places=12)
+
+    def test_a_permutation_test_counts_all_ways_to_hand_out_the_groups(self):
+        # 2 of 4 values in 6 ways, of which 1 is as low; beside it, 1 of 2 in 2 ways, of which 1 is
+        self.assertAlmostEqual(permutation([([1.0, 2.0], [3.0, 4.0])]), 1 / 6)
+        self.assertAlmostEqual(permutation([([1.0, 2.0], [3.0, 4.0]), ([1.0], [9.0])]), 1 / 12)
+        # rank sums of 2 of 4: 3, 4, 5, 5, 6, 7
+        self.assertAlmostEqual(permutation([([1.0, 4.0], [2.0, 3.0])]), 4 / 6)
+        # 3 + 0 of 4 + 1 pairs are lower; 4 + 1, 3 + 1, 2 + 1 (two ways), 4 + 0 and 3 + 0 are, too
+        self.assertAlmostEqual(permutation([([1.0, 3.0], [2.0, 4.0]), ([9.0], [1.0])]), 6 / 12)
+
+    def test_a_permutation_test_counts_ties_half(self):
+        self.assertAlmostEqual(permutation([([1.0], [1.0, 2.0])]), 2 / 3)
+        self.assertEqual(permutation([([1.0], [1.0])]), 1.0)
+        self.assertIsNone(permutation([([1.0], [])]))
+
+    def test_a_permutation_test_of_one_stratum_is_the_exact_mann_whitney_test(self):
+        random = np.random.default_rng(2)
+        first, second = random.normal(size=8), random.normal(0.7, size=11)
+        expected = mannwhitneyu(first, second, alternative="less", method="exact")
+        self.assertAlmostEqual(permutation([(first, second)]), expected.pvalue, places=12)
 
     def test_equal_groups_show_nothing(self):
         self.assertAlmostEqual(van_elteren([([1.0, 2.0], [1.0, 2.0])])["p"], 0.5)
