@@ -35,9 +35,8 @@ def read_map(rows, points):
     return fronts
 
 
-def read_variants(path, names, points):
-    """{variant: map} of a table with a column of variants."""
-    table = read_rows(path)
+def read_variants(table, names, points):
+    """{variant: map} of the rows of tables with a column of variants."""
     return {
         name: read_map([row for row in table if row["variant"] == name], points) for name in names
     }

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Maps of front types for other lengths and nucleation energies, and claim Geo:
-geometry.py results/data results/robustness"""
+geometry.py results/data results/robustness TABLE.csv...
+
+Of the tables the first has the maps, others have more seeds."""
 
 import sys
 from pathlib import Path
 
 from claims.claim import write_claims
 from claims.judge import judged
+from data.tables import read_rows
 from maps.front_map import (
     TYPES,
     along,
@@ -109,9 +112,10 @@ def draw(maps, stem):
     save(fig, stem)
 
 
-def main(data, results):
+def main(data, results, *tables):
     data, results = Path(data), Path(results)
-    maps = read_variants(data / "robustness/geometry.csv", TITLES, data / "points")
+    rows = [row for table in tables for row in read_rows(table)]
+    maps = read_variants(rows, TITLES, data / "points")
     draw(maps, results / "geometry")
     write_variants(results / "geometry.csv", maps)
     write_claims(data / "robustness/claims-Geo.json", [claim_Geo(maps)])

@@ -27,6 +27,7 @@ from claims.judge import holds  # noqa: E402
 from events.conventions import PRIMARY  # noqa: E402
 from maps.map_claims import case_of_map, fewest_seeds, map_claim  # noqa: E402
 from maps.map_conventions import WAYS, out_of_order  # noqa: E402
+from maps.map_points import boundary_of_variants  # noqa: E402
 
 C_S = 1000.0  # [m/s]
 SPACING = 0.0025  # [m]
@@ -116,6 +117,15 @@ class Boundary(unittest.TestCase):
     def test_a_third_type_halfway_makes_two_boundaries(self):
         pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast"}
         self.assertEqual(len(boundary(pair, {(0.05, 0.0): "slow"})), 3)
+
+    def test_a_place_at_the_boundary_of_one_variant_is_enough(self):
+        kinds = {"longer": ["slow", "fast", "fast"], "shorter": ["fast", "fast", "fast"]}
+        rows = [
+            {"variant": name, "tau-bar": tau, "sigma-bar": "0", "type": kind}
+            for name, types in kinds.items()
+            for tau, kind in zip(("0.1", "0.2", "0.3"), types)
+        ]
+        self.assertEqual(boundary_of_variants(rows), [(0.1, 0.0), (0.2, 0.0)])
 
 
 class Order(unittest.TestCase):
