@@ -34,7 +34,7 @@ class Share:
 
 
 def plural(unit):
-    return unit.replace("load", "loads").replace("event", "events").replace("seed", "seeds")
+    return re.sub(r"^(load|event|seed)\b", r"\1s", unit)
 
 
 @dataclass(frozen=True)

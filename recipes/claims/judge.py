@@ -111,11 +111,12 @@ def interval(k, n):
 
 
 def shares_of(claim_id, units):
-    """One per convention, the primary one first. `units`: {unit: {convention: [case, ...]}}."""
+    """One per convention, the primary one first. `units`: {unit: {convention: [case, ...]}}. A unit
+    that has nothing under a convention counts against the claim."""
     conventions = dict.fromkeys(c for measured in units.values() for c in measured)
     shares = []
     for convention in sorted(conventions, key=lambda c: c != PRIMARY):
-        held = [holds(claim_id, m[convention]) for m in units.values() if convention in m]
+        held = [holds(claim_id, measured.get(convention, [])) for measured in units.values()]
         shares.append(Share(convention, sum(held), len(held), *interval(sum(held), len(held))))
     return shares
 
@@ -144,14 +145,33 @@ def verdict_of(claim_id, shown, shares):
     return DEPENDS, f"{holding} as shown; in {decides.text(unit)}"
 
 
-def judged(claim_id, measured, shown, units=None, note=""):
+def verdict_of_state(shown, others):
+    """The same for one state: whether the claim holds as shown, and under other conventions."""
+    held = {PRIMARY: shown} | others
+    holding = ", ".join(name for name, does in held.items() if does)
+    failing = ", ".join(name for name, does in held.items() if not does)
+    if shown is None:
+        return NOT_COMPARABLE, "it could not be measured"
+    if not failing:
+        return REPRODUCED, f"holds under each convention ({holding})"
+    if not holding:
+        return DIFFERS, f"does not hold under any convention ({failing})"
+    return DEPENDS, f"on the convention: holds under {holding}; does not under {failing}"
+
+
+def judged(claim_id, measured, shown, units=None, note="", others=None):
     """The claim with its verdict. `measured`: what readers see of the shown case; `shown`: that
-    case, None if it could not be measured; `units`: {unit: {convention: [case, ...]}}."""
+    case, None if it could not be measured; `units`: {unit: {convention: [case, ...]}}. For a claim
+    about one state `others` has its cases under other conventions, {convention: case}."""
     row = table()[claim_id]
     accepted = None if shown is None else holds(claim_id, [shown])
     units = units or {}
     shares = shares_of(claim_id, units) if len(units) >= FEWEST else []
-    verdict, reason = verdict_of(claim_id, accepted, shares)
+    if others:
+        held = {name: holds(claim_id, [case]) for name, case in others.items()}
+        verdict, reason = verdict_of_state(accepted, held)
+    else:
+        verdict, reason = verdict_of(claim_id, accepted, shares)
     if accepted is False:
         reason += f" ({unmet_text(claim_id, shown)})"
     return Claim(

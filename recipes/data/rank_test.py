@@ -42,6 +42,28 @@ def van_elteren(strata):
     return {"z": float(z), "p": float(norm.cdf(z))}
 
 
+def chances_of_rank_sums(doubled_ranks, n):
+    """Chance of each sum that n of these ranks can have; ranks and sums are doubled, so that those
+    of ties are whole."""
+    ways = np.zeros((n + 1, sum(doubled_ranks) + 1))
+    ways[0, 0] = 1
+    for rank in doubled_ranks:
+        ways[1:, rank:] += ways[:-1, : ways.shape[1] - rank]
+    return ways[n] / ways[n].sum()
+
+
+def permutation(strata):
+    """Permutation test for lower values in the first group, which takes the values as given: the
+    share of all ways to hand out the groups within each stratum in which as many pairs or more
+    have the lower value in the first group. Exact; None if no stratum has both groups."""
+    chances, observed = np.ones(1), 0
+    for first, second in comparable(strata):
+        doubled = np.rint(2 * rankdata([*first, *second])).astype(int)
+        observed += doubled[: len(first)].sum()
+        chances = np.convolve(chances, chances_of_rank_sums(doubled, len(first)))
+    return float(chances[: observed + 1].sum()) if len(chances) > 1 else None
+
+
 def signed_rank(shares):
     """Wilcoxon's signed-rank test, one-sided: are shares of independent repetitions above 0.5?
     Those that are 0.5 do not count."""

@@ -79,7 +79,11 @@ rule fig1_curves:
         events=f"{SHOWN_LOAD}-events.json",
         front=f"{FIG1}/event-front.json",
         **content_of(record=f"{FIG1}/event-record.h5"),
-        loads=of_ensemble(f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS),
+        loads=of_ensemble(
+            f"{DATA}/ensemble/{load}-{kind}.json"
+            for load in REFERENCE_LOADS
+            for kind in ("events", "continued")
+        ),
         **script("recipes/fig1/curves.py"),
     output:
         claims=f"{FIG1}/claims-curves.json",

@@ -61,7 +61,7 @@ rule fig4_strength:
     input:
         prepared=f"{DATA}/fig4/strength.csv",
         curves=f"{DATA}/fig4/strength-curves.csv",
-        map=f"{DATA}/fig4/map.csv",
+        map=[f"{DATA}/fig4/{part}.csv" for part in ("map", "map-between", "map-boundary", "boundary")],
         events=[f"{DATA}/{event}-strength.json" for event in FIG4_SHOWN],
         fronts=[f"{DATA}/{event}-front.json" for event in FIG4_SHOWN],
         repeated=of_ensemble(f"{DATA}/ensemble/{load}-continued.json" for load in REFERENCE_LOADS),

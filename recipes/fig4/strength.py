@@ -12,25 +12,26 @@ import numpy as np
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.rank_test import share_of_lower, signed_rank, van_elteren
+from data.rank_test import permutation, share_of_lower, signed_rank, van_elteren
 from data.records import report, values
 from data.tables import read_rows, write_table
+from events.conventions import PRIMARY
 from events.fronts import LOADING_ZONE, SLOW_BELOW
-from maps.front_map import place_of, type_on_map
+from maps.front_map import load_map, map_of_seed, seeds_of, type_on_map, types_of
+from maps.map_conventions import ABOUT_UNITS, units_of_seeds
 from pictures.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
 
 SHOWN = {"fast-slow-fast": ("I", GREEN), "second-slow": ("II", VERMILION)}
-BINS = (
-    0.1,
-    0.05,
-    0.2,
-)  # of tau_bar_0: blocks in one bin count as equally loaded; first the one used
-MIDDLE = 40  # a block of prepared interfaces well beyond the trigger region
+BINS = (0.1, 0.05, 0.2)  # of tau_bar_0: blocks in one bin count as equally loaded; primary first
+WAYS = {
+    PRIMARY: {"test": "van Elteren", "width": BINS[0]},
+    **{f"bins of {width:g}": {"test": "van Elteren", "width": width} for width in BINS[1:]},
+    "permutation test": {"test": "permutation", "width": BINS[0]},
+}
 MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}
 CURVES = {"uniform": "-", "bell": "--"}
-TOLERANCE = 0.02
-SIGNIFICANT = 0.01
 FEWEST_EVENTS = 5  # for a test over events
+KINDS = ("slow", "fast")
 QUANTITIES = ("tau_bar_0", "sigma_bar", "mu_bar_eff")
 
 
@@ -98,14 +99,26 @@ def from_nearest_curve(block, lines):
     return min(abs(block.mu_bar_eff / strength - 1) for strength in strengths)
 
 
-def map_strata(data):
-    """sigma_bar of slow and of fast grid points of Figure 4 D, by tau_bar_0."""
-    rows = read_rows(data / "fig4/map.csv")
-    for tau_bar in sorted({row["tau-bar"] for row in rows}):
-        yield tuple(
-            [place_of(row)[1] for row in rows if (row["tau-bar"], row["type"]) == (tau_bar, kind)]
-            for kind in ("slow", "fast")
-        )
+def types_by_seed(data):
+    """{seed: {grid point of Figure 4 D: type}}"""
+    fronts, grid, _ = load_map(data, "fig4", ["map-between", "map-boundary"])
+    at_grid = {place: fronts[place] for place in grid}
+    return {seed: types_of(map_of_seed(at_grid, seed)) for seed in seeds_of(at_grid)}
+
+
+def map_strata(types):
+    """sigma_bar of slow and of fast grid points, by tau_bar_0."""
+    return [
+        tuple([s for (t, s), k in sorted(types.items()) if (t, k) == (tau, kind)] for kind in KINDS)
+        for tau in sorted({tau for tau, _ in types})
+    ]
+
+
+def p_of_van_elteren(strata):
+    return (van_elteren(strata) or {"p": None})["p"]
+
+
+TESTS = {"van Elteren": p_of_van_elteren, "permutation": permutation}
 
 
 def block_strata(blocks, width):
@@ -113,7 +126,7 @@ def block_strata(blocks, width):
     bins = {np.floor(block.tau_bar_0 / width) for block in blocks}
     for number in sorted(bins):
         inside = [b for b in blocks if np.floor(b.tau_bar_0 / width) == number]
-        yield tuple([b.sigma_bar for b in inside if b.kind == kind] for kind in ("slow", "fast"))
+        yield tuple([b.sigma_bar for b in inside if b.kind == kind] for kind in KINDS)
 
 
 def shares_of(events, width=BINS[0]):
@@ -206,24 +219,22 @@ def rows(events, points):
             yield [event, block.kind, *(getattr(block, q) for q in QUANTITIES)]
 
 
-def measure_map(data):
-    strata = list(map_strata(data))
+def measure_map(types):
+    strata = map_strata(types)
     both = [(slow, fast) for slow, fast in strata if slow and fast]
     return {
         "rows of the map with slow and fast points": len(both),
         "slow points in them": sum(len(slow) for slow, _ in both),
         "fast points in them": sum(len(fast) for _, fast in both),
         "share of slow-fast pairs with the slow one at lower sigma_bar": share_of_lower(strata),
-        "van Elteren p": (van_elteren(strata) or {"p": None})["p"],
+        **{f"{name} p": test(strata) for name, test in TESTS.items()},
     }
 
 
-def tested(events):
-    """p over events, for narrower and wider bins, too; None with too few events."""
-    for width in BINS:
-        shares = list(shares_of(events, width).values())
-        name = f"signed-rank p over the ensemble's events, bins of {width:g}"
-        yield name, signed_rank(shares) if len(shares) >= FEWEST_EVENTS else None
+def p_over_events(events, width):
+    """None with too few events."""
+    shares = list(shares_of(events, width).values())
+    return signed_rank(shares) if len(shares) >= FEWEST_EVENTS else None
 
 
 def measure_events(shown, ensemble, lines):
@@ -245,27 +256,49 @@ def measure_events(shown, ensemble, lines):
         "share of such pairs of blocks, 5-95 % of the ensemble": (
             np.percentile(shares, [5, 95]).tolist() if shares else None
         ),
-        **dict(tested(ensemble)),
+        **{
+            f"signed-rank p over the ensemble's events, bins of {width:g}": p_over_events(
+                ensemble, width
+            )
+            for width in BINS
+        },
     }
 
 
-def claim_4C(data, points, lines, shown, ensemble):
-    measured = {
-        "prepared points": len(points),
-        "largest deviation of prepared points from the curves": max(
-            abs(each) for each in deviations(points, lines)
-        ),
-        **measure_map(data),
-        **measure_events(shown, ensemble, lines),
+def case_4C(types, deviation, p_events, *, test, width):
+    """Of the map of one seed; the prepared points and the events are the same for all of them."""
+    return {
+        "largest deviation of prepared points from the curves": deviation,
+        "p over the points of the map": TESTS[test](map_strata(types)),
+        "p over the ensemble's events": p_events[width],
     }
+
+
+def claim_4C(maps, points, lines, shown, ensemble):
+    """`maps`: {seed: {grid point: type}}; shown is that of the first seed."""
+    deviation = max(abs(each) for each in deviations(points, lines))
+    p_events = {width: p_over_events(ensemble, width) for width in BINS}
+
+    def case(seed, **way):
+        return case_4C(maps[seed], deviation, p_events, **way)
+
+    first = min(maps)
     return judged(
         "4C",
-        shown=measured if ensemble else None,  # without it, nothing is known of other events
-        measured=measured,
+        shown=case(first, **WAYS[PRIMARY]) if ensemble else None,  # else nothing is known of events
+        units=units_of_seeds(maps, WAYS, case) if ensemble else None,
+        measured={
+            "prepared points": len(points),
+            "largest deviation of prepared points from the curves": deviation,
+            **measure_map(maps[first]),
+            **measure_events(shown, ensemble, lines),
+        },
         note="Prepared: van Elteren's test over the grid points of 4D with strata tau_bar_0; n is"
         " the number of runs, one per place. Blocks of one event are no independent points: each"
         f" event gives one share, over pairs with tau_bar_0 in the same bin of {BINS[0]:g}, and n"
-        " of the test over events is the number of events.",
+        " of the test over events is the number of events, the same for each seed. The permutation"
+        " test hands out slow and fast anew among the grid points of equal tau_bar_0. "
+        + ABOUT_UNITS,
     )
 
 
@@ -283,7 +316,8 @@ def main(data, results, *ensemble):
         for path in ensemble
         for number, event in report(path).items()
     }
-    write_claims(data / "fig4/claims-4C.json", [claim_4C(data, points, lines, shown, repeated)])
+    claim = claim_4C(types_by_seed(data), points, lines, shown, repeated)
+    write_claims(data / "fig4/claims-4C.json", [claim])
 
 
 if __name__ == "__main__":

@@ -13,7 +13,8 @@ from data.records import report, values
 from data.tables import read_rows, write_table
 from events.fronts import SLOW_BELOW
 
-SKIP_BELOW_X = 0.0275  # [m] stencils that touch the trigger region, as in the sweeps' commands
+STENCIL = 5  # blocks
+SKIP_BELOW_X = 0.0275  # [m] as in the sweeps' commands: such stencils touch the trigger region
 TYPES = ("arrested", "slow", "fast")
 IMPOSSIBLE = "impossible"
 
@@ -34,9 +35,8 @@ def read_map(rows, points):
     return fronts
 
 
-def read_variants(path, names, points):
-    """{variant: map} of a table with a column of variants."""
-    table = read_rows(path)
+def read_variants(table, names, points):
+    """{variant: map} of the rows of tables with a column of variants."""
     return {
         name: read_map([row for row in table if row["variant"] == name], points) for name in names
     }
@@ -51,28 +51,49 @@ def type_on_map(kind):
     return "arrested" if kind == "none" else kind
 
 
-def front_type(front, slow_below=SLOW_BELOW):
-    """The type by another threshold than the one `analyze front` was called with."""
+def speeds(front, stencil):
+    """v_c by another stencil than that of `analyze front`: the inverse slope of the rupture line
+    between the end points of a stencil of so many blocks [m/s]; NaN where one of its ends or its
+    centre has no time."""
+    half = stencil // 2
+    x, t = np.array(front["x"]), values(front["t_rupture"])
+    duration = t[2 * half :] - t[: -2 * half]
+    known = np.isfinite(duration) & np.isfinite(t[half:-half]) & (duration != 0)
+    v_c = np.full(len(x), np.nan)
+    v_c[half:-half][known] = (x[2 * half :] - x[: -2 * half])[known] / duration[known]
+    return v_c
+
+
+def beyond_trigger(front, stencil=None):
+    """Speeds of the stencils that do not touch the trigger region [m/s]; None: those measured."""
+    first = int(np.searchsorted(front["x"], SKIP_BELOW_X, side="right"))
+    if stencil is None:
+        return values(front["v_c"])[first:]
+    return speeds(front, stencil)[first + stencil // 2 - STENCIL // 2 :]
+
+
+def front_type(front, slow_below=SLOW_BELOW, stencil=None):
+    """The type by another threshold or stencil than those that `analyze front` was called with."""
     if front is None:
         return IMPOSSIBLE
     if front["t_rupture"][-1] is None:
         return "arrested"
-    v_c = values(front["v_c"])[np.array(front["x"]) > SKIP_BELOW_X]
+    v_c = beyond_trigger(front, stencil)
     slow = (v_c > 0) & (v_c < slow_below * front["c_s"])
     return "slow" if slow.any() else "fast"
 
 
-def types_of_seeds(fronts, slow_below=SLOW_BELOW):
-    """{place: {seed: type}}"""
+def types_of_seeds(fronts, **how):
+    """{place: {seed: type}}; `how` as for front_type()."""
     return {
-        place: {seed: front_type(front, slow_below) for seed, front in seeds.items()}
+        place: {seed: front_type(front, **how) for seed, front in seeds.items()}
         for place, seeds in fronts.items()
     }
 
 
-def types_of(fronts, slow_below=SLOW_BELOW):
+def types_of(fronts, **how):
     """{place: type of its first seed}"""
-    return {place: front_type(seeds[min(seeds)], slow_below) for place, seeds in fronts.items()}
+    return {place: front_type(seeds[min(seeds)], **how) for place, seeds in fronts.items()}
 
 
 def is_like_analyze(front):
@@ -149,6 +170,27 @@ def fast_below_left_of_arrested(seed_types):
     ]
 
 
+def along(types, axis):
+    """{value of the other axis: places with rising tau_bar_0 (axis 0) or sigma_bar (1)}, without
+    those that cannot be prepared."""
+    lines: dict[float, list] = {}
+    for place, kind in sorted(types.items()):
+        if kind in TYPES:
+            lines.setdefault(place[1 - axis], []).append(place)
+    return lines
+
+
+def steps_back(types, axis):
+    """Places where the type falls behind one before it along an axis: arrested, slow, fast is the
+    order."""
+    return {
+        place
+        for line in along(types, axis).values()
+        for number, place in enumerate(line)
+        if any(TYPES.index(types[place]) < TYPES.index(types[p]) for p in line[:number])
+    }
+
+
 def spread_of_crossing(seeds):
     """How far the times at which the front arrives differ between seeds, over their mean."""
     times = [front["t_rupture"][-1] for front in seeds.values()]
@@ -159,6 +201,22 @@ def band(types, sigma):
     """Lowest and highest tau_bar_0 with a slow front at this sigma_bar, or None."""
     taus = [tau for (tau, s), kind in types.items() if s == sigma and kind == "slow"]
     return [min(taus), max(taus)] if taus else None
+
+
+# --- maps of single seeds ------------------------------------------------------------------
+
+
+def seeds_of(fronts):
+    return sorted({seed for seeds in fronts.values() for seed in seeds})
+
+
+def map_of_seed(fronts, seed):
+    """The fronts of one seed, and those of the first where it has none: away from any boundary the
+    seed makes no difference."""
+    return {
+        place: {seed: seeds[seed] if seed in seeds else seeds[min(seeds)]}
+        for place, seeds in fronts.items()
+    }
 
 
 # --- a whole map of a recipe ---------------------------------------------------------------

@@ -1,25 +1,30 @@
-"""Measured values and verdicts of the claims about maps of front types (4D, S6B)."""
+"""Measured values, units and verdicts of the claims about maps of front types (4D, S6B)."""
 
 import numpy as np
 
 from claims.judge import judged
 from maps.front_map import (
+    TYPES,
     axes_of,
     band,
     fast_below_left_of_arrested,
+    map_of_seed,
+    seeds_of,
     spread_of_crossing,
+    steps_back,
     types_of,
     types_of_seeds,
 )
+from maps.map_conventions import ABOUT_UNITS, ORDERS, WAYS, out_of_order, units_of_seeds
 
 
 def thresholds_compared(fronts, grid, slow_below):
     """The effect of another threshold for slow fronts: numbers of grid points of each type, of
     those whose type is not that at the first threshold, and of violations over all seeds."""
-    reference = types_of(grid, 1 / slow_below[0])
+    reference = types_of(grid, slow_below=1 / slow_below[0])
     for ratio in slow_below:
-        types = types_of(grid, 1 / ratio)
-        seeds = types_of_seeds(fronts, 1 / ratio)
+        types = types_of(grid, slow_below=1 / ratio)
+        seeds = types_of_seeds(fronts, slow_below=1 / ratio)
         yield {
             "c_s/threshold": ratio,
             "slow": sum(kind == "slow" for kind in types.values()),
@@ -32,6 +37,12 @@ def thresholds_compared(fronts, grid, slow_below):
 def median_spread(fronts, places):
     spreads = [spread_of_crossing(fronts[place]) for place in places]
     return float(np.median(spreads)) if spreads else None
+
+
+def fewest_seeds(fronts, boundary):
+    """Seeds with a front, at the place next to another type that has the fewest."""
+    measured = [[f for f in fronts[place].values() if f is not None] for place in boundary]
+    return min(map(len, measured), default=0)
 
 
 def seeds_measured(fronts, boundary):
@@ -47,7 +58,7 @@ def seeds_measured(fronts, boundary):
     }
     return {
         "boundary points": len(boundary),
-        "fewest seeds at one of them": min((len(fronts[place]) for place in boundary), default=0),
+        "fewest seeds at one of them": fewest_seeds(fronts, boundary),
         "of these the type depends on the seed": sum(len(k) > 1 for k in definite.values()),
         **spreads,
     }
@@ -76,12 +87,39 @@ def measured(fronts, grid, boundary, thresholds):
         "fast points below-left of an arrest point": len(
             {pair[0] for pair in fast_below_left_of_arrested(types_of_seeds(fronts))}
         ),
+        **{
+            f"grid points out of {name}": len(steps_back(types, axis))
+            for name, axis in ORDERS.items()
+        },
         **seeds_measured(fronts, boundary),
         **bands,
         **others,
     }
 
 
+def case_of_map(fronts, grid, boundary_seeds, axis=None, **how):
+    """What the claim asks of a map; `boundary_seeds`: those at each place next to another type."""
+    types = types_of(fronts, **how)
+    kinds = [types[place] for place in grid]
+    return {
+        **{f"{kind} grid points": kinds.count(kind) for kind in TYPES},
+        "places out of order": len(out_of_order(fronts, grid, axis, **how)),
+        "smaller side of the grid": min(map(len, axes_of(grid))),
+        "fewest seeds at one of them": boundary_seeds,
+    }
+
+
 def map_claim(name, fronts, grid, boundary, thresholds, note):
-    values = measured(fronts, grid, boundary, thresholds)
-    return judged(name, values, values, note=note)
+    """Shown is the map of all seeds."""
+    boundary_seeds = fewest_seeds(fronts, boundary)
+
+    def case(seed, **way):
+        return case_of_map(map_of_seed(fronts, seed), grid, boundary_seeds, **way)
+
+    return judged(
+        name,
+        measured(fronts, grid, boundary, thresholds),
+        case_of_map(fronts, grid, boundary_seeds),
+        units_of_seeds(seeds_of(fronts), WAYS, case),
+        f"{note} {ABOUT_UNITS}",
+    )

@@ -96,7 +96,7 @@ def draw_thresholds(axes, grid, slow_below):
     """The lines of draw_contours() for several thresholds c_s/ratio."""
     for ratio, colour, style in zip(slow_below, LINES, LINESTYLES):
         line = {"colors": [colour], "linestyles": [style], "linewidths": 1}
-        draw_contours(axes, types_of(grid, 1 / ratio), line)
+        draw_contours(axes, types_of(grid, slow_below=1 / ratio), line)
         axes.plot([], [], color=colour, linestyle=style, linewidth=1, label=f"$c_s/{ratio}$")
     draw_regions(axes, types_of(grid), types_of(grid))
     axes.legend(title="slow below", loc="upper right", framealpha=0.8, frameon=True)

@@ -9,6 +9,7 @@ import numpy as np
 
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
+from data.tables import read_rows
 from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import BLACK, BLUE, DOUBLE, figure, letter, save
@@ -84,7 +85,8 @@ def draw(maps, fronts, stem):
 
 def main(data, unmodified, continued, results):
     data, results = Path(data), Path(results)
-    maps = read_variants(data / "robustness/distance.csv", TITLES, data / "points")
+    rows = read_rows(data / "robustness/distance.csv")
+    maps = read_variants(rows, TITLES, data / "points")
     fronts = {"by time": report(unmodified), "by distance": report(continued)}
     draw(maps, fronts, results / "distance")
     write_variants(results / "distance.csv", maps)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Exponential slipping times, events and claim:
+"""Exponential slipping times, events, map of front types and claims:
 
-    exponential.py FRONT.json FRONT_WITH_EXPONENTIAL_TIMES.json FOLDER CLAIMS.json LOAD.json...
+    exponential.py DATA FRONT.json FRONT_WITH_EXPONENTIAL_TIMES.json FOLDER CLAIMS.json LOAD.json...
 """
 
 import sys
@@ -12,14 +12,17 @@ import numpy as np
 from claims.claim import write_claims
 from claims.judge import judged, unmet
 from data.records import report, values
-from data.tables import write_table
+from data.tables import read_rows, write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS, PRIMARY
 from events.event_claims import case_of_event, words_case, words_shown
 from events.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast_in_words
 from events.units import in_words as units_in_words
 from events.units import of_loads
-from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, save
+from maps.front_map import TYPES, read_map, types_of, write_types
+from maps.map_conventions import out_of_order
+from maps.map_panels import draw_regions, name_regions
+from pictures.plotting import BLUE, DOUBLE, SINGLE, VERMILION, figure, save
 
 COLUMNS = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]
 
@@ -69,11 +72,48 @@ def slow_stretch(front):
     return f"{slow['speed']:.3g} m/s for {slow['duration'] * 1e3:.3g} ms, {where}"
 
 
-def claims_of(events, in_words, unmodified, continued, loads):
+def draw_map(fronts, stem):
+    fig, axes = figure(SINGLE, 0.85 * SINGLE)
+    types = types_of(fronts)
+    draw_regions(axes, types, types)
+    name_regions(axes, types)
+    save(fig, stem)
+
+
+def case_of_map(fronts):
+    """4D's order of regions, on the map of prepared interfaces with exponential times."""
+    kinds = list(types_of(fronts).values())
+    return {
+        **{f"{kind} grid points of the map": kinds.count(kind) for kind in TYPES},
+        "places out of order on the map": len(out_of_order(fronts, fronts)),
+    }
+
+
+def with_map(units, of_map):
+    """All units share the one map."""
+    return {
+        unit: {name: [case | of_map for case in cases] for name, cases in measured.items()}
+        for unit, measured in units.items()
+    }
+
+
+def claim_words(in_words, of_map, loads):
+    first = next(filter(is_fast_slow_fast_in_words, in_words), in_words[0])
+    return judged(
+        "Expw",
+        words_shown(first) | of_map,
+        words_case(first) | of_map,
+        with_map(units_in_words(loads), of_map),
+        note="Each load is judged by its own events, and all of them by the one map of prepared"
+        " interfaces.",
+    )
+
+
+def claim_strict(events, unmodified, continued, loads):
     shown = closest(events)
     slow, L = shown["slow"] or dict.fromkeys(COLUMNS), shown["L"]
     accepted = [event for event in events if not unmet("Exp", case_of_event(event))]
-    strict = judged(
+    return judged(
         "Exp",
         shown=case_of_event(shown),
         units=of_loads(loads, case_of_event),
@@ -96,13 +136,10 @@ def claims_of(events, in_words, unmodified, continued, loads):
         " of Figure 2 is also continued with exponential times, from the moment when its front is"
         " at 0.14 L.",
     )
-    first = next(filter(is_fast_slow_fast_in_words, in_words), in_words[0])
-    words = judged("Expw", words_shown(first), words_case(first), units_in_words(loads))
-    return [strict, words]
 
 
-def main(unmodified, continued, results, claims, *loads):
-    results = Path(results)
+def main(data, unmodified, continued, results, claims, *loads):
+    data, results = Path(data), Path(results)
     shown_load, *_ = loads
     spanning, in_words = (
         [event for event in read_events(shown_load, convention) if event["spanning"]]
@@ -110,9 +147,11 @@ def main(unmodified, continued, results, claims, *loads):
     )
     draw(spanning, results / "exponential")
     write_events(results / "exponential-events.csv", spanning)
-    write_claims(
-        claims, claims_of(spanning, in_words, report(unmodified), report(continued), loads)
-    )
+    fronts = read_map(read_rows(data / "robustness/exponential-map.csv"), data / "points")
+    draw_map(fronts, results / "exponential-map")
+    write_types(results / "exponential-map.csv", fronts)
+    strict = claim_strict(spanning, report(unmodified), report(continued), loads)
+    write_claims(claims, [strict, claim_words(in_words, case_of_map(fronts), loads)])
 
 
 if __name__ == "__main__":

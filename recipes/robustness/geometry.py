@@ -1,22 +1,30 @@
 #!/usr/bin/env python3
 """Maps of front types for other lengths and nucleation energies, and claim Geo:
-geometry.py results/data results/robustness"""
+geometry.py results/data results/robustness TABLE.csv...
+
+Of the tables the first has the maps, others have more seeds."""
 
 import sys
 from pathlib import Path
 
 from claims.claim import write_claims
 from claims.judge import judged
+from data.tables import read_rows
 from maps.front_map import (
     TYPES,
+    along,
     axes_of,
     band,
     fast_below_left_of_arrested,
+    map_of_seed,
     read_variants,
+    seeds_of,
+    steps_back,
     types_of,
     types_of_seeds,
     write_variants,
 )
+from maps.map_conventions import ABOUT_UNITS, WAYS_ALONG_TAU, out_of_order, units_of_seeds
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import DOUBLE, figure, letter, save
 
@@ -28,50 +36,52 @@ TITLES = {
 }
 
 
-def column(types, sigma):
-    """Types with rising tau_bar_0 at this sigma_bar, without places that cannot be prepared."""
-    return [kind for (_, s), kind in sorted(types.items()) if s == sigma and kind in TYPES]
-
-
-def is_in_order(kinds):
-    """Never back from slow to arrested, or from fast to slow."""
-    ranks = [TYPES.index(kind) for kind in kinds]
-    return ranks == sorted(ranks)
+def with_all_types(types):
+    """The sigma_bar at which all three types are present."""
+    return {
+        sigma
+        for sigma, places in along(types, 0).items()
+        if {types[place] for place in places} == set(TYPES)
+    }
 
 
 def measured(name, fronts):
     types = types_of(fronts)
-    columns = {sigma: column(types, sigma) for sigma in axes_of(types)[1]}
+    sigmas = axes_of(types)[1]
+    in_order = set(sigmas) - {sigma for _, sigma in steps_back(types, 0)}
     return {
-        f"{name}: sigma_bar in order": f"{sum(map(is_in_order, columns.values()))}"
-        f" of {len(columns)}",
-        f"{name}: of these with all three types": sum(
-            is_in_order(kinds) and set(kinds) == set(TYPES) for kinds in columns.values()
-        ),
+        f"{name}: sigma_bar in order": f"{len(in_order)} of {len(sigmas)}",
+        f"{name}: of these with all three types": len(in_order & with_all_types(types)),
+        f"{name}: places that step back along sigma_bar": len(steps_back(types, 1)),
         f"{name}: fast below-left of arrested": len(
             fast_below_left_of_arrested(types_of_seeds(fronts))
         ),
         f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(
             f"{sigma:g}: " + ("{:g} to {:g}".format(*limits) if limits else "none")
-            for sigma, limits in ((sigma, band(types, sigma)) for sigma in columns)
+            for sigma, limits in ((sigma, band(types, sigma)) for sigma in sigmas)
         ),
     }
 
 
-def columns_of(fronts):
-    types = types_of(fronts)
-    return [column(types, sigma) for sigma in axes_of(types)[1]]
-
-
-def case_of(maps):
+def case_of(maps, axis=0, **how):
     """The order of regions in all maps, and how many sigma_bar show all three of them."""
-    columns = [columns_of(fronts) for fronts in maps.values()]
     return {
-        "maps with all sigma_bar in order": sum(all(map(is_in_order, each)) for each in columns),
+        "maps in order": sum(
+            not out_of_order(fronts, fronts, axis, **how) for fronts in maps.values()
+        ),
         "fewest sigma_bar with all three types": min(
-            sum(set(kinds) == set(TYPES) for kinds in each) for each in columns
+            len(with_all_types(types_of(fronts, **how))) for fronts in maps.values()
         ),
     }
+
+
+def units_of(maps):
+    def case(seed, **way):
+        of_seed = {name: map_of_seed(fronts, seed) for name, fronts in maps.items()}
+        return case_of(of_seed, **way)
+
+    seeds = sorted({seed for fronts in maps.values() for seed in seeds_of(fronts)})
+    return units_of_seeds(seeds, WAYS_ALONG_TAU, case)
 
 
 def claim_Geo(maps):
@@ -79,11 +89,13 @@ def claim_Geo(maps):
     return judged(
         "Geo",
         shown=case,
+        units=units_of(maps),
         measured=case
         | {k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()},
         note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar,"
-        " with all three at two or more. Block spacing and mass, p per block, H, h and the trigger"
-        " region's length are kept, so N_x = 43 and 85, M and F_N in proportion to N_x.",
+        " with all three at two or more, and no place fast below-left of an arrested one. Block"
+        " spacing and mass, p per block, H, h and the trigger region's length are kept, so N_x = 43"
+        " and 85, M and F_N in proportion to N_x. " + ABOUT_UNITS,
     )
 
 
@@ -100,9 +112,10 @@ def draw(maps, stem):
     save(fig, stem)
 
 
-def main(data, results):
+def main(data, results, *tables):
     data, results = Path(data), Path(results)
-    maps = read_variants(data / "robustness/geometry.csv", TITLES, data / "points")
+    rows = [row for table in tables for row in read_rows(table)]
+    maps = read_variants(rows, TITLES, data / "points")
     draw(maps, results / "geometry")
     write_variants(results / "geometry.csv", maps)
     write_claims(data / "robustness/claims-Geo.json", [claim_Geo(maps)])

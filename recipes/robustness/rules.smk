@@ -12,6 +12,7 @@ rule robustness_Exp:
         events=f"{DATA}/ensemble/exponential-01-events.json",
         unmodified=f"{ROBUSTNESS_EVENT}-front.json",
         continued=f"{ROBUSTNESS_EVENT}/exponential-front.json",
+        map=f"{DATA}/robustness/exponential-map.csv",
         others=of_ensemble(
             f"{DATA}/ensemble/{load}-events.json" for load in LOADS_OF["exponential"][1:]
         ),
@@ -19,11 +20,14 @@ rule robustness_Exp:
     output:
         claims=f"{DATA}/robustness/claims-Exp.json",
         **picture(f"{RESULTS}/robustness/exponential"),
+        map_png=f"{RESULTS}/robustness/exponential-map.png",
+        map_pdf=f"{RESULTS}/robustness/exponential-map.pdf",
+        map_table=f"{RESULTS}/robustness/exponential-map.csv",
         table=f"{RESULTS}/robustness/exponential-events.csv",
     log: f"{LOGS}/robustness/Exp.log"
-    message: "robustness: draw the events with exponential slipping times, compare with the claim"
+    message: "robustness: draw events and map with exponential slipping times, compare with the claims"
     shell:
-        "{PYTHON} {input.script} {input.unmodified} {input.continued} {RESULTS}/robustness"
+        "{PYTHON} {input.script} {DATA} {input.unmodified} {input.continued} {RESULTS}/robustness"
         " {output.claims} {input.events} {input.others} 2> {log}"
 
 

@@ -76,6 +76,31 @@ class Judge(unittest.TestCase):
             claim = judged("one", {}, shown, measured)
             self.assertEqual(claim.verdict, verdict, claim.reason)
 
+    def test_a_unit_without_a_convention_counts_against_it(self):
+        measured = units(20, 0)
+        for number in range(9):
+            measured[f"{number}"]["other"] = [GOOD]
+        claim = judged("one", {}, GOOD, measured)
+        self.assertEqual((claim.shares[1].holds, claim.shares[1].units), (9, 20))
+        self.assertEqual(claim.verdict, "depends")
+
+    def test_one_state_is_judged_under_each_convention(self):
+        low, high = {"x": 0}, {"x": 2}
+        for shown, other, verdict in (
+            (low, low, "reproduced"),
+            (high, high, "differs"),
+            (low, high, "depends"),
+            (high, low, "depends"),
+            (None, low, "not comparable"),
+        ):
+            claim = judged("alone", {}, shown, others={"other": other})
+            self.assertEqual(claim.verdict, verdict, claim.reason)
+            self.assertEqual(claim.shares, [])
+        claim = judged("alone", {}, low, others={"other": high})
+        self.assertEqual(
+            claim.reason, "on the convention: holds under primary; does not under other"
+        )
+
     def test_names_the_convention_that_decides(self):
         claim = judged("one", {}, GOOD, units(20, 0, other=3))
         self.assertEqual(claim.reason, "holds as shown; in 3 of 20 loads (other)")

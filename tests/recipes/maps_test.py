@@ -10,43 +10,81 @@ from scipy.stats import mannwhitneyu
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
-from data.rank_test import share_of_lower, van_elteren  # noqa: E402
+from data.rank_test import permutation, share_of_lower, van_elteren  # noqa: E402
 from maps.front_map import (  # noqa: E402
     boundary,
     changes,
     fast_below_left_of_arrested,
     front_type,
+    map_of_seed,
     middle,
     neighbours,
+    speeds,
+    steps_back,
     to_refine,
 )
 from claims.judge import holds  # noqa: E402
-from maps.map_claims import measured  # noqa: E402
+from events.conventions import PRIMARY  # noqa: E402
+from maps.map_claims import case_of_map, fewest_seeds, map_claim  # noqa: E402
+from maps.map_conventions import WAYS, out_of_order  # noqa: E402
+from maps.map_points import boundary_of_variants  # noqa: E402
 
 C_S = 1000.0  # [m/s]
+SPACING = 0.0025  # [m]
+BLOCKS = 20  # of which the first ten are in the trigger region
 
 
-def front(v_c, arrives=True):
-    """A front over six blocks of which the first two are in the trigger region."""
-    return {
-        "x": [0.0, 0.01, 0.03, 0.04, 0.05, 0.06],
-        "t_rupture": [0.0, 0.0, 0.1, 0.2, 0.3, 0.4 if arrives else None],
-        "v_c": v_c,
+def front(slower=None, arrives=True):
+    """A front at 300 m/s, but at {n: speed} from block n to block n + 1 [m/s]."""
+    between = [300.0] * (BLOCKS - 1)
+    for block, speed in (slower or {}).items():
+        between[block] = speed
+    t_rupture = np.cumsum([0.0, *(SPACING / speed for speed in between)]).tolist()
+    line = {
+        "x": [n * SPACING for n in range(BLOCKS)],
+        "t_rupture": t_rupture if arrives else [*t_rupture[:-1], None],
         "c_s": C_S,
     }
+    return line | {"v_c": speeds(line, 5)}
+
+
+class Speeds(unittest.TestCase):
+    def test_are_the_inverse_slope_between_the_ends_of_the_stencil(self):
+        line = front({12: 50.0})
+        self.assertAlmostEqual(speeds(line, 3)[12], 2 / (1 / 300 + 1 / 50))
+        self.assertAlmostEqual(speeds(line, 5)[12], 4 / (3 / 300 + 1 / 50))
+        self.assertAlmostEqual(speeds(line, 7)[12], 6 / (5 / 300 + 1 / 50))
+        self.assertAlmostEqual(speeds(line, 3)[11], 300)
+
+    def test_there_are_none_at_the_edges_and_next_to_holes(self):
+        line = front()
+        line["t_rupture"][10] = None
+        line["t_rupture"][16] = line["t_rupture"][14]
+        missing = {*(0, 19), *(9, 10, 11), 15}
+        self.assertEqual(set(np.flatnonzero(np.isnan(speeds(line, 3)))), missing)
 
 
 class Types(unittest.TestCase):
     def test_a_stencil_below_the_threshold_makes_a_front_slow(self):
-        speeds = [None, None, 300.0, 60.0, None, None]
-        self.assertEqual(front_type(front(speeds)), "fast")
-        self.assertEqual(front_type(front(speeds), 1 / 10), "slow")
+        line = front({14: 20.0})  # 67 m/s over five blocks, 38 m/s over three, 90 m/s over seven
+        self.assertEqual(front_type(line), "fast")
+        self.assertEqual(front_type(line, slow_below=1 / 10), "slow")
+        self.assertEqual(front_type(line, stencil=3), "slow")
+        self.assertEqual(front_type(line, slow_below=0.08, stencil=7), "fast")
 
-    def test_what_touches_the_trigger_region_or_runs_backwards_does_not_count(self):
-        self.assertEqual(front_type(front([None, 1.0, 300.0, -5.0, None, None])), "fast")
+    def test_what_touches_the_trigger_region_does_not_count(self):
+        for stencil in (3, 5, 7):
+            self.assertEqual(front_type(front({9: 1.0}), stencil=stencil), "fast", stencil)
+            self.assertEqual(front_type(front({10: 1.0}), stencil=stencil), "slow", stencil)
+
+    def test_what_runs_backwards_does_not_count(self):
+        line = front()
+        line["t_rupture"][10:15] = [t - 1.0 for t in line["t_rupture"][10:15]]
+        line["t_rupture"][15:] = [t - 2.0 for t in line["t_rupture"][15:]]
+        self.assertEqual(front_type(line), "fast")
 
     def test_what_does_not_arrive_is_arrested(self):
-        self.assertEqual(front_type(front([None] * 6, arrives=False)), "arrested")
+        self.assertEqual(front_type(front(arrives=False)), "arrested")
 
     def test_what_cannot_be_prepared_has_no_type(self):
         self.assertEqual(front_type(None), "impossible")
@@ -81,6 +119,15 @@ class Boundary(unittest.TestCase):
         pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast"}
         self.assertEqual(len(boundary(pair, {(0.05, 0.0): "slow"})), 3)
 
+    def test_a_place_at_the_boundary_of_one_variant_is_enough(self):
+        kinds = {"longer": ["slow", "fast", "fast"], "shorter": ["fast", "fast", "fast"]}
+        rows = [
+            {"variant": name, "tau-bar": tau, "sigma-bar": "0", "type": kind}
+            for name, types in kinds.items()
+            for tau, kind in zip(("0.1", "0.2", "0.3"), types)
+        ]
+        self.assertEqual(boundary_of_variants(rows), [(0.1, 0.0), (0.2, 0.0)])
+
 
 class Order(unittest.TestCase):
     def test_a_fast_seed_below_left_of_an_arrested_one_is_found(self):
@@ -94,23 +141,61 @@ class Order(unittest.TestCase):
         seeds = {(0.0, 0.2): {1: "fast"}, (0.1, 0.1): {1: "arrested"}}
         self.assertEqual(fast_below_left_of_arrested(seeds), [])
 
+    def test_a_step_back_is_seen_along_its_axis_only(self):
+        types = {
+            **{(0.0, 0.0): "arrested", (0.1, 0.0): "slow", (0.2, 0.0): "slow"},
+            **{(0.0, 0.1): "slow", (0.1, 0.1): "impossible", (0.2, 0.1): "arrested"},
+        }
+        self.assertEqual(steps_back(types, 0), {(0.2, 0.1)})
+        self.assertEqual(steps_back(types, 1), {(0.2, 0.1)})
+        types[0.2, 0.0] = "arrested"
+        self.assertEqual(steps_back(types, 0), {(0.2, 0.0), (0.2, 0.1)})
+        self.assertEqual(steps_back(types, 1), set())
+
+
+ARRESTED, SLOW, FAST = front(arrives=False), front({12: 1.0}), front()
+
+
+class Seeds(unittest.TestCase):
+    def test_a_map_has_its_own_fronts_or_those_of_the_first_seed(self):
+        fronts = {(0.0, 0.0): {1: SLOW}, (0.1, 0.0): {1: SLOW, 2: FAST}}
+        self.assertEqual(map_of_seed(fronts, 2), {(0.0, 0.0): {2: SLOW}, (0.1, 0.0): {2: FAST}})
+
+    def test_a_seed_without_a_front_is_missing(self):
+        self.assertEqual(fewest_seeds({(0.0, 0.0): {1: SLOW, 2: None}}, [(0.0, 0.0)]), 1)
+
+    def test_no_fast_place_below_left_of_an_arrested_one_is_required_along_each_axis(self):
+        fronts = {(0.0, 0.0): {1: FAST}, (0.1, 0.1): {1: ARRESTED}}
+        for axis in (None, 0, 1):
+            self.assertEqual(out_of_order(fronts, fronts, axis), {(0.0, 0.0)})
+
 
 class Claims(unittest.TestCase):
+    BOUNDARY = [(0.2, 0.0), (0.25, 0.0)]
+
     def fronts(self, seeds):
         """20 x 20 places: arrested, slow and fast with rising tau_bar_0."""
-        slow, fast = [None, None, 1.0, None, None, None], [None, None, 300.0, None, None, None]
-        kinds = [front(slow, arrives=False)] * 5 + [front(slow)] * 5 + [front(fast)] * 10
+        kinds = [ARRESTED] * 5 + [SLOW] * 5 + [FAST] * 10
         return {
             (t / 20, s / 20): dict.fromkeys(seeds, kinds[t]) for t in range(20) for s in range(20)
         }
 
     def judge(self, seeds):
         grid, fronts = self.fronts([1]), self.fronts(seeds)
-        return holds("4D", [measured(fronts, grid, [(0.2, 0.0), (0.25, 0.0)], [])])
+        return holds("4D", [case_of_map(fronts, grid, fewest_seeds(fronts, self.BOUNDARY))])
 
     def test_five_seeds_at_the_boundary_are_enough_and_four_are_not(self):
         self.assertTrue(self.judge(range(1, 6)))
         self.assertFalse(self.judge(range(1, 5)))
+
+    def test_each_seed_is_judged_under_each_convention(self):
+        grid, fronts = self.fronts([1]), self.fronts(range(1, 6))
+        fronts[0.25, 0.95][3] = FAST  # next to slow places at larger tau_bar_0
+        claim = map_claim("4D", fronts, grid, self.BOUNDARY, [], "")
+        held = {share.convention: share.holds for share in claim.shares}
+        self.assertEqual(set(held), set(WAYS))
+        self.assertEqual({n: h for n, h in held.items() if h < 5}, {"order along tau_bar_0": 4})
+        self.assertEqual((claim.shares[0].convention, claim.verdict), (PRIMARY, "reproduced"))
 
 
 class RankTests(unittest.TestCase):
@@ -126,6 +211,26 @@ class RankTests(unittest.TestCase):
             first, second, alternative="less", method="asymptotic", use_continuity=False
         )
         self.assertAlmostEqual(van_elteren([(first, second)])["p"], expected.pvalue, places=12)
+
+    def test_a_permutation_test_counts_all_ways_to_hand_out_the_groups(self):
+        # 2 of 4 values in 6 ways, of which 1 is as low; beside it, 1 of 2 in 2 ways, of which 1 is
+        self.assertAlmostEqual(permutation([([1.0, 2.0], [3.0, 4.0])]), 1 / 6)
+        self.assertAlmostEqual(permutation([([1.0, 2.0], [3.0, 4.0]), ([1.0], [9.0])]), 1 / 12)
+        # rank sums of 2 of 4: 3, 4, 5, 5, 6, 7
+        self.assertAlmostEqual(permutation([([1.0, 4.0], [2.0, 3.0])]), 4 / 6)
+        # 3 + 0 of 4 + 1 pairs are lower; 4 + 1, 3 + 1, 2 + 1 (two ways), 4 + 0 and 3 + 0 are, too
+        self.assertAlmostEqual(permutation([([1.0, 3.0], [2.0, 4.0]), ([9.0], [1.0])]), 6 / 12)
+
+    def test_a_permutation_test_counts_ties_half(self):
+        self.assertAlmostEqual(permutation([([1.0], [1.0, 2.0])]), 2 / 3)
+        self.assertEqual(permutation([([1.0], [1.0])]), 1.0)
+        self.assertIsNone(permutation([([1.0], [])]))
+
+    def test_a_permutation_test_of_one_stratum_is_the_exact_mann_whitney_test(self):
+        random = np.random.default_rng(2)
+        first, second = random.normal(size=8), random.normal(0.7, size=11)
+        expected = mannwhitneyu(first, second, alternative="less", method="exact")
+        self.assertAlmostEqual(permutation([(first, second)]), expected.pvalue, places=12)
 
     def test_equal_groups_show_nothing(self):
         self.assertAlmostEqual(van_elteren([([1.0, 2.0], [1.0, 2.0])])["p"], 0.5)

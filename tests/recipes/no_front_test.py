@@ -2,7 +2,6 @@
 as they count fronts that arrest."""
 
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -25,11 +24,10 @@ class NoFront(unittest.TestCase):
         self.assertFalse(is_like_analyze(NOTHING | {"type": "fast"}))
 
     def test_counts_as_arrested_where_a_map_is_refined(self):
-        with tempfile.TemporaryDirectory() as folder:
-            table = Path(folder) / "map.csv"
-            table.write_text("tau-bar,sigma-bar,type\n0,0,none\n0.1,0,fast\n2,0,\n", "utf-8")
-            types = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast", (2.0, 0.0): "impossible"}
-            self.assertEqual(types_in(table), types)
+        places = (("0", "none"), ("0.1", "fast"), ("2", ""))
+        rows = [{"tau-bar": tau, "sigma-bar": "0", "type": kind} for tau, kind in places]
+        types = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast", (2.0, 0.0): "impossible"}
+        self.assertEqual(types_in(rows), types)
 
     def test_does_not_span(self):
         slow = {"speed": 10.0}
