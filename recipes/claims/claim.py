@@ -34,7 +34,7 @@ class Share:
 
 
 def plural(unit):
-    return unit.replace("load", "loads").replace("event", "events")
+    return unit.replace("load", "loads").replace("event", "events").replace("seed", "seeds")
 
 
 @dataclass(frozen=True)
