@@ -1,8 +1,12 @@
 #!/usr/bin/env python3
-"""Figure 3 D, its data and its claim: front_speed.py TABLE.csv PHI.csv FOLDER CLAIMS.json
+"""Figure 3 D, its data and its claim:
 
-Front speed and slow slip belong to the same blocks (analyze slow-slip). A run counts if its front
-spans and slows down, and at least BLOCKS blocks could be measured; the same for both models.
+    front_speed.py POINTS.json PHI.json FOLDER CLAIMS.json [OF_OTHER_SEEDS_AND_WIDTHS.json...]
+
+Front speed and slow slip belong to the same blocks (slow_fronts.py). A run counts if its front
+spans and slows down, and at least BLOCKS blocks could be measured; the same for both models. The
+simplified law has one spring per block, hence no width of phi: where the convention is another
+width, it is that of the full model alone.
 """
 
 import csv
@@ -14,10 +18,21 @@ import numpy as np
 from claims.claim import write_claims
 from claims.judge import judged
 from data.fits import fit_through_origin
-from data.tables import numbers, read_rows
+from data.tables import numbers
+from events.conventions import PRIMARY
 from pictures.plotting import BLUE, SINGLE, VERMILION, figure, save
+from slow_fronts import (
+    BLOCKS,
+    OTHER_WINDOWS,
+    WHERE,
+    WITHOUT_NEAR_ARREST,
+    fronts,
+    of_seeds,
+    speeds,
+    without_near_arrest,
+)
 
-BLOCKS = 5
+WHOLE_T_R = "followed for whole <t_R>"
 L_0 = 7e-3  # decay length of the shear force ahead of the front, the paper's value [m]
 NX = 57
 N_S = 100
@@ -42,10 +57,6 @@ def varied_in(row):
     return row["variant"].split(", ")[1]
 
 
-def usable(rows):
-    return [row for row in rows if row["type"] == "slow" and int(row["blocks"] or 0) >= BLOCKS]
-
-
 def scale(rows, strength=1.0):
     """k_i l_0 / (tau_max - tau_0), tau_max in the form of tau-bar: tau_thres is 1."""
     p = numbers(rows, "slider.F_N") / NX
@@ -58,19 +69,8 @@ def slip(rows):
     return numbers(rows, "slow slip [m/s]")
 
 
-def front(rows):
-    return numbers(rows, "front speed [m/s]")
-
-
 def fit(rows):
-    return fit_through_origin(scale(rows) * slip(rows), front(rows))
-
-
-def fit_of_whole_t_R(rows):
-    """The same from those blocks alone that could be followed for <t_R>."""
-    rows = [row for row in rows if int(row["whole t_R, blocks"]) >= BLOCKS]
-    x = scale(rows) * numbers(rows, "whole t_R, slow slip [m/s]")
-    return fit_through_origin(x, numbers(rows, "whole t_R, front speed [m/s]"))
+    return fit_through_origin(scale(rows) * slip(rows), speeds(rows))
 
 
 def chosen(rows, model, variants):
@@ -84,7 +84,7 @@ def draw_points(axes, rows, x, label):
             if points:
                 text = f"{model}: {LABELS[variant]}" if label else None
                 style = {"color": colour, "markerfacecolor": "none", "markeredgewidth": 0.7}
-                axes.plot(x(points), front(points), marker, label=text, markersize=3.5, **style)
+                axes.plot(x(points), speeds(points), marker, label=text, markersize=3.5, **style)
 
 
 def draw(rows, fits, stem):
@@ -125,7 +125,7 @@ def fit_with_other_widths(rows, phi):
     """The full model's fit if the points at other widths of phi count, too."""
     parts = [chosen(rows, "full", MARKERS), [row for row in phi if float(row["sigma-bar"]) != 0.1]]
     x = np.concatenate([scale(part) * slip(part) for part in parts])
-    return fit_through_origin(x, np.concatenate([front(part) for part in parts]))
+    return fit_through_origin(x, np.concatenate([speeds(part) for part in parts]))
 
 
 def threshold(rows):
@@ -141,50 +141,78 @@ def ratios(rows, strength):
     texts = []
     for width in sorted({row["sigma-bar"] for row in rows}):
         points = [row for row in rows if row["sigma-bar"] == width]
-        ratio = np.mean(front(points) / (scale(points, strength(points)) * slip(points)))
+        ratio = np.mean(speeds(points) / (scale(points, strength(points)) * slip(points)))
         texts.append(f"{ratio:.2f} at sigma-bar {width}")
     return ", ".join(texts)
 
 
-def claim(rows, fits, phi):
-    full, simplified = fits["full"], fits["simplified"]
-    difference = abs(full.slope / simplified.slope - 1)
-    whole = {model: fit_of_whole_t_R(chosen(rows, model, MARKERS)) for model in MODELS}
-    case = {
-        "R^2, full": full.r_squared,
-        "R^2, simplified": simplified.r_squared,
-        "difference of the slopes": difference,
+def fits_of(rows):
+    return {model: fit(chosen(rows, model, MARKERS)) for model in ("full", "simplified")}
+
+
+def case_3D(rows):
+    """Without values where a model could not be fitted."""
+    full, simplified = fits_of(rows).values()
+    both = full and simplified
+    return {
+        "R^2, full": full and full.r_squared,
+        "R^2, simplified": simplified and simplified.r_squared,
+        "difference of the slopes": abs(full.slope / simplified.slope - 1) if both else None,
     }
+
+
+def with_width(rows, widths, sigma_bar):
+    """The full model's fronts at this width of phi instead; the simplified one has none."""
+    others = [row for row in widths if float(row["sigma-bar"]) == sigma_bar]
+    return [row for row in rows if model_of(row) == "simplified"] + others
+
+
+def conventions(path, widths_path):
+    rows, widths = fronts(path), fronts(widths_path)
+    cases = {PRIMARY: case_3D(rows)}
+    cases |= {window: case_3D(fronts(path, window)) for window in OTHER_WINDOWS}
+    for sigma_bar in (0, 0.2):
+        cases[f"sigma-bar {sigma_bar}"] = case_3D(with_width(rows, widths, sigma_bar))
+    cases[WITHOUT_NEAR_ARREST] = case_3D(without_near_arrest(rows))
+    return {name: [case] for name, case in cases.items()}
+
+
+def claim(path, phi, others):
+    rows = fronts(path)
+    fits = fits_of(rows)
+    full, simplified = fits.values()
+    whole = fits_of(fronts(path, WHOLE_T_R))
+    case = case_3D(rows)
     return judged(
         "3D",
         shown=case,
+        units=of_seeds([path, *others], conventions, ["front_speed", "front_speed_widths"]),
         measured={
             "slope, full": full.slope,
             "slope, simplified": simplified.slope,
             **case,
             "points": [full.points, simplified.points],
             "R^2, both on one line": fit(rows).r_squared,
-            "R^2, both, unscaled": fit_through_origin(slip(rows), front(rows)).r_squared,
+            "R^2, both, unscaled": fit_through_origin(slip(rows), speeds(rows)).r_squared,
             "R^2, full, with other widths of phi too": fit_with_other_widths(rows, phi).r_squared,
             "slopes from blocks followed for <t_R>": [whole[m].slope for m in fits],
             "their R^2": [whole[m].r_squared for m in fits],
         },
         note=f"Fronts that span, with at least {BLOCKS} measured blocks; v_slow slip (mean) and v_c"
-        " (median) belong to the same blocks and are measured as for 3Ci, in both models. R^2"
-        " against the mean of v_c. l_0 = 7 mm; full model at sigma-bar = 0.1, for the scaling knows"
-        f" no width of phi: v_c over the scaled slow slip is {ratios(phi, threshold)}. So the two"
-        " models' factors would differ if both had sigma-bar = 0; with the strength that phi leaves"
-        f" in place of tau_thres the full model's is {ratios(phi, strength_of_phi)}.",
+        f" (median) belong to the same blocks, in both models. {WHERE} l_0 = 7 mm. Full model at"
+        " sigma-bar = 0.1, simplified one without a width of phi, for it has one spring per block;"
+        " at sigma-bar = 0 both have none. The scaling knows no width: v_c over the scaled slow"
+        f" slip is {ratios(phi, threshold)}. With the strength that phi leaves in place of"
+        f" tau_thres the full model's is {ratios(phi, strength_of_phi)}.",
     )
 
 
-def main(table, phi_table, folder, claims_path):
+def main(path, phi_path, folder, claims_path, *others):
     folder = Path(folder)
-    rows, phi = usable(read_rows(table)), usable(read_rows(phi_table))
-    fits = {model: fit(chosen(rows, model, MARKERS)) for model in ("full", "simplified")}
-    draw(rows, fits, folder / "fig3D")
+    rows, phi = fronts(path), fronts(phi_path)
+    draw(rows, fits_of(rows), folder / "fig3D")
     write_table(folder / "front-speed.csv", rows)
-    write_claims(claims_path, [claim(rows, fits, phi)])
+    write_claims(claims_path, [claim(path, phi, others)])
 
 
 if __name__ == "__main__":

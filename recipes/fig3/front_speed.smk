@@ -1,12 +1,15 @@
 # Figure 3 D: speed of slow fronts against slow-slip speed. The sweeps are front_speed.ini,
-# front_speed_phi.ini.
+# front_speed_phi.ini, front_speed_widths.ini.
 FIG3_PARTS += [f"{DATA}/fig3/claims-D.json"]
 
 
 rule fig3_front_speed:
     input:
-        points=f"{DATA}/fig3/front_speed.csv",
-        phi=f"{DATA}/fig3/front_speed_phi.csv",
+        points=windows("front_speed"),
+        phi=windows("front_speed_phi"),
+        widths=of_ensemble([windows("front_speed_widths")]),
+        other_seeds=windows_of_seeds("front_speed", "front_speed_widths"),
+        shared="recipes/fig3/slow_fronts.py",
         **script("recipes/fig3/front_speed.py"),
     output:
         claims=f"{DATA}/fig3/claims-D.json",
@@ -16,4 +19,4 @@ rule fig3_front_speed:
     message: "fig3: draw D, compare the collapse of the front speeds"
     shell:
         "{PYTHON} {input.script} {input.points} {input.phi} {RESULTS}/fig3 {output.claims}"
-        " 2> {log}"
+        " {input.widths} {input.other_seeds} 2> {log}"

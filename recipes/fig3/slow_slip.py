@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Figure 3 C, inset, its data and its claim: slow_slip.py PREPARED.csv EVENT.csv FOLDER CLAIMS.json
+"""Figure 3 C, inset, its data and the claims 3Ci and co:
 
-The measured slow slip of each run: the mean over its blocks and their extremes (analyze slow-slip).
-A run counts if its front spans and slows down, and at least BLOCKS blocks could be measured.
+    slow_slip.py PREPARED.json EVENT.csv FOLDER CLAIMS.json [OF_OTHER_SEEDS.json...]
+
+The measured slow slip of each run: the mean over its blocks and their extremes (slow_fronts.py). A
+run counts if its front spans and slows down, and at least BLOCKS blocks could be measured.
 """
 
 import csv
@@ -15,10 +17,26 @@ from claims.claim import write_claims
 from claims.judge import judged
 from data.fits import fit_through_origin
 from data.tables import numbers, read_rows
+from events.conventions import PRIMARY
 from pictures.plotting import BLACK, BLUE, GREEN, SINGLE, figure, save
+from slow_fronts import (
+    BLOCKS,
+    OTHER_WINDOWS,
+    WHERE,
+    WITHOUT_NEAR_ARREST,
+    fronts,
+    of_seeds,
+    speeds,
+    without_near_arrest,
+)
 
-BLOCKS = 5
 MM = 1e3  # [mm/m]
+WIDTH = 0.14 / 56  # of a block [m]
+K_I = {  # the variant in which k_i varies, by convention
+    PRIMARY: "k_i alone",
+    "trigger's prestress varied with k_i": "k_i",
+    "K scaled with E": "k_i and K",
+}
 MARKERS = {"reference": "o", "t_R": "^", "tau_slip": "s", "k_i": "<"}
 LABELS = {
     "reference": "reference",
@@ -26,16 +44,18 @@ LABELS = {
     "tau_slip": r"$\tau_\mathrm{slip}$ varied",
     "k_i": "$k_i$ varied",
 }
-WHERE = (
-    "Blocks: prepared, those of the slow stretch but for two at its ends; event, x = 0.2-0.5 L."
-    " Time: from H/c_s after the block's rupture (or after the front became slow) for <t_R>, or"
-    " until the front leaves its slow stretch if that is earlier (at least <t_R>/2); speed between"
-    " 20 % and 80 % of the slip in this time. R^2 against the mean of the measured values."
-)
 
 
-def usable(rows):
-    return [row for row in rows if row["type"] == "slow" and int(row["blocks"] or 0) >= BLOCKS]
+def event_fronts(path):
+    """Those of the event, in which blocks at given places were measured."""
+    rows = [row | {"blocks": int(row["blocks"] or 0)} for row in read_rows(path)]
+    return [row for row in rows if row["type"] == "slow" and row["blocks"] >= BLOCKS]
+
+
+def varied(rows, k_i=K_I[PRIMARY]):
+    """What the claim is about, k_i varied in one way; the quantity that varies is `varies`."""
+    names = {name: name for name in ("reference", "t_R", "tau_slip")} | {k_i: "k_i"}
+    return [row | {"varies": names[row["variant"]]} for row in rows if row["variant"] in names]
 
 
 def estimate_and_measured(rows):
@@ -46,11 +66,47 @@ def fit(rows):
     return fit_through_origin(*estimate_and_measured(rows))
 
 
-def fit_followed_for_longer(rows):
-    """The same where the slip is followed for up to 2 <t_R>, and for <t_R> at least."""
-    y = numbers(rows, "longer, slow slip [m/s]") * MM
-    known = ~np.isnan(y)
-    return fit_through_origin(estimate_and_measured(rows)[0][known], y[known])
+def fit_all(rows):
+    """The same where each quantity could be varied: at two values or more, beside the reference."""
+    counts = [sum(row["varies"] == name for row in rows) for name in ("t_R", "tau_slip", "k_i")]
+    return fit(rows) if min(counts) >= 2 else None
+
+
+def case_3Ci(rows):
+    found = fit_all(rows)
+    return {"slope": found and found.slope, "R^2": found and found.r_squared}
+
+
+def conventions_3Ci(path):
+    rows = fronts(path)
+    cases = {name: case_3Ci(varied(rows, k_i)) for name, k_i in K_I.items()}
+    cases |= {window: case_3Ci(varied(fronts(path, window))) for window in OTHER_WINDOWS}
+    cases[WITHOUT_NEAR_ARREST] = case_3Ci(without_near_arrest(varied(rows)))
+    return {name: [case] for name, case in cases.items()}
+
+
+def ratios_of_neighbours(row):
+    """The faster over the slower of each two neighbouring blocks that slip slowly."""
+    blocks = [round(x / WIDTH) for x in row["per_block"]["x"]]
+    speed = row["per_block"]["speed"]
+    pairs = zip(blocks, blocks[1:], speed, speed[1:])
+    return [max(v, w) / min(v, w) for one, next_one, v, w in pairs if next_one == one + 1]
+
+
+def largest_ratio(row):
+    """Of the neighbours behind a front; None if there are none, or one does not slip forwards."""
+    if min(row["per_block"]["speed"]) <= 0:
+        return None
+    return max(ratios_of_neighbours(row), default=None)
+
+
+def case_co(rows):
+    ratios = [largest_ratio(row) for row in rows if row["variant"] == "reference"]
+    return {"largest ratio of neighbours": ratios[0] if ratios else None}
+
+
+def conventions_co(path):
+    return {PRIMARY: [case_co(fronts(path))]}
 
 
 def draw_rows(axes, rows, marker, colour, label):
@@ -73,7 +129,7 @@ def draw_rows(axes, rows, marker, colour, label):
 def draw(prepared, event, prepared_fit, stem):
     fig, axes = figure(SINGLE, SINGLE)
     for variant, label in LABELS.items():
-        rows = [row for row in prepared if row["variant"] == variant]
+        rows = [row for row in prepared if row["varies"] == variant]
         draw_rows(axes, rows, MARKERS[variant], GREEN, f"prepared, {label}")
     draw_rows(axes, event, MARKERS["t_R"], BLUE, r"event, $\langle t_R\rangle$ varied")
     end = 1.08 * max(estimate_and_measured(prepared + event)[0])
@@ -104,44 +160,65 @@ def beside_text(rows, variant):
     """Measured over estimate in a variant that is reported beside the claim, by front speed."""
     rows = [row for row in rows if row["variant"] == variant]
     x, y = estimate_and_measured(rows)
-    speeds = numbers(rows, "front speed [m/s]")
-    return ", ".join(f"{r:.2f} at {v:.1f} m/s" for v, r in sorted(zip(speeds, y / x)))
+    return ", ".join(f"{r:.2f} at {v:.1f} m/s" for v, r in sorted(zip(speeds(rows), y / x)))
 
 
-def claim(prepared, event, beside):
-    fitted, longer = fit(prepared), fit_followed_for_longer(prepared)
-    speeds = numbers(prepared, "front speed [m/s]")
+def claim_3Ci(path, event, others):
+    rows = fronts(path)
+    prepared = varied(rows)
+    fitted = fit(prepared)
+    longer = fit(varied(fronts(path, OTHER_WINDOWS[0])))
     x, y = estimate_and_measured(event)
-    case = {"slope": fitted.slope, "R^2": fitted.r_squared}
+    case = case_3Ci(prepared)
+    units = of_seeds([path, *others], conventions_3Ci, ["slow_slip"])
     return judged(
         "3Ci",
         shown=case,
+        units=units,
         measured={
             **case,
             "prepared interfaces": fitted.points,
-            "slowest and fastest front [m/s]": [speeds.min(), speeds.max()],
+            "slowest and fastest front [m/s]": [speeds(prepared).min(), speeds(prepared).max()],
             "slope if followed for up to 2 <t_R>": longer.slope,
             "event, slope": fit(event).slope if event else None,
             "event, measured/estimate": [np.min(y / x), np.max(y / x)] if event else None,
         },
-        note=f"{WHERE} A change of tau_slip alone is nearly a change of units (p and k_i do not"
-        " depend on it). Where k_i varies, the trigger region's prestress makes up for the driving"
-        " spring, as in the paper. Measured/estimate without that:"
-        f" {beside_text(beside, 'k_i alone')}; with a driving spring as much stiffer as the slider"
-        f" instead: {beside_text(beside, 'k_i and K')}. At other prestresses:"
-        f" {beside_text(beside, 'prestress')}.",
+        note=f"{WHERE} Event: blocks at x = 0.2-0.5 L, until the front leaves all that is slow. A"
+        " change of tau_slip alone is nearly a change of units (p and k_i do not depend on it)."
+        " Where k_i varies, the trigger region's prestress stays as it is. Measured/estimate there:"
+        f" {beside_text(rows, K_I[PRIMARY])}; with a prestress that makes up for the driving"
+        f" spring: {beside_text(rows, 'k_i')}; with a driving spring as much stiffer as the slider"
+        f" instead: {beside_text(rows, 'k_i and K')}. At other prestresses of the interface:"
+        f" {beside_text(rows, 'prestress')}.",
     )
 
 
-def main(prepared_path, event_path, folder, claims_path):
+def claim_co(path, others):
+    rows = fronts(path)
+    case = case_co(rows)
+    ratios = [largest_ratio(row) or np.inf for row in rows]
+    middle = np.median(ratios)
+    return judged(
+        "co",
+        shown=case,
+        units=of_seeds([path, *others], conventions_co, ["slow_slip"]),
+        measured={
+            **case,
+            "fronts": len(rows),
+            "median over all fronts of the largest ratio": middle if middle < np.inf else None,
+        },
+        note="The front of the reference parameters; all fronts: those of every variant. Speeds as"
+        " for 3Ci, so that the tip is H/c_s beyond a block when its time begins.",
+    )
+
+
+def main(prepared_path, event_path, folder, claims_path, *others):
     folder = Path(folder)
-    prepared = usable(read_rows(prepared_path))
-    event = usable(read_rows(event_path))
-    varied = [row for row in prepared if row["variant"] in MARKERS]
-    beside = [row for row in prepared if row["variant"] not in MARKERS]
-    draw(varied, event, fit(varied), folder / "fig3C-inset")
+    prepared, event = fronts(prepared_path), event_fronts(event_path)
+    draw(varied(prepared), event, fit(varied(prepared)), folder / "fig3C-inset")
     write_table(folder / "slow-slip-speed.csv", {"prepared": prepared, "event": event})
-    write_claims(claims_path, [claim(varied, event, beside)])
+    claims = [claim_3Ci(prepared_path, event, others), claim_co(prepared_path, others)]
+    write_claims(claims_path, claims)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,10 @@ FIG3_PARTS += [f"{DATA}/fig3/claims-Ci.json"]
 
 rule fig3_slow_slip:
     input:
-        prepared=f"{DATA}/fig3/slow_slip.csv",
+        prepared=windows("slow_slip"),
         event=f"{DATA}/fig3/slow_slip_event.csv",
+        other_seeds=windows_of_seeds("slow_slip"),
+        shared="recipes/fig3/slow_fronts.py",
         **script("recipes/fig3/slow_slip.py"),
     output:
         claims=f"{DATA}/fig3/claims-Ci.json",
@@ -15,4 +17,4 @@ rule fig3_slow_slip:
     message: "fig3: draw the inset of C, compare the slow slip with Eq. S1"
     shell:
         "{PYTHON} {input.script} {input.prepared} {input.event} {RESULTS}/fig3 {output.claims}"
-        " 2> {log}"
+        " {input.other_seeds} 2> {log}"

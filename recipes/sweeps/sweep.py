@@ -26,6 +26,9 @@ instead, whose columns are names; columns in [values] are combined with each of 
 FILE` in [sweep] names a checkpoint that the commands use as {base}; `memory` and `threads` say what
 the computer is to provide for a point (needs.py). A comment begins with # or ;.
 
+`seeds = 2 to 5` in [sweep] of a recipe: the same sweep again with each of these seeds, in tables of
+its own, results/data/NAME/SWEEP-seed-2.csv. Its name as a file is SWEEP.ini#2.
+
 Each point is one file, results/data/points/ID.json, where ID follows from its commands: what is
 there already is not computed again, whichever sweep it belonged to, and adding values adds points.
 
@@ -37,6 +40,7 @@ import csv
 import hashlib
 import itertools
 import math
+import re
 import string
 from dataclasses import dataclass
 from pathlib import Path
@@ -46,6 +50,7 @@ from sweeps.sweep_values import LIMIT, SweepError, calculate, references, values
 
 BATCHES = 64  # of a large sweep, so that many cores have work until its end
 LARGEST_BATCH = 20  # points
+SEED = "numerics.seed"
 
 
 @dataclass(frozen=True)
@@ -225,10 +230,30 @@ def sweep_of(ini, name):
     return Sweep(title, points, columns, needs_of(ini["sweep"]), varied_in(products, points), units)
 
 
+def file_and_seed(name):
+    """("SWEEP.ini", "2") of SWEEP.ini#2; ("SWEEP.ini", "") of SWEEP.ini."""
+    match = re.fullmatch(r"(.*\.ini)#(\d+)", str(name), re.DOTALL)
+    return match.groups() if match else (str(name), "")
+
+
+def seeds_of(path):
+    """Those with which the sweep is run again, in tables of their own."""
+    text = parse_ini(path)["sweep"].get("seeds")
+    return values_of(text) if text else []
+
+
+def with_seed(ini, seed):
+    """The same for another seed, as the last value of each point."""
+    for section in filter(is_values, ini.sections() if seed else []):
+        ini[section][SEED] = seed
+    return ini
+
+
 def read_sweep(path):
-    """The sweep that an INI file describes. SweepErrors name the file."""
+    """The sweep that an INI file describes, or SWEEP.ini#2. SweepErrors name the file."""
     try:
-        return sweep_of(parse_ini(path), Path(path).stem)
+        file, seed = file_and_seed(path)
+        return sweep_of(with_seed(parse_ini(file), seed), Path(file).stem)
     except (OSError, ValueError, configparser.Error) as error:
         raise SweepError(f"{path}: {sentence_of(error)}") from None
 

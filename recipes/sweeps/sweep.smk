@@ -5,12 +5,17 @@
 # A job computes a batch of points and makes one small file, which has a digest of each result. The
 # results themselves are no outputs of the job, so that those that are done outlive one that is ended.
 from sweeps.point_store import PointStore
-from sweeps.sweep import batches_of, is_sweep, read_sweep
+from sweeps.sweep import batches_of, file_and_seed, is_sweep, read_sweep, seeds_of
 
 SWEEP_FILES = {
     f"{path.parent.name}/{path.stem}": path
     for path in sorted(Path("recipes").glob("*/*.ini"))
     if is_sweep(path) and "sweep" not in config
+}
+SWEEP_FILES |= {
+    f"{name}-seed-{seed}": f"{path}#{seed}"
+    for name, path in SWEEP_FILES.items()
+    for seed in seeds_of(path)
 }
 TABLES = list(SWEEP_FILES)
 OWN = [f"sweeps/{Path(config['sweep']).stem}"] if "sweep" in config else []
@@ -32,6 +37,11 @@ for path, (_, batch) in BATCHES.items():
 
 def batches_of_sweep(name):
     return [path for path, (of, _) in BATCHES.items() if of == name]
+
+
+def tables_of_seeds(name):
+    """The same sweep with other seeds."""
+    return [f"{DATA}/{table}.csv" for table in SWEEP_FILES if table.startswith(f"{name}-seed-")]
 
 
 def batch_at(wildcards):
@@ -79,13 +89,14 @@ rule batch:
 rule table:
     input:
         points=lambda wildcards: batches_of_sweep(wildcards.sweep),
-        sweep="recipes/{sweep}.ini",
+        sweep=lambda wildcards: file_and_seed(SWEEP_FILES[wildcards.sweep])[0],
         **script("recipes/sweeps/collect.py"),
     output: f"{DATA}/{{sweep}}.csv"
+    params: sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[wildcards.sweep]))
     wildcard_constraints: sweep="|".join(TABLES) or "none"
     log: f"{LOGS}/{{sweep}}.log"
     message: "{wildcards.sweep}: collect the points"
-    shell: "{PYTHON} {input.script} {input.sweep} {POINTS} {output} 2> {log}"
+    shell: "{PYTHON} {input.script} {params.sweep} {POINTS} {output} 2> {log}"
 
 
 rule sweep:

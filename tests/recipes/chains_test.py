@@ -28,7 +28,12 @@ FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-ev
 # record.
 UNSAID = ("--event", "--checkpoint-every", "--crossings")
 # Commands that no rule runs: scripts read these records, or call the program, themselves.
-ONLY_BY_HAND = ("analyze loading --x", "analyze events", "analyze events --slow-below")
+ONLY_BY_HAND = (
+    "analyze loading --x",
+    "analyze events",
+    "analyze events --slow-below",
+    "analyze slow-slip --skip-below-x --stencils-at-ends --to --x-from --x-to",
+)
 RECIPES = sorted(path.parent.name for path in (SOURCE / "recipes").glob("*/rules.smk"))
 
 HANDLER = """

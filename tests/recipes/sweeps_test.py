@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
 from sweeps.needs import Needs  # noqa: E402
-from sweeps.sweep import SweepError, batches_of, read_sweep, values_of  # noqa: E402
+from sweeps.sweep import SweepError, batches_of, read_sweep, seeds_of, values_of  # noqa: E402
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
 
@@ -74,6 +74,19 @@ class Reading(unittest.TestCase):
         points = self.values("[values]\na = 1, 2\nb = 3, 4")
         expected = [("1", "3"), ("1", "4"), ("2", "3"), ("2", "4")]
         self.assertEqual([(p["a"], p["b"]) for p in points], expected)
+
+    def test_the_same_again_with_another_seed(self):
+        text = f"[sweep]\nseeds = 2, 3\n{COMMANDS}[values]\na = 1, 2\n[variant x]\nb = 3\n"
+        first = self.read(text)
+        path = Path(self.folder.name) / "sweep.ini"
+        again = read_sweep(f"{path}#3")
+        self.assertEqual(seeds_of(path), ["2", "3"])
+        for one, other in zip(first.points, again.points, strict=True):
+            self.assertEqual(other.values, one.values | {"numerics.seed": "3"})
+            self.assertNotIn("numerics.seed", one.values)
+        without = self.read(text.replace("seeds = 2, 3\n", ""))
+        self.assertEqual([p.id for p in without.points], [p.id for p in first.points])
+        self.assertEqual(seeds_of(path), [])
 
     def test_expressions_follow_other_values(self):
         points = self.values("[values]\nc = sqrt({b})\nb = {a} ** 2 * 4\na = 1, 3")
