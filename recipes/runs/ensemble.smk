@@ -2,6 +2,7 @@
 # one that Figures 1 and S1 show; with --from-scratch, the checkpoints in checkpoints/ come from it, too.
 LOAD_UNTIL = 1.2  # s
 CHECKPOINT_EVERY = 0.05  # s
+BEFORE_FIRST_BREAK = 0.15  # s; a seed draws slipping times, so until then it does nothing
 CROSSINGS = "--crossings 0.2,0.5"  # options of a run whose record holds enough for all conventions
 SETTINGS = {  # name: parameters, number of seeds
     "load": ("", 20),
@@ -23,35 +24,65 @@ REFERENCE_LOADS = LOADS_OF["load"]
 SHOWN_LOAD = f"{DATA}/ensemble/load-01"
 
 
+LOADING = f"--until {LOAD_UNTIL} --checkpoint-every {CHECKPOINT_EVERY} {CROSSINGS}"
+
+
 def checkpoints_of_load(run):
-    return checkpoints_of(run, until=LOAD_UNTIL, every=CHECKPOINT_EVERY)
-
-
-def parameters_of_load(wildcards):
-    setting, seed = wildcards.load.split("-")
-    return f"{SETTINGS[setting][0]} --set numerics.seed={int(seed)}"
+    """Those that every load of the ensemble has."""
+    return checkpoints_of(
+        run, until=LOAD_UNTIL, every=CHECKPOINT_EVERY, start=BEFORE_FIRST_BREAK
+    )
 
 
 wildcard_constraints:
     load="|".join(LOADS),
+    setting="|".join(SETTINGS),
 
 
+# The first load of each kind, with seed 1.
 use rule load_recorded as load with:
     output:
         **recorded(
-            f"{DATA}/ensemble/{{load}}",
-            checkpoints=checkpoints_of_load(f"{DATA}/ensemble/{{load}}"),
+            f"{DATA}/ensemble/{{setting}}-01",
+            checkpoints=checkpoints_of(
+                f"{DATA}/ensemble/{{setting}}-01", until=LOAD_UNTIL, every=CHECKPOINT_EVERY
+            ),
         ),
-    priority: 100  # long: first
+    priority: 110  # long, and the others wait for it: first
     params:
         **run_with(
-            f"--until {LOAD_UNTIL} --checkpoint-every {CHECKPOINT_EVERY} {CROSSINGS}",
-            changes=parameters_of_load,
+            LOADING,
+            changes=lambda wildcards: SETTINGS[wildcards.setting][0],
             record_every="1e-3",
         ),
-    log: f"{LOGS}/ensemble/{{load}}.log"
+    log: f"{LOGS}/ensemble/{{setting}}-01.log"
     message:
-        f"load: drive the slider to t = {LOAD_UNTIL} s, {{wildcards.load}} (about a minute)"
+        f"load: drive the slider to t = {LOAD_UNTIL} s, {{wildcards.setting}}-01 (about a minute)"
+
+
+# The others: as the first one until no junction has broken yet, then with their own seed.
+use rule restart_recorded as load_of_seed with:
+    input:
+        **content_of(
+            h5=f"{DATA}/ensemble/{{setting}}-01-t{BEFORE_FIRST_BREAK:.9f}.h5"
+        ),
+    output:
+        **recorded(
+            f"{DATA}/ensemble/{{setting}}-{{seed}}",
+            checkpoints=checkpoints_of_load(f"{DATA}/ensemble/{{setting}}-{{seed}}"),
+        ),
+    priority: 100  # long: before what is short
+    params:
+        **run_with(
+            LOADING,
+            changes=lambda wildcards: f"--set numerics.seed={int(wildcards.seed)}",
+            record_every="1e-3",
+        ),
+    wildcard_constraints: seed="(?!01)[0-9]{2}"
+    log: f"{LOGS}/ensemble/{{setting}}-{{seed}}.log"
+    message:
+        f"load: drive the slider to t = {LOAD_UNTIL} s, {{wildcards.setting}}-{{wildcards.seed}}"
+        " (about a minute)"
 
 
 rule events:

@@ -114,6 +114,15 @@ TEST_F(Restart, checkpoints_on_the_way_are_those_of_the_whole) {
   EXPECT_FALSE(fs::exists(path("end-t0.000100000.h5")));
 }
 
+TEST_F(Restart, seed_given_before_the_first_break_is_that_of_the_whole_run) {
+  output_of("load --config small.ini -o whole.h5 --seed 7 --until 6e-4");
+  output_of("load --config small.ini -o loaded.h5 --until 1e-4");
+  output_of("restart loaded.h5 -o end.h5 --set numerics.seed=7 --until 6e-4");
+  EXPECT_EQ(checksum_of("end.h5"), checksum_of("whole.h5"));
+  output_of("restart loaded.h5 -o other.h5 --until 6e-4");
+  EXPECT_EQ(run("analyze diff other.h5 end.h5").exit_code, kFailed) << "seeds make a difference";
+}
+
 TEST_F(Restart, zero_speed_stops_the_driving_point_where_it_is) {
   output_of("load --config small.ini -o a.h5 --until 5e-5 --record r1.h5");
   output_of("restart a.h5 -o b.h5 --set driving.V=0 --for 2e-4 --record r2.h5");
