@@ -113,6 +113,6 @@ def of_seed(fronts):
     return {name: median(front["l_0"][name] for front in fronts) for name in METHODS}
 
 
-def fitted_l_0(path, method=PRIMARY):
+def fitted_l_0(path):
     """l_0 [m] as a seed's report has it (results/data/fig3/l0-seed-1.json)."""
-    return report(path)["l_0"][method]
+    return report(path)["l_0"][PRIMARY]

@@ -12,14 +12,13 @@ from pathlib import Path
 import numpy as np
 from decay_length import FITTED, METHODS, exponential, median
 
+from claims import paper
 from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
 from pictures.plotting import BLACK, BLUE, SINGLE, VERMILION, figure, save
-
-PAPERS_L_0 = 7e-3  # [m]
 
 
 def case(l_0):
@@ -62,7 +61,7 @@ def draw(seed, stem):
     axes.plot(x * 1e3, middle, "o", color=BLACK, markersize=3, label="median of the fronts")
     for l_0, text, look in (
         (seed["l_0"][PRIMARY], "fitted", {"color": BLUE}),
-        (PAPERS_L_0, "paper", {"color": VERMILION, "linestyle": "--"}),
+        (paper.L_0, "paper", {"color": VERMILION, "linestyle": "--"}),
     ):
         label = rf"{text}: $l_0 = {l_0 * 1e3:.1f}$ mm"
         line = exponential_through_middle(x, middle, l_0)
