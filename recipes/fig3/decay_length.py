@@ -48,6 +48,7 @@ def distance_to_1_over_e(excess):
 METHODS = {
     PRIMARY: exponential(*FITTED),
     "5 blocks ahead": exponential(0, 5),
+    f"{REACH} blocks ahead": exponential(0, REACH),
     "without the block at the tip": exponential(1, 4),
     "fall to 1/e": distance_to_1_over_e,
 }
