@@ -1,5 +1,6 @@
 """The paper's numbers, in one place. What is measured is compared with them, in claims, in pictures
-and to choose the event most like the paper's. No simulation and no measurement reads them."""
+and to choose the event most like the paper's. No simulation reads them, and no measurement but for
+L_0, a factor common to all points of Figure 3 D."""
 
 # Fig. 2 and the text on it: a fast-slow-fast event
 FAST = 1 / 3  # speed of the front before its slow stretch [c_s]
@@ -9,6 +10,9 @@ SLOW_FOR = 1e-3  # duration of the slow front [s]
 
 # Discussion, of the experiments of its ref. 20
 FAST_SLIP_SPEED = 0.1  # [m/s]
+
+# Fig. 3 D and the SI, on slow fronts
+L_0 = 7e-3  # decay length of the shear force ahead of them [m]
 
 # SI, on the speed of slow slip
 COEFFICIENT = 4.2  # Eq. S1: that speed [tau_slip/(k_i <t_R>)]

@@ -28,7 +28,7 @@ def cases_SI(reference, unbreakable):
     }
     return {
         until: {
-            "net slip [f_slip/k_ij]": slip,
+            "slip that counts [f_slip/k_ij]": slip,
             "net slip without re-breaking [f_slip/k_ij]": net_slip(unbreakable),
         }
         for until, slip in slips.items()

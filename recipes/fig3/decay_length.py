@@ -48,6 +48,7 @@ def distance_to_1_over_e(excess):
 METHODS = {
     PRIMARY: exponential(*FITTED),
     "5 blocks ahead": exponential(0, 5),
+    f"{REACH} blocks ahead": exponential(0, REACH),
     "without the block at the tip": exponential(1, 4),
     "fall to 1/e": distance_to_1_over_e,
 }
@@ -113,6 +114,6 @@ def of_seed(fronts):
     return {name: median(front["l_0"][name] for front in fronts) for name in METHODS}
 
 
-def fitted_l_0(path, method=PRIMARY):
+def fitted_l_0(path):
     """l_0 [m] as a seed's report has it (results/data/fig3/l0-seed-1.json)."""
-    return report(path)["l_0"][method]
+    return report(path)["l_0"][PRIMARY]

@@ -7,8 +7,11 @@ FIG3_PARTS += [f"{DATA}/fig3/claims-l0.json"]
 
 rule fig3_l0_seed:
     input:
-        measure="recipes/fig3/decay_length.py",
-        **script("recipes/fig3/decay_length_seed.py"),
+        script="recipes/fig3/decay_length_seed.py",
+        shared=[
+            f"recipes/{name}.py"
+            for name in ("fig3/decay_length", "events/conventions", "maps/front_map")
+        ],
     output: f"{DATA}/fig3/l0-seed-{{seed}}.json"
     priority: 80  # long: before what is short
     params: code=CODE, folder=f"{DATA}/fig3/l0-seed-{{seed}}-scratch"

@@ -9,7 +9,8 @@ rule fig3_front_speed:
         phi=windows("front_speed_phi"),
         widths=of_ensemble([windows("front_speed_widths")]),
         other_seeds=windows_of_seeds("front_speed", "front_speed_widths"),
-        shared="recipes/fig3/slow_fronts.py",
+        l_0=f"{DATA}/fig3/l0-seed-1.json",
+        shared=["recipes/fig3/slow_fronts.py", "recipes/fig3/decay_length.py"],
         **script("recipes/fig3/front_speed.py"),
     output:
         claims=f"{DATA}/fig3/claims-D.json",
@@ -18,5 +19,5 @@ rule fig3_front_speed:
     log: f"{LOGS}/fig3-front-speed.log"
     message: "fig3: draw D, compare the collapse of the front speeds"
     shell:
-        "{PYTHON} {input.script} {input.points} {input.phi} {RESULTS}/fig3 {output.claims}"
-        " {input.widths} {input.other_seeds} 2> {log}"
+        "{PYTHON} {input.script} {input.points} {input.phi} {input.l_0} {RESULTS}/fig3"
+        " {output.claims} {input.widths} {input.other_seeds} 2> {log}"

@@ -1,12 +1,11 @@
-# Beside Figure 3: no slow fronts without a slipping force. The sweeps are no_slip_force.ini, and
-# no_slip_force_seeds.ini for other seeds.
+# Beside Figure 3: no slow fronts without a slipping force. The sweep is no_slip_force.ini.
 FIG3_PARTS += [f"{DATA}/fig3/claims-0slip.json"]
 
 
 rule fig3_no_slip_force:
     input:
         shown=f"{DATA}/fig3/no_slip_force.csv",
-        seeds=of_ensemble([f"{DATA}/fig3/no_slip_force_seeds.csv"]),
+        seeds=of_ensemble(tables_of_seeds("fig3/no_slip_force")),
         **script("recipes/fig3/no_slip_force.py"),
     output:
         claims=f"{DATA}/fig3/claims-0slip.json",

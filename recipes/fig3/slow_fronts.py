@@ -11,20 +11,21 @@ BLOCKS = 5  # fewer tell nothing about a front
 NEAR_ARREST = 3.0  # m/s; slower fronts are near arrest
 WITHOUT_NEAR_ARREST = "without fronts near arrest"
 SKIP = {"--skip-below-x": 0.0275}
+FOR_TWO_T_R, FOR_WHOLE_T_R = "followed for up to 2 <t_R>", "followed for whole <t_R>"
 NARROW = "stencils at the ends to neither"  # the programs' own rule; its time ends earlier
 # Options of `analyze slow-slip`. In all of these the time ends when the block of the last slow
 # stencil ruptures, and the blocks are those at least two from both ends of the slow stretch.
 WINDOWS: dict[str, dict] = {
     PRIMARY: {},
-    "followed for up to 2 <t_R>": {"--longest": 2, "--shortest": 1},
-    "followed for whole <t_R>": {"--shortest": 1},
+    FOR_TWO_T_R: {"--longest": 2, "--shortest": 1},
+    FOR_WHOLE_T_R: {"--shortest": 1},
 }
 OTHER_WINDOWS = [*WINDOWS, NARROW][1:]
 WHERE = (
-    "Blocks: prepared, those of the slow stretch but for two at its ends. Time: from H/c_s after"
-    " the block's rupture for <t_R>, or until the front ruptures the block of the last slow"
-    " stencil if that is earlier (at least <t_R>/2); speed between 20 % and 80 % of the slip in"
-    " this time. R^2 against the mean of the measured values."
+    "Blocks of prepared interfaces: those of the slow stretch without the two at either end. Time:"
+    " from H/c_s after the block's rupture for <t_R>, or until the front ruptures the block of"
+    " the last slow stencil if that is earlier (at least <t_R>/2); speed between 20 % and 80 % of"
+    " the slip in this time. R^2 against the mean of the measured values."
 )
 
 

@@ -212,7 +212,7 @@ def seeds_of(fronts):
 
 def map_of_seed(fronts, seed):
     """The fronts of one seed, and those of the first where it has none: away from any boundary the
-    seed makes no difference."""
+    seed is taken to make no difference."""
     return {
         place: {seed: seeds[seed] if seed in seeds else seeds[min(seeds)]}
         for place, seeds in fronts.items()

@@ -15,7 +15,14 @@ from maps.front_map import (
     types_of,
     types_of_seeds,
 )
-from maps.map_conventions import ABOUT_UNITS, ORDERS, WAYS, out_of_order, units_of_seeds
+from maps.map_conventions import (
+    ABOUT_UNITS,
+    ALONG_SIGMA,
+    ALONG_TAU,
+    WAYS,
+    out_of_order,
+    units_of_seeds,
+)
 
 
 def thresholds_compared(fronts, grid, slow_below):
@@ -87,17 +94,15 @@ def measured(fronts, grid, boundary, thresholds):
         "fast points below-left of an arrest point": len(
             {pair[0] for pair in fast_below_left_of_arrested(types_of_seeds(fronts))}
         ),
-        **{
-            f"grid points out of {name}": len(steps_back(types, axis))
-            for name, axis in ORDERS.items()
-        },
+        "grid points that step back along tau_bar_0": len(steps_back(types, ALONG_TAU)),
+        "grid points that step back along sigma_bar": len(steps_back(types, ALONG_SIGMA)),
         **seeds_measured(fronts, boundary),
         **bands,
         **others,
     }
 
 
-def case_of_map(fronts, grid, boundary_seeds, axis=None, **how):
+def case_of_map(fronts, grid, boundary_seeds, axis=ALONG_TAU, **how):
     """What the claim asks of a map; `boundary_seeds`: those at each place next to another type."""
     types = types_of(fronts, **how)
     kinds = [types[place] for place in grid]

@@ -1,8 +1,8 @@
 """Ways to read a map of front types that the paper leaves open, as data, and the map of each seed
 under each of them: the units of claims 4D, S6B and Geo.
 
-A way is options of front_type(), and the axis along which types may not step back; None: no such
-axis. Ways that need other crossings than those in the sweeps' files are left out.
+A way is options of front_type(), and the axis along which types may not step back. Ways that need
+other crossings than those in the sweeps' files are left out.
 """
 
 from events.conventions import CONVENTIONS
@@ -19,13 +19,9 @@ MEASURES = {
     for name, options in CONVENTIONS.items()
     if set(options) <= set(OPTIONS)
 }
-ORDERS = {"order along tau_bar_0": 0, "order along sigma_bar": 1}  # axis
-WAYS = {name: {"axis": None} | how for name, how in MEASURES.items()} | {
-    name: {"axis": axis} for name, axis in ORDERS.items()
-}
-# The same for a claim whose words ask for the order along tau_bar_0 (Geo).
-WAYS_ALONG_TAU = {name: {"axis": 0} | how for name, how in MEASURES.items()} | {
-    "order along sigma_bar": {"axis": 1}
+ALONG_TAU, ALONG_SIGMA = 0, 1  # axes of a place
+WAYS = {name: {"axis": ALONG_TAU} | how for name, how in MEASURES.items()} | {
+    "order along sigma_bar": {"axis": ALONG_SIGMA}
 }
 
 ABOUT_UNITS = (
@@ -34,12 +30,10 @@ ABOUT_UNITS = (
 )
 
 
-def out_of_order(fronts, grid, axis=None, **how):
+def out_of_order(fronts, grid, axis, **how):
     """Places that are fast below-left of an arrested one, over all seeds, and those of the regular
     grid where the type steps back along an axis."""
     found = {fast for fast, _ in fast_below_left_of_arrested(types_of_seeds(fronts, **how))}
-    if axis is None:
-        return found
     types = types_of(fronts, **how)
     return found | steps_back({place: types[place] for place in grid}, axis)
 

@@ -20,7 +20,7 @@ from events.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast_in_w
 from events.units import in_words as units_in_words
 from events.units import of_loads
 from maps.front_map import TYPES, read_map, types_of, write_types
-from maps.map_conventions import out_of_order
+from maps.map_conventions import ALONG_TAU, out_of_order
 from maps.map_panels import draw_regions, name_regions
 from pictures.plotting import BLUE, DOUBLE, SINGLE, VERMILION, figure, save
 
@@ -85,7 +85,7 @@ def case_of_map(fronts):
     kinds = list(types_of(fronts).values())
     return {
         **{f"{kind} grid points of the map": kinds.count(kind) for kind in TYPES},
-        "places out of order on the map": len(out_of_order(fronts, fronts)),
+        "places out of order on the map": len(out_of_order(fronts, fronts, ALONG_TAU)),
     }
 
 

@@ -24,7 +24,7 @@ from maps.front_map import (
     types_of_seeds,
     write_variants,
 )
-from maps.map_conventions import ABOUT_UNITS, WAYS_ALONG_TAU, out_of_order, units_of_seeds
+from maps.map_conventions import ABOUT_UNITS, ALONG_TAU, WAYS, out_of_order, units_of_seeds
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import DOUBLE, figure, letter, save
 
@@ -63,7 +63,7 @@ def measured(name, fronts):
     }
 
 
-def case_of(maps, axis=0, **how):
+def case_of(maps, axis=ALONG_TAU, **how):
     """The order of regions in all maps, and how many sigma_bar show all three of them."""
     return {
         "maps in order": sum(
@@ -81,7 +81,7 @@ def units_of(maps):
         return case_of(of_seed, **way)
 
     seeds = sorted({seed for fronts in maps.values() for seed in seeds_of(fronts)})
-    return units_of_seeds(seeds, WAYS_ALONG_TAU, case)
+    return units_of_seeds(seeds, WAYS, case)
 
 
 def claim_Geo(maps):

@@ -55,7 +55,8 @@ std::string entry_path(std::size_t index, std::string_view member) {
 std::size_t count_entries(const Content& content) {
   std::set<std::string> names;
   for (const auto& [path, dataset] : content) {
-    if (path.starts_with(kProvenanceGroup)) names.insert(path.substr(0, path.find('/', kProvenanceGroup.size())));
+    if (path.starts_with(kProvenanceGroup))
+      names.insert(path.substr(0, path.find('/', kProvenanceGroup.size())));
   }
   return names.size();
 }

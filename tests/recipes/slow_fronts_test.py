@@ -15,6 +15,7 @@ import front_speed  # noqa: E402
 import measure_slow_slip  # noqa: E402
 import slow_fronts  # noqa: E402
 import slow_slip  # noqa: E402
+from claims import paper  # noqa: E402
 from events.conventions import PRIMARY  # noqa: E402
 
 # Slow stencils are those around blocks 2 to 8, so the stretch without its ends is 4 to 6.
@@ -129,7 +130,7 @@ class SlowSlip(unittest.TestCase):
 def front(model, *, factor, mu_d, sigma_bar="0.1"):
     """A front whose speed is `factor` times its scaled slow slip, as k_i = 100 and p = 1."""
     strength = (1 - 0.1) * (0.4 - mu_d)
-    scaled = 100 * front_speed.L_0 / strength * 1e-3
+    scaled = 100 * paper.L_0 / strength * 1e-3
     return {
         "variant": f"{model}, f_slip",
         "slider.F_N": str(front_speed.NX),
