@@ -49,6 +49,7 @@ def duration(seconds):
 def recipes(request, processes):
     started = time.monotonic()
     compute.reproduce(request, request.recipes, processes)
+    compute.write_crate(processes)
     say(f"\nDone in {duration(time.monotonic() - started)}.")
 
 

@@ -83,6 +83,12 @@ def reproduce(request, recipes, processes):
     print_claims(recipes)
 
 
+def write_crate(processes):
+    """What is in results/ and how it was made, for programs: in a second or so."""
+    if processes.run([sys.executable, "recipes/report/crate.py"]):
+        raise Failure(f"{RESULTS}/ro-crate-metadata.json could not be written.")
+
+
 def run_sweep(request, processes):
     """The table is written even if points could not be computed: it says which, and why."""
     from sweeps import plan, preview, report

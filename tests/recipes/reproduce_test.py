@@ -82,7 +82,7 @@ class Project(unittest.TestCase):
         self.bin = self.root / "bin"
         self.bin.mkdir()
         shutil.copytree(ROOT / "recipes", self.root / "recipes")
-        for name in ("reproduce.sh", "packages.txt"):
+        for name in ("reproduce.sh", "packages.txt", "codemeta.json"):
             shutil.copy2(ROOT / name, self.root / name)
 
     def start(self, *arguments):

@@ -20,7 +20,7 @@ from pathlib import Path
 from cluster import Cluster, missing_programs
 
 ROOT = Path(__file__).resolve().parents[2]
-COPIED = ("reproduce.sh", "packages.txt", "recipes", "checkpoints")
+COPIED = ("reproduce.sh", "packages.txt", "codemeta.json", "recipes", "checkpoints")
 CORES = 2
 SWEEP = """\
 [sweep]
