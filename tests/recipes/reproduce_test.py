@@ -411,6 +411,16 @@ class NothingToDo(Project):
         rules = TINY.replace("> {output}", "| tee {output}")
         (self.root / "recipes/tiny/rules.smk").write_text(rules, encoding="utf-8")
 
+    def test_what_was_run_is_noted_for_the_report(self):
+        self.steps()
+        lines = (self.root / "results/jobs.jsonl").read_text(encoding="utf-8").splitlines()
+        last = json.loads(lines[-1])
+        self.assertEqual((last["rule"], last["output"]), ("tiny", ["results/tiny/claims.json"]))
+        self.assertIn("recipes/tiny/tiny.py", last["command"])
+        crate = json.loads((self.root / "results/ro-crate-metadata.json").read_text())
+        [run] = [each for each in crate["@graph"] if each["@id"] == "#run-tiny"]
+        self.assertLessEqual(run["startTime"], run["endTime"])
+
     def delete(self, name):
         (self.root / name).unlink()
 
