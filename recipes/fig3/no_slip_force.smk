@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Beside Figure 3: no slow fronts without a slipping force. The sweeps are no_slip_force.ini, and
 # no_slip_force_seeds.ini for other seeds.
 FIG3_PARTS += [f"{DATA}/fig3/claims-0slip.json"]

@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Writes results/index.html, one page with all figures and claims: report.py [PROJECT'S FOLDER]
 
 Shows what is there and says how to compute the rest. Needs results/NAME/ of any number of recipes.

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Figures and sweeps: ./reproduce.sh fig3, all, sweep, report."""
 
 import json

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """./reproduce.sh itself: what may be typed, installing and building (with stand-ins for apt-get and
 cmake), and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
 
