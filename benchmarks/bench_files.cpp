@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Benchmarks of rare operations: equilibrium, checkpoints, records; at reference size.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Files that `cmake --install` copies: the tools, the library with its headers, and the CMake package
 # through which other projects use them (docs/regression-tests.md).
 include(GNUInstallDirs)

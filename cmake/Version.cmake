@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # rupture/version.hpp has the version and the commit that is being built. It is looked at before each
 # build, so that a new commit needs no new configuration.
 set(RUPTURE_GENERATED_DIR ${CMAKE_BINARY_DIR}/generated)

@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Times the bulk of the slider in LAMMPS (bulk.in) on one core: the best of five repetitions, in
 # microseconds of processor time per step, one JSON object per line and variant.
 #

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Claims of the paper, beside what was measured: results/figN/claims.json."""
 
 import json

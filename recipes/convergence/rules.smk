@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Convergence with the time step and the lattice. It decides nothing, and `all` leaves it out.
 CONVERGENCE_STEPS = ["1e-7", "5e-8"]  # beside the unchanged 2e-7 s
 CONVERGENCE_EVENTS = ["fast-slow-fast", "second-slow", "fast-only"]  # I, II, III

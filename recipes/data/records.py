@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Readers for the figures: reports of the tools, and time series of records."""
 
 import json

@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Whether the claims on fronts hold for a load under each combination of conventions:
 measure_product.py PROGRAMS record.h5
 

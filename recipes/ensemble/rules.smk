@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Independent loads (runs/ensemble.smk), all their events, and each fast-slow-fast one continued in other
 # ways. The chain of commands is in README.md.
 rule ensemble:

@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Figure 3 D, its data and its claim:
 
     front_speed.py POINTS.json PHI.json L_0.json FOLDER CLAIMS.json [OTHER_SEEDS_AND_WIDTHS.json...]

@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Slow slip behind the slow fronts of a sweep, in several windows:
 
     measure_slow_slip.py FOLDER_OF_PROGRAMS TABLE.csv POINTS_FOLDER OUTPUT.json

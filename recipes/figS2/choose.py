@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Lists the fast-slow events of a load: choose.py events.json CHECKPOINT_EVERY
 
 An event is fast-slow if its front crosses the interface and becomes slow after it was fast: beyond

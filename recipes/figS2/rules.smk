@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Figure S2: the simplified law, one spring per block and slow slip imposed. See README.md.
 import json
 

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Maps of front types over prestress and width of phi, from tables of sweeps (Figures 4 D and S6 B,
 claim Geo).
 

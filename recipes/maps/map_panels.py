@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """How maps of front types are drawn (Figures 4 D and S6 B, claim Geo)."""
 
 import numpy as np

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """The look of all figures: sizes of a printed page, and colours that everybody can tell apart."""
 
 from pathlib import Path

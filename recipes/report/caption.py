@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Numbers in captions come from the results: "at {2A: fast before [m/s]}" in a recipe's README
 becomes "at 229.1 m/s", from the claims and the own results that the recipe has written."""
 

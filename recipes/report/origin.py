@@ -1,4 +1,7 @@
-"""Which build and which machine the results come from."""
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Which build and which machine the results come from, and which checksums they have."""
 
 import json
 import os
@@ -6,9 +9,12 @@ import platform
 import re
 import subprocess
 from collections import Counter
+from functools import cache
 from pathlib import Path
 
 import h5py
+
+from project import natural
 
 
 def text(dataset):
@@ -16,14 +22,18 @@ def text(dataset):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+@cache
 def written_by(path):
     """The program that wrote a checkpoint or record: the last entry of its provenance."""
-    with h5py.File(path) as file:
-        entries = file["provenance"]
-        last = entries[max(entries)]
-        return "rupture {}, commit {}, {}".format(
-            *(text(last[name]) for name in ("version", "commit", "compiler"))
-        )
+    try:
+        with h5py.File(path) as file:
+            entries = file["provenance"]
+            last = entries[max(entries)]
+            return "rupture {}, commit {}, {}".format(
+                *(text(last[name]) for name in ("version", "commit", "compiler"))
+            )
+    except (OSError, KeyError, ValueError):
+        return "unknown (no provenance)"
 
 
 def builds(root, files):
@@ -32,11 +42,20 @@ def builds(root, files):
     for name in files:
         path = Path(root) / name
         if name.startswith("results/") and path.suffix == ".h5" and path.exists():
-            try:
-                counts[written_by(path)] += 1
-            except (OSError, KeyError, ValueError):
-                counts["unknown (no provenance)"] += 1
+            counts[written_by(path)] += 1
     return counts.most_common()
+
+
+def checksums(root, files):
+    """Contents of the .sum files: (name, checksum)."""
+    found = []
+    for name in sorted(files, key=natural):
+        path = root / name
+        if name.startswith("results/data/") and path.suffix == ".sum" and path.exists():
+            words = path.read_text(encoding="utf-8").split()
+            checksum = words[-2] if len(words) > 1 else "empty"
+            found.append((name.removeprefix("results/data/").removesuffix(".sum"), checksum))
+    return found
 
 
 def present_build(root):

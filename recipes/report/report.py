@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Writes results/index.html, one page with all figures and claims: report.py [PROJECT'S FOLDER]
 
 Shows what is there and says how to compute the rest. Needs results/NAME/ of any number of recipes.
+Programs can read the same in the file that crate.py writes.
 """
 
 import struct
@@ -16,9 +20,10 @@ from caption import NOT_RUN, filled
 from claims.claim import VERDICTS, Claim, measured_parts, read_claims
 from claims.own_result import read_own
 from data.replacing import write_whole
+from crate import write_crate
 from glance import draw_glance
 from jobs import Accounts, Job, steps, total
-from origin import builds, last_run, present_build, processor
+from origin import builds, checksums, last_run, present_build, processor
 from project import Problem, Readme, as_html, listed_claims, natural, read_readme, recipe_names
 
 HERE = Path(__file__).resolve().parent
@@ -74,18 +79,6 @@ def picture(path):
 
 def files_of(root, name, pattern):
     return sorted((root / "results" / name).glob(pattern), key=lambda path: natural(path.name))
-
-
-def checksums(root, files):
-    """Contents of the .sum files: (name, checksum)."""
-    found = []
-    for name in sorted(files, key=natural):
-        path = root / name
-        if name.startswith("results/data/") and path.suffix == ".sum" and path.exists():
-            words = path.read_text(encoding="utf-8").split()
-            checksum = words[-2] if len(words) > 1 else "empty"
-            found.append((name.removeprefix("results/data/").removesuffix(".sum"), checksum))
-    return found
 
 
 def read_recipe(root, name, accounts):
@@ -207,6 +200,7 @@ def main(folder="."):
     path = root / "results/index.html"
     try:
         write_whole(path, render(contents(root)))
+        write_crate(root)
     except Problem as problem:
         sys.exit(f"report.py: {problem}")
     print(f"Report: {path}")

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """./reproduce.sh COMMAND [OPTION]..."""
 
 import os
@@ -49,6 +52,7 @@ def duration(seconds):
 def recipes(request, processes):
     started = time.monotonic()
     compute.reproduce(request, request.recipes, processes)
+    compute.write_crate(processes)
     say(f"\nDone in {duration(time.monotonic() - started)}.")
 
 

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Tests of the programs, and checks of the sources: ./reproduce.sh test, check, tidy."""
 
 import re
@@ -104,12 +107,21 @@ def check_shell(processes):
         raise Failure("shellcheck found the faults above.")
 
 
+def check_licences(processes):
+    if processes.run(["reuse", "lint", "--quiet"]):
+        raise Failure(
+            "Some files do not say their licence (reuse lint names them): sources begin with two"
+            " lines about it, files that cannot are named in .reuse/dep5."
+        )
+
+
 def check_sources(request, processes):
     """Without the headers of libraries, which the compiler sees, cppcheck takes seconds."""
     ensure_packages(processes, "run", "check")
     check_format(processes)
     check_python(processes)
     check_shell(processes)
+    check_licences(processes)
     if processes.run(
         [*CPPCHECK, "-j", str(request.cores), "include", "src", "tests", "benchmarks"]
     ):

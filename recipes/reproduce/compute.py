@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Figures and sweeps: ./reproduce.sh fig3, all, sweep, report."""
 
 import json
@@ -81,6 +84,12 @@ def reproduce(request, recipes, processes):
         )
     note_run(recipes, place, started)
     print_claims(recipes)
+
+
+def write_crate(processes):
+    """What is in results/ and how it was made, for programs: in a second or so."""
+    if processes.run([sys.executable, "recipes/report/crate.py"]):
+        raise Failure(f"{RESULTS}/ro-crate-metadata.json could not be written.")
 
 
 def run_sweep(request, processes):

@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Installs packages and builds programs, for ./reproduce.sh:
 #
 #   set-up.sh packages PURPOSE...    those of packages.txt for these purposes (run, test, check, slurm)

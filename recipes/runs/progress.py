@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Snakemake's messages on the terminal: one line per step, and everything about a failure.
 
 Snakemake calls log_handler() with each of its messages. Each command also goes to the log file, and
@@ -5,6 +8,7 @@ what was done, by which command and in which time, to results/jobs.jsonl, for th
 """
 
 import json
+import logging
 import os
 import re
 import sys
@@ -18,6 +22,9 @@ COLLECTING = ("all", "refine", "start", "sweep")  # rules that make nothing them
 START = time.monotonic()
 steps: dict = {"started": 0, "total": "?"}
 jobs = {}  # number: what is known of a job that runs
+
+# Snakemake's own messages. Its option --quiet would also keep from us when a job has ended.
+logging.getLogger("snakemake.logging").addFilter(lambda record: False)
 
 
 def log(text):

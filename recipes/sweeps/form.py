@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Sections and keys of a user's sweep file, checked before their content is looked at."""
 
 from sweeps.expand import STARTS

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Says what a sweep would compute."""
 
 from sweeps.plural import plural

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Sweeps: one chain of commands for many values of some parameters, described by an INI file.
 
     [sweep]

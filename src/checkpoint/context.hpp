@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Puts the name of the file in front of what went wrong inside it.
 #pragma once
 

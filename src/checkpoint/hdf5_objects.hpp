@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Datasets, attributes and file creation in terms of Content.
 #pragma once
 

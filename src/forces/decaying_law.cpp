@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "rupture/forces/decaying_law.hpp"
 
 #include "rupture/model/random.hpp"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "rupture/model/parameters.hpp"
 
 #include <fmt/core.h>

@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Files of every schema version that there was, which must stay readable for ever.
 #
 #   compatibility.sh check BIN          the programs in BIN verify the files in schema-*/, go on from the
@@ -54,7 +57,7 @@ check() {
 }
 
 usage() {
-  sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  sed -n '5,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 }
 

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Room and permissions that really run out: full disks, file-size limits, read-only places."""
 
 import errno

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The bytes that a fuzzer made up, taken one after another.
 #pragma once
 

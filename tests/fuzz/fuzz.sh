@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Searches for inputs that break the reader: builds the fuzz targets with clang in FOLDER and runs
 # each for SECONDS. New inputs are kept in FOLDER/found; one that breaks something, in FOLDER.
 #
@@ -11,7 +14,7 @@ here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 readonly here skipped=77 files=$here/../compatibility/schema-1
 
 usage() {
-  sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  sed -n '5,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 }
 

@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 # Builds the programs that make states as a line of matrix.txt says and checks that they go on from
 # the files of tests/compatibility and give the golden checksums. Another build's `analyze` reads them.
 #
@@ -119,7 +122,7 @@ table() {
 }
 
 usage() {
-  sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  sed -n '5,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 }
 

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Alternation of events in loads: made-up sequences with known answers."""
 
 import sys

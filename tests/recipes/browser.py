@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Opens a page in headless Chromium, without any network, and says what happened."""
 
 import html

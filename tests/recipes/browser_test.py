@@ -1,4 +1,7 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """The report of made-up results in a browser: it loads completely, and from the file system alone.
 The same check must fail when a picture is gone or something foreign is asked for."""
 

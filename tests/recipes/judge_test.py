@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """The judge of claims: conditions, shares and the four verdicts, and the table of claims itself."""
 
 import sys

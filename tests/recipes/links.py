@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """The links of a page, and those that lead nowhere."""
 
 from html.parser import HTMLParser

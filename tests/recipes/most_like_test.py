@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """The event most like the paper's of independent loads: made-up events worked out by hand."""
 
 import math

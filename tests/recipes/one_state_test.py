@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Claims 1E and SI: friction of blocks around their rupture, slip of one block; made up."""
 
 import runpy

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """A user's sweep file becomes a plan (recipes/sweeps/plan.py): short form, units, refusals."""
 
 import os

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """./reproduce.sh itself: what may be typed, installing and building (with stand-ins for apt-get and
 cmake), and that nothing is left behind when it is interrupted or killed (recipes/reproduce/)."""
 
@@ -82,7 +85,7 @@ class Project(unittest.TestCase):
         self.bin = self.root / "bin"
         self.bin.mkdir()
         shutil.copytree(ROOT / "recipes", self.root / "recipes")
-        for name in ("reproduce.sh", "packages.txt"):
+        for name in ("reproduce.sh", "packages.txt", "codemeta.json"):
             shutil.copy2(ROOT / name, self.root / name)
 
     def start(self, *arguments):
@@ -410,6 +413,16 @@ class NothingToDo(Project):
     def change_rule(self):
         rules = TINY.replace("> {output}", "| tee {output}")
         (self.root / "recipes/tiny/rules.smk").write_text(rules, encoding="utf-8")
+
+    def test_what_was_run_is_noted_for_the_report(self):
+        self.steps()
+        lines = (self.root / "results/jobs.jsonl").read_text(encoding="utf-8").splitlines()
+        last = json.loads(lines[-1])
+        self.assertEqual((last["rule"], last["output"]), ("tiny", ["results/tiny/claims.json"]))
+        self.assertIn("recipes/tiny/tiny.py", last["command"])
+        crate = json.loads((self.root / "results/ro-crate-metadata.json").read_text())
+        [run] = [each for each in crate["@graph"] if each["@id"] == "#run-tiny"]
+        self.assertLessEqual(run["startTime"], run["endTime"])
 
     def delete(self, name):
         (self.root / name).unlink()

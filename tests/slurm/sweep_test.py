@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
 """Sweeps and figures in allocations of a real SLURM, undisturbed and with everything killed.
 
     sweep_test.py FOLDER_OF_PROGRAMS
@@ -20,7 +23,7 @@ from pathlib import Path
 from cluster import Cluster, missing_programs
 
 ROOT = Path(__file__).resolve().parents[2]
-COPIED = ("reproduce.sh", "packages.txt", "recipes", "checkpoints")
+COPIED = ("reproduce.sh", "packages.txt", "codemeta.json", "recipes", "checkpoints")
 CORES = 2
 SWEEP = """\
 [sweep]

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Outputs that cannot be written: one sentence, exit code 1 or 2, nothing half written.
 #include <unistd.h>
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Tests of the options that all tools have: --help, --version, --quiet, unknown options.
 #include <fmt/core.h>
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze lineage: the commands that it prints are run and make the same content.
 #include <cstdlib>
 

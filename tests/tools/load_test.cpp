@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // load: equilibrium, driving, configuration, checkpoints on the way.
 #include <cmath>
 #include <numeric>

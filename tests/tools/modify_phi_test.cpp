@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // modify-phi: new forces in the junctions, the same force on each block.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "tool_test.hpp"
 
 #include <stdlib.h>

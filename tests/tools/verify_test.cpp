@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze verify: files, folders and manifests.
 #include <unistd.h>
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The energy account of a run: what came in, where it is, where it went.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The elastic slider: springs between neighbouring blocks and their damping (physics: "Slider").
 #pragma once
 

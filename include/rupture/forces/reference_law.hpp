@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The reference interface law: junctions that are pinned, break, slip and are pinned again
 // (Methods).
 //

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Memory that starts on a cache line, so that no vector of eight doubles straddles two.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The normal contact of one interface block, written once for the kernels' loop and for everything
 // else. Internal linkage: each instruction set keeps a copy of its own (forces/kernels/isa.cpp).
 #pragma once

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Quantities that follow from the parameters (Table S1, lower half).
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze: measure, compare and check what the other tools wrote.
 #include "analyze/analyze.hpp"
 

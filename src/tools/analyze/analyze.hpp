@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The commands of the analyze tool. Each parses its own arguments.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze diff: where and by how much two files differ.
 #include <fmt/core.h>
 

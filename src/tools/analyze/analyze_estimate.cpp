@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze estimate: slow slip to expect from a checkpoint's parameters.
 #include <fmt/core.h>
 

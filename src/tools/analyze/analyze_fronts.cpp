@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze front, classify: the front of one event in a record.
 #include <fmt/core.h>
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze slip, loading: time series of a record.
 #include <fmt/core.h>
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze slow-slip: the slip behind a slow front.
 #include <fmt/core.h>
 

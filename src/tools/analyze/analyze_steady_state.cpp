@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze steady-state: friction of a block that slides at constant speed.
 #include <fmt/core.h>
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // analyze strength: how much friction a distribution of junction forces can bear.
 #include <fmt/core.h>
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "analyze/checkpoint_command.hpp"
 
 #include "analyze/quantity.hpp"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Shared by the analyze commands that read one checkpoint.
 #pragma once
 

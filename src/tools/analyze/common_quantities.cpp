@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "analyze/common_quantities.hpp"
 
 #include "rupture/model/derived.hpp"

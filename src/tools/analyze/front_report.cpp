@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "analyze/front_report.hpp"
 
 #include <fmt/core.h>

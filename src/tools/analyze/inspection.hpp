@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The findings of verifying a file or folder, whatever is wrong.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Lists of content checksums: manifests and .sum files.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "analyze/quantity.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "analyze/record_command.hpp"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The command line of all tools: parsing, --help, parameters, errors and exit codes.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // A program's own description, for programs that call it: --describe.
 #pragma once
 

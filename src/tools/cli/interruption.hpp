@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Stopping a run by Ctrl-C or kill without losing it.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Values of options: how they are declared, and numbers such as times and lengths.
 #pragma once
 

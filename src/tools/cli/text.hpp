@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Text that the tools show: parameter help, suggestions, aligned lines.
 #pragma once
 

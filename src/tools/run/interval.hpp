@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // What a run does again and again: record a sample, write a checkpoint.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // load: the slider under its normal load, then driven from the side.
 #include "cli/option_values.hpp"
 #include "run/rebuild.hpp"

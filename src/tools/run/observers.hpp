@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Observers of a run: the record, the checkpoint schedule and the progress line.
 #pragma once
 

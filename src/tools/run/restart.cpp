@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // restart: continue a checkpoint, with the same parameters or with changed ones.
 #include <fmt/core.h>
 

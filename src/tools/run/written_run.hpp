@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // A run of load or restart with everything that it writes.
 #pragma once
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Splitting a made-up record into events.
 #include "rupture/analysis/events.hpp"
 

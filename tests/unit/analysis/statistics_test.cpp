@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Median and straight-line fit.
 #include "rupture/analysis/statistics.hpp"
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Which parameters count in the content checksum: what the law uses, and of the later ones what
 // differs from its default.
 #include "fixtures.hpp"

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Damage after sealing: every bit and every length of whole files, through the reader itself.
 #include "fixtures.hpp"
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The header in front of a file: nothing that differs from what was written may pass.
 #include "rupture/checkpoint/envelope.hpp"
 

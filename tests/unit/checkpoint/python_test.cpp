@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Other programs can read our files, and recompute their checksum from docs/schema.md alone.
 #include <cstdio>
 #include <memory>

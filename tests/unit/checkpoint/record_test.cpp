@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 #include "rupture/checkpoint/record.hpp"
 
 #include <signal.h>

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The loop: observers and stop rules.
 #include "rupture/dynamics/run.hpp"
 

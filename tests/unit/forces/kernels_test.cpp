@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // All instruction sets that this processor can run give the same bits.
 #include "rupture/forces/kernels.hpp"
 

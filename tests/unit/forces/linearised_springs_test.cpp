@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Bulk springs that are linearised for small displacements.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Quantities that follow from the parameters.
 #include "rupture/model/derived.hpp"
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The table of the interface laws.
 #include "rupture/model/laws.hpp"
 

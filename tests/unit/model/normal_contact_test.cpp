@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // The support of a slider and F_N against it, on a foundation and under a ceiling.
 #include "rupture/model/normal_contact.hpp"
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
 // Counter-based random numbers and the slipping times drawn from them.
 #include "rupture/model/random.hpp"
 

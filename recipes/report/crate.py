@@ -1,0 +1,231 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Writes results/ro-crate-metadata.json: crate.py [PROJECT'S FOLDER]
+
+It says what is in results/ and how it was made, for programs and archives: files, checksums,
+versions, commands and times as RO-Crate 1.1 (https://w3id.org/ro/crate/1.1). Paths are relative to
+results/, so that the folder may be copied alone. Equal results give equal texts but for dates.
+"""
+
+import hashlib
+import json
+import re
+import sys
+import time
+from datetime import datetime, timezone
+from pathlib import Path
+from urllib.parse import quote
+
+from data.replacing import write_whole
+from jobs import Accounts
+from origin import builds, checksums
+from project import read_readme, recipe_names
+
+CODEMETA = Path(__file__).resolve().parents[2] / "codemeta.json"
+CRATE = "ro-crate-metadata.json"
+SPECIFICATION = "https://w3id.org/ro/crate/1.1"
+CONTEXT = [f"{SPECIFICATION}/context", {"sha256": "http://schema.org/sha256"}]
+SOFTWARE = "#rupture"
+FORMATS = {
+    ".csv": "text/csv",
+    ".h5": "application/x-hdf5",
+    ".html": "text/html",
+    ".json": "application/json",
+    ".jsonl": "application/jsonl",
+    ".pdf": "application/pdf",
+    ".png": "image/png",
+    ".txt": "text/plain",
+}
+# Files of the whole run; those that hold times have no checksum here.
+OF_THE_RUN = {
+    "index.html": "All figures and claims on one page",
+    "jobs.jsonl": "Each job that was run: rule, command, inputs, outputs, start and time",
+    "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
+}
+AT_A_GLANCE = ("claims.pdf", "claims.png")
+
+
+def entity(identity, kind, **properties):
+    """Without the properties that are None or empty."""
+    known = {name: value for name, value in properties.items() if value}
+    return {"@id": identity, "@type": kind, **known}
+
+
+def references(entities):
+    return [{"@id": each["@id"]} for each in entities]
+
+
+def moment(seconds):
+    """Of seconds since 1970, as ISO 8601."""
+    return datetime.fromtimestamp(int(seconds), timezone.utc).isoformat()
+
+
+# --- the programs and the paper ------------------------------------------------------------
+
+
+def flat(thing, graph):
+    """Adds an entity and those nested in it to the graph, where they refer to each other."""
+    if isinstance(thing, list):
+        return [flat(each, graph) for each in thing]
+    if not isinstance(thing, dict):
+        return thing
+    name = thing.get("name") or f"{thing['givenName']} {thing['familyName']}"
+    identity = thing.get("@id") or f"#{quote(name.replace(' ', '-'), safe='')}"
+    own: dict = {"@id": identity, "name": name}
+    graph.append(own)
+    own.update({key: flat(value, graph) for key, value in thing.items()})
+    return {"@id": identity}
+
+
+def origin_of_results():
+    """Entities of the programs, their authors, their licence and the paper."""
+    software = json.loads(CODEMETA.read_text(encoding="utf-8"))
+    del software["@context"]
+    licence = {"@id": software["license"], "@type": "CreativeWork", "name": "MIT License"}
+    licence["description"] = "Free to use, change and pass on, with the notice of the licence"
+    paper = software.pop("referencePublication")
+    graph: list[dict] = []
+    flat(software | {"@id": SOFTWARE, "license": licence, "citation": paper}, graph)
+    return graph
+
+
+def build(number, text):
+    """`text` is that of origin.builds()."""
+    version = re.match(r"rupture ([^,]+), ", text)
+    return entity(
+        f"#programs-{number}",
+        "SoftwareApplication",
+        name="rupture's programs",
+        version=version and version[1],
+        description=text,
+    )
+
+
+# --- files ---------------------------------------------------------------------------------
+
+
+def file_entity(results, path, **properties):
+    return entity(
+        quote(str(path.relative_to(results))),
+        "File",
+        name=path.name,
+        encodingFormat=FORMATS.get(path.suffix),
+        **properties,
+    )
+
+
+def whole_file(results, path):
+    content = path.read_bytes()
+    digest = hashlib.sha256(content).hexdigest()
+    return file_entity(results, path, contentSize=str(len(content)), sha256=digest)
+
+
+def folder_entity(name, title, files):
+    return entity(f"{quote(name)}/", "Dataset", name=title, hasPart=references(files))
+
+
+def checkpoint(results, name, checksum):
+    path = results / "data" / name
+    return file_entity(results, path, identifier=f"content-sha256:{checksum}")
+
+
+def checkpoints_behind(results, files):
+    """Checkpoints and records, by the checksums of their content."""
+    sums = checksums(results.parent, files)
+    return [checkpoint(results, *each) for each in sums if (results / "data" / each[0]).exists()]
+
+
+def files_of_run(results):
+    described = [
+        file_entity(results, results / name, description=text)
+        for name, text in OF_THE_RUN.items()
+        if (results / name).exists()
+    ]
+    pictures = [results / name for name in AT_A_GLANCE if (results / name).exists()]
+    return described + [whole_file(results, path) for path in pictures]
+
+
+# --- recipes -------------------------------------------------------------------------------
+
+
+def times(jobs):
+    if not jobs:
+        return {}
+    end = max(job.started + job.seconds for job in jobs)
+    return {"startTime": moment(jobs[0].started), "endTime": moment(end)}
+
+
+class Recipe:
+    """One that has results; `of_build` is {text of a build: its entity}, which grows."""
+
+    def __init__(self, root, name, accounts, of_build):
+        results = root / "results"
+        readme = read_readme(root / "recipes" / name / "README.md")
+        paths = sorted(path for path in (results / name).iterdir() if path.is_file())
+        behind = accounts.files_behind(name)
+        programs = sorted(text for text, _ in builds(root, behind))
+        for text in programs:
+            of_build.setdefault(text, build(len(of_build) + 1, text))
+        self.files = [whole_file(results, path) for path in paths if path.suffix != ".part"]
+        self.checkpoints = checkpoints_behind(results, behind)
+        self.folder = folder_entity(name, readme.title, self.files)
+        self.action = entity(
+            f"#run-{name}",
+            "CreateAction",
+            name=f"./reproduce.sh {name}",
+            description=readme.commands,
+            **times(accounts.jobs(behind)),
+            instrument=[{"@id": SOFTWARE}, *references(of_build[text] for text in programs)],
+            object=references(self.checkpoints),
+            result=[{"@id": self.folder["@id"]}, *references(self.files)],
+        )
+
+
+# --- the crate -----------------------------------------------------------------------------
+
+
+def crate(root, now):
+    """The JSON-LD: a flat list of entities."""
+    results = root / "results"
+    origin = origin_of_results()
+    software = next(each for each in origin if each["@id"] == SOFTWARE)
+    accounts = Accounts(root)
+    of_build: dict[str, dict] = {}
+    names = [name for name in recipe_names(root) if (results / name).is_dir()]
+    recipes = [Recipe(root, name, accounts, of_build) for name in names]
+    checkpoints = {each["@id"]: each for recipe in recipes for each in recipe.checkpoints}
+    folders = [recipe.folder for recipe in recipes]
+    if checkpoints:
+        title = "Checkpoints and records, with the checksums of their content"
+        folders.append(folder_entity("data", title, checkpoints.values()))
+    of_run = files_of_run(results)
+    actions = [recipe.action for recipe in recipes]
+    descriptor = entity(
+        CRATE, "CreativeWork", conformsTo={"@id": SPECIFICATION}, about={"@id": "./"}
+    )
+    top = entity(
+        "./",
+        "Dataset",
+        name=f"Results of {software['name']}",
+        description="Figures, claims with their verdicts, and checkpoints, as ./reproduce.sh"
+        " computed them to compare with the paper.",
+        datePublished=moment(now),
+        license=software["license"],
+        citation=software["citation"],
+        hasPart=references(folders + of_run),
+        mentions=references(actions),
+    )
+    files = [each for recipe in recipes for each in recipe.files]
+    entities = [descriptor, top, *folders, *of_run, *files, *checkpoints.values(), *actions]
+    return {"@context": CONTEXT, "@graph": [*entities, *of_build.values(), *origin]}
+
+
+def write_crate(root):
+    text = json.dumps(crate(root, time.time()), indent=1, ensure_ascii=False)
+    write_whole(root / "results" / CRATE, text + "\n")
+
+
+if __name__ == "__main__":
+    write_crate(Path(*sys.argv[1:]).resolve())
