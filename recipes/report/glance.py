@@ -78,7 +78,7 @@ def draw_glance(claims, stem):
     upper.set(ylabel="share of the units", ylim=(-0.14, 1.14))
     upper.xaxis.tick_top()
     upper.set_xticks(middles, list(columns))
-    upper.tick_params(axis="x", length=0, labeltop=True, labelbottom=False)
+    upper.tick_params(axis="x", length=0, labeltop=True, labelbottom=False, rotation=90)
     for row in range(len(names)):
         lower.axhline(row, color=BLACK, linewidth=0.1, alpha=0.5)
     lower.set_yticks(range(len(names)), names)
