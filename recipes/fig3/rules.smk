@@ -63,7 +63,9 @@ rule fig3_windows:
         script="recipes/fig3/measure_slow_slip.py",
         shared=[
             f"recipes/{name}.py"
-            for name in ("fig3/slow_fronts", "data/tables", "events/conventions", "sweeps/point")
+            for name in (
+                "fig3/slow_fronts", "data/tables", "events/conventions", "maps/front_map", "sweeps/point"
+            )
         ],
     output: f"{DATA}/fig3/{{table}}-windows.json"
     priority: 60  # long: before what is short

@@ -9,11 +9,12 @@ from pathlib import Path
 from data.records import report
 from data.tables import numbers
 from events.conventions import PRIMARY
+from maps.front_map import SKIP_BELOW_X
 
 BLOCKS = 5  # fewer tell nothing about a front
 NEAR_ARREST = 3.0  # m/s; slower fronts are near arrest
 WITHOUT_NEAR_ARREST = "without fronts near arrest"
-SKIP = {"--skip-below-x": 0.0275}
+SKIP = {"--skip-below-x": SKIP_BELOW_X}
 FOR_TWO_T_R, FOR_WHOLE_T_R = "followed for up to 2 <t_R>", "followed for whole <t_R>"
 NARROW = "stencils at the ends to neither"  # the programs' own rule; its time ends earlier
 # Options of `analyze slow-slip`. In all of these the time ends when the block of the last slow
