@@ -47,7 +47,7 @@ demand_sysroot() {
 }
 
 # As fast as it can be compiled: the states come from the library, so the programs need no optimisation;
-# and the build that is tested compiles each file alone, so here all of a target are one.
+# and the build under ThreadSanitizer compiles each file alone, so here all of a target are one.
 build_programs() {
   cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None "$@" \
     -DCMAKE_CXX_FLAGS="$level" -DRUPTURE_KERNEL_FLAGS="$level" -DRUPTURE_PROGRAM_FLAGS=-O0 \

@@ -107,7 +107,7 @@ Quantities stress_quantities() {
   return quantities_of(Stress{});
 }
 Quantities phi_quantities() {
-  return quantities_of({}, 0);
+  return quantities_of(std::vector<BlockForces>{}, 0);
 }
 
 int analyze_stress(int argc, const char* const* argv) {

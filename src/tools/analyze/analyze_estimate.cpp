@@ -137,7 +137,7 @@ std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation)
 }  // namespace
 
 Quantities estimate_quantities() {
-  return quantities_of({});
+  return quantities_of(Estimate{});
 }
 
 int analyze_estimate(int argc, const char* const* argv) {

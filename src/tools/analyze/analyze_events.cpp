@@ -50,7 +50,7 @@ Quantities quantities_of(const Parameters& p, const std::vector<Event>& events) 
 }  // namespace
 
 Quantities events_quantities() {
-  return quantities_of({}, {});
+  return quantities_of(Parameters{}, std::vector<Event>{});
 }
 
 int analyze_events(int argc, const char* const* argv) {

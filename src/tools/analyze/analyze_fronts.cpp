@@ -36,7 +36,7 @@ Quantities classification_of(const Front& front) {
 }  // namespace
 
 Quantities front_quantities() {
-  return quantities_of({}, {});
+  return quantities_of(Front{}, Parameters{});
 }
 Quantities classify_quantities() {
   return classification_of({});

@@ -131,7 +131,7 @@ Quantities quantities_of(const Front& front, const SlowSlips& slips) {
 }  // namespace
 
 Quantities slow_slip_quantities() {
-  return quantities_of({}, {});
+  return quantities_of(Front{}, SlowSlips{});
 }
 
 int analyze_slow_slip(int argc, const char* const* argv) {

@@ -70,7 +70,7 @@ Quantities quantities_of(const std::vector<SteadyPoint>& points, double p) {
   };
 }
 
-Parsed parse_arguments(int argc, const char* const* argv) {
+Parsed parse_steady_state(int argc, const char* const* argv) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("v-from", number("V", "m/s")->default_value(1e-4, "1e-4"), "lowest speed");
@@ -90,11 +90,11 @@ Parsed parse_arguments(int argc, const char* const* argv) {
 }  // namespace
 
 Quantities steady_state_quantities() {
-  return quantities_of({}, 0.0);
+  return quantities_of(std::vector<SteadyPoint>{}, 0.0);
 }
 
 int analyze_steady_state(int argc, const char* const* argv) {
-  const Parsed parsed = parse_arguments(argc, argv);
+  const Parsed parsed = parse_steady_state(argc, argv);
   Parameters p;
   apply(parsed.parameters, p);
   validate(p);

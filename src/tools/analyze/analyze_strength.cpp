@@ -73,7 +73,7 @@ Quantities quantities_of(const std::vector<BlockStrength>& blocks) {
   };
 }
 
-Parsed parse_arguments(int argc, const char* const* argv) {
+Parsed parse_strength(int argc, const char* const* argv) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("shape", one_of("uniform|bell"), "shape of phi, instead of a checkpoint");
@@ -96,7 +96,7 @@ Quantities strength_quantities() {
 }
 
 int analyze_strength(int argc, const char* const* argv) {
-  const Parsed parsed = parse_arguments(argc, argv);
+  const Parsed parsed = parse_strength(argc, argv);
   const auto& values = parsed.values;
   const bool of_shape = values.count("shape") > 0 || values.count("sigma-bar") > 0;
   if (of_shape && values.count("checkpoint") > 0) {

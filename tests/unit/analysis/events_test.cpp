@@ -9,8 +9,8 @@
 namespace rupture {
 namespace {
 
-constexpr double kSpacing = 2.5e-3;  // of the reference slider [m]
-constexpr double kQuiet = 0.010;     // [s]
+constexpr double kBlockSpacing = 2.5e-3;  // of the reference slider [m]
+constexpr double kQuiet = 0.010;          // [s]
 
 /// Blocks 0, 1, 2 at 0.1 s; blocks 3 and 1 at 0.2 s, 5 ms apart; the last block at 0.3 s.
 const std::vector<Rupture> kRuptures = {{100, 0.100, 0}, {101, 0.101, 2}, {102, 0.102, 1},
@@ -39,10 +39,10 @@ TEST(Events, are_split_by_quiet_times) {
 TEST(Events, tell_where_they_began_and_how_far_they_reached) {
   const auto found = events();
   EXPECT_DOUBLE_EQ(found[0].x_first, 0.0);
-  EXPECT_DOUBLE_EQ(found[0].x_last, 2 * kSpacing);
-  EXPECT_DOUBLE_EQ(found[1].x_first, 3 * kSpacing);
-  EXPECT_DOUBLE_EQ(found[1].x_last, 3 * kSpacing);
-  EXPECT_DOUBLE_EQ(found[2].x_last, 56 * kSpacing);
+  EXPECT_DOUBLE_EQ(found[0].x_last, 2 * kBlockSpacing);
+  EXPECT_DOUBLE_EQ(found[1].x_first, 3 * kBlockSpacing);
+  EXPECT_DOUBLE_EQ(found[1].x_last, 3 * kBlockSpacing);
+  EXPECT_DOUBLE_EQ(found[2].x_last, 56 * kBlockSpacing);
 }
 
 TEST(Events, tell_the_driving_force_before_and_its_smallest_value_until_it_is_quiet) {

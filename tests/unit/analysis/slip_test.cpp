@@ -16,7 +16,7 @@ namespace rupture {
 namespace {
 
 constexpr double kRupture = 1e-3, kArrest = 1.1e-3, kRestart = 1.3e-3, kEnd = 4e-3;  // [s]
-constexpr double kFast = 0.1, kSlow = 2e-3;                                          // [m/s]
+constexpr double kFastSlip = 0.1, kSlowSlip = 2e-3;                                  // [m/s]
 constexpr double kInterval = 1e-5;                                                   // [s]
 constexpr double kFastWithin = 1e-3;                                                 // [s]
 
@@ -30,8 +30,8 @@ Samples made_up(double until = kEnd) {
   for (int n = 0; n * kInterval < until + kInterval / 2; ++n) {
     const double t = n * kInterval;
     s.time.push_back(t);
-    s.u_x.push_back(5e-6 + kFast * (std::clamp(t, kRupture, kArrest) - kRupture) +
-                    kSlow * (std::max(t, kRestart) - kRestart));
+    s.u_x.push_back(5e-6 + kFastSlip * (std::clamp(t, kRupture, kArrest) - kRupture) +
+                    kSlowSlip * (std::max(t, kRestart) - kRestart));
   }
   return s;
 }
@@ -41,8 +41,8 @@ TEST(Slip, is_told_apart_into_fast_and_slow) {
   const auto slip = measure_slip(samples.history(), kRupture, kFastWithin);
   ASSERT_TRUE(slip);
   EXPECT_NEAR(slip->t_arrest, kArrest, 1.01 * kInterval);
-  EXPECT_NEAR(slip->fast_slip, kFast * (kArrest - kRupture), 1e-12);
-  EXPECT_NEAR(slip->slow_slip, kSlow * (kEnd - kRestart), 1e-12);
+  EXPECT_NEAR(slip->fast_slip, kFastSlip * (kArrest - kRupture), 1e-12);
+  EXPECT_NEAR(slip->slow_slip, kSlowSlip * (kEnd - kRestart), 1e-12);
 }
 
 TEST(Slip, is_fitted_between_20_and_80_percent_of_the_slow_part) {
@@ -51,7 +51,7 @@ TEST(Slip, is_fitted_between_20_and_80_percent_of_the_slow_part) {
   ASSERT_TRUE(slip && slip->slow);
   EXPECT_NEAR(slip->t_from, kRestart + 0.2 * (kEnd - kRestart), 1.01 * kInterval);
   EXPECT_NEAR(slip->t_to, kRestart + 0.8 * (kEnd - kRestart), 1.01 * kInterval);
-  EXPECT_NEAR(slip->slow->slope, kSlow, 1e-9 * kSlow);
+  EXPECT_NEAR(slip->slow->slope, kSlowSlip, 1e-9 * kSlowSlip);
   EXPECT_NEAR(slip->slow->r_squared, 1.0, 1e-12);
 }
 

@@ -28,7 +28,7 @@ class Every : public Observer {
 };
 
 /// Ruptures from end to end between steps 1,300 and 1,500.
-Parameters quick_slider() {
+Parameters quickly_ruptured_slider() {
   Parameters p = testing::small_slider(9, 5);
   p.V = 0.1;
   return p;
@@ -37,7 +37,7 @@ Parameters quick_slider() {
 using Steps = std::vector<std::int64_t>;
 
 TEST(Run, shows_observers_the_steps_they_ask_for) {
-  const Parameters p = quick_slider();
+  const Parameters p = quickly_ruptured_slider();
   Simulation simulation(p, normal_load_equilibrium(p));
   Every seven(7), ten(10);
   EXPECT_EQ(run(simulation, {30, std::nullopt}, {&seven, &ten}), Ending::last_step);
@@ -47,7 +47,7 @@ TEST(Run, shows_observers_the_steps_they_ask_for) {
 }
 
 TEST(Run, goes_on_from_a_later_step) {
-  const Parameters p = quick_slider();
+  const Parameters p = quickly_ruptured_slider();
   Simulation simulation(p, normal_load_equilibrium(p));
   run(simulation, {25, std::nullopt}, {});
   Every ten(10);
@@ -56,14 +56,14 @@ TEST(Run, goes_on_from_a_later_step) {
 }
 
 TEST(Run, does_nothing_when_the_last_step_is_reached_already) {
-  const Parameters p = quick_slider();
+  const Parameters p = quickly_ruptured_slider();
   Simulation simulation(p, normal_load_equilibrium(p));
   EXPECT_EQ(run(simulation, {0, std::nullopt}, {}), Ending::last_step);
   EXPECT_EQ(simulation.state().step, 0);
 }
 
 TEST(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
-  Parameters p = quick_slider();
+  Parameters p = quickly_ruptured_slider();
   p.V = 0.0;  // nothing breaks
   Simulation simulation(p, normal_load_equilibrium(p));
   EXPECT_EQ(run(simulation, {10000, 250}, {}), Ending::quiet);
@@ -71,7 +71,7 @@ TEST(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
 }
 
 TEST(Run, ends_at_a_whole_hundred_after_the_front_has_reached_the_leading_edge) {
-  const Parameters p = quick_slider();
+  const Parameters p = quickly_ruptured_slider();
   Simulation simulation(p, normal_load_equilibrium(p));
   EXPECT_EQ(run(simulation, {10000, 5000}, {}), Ending::leading_edge);
   const std::int64_t edge = simulation.ruptures().back().step;
@@ -80,7 +80,7 @@ TEST(Run, ends_at_a_whole_hundred_after_the_front_has_reached_the_leading_edge) 
 }
 
 TEST(Run, never_passes_the_last_step) {
-  const Parameters p = quick_slider();
+  const Parameters p = quickly_ruptured_slider();
   Simulation simulation(p, normal_load_equilibrium(p));
   EXPECT_EQ(run(simulation, {150, 1000}, {}), Ending::last_step);
   EXPECT_EQ(simulation.state().step, 150);

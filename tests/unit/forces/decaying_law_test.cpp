@@ -17,10 +17,9 @@ namespace rupture {
 namespace {
 
 using testing::Interface;
-
-constexpr double kBreakStretch = 0.2;   // mu_s w [m]
-constexpr double kSlippingTime = 2e-3;  // [s]
-constexpr double kRounding = 1e-15;
+using testing::kBreakStretch;
+using testing::kRounding;
+using testing::kSlippingTime;
 
 Parameters decaying(std::int64_t N_s) {
   Parameters p = testing::hand_made(N_s);

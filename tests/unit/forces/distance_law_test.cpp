@@ -15,10 +15,11 @@ namespace rupture {
 namespace {
 
 using testing::Interface;
+using testing::kBreakStretch;
+using testing::kRounding;
+using testing::kSlipStretch;
 
-constexpr double kBreakStretch = 0.2, kSlipStretch = 0.085;  // mu_s w, mu_d w [m]
-constexpr double kBrokenAt = 0.21, kDistance = 0.3;          // [m]
-constexpr double kRounding = 1e-15;
+constexpr double kBrokenAt = 0.21, kDistance = 0.3;  // [m]
 
 Parameters distance(std::int64_t N_s) {
   Parameters p = testing::hand_made(N_s);

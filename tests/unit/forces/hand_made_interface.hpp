@@ -17,6 +17,12 @@
 
 namespace rupture::testing {
 
+inline constexpr double kBreakStretch = 0.2;   // mu_s w [m]
+inline constexpr double kSlipStretch = 0.085;  // mu_d w [m]
+inline constexpr double kSlipForce = 0.17;     // mu_d f_N [N]
+inline constexpr double kSlippingTime = 2e-3;  // t_R [s]
+inline constexpr double kRounding = 1e-15;
+
 inline Parameters hand_made(std::int64_t N_s) {
   Parameters p;
   p.Nx = 1;
@@ -67,6 +73,8 @@ class Interface {
   std::unique_ptr<InterfaceLaw> law_;
   double p_i_ = 0, k_ij_ = 0, w_ = 0, u_ = 0;
 };
+
+inline constexpr int kHistory = 20000;  // steps of what follows
 
 /// A block that wanders about 0.2 m, the reach of its junctions, under a normal force that comes
 /// and goes; time advances by a fiftieth of the mean slipping time.

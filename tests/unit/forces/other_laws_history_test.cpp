@@ -17,9 +17,8 @@ namespace {
 
 using testing::hand_made;
 using testing::Interface;
+using testing::kHistory;
 using testing::Wandering;
-
-constexpr int kHistory = 20000;
 
 Parameters with_law(Law law, std::int64_t N_s) {
   Parameters p = hand_made(N_s);
@@ -32,12 +31,12 @@ Parameters with_law(Law law, std::int64_t N_s) {
   return p;
 }
 
-struct History {
+struct LawHistory {
   Law law;
   std::int64_t N_s;
 };
 
-class OtherLaws : public ::testing::TestWithParam<History> {};
+class OtherLaws : public ::testing::TestWithParam<LawHistory> {};
 
 TEST_P(OtherLaws, keep_nothing_but_the_junctions) {
   const Parameters p = with_law(GetParam().law, GetParam().N_s);
@@ -70,15 +69,15 @@ TEST_P(OtherLaws, keep_nothing_but_the_junctions) {
   EXPECT_GT(repinned, kHistory / 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Law, OtherLaws,
-                         ::testing::Values(History{Law::decaying, 1}, History{Law::decaying, 9},
-                                           History{Law::decaying, 100}, History{Law::simplified, 1},
-                                           History{Law::simplified, 100}, History{Law::distance, 1},
-                                           History{Law::distance, 9}),
-                         [](const auto& history) {
-                           return testing::law_name(history.param.law) + "_" +
-                                  std::to_string(history.param.N_s);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Law, OtherLaws,
+    ::testing::Values(LawHistory{Law::decaying, 1}, LawHistory{Law::decaying, 9},
+                      LawHistory{Law::decaying, 100}, LawHistory{Law::simplified, 1},
+                      LawHistory{Law::simplified, 100}, LawHistory{Law::distance, 1},
+                      LawHistory{Law::distance, 9}),
+    [](const auto& history) {
+      return testing::law_name(history.param.law) + "_" + std::to_string(history.param.N_s);
+    });
 
 /// The decaying law once more, in forces, from the time of the break instead of the time left.
 struct PlainDecay {

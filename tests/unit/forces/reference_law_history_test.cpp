@@ -19,6 +19,7 @@ namespace {
 
 using testing::hand_made;
 using testing::Interface;
+using testing::kHistory;
 using testing::Wandering;
 
 /// The law once more, in forces instead of stretches and with no short cuts.
@@ -45,14 +46,12 @@ struct PlainJunction {
   }
 };
 
-constexpr int kHistory = 20000;
-
-struct History {
+struct NewForceHistory {
   std::int64_t N_s;
   NewForce f_new;
 };
 
-class RandomHistory : public ::testing::TestWithParam<History> {
+class RandomHistory : public ::testing::TestWithParam<NewForceHistory> {
  protected:
   RandomHistory() : p_(hand_made(GetParam().N_s)) {
     p_.f_new = GetParam().f_new;
@@ -111,15 +110,15 @@ TEST_P(RandomHistory, leaves_no_trace_in_the_law_but_the_junctions) {
 }
 
 // 1, 7, 8, 9 and 100 junctions: sums run in eight lanes, and rows need not be full
-INSTANTIATE_TEST_SUITE_P(Law, RandomHistory,
-                         ::testing::Values(History{1, NewForce::zero}, History{7, NewForce::zero},
-                                           History{8, NewForce::f_slip}, History{9, NewForce::zero},
-                                           History{100, NewForce::zero},
-                                           History{100, NewForce::f_slip}),
-                         [](const auto& history) {
-                           return std::to_string(history.param.N_s) +
-                                  (history.param.f_new == NewForce::zero ? "_zero" : "_f_slip");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Law, RandomHistory,
+    ::testing::Values(NewForceHistory{1, NewForce::zero}, NewForceHistory{7, NewForce::zero},
+                      NewForceHistory{8, NewForce::f_slip}, NewForceHistory{9, NewForce::zero},
+                      NewForceHistory{100, NewForce::zero}, NewForceHistory{100, NewForce::f_slip}),
+    [](const auto& history) {
+      return std::to_string(history.param.N_s) +
+             (history.param.f_new == NewForce::zero ? "_zero" : "_f_slip");
+    });
 
 }  // namespace
 }  // namespace rupture

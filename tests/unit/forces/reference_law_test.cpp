@@ -17,12 +17,11 @@ namespace {
 
 using testing::hand_made;
 using testing::Interface;
-
-constexpr double kBreakStretch = 0.2;   // mu_s w [m]
-constexpr double kSlipStretch = 0.085;  // mu_d w [m]
-constexpr double kSlipForce = 0.17;     // [N]
-constexpr double kSlippingTime = 2e-3;  // [s]
-constexpr double kRounding = 1e-15;
+using testing::kBreakStretch;
+using testing::kRounding;
+using testing::kSlipForce;
+using testing::kSlippingTime;
+using testing::kSlipStretch;
 
 /// An interface with one junction that has just broken at u = 0.21 m, t = 0.
 class Slipping : public Interface {

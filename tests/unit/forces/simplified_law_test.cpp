@@ -18,13 +18,13 @@ namespace rupture {
 namespace {
 
 using testing::Interface;
+using testing::kBreakStretch;
+using testing::kRounding;
+using testing::kSlipForce;
+using testing::kSlippingTime;
+using testing::kSlipStretch;
 
-constexpr double kBreakStretch = 0.2;   // mu_s w [m]
-constexpr double kSlipStretch = 0.085;  // mu_d w [m]
-constexpr double kSlipForce = 0.17;     // mu_d p_i [N]
-constexpr double kSlowSlip = 0.001;     // v_slow dt [m]
-constexpr double kEnd = 2e-3;           // t_R [s]
-constexpr double kRounding = 1e-15;
+constexpr double kSlowSlip = 0.001;  // v_slow dt [m]
 
 Parameters simplified(std::int64_t N_s = 1) {
   Parameters p = testing::hand_made(N_s);
@@ -61,7 +61,7 @@ TEST(SimplifiedLaw, breaks_above_the_strength_and_slides_at_mu_d_p_of_the_same_s
     EXPECT_EQ(block.move(sign * std::nextafter(kBreakStretch, 1.0), 0.0).broken, 1);
     EXPECT_EQ(block.pinned(), 0);
     EXPECT_NEAR(block.friction(), sign * kSlipForce, kRounding);
-    EXPECT_EQ(block.junctions().slow_until(0, 0), sign * kEnd);
+    EXPECT_EQ(block.junctions().slow_until(0, 0), sign * kSlippingTime);
     EXPECT_EQ(block.junctions().draws(0, 0), 0U);
   }
 }
@@ -102,10 +102,10 @@ TEST(SimplifiedLaw, stops_slow_slip_t_R_after_the_break_while_slipping) {
   for (const double sign : {1.0, -1.0}) {
     Sliding block(sign);
     const double attachment = block.attachment();
-    block.move(sign * (Sliding::kBrokenAt + 1e-6), std::nextafter(kEnd, 0.0));
+    block.move(sign * (Sliding::kBrokenAt + 1e-6), std::nextafter(kSlippingTime, 0.0));
     EXPECT_NEAR(block.attachment(), attachment + sign * kSlowSlip, kRounding);
     const double end = block.attachment();
-    block.move(sign * (Sliding::kBrokenAt + 2e-6), kEnd);
+    block.move(sign * (Sliding::kBrokenAt + 2e-6), kSlippingTime);
     EXPECT_EQ(block.attachment(), end);
     EXPECT_EQ(block.pinned(), 0);
   }
@@ -156,8 +156,8 @@ TEST(SimplifiedLaw, goes_on_slipping_slowly_when_pinned_until_t_R_after_the_brea
       EXPECT_NEAR(block.friction(), 2.0 * (sign * 0.2 - block.attachment()), kRounding);
     }
     const double end = block.attachment();
-    block.move(sign * 0.2, kEnd);
-    block.move(sign * 0.2, 2.0 * kEnd);
+    block.move(sign * 0.2, kSlippingTime);
+    block.move(sign * 0.2, 2.0 * kSlippingTime);
     EXPECT_EQ(block.attachment(), end);
     EXPECT_EQ(block.pinned(), 1);
   }
@@ -177,7 +177,7 @@ TEST(SimplifiedLaw, takes_direction_and_time_of_the_last_break) {
     block.move(sign * 0.2, 1e-4);  // pinned
     EXPECT_EQ(block.move(-sign * 0.3, 1.5e-3).broken, 1);
     EXPECT_NEAR(block.friction(), -sign * kSlipForce, kRounding);
-    EXPECT_EQ(block.junctions().slow_until(0, 0), -sign * (1.5e-3 + kEnd));
+    EXPECT_EQ(block.junctions().slow_until(0, 0), -sign * (1.5e-3 + kSlippingTime));
     const double attachment = block.attachment();
     EXPECT_EQ(block.move(-sign * 0.3001, 2.5e-3).repinned, 0) << "moves on along the new direction";
     EXPECT_NEAR(block.attachment(), attachment - sign * kSlowSlip, kRounding);
