@@ -7,7 +7,7 @@
     without_slow_slip.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
 
 RUN is results/data/ensemble/simplified-03, say. An event counts if it is fast-slow under any
-convention. Prints, by the events' numbers, {"t_start", "conventions": {convention: front}} with the
+convention. Prints, by the events' numbers, {convention: {"with", "without"}}: the event, and the
 front without slow slip, null where nothing ruptures.
 """
 
@@ -17,9 +17,10 @@ from pathlib import Path
 
 from workshop import Workshop, without_lines
 
+from data.records import report
 from data.scratch import scratch
 from events.choose_events import start
-from events.conventions import WAYS
+from events.conventions import CONVENTIONS, PRIMARY
 from events.fronts import is_fast_slow
 
 WITHOUT = ["--set", "junctions.v_slow=0"]
@@ -27,25 +28,43 @@ WITHOUT = ["--set", "junctions.v_slow=0"]
 LASTING = ["--until-quiet", "0.012", "--for", "0.05"]
 
 
-def measure(workshop, run, event, checkpoint_every):
-    before = start(event, checkpoint_every)
+def same_event(event, events):
+    """Of `events`, measured in another way, the one at the same time; None if there is none."""
+    beginning, end = event["t_start"], event["t_end"]
+    return next((e for e in events if e["t_start"] <= end and e["t_end"] >= beginning), None)
+
+
+def events_by_convention(lists):
+    """Pairs of an event's number and {convention: event}, the primary one first."""
+    for event in lists[PRIMARY]:
+        yield event["number"], {name: same_event(event, lists[name]) for name in CONVENTIONS}
+
+
+def measure(workshop, run, by_convention, checkpoint_every):
+    """`by_convention`: one event."""
+    before = start(by_convention[PRIMARY], checkpoint_every)
     workshop.run("restart", f"{run}-t{before['from']}.h5", "start", "--until", before["until"])
     workshop.recorded(workshop.path("start"), "without", *WITHOUT, *LASTING)
-    fronts = {name: workshop.front("without", name) for name in WAYS}
     return {
-        "t_start": event["t_start"],
-        "conventions": {name: without_lines(front) for name, front in fronts.items()},
+        name: {
+            "with": without_lines(event),
+            "without": without_lines(workshop.front("without", name)),
+        }
+        for name, event in by_convention.items()
     }
 
 
 def main(programs, run, checkpoint_every, record_options):
-    lists = json.loads(Path(f"{run}-events.json").read_text(encoding="utf-8")).values()
-    chosen = {event["number"]: event for events in lists for event in filter(is_fast_slow, events)}
+    chosen = {
+        number: by_convention
+        for number, by_convention in events_by_convention(report(f"{run}-events.json"))
+        if any(is_fast_slow(event) for event in by_convention.values() if event)
+    }
     with scratch(Path(f"{run}-scratch")) as folder:
         workshop = Workshop(programs, folder, record_options)
         found = {
-            number: measure(workshop, run, event, float(checkpoint_every))
-            for number, event in sorted(chosen.items())
+            number: measure(workshop, run, by_convention, float(checkpoint_every))
+            for number, by_convention in chosen.items()
         }
     print(json.dumps(found))
 

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-"""The claims about single fronts and about an event with its continuations: 2A-2C, 3A-3Cv, 4AB, 5A.
+"""The claims about single fronts and about an event with its continuations: 2A-2C, 3A-3Cv, 4AB, 5A,
+S2.
 
 case_*() measure what the conditions in claims/claims.toml ask for, of the event that the figures
 show and of each event of the ensemble alike.
@@ -15,6 +16,7 @@ from data.records import values
 from events.fronts import (
     LOADING_ZONE,
     front_spans,
+    is_fast_slow,
     is_fast_slow_fast_in_words,
     middle_of_slow_stretch,
 )
@@ -269,6 +271,15 @@ def claim_4AB(events, units):
         " branch. Widened: the blocks from 0.25 L on, which is itself the position of one."
     )
     return judged_event("4AB", events, case_4AB, details_4AB, units, note)
+
+
+def case_S2(event, without):
+    """An event with the simplified law, None if it was not found; its front without slow slip, None
+    if nothing ruptures."""
+    return {
+        "transition with slow slip": yes(event is not None and is_fast_slow(event)),
+        "transition without": yes(without is not None and without["slow"] is not None),
+    }
 
 
 def case_5A(unmodified, undriven, stopped_at=None):

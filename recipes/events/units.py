@@ -4,8 +4,9 @@
 """The units of the ensemble and their cases, for the judge: {unit: {convention: [case, ...]}}.
 
 `paths` are results/data/ensemble/SETTING-SEED-events.json, {convention: events}, or
-...-continued.json, {number: what became of the event} (ensemble/continue_events.py); those that
-there are. A unit that lacks what is asked for has no case, which counts against the claim.
+...-continued.json, {number: what became of the event} (ensemble/continue_events.py and
+without_slow_slip.py); those that there are. A unit that lacks what is asked for has no case, which
+counts against the claim.
 """
 
 from pathlib import Path
@@ -13,7 +14,16 @@ from pathlib import Path
 from data.records import report
 from events.continuations import BRANCHES, SLIP_AT
 from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
-from events.event_claims import case_3A, case_3B, case_3C, case_3Cv, case_4AB, case_5A, words_case
+from events.event_claims import (
+    case_3A,
+    case_3B,
+    case_3C,
+    case_3Cv,
+    case_4AB,
+    case_5A,
+    case_S2,
+    words_case,
+)
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
 FIRST_BLOCK, *OTHER_BLOCKS = SLIP_AT
@@ -47,6 +57,20 @@ def in_words(paths):
 def below_c_s_over_8(paths, case):
     """Claim S6A, for which slow may be up to c_s/8."""
     return of_loads(paths, case, {PRIMARY: DECAYING, "slow below c_s/20": PRIMARY})
+
+
+def without_slow_slip(paths):
+    """Claim S2, for the fast-slow events of each load with the simplified law."""
+    return {
+        name_of(path): {
+            convention: [
+                case_S2(event[convention]["with"], event[convention]["without"])
+                for event in report(path).values()
+            ]
+            for convention in CONVENTIONS
+        }
+        for path in paths
+    }
 
 
 # --- events of loads -----------------------------------------------------------------------

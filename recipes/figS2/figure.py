@@ -2,7 +2,10 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-"""Figure S2, its data and its claim: figure.py results/data/figS2 results/figS2"""
+"""Figure S2, its data and its claim:
+
+    figure.py results/data/figS2 results/figS2 simplified-01-continued.json ...
+"""
 
 import sys
 from pathlib import Path
@@ -14,19 +17,18 @@ from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report, values
 from data.tables import write_fronts, write_table
+from events.conventions import PRIMARY
+from events.event_claims import case_S2
+from events.fronts import is_fast_slow
+from events.units import without_slow_slip
 from pictures.panels import draw_front_speeds
 from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 SPEEDS = {  # label, colour, marker
     "event": ("slow slip", BLUE, "o"),
-    "no-slow-slip-0": ("no slow slip", VERMILION, "^"),
+    "no-slow-slip": ("no slow slip", VERMILION, "^"),
 }
-
-
-def has_fast_to_slow(front):
-    """Whether the front becomes slow anywhere beyond the loading zone."""
-    return front["slow"] is not None
 
 
 def friction_ratio(path):
@@ -71,7 +73,8 @@ def draw(data, fronts, stem):
     save(fig, stem)
 
 
-def write_events(path, events, without):
+def write_events(path, pairs):
+    """`pairs`: each fast-slow event of the load, and its front without slow slip."""
     names = [
         "t_start [s]",
         "slow from [m]",
@@ -81,50 +84,54 @@ def write_events(path, events, without):
     ]
     keys = ("x_from", "fast_before", "speed", "duration")
     rows = (
-        [event["event"], *(event["slow"][key] for key in keys), front["type"], front["x_arrest"]]
-        for event, front in zip(events, without)
+        [event["t_start"], *(event["slow"][key] for key in keys), front["type"], front["x_arrest"]]
+        for event, without in pairs
+        for front in [without or {"type": "none", "x_arrest": None}]
     )
     write_table(path, [*names, "without slow slip", "arrest without slow slip [m]"], rows)
 
 
-def claim_S2(choice, event, without):
-    """`without` holds the front without slow slip of each fast-slow event; `event` is the first."""
-    slow, front = event["slow"], without[0]
-    lost = sum(not has_fast_to_slow(f) for f in without)
+def claim_S2(fronts, pairs, units):
+    event, without = fronts.values()
+    slow = event["slow"]
+    lost = sum(case_S2(*pair)["transition without"] == "no" for pair in pairs)
     return judged(
         "S2",
-        shown={
-            "transition with slow slip": "yes" if has_fast_to_slow(event) else "no",
-            "transition without": "yes" if has_fast_to_slow(front) else "no",
-        },
+        shown=case_S2(event, without),
         measured={
-            "first fast-slow event at [s]": choice["events"][0]["event"],
+            "first fast-slow event at [s]": pairs[0][0]["t_start"],
             "fast [m/s]": slow["fast_before"],
             "slow [m/s]": slow["speed"],
             "for [ms]": slow["duration"] * 1e3,
             "transition [L]": slow["x_from"] / event["L"],
-            "without slow slip": front["type"],
-            "arrest [L]": front["x_arrest"] and front["x_arrest"] / front["L"],
-            "fast-slow events of the load": len(without),
+            "without slow slip": without["type"],
+            "arrest [L]": without["x_arrest"] and without["x_arrest"] / without["L"],
+            "fast-slow events of the load": len(pairs),
             "of them without a slow stretch when slow slip is off": lost,
         },
+        units=units,
         note="Present: the front crosses the interface and runs at least 10 times as fast between"
         " the loading zone (x = 2 cm) and its slow stretch as within it. Absent: restarted with"
         " v_slow = 0 from 0.5 ms before its first rupture, it has no stencil below c_s/20 beyond"
-        " the loading zone. The verdict is that of the first event.",
+        " the loading zone.",
     )
 
 
-def main(data, results):
+def fast_slow_pairs(path):
+    """As write_events takes them."""
+    pairs = [(event[PRIMARY]["with"], event[PRIMARY]["without"]) for event in report(path).values()]
+    return [(event, without) for event, without in pairs if is_fast_slow(event)]
+
+
+def main(data, results, *continued):
     data, results = Path(data), Path(results)
-    choice = report(data / "choice.json")
-    event = report(data / "event-front.json")
-    without = [report(data / f"no-slow-slip-{n}-front.json") for n in range(len(choice["events"]))]
-    fronts = {"event": event, "no-slow-slip-0": without[0]}
+    fronts = {run: report(data / f"{run}-front.json") for run in SPEEDS}
+    pairs = fast_slow_pairs(continued[0])
     draw(data, fronts, results / "figS2")
     write_fronts(results / "front-speed.csv", fronts)
-    write_events(results / "events.csv", choice["events"], without)
-    write_claims(results / "claims.json", [claim_S2(choice, event, without)])
+    write_events(results / "events.csv", pairs)
+    claim = claim_S2(fronts, pairs, without_slow_slip(continued))
+    write_claims(results / "claims.json", [claim])
 
 
 if __name__ == "__main__":

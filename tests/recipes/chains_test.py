@@ -52,9 +52,6 @@ def planned(folder):
     """All commands of all recipes from scratch, in which events have been found."""
     for name in ("recipes", "checkpoints", "docs"):
         (folder / name).symlink_to(SOURCE / name)
-    choice = folder / "results/data/figS2/choice.json"
-    choice.parent.mkdir(parents=True)
-    choice.write_text(json.dumps({"events": [{}]}))
     (folder / "handler.py").write_text(HANDLER)
     done = subprocess.run(
         [
