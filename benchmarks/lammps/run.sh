@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-# Times the bulk of the slider in LAMMPS (bulk.in) on one core: the best of five repetitions, in
+# Times the bulk of the slider in LAMMPS (time.in) on one core: the best of five repetitions, in
 # microseconds of processor time per step, one JSON object per line and variant.
 #
 #   benchmarks/lammps/run.sh [--table]    --table: a table for people instead
@@ -39,7 +39,8 @@ export TMPDIR=$scratch OMP_NUM_THREADS=1 OMPI_MCA_ess_singleton_isolated=1
 
 # Runs VARIANT for STEPS steps; prints microseconds of processor time per step.
 time_steps() { # VARIANT STEPS
-  "$lmp" -log none -nocite -in "$here/bulk.in" -var variant "$1" -var steps "$2" \
+  "$lmp" -log none -nocite -in "$here/time.in" -var bulk "$here/bulk.in" \
+    -var variant "$1" -var steps "$2" \
     </dev/null >screen 2>errors || return 1
   awk '
     /^Loop time of/ { per_step = $4 / $9 * 1e6 }

@@ -17,7 +17,8 @@ from claims.claim import write_claims
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import read_rows, write_table
-from maps.front_map import IMPOSSIBLE, TYPES, place_of, type_on_map
+from events.event_claims import yes
+from maps.front_map import IMPOSSIBLE, TYPES, place_of, steps_back, type_on_map
 from maps.map_panels import COLOURS
 from pictures.plotting import BLACK, DOUBLE, LINES, figure, letter, save
 
@@ -193,16 +194,41 @@ def slow_measured(series, places):
     }
 
 
-def own_result(cases, places):
-    measured: dict = {}
+def lammps_measured(compared):
+    """What lammps.py printed."""
+    if not compared:
+        return {"LAMMPS: largest difference/displacement": "not installed (package lammps)"}
+    difference = compared["largest difference [m]"]
+    displacement = compared["largest displacement [m]"]
+    return {
+        "LAMMPS: steps": compared["steps"],
+        "LAMMPS: largest difference/displacement": difference / displacement,
+        "LAMMPS: within 1e-9": yes(difference <= 1e-9 * displacement),
+    }
+
+
+def order_measured(series, places):
+    """What claim 4D asks of the order of types, for each level."""
+    return {
+        f"{series} {level}: types that step back along tau_bar_0": len(
+            steps_back({place: fronts[number]["type"] for place, fronts in places.items()}, 0)
+        )
+        for number, level in enumerate(LEVELS[series])
+    }
+
+
+def own_result(cases, places, lammps):
+    measured = lammps_measured(lammps)
     for case in cases[: len(EVENTS)]:
         measured |= event_measured(case)
     for series in LEVELS:
         measured |= series_measured(series, [case for case in cases if case.series == series])
         measured |= slow_measured(series, places[series])
+        measured |= order_measured(series, places[series])
     return OwnResult(
         id="convergence",
-        question="do fronts stay what they are with smaller time steps and on finer lattices?",
+        question="do fronts stay what they are with smaller time steps and on finer lattices, and"
+        " does LAMMPS move the blocks in the same way?",
         measured=measured,
     )
 
@@ -284,7 +310,8 @@ def main(data, results):
     cases = cases_of(events, places)
     draw(events, places, results / "convergence")
     write_table(results / "convergence.csv", NAMES, rows(cases))
-    write_own(results, [own_result(cases, places)])
+    lammps = report(data / "convergence/lammps.json")
+    write_own(results, [own_result(cases, places, lammps)])
     write_claims(results / "claims.json", [])
 
 

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Compares the bulk with LAMMPS: lammps.py LMP BULK.in COMPARE.in start.h5 end.h5
+
+start.h5 and end.h5 are checkpoints of free blocks, without load, foundation, drive or junctions.
+LAMMPS takes the first one as many steps further as lie between them. Prints {"steps", "largest
+displacement [m]", "largest difference [m]"} as JSON; {} if LMP is empty: LAMMPS is not installed.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+ALONE = {"OMP_NUM_THREADS": "1", "OMPI_MCA_ess_singleton_isolated": "1"}  # one process, no daemon
+HEADER = """ITEM: TIMESTEP
+{time}
+ITEM: NUMBER OF ATOMS
+{n}
+ITEM: BOX BOUNDS ff ff pp
+-1 1
+-1 1
+-1 1
+ITEM: ATOMS id x y vx vy
+"""
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """All blocks of a checkpoint, row by row from below: [blocks][2]."""
+
+    step: int
+    places: np.ndarray  # at rest [m]; the spacing is the same along x and z
+    u: np.ndarray  # displacements [m]
+    v: np.ndarray  # velocities [m/s]
+    v_before: np.ndarray  # half a step before
+
+
+def read_blocks(path):
+    with h5py.File(path) as file:
+        state, p = file["state"], file["parameters"]
+        rows, columns = state["u_x"].shape
+        u, v, f = (
+            np.column_stack([state[f"{name}_{axis}"][()].ravel() for axis in "xz"])
+            for name in "uvf"
+        )
+        x, z = np.meshgrid(np.arange(columns), np.arange(rows))
+        places = np.column_stack([x.ravel(), z.ravel()]) * p["slider/L"][()] / (columns - 1)
+        mass = p["slider/M"][()] / (rows * columns)
+        half_a_step = p["numerics/dt"][()] / 2
+        return Blocks(int(state["step"][()]), places, u, v, v - f / mass * half_a_step)
+
+
+def write_start(path, blocks):
+    """LAMMPS numbers the blocks of a lattice in the same order, from 1."""
+    numbers = np.arange(1, len(blocks.u) + 1)
+    with open(path, "w", encoding="utf-8") as file:
+        for time, velocities in enumerate((blocks.v_before, blocks.v)):
+            file.write(HEADER.format(time=time, n=len(numbers)))
+            rows = np.column_stack([numbers, blocks.places + blocks.u, velocities])
+            np.savetxt(file, rows, fmt=["%d", *["%.17g"] * 4])
+
+
+def read_dump(path):
+    """Positions [blocks][2]."""
+    return np.loadtxt(path, skiprows=9)[:, 1:]
+
+
+def run_lammps(folder, lmp, bulk, compare, steps):
+    variables = {"bulk": bulk, "variant": "damping", "start": "start.dump", "steps": steps}
+    words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
+    command = [lmp, "-log", "none", "-nocite", "-in", compare, *words]
+    subprocess.run(command, cwd=folder, env=os.environ | ALONE, stdout=sys.stderr, check=True)
+
+
+def compared(lmp, bulk, compare, start, end):
+    """Both checkpoints are of the same slider."""
+    before, after = read_blocks(start), read_blocks(end)
+    steps = after.step - before.step
+    with tempfile.TemporaryDirectory() as folder:
+        write_start(Path(folder, "start.dump"), before)
+        run_lammps(folder, lmp, Path(bulk).resolve(), Path(compare).resolve(), steps)
+        places, moved = (read_dump(Path(folder, f"{name}.dump")) for name in ("places", "end"))
+    if np.abs(places - before.places).max() > 1e-12:
+        sys.exit("LAMMPS numbers the blocks in another order: they cannot be compared")
+    return {
+        "steps": steps,
+        "largest displacement [m]": np.abs(after.u).max(),
+        "largest difference [m]": np.abs(moved - places - after.u).max(),
+    }
+
+
+def main(lmp, *paths):
+    print(json.dumps(compared(lmp, *paths) if lmp else {}))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
