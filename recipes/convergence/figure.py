@@ -25,8 +25,12 @@ from pictures.plotting import BLACK, DOUBLE, LINES, figure, letter, save
 EVENTS = {"I": "fast-slow-fast", "II": "second-slow", "III": "fast-only"}
 STEPS = ["2e-7", "1e-7", "5e-8"]  # [s]
 LATTICES = ["57 x 31", "113 x 61", "225 x 121"]  # blocks
-TIME_STEP, LATTICE = "time step", "lattice"
-LEVELS = {TIME_STEP: STEPS, LATTICE: LATTICES}
+TIME_STEP = "time step"
+VARIANTS = {  # of the sweeps: series
+    "damping ratio kept": "lattice",
+    "viscosity kept": "lattice, viscosity kept",
+}
+LEVELS = {TIME_STEP: STEPS, **dict.fromkeys(VARIANTS.values(), LATTICES)}
 SIGMAS = (0.0, 0.285)  # of the prepared interfaces
 COLUMNS = (
     *("type", "speed", "duration", "x_from", "x_to", "arrest"),
@@ -39,7 +43,7 @@ class Case:
     """Lists have one element per level. Speeds [m/s], times [s] and places [m] are None without a
     slow stretch."""
 
-    series: str  # TIME_STEP or LATTICE
+    series: str  # one of LEVELS
     name: str
     types: list
     speeds: list
@@ -105,8 +109,11 @@ def read_places(data):
     rows = read_rows(data / "convergence/time-step.csv")
     steps = [[row for row in rows if row["numerics.dt"] == dt] for dt in STEPS]
     finer = [read_rows(data / f"convergence/lattice-{n}.csv") for n in ("113", "225")]
+    series_of_levels: dict = {TIME_STEP: steps}
+    for variant, series in VARIANTS.items():
+        of_variant = [[row for row in rows if row["variant"] == variant] for rows in finer]
+        series_of_levels[series] = [steps[0], *of_variant]
     found: dict = {}
-    series_of_levels: dict = {TIME_STEP: steps, LATTICE: [steps[0], *finer]}
     for series, levels in series_of_levels.items():
         fronts = [{place_of(row): row_front(row) for row in level} for level in levels]
         shared = [place for place in fronts[0] if all(place in level for level in fronts)]
@@ -272,16 +279,15 @@ def draw_places(axes, series, places):
 
 
 def draw(events, places, stem):
-    widths = {"width_ratios": [1] * len(EVENTS) + [1.5] * len(LEVELS)}
-    fig, panels = figure(DOUBLE, 0.36 * DOUBLE, ncols=len(EVENTS) + len(LEVELS), gridspec_kw=widths)
-    for axes, (number, fronts) in zip(panels, events.items()):
+    fig, (above, below) = figure(DOUBLE, 0.66 * DOUBLE, nrows=2, ncols=len(EVENTS))
+    for axes, (number, fronts) in zip(above, events.items()):
         draw_event(axes, number, fronts)
-    panels[0].set_ylabel("block ruptures after [ms]")
-    panels[2].legend(loc="lower right", handlelength=1)
-    for axes, (series, of_series) in zip(panels[len(EVENTS) :], places.items()):
+    above[0].set_ylabel("block ruptures after [ms]")
+    above[2].legend(loc="lower right", handlelength=1)
+    for axes, (series, of_series) in zip(below, places.items()):
         draw_places(axes, series, of_series)
-    panels[-1].legend(loc="upper center")
-    for axes, text in zip(panels, "ABCDE"):
+    below[-1].legend(loc="upper center")
+    for axes, text in zip([*above, *below], "ABCDEF"):
         letter(axes, text)
     save(fig, stem)
 
