@@ -35,6 +35,7 @@ from slow_fronts import (
     fronts,
     of_seeds,
     speeds,
+    too_short,
     without_near_arrest,
 )
 
@@ -202,6 +203,7 @@ def claim(path, phi, l_0, others):
             **case,
             "slopes with l_0 as fitted (claim l0)": with_l_0(fits, l_0),
             "points": [full.points, simplified.points],
+            f"slow fronts left out, with fewer than {BLOCKS} blocks": too_short(path),
             "R^2, both on one line": fit(rows).r_squared,
             "R^2, both, unscaled": fit_through_origin(slip(rows), speeds(rows)).r_squared,
             "R^2, full, with other widths of phi too": fit_with_other_widths(rows, phi).r_squared,

@@ -58,6 +58,12 @@ def fronts(path, window=PRIMARY):
     return usable([in_window(row, window) for row in report(path)])
 
 
+def too_short(path):
+    """How many slow fronts of such a file are not usable."""
+    slow = [row for row in report(path) if row["type"] == "slow"]
+    return len(slow) - len(fronts(path))
+
+
 def without_near_arrest(rows):
     return [row for row, v_c in zip(rows, speeds(rows)) if v_c >= NEAR_ARREST]
 

@@ -32,6 +32,7 @@ from slow_fronts import (
     fronts,
     of_seeds,
     speeds,
+    too_short,
     without_near_arrest,
 )
 
@@ -184,6 +185,7 @@ def claim_3Ci(path, event, others):
         measured={
             **case,
             "prepared interfaces": fitted.points,
+            f"slow fronts left out, with fewer than {BLOCKS} blocks": too_short(path),
             "slowest and fastest front [m/s]": [speeds(prepared).min(), speeds(prepared).max()],
             "slope if followed for up to 2 <t_R>": longer.slope,
             "event, slope": fit(event).slope if event else None,

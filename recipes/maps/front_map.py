@@ -29,11 +29,20 @@ def place_of(row):
     return float(row["tau-bar"]), float(row["sigma-bar"])
 
 
+def front_of_point(path):
+    """None where no interface can be prepared. One that was prepared and could not be run is an
+    error, not an impossible place."""
+    result = report(path)
+    if "front" not in result and result.get("checksums"):
+        raise ValueError(f"{path}: {result['sentence']}")
+    return result.get("front")
+
+
 def read_map(rows, points):
     """The map of some rows of tables; `points` is the folder with the points' files."""
     fronts: dict[tuple, dict] = {}
     for row in rows:
-        front = report(Path(points) / f"{row['point']}.json").get("front")
+        front = front_of_point(Path(points) / f"{row['point']}.json")
         fronts.setdefault(place_of(row), {})[int(row["numerics.seed"])] = front
     return fronts
 

@@ -3,7 +3,9 @@
 
 """Maps of front types (recipes/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
+import json
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -22,6 +24,7 @@ from maps.front_map import (  # noqa: E402
     map_of_seed,
     middle,
     neighbours,
+    read_map,
     speeds,
     steps_back,
     to_refine,
@@ -49,6 +52,29 @@ def front(slower=None, arrives=True):
         "c_s": C_S,
     }
     return line | {"v_c": speeds(line, 5)}
+
+
+class ReadMap(unittest.TestCase):
+    ROW = {"point": "p", "tau-bar": "0.1", "sigma-bar": "0", "numerics.seed": "1"}
+
+    def read(self, result):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "p.json").write_text(json.dumps(result), encoding="utf-8")
+            return read_map([self.ROW], folder)
+
+    def test_an_interface_that_cannot_be_prepared_has_no_front(self):
+        refused = {"status": "failed", "sentence": "no such phi", "checksums": {}}
+        self.assertEqual(self.read(refused), {(0.1, 0.0): {1: None}})
+
+    def test_one_that_could_be_prepared_and_not_run_is_an_error(self):
+        with self.assertRaisesRegex(ValueError, "time step is too long"):
+            self.read(
+                {
+                    "status": "failed",
+                    "sentence": "the time step is too long",
+                    "checksums": {"start.h5": "00"},
+                }
+            )
 
 
 class Speeds(unittest.TestCase):
