@@ -269,12 +269,12 @@ def draw_places(axes, series, places):
             "markeredgecolor": BLACK,
         }
         axes.plot(*zip(*points, strict=True) if points else ([], []), "s", label=kind, **style)
-    axes.axvline(len(columns) / 2 - 0.5, ymax=0.68, color=BLACK, linewidth=0.6)
+    axes.axvline(len(columns) / 2 - 0.5, ymax=0.58, color=BLACK, linewidth=0.6)
     labels = [LEVELS[series][level] for _, level in columns]
     axes.set_xticks(range(len(columns)), labels, rotation=90)
     for sigma, x in zip(SIGMAS, (1, 4)):
         axes.text(x, 0.44, rf"$\bar\sigma$ = {sigma:g}", ha="center")
-    axes.set(ylabel=r"$\bar\tau_0$", xlim=(-0.5, len(columns) - 0.5), ylim=(-0.02, 0.7))
+    axes.set(ylabel=r"$\bar\tau_0$", xlim=(-0.5, len(columns) - 0.5), ylim=(-0.02, 0.8))
     axes.set_title(series)
 
 
