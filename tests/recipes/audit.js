@@ -40,6 +40,9 @@ each("figure img", (image) => image.alt.length > 20, "alternative text says litt
 // --- width ---
 const limit = document.documentElement.clientWidth;
 demand(document.documentElement.scrollWidth <= limit, "the page scrolls sideways");
+each("h1, h2, h3, h4, p, li, pre, dd, th, td", (box) => box.scrollWidth <= box.clientWidth + 1, "text goes over its edge");
+const short = (box) => box.textContent.length < 40 || !box.checkVisibility();
+each("th, td", (cell) => short(cell) || cell.clientWidth >= 100, "too narrow for its text");
 const scrolls = (element) => ["auto", "scroll"].some((way) =>
   [getComputedStyle(element).overflowX, getComputedStyle(element).overflowY].includes(way)) &&
   (element.scrollWidth > element.clientWidth || element.scrollHeight > element.clientHeight);

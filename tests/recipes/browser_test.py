@@ -20,6 +20,7 @@ PLANTED = {
     "<h5>deep</h5>": "heading skips a level",
     '<img src="claims.png">': "no alternative text",
     '<div style="width: 3000px">wide</div>': "the page scrolls sideways",
+    '<ul><li style="width: 2em; overflow-wrap: normal">wideword</li></ul>': "over its edge",
     '<a href="#claims"></a>': "link without a name",
     "<table><tr><th>x</th></tr></table>": "no headers of columns",
     '<p style="overflow: auto; width: 5em; white-space: nowrap">a long line of words</p>': "no key",
