@@ -1,15 +1,26 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-"""Numbers in captions come from the results: "at {2A: fast before [m/s]}" in a recipe's README
-becomes "at 229.1 m/s", from the claims and the own results that the recipe has written."""
+"""Captions, from a recipe's README: Markdown with measured numbers, symbols and links.
+
+Numbers come from the results: "at {2A: fast before [m/s]}" becomes "at 229.1 m/s", from the claims
+and the own results that the recipe has written.
+"""
 
 import re
 
+import markdown
+
 from claims.claim import number, split_unit
+from symbols import typeset_html
 
 NOT_RUN = "not run"
 PLACE = re.compile(r"\{(\w+):\s([^{}]+)\}")  # {claim: quantity [unit]}
+SENTENCE = re.compile(r"(?<=\.)\s+(?=[A-Z{])|\n\s*\n|\n(?=- )")  # what ends one, or an item
+LINK = re.compile(r'<a href="(?![a-z]+:|#)([^"]*)">(.*?)</a>', re.DOTALL)  # to a file
+
+
+# --- measured numbers ----------------------------------------------------------------------
 
 
 def value_text(claims, claim_id, name):
@@ -18,9 +29,42 @@ def value_text(claims, claim_id, name):
     if not isinstance(measured, dict) or name not in measured:
         return NOT_RUN
     value, unit = measured[name], split_unit(name)[1]
-    return number(value) if value is None else f"{number(value)} {unit}".rstrip()
+    return number(value) if value is None else f"{number(value)}\u00a0{unit}".rstrip()
+
+
+def filled_sentence(text, claims):
+    """Nothing if it has places and none of them can be filled."""
+    values = [
+        value_text(claims, place[1], " ".join(place[2].split())) for place in PLACE.finditer(text)
+    ]
+    if values and set(values) == {NOT_RUN}:
+        return ""
+    remaining = iter(values)
+    return PLACE.sub(lambda _: next(remaining), text)
 
 
 def filled(text, claims):
     """A place may go over the end of a line."""
-    return PLACE.sub(lambda place: value_text(claims, place[1], " ".join(place[2].split())), text)
+    ends = [end[0] for end in SENTENCE.finditer(text)] + [""]
+    sentences = [filled_sentence(sentence, claims) for sentence in SENTENCE.split(text)]
+    return "".join(sentence + end for sentence, end in zip(sentences, ends))
+
+
+# --- as HTML -------------------------------------------------------------------------------
+
+
+def link(found, shown):
+    """To the section of another recipe if the page has it; to no file, which may not be there."""
+    address, text = found.groups()
+    recipe = re.fullmatch(r"\.\./(\w+)/(README\.md)?", address)
+    return f'<a href="#{recipe[1]}">{text}</a>' if recipe and recipe[1] in shown else text
+
+
+def as_html(text, shown):
+    """Markdown without its HTML, of which a caption has no need: <t_R> is a quantity. `shown` are
+    the recipes that have a section on the page."""
+    toc = {"toc": {"baselevel": 2, "permalink": False}}
+    converter = markdown.Markdown(extensions=["toc"], extension_configs=toc, output_format="html")
+    converter.preprocessors.deregister("html_block")
+    converter.inlinePatterns.deregister("html")
+    return typeset_html(LINK.sub(lambda found: link(found, shown), converter.convert(text)))

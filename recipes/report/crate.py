@@ -21,6 +21,7 @@ from urllib.parse import quote
 from data.replacing import write_whole
 from jobs import Accounts
 from origin import builds, checksums
+from picture import ANIMATION, VIDEOS
 from project import read_readme, recipe_names
 
 CODEMETA = Path(__file__).resolve().parents[2] / "codemeta.json"
@@ -30,13 +31,16 @@ CONTEXT = [f"{SPECIFICATION}/context", {"sha256": "http://schema.org/sha256"}]
 SOFTWARE = "#rupture"
 FORMATS = {
     ".csv": "text/csv",
+    ".gif": "image/gif",
     ".h5": "application/x-hdf5",
     ".html": "text/html",
     ".json": "application/json",
     ".jsonl": "application/jsonl",
+    ".mp4": "video/mp4",
     ".pdf": "application/pdf",
     ".png": "image/png",
     ".txt": "text/plain",
+    ".webm": "video/webm",
 }
 # Files of the whole run; those that hold times have no checksum here.
 OF_THE_RUN = {
@@ -44,7 +48,7 @@ OF_THE_RUN = {
     "jobs.jsonl": "Each job that was run: rule, command, inputs, outputs, start and time",
     "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
 }
-AT_A_GLANCE = ("claims.pdf", "claims.png")
+OF_THE_PAGE = ("claims.pdf", "claims.png", *VIDEOS, ANIMATION)
 
 
 def entity(identity, kind, **properties):
@@ -143,7 +147,7 @@ def files_of_run(results):
         for name, text in OF_THE_RUN.items()
         if (results / name).exists()
     ]
-    pictures = [results / name for name in AT_A_GLANCE if (results / name).exists()]
+    pictures = [results / name for name in OF_THE_PAGE if (results / name).exists()]
     return described + [whole_file(results, path) for path in pictures]
 
 

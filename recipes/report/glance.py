@@ -4,6 +4,7 @@
 """All claims at a glance, as a specification curve (Simonsohn et al. 2020): above, for which share
 of its units each claim holds under each convention, sorted; below, which convention that is."""
 
+import re
 from dataclasses import dataclass
 
 from claims.judge import needed
@@ -44,6 +45,11 @@ def conventions_of(claims):
     return sorted(dict.fromkeys(names), key=lambda name: (name != first, -names.count(name)))
 
 
+def symbols_in(text):
+    """c_s in Matplotlib's way of typesetting."""
+    return re.sub(r"\b([a-z])_(\w)\b", r"$\1_\2$", text)
+
+
 def draw_shares(axes, claim, columns):
     for column in columns:
         colour = BLACK if column.is_primary else BLUE
@@ -81,7 +87,7 @@ def draw_glance(claims, stem):
     upper.tick_params(axis="x", length=0, labeltop=True, labelbottom=False, rotation=90)
     for row in range(len(names)):
         lower.axhline(row, color=BLACK, linewidth=0.1, alpha=0.5)
-    lower.set_yticks(range(len(names)), names)
+    lower.set_yticks(range(len(names)), [symbols_in(name) for name in names])
     lower.tick_params(axis="x", length=0, labelbottom=False, labeltop=False, top=False)
     lower.tick_params(axis="y", length=0)
     lower.set(ylim=(len(names) - 0.5, -0.5), xlim=(-1, columns[claims[-1].id][-1].at + 1))

@@ -7,9 +7,6 @@ import re
 import tomllib
 from dataclasses import dataclass
 
-import markdown
-from markupsafe import Markup
-
 
 class Problem(Exception):
     """A reason why no report is written, in one sentence for the user."""
@@ -31,6 +28,12 @@ def recipe_order(name):
 
 def recipe_names(root):
     return sorted((path.parent.name for path in root.glob("recipes/*/rules.smk")), key=recipe_order)
+
+
+def label(name):
+    """Figure S3 of figS3; nothing for what belongs to no figure."""
+    figure = re.fullmatch(r"fig(S?\d+)", name)
+    return f"Figure {figure[1]}" if figure else ""
 
 
 # --- the README of a recipe ----------------------------------------------------------------
@@ -66,16 +69,6 @@ def read_readme(path):
         commands=commands_in(lines[:start] + lines[end:]),
         caption="\n".join(lines[start + 1 : end]).strip(),
     )
-
-
-def as_html(text, folder):
-    """Markdown without its HTML, of which a caption has no need: <t_R> is a quantity. Links are
-    relative to the folder that the text comes from."""
-    converter = markdown.Markdown(output_format="html")
-    converter.preprocessors.deregister("html_block")
-    converter.inlinePatterns.deregister("html")
-    page = converter.convert(text)
-    return Markup(re.sub(r'href="(?![a-z]+:|[#/])', f'href="{folder}/', page))
 
 
 # --- the list of claims --------------------------------------------------------------------

@@ -4,19 +4,22 @@
 
 """Writes results/index.html, one page with all figures and claims: report.py [PROJECT'S FOLDER]
 
-Shows what is there and says how to compute the rest. Needs results/NAME/ of any number of recipes.
-Programs can read the same in the file that crate.py writes.
+Shows what is there, from results/NAME/ of any number of recipes, and links to files in results/
+alone, which may be copied without the rest. Programs can read the same in the file that crate.py
+writes.
 """
 
-import struct
+import re
 import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
 
-from caption import NOT_RUN, filled
+from alt_text import seen
+from caption import as_html, filled
 from claims.claim import VERDICTS, Claim, measured_parts, read_claims
 from claims.own_result import read_own
 from data.replacing import write_whole
@@ -24,27 +27,29 @@ from crate import write_crate
 from glance import draw_glance
 from jobs import Accounts, Job, steps, total
 from origin import builds, checksums, last_run, present_build, processor
-from project import Problem, Readme, as_html, listed_claims, natural, read_readme, recipe_names
+from picture import Picture, find_movie, picture
+from project import Problem, label, listed_claims, natural, read_readme, recipe_names
+from symbols import typeset
 
 HERE = Path(__file__).resolve().parent
 MANY = 12  # commands of a step, or checksums, beyond which only their number is of interest
 MANY_SUMS = 100
-
-
-@dataclass(frozen=True)
-class Picture:
-    name: str
-    pdf: str | None
-    width: int  # [pixels]
-    height: int
+GLANCE = (
+    "Above, for which share of its units each claim holds under each convention, from the smallest"
+    " to the largest, and whether it holds for the shown case; below, which convention that is."
+)
 
 
 @dataclass(frozen=True)
 class Recipe:
+    """One that has results."""
+
     name: str
-    readme: Readme
-    caption: str  # HTML
-    claims: list[Claim] | None  # None: not computed yet
+    label: str  # of its figure; empty if it belongs to none
+    title: str
+    commands: str
+    caption: Markup
+    claims: list[Claim]
     pictures: list[Picture]
     tables: list[str]
     jobs: list[Job]
@@ -54,10 +59,13 @@ class Recipe:
 # --- results of a recipe -------------------------------------------------------------------
 
 
+def claims_path(root, name):
+    """A recipe has run if this file is there."""
+    return root / "results" / name / "claims.json"
+
+
 def claims_of(root, name):
-    path = root / "results" / name / "claims.json"
-    if not path.exists():
-        return None
+    path = claims_path(root, name)
     try:
         return read_claims(path)
     except (OSError, ValueError, TypeError) as error:
@@ -66,32 +74,26 @@ def claims_of(root, name):
         ) from error
 
 
-def picture(path):
-    """Width and height stand in a PNG after its signature and the name of the first chunk."""
-    with open(path, "rb") as file:
-        head = file.read(24)
-    if len(head) < 24 or head[12:16] != b"IHDR":
-        raise Problem(f"{path} is no PNG: delete it and run ./reproduce.sh {path.parent.name}.")
-    width, height = struct.unpack(">II", head[16:24])
-    pdf = path.with_suffix(".pdf")
-    return Picture(path.name, pdf.name if pdf.exists() else None, width, height)
-
-
 def files_of(root, name, pattern):
-    return sorted((root / "results" / name).glob(pattern), key=lambda path: natural(path.name))
+    """The one with the name of the recipe comes first."""
+    paths = (root / "results" / name).glob(pattern)
+    return sorted(paths, key=lambda path: (path.stem != name, natural(path.name)))
 
 
-def read_recipe(root, name, accounts):
+def read_recipe(root, name, shown, accounts):
     readme = read_readme(root / "recipes" / name / "README.md")
     claims = claims_of(root, name)
-    numbers = (claims or []) + read_own(root / "results" / name)
+    caption = filled(readme.caption, claims + read_own(root / "results" / name))
     files = accounts.files_behind(name)
+    pictures = files_of(root, name, "*.png")
     return Recipe(
         name=name,
-        readme=readme,
-        caption=as_html(filled(readme.caption, numbers), f"../recipes/{name}"),
+        label=label(name),
+        title=readme.title,
+        commands=readme.commands,
+        caption=as_html(caption, shown),
         claims=claims,
-        pictures=[picture(path) for path in files_of(root, name, "*.png")],
+        pictures=[picture(path, seen(path.name, readme.title, caption)) for path in pictures],
         tables=[path.name for path in files_of(root, name, "*.csv")],
         jobs=accounts.jobs(files),
         sums=checksums(root, files),
@@ -102,41 +104,47 @@ def read_recipe(root, name, accounts):
 
 
 def results_by_id(recipes, listed):
-    """{claim id: (name of its recipe, claim)}"""
+    """{claim id: (its recipe, claim)}"""
     known = {claim.id for claim in listed}
     found = {}
     for recipe in recipes:
-        for claim in recipe.claims or []:
+        for claim in recipe.claims:
             path = f"results/{recipe.name}/claims.json"
             if claim.id not in known:
                 raise Problem(f"{path} has a claim '{claim.id}' that claims.toml does not list.")
             if claim.id in found:
                 raise Problem(f"Claim '{claim.id}' is in {path} although it was found before.")
-            found[claim.id] = recipe.name, claim
+            found[claim.id] = recipe, claim
     return found
 
 
 def summary_rows(listed, results):
+    """Of the claims that have a result, in the order of the list."""
     rows = []
     for claim in listed:
-        recipe, result = results.get(claim.id, (claim.recipe, None))
-        verdict = result.verdict if result else NOT_RUN
-        reason = result.reason if result else ""
-        rows.append({"listed": claim, "recipe": recipe, "verdict": verdict, "reason": reason})
+        if claim.id in results:
+            recipe, result = results[claim.id]
+            rows.append({"listed": claim, "recipe": recipe, "result": result})
     return rows
 
 
 def counts(rows):
-    names = (*VERDICTS, NOT_RUN)
-    return [(sum(row["verdict"] == name for row in rows), name) for name in names]
+    return [(sum(row["result"].verdict == name for row in rows), name) for name in VERDICTS]
 
 
 def draw_claims(root, recipes):
-    """results/claims.png, all claims at a glance; False without any claim over units."""
-    found = [claim for recipe in recipes for claim in recipe.claims or [] if claim.shares]
-    if found:
-        draw_glance(found, root / "results/claims")
-    return bool(found)
+    """results/claims.png, all claims at a glance; None without any claim over units."""
+    found = [claim for recipe in recipes for claim in recipe.claims if claim.shares]
+    if not found:
+        return None
+    draw_glance(found, root / "results/claims")
+    return picture(root / "results/claims.png", GLANCE)
+
+
+def how_verdicts_come_about(root, shown):
+    """docs/claims.md, below its title."""
+    text = (root / "docs/claims.md").read_text(encoding="utf-8")
+    return as_html(re.sub(r"^# .*\n", "", text), shown)
 
 
 # --- the page ------------------------------------------------------------------------------
@@ -157,16 +165,19 @@ def css_class(verdict):
 def contents(root):
     accounts = Accounts(root)
     listed = listed_claims(root)
-    names = recipe_names(root)
-    recipes = [read_recipe(root, name, accounts) for name in names]
+    names = [name for name in recipe_names(root) if claims_path(root, name).exists()]
+    recipes = [read_recipe(root, name, names, accounts) for name in names]
     rows = summary_rows(listed, results_by_id(recipes, listed))
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs = accounts.jobs(files)
     return {
         "recipes": recipes,
         "rows": rows,
+        "listed": len(listed),
         "counts": counts(rows),
-        "glance": picture(root / "results/claims.png") if draw_claims(root, recipes) else None,
+        "movie": find_movie(root / "results"),
+        "glance": draw_claims(root, recipes),
+        "verdicts": how_verdicts_come_about(root, names),
         "jobs": jobs,
         "run": last_run(root, jobs),
         "builds": builds(root, files),
@@ -190,8 +201,9 @@ def render(content):
         measured_parts=measured_parts,
         steps=steps,
         total=total,
+        typeset=typeset,
     )
-    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS, NOT_RUN=NOT_RUN)
+    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS)
     return environment.get_template("page.html.j2").render(content)
 
 

@@ -3,40 +3,33 @@
 
 """Opens a page in headless Chromium, without any network, and says what happened."""
 
-import html
-import json
+import os
 import re
-import subprocess
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-TIMEOUT = 240  # [s], of a busy machine
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
 
-# Goes in front of everything else in a copy of the page, whose links still start from the folder of
-# the original. Its findings are left in an attribute of <html>, which --dump-dom prints.
-WATCHER = """
-<base href="{folder}/">
-<script>
-const errors = [];
-addEventListener("error", (event) => {{
-  errors.push(event.message || "failed to load: " + (event.target.src || event.target.href));
-}}, true);
-addEventListener("securitypolicyviolation", (event) => errors.push(event.violatedDirective));
-for (const level of ["error", "warn"]) {{
-  console[level] = (...words) => errors.push(words.join(" "));
-}}
-addEventListener("load", () => {{
-  document.documentElement.dataset.seen = JSON.stringify({{
-    images: Array.from(document.images, (image) => [image.src, image.naturalWidth]),
-    ids: Array.from(document.querySelectorAll("[id]"), (element) => element.id),
-    requests: performance.getEntriesByType("resource").map((entry) => entry.name),
-    text: document.body.innerText,
-    errors,
-  }});
-}});
-</script>
-"""
+TIMEOUT = 240  # [s], of a busy machine
+HEIGHT = 900  # of the window [pixels]
+ARGUMENTS = (
+    "--headless=new",
+    "--no-sandbox",  # needs no user namespaces: containers run this as root
+    "--disable-gpu",
+    "--disable-dev-shm-usage",
+    "--disable-background-networking",
+    "--host-resolver-rules=MAP * ~NOTFOUND",
+)
+AUDIT = (Path(__file__).parent / "audit.js").read_text(encoding="utf-8")
+SEEN = """return {
+  images: Array.from(document.images, (image) => [image.src, image.naturalWidth]),
+  ids: Array.from(document.querySelectorAll("[id]"), (element) => element.id),
+  requests: performance.getEntriesByType("resource").map((entry) => entry.name),
+  text: document.body.innerText,
+};"""
+AXE = """const done = arguments[0];
+axe.run().then((found) => done(found.violations.map((rule) => `axe: ${rule.id}: ${rule.help}`)));"""
 
 
 @dataclass(frozen=True)
@@ -45,7 +38,8 @@ class Seen:
     ids: list
     requests: list
     text: str
-    errors: list
+    errors: list  # of the console
+    faults: list  # that audit.js finds, and axe-core if RUPTURE_AXE names its axe.min.js
 
     def missing_images(self):
         return [address for address, width in self.images if width == 0]
@@ -55,39 +49,37 @@ class Seen:
         return [address for address in self.requests if not re.match(r"(file|data):", address)]
 
 
-def dump(chromium, page, profile):
-    """The document after it was loaded, and what Chromium's console said."""
-    return subprocess.run(
-        [
-            chromium,
-            "--headless=new",
-            "--no-sandbox",  # needs no user namespaces: containers run this as root
-            "--disable-gpu",
-            "--disable-dev-shm-usage",
-            "--disable-background-networking",
-            "--no-first-run",
-            "--host-resolver-rules=MAP * ~NOTFOUND",
-            "--enable-logging=stderr",
-            f"--user-data-dir={profile}",
-            "--dump-dom",
-            page.as_uri(),
-        ],
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT,
-    )
+class Browser:
+    def __init__(self):
+        options = webdriver.ChromeOptions()
+        for argument in ARGUMENTS:
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(service=Service("chromedriver"), options=options)
+        self.driver.set_page_load_timeout(TIMEOUT)
 
+    def close(self):
+        self.driver.quit()
 
-def look(chromium, page):
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        watched = Path(folder) / "page.html"
-        text = page.read_text(encoding="utf-8")
-        watcher = WATCHER.format(folder=page.parent.as_uri())
-        watched.write_text(text.replace("<head>", "<head>" + watcher, 1), encoding="utf-8")
-        output = dump(chromium, watched, Path(folder) / "profile")
-    found = re.search(r'data-seen="([^"]*)"', output.stdout)
-    if not found:
-        raise AssertionError(f"Chromium did not load {page}:\n{output.stderr[-2000:]}")
-    seen = Seen(**json.loads(html.unescape(found[1])))
-    seen.errors.extend(re.findall(r"CONSOLE.*", output.stderr))
-    return seen
+    def show_as(self, width, scheme):
+        """The width of the window [pixels], and the scheme that its user prefers."""
+        size = {"width": width, "height": HEIGHT, "deviceScaleFactor": 1, "mobile": False}
+        preference = {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", preference)
+
+    def axe(self):
+        """Of axe-core, which Debian has no package of."""
+        path = os.environ.get("RUPTURE_AXE")
+        if not path:
+            return []
+        self.driver.execute_script(Path(path).read_text(encoding="utf-8"))
+        return self.driver.execute_async_script(AXE)
+
+    def look(self, page, width=1400, scheme="light"):
+        self.show_as(width, scheme)
+        self.driver.get(page.as_uri())
+        seen = self.driver.execute_script(SEEN)
+        errors = [entry["message"] for entry in self.driver.get_log("browser")]
+        faults = self.driver.execute_script(AUDIT) + self.axe()
+        return Seen(**seen, errors=errors, faults=faults)

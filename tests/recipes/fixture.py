@@ -3,6 +3,7 @@
 
 """A small project with made-up results, and what the tests of the report have in common."""
 
+import atexit
 import json
 import os
 import shutil
@@ -10,6 +11,7 @@ import struct
 import subprocess
 import sys
 import zlib
+from importlib.util import find_spec
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -33,8 +35,8 @@ What is done.
 
 The *slow* part takes <t_R>:
 
-- **A**: `front.csv`;
-- **B**: [the README](README.md).
+- **A**: it is slow; `front.csv`: how slow.
+- **B**: [the README](README.md). Like [another](../figS3/README.md); [the README](README.md).
 """
 
 
@@ -83,6 +85,10 @@ class Project:
         for path in (table, "docs/claims.md"):
             spill(self.root / path, (SOURCE / path).read_bytes())
         self.listed = listed_claims(self.root)
+
+    def judged(self):
+        """The claims with results."""
+        return [listed for listed in self.listed if listed.id not in NOT_RUN]
 
     def make_recipes(self):
         for name in {listed.recipe for listed in self.listed} | {"fig10"}:
@@ -143,11 +149,15 @@ def skip(reason):
     sys.exit(SKIPPED)
 
 
-def demand_chromium():
-    """Its name. Without it the test is skipped; where CI is set, it fails."""
-    for name in ("chromium", "chromium-browser", "google-chrome"):
-        if shutil.which(name):
-            return name
+def demand_browser():
+    """A running one. Without it the test is skipped; where CI is set, it fails."""
+    if shutil.which("chromedriver") and find_spec("selenium"):
+        from browser import Browser
+
+        browser = Browser()
+        atexit.register(browser.close)
+        return browser
+    missing = "chromium-driver and python3-selenium are not installed."
     if os.environ.get("CI"):
-        sys.exit("Not checked, as it must be where CI is set: chromium is not installed.")
-    return skip("chromium is not installed.")
+        sys.exit(f"Not checked, as it must be where CI is set: {missing}")
+    return skip(missing)

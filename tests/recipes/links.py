@@ -3,6 +3,7 @@
 
 """The links of a page, and those that lead nowhere."""
 
+import re
 from html.parser import HTMLParser
 from urllib.parse import unquote
 
@@ -34,6 +35,12 @@ class Links(HTMLParser):
         return [
             a for a in self.hrefs + self.sources if not (a == "data:," or self.leads_somewhere(a))
         ]
+
+    def outside(self):
+        """Files that are left behind when the folder of the page is copied alone."""
+        files = [a for a in self.hrefs + self.sources if not re.match(r"[a-z]+:|#", a)]
+        here = self.folder.resolve()
+        return [a for a in files if not (here / unquote(a)).resolve().is_relative_to(here)]
 
     def foreign_sources(self):
         return [a for a in self.sources if "//" in a]

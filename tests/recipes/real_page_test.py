@@ -4,10 +4,10 @@
 
 """results/index.html as it is in this folder, if ./reproduce.sh report has written it."""
 
+import json
 import unittest
 
-from browser import look
-from fixture import SOURCE, demand_chromium, listed_claims, skip
+from fixture import SOURCE, demand_browser, skip
 from links import Links
 
 PAGE = SOURCE / "results/index.html"
@@ -21,19 +21,27 @@ class RealPage(unittest.TestCase):
     def test_has_every_claim_and_no_broken_link(self):
         links = Links(PAGE)
         self.assertEqual(links.broken(), [], OUTDATED)
+        self.assertEqual(links.outside(), [])
         self.assertEqual(links.foreign_sources(), [])
-        wanted = {f"claim-{listed.id}" for listed in listed_claims(SOURCE)}
+        tables = [json.loads(path.read_text()) for path in PAGE.parent.glob("*/claims.json")]
+        wanted = {f"claim-{claim['id']}" for table in tables for claim in table}
         self.assertEqual(wanted - set(links.ids), set(), OUTDATED)
 
     def test_loads_completely_from_the_file_system(self):
-        seen = look(CHROMIUM, PAGE)
+        seen = BROWSER.look(PAGE)
         self.assertEqual(seen.missing_images(), [], OUTDATED)
         self.assertEqual(seen.foreign_requests(), [])
         self.assertEqual(seen.errors, [])
+
+    def test_nothing_bars_readers(self):
+        for width in (1400, 400):
+            for scheme in ("light", "dark"):
+                with self.subTest(width=width, scheme=scheme):
+                    self.assertEqual(BROWSER.look(PAGE, width, scheme).faults, [])
 
 
 if __name__ == "__main__":
     if not PAGE.exists():
         skip("there is no results/index.html; ./reproduce.sh report writes it.")
-    CHROMIUM = demand_chromium()
+    BROWSER = demand_browser()
     unittest.main()

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""The pictures and the movie of the page: sizes and formats."""
+
+import struct
+from dataclasses import dataclass
+
+from project import Problem
+
+VIDEOS = {"movie.webm": "video/webm", "movie.mp4": "video/mp4"}
+ANIMATION = "movie.gif"
+
+
+@dataclass(frozen=True)
+class Picture:
+    name: str
+    pdf: str | None
+    width: int  # [pixels]
+    height: int
+    alt: str  # what is seen, in words
+
+
+@dataclass(frozen=True)
+class Movie:
+    videos: list[tuple[str, str]]  # name and type, the preferred one first
+    animation: str | None
+
+
+def picture(path, alt):
+    """Width and height stand in a PNG after its signature and the name of the first chunk."""
+    with open(path, "rb") as file:
+        head = file.read(24)
+    if len(head) < 24 or head[12:16] != b"IHDR":
+        raise Problem(f"{path} is no PNG: delete it and run ./reproduce.sh {path.parent.name}.")
+    width, height = struct.unpack(">II", head[16:24])
+    pdf = path.with_suffix(".pdf")
+    return Picture(path.name, pdf.name if pdf.exists() else None, width, height, alt)
+
+
+def find_movie(results):
+    """The one in results/, whoever has made it; None if there is none."""
+    videos = [(name, kind) for name, kind in VIDEOS.items() if (results / name).exists()]
+    animation = ANIMATION if (results / ANIMATION).exists() else None
+    return Movie(videos, animation) if videos or animation else None
