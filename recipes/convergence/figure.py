@@ -146,9 +146,13 @@ def in_milliseconds(times):
     return [time and time * 1e3 for time in times]
 
 
+def types_text(types):
+    return f"{types[0]} with each step" if len(set(types)) == 1 else ", ".join(types)
+
+
 def event_measured(case):
     return {
-        f"{case.name}: types": ", ".join(case.types),
+        f"{case.name}: types": types_text(case.types),
         f"{case.name}: slow speed [m/s]": case.speeds,
         f"{case.name}: duration [ms]": in_milliseconds(case.durations),
         f"{case.name}: slow from [m]": case.starts,
