@@ -1,13 +1,11 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-# Files that `cmake --install` copies: the tools, the library with its headers, and the CMake package
-# through which other projects use them (docs/regression-tests.md).
-include(GNUInstallDirs)
+# Files that `cmake --install` copies besides the programs (src/tools): the library with its headers, and
+# the CMake package through which other projects use them (docs/regression-tests.md).
 include(CMakePackageConfigHelpers)
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/rupture)
 
-install(TARGETS load prepare restart modify-phi analyze)
 install(PROGRAMS src/tools/rupture-golden DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 install(TARGETS rupture rupture_flags EXPORT ruptureTargets
