@@ -21,7 +21,13 @@ PYTHON_CHECKS = {
     "mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is run).",
 }
 SHELL_SCRIPTS = (
-    *("reproduce.sh", ".ci/run", "src/tools/rupture-golden", "recipes/*/*.sh"),
+    *(
+        "reproduce.sh",
+        ".ci/run",
+        "src/tools/rupture-golden",
+        "src/tools/reproduce",
+        "recipes/*/*.sh",
+    ),
     *("recipes/profiles/*/job.sh", "recipes/profiles/*/step", "tests/*/*.sh"),
     "tests/regression/project/*.sh",
 )
