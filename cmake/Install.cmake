@@ -1,14 +1,11 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-# Files that `cmake --install` copies: the tools, the library with its headers, and the CMake package
-# through which other projects use them (docs/regression-tests.md).
-include(GNUInstallDirs)
+# Files that `cmake --install` copies besides the programs (src/tools): the library with its headers,
+# the CMake package through which other projects use them (docs/regression-tests.md), and the recipes
+# with what they read, for `rupture reproduce`.
 include(CMakePackageConfigHelpers)
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/rupture)
-
-install(TARGETS load prepare restart modify-phi analyze)
-install(PROGRAMS src/tools/rupture-golden DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 install(TARGETS rupture rupture_flags EXPORT ruptureTargets
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
@@ -23,3 +20,9 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ruptureConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/ruptureConfigVersion.cmake
               cmake/RuptureCheckpointTest.cmake
         DESTINATION ${_package})
+
+set(_share ${CMAKE_INSTALL_DATADIR}/rupture)
+install(PROGRAMS reproduce.sh DESTINATION ${_share})
+install(DIRECTORY recipes checkpoints docs DESTINATION ${_share} USE_SOURCE_PERMISSIONS
+        PATTERN __pycache__ EXCLUDE)
+install(FILES codemeta.json DESTINATION ${_share})

@@ -11,14 +11,15 @@ from collections.abc import Callable
 from pathlib import Path
 
 from reproduce import checks, compute
-from reproduce.command_line import HELP, listing, natural, parse
+from reproduce.command_line import help_text, listing, natural, parse
 from reproduce.processes import Processes
 from reproduce.project import (
     BESIDE_ALL,
-    ROOT,
+    SHARE,
     Failure,
     UsageError,
     complain,
+    enter_root,
     recipe_names,
     say,
 )
@@ -86,13 +87,14 @@ RUN: dict[str, Callable] = {
 
 def main(*words):
     caller = Path.cwd()
-    os.chdir(ROOT)
+    os.chdir(SHARE)
     request = parse(words, caller)
     if request is None:
-        print(HELP, end="")
+        print(help_text(), end="")
     elif request.command == "list":
         print(listing())
     else:
+        enter_root()
         return RUN[request.command](request, Processes())
     return 0
 
@@ -105,7 +107,7 @@ def main_or_sentence(*words):
         if str(error):
             complain(error)
         else:
-            print(HELP, end="", file=sys.stderr)
+            print(help_text(), end="", file=sys.stderr)
         return 2
     except Failure as failure:
         complain(failure)

@@ -16,12 +16,18 @@ CPPCHECK = (
     " -I include -I src -I src/tools -I tests -I tests/tools"
 ).split()
 PYTHON_CHECKS = {
-    "black --check --diff --quiet recipes tests": "black would change this (black FILE).",
-    "flake8 recipes tests": "flake8 found the faults above (.flake8 has what it may not say).",
+    "black --check --diff --quiet recipes src tests": "black would change this (black FILE).",
+    "flake8 recipes src tests": "flake8 found the faults above (.flake8 has what it may not say).",
     "mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is run).",
 }
 SHELL_SCRIPTS = (
-    *("reproduce.sh", ".ci/run", "src/tools/rupture-golden", "recipes/*/*.sh"),
+    *(
+        "reproduce.sh",
+        ".ci/run",
+        "src/tools/rupture-golden",
+        "src/tools/reproduce",
+        "recipes/*/*.sh",
+    ),
     *("recipes/profiles/*/job.sh", "recipes/profiles/*/step", "tests/*/*.sh"),
     "tests/regression/project/*.sh",
 )

@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from reproduce.project import BESIDE_ALL, PROFILES, UsageError, recipe_names
+from reproduce.project import BESIDE_ALL, PROFILES, WORK, UsageError, recipe_names
 
 HELP = """\
 Usage: ./reproduce.sh COMMAND [OPTION]...
@@ -49,6 +49,21 @@ COMMANDS = {
     "list": "this list",
     "clean": "delete build/ and results/",
 }
+
+
+NEED_SOURCES = ("test", "test-slurm", "check", "tidy")
+if WORK:
+    COMMANDS = {name: text for name, text in COMMANDS.items() if name not in NEED_SOURCES}
+
+
+def help_text():
+    """Of `rupture reproduce` without the commands that are about the sources."""
+    if not WORK:
+        return HELP
+    of_sources = tuple(f"  {name} " for name in NEED_SOURCES)
+    lines = [line for line in HELP.splitlines(True) if not line.startswith(of_sources)]
+    text = "".join(lines).replace("./reproduce.sh", "rupture reproduce")
+    return text.replace("install what is missing, build, compute", "compute")
 
 
 class Parser(argparse.ArgumentParser):

@@ -7,10 +7,14 @@ import os
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+SHARE = Path(__file__).resolve().parents[2]  # recipes and what they read
+# `rupture reproduce` names the folder for results. Elsewhere they are beside the recipes.
+WORK = Path(os.environ["RUPTURE_WORK"]) if "RUPTURE_WORK" in os.environ else None
+ROOT = WORK / ".rupture" if WORK else SHARE
 LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/profiles")
+READ = ("recipes", "checkpoints", "docs", "codemeta.json")
 # Recipes that `all` leaves out: they judge no claim and take longer than ten minutes each.
 BESIDE_ALL = ("choices", "convergence")
 
@@ -28,6 +32,26 @@ def recipe_names():
     return [path.parent.name for path in Path("recipes").glob("*/rules.smk")]
 
 
+def link(path, target):
+    if not path.is_symlink() or path.readlink() != target:
+        path.unlink(missing_ok=True)
+        path.symlink_to(target)
+
+
+def enter_root():
+    """Where recipes and results are. Of `rupture reproduce` it has links to both."""
+    if WORK:
+        try:
+            ROOT.mkdir(exist_ok=True)
+            (WORK / "results").mkdir(exist_ok=True)
+            link(ROOT / "results", Path("../results"))
+            for name in READ:
+                link(ROOT / name, SHARE / name)
+        except OSError as error:
+            raise Failure(f"{error.filename} cannot be written ({error.strerror}).") from None
+    os.chdir(ROOT)
+
+
 def use_own_environment():
     """Caches in the project's folder; with Debian's Snakemake, no packages of the user's own."""
     cache = ROOT / "build/cache"
@@ -43,4 +67,4 @@ def say(text=""):
 
 
 def complain(text):
-    print(f"reproduce.sh: {text}", file=sys.stderr, flush=True)
+    print(f"{'reproduce' if WORK else 'reproduce.sh'}: {text}", file=sys.stderr, flush=True)

@@ -6,6 +6,8 @@
 import sys
 from pathlib import Path
 
+from reproduce.project import WORK
+
 SCRIPT = Path(__file__).with_name("set-up.sh")
 
 
@@ -16,7 +18,9 @@ def set_up(processes, *words):
 
 
 def ensure_packages(processes, *purposes):
-    set_up(processes, "packages", *purposes)
+    """An installed rupture has been installed with them."""
+    if not WORK:
+        set_up(processes, "packages", *purposes)
 
 
 def build(processes, cores, target):

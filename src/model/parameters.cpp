@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "rupture/model/derived.hpp"
@@ -21,7 +20,6 @@ namespace rupture {
 namespace {
 
 using P = Parameters;
-constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 using Names = std::vector<std::string_view>;
 
@@ -133,11 +131,8 @@ Number parse_number(const ParameterInfo& info, std::string_view text) {
   const bool too_small =
       info.minimum_excluded ? !(number > info.minimum) : !(number >= info.minimum);
   if (found.is_too_large() || too_small || !(number <= info.maximum)) {
-    const std::string upper =
-        info.maximum < kNoLimit ? fmt::format(" and at most {:g}", info.maximum) : "";
-    throw UsageError(fmt::format("{} = {} is out of range: give a value {} {:g}{} (unit {})",
-                                 info.name, text, info.minimum_excluded ? "above" : "of at least",
-                                 info.minimum, upper, info.unit));
+    throw UsageError(fmt::format("{} = {} is out of range: give a value {} (unit {})", info.name,
+                                 text, range_text(info), info.unit));
   }
   return found.value;
 }
@@ -262,6 +257,11 @@ std::vector<std::string_view> choices(const ParameterInfo& info) {
         return {};
       },
       info.member);
+}
+
+std::string range_text(const ParameterInfo& info) {
+  return fmt::format("{} {:g} and at most {:g}", info.minimum_excluded ? "above" : "of at least",
+                     info.minimum, info.maximum);
 }
 
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {

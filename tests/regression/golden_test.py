@@ -225,7 +225,7 @@ class Refusing(Golden):
         ):
             run = self.golden(*arguments)
             self.assertEqual(run.returncode, 2)
-            self.assertIn("rupture-golden check [OPTION]... GOLDEN PIPELINE", run.stderr)
+            self.assertIn("rupture golden check [OPTION]... GOLDEN PIPELINE", run.stderr)
 
 
 if __name__ == "__main__":

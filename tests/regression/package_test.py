@@ -68,13 +68,35 @@ class Package(unittest.TestCase):
         said = self.ctest().stdout
         self.assertIn("50% tests passed, 1 tests failed out of 2", said)
         self.assertIn("0 of 3 content checksums are equal, all but: event-record.h5 event.h5", said)
-        self.assertIn(f"{self.prefix}/bin/analyze diff {self.build}/my_pipeline.files/equal", said)
+        self.assertIn(
+            f"{self.prefix}/libexec/rupture/analyze diff {self.build}/my_pipeline.files/equal", said
+        )
 
         said = self.regenerate()
         self.assertIn("my_program.sums is current", said)
         self.assertIn("100% tests passed", self.ctest().stdout)
         old = self.source / "my_pipeline.sums.old1"
         self.assertEqual(old.read_text(encoding="utf-8"), before)
+
+    def test_rupture_finds_its_tools_and_recipes_and_writes_where_it_is_called(self):
+        folder = self.prefix.parent / "work"
+        folder.mkdir()
+        rupture = self.prefix / "bin/rupture"
+        self.assertEqual([path.name for path in rupture.parent.iterdir()], ["rupture"])
+        self.assertIn("0 steps", self.done(rupture, "load", "-o", folder / "a.h5"))
+        self.assertTrue((self.prefix / "share/man/man1/rupture-load.1.gz").exists())
+        self.assertIn("  fig3 ", self.done(rupture, "reproduce", "list"))
+        self.assertNotIn("tidy", self.done(rupture, "reproduce", "--help"))
+        before = sorted(self.prefix.rglob("*"))
+        done = subprocess.run(
+            [rupture, "reproduce", "figS1"], cwd=folder, capture_output=True, text=True, check=False
+        )
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertTrue((folder / "results/figS1/claims.json").exists())
+        self.assertEqual(sorted(self.prefix.rglob("*")), before)
+        done = run(rupture, "reproduce", "test")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no figure or command 'test'", done.stderr)
 
     def test_a_project_without_compiled_languages_needs_the_tools_alone(self):
         (self.source / "CMakeLists.txt").write_text(

@@ -218,9 +218,10 @@ TEST_F(SteadyState, refuses_what_makes_no_sense) {
                  "--points 0 makes no sense: give 1 to 10000");
   expect_refusal("analyze steady-state --steps-per-cycle 99", kUsage,
                  "--steps-per-cycle 99 makes no sense: give 100 to 10000000");
-  expect_refusal("analyze steady-state a.h5", kUsage,
-                 "'a.h5' is not expected: analyze steady-state reads no checkpoint; see analyze "
-                 "steady-state --help");
+  expect_refusal(
+      "analyze steady-state a.h5", kUsage,
+      "'a.h5' is not expected: analyze steady-state reads no checkpoint; see rupture analyze "
+      "steady-state --help");
   expect_refusal_with("analyze steady-state --set junctions.mu_d=0.5", kUsage, "junctions.mu_d");
 }
 

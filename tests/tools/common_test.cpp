@@ -39,6 +39,7 @@ const std::vector<Interface> kInterfaces = {
                  "sum",    "quiet",        "config",      "set",           "seed"}},
     {"modify-phi",
      {"shape", "sigma-bar", "x-from", "x-to", "slipping", "output", "force", "sum", "quiet"}},
+    {"parameters", {"json"}},
     {"analyze events",
      {"quiet-time", "slow-below", "skip-below-x", "stencil", "stencils-at-ends", "ruptured-below",
       "json", "csv"}},
@@ -78,7 +79,7 @@ class EveryTool : public ToolTest, public ::testing::WithParamInterface<Interfac
 
 TEST_P(EveryTool, help_names_every_option) {
   const std::string help = output_of(GetParam().command + " --help");
-  EXPECT_EQ(help.find("Usage: " + GetParam().command + " "), 0U) << help;
+  EXPECT_EQ(help.find("Usage: rupture " + GetParam().command + " "), 0U) << help;
   for (const auto& option : all_options()) {
     EXPECT_NE(help.find("--" + option + " "), std::string::npos) << option;
   }
@@ -101,8 +102,8 @@ TEST_P(EveryTool, version_names_tool_version_commit_and_instruction_set) {
 
 TEST_P(EveryTool, suggests_an_option_for_a_mistyped_one) {
   expect_refusal(GetParam().command + " --versoin", kUsage,
-                 "unknown option '--versoin': did you mean '--version'? See " + GetParam().command +
-                     " --help");
+                 "unknown option '--versoin': did you mean '--version'? See rupture " +
+                     GetParam().command + " --help");
 }
 
 std::string test_name(const ::testing::TestParamInfo<Interface>& info) {
@@ -117,13 +118,10 @@ INSTANTIATE_TEST_SUITE_P(Tools, EveryTool, ::testing::ValuesIn(kInterfaces), tes
 
 using Common = ToolTest;
 
-TEST_F(Common, help_of_tools_that_take_parameters_names_them) {
+TEST_F(Common, help_of_tools_that_take_parameters_says_who_lists_them) {
   for (const std::string tool : {"load", "prepare", "restart"}) {
-    const std::string help = output_of(tool + " --help");
-    for (const char* parameter : {"slider.Nx", "driving.V", "junctions.t_R", "numerics.dt"}) {
-      EXPECT_NE(help.find(std::string("\n  ") + parameter + " "), std::string::npos) << parameter;
-    }
-    EXPECT_NE(help.find("[m/s]"), std::string::npos);
+    EXPECT_NE(output_of(tool + " --help").find("\nParameters: rupture parameters lists "),
+              std::string::npos);
   }
 }
 
@@ -144,14 +142,14 @@ TEST_F(Common, analyze_help_is_a_command_too) {
     EXPECT_EQ(output_of("analyze help " + command), output_of("analyze " + command + " --help"));
   }
   expect_refusal("analyze help stres", kUsage,
-                 "unknown command 'stres': did you mean 'stress'? See analyze --help");
+                 "unknown command 'stres': did you mean 'stress'? See rupture analyze --help");
   expect_refusal("analyze help front slip", kUsage,
                  "'slip' is one word too many: name one command");
 }
 
 TEST_F(Common, analyze_suggests_a_command) {
   expect_refusal("analyze stres a.h5", kUsage,
-                 "unknown command 'stres': did you mean 'stress'? See analyze --help");
+                 "unknown command 'stres': did you mean 'stress'? See rupture analyze --help");
   expect_refusal_with("analyze", kUsage, "no command was given: name one of ");
 }
 
@@ -217,9 +215,10 @@ TEST_F(Common, standard_output_is_no_file_to_write) {
 }
 
 TEST_F(Common, output_option_is_required) {
-  expect_refusal("load", kUsage, "the option '--output' is required but missing; see load --help");
+  expect_refusal("load", kUsage,
+                 "the option '--output' is required but missing; see rupture load --help");
   expect_refusal("load -o", kUsage,
-                 "the required argument for option '--output' is missing; see load --help");
+                 "the required argument for option '--output' is missing; see rupture load --help");
 }
 
 TEST_F(Common, existing_files_are_only_replaced_when_forced) {

@@ -38,7 +38,7 @@ class Describe : public ToolTest {
   /// The descriptions of all programs and of all commands of analyze.
   std::vector<Json> programs() const {
     std::vector<Json> all;
-    for (const std::string tool : {"load", "prepare", "restart", "modify-phi"}) {
+    for (const std::string tool : {"load", "prepare", "restart", "modify-phi", "parameters"}) {
       all.push_back(json_of(tool + " --describe"));
     }
     const Json analyze = json_of("analyze --describe");
@@ -60,7 +60,8 @@ TEST_F(Describe, is_one_line) {
 TEST_F(Describe, has_the_texts_of_help) {
   for (const Json& program : programs()) {
     const std::string name = program.at("name"), synopsis = program.at("synopsis");
-    EXPECT_TRUE(output_of(name + " --help").starts_with("Usage: " + synopsis + "\n")) << name;
+    EXPECT_TRUE(output_of(name + " --help").starts_with("Usage: rupture " + synopsis + "\n"))
+        << name;
     EXPECT_EQ(std::string(program.at("purpose")).find('\n'), std::string::npos) << name;
   }
 }
@@ -133,7 +134,7 @@ TEST_F(Describe, says_what_commands_read) {
 TEST_F(Describe, covers_all_commands_of_analyze) {
   const std::string help = output_of("analyze --help");
   const Json analyze = json_of("analyze --describe");
-  EXPECT_TRUE(help.starts_with("Usage: " + std::string(analyze.at("synopsis"))));
+  EXPECT_TRUE(help.starts_with("Usage: rupture " + std::string(analyze.at("synopsis"))));
   const auto lines = lines_of(help);
   const auto listed = std::count_if(lines.begin(), lines.end(),
                                     [](const auto& line) { return line.starts_with("  "); });

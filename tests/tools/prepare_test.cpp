@@ -90,7 +90,7 @@ TEST_F(Prepare, its_support_cannot_change) {
 
 TEST_F(Prepare, refuses_what_is_impossible) {
   expect_refusal("prepare -o a.h5", kUsage,
-                 "the option '--tau-bar' is required but missing; see prepare --help");
+                 "the option '--tau-bar' is required but missing; see rupture prepare --help");
   expect_refusal("prepare -o a.h5 --tau-bar 0.1 --sigma-bar 0.6", kUsage,
                  "sigma-bar = 0.6 would put junctions beyond f_thres: the largest possible value "
                  "is 0.5248");
@@ -108,7 +108,7 @@ TEST_F(Prepare, refuses_what_is_impossible) {
   expect_refusal("prepare -o a.h5 --tau-bar 0.1 --set slider.support=foundation", kUsage,
                  "a prepared interface needs slider.support = ceiling");
   expect_refusal("prepare b.h5 -o a.h5 --tau-bar 0.1", kUsage,
-                 "'b.h5' is not expected: prepare reads no checkpoint; see prepare --help");
+                 "'b.h5' is not expected: prepare reads no checkpoint; see rupture prepare --help");
 }
 
 }  // namespace

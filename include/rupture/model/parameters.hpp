@@ -139,6 +139,9 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info);
 /// The words that an enumerated parameter accepts; empty for a number.
 std::vector<std::string_view> choices(const ParameterInfo& info);
 
+/// The values that a number may have, as in "above 0 and at most 1000".
+std::string range_text(const ParameterInfo& info);
+
 /// Sets one parameter from text. Throws UsageError if the name is unknown, the text is no value of
 /// the right kind, or the value is outside the row's validity range.
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);

@@ -51,13 +51,15 @@ const std::vector<Command> kCommands = {
 };
 
 const ToolText kText = {
-    "analyze", "analyze COMMAND [FILE...] [options]",
-    "Measures, compares and checks checkpoints and records; never changes them."};
+    "analyze",
+    "analyze COMMAND [FILE...] [options]",
+    "Measures, compares and checks checkpoints and records; never changes them.",
+    {},
+    "measure, compare and check checkpoints and records"};
 
 std::string help() {
   std::string text = fmt::format(
-      "Usage: {}\n\n{}\n\nCommands (analyze help COMMAND tells more, analyze --describe all as "
-      "JSON):\n",
+      "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND tells more):\n",
       kText.synopsis, kText.purpose);
   for (const auto& command : kCommands) {
     text += fmt::format("  {:<12} {}\n", command.name, command.purpose);
@@ -80,6 +82,7 @@ Json description_of(const Command& command) {
 
 std::string describe() {
   Json json = {{"name", kText.name},
+               {"summary", kText.summary},
                {"synopsis", kText.synopsis},
                {"purpose", kText.purpose},
                {"commands", Json::array()}};
@@ -105,8 +108,9 @@ const Command& find(std::string_view name) {
   for (const auto& command : kCommands) {
     if (command.name == name) return command;
   }
-  throw UsageError(fmt::format("unknown command '{}': did you mean '{}'? See analyze --help", name,
-                               nearest(name, names_of_commands())));
+  throw UsageError(
+      fmt::format("unknown command '{}': did you mean '{}'? See rupture analyze --help", name,
+                  nearest(name, names_of_commands())));
 }
 
 bool asks_for_help(std::string_view word) {

@@ -17,12 +17,12 @@ namespace {
 constexpr const char* kScriptHead = R"sh(#!/bin/sh
 # Makes a file with the content checksum
 # {}
-# The programs of rupture must be in the PATH. Run it in an empty folder.
+# rupture must be in the PATH. Run it in an empty folder.
 set -e
 
 check() {{
-  if [ "$(analyze checksum "$1")" = "$2" ]; then return; fi
-  if [ "$(analyze checksum --as-schema-2 "$1")" = "$2" ]; then return; fi
+  if [ "$(rupture analyze checksum "$1")" = "$2" ]; then return; fi
+  if [ "$(rupture analyze checksum --as-schema-2 "$1")" = "$2" ]; then return; fi
   echo "$1 has another content checksum than $2: compare the versions of rupture" >&2
   exit 1
 }}
@@ -151,7 +151,7 @@ std::string rebuild_script(const Lineage& lineage, const std::string& output,
     input = files.back();
     script += fmt::format("\n# {}, {}: {}\n", build_text(entry), in_one_line(entry.compiler),
                           in_one_line(entry.command_line));
-    script += fmt::format("{} {}\n", entry.rebuild, shell_line(files));
+    script += fmt::format("rupture {} {}\n", entry.rebuild, shell_line(files));
     script += fmt::format("check {}\n", shell_line({input, lineage.checksum_after(i)}));
   }
   return script;

@@ -44,9 +44,10 @@ po::options_description common_options(UsesParameters uses_parameters) {
 std::string help_text(const ToolText& text, const po::options_description& shown,
                       UsesParameters uses_parameters) {
   std::ostringstream out;
-  out << "Usage: " << text.synopsis << "\n\n" << text.purpose << "\n\n" << shown;
+  out << "Usage: rupture " << text.synopsis << "\n\n" << text.purpose << "\n\n" << shown;
   if (uses_parameters == UsesParameters::yes) {
-    out << "\nParameters (SI units), for --set and --config:\n" << parameter_help();
+    out << "\nParameters: rupture parameters lists what --set and --config take, with units and "
+           "defaults;\nrupture parameters NAME tells more of one.\n";
   }
   return out.str();
 }
@@ -143,8 +144,9 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
     }
     if (parsed.values.count("unexpected") > 0) {
       const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
-      throw UsageError(fmt::format("'{}' is not expected: {} reads no checkpoint; see {} --help",
-                                   words.front(), text.name, text.name));
+      throw UsageError(
+          fmt::format("'{}' is not expected: {} reads no checkpoint; see rupture {} --help",
+                      words.front(), text.name, text.name));
     }
     if (parsed.values.count("config") > 0) {
       parsed.parameters =
@@ -154,7 +156,7 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
   } catch (const po::unknown_option& error) {
     throw UsageError(unknown_option_text(error.get_option_name(), all, text.name));
   } catch (const po::error& error) {
-    throw UsageError(fmt::format("{}; see {} --help", error.what(), text.name));
+    throw UsageError(fmt::format("{}; see rupture {} --help", error.what(), text.name));
   }
   if (uses_parameters == UsesParameters::yes) {
     const auto changes = command_line_changes(parsed.values);

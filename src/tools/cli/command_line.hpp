@@ -29,6 +29,7 @@ struct ToolText {
   std::string synopsis;                      ///< e.g. "restart CHECKPOINT -o OUT [options]"
   std::string purpose;                       ///< a sentence or two
   std::vector<std::string> one_needed = {};  ///< options of which one must be given
+  std::string summary = {};                  ///< a line for lists of programs
 };
 
 /// Thrown by parse() when --help, --describe or --version was given; holds the text for standard

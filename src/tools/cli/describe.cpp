@@ -91,6 +91,7 @@ Json description(const ToolText& text, const po::options_description& options,
                {"parameters", uses_parameters == UsesParameters::yes},
                {"one_needed", needed_json(text, options)},
                {"options", Json::array()}};
+  if (!text.summary.empty()) json["summary"] = text.summary;
   for (const auto& option : options.options()) json["options"].push_back(option_json(*option));
   return json;
 }

@@ -46,7 +46,7 @@ std::string unknown_option_text(const std::string& option,
   for (const auto& description : known.options()) {
     names.push_back("--" + description->long_name());
   }
-  return fmt::format("unknown option '{}': did you mean '{}'? See {} --help", option,
+  return fmt::format("unknown option '{}': did you mean '{}'? See rupture {} --help", option,
                      nearest(option, {names.begin(), names.end()}), tool);
 }
 

@@ -23,7 +23,7 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
 /// One line per parameter: name, symbol, default, unit, meaning.
 std::string parameter_help();
 
-/// "unknown option '--untill': did you mean '--until'? See load --help".
+/// "unknown option '--untill': did you mean '--until'? See rupture load --help".
 std::string unknown_option_text(const std::string& option,
                                 const boost::program_options::options_description& known,
                                 const std::string& tool);

@@ -28,9 +28,12 @@ Options setup(int argc, char** argv) {
   add_output_options(options);
   const Parsed parsed = parse(
       argc, argv,
-      {"load", "load -o OUT [--until T] [options]",
+      {"load",
+       "load -o OUT [--until T] [options]",
        "Finds the equilibrium of the slider under its normal load F_N, then moves the driving\n"
-       "point at speed V, and writes a checkpoint from which the run can be continued."},
+       "point at speed V, and writes a checkpoint from which the run can be continued.",
+       {},
+       "put the slider under its normal load, then drive it from the side"},
       options, "", UsesParameters::yes);
   Parameters parameters;
   apply(parsed.parameters, parameters);

@@ -49,10 +49,13 @@ Options setup(int argc, char** argv) {
   add_output_options(options);
   const Parsed parsed = parse(
       argc, argv,
-      {"modify-phi", "modify-phi CHECKPOINT -o OUT [options]",
+      {"modify-phi",
+       "modify-phi CHECKPOINT -o OUT [options]",
        "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
        "keeps the mean force of each block, so that the stress state stays the same. Prints the\n"
-       "width of each block's phi and the histogram of all changed blocks, before and after."},
+       "width of each block's phi and the histogram of all changed blocks, before and after.",
+       {},
+       "replace the distribution of junction forces in a region"},
       options, "checkpoint", UsesParameters::no);
   const auto& values = parsed.values;
   Options result;

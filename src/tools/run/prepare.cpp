@@ -83,10 +83,13 @@ Options setup(int argc, char** argv) {
   add_output_options(options);
   const Parsed parsed = parse(
       argc, argv,
-      {"prepare", "prepare --tau-bar T -o OUT [options]",
+      {"prepare",
+       "prepare --tau-bar T -o OUT [options]",
        "Writes a checkpoint of a slider at rest whose interface carries a prescribed prestress,\n"
        "with its trigger region just depinned: restart lets the event run. The normal force is\n"
-       "the same on all interface blocks (slider.support = ceiling), and driving.V is 0."},
+       "the same on all interface blocks (slider.support = ceiling), and driving.V is 0.",
+       {},
+       "make an interface with a prescribed prestress, ready to break"},
       options, "", UsesParameters::yes);
   const Parameters parameters = prepared_parameters(parsed.parameters);
   const auto command = rebuild_command("prepare", default_parameters(), parameters);

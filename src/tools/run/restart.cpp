@@ -53,7 +53,7 @@ Options setup(int argc, char** argv) {
              "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
              "the\nuninterrupted run; --set changes parameters from this moment on, e.g. --set "
              "driving.V=0.",
-             kWhenToStop},
+             kWhenToStop, "continue a checkpoint, also with other parameters"},
             options, "checkpoint", UsesParameters::yes);
   const auto& values = parsed.values;
   Options result;

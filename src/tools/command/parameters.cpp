@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+// parameters: what --set and --config take.
+#include "rupture/model/parameters.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string_view>
+
+#include "cli/command_line.hpp"
+#include "cli/report.hpp"
+#include "cli/text.hpp"
+#include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+using Rows = std::vector<ParameterInfo>;
+
+struct Options {
+  Rows rows;
+  bool in_full;  ///< not a line for each
+  bool json;
+};
+
+bool is_of_group(const ParameterInfo& info, std::string_view group) {
+  return info.name.substr(0, info.name.find('.')) == group;
+}
+
+/// The parameter of this name, or those of this group. Throws UsageError if there is none.
+Rows rows_called(const std::string& name) {
+  Rows rows;
+  for (const auto& info : parameter_table()) {
+    if (is_of_group(info, name)) rows.push_back(info);
+  }
+  return rows.empty() ? Rows{find_parameter(name)} : rows;
+}
+
+Options setup(int argc, char** argv) {
+  po::options_description options("Options");
+  options.add_options()("json", "print one JSON object");
+  const Parsed parsed =
+      parse(argc, argv,
+            {"parameters",
+             "parameters [NAME...] [options]",
+             "Lists all parameters, or tells of those named, or of those in a group such as\n"
+             "junctions, their units, defaults, ranges, meanings and the laws that use them.",
+             {},
+             "units, defaults, ranges and meanings of the parameters"},
+            options, "parameter", UsesParameters::no);
+  Options result = {{}, parsed.values.count("parameter") > 0, parsed.values.count("json") > 0};
+  if (!result.in_full) result.rows = parameter_table();
+  if (result.in_full) {
+    for (const auto& name : parsed.values["parameter"].as<std::vector<std::string>>()) {
+      const Rows rows = rows_called(name);
+      result.rows.insert(result.rows.end(), rows.begin(), rows.end());
+    }
+  }
+  return result;
+}
+
+std::vector<std::string_view> laws_of(const ParameterInfo& info) {
+  return info.laws.empty() ? law_names() : law_names(info.laws);
+}
+
+std::string text_of(const ParameterInfo& info) {
+  const auto words = choices(info);
+  const bool is_number = words.empty();
+  std::string text = fmt::format("{}\n  {}\n", info.name, info.help);
+  const auto add = [&](std::string_view what, std::string_view value) {
+    text += fmt::format("  {:<8} {}\n", what, value);
+  };
+  if (info.symbol != "-") add("symbol", info.symbol);
+  if (is_number) add("unit", info.unit);
+  add("default", parameter_text(Parameters{}, info));
+  add("value", is_number ? range_text(info) : fmt::format("{}", fmt::join(words, " or ")));
+  add("laws", fmt::format("{}", fmt::join(laws_of(info), ", ")));
+  if (info.restart == Restart::must_keep) add("restart", "cannot change it");
+  return text;
+}
+
+Json json_row(const ParameterInfo& info) {
+  const auto words = choices(info);
+  const bool is_number = words.empty();
+  Json row = {{"name", info.name},
+              {"symbol", info.symbol},
+              {"unit", is_number ? info.unit : ""},
+              {"default", json_of(Parameters{}, info)},
+              {"help", info.help},
+              {"laws", laws_of(info)},
+              {"restart_may_change", info.restart == Restart::may_change}};
+  if (!is_number) {
+    row["words"] = words;
+  } else {
+    row["minimum"] = info.minimum;
+    row["minimum_excluded"] = info.minimum_excluded;
+    row["maximum"] = info.maximum;
+  }
+  return row;
+}
+
+void print_json(const Rows& rows) {
+  Json list = Json::array();
+  for (const auto& info : rows) list.push_back(json_row(info));
+  say("{}\n", json_text({{"parameters", list}}));
+}
+
+void print_text(const Rows& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    say("{}{}", i > 0 ? "\n" : "", text_of(rows[i]));
+  }
+}
+
+int run(const Options& options) {
+  if (options.json) {
+    print_json(options.rows);
+  } else if (options.in_full) {
+    print_text(options.rows);
+  } else {
+    say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
+  }
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("parameters", [&] { return run(setup(argc, argv)); });
+}

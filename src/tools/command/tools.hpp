@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+// The programs that `rupture` runs, and what they say of themselves.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/report.hpp"
+
+namespace rupture::tools {
+
+/// The names of the programs that are built and installed with this one, in the order of the help.
+std::vector<std::string_view> tool_names();
+
+/// The program of this name: in ../libexec/rupture if this one is installed, else beside it. Throws
+/// UsageError if there is none, with the nearest name that there is.
+std::filesystem::path tool_path(const std::string& name);
+
+/// What each of tool_names() answers to --describe (docs/schema.md); of one that does not, only its
+/// name.
+Json tool_descriptions();
+
+}  // namespace rupture::tools

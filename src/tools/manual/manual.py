@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Man pages and completion, from what the programs say of themselves (--describe).
+
+manual.py FOLDER_OF_PROGRAMS OUTPUT VERSION
+
+writes OUTPUT/man/rupture.1.gz and a page per tool, OUTPUT/rupture for bash, OUTPUT/_rupture for
+zsh.
+"""
+
+import gzip
+import json
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import jinja2
+
+# The files behind `input` or `holds` of a description; any file if it is not here.
+PATTERNS = {
+    "checkpoint": "*.h5",
+    "record": "*.h5",
+    "file": "*.h5",
+    "part": "*.h5.part",
+    "options and parameters": "*.ini",
+}
+COMMON = ("help", "describe", "version")  # options of every command
+ROFF = {"\\": r"\e", "-": r"\-", "'": r"\(aq", "`": r"\(ga", "^": r"\(ha", "~": r"\(ti"}
+
+
+def roff(text):
+    """Text that troff prints as it is."""
+    escaped = "".join(ROFF.get(letter, letter) for letter in " ".join(text.split()))
+    return f"\\&{escaped}" if escaped.startswith(".") else escaped
+
+
+def pattern(holds):
+    return PATTERNS.get(holds, "*")
+
+
+def zsh_help(text):
+    """An explanation within the brackets of _arguments, in single quotes."""
+    for letter in "\\[]:":
+        text = text.replace(letter, f"\\{letter}")
+    return text.replace("'", "'\\''")
+
+
+def answer(program, *words):
+    result = subprocess.run([program, *words], check=True, capture_output=True, text=True)
+    return json.loads(result.stdout)
+
+
+def with_defaults(tool):
+    """A tool that does not describe itself has a name alone."""
+    empty: dict = {"input": None, "options": [], "commands": [], "parameters": False, "purpose": ""}
+    tool = empty | {"synopsis": tool["name"]} | tool
+    tool["summary"] = tool.get("summary") or tool["purpose"] or "a tool of rupture"
+    option = {"holds": "", "words": [], "short": None, "value": "", "unit": "", "default": None}
+    tool["options"] = [option | known for known in tool["options"]]
+    tool["commands"] = [with_defaults(command) for command in tool["commands"]]
+    return tool
+
+
+def leaves(tools):
+    """What takes options: the tools, and in place of one with commands its commands."""
+    return [leaf for tool in tools for leaf in tool["commands"] or [tool]]
+
+
+def templates():
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(Path(__file__).parent),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {
+        "roff": roff,
+        "pattern": pattern,
+        "quoted": shlex.quote,
+        "zsh_help": zsh_help,
+    }
+    return environment
+
+
+def write_page(path, text):
+    path.write_bytes(gzip.compress(text.encode(), 9, mtime=0))
+
+
+def main(programs, output, version):
+    programs, output = Path(programs), Path(output)
+    rupture = answer(programs / "rupture", "--describe")
+    tools = [with_defaults(tool) for tool in rupture.pop("tools")]
+    rows = answer(programs / "parameters", "--json")["parameters"]
+    environment = templates()
+    environment.globals |= {
+        "rupture": with_defaults(rupture),
+        "tools": tools,
+        "leaves": leaves(tools),
+        "parameters": [{"words": []} | row for row in rows],
+        "common": COMMON,
+        "version": version,
+    }
+    (output / "man").mkdir(parents=True, exist_ok=True)
+    write_page(output / "man/rupture.1.gz", environment.get_template("rupture.1.j2").render())
+    for tool in tools:
+        page = environment.get_template("tool.1.j2").render(tool=tool)
+        write_page(output / f"man/rupture-{tool['name']}.1.gz", page)
+    for name in ("rupture", "_rupture"):
+        text = environment.get_template(f"{name}.j2").render()
+        (output / name).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
