@@ -59,7 +59,7 @@ void add_run_options(po::options_description& options) {
   add("checkpoint-at", list_of_seconds(), "write checkpoints at these times, named OUT-tT.h5");
   add("checkpoint-every", seconds(), "write a checkpoint each time T has passed");
   add("record", output_file("record"), "record time series of the interface in FILE");
-  add("record-every", seconds()->default_value("1e-4"),
+  add("record-every", seconds()->default_value(1e-4, "1e-4"),
       "sampling interval of the record; ruptures are recorded to the step");
   add("crossings", text("F,..."),
       "pinned fractions besides 0.3 whose crossing by a block is recorded, such as 0.2,0.5");
@@ -82,14 +82,14 @@ RunOptions run_options(const Parsed& parsed) {
   RunOptions run;
   run.arguments = parsed.arguments;
   if (values.count("checkpoint-at") > 0) {
-    run.checkpoint_at = times(values, "checkpoint-at");
+    run.checkpoint_at = values["checkpoint-at"].as<std::vector<double>>();
     for (const double t : run.checkpoint_at) {
       if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
     }
   }
-  run.checkpoint_every = optional_time(values, "checkpoint-every");
+  run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
-  run.record_every = time_from_zero(values, "record-every");
+  run.record_every = non_negative(values, "record-every");
   run.crossings = crossing_levels(values);
   run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
