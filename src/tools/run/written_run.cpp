@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/text.hpp"
+#include "run/progress.hpp"
 #include "run/rebuild.hpp"
 #include "rupture/dynamics/simulation.hpp"
 
@@ -93,9 +94,8 @@ Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint
     save_on_the_way();
   });
   observers.push_back(&schedule);
-  Progress progress(simulation_, rule.last_step);
-  const bool show_progress = on_terminal() && output_.verbosity == Verbosity::normal;
-  if (show_progress) observers.push_back(&progress);
+  Progress progress(simulation_, rule, provenance_.back().tool);
+  if (output_.verbosity == Verbosity::normal) observers.push_back(&progress);
 
   const std::int64_t first = simulation_.state().step;
   const Energies before = simulation_.energies();
@@ -104,7 +104,7 @@ Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint
     const Ending ending = run(simulation_, rule, observers);
     alarms.observe(simulation_);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - clock;
-    if (show_progress) progress.finish();
+    clear_progress_line();
     if (output_.verbosity == Verbosity::normal) {
       print_invariants(simulation_, ending,
                        energy_balance(before, simulation_.energies(), simulation_.work()),
@@ -113,6 +113,7 @@ Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint
     announce(output_, on_the_way_);
     return ending;
   } catch (...) {
+    clear_progress_line();
     announce(output_, on_the_way_);
     if (writer_) writer_->flush();
     throw;
