@@ -39,10 +39,8 @@ std::vector<double> crossing_levels(const po::variables_map& values) {
 }
 
 DryRun dry_run(const po::variables_map& values) {
-  const bool dry = values.count("dry-run") > 0, json = values.count("json") > 0;
-  if (json && !dry) throw UsageError("--json belongs to --dry-run: give both or neither");
-  if (!dry) return DryRun::no;
-  return json ? DryRun::json : DryRun::text;
+  if (values.count("dry-run") == 0) return DryRun::no;
+  return values.count("json") > 0 ? DryRun::json : DryRun::text;
 }
 
 /// Throws UsageError if the time that `option` gives is shorter than a step.
@@ -74,7 +72,6 @@ void add_run_options(po::options_description& options) {
       "write nothing: check the command and print about how much time, memory and disk it needs. "
       "The time per step is measured now, for half a second, from the checkpoint or, for load, "
       "near the equilibrium, which is not solved for");
-  add("json", "with --dry-run: print one JSON object");
 }
 
 RunOptions run_options(const Parsed& parsed) {
