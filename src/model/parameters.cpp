@@ -15,6 +15,7 @@
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 #include "rupture/model/nearest.hpp"
+#include "rupture/model/number_text.hpp"
 
 namespace rupture {
 namespace {
@@ -122,10 +123,10 @@ Scan<Number> scan_as(std::string_view text) {
 template <class Number>
 Number parse_number(const ParameterInfo& info, std::string_view text) {
   constexpr bool whole = std::is_integral_v<Number>;
-  const Scan<Number> found = scan_as<Number>(text);
+  const Scan<Number> found = scan_as<Number>(in_unit(text, info.unit).value_or(""));
   if (!found.is_number()) {
     throw UsageError(fmt::format("{} = '{}' is not {} (unit {})", info.name, text,
-                                 whole ? "a whole number" : "a number", info.unit));
+                                 whole ? "a whole number" : "a number", units_taken(info.unit)));
   }
   const auto number = static_cast<double>(found.value);
   const bool too_small =

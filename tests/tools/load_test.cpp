@@ -73,6 +73,35 @@ TEST_F(Load, command_line_overrides_the_configuration) {
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
 }
 
+TEST_F(Load, numbers_with_units_give_what_plain_numbers_give) {
+  output_of(
+      "load --config small.ini -o a.h5 --until 4e-4 --checkpoint-at 1e-4 2e-4 --record a-r.h5 "
+      "--record-every 2e-5 --set numerics.dt=1e-7");
+  write(
+      "run.ini",
+      "until = 0.4 ms   # with a unit\n[slider]\nNx = 9\nNz = 5\nH = 70 mm\n[driving]\nh = 17.5mm\n"
+      "V = 1\n");
+  output_of(
+      "load --config run.ini -o b.h5 --checkpoint-at 100us 0.2ms --record b-r.h5 "
+      "--record-every 20us --set numerics.dt=0.1us");
+  for (const std::string rest : {".h5", "-r.h5", "-t0.000100000.h5", "-t0.000200000.h5"}) {
+    EXPECT_EQ(checksum_of("a" + rest), checksum_of("b" + rest)) << rest;
+  }
+  output_of("prepare --tau-bar 0.3 -o c.h5 --x-trigger 0.03");
+  output_of("prepare --tau-bar 0.3 -o d.h5 --x-trigger 30mm");
+  EXPECT_EQ(checksum_of("c.h5"), checksum_of("d.h5"));
+}
+
+TEST_F(Load, is_made_again_from_a_command_with_units) {
+  const Outcome outcome = run_words({"load", "--config", "small.ini", "-o", "a.h5", "--until",
+                                     "0.1 ms", "--set", "numerics.dt=0.1 us"});
+  ASSERT_EQ(outcome.exit_code, kDone) << outcome.err;
+  const std::string rebuild = json_of("analyze show a.h5 --json")["provenance"][0]["rebuild"];
+  EXPECT_NE(rebuild.find("--set numerics.dt=1e-07 --until 0.0001"), std::string::npos) << rebuild;
+  output_of(rebuild + " -o b.h5");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+}
+
 TEST_F(Load, seed_is_short_for_the_parameter) {
   output_of("load --config small.ini -o a.h5 --until 4e-4 --seed 7");
   output_of("load --config small.ini -o b.h5 --until 4e-4 --set numerics.seed=7");

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analyze/quantity.hpp"
 #include "cli/command_line.hpp"
+#include "cli/quantity.hpp"
 
 namespace rupture::tools {
 

@@ -9,6 +9,7 @@
 #include "analyze/analyze.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
+#include "run/summary.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -36,6 +37,10 @@ std::vector<NamedQuantity> all_quantities() {
     const auto measured = named(command.name, command.quantities());
     all.insert(all.end(), measured.begin(), measured.end());
   }
+  for (const auto& [program, rows] : summary_quantities()) {
+    const auto reported = named(program, rows);
+    all.insert(all.end(), reported.begin(), reported.end());
+  }
   return all;
 }
 
@@ -49,7 +54,8 @@ Json quantities_json() {
 
 void print_text() {
   say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
-  say("\nQuantities: name (command, then field of its --json; * is an index), unit, meaning\n");
+  say("\nQuantities: name (command or program, then field of its --json; * is an index), unit, "
+      "meaning\n");
   for (const NamedQuantity& quantity : all_quantities()) {
     const std::string unit = quantity.unit.empty() ? "" : "[" + quantity.unit + "]";
     say("  {:<58} {:<6} {}\n", quantity.name, unit, quantity.help);
@@ -64,8 +70,8 @@ int analyze_quantities(int argc, const char* const* argv) {
   const Parsed parsed =
       parse(argc, argv,
             {"analyze quantities", "analyze quantities [options]",
-             "Lists all parameters, and everything that the commands which measure report with "
-             "--json."},
+             "Lists all parameters, and everything that the commands which measure, and the "
+             "programs\nthat write files, report with --json."},
             options, "", UsesParameters::no);
   if (parsed.values.count("json") > 0) {
     const Json json = {{"parameters", parameters_json()}, {"quantities", quantities_json()}};

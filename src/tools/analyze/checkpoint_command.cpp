@@ -3,7 +3,7 @@
 
 #include "analyze/checkpoint_command.hpp"
 
-#include "analyze/quantity.hpp"
+#include "cli/quantity.hpp"
 
 namespace rupture::tools {
 

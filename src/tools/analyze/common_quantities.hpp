@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "analyze/quantity.hpp"
+#include "cli/quantity.hpp"
 #include "rupture/analysis/front.hpp"
 
 namespace rupture::tools {

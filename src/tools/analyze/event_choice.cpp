@@ -119,7 +119,7 @@ void add_event_options(po::options_description& options) {
 }
 
 double quiet_time(const RecordCommand& command) {
-  return optional_time(command.parsed.values, "quiet-time")
+  return optional_non_negative(command.parsed.values, "quiet-time")
       .value_or(5.0 * command.record.parameters.t_R);
 }
 

@@ -46,8 +46,8 @@ RecordCommand read_record_command(int argc, const char* const* argv, const std::
   const bool windowed = options.find_nothrow("from", false) != nullptr;
   command.from = command.record.time.front();
   command.to = command.record.time.back();
-  if (windowed && values.count("from") > 0) command.from = time_from_zero(values, "from");
-  if (windowed && values.count("to") > 0) command.to = time_from_zero(values, "to");
+  if (windowed && values.count("from") > 0) command.from = non_negative(values, "from");
+  if (windowed && values.count("to") > 0) command.to = non_negative(values, "to");
   if (options.find_nothrow("ruptured-below", false) != nullptr) {
     command.record.ruptures = ruptures_below(command.record, fraction(values, "ruptured-below"));
   }

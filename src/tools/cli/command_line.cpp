@@ -177,7 +177,8 @@ void add_output_options(po::options_description& options) {
   options.add_options()("output,o", output_file("checkpoint")->required(), "checkpoint to write")(
       "force,f", "replace files that exist already")(
       "sum", "write FILE.sum with its content checksum beside each file, for workflows")(
-      "quiet,q", "print errors only");
+      "quiet,q", "print errors only")(
+      "json", "print a summary as one JSON object; text goes to standard error");
 }
 
 OutputOptions output_options(const po::variables_map& values) {
@@ -186,6 +187,7 @@ OutputOptions output_options(const po::variables_map& values) {
   if (values.count("force") > 0) options.if_exists = IfExists::replace;
   if (values.count("quiet") > 0) options.verbosity = Verbosity::quiet;
   if (values.count("sum") > 0) options.sum = SumFile::write;
+  if (values.count("json") > 0) options.summary = Summary::json;
   return options;
 }
 

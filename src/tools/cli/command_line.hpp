@@ -5,6 +5,7 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -64,6 +65,7 @@ std::string version_text(const std::string& tool);
 void apply(const ParameterChanges& changes, Parameters& parameters);
 
 enum class Verbosity { normal, quiet };
+enum class Summary { text, json };
 
 /// Options of every tool that writes a file.
 struct OutputOptions {
@@ -71,6 +73,10 @@ struct OutputOptions {
   IfExists if_exists = IfExists::refuse;
   Verbosity verbosity = Verbosity::normal;
   SumFile sum = SumFile::omit;
+  Summary summary = Summary::text;
+
+  /// Where text goes: standard output, unless that is for JSON.
+  std::FILE* text() const { return summary == Summary::json ? stderr : stdout; }
 };
 void add_output_options(po::options_description& options);
 OutputOptions output_options(const po::variables_map& values);

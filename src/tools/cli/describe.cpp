@@ -21,14 +21,12 @@ const ValueKind& kind_or_flag(const po::option_description& option) {
   throw std::logic_error("the value of --" + option.long_name() + " has no kind");
 }
 
-/// Times are kept as texts, but they are numbers.
 Json default_of(const po::option_description& option) {
   boost::any value;
   if (!option.semantic()->apply_default(value)) return nullptr;
   if (const auto* real = boost::any_cast<double>(&value)) return *real;
   if (const auto* whole = boost::any_cast<int>(&value)) return *whole;
-  const auto text = boost::any_cast<std::string>(value);
-  return kind_or_flag(option).kind == "number" ? Json(std::stod(text)) : Json(text);
+  return boost::any_cast<std::string>(value);
 }
 
 Json short_name_of(const po::option_description& option) {

@@ -11,22 +11,10 @@
 #include <sstream>
 
 #include "rupture/model/error.hpp"
+#include "rupture/model/number_text.hpp"
 
 namespace rupture::tools {
 namespace {
-
-/// The values given for an option that takes one text or several.
-std::vector<std::string> words_of(const po::variable_value& value) {
-  if (const auto* words = boost::any_cast<std::vector<std::string>>(&value.value())) return *words;
-  return {value.as<std::string>()};
-}
-
-double time_in(const std::string& text, const std::string& option) {
-  double t = 0.0;
-  if (boost::conversion::try_lexical_convert(text, t)) return t;
-  throw UsageError(fmt::format("--{} {}: give the time in seconds as a plain number, such as 0.01",
-                               option, text));
-}
 
 /// The value, which `given` holds for the option, if it is a pinned fraction.
 template <class Given>
@@ -34,6 +22,20 @@ double pinned_fraction(double value, const Given& given, const std::string& opti
   if (value > 0.0 && value <= 1.0) return value;
   throw UsageError(fmt::format("--{} {} makes no sense: a pinned fraction is above 0 and at most 1",
                                option, given));
+}
+
+/// The same words, or for a number with a unit its plain number.
+std::vector<std::string> plain(std::vector<std::string> words, const ValueKind& kind) {
+  if (kind.kind != "number") return words;
+  for (std::string& word : words) {
+    const auto number = in_unit(word, kind.unit);
+    if (!number) {
+      throw po::error_with_option_name(fmt::format(
+          "%canonical_option% {} is not a number (unit {})", word, units_taken(kind.unit)));
+    }
+    word = *number;
+  }
+  return words;
 }
 
 template <class T>
@@ -44,6 +46,10 @@ class DescribedValue : public po::typed_value<T>, public ValueKind {
     const bool has_unit = !unit.empty() && unit != "1";
     this->value_name(has_unit ? fmt::format("{} [{}]", name, unit) : name);
   }
+
+  void xparse(boost::any& value, const std::vector<std::string>& words) const override {
+    po::typed_value<T>::xparse(value, plain(words, *this));
+  }
 };
 
 template <class T>
@@ -53,12 +59,17 @@ po::typed_value<T>* described(ValueKind kind) {
 
 }  // namespace
 
-po::typed_value<std::string>* seconds() {
-  return described<std::string>({"number", "T", "s"});
+po::typed_value<double>* seconds() {
+  return number("T", "s");
 }
 
-po::typed_value<std::vector<std::string>>* list_of_seconds() {
-  return described<std::vector<std::string>>({"number", "T...", "s"})->multitoken();
+po::typed_value<boost::optional<double>>* seconds_or(const std::string& without) {
+  return described<boost::optional<double>>({"number", "T", "s"})
+      ->implicit_value(boost::none, without);
+}
+
+po::typed_value<std::vector<double>>* list_of_seconds() {
+  return described<std::vector<double>>({"number", "T...", "s"})->multitoken();
 }
 
 po::typed_value<double>* number(const std::string& name, const std::string& unit) {
@@ -95,21 +106,6 @@ po::typed_value<std::string>* output_file(const std::string& holds) {
 
 const ValueKind* kind_of(const po::option_description& option) {
   return dynamic_cast<const ValueKind*>(option.semantic().get());
-}
-
-std::vector<double> times(const po::variables_map& values, const std::string& option) {
-  std::vector<double> result;
-  for (const std::string& word : words_of(values[option])) result.push_back(time_in(word, option));
-  return result;
-}
-
-double time_from_zero(const po::variables_map& values, const std::string& option) {
-  return non_negative(times(values, option).front(), option);
-}
-
-std::optional<double> optional_time(const po::variables_map& values, const std::string& option) {
-  if (values.count(option) == 0) return std::nullopt;
-  return time_from_zero(values, option);
 }
 
 double non_negative(const po::variables_map& values, const std::string& option) {

@@ -4,6 +4,7 @@
 // Values of options: how they are declared, and numbers such as times and lengths.
 #pragma once
 
+#include <boost/optional.hpp>
 #include <boost/program_options.hpp>
 #include <optional>
 #include <string>
@@ -22,8 +23,10 @@ struct ValueKind {
 };
 
 /// Values for the declarations of options; like those of po::value() they belong to their option.
-po::typed_value<std::string>* seconds();  ///< for times()
-po::typed_value<std::vector<std::string>>* list_of_seconds();
+/// Numbers with a unit may be given in another that in_unit() knows: 10ms is 0.01.
+po::typed_value<double>* seconds();
+po::typed_value<boost::optional<double>>* seconds_or(const std::string& without);  ///< or no value
+po::typed_value<std::vector<double>>* list_of_seconds();
 po::typed_value<double>* number(const std::string& name, const std::string& unit = "1");
 po::typed_value<int>* integer(const std::string& name);
 po::typed_value<std::string>* seed();
@@ -36,15 +39,7 @@ po::typed_value<std::string>* output_file(const std::string& holds);
 /// The kind that was declared by one of these; none of an option that takes no value.
 const ValueKind* kind_of(const po::option_description& option);
 
-/// Times in seconds that an option gives. They are read as text, so that "10ms" gets a sentence of
-/// its own. Throws UsageError unless they are numbers; but they may be negative or not finite.
-std::vector<double> times(const po::variables_map& values, const std::string& option);
-
-/// One such time. Throws UsageError unless it is finite and >= 0.
-double time_from_zero(const po::variables_map& values, const std::string& option);
-std::optional<double> optional_time(const po::variables_map& values, const std::string& option);
-
-/// The value of a length or similar option. Throws UsageError unless it is finite and >= 0.
+/// The value of a time, a length or the like. Throws UsageError unless it is finite and >= 0.
 double non_negative(const po::variables_map& values, const std::string& option);
 double non_negative(double value, const std::string& option);
 std::optional<double> optional_non_negative(const po::variables_map& values,

@@ -7,6 +7,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "rupture/model/laws.hpp"
@@ -48,6 +51,27 @@ std::string unknown_option_text(const std::string& option,
   }
   return fmt::format("unknown option '{}': did you mean '{}'? See rupture {} --help", option,
                      nearest(option, {names.begin(), names.end()}), tool);
+}
+
+std::string grouped(double whole_number) {
+  std::string text = fmt::format("{:.0f}", whole_number);
+  for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3) {
+    text.insert(static_cast<std::size_t>(at), 1, ',');
+  }
+  return text;
+}
+
+std::string rounded(double value) {
+  return fmt::format("{:.{}f}", value, value < 1.0 ? 2 : value < 10.0 ? 1 : 0);
+}
+
+std::string time_text(double t) {
+  using Unit = std::pair<double, const char*>;
+  constexpr std::array<Unit, 6> units = {
+      {{86400.0, "days"}, {3600.0, "h"}, {60.0, "min"}, {1.0, "s"}, {1e-3, "ms"}, {1e-6, "us"}}};
+  const auto* unit =
+      std::find_if(units.begin(), units.end() - 1, [&](const Unit& u) { return t >= u.first; });
+  return rounded(t / unit->first) + " " + unit->second;
 }
 
 std::string in_one_line(std::string message) {

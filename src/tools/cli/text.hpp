@@ -13,11 +13,15 @@
 
 namespace rupture::tools {
 
-/// Prints to standard output and never throws: run_tool() asks at the end whether all went out, so
-/// that a full disk behind standard output cannot interrupt a run.
+/// Prints and never throws: run_tool() asks at the end whether all of standard output went out, so
+/// that a full disk behind it cannot interrupt a run.
+template <class... Args>
+void say_on(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) {
+  std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stream);
+}
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
-  std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stdout);
+  say_on(stdout, format, std::forward<Args>(args)...);
 }
 
 /// One line per parameter: name, symbol, default, unit, meaning.
@@ -27,6 +31,15 @@ std::string parameter_help();
 std::string unknown_option_text(const std::string& option,
                                 const boost::program_options::options_description& known,
                                 const std::string& tool);
+
+/// 6000000 as "6,000,000".
+std::string grouped(double whole_number);
+
+/// Two digits at least, no exponent.
+std::string rounded(double value);
+
+/// A duration [s] in the unit that suits it: "12 s", "3.4 h".
+std::string time_text(double t);
 
 /// The text with its control characters as question marks: what a file or its name says may hold
 /// anything, also what a terminal or a shell obeys.

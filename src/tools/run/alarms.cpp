@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "cli/option_values.hpp"
+#include "cli/text.hpp"
+#include "run/progress.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -51,7 +53,8 @@ void Alarms::observe(const Simulation& simulation) {
       throw Failure(finding.sentence + "; --on-alarm report goes on nevertheless");
     }
     if (!alarm && verbosity_ == Verbosity::quiet) continue;
-    fmt::print(stderr, "{}: {}: {}\n", tool_, alarm ? "alarm" : "warning", finding.sentence);
+    clear_progress_line();
+    say_on(stderr, "{}: {}: {}\n", tool_, alarm ? "alarm" : "warning", finding.sentence);
   }
 }
 

@@ -6,11 +6,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "cli/report.hpp"
+#include "cli/text.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
 
@@ -70,32 +69,9 @@ double equilibrium_time(const Parameters& p, double reference) {
 
 // --- words
 
-/// 6000000 as "6,000,000".
-std::string grouped(double whole_number) {
-  std::string text = fmt::format("{:.0f}", whole_number);
-  for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3) {
-    text.insert(static_cast<std::size_t>(at), 1, ',');
-  }
-  return text;
-}
-
-/// Two digits at least, no exponent.
-std::string rounded(double value) {
-  return fmt::format("{:.{}f}", value, value < 1.0 ? 2 : value < 10.0 ? 1 : 0);
-}
-
 std::string size_text(double bytes) {
   return bytes < 1000.0 * kMB ? rounded(bytes / kMB) + " MB"
                               : rounded(bytes / (1000.0 * kMB)) + " GB";
-}
-
-std::string time_text(double t) {
-  using Unit = std::pair<double, const char*>;
-  constexpr std::array<Unit, 6> units = {
-      {{86400.0, "days"}, {3600.0, "h"}, {60.0, "min"}, {1.0, "s"}, {1e-3, "ms"}, {1e-6, "us"}}};
-  const auto* unit =
-      std::find_if(units.begin(), units.end() - 1, [&](const Unit& u) { return t >= u.first; });
-  return rounded(t / unit->first) + " " + unit->second;
 }
 
 std::string disk_text(const Forecast& f) {

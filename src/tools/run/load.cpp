@@ -22,7 +22,7 @@ struct Options {
 
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
-  options.add_options()("until", seconds()->default_value("0"),
+  options.add_options()("until", seconds()->default_value(0.0, "0"),
                         "drive until this time; 0: the equilibrium only");
   add_run_options(options);
   add_output_options(options);
@@ -38,7 +38,7 @@ Options setup(int argc, char** argv) {
   Parameters parameters;
   apply(parsed.parameters, parameters);
   validate(parameters);
-  return {parameters, time_from_zero(parsed.values, "until"), run_options(parsed),
+  return {parameters, non_negative(parsed.values, "until"), run_options(parsed),
           output_options(parsed.values)};
 }
 

@@ -11,6 +11,7 @@
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "run/rebuild.hpp"
+#include "run/summary.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
@@ -84,14 +85,12 @@ double largest_change(const std::vector<double>& before, const std::vector<doubl
   return scale > 0.0 ? largest / scale : largest;
 }
 
-void print_widths(const Parameters& p, const State& before, const State& after) {
-  const auto old_blocks = block_forces(p, before);
-  const auto new_blocks = block_forces(p, after);
-  say("   x [m]   mean/f_thres   slipping   sigma-bar before   after\n");
-  for (std::size_t i = 0; i < old_blocks.size(); ++i) {
-    const auto& b = old_blocks[i];
-    say("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x, b.mean / b.f_thres, b.slipping,
-        b.sigma_bar(), new_blocks[i].sigma_bar());
+void print_widths(const PhiSummary& summary, std::FILE* to) {
+  say_on(to, "   x [m]   mean/f_thres   slipping   sigma-bar before   after\n");
+  for (std::size_t i = 0; i < summary.before.size(); ++i) {
+    const auto& b = summary.before[i];
+    say_on(to, "{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x, b.mean / b.f_thres,
+           b.slipping, b.sigma_bar(), summary.after[i].sigma_bar());
   }
 }
 
@@ -108,29 +107,27 @@ std::string bar(std::int64_t count, std::int64_t largest) {
 }
 
 /// phi(f_T/f_thres) of the blocks that were changed, all together.
-void print_histograms(const Parameters& p, const State& before, const State& after) {
+void print_histograms(const PhiSummary& summary, std::FILE* to) {
   constexpr int kBins = 20;
   Counts old_counts(kBins), new_counts(kBins);
-  const auto old_blocks = block_forces(p, before);
-  const auto new_blocks = block_forces(p, after);
   int changed = 0;
-  for (std::size_t i = 0; i < old_blocks.size(); ++i) {
-    if (old_blocks[i].forces == new_blocks[i].forces) continue;
+  for (std::size_t i = 0; i < summary.before.size(); ++i) {
+    if (summary.before[i].forces == summary.after[i].forces) continue;
     ++changed;
-    add_histogram(old_counts, old_blocks[i]);
-    add_histogram(new_counts, new_blocks[i]);
+    add_histogram(old_counts, summary.before[i]);
+    add_histogram(new_counts, summary.after[i]);
   }
-  say("junctions of the {} changed blocks by the force they carry\n", changed);
+  say_on(to, "junctions of the {} changed blocks by the force they carry\n", changed);
   if (changed == 0) return;
   const auto largest = std::max(*std::max_element(old_counts.begin(), old_counts.end()),
                                 *std::max_element(new_counts.begin(), new_counts.end()));
-  say("   f_T/f_thres   before                            after\n");
+  say_on(to, "   f_T/f_thres   before                            after\n");
   for (std::size_t n = 0; n < kBins; ++n) {
     const double low = 2.0 * static_cast<double>(n) / kBins - 1.0;
     const auto line =
         fmt::format("  {:5.2f} {:6.2f} {:8} {:24} {:8} {}", low, low + 2.0 / kBins, old_counts[n],
                     bar(old_counts[n], largest), new_counts[n], bar(new_counts[n], largest));
-    say("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    say_on(to, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   }
 }
 
@@ -179,6 +176,19 @@ void refuse_unchanged(const Parameters& p, const State& before, const PhiChange&
       std::floor(widest_of(impossible) * 1e4) * 1e-4));
 }
 
+void print(const PhiSummary& summary, std::FILE* to) {
+  print_widths(summary, to);
+  print_histograms(summary, to);
+  say_on(to, "largest change of a block's friction force: {:.1e} of the largest\n",
+         summary.largest_change);
+  for (const auto& block : summary.impossible) {
+    say_on(to, "left as it is: block at x = {:.4f} m, which can take sigma-bar <= {:.4f}\n",
+           block.x, block.largest_sigma_bar);
+  }
+  const WrittenFile& file = summary.files.front();
+  say_on(to, "{}", wrote_text(file.path, file.checksum));
+}
+
 int run(const Options& options) {
   Checkpoint checkpoint = read_checkpoint(options.checkpoint);
   check_outputs({options.output.output}, options.output.if_exists, options.checkpoint);
@@ -193,15 +203,13 @@ int run(const Options& options) {
       make_provenance("modify-phi", options.arguments, checkpoint.checksum, options.rebuild));
   const auto checksum = write_checkpoint(options.output.output, checkpoint,
                                          options.output.if_exists, options.output.sum);
-  if (options.output.verbosity == Verbosity::quiet) return kDone;
-  print_widths(p, before, checkpoint.state);
-  print_histograms(p, before, checkpoint.state);
-  say("largest change of a block's friction force: {:.1e} of the largest\n", change);
-  for (const auto& block : impossible) {
-    say("left as it is: block at x = {:.4f} m, which can take sigma-bar <= {:.4f}\n", block.x,
-        block.largest_sigma_bar);
-  }
-  say("{}", wrote_text(options.output.output, checksum));
+  const PhiSummary summary = {.before = block_forces(p, before),
+                              .after = block_forces(p, checkpoint.state),
+                              .impossible = impossible,
+                              .largest_change = change,
+                              .files = {{options.output.output, "checkpoint", checksum}}};
+  if (options.output.verbosity == Verbosity::normal) print(summary, options.output.text());
+  print_if_asked(quantities_of(summary), options.output);
   return kDone;
 }
 

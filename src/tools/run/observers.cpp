@@ -3,9 +3,6 @@
 
 #include "run/observers.hpp"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <span>
 
@@ -76,33 +73,6 @@ std::int64_t CheckpointSchedule::next_step() const {
 void CheckpointSchedule::observe(const Simulation& simulation) {
   write_(simulation);
   ++next_;
-}
-
-Progress::Progress(const Simulation& simulation, std::int64_t last_step)
-    : first_(simulation.state().step),
-      last_(last_step),
-      next_(first_),
-      start_(std::chrono::steady_clock::now()) {}
-
-void Progress::observe(const Simulation& simulation) {
-  constexpr std::int64_t between_lines = 20000;
-  const std::int64_t step = simulation.state().step;
-  next_ = step + between_lines;
-  if (step == first_) return;
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  const double rate = static_cast<double>(step - first_) / elapsed.count();
-  fmt::print(stderr, "\rt = {:.4f} s of {:.4f} s   {:.0f} steps/s   {:.0f} s left   ",
-             simulation.time(), time_at(simulation.parameters(), simulation.state().clock, last_),
-             rate, static_cast<double>(last_ - step) / rate);
-  std::fflush(stderr);
-}
-
-void Progress::finish() const {
-  fmt::print(stderr, "\r{:78}\r", "");
-}
-
-bool on_terminal() {
-  return isatty(STDERR_FILENO) == 1;
 }
 
 }  // namespace rupture::tools

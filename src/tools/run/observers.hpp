@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The rupture authors
 // SPDX-License-Identifier: MIT
 
-// Observers of a run: the record, the checkpoint schedule and the progress line.
+// Observers of a run: the record and the checkpoint schedule.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -55,22 +54,5 @@ class CheckpointSchedule : public Observer {
   std::size_t next_ = 0;
   Write write_;
 };
-
-/// Shows simulated time, steps/s and the time left on a terminal.
-class Progress : public Observer {
- public:
-  Progress(const Simulation& simulation, std::int64_t last_step);
-  std::int64_t next_step() const override { return next_; }
-  void observe(const Simulation& simulation) override;
-  /// Clears the line.
-  void finish() const;
-
- private:
-  std::int64_t first_, last_, next_;
-  std::chrono::steady_clock::time_point start_;
-};
-
-/// True if standard error is a terminal.
-bool on_terminal();
 
 }  // namespace rupture::tools

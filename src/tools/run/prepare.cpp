@@ -11,6 +11,7 @@
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "run/rebuild.hpp"
+#include "run/summary.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/prepared.hpp"
@@ -97,28 +98,38 @@ Options setup(int argc, char** argv) {
           shell_line(with_options(command, own, parsed.values))};
 }
 
-/// Says how well the pinned blocks carry what was asked for, and how wide phi could be.
-void print_prestress(const Options& options, const State& state) {
+/// How well the pinned blocks carry what was asked for, and how wide phi could be.
+PreparedSummary summary_of(const Options& options, const State& state) {
   const Parameters& p = options.parameters;
   const auto wanted = prescribed_friction(p, options.prestress);
   const auto blocks = block_forces(p, state);
-  double error = 0.0;
-  std::size_t depinned = 0;
+  PreparedSummary summary;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (blocks[i].slipping > 0.0) {
-      ++depinned;
+      ++summary.depinned;
       continue;
     }
     const double tau = blocks[i].mean * static_cast<double>(springs_per_block(p));
-    error = std::max(error, std::abs(tau / wanted[i] - 1.0));
+    summary.error = std::max(summary.error, std::abs(tau / wanted[i] - 1.0));
   }
   const auto& last = blocks.back();
-  say("tau/p = {:.6f} beyond x = {:g} m, within {:.1e} of what was asked for\n",
-      last.mean / last.f_thres * p.mu_s, options.prestress.x_trigger, error);
-  say("sigma-bar = {:.6f}; the largest possible is {:.6f}\n", last.sigma_bar(),
-      largest_sigma_bar(p, options.prestress));
-  say("F_T = {:.6f} N balances the prestress; {} of {} blocks are depinned\n",
-      driving_force(p, state), depinned, blocks.size());
+  summary.prestress = last.mean / last.f_thres * p.mu_s;
+  summary.sigma_bar = last.sigma_bar();
+  summary.largest_sigma_bar = largest_sigma_bar(p, options.prestress);
+  summary.F_T = driving_force(p, state);
+  summary.blocks = static_cast<std::int64_t>(blocks.size());
+  return summary;
+}
+
+void print(const PreparedSummary& summary, const Prestress& prestress, std::FILE* to) {
+  say_on(to, "tau/p = {:.6f} beyond x = {:g} m, within {:.1e} of what was asked for\n",
+         summary.prestress, prestress.x_trigger, summary.error);
+  say_on(to, "sigma-bar = {:.6f}; the largest possible is {:.6f}\n", summary.sigma_bar,
+         summary.largest_sigma_bar);
+  say_on(to, "F_T = {:.6f} N balances the prestress; {} of {} blocks are depinned\n", summary.F_T,
+         summary.depinned, summary.blocks);
+  const WrittenFile& file = summary.files.front();
+  say_on(to, "{}", wrote_text(file.path, file.checksum));
 }
 
 int run(const Options& options) {
@@ -129,9 +140,12 @@ int run(const Options& options) {
       {make_provenance("prepare", options.arguments, "", options.rebuild)}};
   const auto checksum = write_checkpoint(options.output.output, prepared, options.output.if_exists,
                                          options.output.sum);
-  if (options.output.verbosity == Verbosity::quiet) return kDone;
-  print_prestress(options, prepared.state);
-  say("{}", wrote_text(options.output.output, checksum));
+  PreparedSummary summary = summary_of(options, prepared.state);
+  summary.files = {{options.output.output, "checkpoint", checksum}};
+  if (options.output.verbosity == Verbosity::normal) {
+    print(summary, options.prestress, options.output.text());
+  }
+  print_if_asked(quantities_of(summary), options.output);
   return kDone;
 }
 

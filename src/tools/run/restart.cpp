@@ -33,8 +33,8 @@ const std::vector<std::string> kWhenToStop = {"until", "for", "until-quiet"};
 
 /// The time that --until-quiet gives; -1, five mean slipping times, if it gives none.
 double quiet_time(const po::variables_map& values) {
-  const bool given = !values["until-quiet"].as<std::string>().empty();
-  return given ? time_from_zero(values, "until-quiet") : -1.0;
+  const auto given = values["until-quiet"].as<boost::optional<double>>();
+  return given ? non_negative(*given, "until-quiet") : -1.0;
 }
 
 Options setup(int argc, char** argv) {
@@ -42,7 +42,7 @@ Options setup(int argc, char** argv) {
   auto add = options.add_options();
   add("until", seconds(), "run until this time");
   add("for", seconds(), "run for this long");
-  add("until-quiet", seconds()->implicit_value("", "5 t_R"),
+  add("until-quiet", seconds_or("5 t_R"),
       "stop earlier, once no junction has broken for T or the front has reached the leading "
       "edge");
   add_run_options(options);
@@ -58,8 +58,8 @@ Options setup(int argc, char** argv) {
   const auto& values = parsed.values;
   Options result;
   result.checkpoint = single_input(values, "checkpoint", "a checkpoint to continue");
-  result.until = optional_time(values, "until");
-  result.duration = optional_time(values, "for");
+  result.until = optional_non_negative(values, "until");
+  result.duration = optional_non_negative(values, "for");
   if (values.count("until-quiet") > 0) result.quiet = quiet_time(values);
   if (result.until && result.duration) {
     throw UsageError("--until and --for exclude each other: give one");

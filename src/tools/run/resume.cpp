@@ -187,8 +187,8 @@ bool have_all_samples(const Content& rows, const Checkpoint& checkpoint, const I
 /// The part of a command that decides what it computes: its arguments without the program and
 /// without the options that change no bit. The words after "--" are files.
 std::vector<std::string> deciding_arguments(const std::string& command_line) {
-  constexpr std::array<std::string_view, 6> without_effect = {"--resume", "--sum",   "--force",
-                                                              "-f",       "--quiet", "-q"};
+  constexpr std::array<std::string_view, 7> without_effect = {
+      "--resume", "--sum", "--force", "--json", "-f", "--quiet", "-q"};
   auto words = shell_words(command_line);
   if (!words.empty()) words.erase(words.begin());
   const auto files = std::find(words.begin(), words.end(), "--");

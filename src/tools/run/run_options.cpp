@@ -39,10 +39,8 @@ std::vector<double> crossing_levels(const po::variables_map& values) {
 }
 
 DryRun dry_run(const po::variables_map& values) {
-  const bool dry = values.count("dry-run") > 0, json = values.count("json") > 0;
-  if (json && !dry) throw UsageError("--json belongs to --dry-run: give both or neither");
-  if (!dry) return DryRun::no;
-  return json ? DryRun::json : DryRun::text;
+  if (values.count("dry-run") == 0) return DryRun::no;
+  return values.count("json") > 0 ? DryRun::json : DryRun::text;
 }
 
 /// Throws UsageError if the time that `option` gives is shorter than a step.
@@ -59,7 +57,7 @@ void add_run_options(po::options_description& options) {
   add("checkpoint-at", list_of_seconds(), "write checkpoints at these times, named OUT-tT.h5");
   add("checkpoint-every", seconds(), "write a checkpoint each time T has passed");
   add("record", output_file("record"), "record time series of the interface in FILE");
-  add("record-every", seconds()->default_value("1e-4"),
+  add("record-every", seconds()->default_value(1e-4, "1e-4"),
       "sampling interval of the record; ruptures are recorded to the step");
   add("crossings", text("F,..."),
       "pinned fractions besides 0.3 whose crossing by a block is recorded, such as 0.2,0.5");
@@ -74,7 +72,6 @@ void add_run_options(po::options_description& options) {
       "write nothing: check the command and print about how much time, memory and disk it needs. "
       "The time per step is measured now, for half a second, from the checkpoint or, for load, "
       "near the equilibrium, which is not solved for");
-  add("json", "with --dry-run: print one JSON object");
 }
 
 RunOptions run_options(const Parsed& parsed) {
@@ -82,14 +79,14 @@ RunOptions run_options(const Parsed& parsed) {
   RunOptions run;
   run.arguments = parsed.arguments;
   if (values.count("checkpoint-at") > 0) {
-    run.checkpoint_at = times(values, "checkpoint-at");
+    run.checkpoint_at = values["checkpoint-at"].as<std::vector<double>>();
     for (const double t : run.checkpoint_at) {
       if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
     }
   }
-  run.checkpoint_every = optional_time(values, "checkpoint-every");
+  run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
-  run.record_every = time_from_zero(values, "record-every");
+  run.record_every = non_negative(values, "record-every");
   run.crossings = crossing_levels(values);
   run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;

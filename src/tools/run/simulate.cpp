@@ -35,13 +35,13 @@ std::string resuming_command(const RunOptions& options) {
   return shell_line(arguments);
 }
 
-void say_where_it_begins(const RunPlan& plan) {
+void say_where_it_begins(std::FILE* to, const RunPlan& plan) {
   if (plan.is_complete) {
-    say("{} is complete\n", plan.files.output.string());
+    say_on(to, "{} is complete\n", plan.files.output.string());
   } else if (plan.is_resumed()) {
-    say("resuming from {}\n", plan.begin.file.string());
+    say_on(to, "resuming from {}\n", plan.begin.file.string());
   } else {
-    say("nothing to resume from: the run begins anew\n");
+    say_on(to, "nothing to resume from: the run begins anew\n");
   }
 }
 
@@ -65,10 +65,12 @@ void carry_out(const RunPlan& plan, const RunOptions& options, const OutputOptio
     const std::string where = run.has_moved()
                                   ? fmt::format(", and saved as {}", run.save_on_the_way().string())
                                   : " at its first step";
+    print_if_asked(quantities_of(run.summary()), output);
     throw Interrupted{InterruptionNoted::signal(),
                       fmt::format("interrupted{}; to go on: {}", where, resuming_command(options))};
   }
   run.finish();
+  print_if_asked(quantities_of(run.summary()), output);
   if (const int signal = InterruptionNoted::signal()) {
     throw Interrupted{signal, "interrupted when everything was done and written"};
   }
@@ -82,11 +84,12 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
   const bool is_dry = options.dry_run != DryRun::no;
   if (options.resume == Resume::yes && output.verbosity == Verbosity::normal &&
       options.dry_run != DryRun::json && !(is_dry && plan.is_complete)) {
-    say_where_it_begins(plan);
+    say_where_it_begins(output.text(), plan);
   }
   if (is_dry) return print_forecast(plan, options.dry_run);
   restore_sums(plan.written_before, output);
-  if (!plan.is_complete) carry_out(plan, options, output);
+  if (!plan.is_complete) return carry_out(plan, options, output);
+  print_if_asked(quantities_of(summary_of_complete(read_checkpoint(plan.files.output))), output);
 }
 
 }  // namespace rupture::tools

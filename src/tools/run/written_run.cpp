@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/text.hpp"
+#include "run/progress.hpp"
 #include "run/rebuild.hpp"
 #include "rupture/dynamics/simulation.hpp"
 
@@ -17,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void announce(const OutputOptions& output, const fs::path& path, const std::string& checksum) {
+void announce(const OutputOptions& output, const WrittenFile& file) {
   if (output.verbosity == Verbosity::normal) {
-    say("{}", wrote_text(path, checksum));
-    std::fflush(stdout);
+    say_on(output.text(), "{}", wrote_text(file.path, file.checksum));
+    std::fflush(output.text());
   }
 }
 
@@ -38,25 +39,28 @@ std::string_view reason(Ending ending) {
   return "end of the run";
 }
 
-void print_invariants(const Simulation& simulation, Ending ending, const EnergyBalance& balance,
-                      std::int64_t steps, double seconds) {
-  say("t = {:.7g} s ({}), {} steps", simulation.time(), reason(ending), steps);
-  if (steps > 0 && seconds > 0.0) {
-    say(", {:.0f} steps/s", static_cast<double>(steps) / seconds);
+void print_invariants(std::FILE* to, Ending ending, const RunSummary& summary) {
+  const EnergyBalance& balance = summary.energy;
+  say_on(to, "t = {:.7g} s ({}), {} steps", summary.time, reason(ending), summary.steps);
+  if (summary.steps > 0 && summary.wall_time > 0.0) {
+    say_on(to, ", {:.0f} steps/s", static_cast<double>(summary.steps) / summary.wall_time);
   }
-  say("\nenergy [J]: supplied {:.6e} = stored {:.6e} + taken by damping {:.6e} + work against "
-      "junctions {:.6e}, relative error {:.1e}\n",
-      balance.supplied, balance.stored, balance.damping, balance.junctions,
-      balance.relative_error());
+  say_on(to,
+         "\nenergy [J]: supplied {:.6e} = stored {:.6e} + taken by damping {:.6e} + work against "
+         "junctions {:.6e}, relative error {:.1e}\n",
+         balance.supplied, balance.stored, balance.damping, balance.junctions,
+         balance.relative_error());
 }
 
-void announce(const OutputOptions& output, const OnTheWay& written) {
-  if (output.verbosity == Verbosity::quiet || written.count == 0) return;
-  if (written.count == 1) {
-    say("wrote 1 checkpoint on the way: {}\n", written.first.string());
+/// Checkpoints on the way, of which there may be many: one line names them.
+void announce(const OutputOptions& output, const std::vector<WrittenFile>& on_the_way) {
+  if (output.verbosity == Verbosity::quiet || on_the_way.empty()) return;
+  const std::string first = on_the_way.front().path, last = on_the_way.back().path;
+  if (on_the_way.size() == 1) {
+    say_on(output.text(), "wrote 1 checkpoint on the way: {}\n", first);
   } else {
-    say("wrote {} checkpoints on the way: {} ... {}\n", written.count, written.first.string(),
-        written.last.string());
+    say_on(output.text(), "wrote {} checkpoints on the way: {} ... {}\n", on_the_way.size(), first,
+           last);
   }
 }
 
@@ -93,39 +97,48 @@ Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint
     save_on_the_way();
   });
   observers.push_back(&schedule);
-  Progress progress(simulation_, rule.last_step);
-  const bool show_progress = on_terminal() && output_.verbosity == Verbosity::normal;
-  if (show_progress) observers.push_back(&progress);
+  Progress progress(simulation_, rule, provenance_.back().tool);
+  if (output_.verbosity == Verbosity::normal) observers.push_back(&progress);
 
-  const std::int64_t first = simulation_.state().step;
-  const Energies before = simulation_.energies();
-  const auto clock = std::chrono::steady_clock::now();
+  const Beginning beginning = {simulation_.state().step, simulation_.time(), simulation_.energies(),
+                               std::chrono::steady_clock::now()};
   try {
     const Ending ending = run(simulation_, rule, observers);
     alarms.observe(simulation_);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - clock;
-    if (show_progress) progress.finish();
-    if (output_.verbosity == Verbosity::normal) {
-      print_invariants(simulation_, ending,
-                       energy_balance(before, simulation_.energies(), simulation_.work()),
-                       simulation_.state().step - first, elapsed.count());
-    }
-    announce(output_, on_the_way_);
+    clear_progress_line();
+    summarise(beginning, ending);
+    if (output_.verbosity == Verbosity::normal) print_invariants(output_.text(), ending, summary_);
+    announce(output_, summary_.files);
     return ending;
   } catch (...) {
-    announce(output_, on_the_way_);
+    clear_progress_line();
+    announce(output_, summary_.files);
     if (writer_) writer_->flush();
     throw;
   }
 }
 
+void Run::summarise(const Beginning& beginning, Ending ending) {
+  const std::chrono::duration<double> elapsed =
+      std::chrono::steady_clock::now() - beginning.wall_clock;
+  summary_.ending = name_of(ending);
+  summary_.time = simulation_.time();
+  summary_.steps = simulation_.state().step - beginning.step;
+  summary_.simulated_time = summary_.time - beginning.time;
+  summary_.wall_time = elapsed.count();
+  summary_.energy = energy_balance(beginning.energies, simulation_.energies(), simulation_.work());
+  summary_.run = simulation_.run();
+}
+
 void Run::finish() {
   if (recorder_) {
     recorder_->finish(simulation_);
-    announce(output_, *files_.record,
-             writer_->finish(record_provenance(simulation_.state().step), output_.sum));
+    const auto provenance = record_provenance(simulation_.state().step);
+    summary_.files.push_back({*files_.record, "record", writer_->finish(provenance, output_.sum)});
+    announce(output_, summary_.files.back());
   }
-  announce(output_, files_.output, save(files_.output, output_.if_exists));
+  save(files_.output, output_.if_exists);
+  announce(output_, summary_.files.back());
 }
 
 const fs::path& Run::save_on_the_way() {
@@ -133,7 +146,6 @@ const fs::path& Run::save_on_the_way() {
   if (path == saved_) return saved_;
   if (recorder_) recorder_->sync(simulation_);
   save(path, if_exists_(path));
-  on_the_way_.add(path);
   return saved_;
 }
 
@@ -142,14 +154,14 @@ std::vector<ProvenanceEntry> Run::record_provenance(std::int64_t step) const {
                         step, files_.record_every.steps, files_.crossings);
 }
 
-std::string Run::save(const fs::path& path, IfExists if_exists) {
+void Run::save(const fs::path& path, IfExists if_exists) {
   const Parameters& p = simulation_.parameters();
   const State& state = simulation_.state();
   const Checkpoint now = {
       p, state, run_until(provenance_, p, state.clock, state.step), simulation_.run(), {}, id_};
-  std::string checksum = write_checkpoint(path, now, if_exists, output_.sum);
+  const auto checksum = write_checkpoint(path, now, if_exists, output_.sum);
+  summary_.files.push_back({path, "checkpoint", checksum});
   saved_ = path;
-  return checksum;
 }
 
 }  // namespace rupture::tools

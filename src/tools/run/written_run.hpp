@@ -4,6 +4,7 @@
 // A run of load or restart with everything that it writes.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -15,22 +16,12 @@
 #include "run/alarms.hpp"
 #include "run/observers.hpp"
 #include "run/resume.hpp"
+#include "run/summary.hpp"
 
 namespace rupture::tools {
 
 /// Whether to replace a checkpoint on the way that is there already.
 using IfCheckpointExists = std::function<IfExists(const std::filesystem::path&)>;
-
-/// Checkpoints on the way, of which there may be many: one line at the end names them.
-struct OnTheWay {
-  std::int64_t count = 0;
-  std::filesystem::path first, last;
-
-  void add(const std::filesystem::path& path) {
-    if (count++ == 0) first = path;
-    last = path;
-  }
-};
 
 /// A run with everything that it writes on its way. The objects it is made with must outlive it.
 class Run {
@@ -48,10 +39,20 @@ class Run {
   const std::filesystem::path& save_on_the_way();
   /// True once there is anything that was not there before.
   bool has_moved() const { return simulation_.state().step > first_step_; }
+  /// What was done so far, once go() has ended.
+  const RunSummary& summary() const { return summary_; }
 
  private:
-  /// Returns the content checksum.
-  std::string save(const std::filesystem::path& path, IfExists if_exists);
+  /// As it was before the first step.
+  struct Beginning {
+    std::int64_t step;
+    double time;  // [s]
+    Energies energies;
+    std::chrono::steady_clock::time_point wall_clock;
+  };
+
+  void summarise(const Beginning& beginning, Ending ending);
+  void save(const std::filesystem::path& path, IfExists if_exists);
   /// That of the record, if the run ends at `step`.
   std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const;
 
@@ -63,7 +64,7 @@ class Run {
   const std::vector<ProvenanceEntry>& provenance_;
   const std::vector<ProvenanceEntry>& record_provenance_;
   std::filesystem::path saved_;  // the latest checkpoint
-  OnTheWay on_the_way_;
+  RunSummary summary_;
   Simulation simulation_;
   std::unique_ptr<RecordWriter> writer_;
   std::unique_ptr<Recorder> recorder_;

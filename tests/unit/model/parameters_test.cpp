@@ -105,9 +105,23 @@ TEST(SetParameter, suggests_the_nearest_name) {
 }
 
 TEST(SetParameter, refuses_text_that_is_no_number) {
-  for (const std::string text : {"", "abc", "1e", "0.14m", " 1", "1 ", "0x10", "1,5"}) {
-    EXPECT_EQ(refusal("slider.L", text), "slider.L = '" + text + "' is not a number (unit m)");
+  for (const std::string text : {"", "abc", "1e", "0.14kg", "0.14Mm", " 1", "1 ", "0x10", "1,5"}) {
+    EXPECT_EQ(refusal("slider.L", text),
+              "slider.L = '" + text + "' is not a number (unit m, mm, um or nm)");
   }
+}
+
+TEST(SetParameter, takes_numbers_in_multiples_of_its_unit) {
+  Parameters p;
+  set_parameter(p, "numerics.dt", "0.1us");
+  EXPECT_EQ(p.dt, 1e-7);
+  set_parameter(p, "slider.L", "150 mm");
+  EXPECT_EQ(p.L, 0.15);
+  set_parameter(p, "slider.M", "80g");
+  EXPECT_EQ(p.M, 0.08);
+  EXPECT_EQ(refusal("slider.Nx", "57m"), "slider.Nx = '57m' is not a whole number (unit 1)");
+  EXPECT_EQ(refusal("slider.L", "2e6mm"),
+            "slider.L = 2e6mm is out of range: give a value above 0 and at most 1000 (unit m)");
 }
 
 TEST(SetParameter, refuses_what_is_no_whole_number) {

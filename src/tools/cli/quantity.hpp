@@ -90,6 +90,9 @@ void add_format_options(po::options_description& options);
 /// `closing` follows the table. Throws UsageError for two forms at once.
 void print(const Quantities& rows, const std::string& closing, const po::variables_map& values);
 
+/// Prints one JSON object to standard output.
+void print_json(const Quantities& rows);
+
 /// "-" where there is no value.
 std::string text_of(const std::optional<double>& value, double unit = 1.0);
 

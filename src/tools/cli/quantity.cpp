@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The rupture authors
 // SPDX-License-Identifier: MIT
 
-#include "analyze/quantity.hpp"
+#include "cli/quantity.hpp"
 
 #include <fmt/format.h>
 
@@ -202,12 +202,16 @@ void print(const Quantities& rows, const std::string& closing, const po::variabl
   const bool json = values.count("json") > 0, csv = values.count("csv") > 0;
   if (json && csv) throw UsageError("--json and --csv exclude each other: give one");
   if (json) {
-    say("{}\n", json_text(json_of(rows)));
+    print_json(rows);
   } else if (csv) {
     say("{}", table(rows, Form::csv));
   } else {
     say("{}{}", table(rows, Form::text), closing);
   }
+}
+
+void print_json(const Quantities& rows) {
+  say("{}\n", json_text(json_of(rows)));
 }
 
 std::string text_of(const std::optional<double>& value, double unit) {

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+// Numbers as people type them, with or without a unit: 10ms, 0.8 s, 3GPa, 1e-5.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rupture {
+
+/// The number in `text` counted in `unit`, as text without a unit: "10ms" is "10e-3" if that is
+/// "s". Only the exponent is shifted, so that reading it rounds once, as for the plain number. A
+/// number without a unit comes back as it is; none if the unit is another one, or there is no
+/// number in front of it.
+std::optional<std::string> in_unit(std::string_view text, std::string_view unit);
+
+/// What may stand behind a number of this unit, such as "s, ms, us or ns"; "1" where nothing may.
+std::string units_taken(std::string_view unit);
+
+}  // namespace rupture

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+#include "rupture/model/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+namespace rupture {
+namespace {
+
+/// A multiple of a unit: what stands in front of its symbol, and its power of ten.
+struct Multiple {
+  std::string_view prefix;
+  int exponent;
+};
+
+constexpr std::array kMultiples = {Multiple{"", 0},   Multiple{"G", 9},  Multiple{"M", 6},
+                                   Multiple{"k", 3},  Multiple{"m", -3}, Multiple{"u", -6},
+                                   Multiple{"n", -9}, Multiple{"µ", -6}, Multiple{"μ", -6}};
+constexpr std::size_t kNamed = 7;  // the others are u, too: U+00B5 and U+03BC
+
+/// Lengths and times have no large multiples: whoever writes 10Ms does not mean megaseconds.
+bool takes(std::string_view unit, const Multiple& multiple) {
+  return multiple.exponent <= 0 || !(unit.starts_with('s') || unit.starts_with('m'));
+}
+
+/// The unit without the prefix that kg has of itself.
+std::string_view symbol_of(std::string_view unit) {
+  return unit == "kg" ? unit.substr(1) : unit;
+}
+
+/// The power of ten of what stands behind a number; none if it is not of this unit.
+std::optional<int> exponent_of(std::string_view word, std::string_view unit) {
+  const std::string_view symbol = symbol_of(unit);
+  const int own = symbol == unit ? 0 : 3;
+  if (unit == "1" || !word.ends_with(symbol)) return std::nullopt;
+  word.remove_suffix(symbol.size());
+  for (const Multiple& multiple : kMultiples) {
+    if (word == multiple.prefix && takes(unit, multiple)) return multiple.exponent - own;
+  }
+  return std::nullopt;
+}
+
+/// Where the number ends with which `text` begins; 0 if there is none.
+std::size_t length_of_number(std::string_view text) {
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  double ignored = 0.0;
+  const char* const begin = text.data() + sign;
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), ignored);
+  if (error == std::errc::invalid_argument) return 0;
+  return static_cast<std::size_t>(end - text.data());
+}
+
+/// The decimal number times a power of ten.
+std::string shifted(std::string_view number, int by) {
+  const std::size_t e = number.find_first_of("eE");
+  if (by == 0) return std::string(number);
+  if (e == std::string_view::npos) return fmt::format("{}e{}", number, by);
+  std::string_view digits = number.substr(e + 1);
+  if (digits.starts_with('+')) digits.remove_prefix(1);
+  std::int64_t exponent = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  if (error != std::errc{} || std::abs(exponent) > 1'000'000) return std::string(number);
+  return fmt::format("{}e{}", number.substr(0, e), exponent + by);
+}
+
+}  // namespace
+
+std::optional<std::string> in_unit(std::string_view text, std::string_view unit) {
+  const std::size_t length = length_of_number(text);
+  if (length == 0) return std::nullopt;
+  const std::string_view number = text.substr(0, length);
+  std::string_view word = text.substr(length);
+  if (word.empty()) return std::string(number);
+  word.remove_prefix(std::min(word.find_first_not_of(' '), word.size()));
+  const auto exponent = exponent_of(word, unit);
+  if (!exponent) return std::nullopt;
+  return shifted(number, *exponent);
+}
+
+std::string units_taken(std::string_view unit) {
+  if (unit == "1") return std::string(unit);
+  std::vector<std::string> taken = {std::string(unit)};
+  for (std::size_t n = 0; n < kNamed; ++n) {
+    const std::string word = fmt::format("{}{}", kMultiples[n].prefix, symbol_of(unit));
+    if (word != unit && takes(unit, kMultiples[n])) taken.push_back(word);
+  }
+  const std::string last = taken.back();
+  taken.pop_back();
+  return fmt::format("{} or {}", fmt::join(taken, ", "), last);
+}
+
+}  // namespace rupture

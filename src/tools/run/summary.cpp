@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+#include "run/summary.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace rupture::tools {
+namespace {
+
+std::optional<double> if_finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+Quantities row_of(const WrittenFile& file) {
+  return {
+      {"path", "", "as it was given", file.path.string()},
+      {"holds", "", "checkpoint or record", file.holds},
+      {"checksum", "", "content checksum", file.checksum},
+  };
+}
+
+Quantity row_of(const std::vector<WrittenFile>& files) {
+  List list{row_of(WrittenFile{}), {}};
+  for (const WrittenFile& file : files) list.elements.push_back(row_of(file));
+  return {"files", "", "written now, in their order", list};
+}
+
+Quantities rows_of(const EnergyBalance& energy) {
+  return {
+      {"supplied", "J", "work of the driving point and of the load", energy.supplied},
+      {"stored", "J", "gain of all energies", energy.stored},
+      {"damping", "J", "taken by damping", energy.damping},
+      {"junctions", "J", "work done against the junctions", energy.junctions},
+      {"relative_error", "1", "what is missing, over the largest term", energy.relative_error()},
+  };
+}
+
+Quantities row_of(const ImpossibleBlock& block) {
+  return {
+      {"x", "m", "position of the block", block.x},
+      {"largest_sigma_bar", "1", "widest phi that it can take", if_finite(block.largest_sigma_bar)},
+  };
+}
+
+std::int64_t changed_blocks(const PhiSummary& phi) {
+  std::int64_t changed = 0;
+  for (std::size_t i = 0; i < phi.before.size(); ++i) {
+    if (phi.before[i].forces != phi.after[i].forces) ++changed;
+  }
+  return changed;
+}
+
+}  // namespace
+
+std::string name_of(Ending ending) {
+  switch (ending) {
+    case Ending::quiet:
+      return "quiet";
+    case Ending::leading_edge:
+      return "leading_edge";
+    case Ending::interrupted:
+      return "interrupted";
+    case Ending::last_step:
+      break;
+  }
+  return "end";
+}
+
+RunSummary summary_of_complete(const Checkpoint& end) {
+  return {.ending = "complete", .time = time(end.parameters, end.state), .run = *end.run};
+}
+
+Quantities quantities_of(const RunSummary& s) {
+  return {
+      {"ending", "",
+       "end, quiet, leading_edge (the front is there), interrupted, or complete (nothing was left "
+       "to do)",
+       s.ending},
+      {"time", "s", "simulated time at the end", s.time},
+      {"steps", "1", "time steps that were taken now", s.steps},
+      {"simulated_time", "s", "simulated time that passed in them", s.simulated_time},
+      {"wall_time", "s", "time that they took", s.wall_time},
+      {"ruptures", "1", "block ruptures since the run began, before an interruption too",
+       s.run.ruptures},
+      {"leading_edge_ruptured", "", "whether the block at the leading edge was among them",
+       s.run.leading_edge_ruptured},
+      {"energy", "", "account of these steps", Group{rows_of(s.energy)}},
+      row_of(s.files),
+  };
+}
+
+Quantities quantities_of(const PreparedSummary& s) {
+  return {
+      {"prestress", "1", "tau/p beyond the trigger region", if_finite(s.prestress)},
+      {"error", "1", "largest relative distance of a pinned block's prestress from what was asked",
+       if_finite(s.error)},
+      {"sigma_bar", "1", "width of phi beyond the trigger region", if_finite(s.sigma_bar)},
+      {"largest_sigma_bar", "1", "the largest possible", if_finite(s.largest_sigma_bar)},
+      {"F_T", "N", "driving force, which balances the prestress", s.F_T},
+      {"blocks", "1", "interface blocks", s.blocks},
+      {"depinned", "1", "blocks whose junctions slip", s.depinned},
+      row_of(s.files),
+  };
+}
+
+Quantities quantities_of(const PhiSummary& s) {
+  const auto width = [](const BlockForces& block) { return if_finite(block.sigma_bar()); };
+  List impossible{row_of(ImpossibleBlock{}), {}};
+  for (const auto& block : s.impossible) impossible.elements.push_back(row_of(block));
+  return {
+      {"x", "m", "position of each interface block", each(s.before, &BlockForces::x)},
+      {"slipping", "1", "fraction of slipping junctions of each block, before",
+       each(s.before, &BlockForces::slipping)},
+      {"sigma_bar_before", "1", "width of phi of each block, before", each(s.before, width)},
+      {"sigma_bar_after", "1", "the same, after", each(s.after, width)},
+      {"changed", "1", "blocks that were changed", changed_blocks(s)},
+      {"largest_change", "1", "of a block's friction force, over the largest of them",
+       s.largest_change},
+      {"impossible", "", "blocks that cannot take this phi and stay as they are", impossible},
+      row_of(s.files),
+  };
+}
+
+void print_if_asked(const Quantities& rows, const OutputOptions& output) {
+  if (output.summary == Summary::json) print_json(rows);
+}
+
+std::vector<std::pair<std::string, Quantities>> summary_quantities() {
+  const Quantities of_run = quantities_of(RunSummary{});
+  return {{"load", of_run},
+          {"restart", of_run},
+          {"prepare", quantities_of(PreparedSummary{})},
+          {"modify-phi", quantities_of(PhiSummary{})}};
+}
+
+}  // namespace rupture::tools
