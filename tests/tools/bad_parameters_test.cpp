@@ -91,7 +91,7 @@ TEST_F(BadOptions, number_too_large_for_its_type_is_out_of_range) {
 }
 
 std::string not_seconds(const std::string& option, const std::string& value) {
-  return option + " " + value + " is not a number (unit s, ms, us or ns); see ";
+  return option + " " + value + " is not a number (unit s, ms, us or ns); see rupture ";
 }
 
 TEST_F(BadOptions, times_of_other_tools_have_units_of_time_too) {
@@ -129,12 +129,13 @@ TEST_F(BadOptions, times_must_be_numbers_from_zero) {
 
 TEST_F(BadOptions, other_numbers_have_no_units_of_time) {
   expect_refusal("prepare -o a.h5 --tau-bar 0.2ms", kUsage,
-                 "--tau-bar 0.2ms is not a number (unit 1); see prepare --help");
-  expect_refusal("prepare -o a.h5 --tau-bar 0.2 --x-trigger 20ms", kUsage,
-                 "--x-trigger 20ms is not a number (unit m, mm, um or nm); see prepare --help");
+                 "--tau-bar 0.2ms is not a number (unit 1); see rupture prepare --help");
+  expect_refusal(
+      "prepare -o a.h5 --tau-bar 0.2 --x-trigger 20ms", kUsage,
+      "--x-trigger 20ms is not a number (unit m, mm, um or nm); see rupture prepare --help");
   write("odd.ini", "until = 10 years\n");
   expect_refusal("load --config odd.ini -o a.h5", kUsage,
-                 "until 10 years is not a number (unit s, ms, us or ns); see load --help");
+                 "until 10 years is not a number (unit s, ms, us or ns); see rupture load --help");
 }
 
 TEST_F(BadOptions, checkpoint_times_must_be_numbers_from_zero) {
