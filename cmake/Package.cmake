@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-# `cpack --config build/release/CPackConfig.cmake` makes rupture_VERSION_amd64.deb of what is installed.
+# `cpack --config build/release/CPackConfig.cmake -B build/package` makes rupture_VERSION_amd64.deb there, of what is installed.
 # Libraries that it needs are found by dpkg-shlibdeps; what `rupture reproduce` needs is in packages.txt.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rupture)
