@@ -33,8 +33,11 @@ TEST_F(Quantities, parameters_are_those_of_a_file) {
 }
 
 TEST_F(Quantities, each_is_named_once_with_its_meaning) {
-  const Json quantities = json_of("analyze quantities --json")["quantities"];
+  const Json json = json_of("analyze quantities --json");
+  Json quantities = json["quantities"];
   EXPECT_FALSE(quantities.empty());
+  EXPECT_FALSE(json["summaries"].empty());
+  quantities.insert(quantities.end(), json["summaries"].begin(), json["summaries"].end());
   std::set<std::string> names;
   for (const Json& quantity : quantities) {
     const std::string name = quantity["name"];
@@ -46,7 +49,8 @@ TEST_F(Quantities, each_is_named_once_with_its_meaning) {
 TEST_F(Quantities, text_has_one_line_each) {
   const Json json = json_of("analyze quantities --json");
   const auto lines = lines_of(output_of("analyze quantities"));
-  EXPECT_EQ(lines.size(), json["parameters"].size() + json["quantities"].size() + 3);
+  EXPECT_EQ(lines.size(),
+            json["parameters"].size() + json["quantities"].size() + json["summaries"].size() + 5);
   const auto speed = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
     return line.find(" front.slow.speed ") != std::string::npos;
   });

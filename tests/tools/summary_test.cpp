@@ -126,7 +126,7 @@ std::set<std::string> names_in(const Json& json, const std::string& prefix) {
 TEST_F(Summary, has_the_fields_that_analyze_quantities_lists) {
   std::map<std::string, std::set<std::string>> listed;
   const Json all = json_of("analyze quantities --json");
-  for (const Json& quantity : all["quantities"]) {
+  for (const Json& quantity : all["summaries"]) {
     const std::string name = quantity["name"];
     listed[name.substr(0, name.find('.'))].insert(name);
   }

@@ -37,6 +37,11 @@ std::vector<NamedQuantity> all_quantities() {
     const auto measured = named(command.name, command.quantities());
     all.insert(all.end(), measured.begin(), measured.end());
   }
+  return all;
+}
+
+std::vector<NamedQuantity> all_of_summaries() {
+  std::vector<NamedQuantity> all;
   for (const auto& [program, rows] : summary_quantities()) {
     const auto reported = named(program, rows);
     all.insert(all.end(), reported.begin(), reported.end());
@@ -44,22 +49,28 @@ std::vector<NamedQuantity> all_quantities() {
   return all;
 }
 
-Json quantities_json() {
+Json json_of(const std::vector<NamedQuantity>& quantities) {
   Json list = Json::array();
-  for (const NamedQuantity& quantity : all_quantities()) {
+  for (const NamedQuantity& quantity : quantities) {
     list.push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"help", quantity.help}});
   }
   return list;
 }
 
-void print_text() {
-  say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
-  say("\nQuantities: name (command or program, then field of its --json; * is an index), unit, "
-      "meaning\n");
-  for (const NamedQuantity& quantity : all_quantities()) {
+void print_lines(const std::vector<NamedQuantity>& quantities) {
+  for (const NamedQuantity& quantity : quantities) {
     const std::string unit = quantity.unit.empty() ? "" : "[" + quantity.unit + "]";
     say("  {:<58} {:<6} {}\n", quantity.name, unit, quantity.help);
   }
+}
+
+void print_text() {
+  say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
+  say("\nQuantities: name (command, then field of its --json; * is an index), unit, "
+      "meaning\n");
+  print_lines(all_quantities());
+  say("\nSummaries: name (program that writes files, then field of its --json), unit, meaning\n");
+  print_lines(all_of_summaries());
 }
 
 }  // namespace
@@ -74,7 +85,9 @@ int analyze_quantities(int argc, const char* const* argv) {
              "programs\nthat write files, report with --json."},
             options, "", UsesParameters::no);
   if (parsed.values.count("json") > 0) {
-    const Json json = {{"parameters", parameters_json()}, {"quantities", quantities_json()}};
+    const Json json = {{"parameters", parameters_json()},
+                       {"quantities", json_of(all_quantities())},
+                       {"summaries", json_of(all_of_summaries())}};
     say("{}\n", json_text(json));
   } else {
     print_text();
