@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "rupture/checkpoint/record.hpp"
+#include "rupture/model/derived.hpp"
 
 namespace rupture::record_layout {
 
@@ -20,22 +21,26 @@ template <class InSample, class InRecord>
 struct Series {
   const char* path;
   const char* unit;
+  const char* long_name;  // in the words of CF: what a plot writes along its axis
   InSample Sample::*in_sample;
   InRecord Record::*in_record;
 };
 template <class InSample, class InRecord>
-Series(const char*, const char*, InSample Sample::*, InRecord Record::*)
+Series(const char*, const char*, const char*, InSample Sample::*, InRecord Record::*)
     -> Series<InSample, InRecord>;
 
 inline constexpr std::tuple kSeries = {
-    Series{"/series/time", "s", &Sample::time, &Record::time},
-    Series{"/series/step", "1", &Sample::step, &Record::step},
-    Series{"/series/F_T", "N", &Sample::F_T, &Record::F_T},
-    Series{"/series/x_drive", "m", &Sample::x_drive, &Record::x_drive},
-    Series{"/series/pinned", "1", &Sample::pinned, &Record::pinned},
-    Series{"/series/p", "N", &Sample::p, &Record::p},
-    Series{"/series/tau", "N", &Sample::tau, &Record::tau},
-    Series{"/series/u_x", "m", &Sample::u_x, &Record::u_x},
+    Series{"/series/time", "s", "time", &Sample::time, &Record::time},
+    Series{"/series/step", "1", "time step", &Sample::step, &Record::step},
+    Series{"/series/F_T", "N", "driving force", &Sample::F_T, &Record::F_T},
+    Series{"/series/x_drive", "m", "position of the driving point", &Sample::x_drive,
+           &Record::x_drive},
+    Series{"/series/pinned", "1", "pinned junctions of the block", &Sample::pinned,
+           &Record::pinned},
+    Series{"/series/p", "N", "normal force on the block", &Sample::p, &Record::p},
+    Series{"/series/tau", "N", "friction force on the block, towards -x", &Sample::tau,
+           &Record::tau},
+    Series{"/series/u_x", "m", "displacement of the block along x", &Sample::u_x, &Record::u_x},
 };
 
 /// A dataset with one value per rupture, or per crossing of another pinned fraction.
@@ -43,23 +48,43 @@ template <class T>
 struct OfRupture {
   const char* path;
   const char* unit;
+  const char* long_name;
   T Rupture::*member;
 };
 template <class T>
-OfRupture(const char*, const char*, T Rupture::*) -> OfRupture<T>;
+OfRupture(const char*, const char*, const char*, T Rupture::*) -> OfRupture<T>;
 
 inline constexpr std::tuple kRuptures = {
-    OfRupture{"/ruptures/step", "1", &Rupture::step},
-    OfRupture{"/ruptures/time", "s", &Rupture::time},
-    OfRupture{"/ruptures/block", "1", &Rupture::block},
+    OfRupture{"/ruptures/step", "1", "time step of the rupture", &Rupture::step},
+    OfRupture{"/ruptures/time", "s", "time of the rupture", &Rupture::time},
+    OfRupture{"/ruptures/block", "1", "block, from 0 at the driven side", &Rupture::block},
 };
 
 inline constexpr std::tuple kCrossings = {
-    OfRupture{"/crossings/step", "1", &Rupture::step},
-    OfRupture{"/crossings/time", "s", &Rupture::time},
-    OfRupture{"/crossings/block", "1", &Rupture::block},
-    OfRupture{"/crossings/pinned_below", "1", &Rupture::pinned_below},
+    OfRupture{"/crossings/step", "1", "time step of the crossing", &Rupture::step},
+    OfRupture{"/crossings/time", "s", "time of the crossing", &Rupture::time},
+    OfRupture{"/crossings/block", "1", "block, from 0 at the driven side", &Rupture::block},
+    OfRupture{"/crossings/pinned_below", "1", "pinned fraction that the block fell below",
+              &Rupture::pinned_below},
 };
+
+/// Where the blocks are. It follows from the parameters and is there for other programs.
+struct Positions {
+  const char* path;
+  const char* long_name;
+  std::vector<double> (*along)(const Parameters&);  // [m]
+};
+inline constexpr std::tuple kPositions = {
+    Positions{"/series/x", "position of the block along x", block_positions},
+};
+
+/// The pinned fractions whose crossings are recorded.
+struct Levels {
+  const char* path;
+  const char* unit;
+  const char* long_name;
+};
+inline constexpr std::tuple kLevels = {Levels{kCrossingLevels, "1", "pinned fraction"}};
 
 /// Calls `use` with each row of a table above.
 template <class Table, class Use>

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "context.hpp"
+#include "record_labels.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
@@ -112,6 +113,7 @@ void refuse_unknown(const Content& content) {
   layout::for_each(layout::kSeries, add);
   layout::for_each(layout::kRuptures, add);
   layout::for_each(layout::kCrossings, add);
+  layout::for_each(layout::kPositions, add);
   for (const auto& [path, dataset] : content) {
     const bool elsewhere = path.starts_with("/parameters/") || path.starts_with("/provenance/");
     if (!elsewhere && !known.contains(path)) {
@@ -125,6 +127,7 @@ Record record_from_content(const Content& content, Complete complete) {
   Record record;
   record.complete = complete;
   record.parameters = read_parameters(content);
+  expect_as_written(content, record_positions(record.parameters));
   record.provenance = read_provenance(content);
   read_series(content, record);
   record.ruptures =

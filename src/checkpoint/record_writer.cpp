@@ -9,6 +9,7 @@
 
 #include "atomic_write.hpp"
 #include "part_file.hpp"
+#include "record_labels.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
@@ -54,6 +55,7 @@ Content first_piece(const Parameters& parameters, const std::vector<ProvenanceEn
                     Content rows) {
   rows.merge(parameters_content(parameters));
   rows.merge(provenance_content(provenance));
+  rows.merge(record_positions(parameters));
   return rows;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hdf5_image.hpp"
+#include "record_labels.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
@@ -69,8 +70,9 @@ void check_content(const Content& content, const hdf5::RootAttributes& attribute
 Sealed seal(FileKind kind, const Content& content) {
   check_finite(content);
   const std::string checksum = content_checksum(content);
+  const auto labels = kind == FileKind::record ? record_labels(content) : hdf5::Labels{};
   std::vector<std::byte> bytes =
-      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum}, content);
+      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum}, content, labels);
   const std::string header = header_text(kind, std::span(bytes).subspan(kHeaderSize));
   std::memcpy(bytes.data(), header.data(), header.size());
   return {checksum, std::move(bytes)};

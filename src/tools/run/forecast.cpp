@@ -40,7 +40,7 @@ double checkpoint_size(const Parameters& p) {
 /// Per sample four numbers, and three and a count per interface block.
 double record_size(const Parameters& p, std::int64_t samples) {
   if (samples == 0) return 0.0;
-  return 0.029 * kMB + static_cast<double>(samples) * (32.0 + 26.0 * static_cast<double>(p.Nx));
+  return 0.035 * kMB + static_cast<double>(samples) * (32.0 + 26.0 * static_cast<double>(p.Nx));
 }
 
 /// Reading and writing keep several copies of a checkpoint, and of the record when it is completed.

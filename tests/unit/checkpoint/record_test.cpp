@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <limits>
 
 #include "fixtures.hpp"
@@ -87,6 +88,24 @@ TEST_F(RecordFile, has_the_same_bytes_however_often_it_was_flushed) {
   append(rarely, 0, 20);
   EXPECT_EQ(often.finish(), rarely.finish());
   EXPECT_EQ(slurp(file("a.h5")), slurp(file("b.h5")));
+}
+
+TEST_F(RecordFile, says_where_the_blocks_are_outside_its_checksum) {
+  auto out = writer("r.h5");
+  append(out, 0, 3);
+  out.finish();
+  Content content = read_content(file("r.h5"));
+  EXPECT_EQ(read_array<double>(content, "/series/x", {5}),
+            (std::vector<double>{0, 0.01, 0.02, 0.03, 0.04}));
+  const std::string checksum = content_checksum(content);
+  content.erase("/series/x");  // as earlier builds wrote records
+  EXPECT_EQ(write_content(file("q.h5"), FileKind::record, content, IfExists::refuse), checksum);
+  expect_samples(read_record(file("q.h5")), 3);
+  content["/series/x"] =
+      make_array(std::span<const double>(std::array{0.0, 0.1, 0.2, 0.3, 0.4}), {5}, "m");
+  write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
+  expect_contains(failure_of([&] { read_record(file("q.h5")); }),
+                  "/series/x holds its value in a form that rupture never writes");
 }
 
 TEST_F(RecordFile, grows_over_many_chunks) {
