@@ -17,8 +17,8 @@ namespace rupture {
 namespace {
 
 constexpr std::string_view kParameters = "/parameters/";
-constexpr std::array<std::string_view, 5> kChecksummedGroups = {kParameters, "/state/", "/series/",
-                                                                "/ruptures/", "/crossings/"};
+constexpr std::array<std::string_view, 6> kChecksummedGroups = {
+    kParameters, "/state/", "/series/", "/ruptures/", "/crossings/", "/fields/"};
 constexpr std::string_view kCanonicalForm = "rupture content 1\n";
 
 void check(int success) {

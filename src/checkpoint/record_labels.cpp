@@ -26,16 +26,18 @@ std::vector<std::string> axes_of(const std::string& path, const Shape& shape) {
   if (is_scale(std::string_view(path).substr(group.size()))) return {path};
   if (shape.size() == 1) return {group + "time"};
   if (shape.size() == 2) return {group + "time", group + "x"};
-  return {};
+  return {group + "time", group + "z", group + "x"};
 }
 
 }  // namespace
 
-Content record_positions(const Parameters& parameters) {
+Content record_positions(const Parameters& parameters, const Content& record) {
   Content positions;
   layout::for_each(layout::kPositions, [&](const auto& row) {
+    const std::string path = row.path;
+    if (!record.contains(path.substr(0, path.rfind('/')) + "/time")) return;
     const std::vector<double> values = row.along(parameters);
-    positions[row.path] = make_array(std::span(values), {values.size()}, "m");
+    positions[path] = make_array(std::span(values), {values.size()}, "m");
   });
   return positions;
 }
@@ -52,6 +54,7 @@ hdf5::Labels record_labels(const Content& record) {
   layout::for_each(layout::kSeries, add);
   layout::for_each(layout::kRuptures, add);
   layout::for_each(layout::kCrossings, add);
+  layout::for_each(layout::kFields, add);
   layout::for_each(layout::kPositions, add);
   layout::for_each(layout::kLevels, add);
   return labels;

@@ -10,8 +10,8 @@
 
 namespace rupture {
 
-/// Where the blocks of the interface are, one dataset for each group that needs it.
-Content record_positions(const Parameters& parameters);
+/// Where the blocks are: datasets for the groups of `record` that need them.
+Content record_positions(const Parameters& parameters, const Content& record);
 
 /// Labels of all datasets of a record that have any.
 hdf5::Labels record_labels(const Content& record);

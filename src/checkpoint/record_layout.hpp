@@ -14,6 +14,7 @@ namespace rupture::record_layout {
 inline constexpr const char* kSeriesGroup = "/series/";
 inline constexpr const char* kRupturesGroup = "/ruptures/";
 inline constexpr const char* kCrossingsGroup = "/crossings/";
+inline constexpr const char* kFieldsGroup = "/fields/";
 inline constexpr const char* kCrossingLevels = "/crossings/levels";  // those asked for
 
 /// A dataset with a row per sample: one value, or one per interface block.
@@ -43,30 +44,63 @@ inline constexpr std::tuple kSeries = {
     Series{"/series/u_x", "m", "displacement of the block along x", &Sample::u_x, &Record::u_x},
 };
 
-/// A dataset with one value per rupture, or per crossing of another pinned fraction.
-template <class T>
-struct OfRupture {
+/// A dataset with one entry per rupture, per crossing of another pinned fraction, or per sample of
+/// the fields.
+template <class Row, class T>
+struct Column {
   const char* path;
   const char* unit;
   const char* long_name;
-  T Rupture::*member;
+  T Row::*member;
 };
-template <class T>
-OfRupture(const char*, const char*, const char*, T Rupture::*) -> OfRupture<T>;
+template <class Row, class T>
+Column(const char*, const char*, const char*, T Row::*) -> Column<Row, T>;
 
 inline constexpr std::tuple kRuptures = {
-    OfRupture{"/ruptures/step", "1", "time step of the rupture", &Rupture::step},
-    OfRupture{"/ruptures/time", "s", "time of the rupture", &Rupture::time},
-    OfRupture{"/ruptures/block", "1", "block, from 0 at the driven side", &Rupture::block},
+    Column{"/ruptures/step", "1", "time step of the rupture", &Rupture::step},
+    Column{"/ruptures/time", "s", "time of the rupture", &Rupture::time},
+    Column{"/ruptures/block", "1", "block, from 0 at the driven side", &Rupture::block},
 };
 
 inline constexpr std::tuple kCrossings = {
-    OfRupture{"/crossings/step", "1", "time step of the crossing", &Rupture::step},
-    OfRupture{"/crossings/time", "s", "time of the crossing", &Rupture::time},
-    OfRupture{"/crossings/block", "1", "block, from 0 at the driven side", &Rupture::block},
-    OfRupture{"/crossings/pinned_below", "1", "pinned fraction that the block fell below",
-              &Rupture::pinned_below},
+    Column{"/crossings/step", "1", "time step of the crossing", &Rupture::step},
+    Column{"/crossings/time", "s", "time of the crossing", &Rupture::time},
+    Column{"/crossings/block", "1", "block, from 0 at the driven side", &Rupture::block},
+    Column{"/crossings/pinned_below", "1", "pinned fraction that the block fell below",
+           &Rupture::pinned_below},
 };
+
+inline constexpr std::tuple kFields = {
+    Column{"/fields/step", "1", "time step", &FieldSample::step},
+    Column{"/fields/time", "s", "time", &FieldSample::time},
+    Column{"/fields/u_x", "m", "displacement of the block along x", &FieldSample::u_x},
+    Column{"/fields/u_z", "m", "displacement of the block along z", &FieldSample::u_z},
+};
+
+/// Type of the elements of such a dataset.
+template <class T>
+DataType type_of(const T&) {
+  return DataTypeOf<T>::value;
+}
+template <class T>
+DataType type_of(const std::vector<T>&) {
+  return DataTypeOf<T>::value;
+}
+
+/// Shape of so many rows of such a dataset: a value per row,
+template <class T>
+Shape shape_of(const T&, std::uint64_t rows, const Parameters&) {
+  return {rows};
+}
+/// one per interface block,
+template <class T>
+Shape shape_of(const std::vector<T>&, std::uint64_t rows, const Parameters& p) {
+  return {rows, static_cast<std::uint64_t>(p.Nx)};
+}
+/// or one per block of the slider.
+inline Shape shape_of(const std::vector<float>&, std::uint64_t rows, const Parameters& p) {
+  return {rows, static_cast<std::uint64_t>(p.Nz), static_cast<std::uint64_t>(p.Nx)};
+}
 
 /// Where the blocks are. It follows from the parameters and is there for other programs.
 struct Positions {
@@ -76,6 +110,8 @@ struct Positions {
 };
 inline constexpr std::tuple kPositions = {
     Positions{"/series/x", "position of the block along x", block_positions},
+    Positions{"/fields/x", "position of the block along x", block_positions},
+    Positions{"/fields/z", "height of the block above the interface", block_heights},
 };
 
 /// The pinned fractions whose crossings are recorded.

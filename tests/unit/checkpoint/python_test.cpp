@@ -102,8 +102,12 @@ class Xarray : public Python {
     for (const char* module : {"xarray", "h5netcdf"}) {
       if (!has_module(module)) GTEST_SKIP() << "install python3-" << module << " to run this test";
     }
-    RecordWriter out(file("r.h5"), testing::small_parameters(), {}, IfExists::refuse, {}, 4, {0.5});
+    RecordWriter out(file("r.h5"), testing::small_parameters(), {}, IfExists::refuse, {}, 4,
+                     {.crossing_levels = {0.5}, .fields = Fields::record});
     for (int n = 0; n < 10; ++n) out.append(testing::small_sample(5, n));
+    std::vector<float> u_x(20);
+    u_x[13] = 0.5F;  // row 2, block 3
+    out.append(FieldSample{0.004, 400, u_x, std::vector<float>(20)});
     out.append(std::vector<Rupture>{{200, 0.002, 3}, {300, 0.003, 4, 0.5}});
     out.finish();
   }
@@ -132,6 +136,11 @@ TEST_F(Xarray, finds_dimensions_positions_and_units) {
             "{'time': 1} [3] 0.002\n");
   EXPECT_EQ(shown("crossings", "dict(d.sizes), d.levels.values, d.pinned_below.dims"),
             "{'time': 1, 'levels': 1} [0.5] ('time',)\n");
+  EXPECT_EQ(shown("fields",
+                  "d.u_z.dims, d.u_z.dtype, d.u_x.sel(time=0.004, z=0.02, "
+                  "x=0.03, method='nearest').item(), d.step.values"),
+            "('time', 'z', 'x') float32 0.5 [400]\n");
+  EXPECT_EQ(recomputed("r.h5"), read_file(file("r.h5")).checksum + "\n");
 }
 
 TEST_F(Python, reads_a_record_in_the_making) {
