@@ -64,26 +64,37 @@ double sum_of_last_two(const std::vector<double>& values) {
   return values.back() + values[values.size() - 2];
 }
 
+/// What a benchmark records, and how many steps make a stretch.
+struct Recording {
+  RecordParts parts;
+  std::int64_t every, stretch;  // [steps]
+};
+const Recording kSeries = {{}, 50, 256 * 50};                            // 10 us
+const Recording kFields = {{.fields = Fields::record}, 100, 256 * 100};  // 20 us
+
 /// Two equal runs, of which one is recorded, in turn, stretch by stretch. A stretch is as long as
-/// the record's buffer, so that each holds one flush. The runs change roles after each stretch:
-/// where their arrays lie in memory must not matter. Iterations are stretches.
-void record_cost(benchmark::State& bench) {
-  constexpr std::int64_t every = 50;  // 10 us
-  constexpr std::int64_t stretch = 256 * every;
+/// the record's buffer, so that each holds one flush (of fields, some three). The runs change roles
+/// after each stretch: where their arrays lie in memory must not matter. Iterations are stretches.
+void record_cost(benchmark::State& bench, const Recording& recording) {
+  const auto [parts, every, stretch] = recording;
   const Parameters p;
   Simulation run_a(p, loading_state()), run_b(p, loading_state());
   const Folder folder;
-  RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse);
+  RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
+                      parts);
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
   tools::Recorder recorder(writer, tools::Interval{every}, first, last);
+  tools::FieldRecorder fields(writer, tools::Interval{every}, first, last);
 
   std::vector<double> without, with, ratio;
   bool record_a = false;
   for (auto _ : bench) {
     const StopRule rule = {run_a.state().step + stretch, {}};
-    const std::vector<Observer*> none, one = {&recorder};
-    const double a = seconds_for([&] { run(run_a, rule, record_a ? one : none); });
-    const double b = seconds_for([&] { run(run_b, rule, record_a ? none : one); });
+    const std::vector<Observer*> none;
+    std::vector<Observer*> all = {&recorder};
+    if (parts.fields == Fields::record) all.push_back(&fields);
+    const double a = seconds_for([&] { run(run_a, rule, record_a ? all : none); });
+    const double b = seconds_for([&] { run(run_b, rule, record_a ? none : all); });
     with.push_back(record_a ? a : b);
     without.push_back(record_a ? b : a);
     if (record_a) ratio.push_back(sum_of_last_two(with) / sum_of_last_two(without));
@@ -92,6 +103,7 @@ void record_cost(benchmark::State& bench) {
   }
   const double finish = seconds_for([&] {
     recorder.finish(run_a);
+    if (parts.fields == Fields::record) fields.finish(run_a);
     writer.finish();
   });
 
@@ -106,7 +118,14 @@ void record_cost(benchmark::State& bench) {
 BENCHMARK(equilibrium_solve)->Name("once/equilibrium_solve");
 BENCHMARK(checkpoint_write)->Name("once/checkpoint_write")->UseRealTime();
 BENCHMARK(checkpoint_read)->Name("once/checkpoint_read")->UseRealTime();
-BENCHMARK(record_cost)->Name("record/cost")->UseManualTime()->Iterations(16);
+BENCHMARK_CAPTURE(record_cost, series, kSeries)
+    ->Name("record/cost")
+    ->UseManualTime()
+    ->Iterations(16);
+BENCHMARK_CAPTURE(record_cost, fields, kFields)
+    ->Name("record/fields")
+    ->UseManualTime()
+    ->Iterations(16);
 
 }  // namespace
 }  // namespace rupture::bench

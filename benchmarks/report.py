@@ -223,6 +223,22 @@ def lammps(measured, results, lines):
     )
 
 
+def recording(measured, results, row, key, text, at_most):
+    """What a record costs: `key` says in which part of the run."""
+    samples = [100 * cost for cost in measured.values(row, key)]
+    result = results.add(
+        row + key.removeprefix("cost"),
+        median(samples),
+        "%",
+        "median of paired runs",
+        samples,
+        at_most=at_most,
+        instruction_set=measured.widest,
+    )
+    target = [result.get("target", ""), met(result) if "met" in result else ""]
+    return [f"{row}, {text}", f"{result['value']:.1f}", "%", *target, result["statistic"]]
+
+
 def once(measured, results):
     table = []
     for row in measured.rows("once"):
@@ -248,34 +264,16 @@ def once(measured, results):
             ]
         )
     if measured.rows("record"):
-        plain = min(measured.values("record/cost", "us_without"))
-        results.add(
-            "record/step_without", plain, "us", "best", measured.values("record/cost", "us_without")
+        plain = measured.values("record/cost", "us_without")
+        results.add("record/step_without", min(plain), "us", "best", plain)
+    table += [
+        recording(measured, results, row, key, text, at_most)
+        for row in measured.rows("record")
+        for key, text, at_most in (
+            ("cost_running", "before the end of the run", RECORD_TARGET),
+            ("cost", "with finishing the file", RECORD_TARGET if row == "record/cost" else None),
         )
-        for name, text in (
-            ("cost_running", "record/cost, before the end of the run"),
-            ("cost", "record/cost, with finishing the file"),
-        ):
-            samples = [100 * cost for cost in measured.values("record/cost", name)]
-            result = results.add(
-                f"record/{name}",
-                median(samples),
-                "%",
-                "median of paired runs",
-                samples,
-                at_most=RECORD_TARGET,
-                instruction_set=measured.widest,
-            )
-            table.append(
-                [
-                    text,
-                    f"{result['value']:.1f}",
-                    "%",
-                    result["target"],
-                    met(result),
-                    result["statistic"],
-                ]
-            )
+    ]
     if measured.rows("memory"):
         samples = [rate * 1e-9 for rate in measured.values("memory/rewrite", "items_per_second")]
         result = results.add("memory/rewrite", max(samples), "GB/s", "best", samples)

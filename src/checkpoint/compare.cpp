@@ -67,6 +67,8 @@ void compare_values(Difference& difference, const Dataset& a, const Dataset& b) 
   switch (a.type) {
     case DataType::float64:
       return compare_elements<double>(difference, a, b);
+    case DataType::float32:
+      return compare_elements<float>(difference, a, b);
     case DataType::int64:
       return compare_elements<std::int64_t>(difference, a, b);
     case DataType::uint32:
@@ -157,6 +159,8 @@ Number number_at(const Dataset& dataset, std::uint64_t index) {
   switch (dataset.type) {
     case DataType::float64:
       return element<double>(dataset, index);
+    case DataType::float32:
+      return double{element<float>(dataset, index)};
     case DataType::int64:
       return element<std::int64_t>(dataset, index);
     case DataType::uint32:

@@ -70,11 +70,13 @@ Handle open_in_place(std::span<const std::byte> file) {
 
 }  // namespace
 
-std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content) {
+std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content,
+                                  const Labels& labels) {
   prepare();
   const Handle file = create_file_in_memory();
   write_root_attributes(file, attributes);
   write_content(file, content);
+  write_labels(file, content, labels);
   return image_of(file);
 }
 

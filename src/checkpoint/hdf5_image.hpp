@@ -14,7 +14,8 @@ namespace rupture::hdf5 {
 
 /// A whole file: kHeaderSize zero bytes, to be overwritten by the header, then the HDF5 part.
 /// Equal arguments give equal bytes.
-std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content);
+std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content,
+                                  const Labels& labels = {});
 
 /// A file opened for reading. Throws Failure if libhdf5 cannot open it.
 class Reader {

@@ -4,8 +4,10 @@
 // Datasets, attributes and file creation in terms of Content.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hdf5_handle.hpp"
 #include "rupture/checkpoint/content.hpp"
@@ -19,6 +21,14 @@ struct RootAttributes {
   std::string content_checksum;
 };
 
+/// What other programs are told about a dataset besides its unit.
+struct Label {
+  std::string long_name;
+  std::vector<std::string>
+      axes;  ///< dataset with the values along each dimension; itself in a scale, none if unknown
+};
+using Labels = std::map<std::string, Label>;  ///< by path
+
 /// Properties of a new file: no times, room for our header in front.
 Handle file_creation_properties();
 
@@ -27,6 +37,9 @@ Handle stored_type(DataType type, std::size_t text_length);
 
 void write_root_attributes(Id file, const RootAttributes& attributes);
 void write_content(Id file, const Content& content);
+
+/// Adds `labels` to datasets of `content`, which were written before. Nothing of ours reads them.
+void write_labels(Id file, const Content& content, const Labels& labels);
 
 /// Throws Failure if an attribute is missing or of the wrong kind.
 RootAttributes read_root_attributes(Id file);

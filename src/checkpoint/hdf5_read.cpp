@@ -18,8 +18,9 @@ constexpr std::size_t kSmallestObject = 16;   // [bytes] less than the header of
 constexpr std::size_t kLongestVersion = 100;  // [bytes]
 
 DataType data_type(Id type, const std::string& path) {
-  constexpr std::array types = {DataType::float64, DataType::int64, DataType::uint32,
-                                DataType::uint16,  DataType::uint8, DataType::text};
+  constexpr std::array types = {DataType::float64, DataType::float32, DataType::int64,
+                                DataType::uint32,  DataType::uint16,  DataType::uint8,
+                                DataType::text};
   for (const DataType candidate : types) {
     if (H5Tequal(type, stored_type(candidate, H5Tget_size(type))) > 0) return candidate;
   }

@@ -89,6 +89,8 @@ Handle stored_type(DataType type, std::size_t text_length) {
   switch (type) {
     case DataType::float64:
       return copy(H5T_IEEE_F64LE);
+    case DataType::float32:
+      return copy(H5T_IEEE_F32LE);
     case DataType::int64:
       return copy(H5T_STD_I64LE);
     case DataType::uint32:

@@ -7,12 +7,14 @@
 #include <tuple>
 
 #include "rupture/checkpoint/record.hpp"
+#include "rupture/model/derived.hpp"
 
 namespace rupture::record_layout {
 
 inline constexpr const char* kSeriesGroup = "/series/";
 inline constexpr const char* kRupturesGroup = "/ruptures/";
 inline constexpr const char* kCrossingsGroup = "/crossings/";
+inline constexpr const char* kFieldsGroup = "/fields/";
 inline constexpr const char* kCrossingLevels = "/crossings/levels";  // those asked for
 
 /// A dataset with a row per sample: one value, or one per interface block.
@@ -20,46 +22,105 @@ template <class InSample, class InRecord>
 struct Series {
   const char* path;
   const char* unit;
+  const char* long_name;  // in the words of CF: what a plot writes along its axis
   InSample Sample::*in_sample;
   InRecord Record::*in_record;
 };
 template <class InSample, class InRecord>
-Series(const char*, const char*, InSample Sample::*, InRecord Record::*)
+Series(const char*, const char*, const char*, InSample Sample::*, InRecord Record::*)
     -> Series<InSample, InRecord>;
 
 inline constexpr std::tuple kSeries = {
-    Series{"/series/time", "s", &Sample::time, &Record::time},
-    Series{"/series/step", "1", &Sample::step, &Record::step},
-    Series{"/series/F_T", "N", &Sample::F_T, &Record::F_T},
-    Series{"/series/x_drive", "m", &Sample::x_drive, &Record::x_drive},
-    Series{"/series/pinned", "1", &Sample::pinned, &Record::pinned},
-    Series{"/series/p", "N", &Sample::p, &Record::p},
-    Series{"/series/tau", "N", &Sample::tau, &Record::tau},
-    Series{"/series/u_x", "m", &Sample::u_x, &Record::u_x},
+    Series{"/series/time", "s", "time", &Sample::time, &Record::time},
+    Series{"/series/step", "1", "time step", &Sample::step, &Record::step},
+    Series{"/series/F_T", "N", "driving force", &Sample::F_T, &Record::F_T},
+    Series{"/series/x_drive", "m", "position of the driving point", &Sample::x_drive,
+           &Record::x_drive},
+    Series{"/series/pinned", "1", "pinned junctions of the block", &Sample::pinned,
+           &Record::pinned},
+    Series{"/series/p", "N", "normal force on the block", &Sample::p, &Record::p},
+    Series{"/series/tau", "N", "friction force on the block, towards -x", &Sample::tau,
+           &Record::tau},
+    Series{"/series/u_x", "m", "displacement of the block along x", &Sample::u_x, &Record::u_x},
 };
 
-/// A dataset with one value per rupture, or per crossing of another pinned fraction.
-template <class T>
-struct OfRupture {
+/// A dataset with one entry per rupture, per crossing of another pinned fraction, or per sample of
+/// the fields.
+template <class Row, class T>
+struct Column {
   const char* path;
   const char* unit;
-  T Rupture::*member;
+  const char* long_name;
+  T Row::*member;
 };
-template <class T>
-OfRupture(const char*, const char*, T Rupture::*) -> OfRupture<T>;
+template <class Row, class T>
+Column(const char*, const char*, const char*, T Row::*) -> Column<Row, T>;
 
 inline constexpr std::tuple kRuptures = {
-    OfRupture{"/ruptures/step", "1", &Rupture::step},
-    OfRupture{"/ruptures/time", "s", &Rupture::time},
-    OfRupture{"/ruptures/block", "1", &Rupture::block},
+    Column{"/ruptures/step", "1", "time step of the rupture", &Rupture::step},
+    Column{"/ruptures/time", "s", "time of the rupture", &Rupture::time},
+    Column{"/ruptures/block", "1", "block, from 0 at the driven side", &Rupture::block},
 };
 
 inline constexpr std::tuple kCrossings = {
-    OfRupture{"/crossings/step", "1", &Rupture::step},
-    OfRupture{"/crossings/time", "s", &Rupture::time},
-    OfRupture{"/crossings/block", "1", &Rupture::block},
-    OfRupture{"/crossings/pinned_below", "1", &Rupture::pinned_below},
+    Column{"/crossings/step", "1", "time step of the crossing", &Rupture::step},
+    Column{"/crossings/time", "s", "time of the crossing", &Rupture::time},
+    Column{"/crossings/block", "1", "block, from 0 at the driven side", &Rupture::block},
+    Column{"/crossings/pinned_below", "1", "pinned fraction that the block fell below",
+           &Rupture::pinned_below},
 };
+
+inline constexpr std::tuple kFields = {
+    Column{"/fields/step", "1", "time step", &FieldSample::step},
+    Column{"/fields/time", "s", "time", &FieldSample::time},
+    Column{"/fields/u_x", "m", "displacement of the block along x", &FieldSample::u_x},
+    Column{"/fields/u_z", "m", "displacement of the block along z", &FieldSample::u_z},
+};
+
+/// Type of the elements of such a dataset.
+template <class T>
+DataType type_of(const T&) {
+  return DataTypeOf<T>::value;
+}
+template <class T>
+DataType type_of(const std::vector<T>&) {
+  return DataTypeOf<T>::value;
+}
+
+/// Shape of so many rows of such a dataset: a value per row,
+template <class T>
+Shape shape_of(const T&, std::uint64_t rows, const Parameters&) {
+  return {rows};
+}
+/// one per interface block,
+template <class T>
+Shape shape_of(const std::vector<T>&, std::uint64_t rows, const Parameters& p) {
+  return {rows, static_cast<std::uint64_t>(p.Nx)};
+}
+/// or one per block of the slider.
+inline Shape shape_of(const std::vector<float>&, std::uint64_t rows, const Parameters& p) {
+  return {rows, static_cast<std::uint64_t>(p.Nz), static_cast<std::uint64_t>(p.Nx)};
+}
+
+/// Where the blocks are. It follows from the parameters and is there for other programs.
+struct Positions {
+  const char* path;
+  const char* long_name;
+  std::vector<double> (*along)(const Parameters&);  // [m]
+};
+inline constexpr std::tuple kPositions = {
+    Positions{"/series/x", "position of the block along x", block_positions},
+    Positions{"/fields/x", "position of the block along x", block_positions},
+    Positions{"/fields/z", "height of the block above the interface", block_heights},
+};
+
+/// The pinned fractions whose crossings are recorded.
+struct Levels {
+  const char* path;
+  const char* unit;
+  const char* long_name;
+};
+inline constexpr std::tuple kLevels = {Levels{kCrossingLevels, "1", "pinned fraction"}};
 
 /// Calls `use` with each row of a table above.
 template <class Table, class Use>

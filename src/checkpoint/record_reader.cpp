@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "context.hpp"
+#include "record_labels.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
@@ -60,17 +61,20 @@ void read(const Content& content, const char* path, std::uint64_t rows, std::int
       std::as_writable_bytes(std::span(values.data(), static_cast<std::size_t>(values.size()))));
 }
 
+void check_ascending(const char* group, const std::vector<std::int64_t>& step) {
+  const auto misplaced =
+      std::adjacent_find(step.begin(), step.end(), [](auto a, auto b) { return a >= b; });
+  if (misplaced == step.end()) return;
+  throw Failure(fmt::format("{}step holds {} and then {}; expected ascending steps", group,
+                            misplaced[0], misplaced[1]));
+}
+
 void read_series(const Content& content, Record& record) {
   const std::uint64_t n = rows_in(content, layout::kSeriesGroup + std::string("time"));
   layout::for_each(layout::kSeries, [&](const auto& row) {
     read(content, row.path, n, record.parameters.Nx, record.*row.in_record);
   });
-  const auto misplaced = std::adjacent_find(record.step.begin(), record.step.end(),
-                                            [](auto a, auto b) { return a >= b; });
-  if (misplaced != record.step.end()) {
-    throw Failure(fmt::format("{}step holds {} and then {}; expected ascending steps",
-                              layout::kSeriesGroup, misplaced[0], misplaced[1]));
-  }
+  check_ascending(layout::kSeriesGroup, record.step);
 }
 
 template <class Table>
@@ -91,19 +95,34 @@ std::vector<Rupture> read_ruptures(const Content& content, const std::string& gr
   return ruptures;
 }
 
-// Whether the record holds crossings of other pinned fractions; they are there or not as a whole.
-bool has_crossings(const Content& content) {
-  return std::any_of(content.begin(), content.end(), [](const auto& entry) {
-    return entry.first.starts_with(layout::kCrossingsGroup);
-  });
+// Whether the record holds a part that it may lack; one is there or not as a whole.
+bool has(const Content& content, const char* group) {
+  return std::any_of(content.begin(), content.end(),
+                     [&](const auto& entry) { return entry.first.starts_with(group); });
 }
 
 void read_crossings(const Content& content, Record& record) {
-  if (!has_crossings(content)) return;
+  if (!has(content, layout::kCrossingsGroup)) return;
   const char* const levels = layout::kCrossingLevels;
   record.crossing_levels = read_array<double>(content, levels, {rows_in(content, levels)});
   record.crossings =
       read_ruptures(content, layout::kCrossingsGroup, layout::kCrossings, record.parameters.Nx);
+}
+
+// Their values stay where they are: they are for other programs.
+void read_fields(const Content& content, Record& record) {
+  if (!has(content, layout::kFieldsGroup)) return;
+  const std::string steps = layout::kFieldsGroup + std::string("step");
+  const std::uint64_t n = rows_in(content, steps);
+  const FieldSample empty;
+  layout::for_each(layout::kFields, [&](const auto& row) {
+    const auto& entry = empty.*row.member;
+    expect(content, row.path, layout::type_of(entry),
+           layout::shape_of(entry, n, record.parameters));
+  });
+  record.fields = Fields::record;
+  record.field_step = read_array<std::int64_t>(content, steps, {n});
+  check_ascending(layout::kFieldsGroup, record.field_step);
 }
 
 void refuse_unknown(const Content& content) {
@@ -112,6 +131,8 @@ void refuse_unknown(const Content& content) {
   layout::for_each(layout::kSeries, add);
   layout::for_each(layout::kRuptures, add);
   layout::for_each(layout::kCrossings, add);
+  layout::for_each(layout::kFields, add);
+  layout::for_each(layout::kPositions, add);
   for (const auto& [path, dataset] : content) {
     const bool elsewhere = path.starts_with("/parameters/") || path.starts_with("/provenance/");
     if (!elsewhere && !known.contains(path)) {
@@ -125,11 +146,13 @@ Record record_from_content(const Content& content, Complete complete) {
   Record record;
   record.complete = complete;
   record.parameters = read_parameters(content);
+  expect_as_written(content, record_positions(record.parameters, content));
   record.provenance = read_provenance(content);
   read_series(content, record);
   record.ruptures =
       read_ruptures(content, layout::kRupturesGroup, layout::kRuptures, record.parameters.Nx);
   read_crossings(content, record);
+  read_fields(content, record);
   return record;
 }
 
@@ -144,7 +167,10 @@ Content rows_until(const Content& record, std::int64_t step) {
   Content rows;
   copy_rows(record, layout::kSeriesGroup, layout::kSeries, step, rows);
   copy_rows(record, layout::kRupturesGroup, layout::kRuptures, step, rows);
-  if (has_crossings(record)) {
+  if (has(record, layout::kFieldsGroup)) {
+    copy_rows(record, layout::kFieldsGroup, layout::kFields, step, rows);
+  }
+  if (has(record, layout::kCrossingsGroup)) {
     copy_rows(record, layout::kCrossingsGroup, layout::kCrossings, step, rows);
   }
   return rows;

@@ -9,6 +9,7 @@
 
 #include "atomic_write.hpp"
 #include "part_file.hpp"
+#include "record_labels.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
@@ -29,14 +30,10 @@ std::span<const T> values_of(const std::vector<T>& values) {
   return values;
 }
 
-// A dataset without rows: with a value per row, or one per row and block.
+// A dataset without rows.
 template <class T>
-Dataset no_rows(const T&, const char* unit, std::uint64_t) {
-  return make_array(std::span<const T>(), {0}, unit);
-}
-template <class T>
-Dataset no_rows(const std::vector<T>&, const char* unit, std::uint64_t Nx) {
-  return make_array(std::span<const T>(), {0, Nx}, unit);
+Dataset no_rows(const T& entry, const char* unit, const Parameters& parameters) {
+  return {unit, layout::type_of(entry), layout::shape_of(entry, 0, parameters), {}};
 }
 
 void check_count_range(const Parameters& parameters) {
@@ -54,6 +51,7 @@ Content first_piece(const Parameters& parameters, const std::vector<ProvenanceEn
                     Content rows) {
   rows.merge(parameters_content(parameters));
   rows.merge(provenance_content(provenance));
+  rows.merge(record_positions(parameters, rows));
   return rows;
 }
 
@@ -62,16 +60,21 @@ Content first_piece(const Parameters& parameters, const std::vector<ProvenanceEn
 // Rows that were appended since the last flush.
 class RecordWriter::Buffers {
  public:
-  Buffers(std::uint64_t Nx, std::size_t flush_every, const std::vector<double>& crossing_levels)
+  Buffers(const Parameters& parameters, std::size_t flush_every, const RecordParts& parts)
       : flush_every_(flush_every) {
-    layout::for_each(layout::kSeries, [&](const auto& row) {
-      rows_[row.path] = no_rows(Sample{}.*row.in_sample, row.unit, Nx);
-    });
-    const auto add_ruptures = [&](const auto& row) {
-      rows_[row.path] = no_rows(Rupture{}.*row.member, row.unit, Nx);
+    const auto add = [&](const char* path, const char* unit, const auto& entry) {
+      rows_[path] = no_rows(entry, unit, parameters);
     };
-    layout::for_each(layout::kRuptures, add_ruptures);
-    if (!crossing_levels.empty()) layout::for_each(layout::kCrossings, add_ruptures);
+    const auto of_rupture = [&](const auto& row) {
+      add(row.path, row.unit, Rupture{}.*row.member);
+    };
+    layout::for_each(layout::kSeries,
+                     [&](const auto& row) { add(row.path, row.unit, Sample{}.*row.in_sample); });
+    layout::for_each(layout::kRuptures, of_rupture);
+    if (!parts.crossing_levels.empty()) layout::for_each(layout::kCrossings, of_rupture);
+    if (parts.fields == Fields::omit) return;
+    layout::for_each(layout::kFields,
+                     [&](const auto& row) { add(row.path, row.unit, FieldSample{}.*row.member); });
   }
 
   void add(const Sample& sample) {
@@ -96,8 +99,21 @@ class RecordWriter::Buffers {
     ++ruptures_;
   }
 
-  bool empty() const { return samples_ + ruptures_ == 0; }
-  bool full() const { return std::max(samples_, ruptures_) >= flush_every_; }
+  void add(const FieldSample& sample) {
+    layout::for_each(layout::kFields, [&](const auto& row) {
+      check_size(row.path, values_of(sample.*row.member).size());
+    });
+    layout::for_each(layout::kFields, [&](const auto& row) {
+      const auto values = std::as_bytes(values_of(sample.*row.member));
+      append(row.path, values);
+      field_bytes_ += values.size();
+    });
+  }
+
+  bool empty() const { return samples_ + ruptures_ + field_bytes_ == 0; }
+  bool full() const {
+    return std::max(samples_, ruptures_) >= flush_every_ || field_bytes_ >= kFlushBytes;
+  }
 
   const Content& content() const { return rows_; }
 
@@ -106,16 +122,17 @@ class RecordWriter::Buffers {
       dataset.bytes.clear();
       dataset.shape[0] = 0;
     }
-    samples_ = ruptures_ = 0;
+    samples_ = ruptures_ = field_bytes_ = 0;
   }
 
  private:
   void check_size(const std::string& path, std::size_t size) const {
     const Shape& shape = rows_.at(path).shape;
-    const std::uint64_t Nx = shape.size() > 1 ? shape[1] : 1;
-    if (size == Nx) return;
-    throw Failure(fmt::format("a sample has {} values of {}; expected Nx = {}", size,
-                              path.substr(std::string_view(layout::kSeriesGroup).size()), Nx));
+    const std::uint64_t expected = element_count({shape.begin() + 1, shape.end()});
+    if (size == expected) return;
+    throw Failure(fmt::format("a sample has {} values of {}; expected {} = {}", size,
+                              path.substr(path.rfind('/') + 1), shape.size() > 2 ? "Nx Nz" : "Nx",
+                              expected));
   }
 
   void append(const char* path, std::span<const std::byte> row) {
@@ -125,7 +142,7 @@ class RecordWriter::Buffers {
   }
 
   std::size_t flush_every_;
-  std::size_t samples_ = 0, ruptures_ = 0;
+  std::size_t samples_ = 0, ruptures_ = 0, field_bytes_ = 0;
   Content rows_;
 };
 
@@ -146,15 +163,12 @@ void check_record(const std::filesystem::path& path, const Parameters& parameter
 
 RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& parameters,
                            const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
-                           Content rows_before, std::size_t flush_every,
-                           const std::vector<double>& crossing_levels)
+                           Content rows_before, std::size_t flush_every, const RecordParts& parts)
     : path_(std::move(path)), if_exists_(if_exists) {
   check_record(path_, parameters, if_exists);
-  buffers_ = std::make_unique<Buffers>(static_cast<std::uint64_t>(parameters.Nx), flush_every,
-                                       crossing_levels);
-  if (!crossing_levels.empty()) {
-    rows_before[layout::kCrossingLevels] =
-        make_array(std::span(crossing_levels), {crossing_levels.size()}, "1");
+  buffers_ = std::make_unique<Buffers>(parameters, flush_every, parts);
+  if (const auto& levels = parts.crossing_levels; !levels.empty()) {
+    rows_before[layout::kCrossingLevels] = make_array(std::span(levels), {levels.size()}, "1");
   }
   rows_before.merge(Content(buffers_->content()));  // all datasets are there, even if without rows
   part_ = std::make_unique<Part>(part_path(path_),
@@ -170,6 +184,11 @@ void RecordWriter::append(const Sample& sample) {
 
 void RecordWriter::append(std::span<const Rupture> ruptures) {
   for (const Rupture& rupture : ruptures) buffers_->add(rupture);
+  if (buffers_->full()) flush();
+}
+
+void RecordWriter::append(const FieldSample& sample) {
+  buffers_->add(sample);
   if (buffers_->full()) flush();
 }
 

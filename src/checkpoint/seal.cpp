@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hdf5_image.hpp"
+#include "record_labels.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
@@ -52,9 +53,10 @@ std::string checksum_by_schema(std::int64_t schema_version, const Content& conte
 }
 
 // A parameter that only a newer build knows is no damage, though it spoils the checksum.
-void check_content(const Content& content, const hdf5::RootAttributes& attributes) {
+void check_content(FileKind kind, const Content& content, const hdf5::RootAttributes& attributes) {
   check_finite(content);
   refuse_unknown_parameters(content);
+  if (kind == FileKind::open_record) return;  // a piece has the checksum of its bytes alone
   const std::string& stored = attributes.content_checksum;
   const std::string computed = checksum_by_schema(attributes.schema_version, content);
   if (stored != computed) {
@@ -68,9 +70,11 @@ void check_content(const Content& content, const hdf5::RootAttributes& attribute
 
 Sealed seal(FileKind kind, const Content& content) {
   check_finite(content);
-  const std::string checksum = content_checksum(content);
+  const bool is_piece = kind == FileKind::open_record;  // which nothing compares
+  const std::string checksum = is_piece ? std::string() : content_checksum(content);
+  const auto labels = kind == FileKind::record ? record_labels(content) : hdf5::Labels{};
   std::vector<std::byte> bytes =
-      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum}, content);
+      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum}, content, labels);
   const std::string header = header_text(kind, std::span(bytes).subspan(kHeaderSize));
   std::memcpy(bytes.data(), header.data(), header.size());
   return {checksum, std::move(bytes)};
@@ -84,7 +88,8 @@ ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   }
   check_attributes(attributes, kind);
   Content content = reader.content();
-  check_content(content, attributes);
+  check_content(kind, content, attributes);
+  if (kind == FileKind::open_record) return {kind, "", "", std::move(content)};
   const bool by_present_rule = attributes.schema_version > kLastWithAllParameters;
   std::string checksum = by_present_rule ? attributes.content_checksum : content_checksum(content);
   return {kind, std::move(checksum), attributes.content_checksum, std::move(content)};

@@ -15,7 +15,7 @@ namespace rupture {
 
 /// A whole file: header and HDF5 part.
 struct Sealed {
-  std::string checksum;  ///< of the content
+  std::string checksum;  ///< of the content; empty for a piece of an open record
   std::vector<std::byte> bytes;
 };
 

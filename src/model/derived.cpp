@@ -53,6 +53,12 @@ std::vector<double> block_positions(const Parameters& p) {
   return x;
 }
 
+std::vector<double> block_heights(const Parameters& p) {
+  std::vector<double> z;
+  for (std::int64_t j = 0; j < p.Nz; ++j) z.push_back(static_cast<double>(j) * block_spacing(p));
+  return z;
+}
+
 std::int64_t driving_row(const Parameters& p) {
   return static_cast<std::int64_t>(std::llround(p.h / block_spacing(p)));
 }

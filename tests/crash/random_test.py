@@ -26,7 +26,7 @@ from scenario import (
 
 LOAD = (
     "load --config driven.ini --until 2e-3 --checkpoint-every 1e-4 --record r.h5"
-    " --record-every 2e-6 -o b.h5 --sum"
+    " --record-every 2e-6 --fields 3e-6 -o b.h5 --sum"
 )
 RESUME = LOAD + " --resume"
 TIMES = 500 if LONG else 40

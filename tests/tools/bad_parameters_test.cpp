@@ -160,10 +160,14 @@ TEST_F(BadOptions, intervals_must_be_at_least_a_step) {
                  "--record-every is shorter than one time step");
 }
 
-TEST_F(BadOptions, crossings_must_be_other_pinned_fractions_of_a_record) {
+TEST_F(BadOptions, parts_of_a_record_must_make_sense) {
   const std::string load = "load --config small.ini -o a.h5 ";
   expect_refusal(load + "--crossings 0.2", kUsage,
                  "--crossings are part of a record: give --record as well");
+  expect_refusal(load + "--fields 2e-5", kUsage,
+                 "--fields are part of a record: give --record as well");
+  expect_refusal(load + "--record r.h5 --fields 1e-9", kUsage,
+                 "--fields is shorter than one time step");
   expect_refusal(load + "--record r.h5 --crossings 0.2,0.3", kUsage,
                  "--crossings 0.3 is recorded always: leave it out");
   for (const std::string value : {"0", "1.1", "-0.2", "nan", "a", "0.2,,0.5", ","}) {

@@ -56,6 +56,7 @@ TEST_F(DryRun, memory_and_disk_of_load) {
   expect_forecast_holds(std::string("load -o a.h5 --until 1e-5 --checkpoint-every 5e-6") + kWide);
   expect_forecast_holds(std::string("load -o c.h5 --until 1e-5 --checkpoint-every 5e-6") + kWider);
   expect_forecast_holds("load -o b.h5 --until 2e-4 --record b-r.h5 --record-every 2e-6");
+  expect_forecast_holds("load -o d.h5 --until 2e-3 --record d-r.h5 --fields 2e-6");
 }
 
 TEST_F(DryRun, memory_and_disk_of_restart) {
@@ -149,6 +150,11 @@ TEST_F(DryRun, text_is_for_people) {
             "disk     about 18 MB: 1 checkpoint of 0.24 MB; record of 12,001 samples, 18 MB, and "
             "24 bytes for each rupture of a block");
   EXPECT_TRUE(lines[5].starts_with("time     about ")) << lines[5];
+  const auto with_fields =
+      lines_of(output_of("load -o a.h5 --until 1.2 --record r.h5 --fields 1e-3 --dry-run"));
+  EXPECT_EQ(with_fields[4],
+            "disk     about 35 MB: 1 checkpoint of 0.24 MB; record of 12,001 samples and 1,201 of "
+            "all blocks, 35 MB, and 24 bytes for each rupture of a block");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // restart: continuing a run gives what the uninterrupted one gave; changing parameters does not.
 #include <cmath>
 
+#include "rupture/checkpoint/file.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::testing {
@@ -86,6 +87,46 @@ TEST_F(Restart, crossings_of_the_halves_are_those_of_the_whole) {
     EXPECT_FALSE(whole[4].is_null());
     EXPECT_EQ(first[4].is_null(), level == "0.2");
   }
+}
+
+// The last sample is the state in the checkpoint, rounded; samples are taken at the same steps
+// whether the run was split or not.
+TEST_F(Restart, fields_are_those_of_the_states) {
+  const std::string how = " --fields 4e-5 --record ";
+  output_of("load --config small.ini -o a.h5 --until 1e-4" + how + "a-r.h5");
+  output_of("restart a.h5 -o b.h5 --until 3e-4" + how + "b-r.h5");
+  output_of("load --config small.ini -o whole.h5 --until 3e-4" + how + "whole-r.h5");
+  const Content state = read_content(path("b.h5"));
+  const Content first = read_content(path("a-r.h5")), second = read_content(path("b-r.h5")),
+                whole = read_content(path("whole-r.h5"));
+  const Shape lattice = state.at("/state/u_x").shape;
+  const auto of = [&](const Content& record, const std::string& name, std::uint64_t samples) {
+    return read_array<float>(record, "/fields/" + name, {samples, lattice[0], lattice[1]});
+  };
+  for (const std::string name : {"u_x", "u_z"}) {
+    const auto values = of(whole, name, 9);  // at 0, 4e-5, ..., 2.8e-4 and 3e-4
+    const auto exact = read_array<double>(state, "/state/" + name, lattice);
+    EXPECT_TRUE(std::equal(exact.begin(), exact.end(), values.end() - std::ssize(exact),
+                           [](double a, float b) { return static_cast<float>(a) == b; }));
+    const auto a = of(first, name, 4), b = of(second, name, 7);  // 1e-4 is in both
+    EXPECT_TRUE(std::equal(a.begin(), a.end() - std::ssize(exact), values.begin()));
+    EXPECT_TRUE(
+        std::equal(b.begin() + std::ssize(exact), b.end(), values.begin() + 3 * std::ssize(exact)));
+  }
+}
+
+TEST_F(Restart, fields_change_nothing_else) {
+  const std::string run = "load --config small.ini --until 3e-4 -o ";
+  output_of(run + "a.h5 --record a-r.h5");
+  output_of(run + "b.h5 --record b-r.h5 --fields 5e-5");
+  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+  const Outcome outcome = run_words({"analyze", "diff", "a-r.h5", "b-r.h5", "--json"});
+  const Json differences = Json::parse(outcome.out)["differences"];
+  EXPECT_EQ(differences.size(), 4U);
+  for (const Json& difference : differences) {
+    EXPECT_TRUE(std::string(difference["path"]).starts_with("/fields/"));
+  }
+  EXPECT_EQ(output_of("analyze events b-r.h5"), output_of("analyze events a-r.h5"));
 }
 
 TEST_F(Restart, crossings_change_nothing_else) {

@@ -59,6 +59,18 @@ TEST_F(Resume, gives_the_crossings_of_the_uninterrupted_run) {
   }
 }
 
+TEST_F(Resume, gives_the_fields_of_the_uninterrupted_run) {
+  const std::string run = std::string(kRun) + " --fields 4e-5";
+  output_of(run);
+  const std::string whole = read("r.h5.sum");
+  for (const int n : {5, 2, 1}) {
+    interrupt_after(n);
+    EXPECT_NE(said(run).find("resuming from"), std::string::npos);
+    EXPECT_EQ(read("r.h5.sum"), whole) << n;
+  }
+  EXPECT_EQ(said(run), "x.h5 is complete\n");
+}
+
 TEST_F(Resume, begins_where_there_is_nothing_to_resume) {
   EXPECT_NE(said(kRun).find("nothing to resume"), std::string::npos);
   const std::string resumed = read("x.h5.sum");
@@ -160,7 +172,9 @@ TEST_F(Resume, goes_back_to_where_the_record_reaches) {
 TEST_F(Resume, refuses_the_record_of_another_interval_run_end_or_choice) {
   const std::string sentence =
       " is not what the run to be resumed has recorded, but the record of another run, interval, "
-      "end or choice of --crossings; move it away, give another --record, or --force to replace it";
+      "end or choice of --crossings or --fields; move it away, give another --record, or --force "
+      "to "
+      "replace it";
   output_of(kRun);
   interrupt_after(3);
   const std::string load = "load --config small.ini -o x.h5 --resume --record r.h5 ";
@@ -168,9 +182,20 @@ TEST_F(Resume, refuses_the_record_of_another_interval_run_end_or_choice) {
   expect_refusal(load + "--until 3e-4 --record-every 3e-5", kFailed, "r.h5" + sentence);
   expect_refusal(load + "--until 6e-4 --record-every 3e-5 --crossings 0.5", kFailed,
                  "r.h5" + sentence);
+  expect_refusal(load + "--until 6e-4 --record-every 3e-5 --fields 1e-4", kFailed,
+                 "r.h5" + sentence);
   const std::string other = load + "--until 6e-4 --record-every 3e-5 --seed 7";
   expect_refusal(other, kFailed, "r.h5" + sentence);
   EXPECT_EQ(run(other + " --force").exit_code, kDone);
+}
+
+TEST_F(Resume, refuses_a_record_with_fields_of_another_interval) {
+  output_of(std::string(kRun) + " --fields 4e-5");
+  interrupt_after(3);
+  for (const char* other : {"", " --fields 5e-5"}) {
+    expect_refusal_with(std::string(kRun) + other + " --resume", kFailed,
+                        "choice of --crossings or --fields");
+  }
 }
 
 TEST_F(Resume, never_replaces_what_is_no_record) {

@@ -38,8 +38,10 @@ class Sha256 {
 /// SHA-256 of `bytes`, 64 lowercase hexadecimal digits.
 std::string sha256(std::span<const std::byte> bytes);
 
-/// True for paths that the content checksum covers: /parameters, /state, /series, /ruptures and
-/// /crossings, that is, everything but where the file comes from (/provenance).
+/// True for paths that the content checksum covers: /parameters, /state, /series, /ruptures,
+/// /crossings and /fields, but not the positions x and z in them, which follow from the parameters.
+/// So it is everything but where the file comes from (/provenance) and what its run has seen
+/// (/run).
 bool is_checksummed(std::string_view path);
 
 /// SHA-256 over the canonical form of counted_parameters() and of the other datasets that

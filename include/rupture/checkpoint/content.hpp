@@ -19,9 +19,9 @@ namespace rupture {
 
 /// Element type of a dataset; stored little-endian. `text` is one fixed-length, null-padded UTF-8
 /// string: its length in bytes is part of the type, and its shape is that of a scalar.
-enum class DataType { float64, int64, uint32, uint16, uint8, text };
+enum class DataType { float64, float32, int64, uint32, uint16, uint8, text };
 
-/// "float64", "int64", "uint32", "uint16", "uint8" or "text", as in the canonical form.
+/// "float64", "float32", "int64", "uint32", "uint16", "uint8" or "text", as in the canonical form.
 std::string_view type_name(DataType type);
 
 /// Bytes per element; 1 for text.
@@ -53,6 +53,10 @@ struct DataTypeOf;
 template <>
 struct DataTypeOf<double> {
   static constexpr DataType value = DataType::float64;
+};
+template <>
+struct DataTypeOf<float> {
+  static constexpr DataType value = DataType::float32;
 };
 template <>
 struct DataTypeOf<std::int64_t> {
@@ -118,7 +122,7 @@ std::string read_text(const Content& content, const std::string& path);
 /// matter, from what would be `written` in its place. Datasets that are missing are accepted.
 void expect_as_written(const Content& content, const Content& written);
 
-/// Throws Failure, naming dataset and index, if a float64 anywhere is NaN or infinite.
+/// Throws Failure, naming dataset and index, if a float anywhere is NaN or infinite.
 void check_finite(const Content& content);
 
 /// The same for one dataset.

@@ -37,6 +37,21 @@ struct Sample {
   std::vector<double> u_x;            ///< displacement [m]
 };
 
+/// Displacement of all blocks from the undeformed lattice, row by row from the interface, Nx Nz
+/// values each. float32 has seven digits, some 1e-11 m here: enough for pictures, half the size.
+struct FieldSample {
+  double time = 0;  ///< [s]
+  std::int64_t step = 0;
+  std::vector<float> u_x, u_z;  ///< [m]
+};
+
+/// What a record may hold besides series and ruptures.
+enum class Fields { omit, record };
+struct RecordParts {
+  std::vector<double> crossing_levels = {};  ///< pinned fractions, ascending; none: no crossings
+  Fields fields = Fields::omit;
+};
+
 /// Whether a record was finished. An unfinished one ends at its last flush, or before the first one
 /// that is damaged.
 enum class Complete { yes, no };
@@ -57,6 +72,8 @@ struct Record {
   std::vector<Rupture> ruptures;
   std::vector<double> crossing_levels;  ///< other pinned fractions, ascending,
   std::vector<Rupture> crossings;       ///< and when blocks fell below them
+  Fields fields = Fields::omit;
+  std::vector<std::int64_t> field_step;  ///< of the samples of the fields, whose values are /fields
 };
 
 /// `<path>.part`, where the record lives until it is finished.
@@ -67,19 +84,19 @@ std::filesystem::path part_path(const std::filesystem::path& path);
 void check_record(const std::filesystem::path& path, const Parameters& parameters,
                   IfExists if_exists);
 
-/// Writes one record. append() only copies into buffers; every `flush_every` samples they go to
-/// the .part file.
+/// Writes one record. append() only copies into buffers; every `flush_every` samples, or
+/// kFlushBytes of fields, they go to the .part file.
 class RecordWriter {
  public:
   static constexpr std::size_t kFlushEvery = 256;
+  static constexpr std::size_t kFlushBytes = 1U << 20U;
 
-  /// Begins with `rows_before`, of rows_until(). The record has crossings of the pinned fractions
-  /// `crossing_levels`, ascending, and no datasets for them if there are none. Throws as
-  /// check_record(), and Failure if the .part cannot be written.
+  /// Begins with `rows_before`, of rows_until(). There are no datasets for `parts` that the record
+  /// does not have. Throws as check_record(), and Failure if the .part cannot be written.
   RecordWriter(std::filesystem::path path, const Parameters& parameters,
                const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
                Content rows_before = {}, std::size_t flush_every = kFlushEvery,
-               const std::vector<double>& crossing_levels = {});
+               const RecordParts& parts = {});
   ~RecordWriter();
   RecordWriter(const RecordWriter&) = delete;
   RecordWriter& operator=(const RecordWriter&) = delete;
@@ -90,6 +107,7 @@ class RecordWriter {
   void append(const Sample& sample);
   /// Ruptures, and crossings of the record's levels.
   void append(std::span<const Rupture> ruptures);
+  void append(const FieldSample& sample);
 
   /// Brings everything appended so far to the .part file.
   void flush();
@@ -131,8 +149,8 @@ struct RecordFile {
 /// Reads a finished record or a .part with which another one can begin. Throws Failure.
 RecordFile read_record_file(const std::filesystem::path& path);
 
-/// The samples, ruptures and crossings of a record up to and including a step, with which another
-/// one can begin.
+/// The samples, ruptures, crossings and fields of a record up to and including a step, with which
+/// another one can begin.
 Content rows_until(const Content& record, std::int64_t step);
 
 }  // namespace rupture

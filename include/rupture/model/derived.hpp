@@ -32,6 +32,7 @@ double spring_length(const Parameters& p);
 /// Position of column i along x, i l [m].
 double block_position(const Parameters& p, std::int64_t i);
 std::vector<double> block_positions(const Parameters& p);  ///< of all columns [m]
+std::vector<double> block_heights(const Parameters& p);    ///< of all rows, from the lowest [m]
 
 /// Row of blocks on which the driving spring acts, h / l.
 std::int64_t driving_row(const Parameters& p);

@@ -37,10 +37,14 @@ double checkpoint_size(const Parameters& p) {
   return 0.031 * kMB + 48.0 * blocks(p) + 21.0 * junctions(p);
 }
 
-/// Per sample four numbers, and three and a count per interface block.
-double record_size(const Parameters& p, std::int64_t samples) {
-  if (samples == 0) return 0.0;
-  return 0.029 * kMB + static_cast<double>(samples) * (32.0 + 26.0 * static_cast<double>(p.Nx));
+/// Per sample four numbers, and three and a count per interface block; per sample of the fields two
+/// numbers, and two of four bytes per block.
+double record_size(const Workload& work) {
+  if (work.samples == 0) return 0.0;
+  const Parameters& p = work.parameters;
+  return 0.035 * kMB +
+         static_cast<double>(work.samples) * (32.0 + 26.0 * static_cast<double>(p.Nx)) +
+         static_cast<double>(work.field_samples) * (16.0 + 8.0 * blocks(p));
 }
 
 /// Reading and writing keep several copies of a checkpoint, and of the record when it is completed.
@@ -79,8 +83,11 @@ std::string disk_text(const Forecast& f) {
                                  grouped(static_cast<double>(f.work.checkpoints)),
                                  f.work.checkpoints == 1 ? "" : "s", size_text(f.checkpoint));
   if (f.work.samples > 0) {
-    text += fmt::format("; record of {} samples, {}, and 24 bytes for each rupture of a block",
-                        grouped(static_cast<double>(f.work.samples)), size_text(f.record));
+    const auto fields = static_cast<double>(f.work.field_samples);
+    text += fmt::format("; record of {} samples{}, {}, and 24 bytes for each rupture of a block",
+                        grouped(static_cast<double>(f.work.samples)),
+                        fields > 0 ? fmt::format(" and {} of all blocks", grouped(fields)) : "",
+                        size_text(f.record));
   }
   return text;
 }
@@ -118,7 +125,7 @@ double Forecast::time() const {
 
 Forecast forecast(const Workload& work, const Speed& speed) {
   const Parameters& p = work.parameters;
-  const double record = record_size(p, work.samples);
+  const double record = record_size(work);
   Forecast f = {.work = work,
                 .memory = run_memory(p, record),
                 .checkpoint = checkpoint_size(p),

@@ -25,8 +25,9 @@ struct Workload {
   std::int64_t first_step = 0, last_step = 0;
   End end = End::known;
   int threads = 1;
-  std::int64_t checkpoints = 0;  ///< that at the end included
-  std::int64_t samples = 0;      ///< of the record; 0 without one
+  std::int64_t checkpoints = 0;    ///< that at the end included
+  std::int64_t samples = 0;        ///< of the record; 0 without one
+  std::int64_t field_samples = 0;  ///< of its fields; 0 without them
 };
 
 /// How fast this machine is, with these parameters and threads.

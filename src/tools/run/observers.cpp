@@ -25,20 +25,41 @@ Sample sample_of(const Simulation& simulation) {
   return sample;
 }
 
+std::vector<float> rounded(const Field& field) {
+  const auto blocks = field.blocks();
+  std::vector<float> values(static_cast<std::size_t>(blocks.size()));
+  using Rounded = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<Rounded>(values.data(), blocks.rows(), blocks.cols()) = blocks.cast<float>();
+  return values;
+}
+
 }  // namespace
 
-Recorder::Recorder(RecordWriter& writer, const Interval& every, std::int64_t now,
-                   std::int64_t last_step, std::int64_t sampled)
-    : writer_(writer),
-      every_(every),
+Sampler::Sampler(const Interval& every, std::int64_t now, std::int64_t last_step,
+                 std::int64_t sampled)
+    : every_(every),
       last_step_(last_step),
       sampled_(sampled),
       next_(sampled < 0 ? now : sample_after(now)) {}
 
-std::int64_t Recorder::sample_after(std::int64_t step) const {
+std::int64_t Sampler::sample_after(std::int64_t step) const {
   const std::int64_t next = every_.after(step);
   return step < last_step_ ? std::min(next, last_step_) : next;
 }
+
+void Sampler::observe(const Simulation& simulation) {
+  take(simulation);
+  sampled_ = simulation.state().step;
+  next_ = sample_after(sampled_);
+}
+
+void Sampler::finish(const Simulation& simulation) {
+  if (sampled_ < simulation.state().step) observe(simulation);
+}
+
+Recorder::Recorder(RecordWriter& writer, const Interval& every, std::int64_t now,
+                   std::int64_t last_step, std::int64_t sampled)
+    : Sampler(every, now, last_step, sampled), writer_(writer) {}
 
 void Recorder::append_ruptures(const Simulation& simulation) {
   const std::span<const Rupture> ruptures = simulation.ruptures();
@@ -46,12 +67,9 @@ void Recorder::append_ruptures(const Simulation& simulation) {
   ruptures_written_ = ruptures.size();
 }
 
-void Recorder::observe(const Simulation& simulation) {
-  const std::int64_t step = simulation.state().step;
+void Recorder::take(const Simulation& simulation) {
   writer_.append(sample_of(simulation));
   append_ruptures(simulation);
-  sampled_ = step;
-  next_ = sample_after(step);
 }
 
 void Recorder::sync(const Simulation& simulation) {
@@ -59,8 +77,14 @@ void Recorder::sync(const Simulation& simulation) {
   writer_.sync();
 }
 
-void Recorder::finish(const Simulation& simulation) {
-  if (sampled_ < simulation.state().step) observe(simulation);
+FieldRecorder::FieldRecorder(RecordWriter& writer, const Interval& every, std::int64_t now,
+                             std::int64_t last_step, std::int64_t sampled)
+    : Sampler(every, now, last_step, sampled), writer_(writer) {}
+
+void FieldRecorder::take(const Simulation& simulation) {
+  const State& state = simulation.state();
+  writer_.append(
+      FieldSample{simulation.time(), state.step, rounded(state.u_x), rounded(state.u_z)});
 }
 
 CheckpointSchedule::CheckpointSchedule(std::vector<std::int64_t> steps, Write write)

@@ -81,8 +81,11 @@ Workload rest_of(const RunPlan& plan, Workload work) {
   work.end = plan.rule.quiet_steps ? End::at_the_latest : End::known;
   work.checkpoints = static_cast<std::int64_t>(plan.checkpoint_steps.size()) + 1;
   if (plan.files.record) {
-    work.samples =
-        sample_count(plan.start.run->first_step, plan.rule.last_step, plan.files.record_every);
+    const auto count = [&](const Interval& every) {
+      return sample_count(plan.start.run->first_step, plan.rule.last_step, every);
+    };
+    work.samples = count(plan.files.record_every);
+    if (plan.files.fields_every) work.field_samples = count(*plan.files.fields_every);
   }
   return work;
 }
@@ -96,14 +99,14 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
   start.run_id = id_of_run(start);
   const Interval every =
       options.record ? sampling_interval(p, start.state.clock, options) : Interval{};
-  RunPlan plan = {
-      .start = {},
-      .begin = {},
-      .rule = rule,
-      .files = {output.output, options.record, every, output.if_exists, options.crossings},
-      .checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options),
-      .written_before = {},
-      .work = {}};
+  RunPlan plan = {.start = {},
+                  .begin = {},
+                  .rule = rule,
+                  .files = {output.output, options.record, every, output.if_exists,
+                            options.crossings, fields_interval(p, start.state.clock, options)},
+                  .checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options),
+                  .written_before = {},
+                  .work = {}};
   plan.start = std::move(start);
   plan.work = nothing_of(plan, options, input);
   plan.is_complete =

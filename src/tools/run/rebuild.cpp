@@ -64,13 +64,17 @@ std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
 
 std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
                                             const Parameters& parameters, const Clock& clock,
-                                            std::int64_t step, std::int64_t every,
-                                            const std::vector<double>& crossings) {
+                                            std::int64_t step, const RunFiles& files) {
   chain = run_until(std::move(chain), parameters, clock, step);
-  chain.back().rebuild += " --record-every " + time_text(parameters, {}, every);
-  if (!crossings.empty()) {
-    chain.back().rebuild += fmt::format(" --crossings {}", fmt::join(crossings, ","));
+  const auto every = [&](const Interval& interval) {
+    return time_text(parameters, {}, interval.steps);
+  };
+  std::string& command = chain.back().rebuild;
+  command += " --record-every " + every(files.record_every);
+  if (!files.crossings.empty()) {
+    command += fmt::format(" --crossings {}", fmt::join(files.crossings, ","));
   }
+  if (files.fields_every) command += " --fields " + every(*files.fields_every);
   return chain;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "run/resume.hpp"
 #include "rupture/checkpoint/provenance.hpp"
 #include "rupture/model/state.hpp"
 
@@ -36,11 +37,9 @@ std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
                                        const Parameters& parameters, const Clock& clock,
                                        std::int64_t step);
 
-/// The chain of a record that ends at `step` and has a sample every so many steps, and crossings of
-/// these pinned fractions.
+/// The chain of a record that ends at `step` and holds what `files` say.
 std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
                                             const Parameters& parameters, const Clock& clock,
-                                            std::int64_t step, std::int64_t every,
-                                            const std::vector<double>& crossings);
+                                            std::int64_t step, const RunFiles& files);
 
 }  // namespace rupture::tools

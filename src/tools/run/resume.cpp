@@ -115,8 +115,8 @@ bool is_checkpoint(const fs::path& path) {
   }
 }
 
-std::vector<std::int64_t> sampled_steps(const Content& rows) {
-  const auto found = rows.find("/series/step");
+std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& group) {
+  const auto found = rows.find(group + "/step");
   if (found == rows.end()) return {};
   return read_array<std::int64_t>(rows, found->first, found->second.shape);
 }
@@ -137,21 +137,29 @@ bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
   return true;
 }
 
+bool is_record_of_run(const Record& record, const Checkpoint& start, const RunFiles& files) {
+  const std::int64_t first = start.state.step;
+  const bool has_fields = record.fields == Fields::record;
+  return parameters_content(record.parameters) == parameters_content(start.parameters) &&
+         is_chain_of(record.provenance, start.provenance) &&
+         samples_of_run(record.step, first, files.record_every) &&
+         record.crossing_levels == files.crossings &&
+         has_fields == files.fields_every.has_value() &&
+         (!has_fields || samples_of_run(record.field_step, first, *files.fields_every));
+}
+
 /// The part of the run in `path`, a record or its .part; empty if there is no such file. Throws
 /// Failure if it holds anything else.
 Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
                  const RunFiles& files) {
   if (!fs::exists(path)) return {};
   auto [record, content] = read_record_file(path);
-  if (parameters_content(record.parameters) != parameters_content(start.parameters) ||
-      !is_chain_of(record.provenance, start.provenance) ||
-      !samples_of_run(record.step, start.state.step, files.record_every) ||
-      record.crossing_levels != files.crossings ||
+  if (!is_record_of_run(record, start, files) ||
       (!record.step.empty() && record.step.back() > rule.last_step)) {
     throw Failure(fmt::format(
         "{} is not what the run to be resumed has recorded, but the record of another "
-        "run, interval, end or choice of --crossings; move it away, give another --record, or "
-        "--force to replace it",
+        "run, interval, end or choice of --crossings or --fields; move it away, give another "
+        "--record, or --force to replace it",
         path.string()));
   }
   return std::move(content);
@@ -173,15 +181,22 @@ Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const Run
   return part.empty() ? std::move(finished) : std::move(part);
 }
 
-/// True if these rows are all that the run had recorded when it wrote the checkpoint.
-bool have_all_samples(const Content& rows, const Checkpoint& checkpoint, const Interval& every) {
+/// True if these rows have all samples that the run had taken when it wrote the checkpoint.
+bool have_all_samples(const Content& rows, const std::string& group, const Checkpoint& checkpoint,
+                      const Interval& every) {
   const RunSoFar& run = *checkpoint.run;
-  const auto steps = sampled_steps(rows);
+  const auto steps = sampled_steps(rows, group);
   const auto samples = static_cast<std::size_t>(1 + every.number_at(checkpoint.state.step) -
                                                 every.number_at(run.first_step));
-  return steps.size() == samples &&
-         steps.back() == sample_step(run.first_step, every, samples - 1) &&
-         rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(run.ruptures);
+  return steps.size() == samples && steps.back() == sample_step(run.first_step, every, samples - 1);
+}
+
+/// The same of everything that the record holds.
+bool reach(const Content& rows, const Checkpoint& checkpoint, const RunFiles& files) {
+  return have_all_samples(rows, kSeriesGroup, checkpoint, files.record_every) &&
+         (!files.fields_every ||
+          have_all_samples(rows, kFieldsGroup, checkpoint, *files.fields_every)) &&
+         rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }
 
 /// The part of a command that decides what it computes: its arguments without the program and
@@ -242,7 +257,7 @@ Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFil
     const std::int64_t step = checkpoint->state.step;
     if (is_beyond_end(step, *checkpoint->run, rule)) continue;
     Content rows = record.empty() ? Content{} : rows_until(record, step);
-    if (!files.record || have_all_samples(rows, *checkpoint, files.record_every)) {
+    if (!files.record || reach(rows, *checkpoint, files)) {
       remains.newest = {std::move(*checkpoint), path, std::move(rows), {}};
       return remains;
     }
@@ -261,7 +276,8 @@ bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& 
   if (!is_end(*end, rule) || (rule.quiet_steps && !same_command(*end, start))) return false;
   if (!files.record) return true;
   const StopRule until_then = {.last_step = end->state.step, .quiet_steps = {}};
-  return last_sample(recorded(*files.record, start, until_then, files)) == end->state.step;
+  return last_sample(recorded(*files.record, start, until_then, files), kSeriesGroup) ==
+         end->state.step;
 }
 
 bool may_write(const fs::path& path, const Checkpoint& start) {
@@ -273,8 +289,8 @@ bool may_write(const fs::path& path, const Checkpoint& start) {
   }
 }
 
-std::int64_t last_sample(const Content& rows) {
-  const auto steps = sampled_steps(rows);
+std::int64_t last_sample(const Content& rows, const std::string& group) {
+  const auto steps = sampled_steps(rows, group);
   return steps.empty() ? -1 : steps.back();
 }
 

@@ -22,8 +22,9 @@ struct RunFiles {
   std::filesystem::path output;                 ///< its checkpoints are OUT-tT.h5
   std::optional<std::filesystem::path> record;  ///< or its .part
   Interval record_every;
-  IfExists if_exists = IfExists::refuse;  ///< what is not of the run
-  std::vector<double> crossings = {};     ///< levels of the record, ascending
+  IfExists if_exists = IfExists::refuse;      ///< what is not of the run
+  std::vector<double> crossings = {};         ///< levels of the record, ascending
+  std::optional<Interval> fields_every = {};  ///< none: the record has no fields
 };
 
 /// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].
@@ -62,7 +63,9 @@ bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& 
 /// one.
 bool may_write(const std::filesystem::path& path, const Checkpoint& start);
 
-/// The step of the last sample in these rows of a record; -1 if there is none.
-std::int64_t last_sample(const Content& rows);
+/// The step of the last sample of a group in these rows of a record; -1 if there is none.
+inline constexpr const char* kSeriesGroup = "/series";
+inline constexpr const char* kFieldsGroup = "/fields";
+std::int64_t last_sample(const Content& rows, const std::string& group);
 
 }  // namespace rupture::tools

@@ -22,12 +22,16 @@ int thread_count(int threads) {
       fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
 }
 
+/// Whether an option for a part of the record is given. Throws UsageError if there is no record.
+bool is_recorded(const po::variables_map& values, const std::string& option) {
+  if (values.count(option) == 0) return false;
+  if (values.count("record") > 0) return true;
+  throw UsageError(fmt::format("--{} are part of a record: give --record as well", option));
+}
+
 /// The levels of --crossings, ascending, so that equal records come from equal commands.
 std::vector<double> crossing_levels(const po::variables_map& values) {
-  if (values.count("crossings") == 0) return {};
-  if (values.count("record") == 0) {
-    throw UsageError("--crossings are part of a record: give --record as well");
-  }
+  if (!is_recorded(values, "crossings")) return {};
   auto levels = fractions(values, "crossings");
   if (std::find(levels.begin(), levels.end(), kRupturedFraction) != levels.end()) {
     throw UsageError(
@@ -61,6 +65,9 @@ void add_run_options(po::options_description& options) {
       "sampling interval of the record; ruptures are recorded to the step");
   add("crossings", text("F,..."),
       "pinned fractions besides 0.3 whose crossing by a block is recorded, such as 0.2,0.5");
+  add("fields", seconds(),
+      "sampling interval of the displacement of all blocks, for pictures and movies; part of the "
+      "record, 8 bytes per block and sample; default: none");
   add("threads", integer("N"),
       "threads that share the work; default: as many as pay for this size of slider. Results do "
       "not depend on it");
@@ -88,6 +95,7 @@ RunOptions run_options(const Parsed& parsed) {
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
   run.record_every = non_negative(values, "record-every");
   run.crossings = crossing_levels(values);
+  if (is_recorded(values, "fields")) run.fields = optional_time(values, "fields");
   run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
   run.dry_run = dry_run(values);
@@ -138,6 +146,12 @@ std::vector<std::int64_t> checkpoint_steps(const Parameters& p, const State& fir
 
 Interval sampling_interval(const Parameters& p, const Clock& clock, const RunOptions& run) {
   return interval(p, clock, run.record_every, "record-every");
+}
+
+std::optional<Interval> fields_interval(const Parameters& p, const Clock& clock,
+                                        const RunOptions& run) {
+  if (!run.fields) return std::nullopt;
+  return interval(p, clock, *run.fields, "fields");
 }
 
 }  // namespace rupture::tools

@@ -27,6 +27,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> record;
   double record_every = 1e-4;     ///< [s]
   std::vector<double> crossings;  ///< pinned fractions, ascending
+  std::optional<double> fields;   ///< sampling interval of the fields [s]
   std::optional<int> threads;     ///< none: as many as pay
   OnAlarm on_alarm = OnAlarm::stop;
   Resume resume = Resume::no;
@@ -50,5 +51,9 @@ std::vector<std::int64_t> checkpoint_steps(const Parameters& parameters, const S
 
 /// When to sample for the record. Throws UsageError if that is more than once per step.
 Interval sampling_interval(const Parameters& parameters, const Clock& clock, const RunOptions& run);
+
+/// The same for the fields, if they are recorded.
+std::optional<Interval> fields_interval(const Parameters& parameters, const Clock& clock,
+                                        const RunOptions& run);
 
 }  // namespace rupture::tools

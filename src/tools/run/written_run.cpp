@@ -64,6 +64,10 @@ void announce(const OutputOptions& output, const std::vector<WrittenFile>& on_th
   }
 }
 
+RecordParts parts_of(const RunFiles& files) {
+  return {files.crossings, files.fields_every ? Fields::record : Fields::omit};
+}
+
 }  // namespace
 
 Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
@@ -82,9 +86,13 @@ Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
   if (!files.record) return;
   writer_ = std::make_unique<RecordWriter>(*files.record, begin.checkpoint.parameters,
                                            record_provenance(last_step), if_record_exists,
-                                           begin.rows, RecordWriter::kFlushEvery, files.crossings);
-  recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, begin.checkpoint.state.step,
-                                         last_step, last_sample(begin.rows));
+                                           begin.rows, RecordWriter::kFlushEvery, parts_of(files));
+  const std::int64_t now = begin.checkpoint.state.step;
+  recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, now, last_step,
+                                         last_sample(begin.rows, kSeriesGroup));
+  if (!files.fields_every) return;
+  field_recorder_ = std::make_unique<FieldRecorder>(*writer_, *files.fields_every, now, last_step,
+                                                    last_sample(begin.rows, kFieldsGroup));
 }
 
 Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
@@ -92,6 +100,7 @@ Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint
   Alarms alarms(simulation_, rule.last_step, on_alarm, output_, provenance_.back().tool);
   std::vector<Observer*> observers = {&alarms};
   if (recorder_) observers.push_back(recorder_.get());  // checkpoints include its sample
+  if (field_recorder_) observers.push_back(field_recorder_.get());
   CheckpointSchedule schedule(checkpoint_steps, [&](const Simulation& now) {
     alarms.observe(now);
     save_on_the_way();
@@ -133,6 +142,7 @@ void Run::summarise(const Beginning& beginning, Ending ending) {
 void Run::finish() {
   if (recorder_) {
     recorder_->finish(simulation_);
+    if (field_recorder_) field_recorder_->finish(simulation_);
     const auto provenance = record_provenance(simulation_.state().step);
     summary_.files.push_back({*files_.record, "record", writer_->finish(provenance, output_.sum)});
     announce(output_, summary_.files.back());
@@ -151,7 +161,7 @@ const fs::path& Run::save_on_the_way() {
 
 std::vector<ProvenanceEntry> Run::record_provenance(std::int64_t step) const {
   return recorded_until(record_provenance_, simulation_.parameters(), simulation_.state().clock,
-                        step, files_.record_every.steps, files_.crossings);
+                        step, files_);
 }
 
 void Run::save(const fs::path& path, IfExists if_exists) {

@@ -68,6 +68,7 @@ class Run {
   Simulation simulation_;
   std::unique_ptr<RecordWriter> writer_;
   std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<FieldRecorder> field_recorder_;
 };
 
 }  // namespace rupture::tools

@@ -34,16 +34,19 @@ std::string output_of(const std::string& command) {
   return output;
 }
 
+bool has_module(const std::string& name) {
+  return output_of(std::string(kPython) + " -c 'import " + name + "; print(1)' 2>&1") == "1\n";
+}
+
 class Python : public testing::InFolder {
  protected:
   void SetUp() override {
     if (!fs::exists(schema_page())) GTEST_SKIP() << "the sources are elsewhere";
-    if (output_of(std::string(kPython) + " -c 'import h5py; print(1)' 2>&1") != "1\n") {
-      GTEST_SKIP() << kPython << " has no h5py";
-    }
+    if (!has_module("h5py")) GTEST_SKIP() << kPython << " has no h5py";
     const std::string page = testing::slurp(schema_page());
     testing::spill(file("checksum.py"), python_of(page, "## Content checksum"));
-    testing::spill(file("pieces.py"), python_of(page, "### Record"));
+    testing::spill(file("labels.py"), python_of(page, "#### Labels"));
+    testing::spill(file("pieces.py"), python_of(page, "#### While it grows"));
   }
   std::string output(const char* script, const char* name) {
     return output_of(std::string(kPython) + " " + file(script).string() + " " +
@@ -87,6 +90,57 @@ TEST_F(Python, recomputes_the_checksum_of_a_record) {
   for (int n = 0; n < 10; ++n) out.append(testing::small_sample(5, n));
   const std::string checksum = out.finish();
   EXPECT_EQ(recomputed("r.h5"), checksum + "\n");
+}
+
+// Python's xarray finds named dimensions, positions and units: once as docs/schema.md shows it, and
+// in all groups.
+class Xarray : public Python {
+ protected:
+  void SetUp() override {
+    Python::SetUp();
+    if (IsSkipped()) return;
+    for (const char* module : {"xarray", "h5netcdf"}) {
+      if (!has_module(module)) GTEST_SKIP() << "install python3-" << module << " to run this test";
+    }
+    RecordWriter out(file("r.h5"), testing::small_parameters(), {}, IfExists::refuse, {}, 4,
+                     {.crossing_levels = {0.5}, .fields = Fields::record});
+    for (int n = 0; n < 10; ++n) out.append(testing::small_sample(5, n));
+    std::vector<float> u_x(20);
+    u_x[13] = 0.5F;  // row 2, block 3
+    out.append(FieldSample{0.004, 400, u_x, std::vector<float>(20)});
+    out.append(std::vector<Rupture>{{200, 0.002, 3}, {300, 0.003, 4, 0.5}});
+    out.finish();
+  }
+  std::string shown(const std::string& group, const std::string& what) {
+    testing::spill(file("show.py"),
+                   "import sys, warnings, xarray\n"
+                   "warnings.simplefilter('error')\n"
+                   "d = xarray.open_dataset(sys.argv[1], group='" +
+                       group + "', engine='h5netcdf')\nprint(" + what + ")\n");
+    return output("show.py", "r.h5");
+  }
+};
+
+TEST_F(Xarray, opens_the_series_as_the_schema_page_shows) {
+  EXPECT_EQ(output("labels.py", "r.h5"), "Frozen({'time': 10, 'x': 5}) N\n-9.125\n");
+}
+
+TEST_F(Xarray, finds_dimensions_positions_and_units) {
+  EXPECT_EQ(shown("series", "d.pinned.dims, d.F_T.dims, *d.x.values, d.time.dtype"),
+            "('time', 'x') ('time',) 0.0 0.01 0.02 0.03 0.04 float64\n");
+  EXPECT_EQ(
+      shown("series", "d.x.attrs['units'], d.u_x.attrs['long_name'], d.pinned.attrs['units']"),
+      "m displacement of the block along x 1\n");
+  EXPECT_EQ(shown("series", "*[n for n in d.variables if 'long_name' not in d[n].attrs]"), "\n");
+  EXPECT_EQ(shown("ruptures", "dict(d.sizes), d.block.values, d.block.time.item()"),
+            "{'time': 1} [3] 0.002\n");
+  EXPECT_EQ(shown("crossings", "dict(d.sizes), d.levels.values, d.pinned_below.dims"),
+            "{'time': 1, 'levels': 1} [0.5] ('time',)\n");
+  EXPECT_EQ(shown("fields",
+                  "d.u_z.dims, d.u_z.dtype, d.u_x.sel(time=0.004, z=0.02, "
+                  "x=0.03, method='nearest').item(), d.step.values"),
+            "('time', 'z', 'x') float32 0.5 [400]\n");
+  EXPECT_EQ(recomputed("r.h5"), read_file(file("r.h5")).checksum + "\n");
 }
 
 TEST_F(Python, reads_a_record_in_the_making) {

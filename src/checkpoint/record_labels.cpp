@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+#include "record_labels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "record_layout.hpp"
+
+namespace rupture {
+namespace {
+
+namespace layout = record_layout;
+
+constexpr std::array<std::string_view, 4> kScales = {"time", "z", "x", "levels"};
+
+bool is_scale(std::string_view name) {
+  return std::find(kScales.begin(), kScales.end(), name) != kScales.end();
+}
+
+// The scales along which a dataset goes, slowest dimension first: time, time and x.
+std::vector<std::string> axes_of(const std::string& path, const Shape& shape) {
+  const std::string group = path.substr(0, path.rfind('/') + 1);
+  if (is_scale(std::string_view(path).substr(group.size()))) return {path};
+  if (shape.size() == 1) return {group + "time"};
+  if (shape.size() == 2) return {group + "time", group + "x"};
+  return {group + "time", group + "z", group + "x"};
+}
+
+}  // namespace
+
+Content record_positions(const Parameters& parameters, const Content& record) {
+  Content positions;
+  layout::for_each(layout::kPositions, [&](const auto& row) {
+    const std::string path = row.path;
+    if (!record.contains(path.substr(0, path.rfind('/')) + "/time")) return;
+    const std::vector<double> values = row.along(parameters);
+    positions[path] = make_array(std::span(values), {values.size()}, "m");
+  });
+  return positions;
+}
+
+hdf5::Labels record_labels(const Content& record) {
+  hdf5::Labels labels;
+  const auto is_there = [&](const std::string& path) { return record.contains(path); };
+  const auto add = [&](const auto& row) {
+    if (!is_there(row.path)) return;
+    auto axes = axes_of(row.path, record.at(row.path).shape);
+    if (!std::all_of(axes.begin(), axes.end(), is_there)) axes.clear();  // reading will complain
+    labels[row.path] = {row.long_name, std::move(axes)};
+  };
+  layout::for_each(layout::kSeries, add);
+  layout::for_each(layout::kRuptures, add);
+  layout::for_each(layout::kCrossings, add);
+  layout::for_each(layout::kFields, add);
+  layout::for_each(layout::kPositions, add);
+  layout::for_each(layout::kLevels, add);
+  return labels;
+}
+
+}  // namespace rupture
