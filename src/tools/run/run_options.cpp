@@ -95,7 +95,7 @@ RunOptions run_options(const Parsed& parsed) {
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
   run.record_every = non_negative(values, "record-every");
   run.crossings = crossing_levels(values);
-  if (is_recorded(values, "fields")) run.fields = optional_time(values, "fields");
+  if (is_recorded(values, "fields")) run.fields = optional_non_negative(values, "fields");
   run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
   run.dry_run = dry_run(values);
