@@ -17,6 +17,7 @@ struct RootAttributes {
   std::string format;
   std::int64_t schema_version = 0;
   std::string content_checksum;
+  std::string note = {};  ///< for people who open the file with another program; never read
 };
 
 /// Properties of a new file: no times, room for our header in front.

@@ -179,7 +179,7 @@ RootAttributes read_root_attributes(Id file) {
     if (exists > 0) attributes.emplace(name, read_attribute(file, name, "/"));
   }
   RootAttributes root{read_text(attributes, "format"),
-                      read_scalar<std::int64_t>(attributes, "schema_version"), ""};
+                      read_scalar<std::int64_t>(attributes, "schema_version"), "", ""};
   if (attributes.contains("content_checksum")) {
     root.content_checksum = read_text(attributes, "content_checksum");
   }

@@ -150,6 +150,13 @@ Content rows_until(const Content& record, std::int64_t step) {
   return rows;
 }
 
+Content finished_content(const RecordFile& part, const std::vector<ProvenanceEntry>& provenance) {
+  Content whole = provenance_content(provenance);
+  whole.merge(rows_until(part.content, part.record.step.back()));
+  whole.merge(Content(part.content));  // what has no rows
+  return whole;
+}
+
 std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
   if (fraction == kRupturedFraction) return record.ruptures;
   const auto& levels = record.crossing_levels;

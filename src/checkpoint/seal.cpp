@@ -25,6 +25,11 @@ constexpr const char* kUnknown = "a newer rupture";  // that wrote a file
       schema_version, version, kSchemaVersion, writer + (writer == kUnknown ? "" : " or newer")));
 }
 
+// Other programs see the first piece of a .part alone, which has no rows.
+constexpr const char* kNoteInPieces =
+    "the samples so far are in further pieces behind this one: rupture finish THIS -o NEW.h5 "
+    "makes an ordinary record of them";
+
 // "rupture 0.9.0", of a file of a newer schema.
 std::string writer_of(const hdf5::Reader& reader) {
   try {
@@ -70,7 +75,9 @@ Sealed seal(FileKind kind, const Content& content) {
   check_finite(content);
   const std::string checksum = content_checksum(content);
   std::vector<std::byte> bytes =
-      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum}, content);
+      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum,
+                        kind == FileKind::open_record ? kNoteInPieces : ""},
+                       content);
   const std::string header = header_text(kind, std::span(bytes).subspan(kHeaderSize));
   std::memcpy(bytes.data(), header.data(), header.size());
   return {checksum, std::move(bytes)};

@@ -173,8 +173,9 @@ void apply(const ParameterChanges& changes, Parameters& parameters) {
   for (const auto& [name, value] : changes) set_parameter(parameters, name, value);
 }
 
-void add_output_options(po::options_description& options) {
-  options.add_options()("output,o", output_file("checkpoint")->required(), "checkpoint to write")(
+void add_output_options(po::options_description& options, const std::string& holds) {
+  const std::string help = holds + " to write";
+  options.add_options()("output,o", output_file(holds)->required(), help.c_str())(
       "force,f", "replace files that exist already")(
       "sum", "write FILE.sum with its content checksum beside each file, for workflows")(
       "quiet,q", "print errors only")(

@@ -48,8 +48,8 @@ void Recorder::append_ruptures(const Simulation& simulation) {
 
 void Recorder::observe(const Simulation& simulation) {
   const std::int64_t step = simulation.state().step;
+  append_ruptures(simulation);  // first, so that a .part has all ruptures up to its last sample
   writer_.append(sample_of(simulation));
-  append_ruptures(simulation);
   sampled_ = step;
   next_ = sample_after(step);
 }
