@@ -115,7 +115,10 @@ void refuse_unknown(const Content& content) {
   for (const auto& [path, dataset] : content) {
     const bool elsewhere = path.starts_with("/parameters/") || path.starts_with("/provenance/");
     if (!elsewhere && !known.contains(path)) {
-      throw Failure(fmt::format("{} is not part of a record: use a newer rupture", path));
+      throw Failure(
+          fmt::format("{} is not part of a record: use a newer rupture, or remove it if another "
+                      "program added it",
+                      path));
     }
   }
 }

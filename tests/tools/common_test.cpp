@@ -42,6 +42,7 @@ const std::vector<Interface> kInterfaces = {
       "json"}},
     {"parameters", {"json"}},
     {"finish", {"output", "force", "sum", "quiet"}},
+    {"seal", {"original", "output", "force", "sum", "quiet"}},
     {"analyze events",
      {"quiet-time", "slow-below", "skip-below-x", "stencil", "stencils-at-ends", "ruptured-below",
       "json", "csv"}},

@@ -78,7 +78,9 @@ struct OutputOptions {
   /// Where text goes: standard output, unless that is for JSON.
   std::FILE* text() const { return summary == Summary::json ? stderr : stdout; }
 };
-void add_output_options(po::options_description& options, const std::string& holds = "checkpoint");
+void add_file_options(po::options_description& options, const std::string& holds);
+/// The same of a tool that writes a checkpoint, and --json.
+void add_output_options(po::options_description& options);
 OutputOptions output_options(const po::variables_map& values);
 
 /// The file to write that an option names. Throws UsageError for "-", by which other programs mean

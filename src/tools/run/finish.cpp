@@ -22,12 +22,15 @@ struct Options {
 
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
-  add_output_options(options, "record");
+  add_file_options(options, "record");
   const Parsed parsed = parse(
       argc, argv,
-      {"finish", "finish RECORD.h5.part -o OUT [options]",
+      {"finish",
+       "finish RECORD.h5.part -o OUT [options]",
        "Makes an ordinary record of what an unfinished one holds up to its last sample. The run\n"
-       "may have been killed, or still go on, which this does not disturb; RECORD.h5.part stays."},
+       "may have been killed, or still go on, which this does not disturb; RECORD.h5.part stays.",
+       {},
+       "make an ordinary record of one that is unfinished"},
       options, "record", UsesParameters::no);
   return {single_input(parsed.values, "record", "an unfinished record (RECORD.h5.part)"),
           output_options(parsed.values)};
