@@ -5,7 +5,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -63,6 +62,19 @@ void sync_folder_of(const fs::path& path) {
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() < 0 && errno == EACCES) return;
   if (folder.get() < 0 || (::fsync(folder.get()) != 0 && errno != EINVAL)) fail(path);
+}
+
+[[noreturn]] void fail_locked(const fs::path& path) {
+  throw Failure(
+      fmt::format("another run is writing {}; wait until it has ended, or give another --record",
+                  path.string()));
+}
+
+struct flock whole_file_for_writing() {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
 }
 
 sigset_t file_size_signal() {
@@ -142,13 +154,23 @@ void remove_durably(const fs::path& path) {
   }
 }
 
-WriterLock::WriterLock(const fs::path& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+bool is_locked(const fs::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) fail(path);
+  struct flock lock = whole_file_for_writing();
+  return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
+void refuse_locked(const fs::path& path) {
+  if (is_locked(path)) fail_locked(path);
+}
+
+WriterLock::WriterLock(const fs::path& path) : fd_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
   if (fd_ < 0) fail(path);
-  if (::flock(fd_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  struct flock lock = whole_file_for_writing();
+  if (::fcntl(fd_, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
   ::close(fd_);
-  throw Failure(
-      fmt::format("another run is writing {}; wait until it has ended, or give another --record",
-                  path.string()));
+  fail_locked(path);
 }
 
 WriterLock::~WriterLock() {

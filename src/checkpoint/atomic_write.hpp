@@ -39,7 +39,15 @@ void write_atomically(const std::filesystem::path& path, std::span<const std::by
 /// Removes a file, if there is one, and brings that to disk. Throws Failure.
 void remove_durably(const std::filesystem::path& path);
 
-/// While it lives, no other process, and no other lock of this one, locks the file.
+/// Whether a WriterLock, of any process, is on the file. False where the file system has no locks.
+bool is_locked(const std::filesystem::path& path);
+
+/// Throws Failure if it is.
+void refuse_locked(const std::filesystem::path& path);
+
+/// While it lives, no other process, and no other lock of this one, locks the file. Readers are not
+/// locked out: HDF5 asks for flock() before it reads, and this is a lock of the other kind, which
+/// flock() does not see.
 class WriterLock {
  public:
   /// Throws Failure if somebody else has locked the file. Where the file system has no locks,

@@ -19,23 +19,26 @@ Content parameters_and_state(const Parameters& parameters, const State& state) {
   return content;
 }
 
-Content whole_content(const Checkpoint& checkpoint) {
-  Content content = parameters_and_state(checkpoint.parameters, checkpoint.state);
-  content.merge(provenance_content(checkpoint.provenance));
-  if (checkpoint.run) content.merge(run_content(*checkpoint.run, checkpoint.run_id));
-  return content;
-}
-
 // Everything known has been read by now, so that what is left over is not ours.
 void refuse_leftovers(const Content& content, const Content& known) {
   for (const auto& [path, dataset] : content) {
     if (!known.contains(path)) {
-      throw Failure(fmt::format("{} is not part of a checkpoint: use a newer rupture", path));
+      throw Failure(
+          fmt::format("{} is not part of a checkpoint: use a newer rupture, or remove it if "
+                      "another program added it",
+                      path));
     }
   }
 }
 
 }  // namespace
+
+Content checkpoint_content(const Checkpoint& checkpoint) {
+  Content content = parameters_and_state(checkpoint.parameters, checkpoint.state);
+  content.merge(provenance_content(checkpoint.provenance));
+  if (checkpoint.run) content.merge(run_content(*checkpoint.run, checkpoint.run_id));
+  return content;
+}
 
 std::string content_checksum(const Parameters& parameters, const State& state) {
   return content_checksum(parameters_and_state(parameters, state));
@@ -43,7 +46,7 @@ std::string content_checksum(const Parameters& parameters, const State& state) {
 
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
                              IfExists if_exists, SumFile sum) {
-  return write_content(path, FileKind::checkpoint, whole_content(checkpoint), if_exists, sum);
+  return write_content(path, FileKind::checkpoint, checkpoint_content(checkpoint), if_exists, sum);
 }
 
 Checkpoint checkpoint_from(const Content& content) {
@@ -53,7 +56,7 @@ Checkpoint checkpoint_from(const Content& content) {
   checkpoint.provenance = read_provenance(content);
   checkpoint.run = read_run(content, checkpoint.state.step);
   checkpoint.run_id = read_run_id(content);
-  refuse_leftovers(content, whole_content(checkpoint));
+  refuse_leftovers(content, checkpoint_content(checkpoint));
   return checkpoint;
 }
 

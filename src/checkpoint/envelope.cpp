@@ -56,8 +56,9 @@ bool starts_as(std::string_view start, FileKind kind) {
   if (start.starts_with("\x89HDF\r\n")) {
     throw Failure(fmt::format(
         "{} is an HDF5 file without rupture's 512-byte header: it was not written by rupture, or "
-        "was rewritten by another program; give the original file",
-        name));
+        "was rewritten by another program; give the original file, or try rupture seal {} -o "
+        "NEW.h5",
+        name, name));
   }
   throw Failure(fmt::format(
       "{} is not a rupture file: expected the 512-byte header of a checkpoint or record; give a "
@@ -136,15 +137,19 @@ FileKind check_envelope(std::span<const std::byte> file, const std::string& name
   if (header == sealed_header(kind, file.size(), body_sha256)) return kind;
 
   const std::uint64_t size = stated_size(file.first(kHeaderSize));
-  if (file.size() < size && line_after(header, "\nsha256 ") != body_sha256) {
-    throw Failure(
-        fmt::format("{} is truncated: it holds {} of {} bytes; copy it again or write it anew",
-                    name, file.size(), size));
+  const std::string_view stated_sha256 = line_after(header, "\nsha256 ");
+  const std::string damaged = fmt::format(
+      "{} is damaged: its bytes and the SHA-256 in its header do not agree; copy it again or write "
+      "it anew",
+      name);
+  const bool body_is_as_sealed = stated_sha256 == body_sha256;
+  if (body_is_as_sealed || header != sealed_header(kind, size, stated_sha256)) {
+    throw Failure(damaged);  // in the header, which other programs leave alone
   }
-  throw Failure(
-      fmt::format("{} is damaged: its bytes and the SHA-256 in its header do not agree; copy it "
-                  "again or write it anew",
-                  name));
+  if (file.size() >= size) throw BrokenSeal(damaged);
+  throw BrokenSeal(
+      fmt::format("{} is truncated: it holds {} of {} bytes; copy it again or write it anew", name,
+                  file.size(), size));
 }
 
 }  // namespace rupture

@@ -95,6 +95,38 @@ void replace(PendingFile file, const fs::path& sum, const std::string& line, Sum
   if (new_sum) new_sum->commit();
 }
 
+// Throws Changed if the HDF5 part of a file whose seal is broken can be read all the same.
+void refuse_if_readable(std::span<const std::byte> file, const std::string& name) {
+  const Remains remains = remains_of(file);
+  if (remains == Remains::content_as_sealed) {
+    throw Changed(fmt::format(
+        "{} was changed after rupture sealed it (repacked by another program, an attribute added, "
+        "or damaged beside its data), but its content still has the checksum that is stored in "
+        "it: rupture seal {} -o NEW.h5 makes a sealed file of it",
+        name, name));
+  }
+  if (remains == Remains::other_content) {
+    throw Changed(fmt::format(
+        "{} was changed after rupture sealed it, and its content is not what it was: if somebody "
+        "edited it with another program, rupture seal {} -o NEW.h5 checks and seals it; otherwise "
+        "it is damaged, copy it again or write it anew",
+        name, name));
+  }
+}
+
+// Looks at all bytes: a wrong size in the header made the reader stop too early.
+[[noreturn]] void fail_with_broken_seal(const fs::path& path) {
+  const auto file = bytes_of_file(path);
+  try {
+    check_envelope(file, path.string());
+  } catch (const BrokenSeal&) {
+    refuse_if_readable(file, path.string());
+    throw;
+  }
+  throw Failure(
+      fmt::format("{} changes while it is read; wait until it is written", path.string()));
+}
+
 }  // namespace
 
 void check_output(const fs::path& path, IfExists if_exists) {
@@ -137,22 +169,32 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
   return sealed.checksum;
 }
 
-ContentFile read_file(const fs::path& path) {
+std::vector<std::byte> bytes_of_file(const fs::path& path) {
+  const std::size_t size = readable_size(path);
+  return read_start(path, size);
+}
+
+ContentFile read_file(const fs::path& path, Opening opening) try {
   std::uint64_t size = readable_size(path);
   const auto header = read_start(path, kHeaderSize);
   // One byte more than there should be is enough to notice that there is too much.
   if (header_kind(header, path.string()) != FileKind::open_record) {
     size = std::min(size, stated_size(header) + 1);
   }
-  return read_bytes(read_start(path, size), path.string());
+  return read_bytes(read_start(path, size), path.string(), opening);
+} catch (const BrokenSeal&) {
+  fail_with_broken_seal(path);
 }
 
-ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name) {
+ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name, Opening opening) {
   if (header_kind(bytes, name) == FileKind::open_record) {
     return {FileKind::open_record, "", "", naming(name, [&] { return read_pieces(bytes); })};
   }
   const FileKind kind = check_envelope(bytes, name);
-  return naming(name, [&] { return unseal(kind, bytes); });
+  return naming(name, [&] {
+    if (opening == Opening::in_child_first) demand_survival(bytes, hdf5::Accept::own);
+    return unseal(kind, bytes);
+  });
 }
 
 Content read_content(const fs::path& path) {

@@ -37,7 +37,7 @@ void check(std::int64_t result, std::string_view doing) {
   if (result >= 0) return;
   std::string reason = "unknown reason";
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
-  throw Failure(fmt::format("could not {}: {}", doing, readable(reason)));
+  throw LibraryFailure(fmt::format("could not {}: {}", doing, readable(reason)));
 }
 
 void prepare() {

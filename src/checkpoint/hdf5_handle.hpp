@@ -8,12 +8,20 @@
 #include <string_view>
 #include <utility>
 
+#include "rupture/model/error.hpp"
+
 namespace rupture::hdf5 {
 
 using Id = std::int64_t;  // hid_t
 using Close = int (*)(Id);
 
-/// Throws Failure "could not <doing>: <HDF5's innermost reason>" if an HDF5 call returned < 0.
+/// Thrown where libhdf5 itself fails.
+struct LibraryFailure : Failure {
+  using Failure::Failure;
+};
+
+/// Throws LibraryFailure "could not <doing>: <HDF5's innermost reason>" if an HDF5 call returned
+/// < 0.
 void check(std::int64_t result, std::string_view doing);
 
 /// Owns one HDF5 identifier.

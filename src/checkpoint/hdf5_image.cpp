@@ -80,13 +80,14 @@ std::vector<std::byte> make_image(const RootAttributes& attributes, const Conten
   return image_of(file);
 }
 
-Reader::Reader(std::span<const std::byte> file) : size_(file.size()) {
+Reader::Reader(std::span<const std::byte> file, Accept accept)
+    : size_(file.size()), accept_(accept) {
   prepare();
   file_ = open_in_place(file);
 }
 
 RootAttributes Reader::attributes() const {
-  return read_root_attributes(file_);
+  return read_root_attributes(file_, accept_);
 }
 
 std::string Reader::writer_version() const {
@@ -94,7 +95,7 @@ std::string Reader::writer_version() const {
 }
 
 Content Reader::content() const {
-  return read_datasets(file_, size_);
+  return read_datasets(file_, size_, accept_);
 }
 
 }  // namespace rupture::hdf5

@@ -21,7 +21,7 @@ std::vector<std::byte> make_image(const RootAttributes& attributes, const Conten
 class Reader {
  public:
   /// A verified file in memory, which must outlive the reader.
-  explicit Reader(std::span<const std::byte> file);
+  explicit Reader(std::span<const std::byte> file, Accept accept = Accept::own);
 
   RootAttributes attributes() const;
   std::string writer_version() const;
@@ -29,6 +29,7 @@ class Reader {
 
  private:
   std::size_t size_;
+  Accept accept_;
   Handle file_;
 };
 

@@ -5,6 +5,7 @@
 #include <hdf5.h>
 
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "hdf5_objects.hpp"
@@ -16,6 +17,7 @@ namespace {
 constexpr int kDeepest = 8;  // levels of groups; stops at links that lead back to their own group
 constexpr std::size_t kSmallestObject = 16;   // [bytes] less than the header of any object
 constexpr std::size_t kLongestVersion = 100;  // [bytes]
+constexpr std::size_t kCompression = 100;     // times that edited datasets may be packed
 
 DataType data_type(Id type, const std::string& path) {
   constexpr std::array types = {DataType::float64, DataType::float32, DataType::int64,
@@ -24,7 +26,10 @@ DataType data_type(Id type, const std::string& path) {
   for (const DataType candidate : types) {
     if (H5Tequal(type, stored_type(candidate, H5Tget_size(type))) > 0) return candidate;
   }
-  throw Failure(fmt::format("{} has an element type that rupture never writes", path));
+  throw Failure(
+      fmt::format("{} has an element type that rupture never writes; it writes texts and "
+                  "little-endian float64, int64, uint32, uint16 and uint8",
+                  path));
 }
 
 Shape shape_of(Id space, const std::string& path) {
@@ -64,29 +69,72 @@ Dataset described(Id type, Id space, std::size_t room, const std::string& path) 
   return data;
 }
 
-Dataset read_attribute(Id object, const std::string& name, const std::string& where) {
+// Reads a whole dataset or attribute as elements of a type.
+using Read = std::function<std::int64_t(Id type, void* elements)>;
+
+std::string text_of_any_length(Id type, const Read& read, const std::string& path) {
+  const std::string doing = "read " + path;
+  char* text = nullptr;
+  check(read(type, &text), doing);
+  const std::string copy = text == nullptr ? "" : text;
+  check(H5free_memory(text), doing);
+  return copy;
+}
+
+std::string text_of_fixed_length(Id type, const Read& read, std::size_t room,
+                                 const std::string& path) {
+  const std::size_t length = byte_count({}, H5Tget_size(type), room, path);
+  std::string text(length, '\0');
+  check(read(type, text.data()), "read " + path);
+  text.resize(text.find('\0') == std::string::npos ? length : text.find('\0'));
+  if (H5Tget_strpad(type) == H5T_STR_SPACEPAD) text.resize(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+// A text in any form that HDF5 knows, as the one in which rupture writes it.
+Dataset edited_text(Id type, Id space, const Read& read, std::size_t room,
+                    const std::string& path) {
+  if (H5Sget_simple_extent_npoints(space) != 1) {
+    throw Failure(fmt::format("{} is not one text", path));
+  }
+  return make_text(H5Tis_variable_str(type) > 0 ? text_of_any_length(type, read, path)
+                                                : text_of_fixed_length(type, read, room, path));
+}
+
+bool is_text(Id type) {
+  return H5Tget_class(type) == H5T_STRING;
+}
+
+Dataset read_attribute(Id object, const std::string& name, const std::string& where,
+                       Accept accept) {
   const std::string full_name = fmt::format("the attribute {} of {}", name, where);
   const std::string doing = "read " + full_name;
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, doing);
   const Handle type(H5Aget_type(attribute), H5Tclose, doing);
   const Handle space(H5Aget_space(attribute), H5Sclose, doing);
   constexpr std::size_t largest_attribute = 65536;  // HDF5's own limit [bytes]
+  const Read read = [&](Id as, void* elements) { return H5Aread(attribute, as, elements); };
+  if (accept == Accept::edited && is_text(type)) {
+    return edited_text(type, space, read, largest_attribute, full_name);
+  }
   Dataset data = described(type, space, largest_attribute, full_name);
-  check(H5Aread(attribute, type, data.bytes.data()), doing);
+  check(read(type, data.bytes.data()), doing);
   return data;
 }
 
-std::string read_unit(Id dataset, const std::string& path) {
+std::string read_unit(Id dataset, const std::string& path, Accept accept) {
+  if (accept == Accept::edited && H5Aexists(dataset, "unit") == 0) return "";
   const std::string name = fmt::format("the attribute unit of {}", path);
-  return read_text({{name, read_attribute(dataset, "unit", path)}}, name);
+  return read_text({{name, read_attribute(dataset, "unit", path, accept)}}, name);
 }
 
-// Nothing is ever chunked, compressed or kept outside the file.
-void check_storage(Id dataset, const std::string& path) {
+// Nothing is ever kept outside the file, nor, by us, chunked or compressed.
+void check_storage(Id dataset, const std::string& path, Accept accept) {
   const Handle properties(H5Dget_create_plist(dataset), H5Pclose, "read " + path);
   const H5D_layout_t layout = H5Pget_layout(properties);
   const bool in_one_piece = layout == H5D_COMPACT || layout == H5D_CONTIGUOUS;
-  if (in_one_piece && H5Pget_external_count(properties) == 0) return;
+  const bool in_file = layout != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
+  if (in_file && (in_one_piece || accept == Accept::edited)) return;
   throw Failure(fmt::format("{} is not stored as rupture does, in one piece in this file", path));
 }
 
@@ -98,17 +146,27 @@ void check_stored_size(Id dataset, const std::string& path, const Dataset& data)
                             shape_text(data.shape), data.bytes.size()));
 }
 
-Dataset read_dataset(Id dataset, const std::string& path, std::size_t room) {
+// Without its unit.
+Dataset read_values(Id dataset, const std::string& path, std::size_t room, Accept accept) {
   const std::string doing = fmt::format("read {}", path);
-  check_storage(dataset, path);
   const Handle type(H5Dget_type(dataset), H5Tclose, doing);
   const Handle space(H5Dget_space(dataset), H5Sclose, doing);
-  Dataset data = described(type, space, room, path);
-  check_stored_size(dataset, path, data);
-  data.unit = read_unit(dataset, path);
-  if (!data.bytes.empty()) {
-    check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.bytes.data()), doing);
+  const Read read = [&](Id as, void* elements) {
+    return H5Dread(dataset, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, elements);
+  };
+  if (accept == Accept::edited && is_text(type)) {
+    return edited_text(type, space, read, room, path);
   }
+  Dataset data = described(type, space, room, path);
+  if (accept == Accept::own) check_stored_size(dataset, path, data);
+  if (!data.bytes.empty()) check(read(type, data.bytes.data()), doing);
+  return data;
+}
+
+Dataset read_dataset(Id dataset, const std::string& path, std::size_t room, Accept accept) {
+  check_storage(dataset, path, accept);
+  Dataset data = read_values(dataset, path, room, accept);
+  data.unit = read_unit(dataset, path, accept);
   return data;
 }
 
@@ -134,7 +192,7 @@ std::vector<std::string> names_in(Id group, const std::string& where) {
 // together: otherwise a few bytes, linked or claimed again and again, could keep it busy for ever.
 class Collector {
  public:
-  explicit Collector(std::size_t file_size) : room_(file_size) {}
+  Collector(std::size_t room, Accept accept) : room_(room), accept_(accept) {}
 
   void collect(Id group, const std::string& prefix, int depth) {
     const std::string where = prefix + "/";
@@ -152,7 +210,7 @@ class Collector {
     if (type == H5I_GROUP) {
       collect(object, path, depth + 1);
     } else if (type == H5I_DATASET) {
-      Dataset dataset = read_dataset(object, path, room_);
+      Dataset dataset = read_dataset(object, path, room_, accept_);
       take(dataset.bytes.size(), path);
       content.emplace(path, std::move(dataset));
     } else {
@@ -167,20 +225,21 @@ class Collector {
     room_ -= bytes;
   }
 
-  std::size_t room_;  // bytes of the file that nothing has claimed yet
+  std::size_t room_;  // bytes that nothing has claimed yet
+  Accept accept_;
 };
 
 }  // namespace
 
-RootAttributes read_root_attributes(Id file) {
+RootAttributes read_root_attributes(Id file, Accept accept) {
   Content attributes;
   for (const char* name : {"format", "schema_version", "content_checksum"}) {
     const auto exists = H5Aexists(file, name);
     check(exists, "read the root attributes");
-    if (exists > 0) attributes.emplace(name, read_attribute(file, name, "/"));
+    if (exists > 0) attributes.emplace(name, read_attribute(file, name, "/", accept));
   }
   RootAttributes root{read_text(attributes, "format"),
-                      read_scalar<std::int64_t>(attributes, "schema_version"), ""};
+                      read_scalar<std::int64_t>(attributes, "schema_version"), "", ""};
   if (attributes.contains("content_checksum")) {
     root.content_checksum = read_text(attributes, "content_checksum");
   }
@@ -194,11 +253,11 @@ std::string read_writer_version(Id file) {
   if (entries.empty()) throw Failure("there is no provenance");
   const std::string path = fmt::format("{}/{}/version", chain, entries.back());
   const Handle version(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
-  return read_text({{path, read_dataset(version, path, kLongestVersion)}}, path);
+  return read_text({{path, read_dataset(version, path, kLongestVersion, Accept::own)}}, path);
 }
 
-Content read_datasets(Id file, std::size_t file_size) {
-  Collector collector(file_size);
+Content read_datasets(Id file, std::size_t file_size, Accept accept) {
+  Collector collector(accept == Accept::own ? file_size : kCompression * file_size, accept);
   collector.collect(file, "", 0);
   return collector.content;
 }

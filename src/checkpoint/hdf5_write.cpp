@@ -114,6 +114,7 @@ void write_root_attributes(Id file, const RootAttributes& attributes) {
   write_attribute(file, "format", make_text(attributes.format));
   write_attribute(file, "schema_version", make_scalar(attributes.schema_version, "1"));
   write_attribute(file, "content_checksum", make_text(attributes.content_checksum));
+  if (!attributes.note.empty()) write_attribute(file, "note", make_text(attributes.note));
 }
 
 void write_content(Id file, const Content& content) {

@@ -41,7 +41,7 @@ void append_piece(Content& whole, const Content& piece) {
 
 PartFile::PartFile(std::filesystem::path path, const Content& first) : path_(std::move(path)) {
   const auto piece = naming(path_, [&] { return seal(FileKind::open_record, first); }).bytes;
-  if (std::filesystem::exists(path_)) const WriterLock nobody_else(path_);
+  if (std::filesystem::exists(path_)) refuse_locked(path_);
   write_atomically(path_, piece);
   lock_.emplace(path_);
   // Another process may have replaced it in the moment before it was locked.

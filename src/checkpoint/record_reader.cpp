@@ -136,7 +136,10 @@ void refuse_unknown(const Content& content) {
   for (const auto& [path, dataset] : content) {
     const bool elsewhere = path.starts_with("/parameters/") || path.starts_with("/provenance/");
     if (!elsewhere && !known.contains(path)) {
-      throw Failure(fmt::format("{} is not part of a record: use a newer rupture", path));
+      throw Failure(
+          fmt::format("{} is not part of a record: use a newer rupture, or remove it if another "
+                      "program added it",
+                      path));
     }
   }
 }
@@ -174,6 +177,13 @@ Content rows_until(const Content& record, std::int64_t step) {
     copy_rows(record, layout::kCrossingsGroup, layout::kCrossings, step, rows);
   }
   return rows;
+}
+
+Content finished_content(const RecordFile& part, const std::vector<ProvenanceEntry>& provenance) {
+  Content whole = provenance_content(provenance);
+  whole.merge(rows_until(part.content, part.record.step.back()));
+  whole.merge(Content(part.content));  // what has no rows
+  return whole;
 }
 
 std::vector<Rupture> ruptures_below(const Record& record, double fraction) {

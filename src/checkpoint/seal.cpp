@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "child_process.hpp"
 #include "hdf5_image.hpp"
 #include "record_labels.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -26,6 +27,11 @@ constexpr const char* kUnknown = "a newer rupture";  // that wrote a file
       schema_version, version, kSchemaVersion, writer + (writer == kUnknown ? "" : " or newer")));
 }
 
+// Other programs see the first piece of a .part alone, which has no rows.
+constexpr const char* kNoteInPieces =
+    "the samples so far are in further pieces behind this one: rupture finish THIS -o NEW.h5 "
+    "makes an ordinary record of them";
+
 // "rupture 0.9.0", of a file of a newer schema.
 std::string writer_of(const hdf5::Reader& reader) {
   try {
@@ -33,6 +39,31 @@ std::string writer_of(const hdf5::Reader& reader) {
   } catch (const Failure&) {
     return kUnknown;
   }
+}
+
+hdf5::RootAttributes attributes_of(const hdf5::Reader& reader) {
+  hdf5::RootAttributes attributes = reader.attributes();
+  if (attributes.schema_version > kSchemaVersion) {
+    refuse_newer(attributes.schema_version, writer_of(reader));
+  }
+  return attributes;
+}
+
+// That of a file without header. An unfinished record is no whole file.
+FileKind kind_called(const std::string& format) {
+  for (const FileKind kind : {FileKind::checkpoint, FileKind::record}) {
+    if (format == format_name(kind)) return kind;
+  }
+  throw Failure(fmt::format("its attribute format is '{}'; expected {} or {}", format,
+                            format_name(FileKind::checkpoint), format_name(FileKind::record)));
+}
+
+// What an editor may have left of a checksum.
+std::string checksum_or_none(const std::string& text) {
+  constexpr std::size_t digits = 64;
+  const bool is_one =
+      text.size() == digits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+  return is_one ? text : std::string();
 }
 
 void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
@@ -74,7 +105,9 @@ Sealed seal(FileKind kind, const Content& content) {
   const std::string checksum = is_piece ? std::string() : content_checksum(content);
   const auto labels = kind == FileKind::record ? record_labels(content) : hdf5::Labels{};
   std::vector<std::byte> bytes =
-      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum}, content, labels);
+      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum,
+                        is_piece ? kNoteInPieces : ""},
+                       content, labels);
   const std::string header = header_text(kind, std::span(bytes).subspan(kHeaderSize));
   std::memcpy(bytes.data(), header.data(), header.size());
   return {checksum, std::move(bytes)};
@@ -82,10 +115,7 @@ Sealed seal(FileKind kind, const Content& content) {
 
 ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   const hdf5::Reader reader(file);
-  const hdf5::RootAttributes attributes = reader.attributes();
-  if (attributes.schema_version > kSchemaVersion) {
-    refuse_newer(attributes.schema_version, writer_of(reader));
-  }
+  const hdf5::RootAttributes attributes = attributes_of(reader);
   check_attributes(attributes, kind);
   Content content = reader.content();
   check_content(kind, content, attributes);
@@ -93,6 +123,50 @@ ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   const bool by_present_rule = attributes.schema_version > kLastWithAllParameters;
   std::string checksum = by_present_rule ? attributes.content_checksum : content_checksum(content);
   return {kind, std::move(checksum), attributes.content_checksum, std::move(content)};
+}
+
+EditedFile open_edited(std::span<const std::byte> file) {
+  const hdf5::Reader reader(file, hdf5::Accept::edited);
+  const hdf5::RootAttributes attributes = attributes_of(reader);
+  EditedFile edited;
+  edited.kind = kind_called(attributes.format);
+  edited.sealed_checksum = checksum_or_none(attributes.content_checksum);
+  edited.content = reader.content();
+  check_finite(edited.content);
+  edited.checksum = content_checksum(edited.content);
+  edited.content_is_as_sealed =
+      checksum_by_schema(attributes.schema_version, edited.content) == edited.sealed_checksum;
+  return edited;
+}
+
+Remains remains_of(std::span<const std::byte> file) {
+  const ChildEnd end = in_child_process([&] {
+    try {
+      const bool as_sealed = open_edited(file).content_is_as_sealed;
+      return static_cast<int>(as_sealed ? Remains::content_as_sealed : Remains::other_content);
+    } catch (const hdf5::LibraryFailure&) {
+      return static_cast<int>(Remains::unreadable);
+    } catch (const Failure&) {  // readable, but nothing that rupture writes
+      return static_cast<int>(Remains::other_content);
+    }
+  });
+  const bool is_known = end.signal == 0 && end.code != ChildEnd::kThrew;
+  return is_known ? static_cast<Remains>(end.code) : Remains::unreadable;
+}
+
+void demand_survival(std::span<const std::byte> file, hdf5::Accept accept) {
+  const ChildEnd end = in_child_process([&] {
+    const hdf5::Reader reader(file, accept);
+    writer_of(reader);
+    reader.attributes();
+    reader.content();
+    return 0;
+  });
+  if (end.signal == 0) return;
+  throw Failure(
+      fmt::format("the HDF5 library does not survive reading it ({}), so it is damaged or made to "
+                  "do harm; copy it again or write it anew",
+                  ::strsignal(end.signal)));
 }
 
 }  // namespace rupture

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "hdf5_objects.hpp"
+#include "rupture/checkpoint/edited.hpp"
 #include "rupture/checkpoint/file.hpp"
 
 namespace rupture {
@@ -21,6 +23,17 @@ struct Sealed {
 
 /// Throws Failure if a number is not finite.
 Sealed seal(FileKind kind, const Content& content);
+
+/// What a file holds whose header may not fit, or be missing. Throws Failure. What crashes libhdf5
+/// crashes this process: see demand_survival().
+EditedFile open_edited(std::span<const std::byte> file);
+
+/// What can be told of a file whose header does not fit, and is found out in a child process.
+enum class Remains { unreadable, other_content, content_as_sealed };
+Remains remains_of(std::span<const std::byte> file);
+
+/// Reads all of a file in a child process. Throws Failure if a signal ends that.
+void demand_survival(std::span<const std::byte> file, hdf5::Accept accept);
 
 /// The content of a file of this kind whose header was checked. Throws Failure if attributes,
 /// content or content checksum are not as they should be.

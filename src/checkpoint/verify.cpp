@@ -10,8 +10,8 @@
 
 namespace rupture {
 
-ContentFile verify_file(const std::filesystem::path& path) {
-  ContentFile file = read_file(path);
+ContentFile verify_file(const std::filesystem::path& path, Opening opening) {
+  ContentFile file = read_file(path, opening);
   naming(path, [&] {
     switch (file.kind) {
       case FileKind::checkpoint:

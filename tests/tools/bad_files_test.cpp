@@ -19,6 +19,15 @@ constexpr const char* kDamaged =
     "flipped.h5 is damaged: its bytes and the SHA-256 in its header do not agree; copy it again or "
     "write it anew";
 
+/// Of a file that HDF5 can read, and in which only what is beside the content is not as it was.
+std::string changed_but_for_its_content(const std::string& file) {
+  return file +
+         " was changed after rupture sealed it (repacked by another program, an attribute added, "
+         "or damaged beside its data), but its content still has the checksum that is stored in "
+         "it: rupture seal " +
+         file + " -o NEW.h5 makes a sealed file of it";
+}
+
 class BadFiles : public ToolTest {
  protected:
   BadFiles() { output_of("load --config small.ini -o good.h5 --until 2e-4 --record record.h5 -q"); }
@@ -96,7 +105,8 @@ TEST_F(BadFiles, hdf5_file_of_another_program) {
   expect_refused_everywhere(
       "foreign.h5",
       "foreign.h5 is an HDF5 file without rupture's 512-byte header: it was not written by "
-      "rupture, or was rewritten by another program; give the original file");
+      "rupture, or was rewritten by another program; give the original file, or try rupture seal "
+      "foreign.h5 -o NEW.h5");
 }
 
 TEST_F(BadFiles, truncated) {
@@ -117,7 +127,7 @@ TEST_F(BadFiles, truncated) {
 TEST_F(BadFiles, damaged) {
   const std::string whole = read("good.h5");
   for (const std::size_t at :
-       {std::size_t{40}, std::size_t{300}, std::size_t{512}, whole.size() / 2, whole.size() - 1}) {
+       {std::size_t{25}, std::size_t{300}, std::size_t{511}, std::size_t{512}}) {
     std::string bytes = whole;
     bytes[at] = static_cast<char>(bytes[at] ^ 1);
     write("flipped.h5", bytes);
@@ -125,9 +135,7 @@ TEST_F(BadFiles, damaged) {
     expect_refused_as_any_file("flipped.h5", kDamaged);
   }
   write("longer.h5", whole + "x");
-  expect_refused("longer.h5",
-                 "longer.h5 is damaged: its bytes and the SHA-256 in its header do not agree; copy "
-                 "it again or write it anew");
+  expect_refused("longer.h5", changed_but_for_its_content("longer.h5"));
 }
 
 /// A sample of the bits and lengths; all of them are in tests/unit/checkpoint/damage_test.cpp.
@@ -137,8 +145,8 @@ TEST_F(BadFiles, damaged_anywhere) {
     std::string bytes = whole;
     bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ static_cast<char>(1U << bit % 8));
     write("flipped.h5", bytes);
-    expect_refusal_with("analyze verify flipped.h5", kFailed, "flipped.h5 is ");
-    expect_refusal_with("restart flipped.h5 -o out.h5 --for 1e-5", kFailed, "flipped.h5 is ");
+    expect_refusal_with("analyze verify flipped.h5", kFailed, "flipped.h5 ");
+    expect_refusal_with("restart flipped.h5 -o out.h5 --for 1e-5", kFailed, "flipped.h5 ");
   }
   for (std::size_t size = 1; size < whole.size(); size += 1 + whole.size() / 20) {
     write("short.h5", whole.substr(0, size));
@@ -149,7 +157,7 @@ TEST_F(BadFiles, damaged_anywhere) {
 
 TEST_F(BadFiles, damaged_record) {
   std::string bytes = read("record.h5");
-  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  bytes[kHeaderSize] = static_cast<char>(bytes[kHeaderSize] ^ 1);
   write("flipped.h5", bytes);
   expect_refused_as_record("flipped.h5", kDamaged);
   expect_refused_as_any_file("flipped.h5", kDamaged);

@@ -42,6 +42,8 @@ const std::vector<Interface> kInterfaces = {
      {"shape", "sigma-bar", "x-from", "x-to", "slipping", "output", "force", "sum", "quiet",
       "json"}},
     {"parameters", {"json"}},
+    {"finish", {"output", "force", "sum", "quiet"}},
+    {"seal", {"original", "output", "force", "sum", "quiet"}},
     {"analyze events",
      {"quiet-time", "slow-below", "skip-below-x", "stencil", "stencils-at-ends", "ruptured-below",
       "json", "csv"}},

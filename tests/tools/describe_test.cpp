@@ -38,7 +38,8 @@ class Describe : public ToolTest {
   /// The descriptions of all programs and of all commands of analyze.
   std::vector<Json> programs() const {
     std::vector<Json> all;
-    for (const std::string tool : {"load", "prepare", "restart", "modify-phi", "parameters"}) {
+    for (const std::string tool :
+         {"load", "prepare", "restart", "modify-phi", "finish", "seal", "parameters"}) {
       all.push_back(json_of(tool + " --describe"));
     }
     const Json analyze = json_of("analyze --describe");

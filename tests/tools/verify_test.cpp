@@ -4,6 +4,7 @@
 // analyze verify: files, folders and manifests.
 #include <unistd.h>
 
+#include "rupture/checkpoint/envelope.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::testing {
@@ -18,7 +19,7 @@ class Verify : public ToolTest {
 
   void damage(const std::string& file) const {
     std::string bytes = read(file);
-    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    bytes[kHeaderSize] = static_cast<char>(bytes[kHeaderSize] ^ 1);  // HDF5's first byte
     write(file, bytes);
   }
 

@@ -57,6 +57,9 @@ State read_state(const Content& content, const Parameters& parameters);
 /// Checksum of the checkpoint that holds these, without writing it.
 std::string content_checksum(const Parameters& parameters, const State& state);
 
+/// All datasets of the checkpoint that holds these.
+Content checkpoint_content(const Checkpoint& checkpoint);
+
 /// Writes a checkpoint and, on request, its .sum; returns its content checksum. Throws Failure as
 /// write_content() does.
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,

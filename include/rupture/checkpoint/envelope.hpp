@@ -14,6 +14,8 @@
 #include <string>
 #include <string_view>
 
+#include "rupture/model/error.hpp"
+
 namespace rupture {
 
 /// `open_record` is a record that is still being written or whose run was interrupted: pieces that
@@ -44,8 +46,13 @@ std::uint64_t stated_size(std::span<const std::byte> header);
 /// with; 0 if there is none.
 std::size_t intact_piece(std::span<const std::byte> bytes);
 
+/// Thrown if what follows the header of a file of ours is not what was sealed.
+struct BrokenSeal : Failure {
+  using Failure::Failure;
+};
+
 /// Verifies header and body of a whole checkpoint or record. Throws Failure if it is empty, not
-/// ours, truncated or damaged.
+/// ours or damaged in its header, BrokenSeal if it is truncated or damaged behind that.
 FileKind check_envelope(std::span<const std::byte> file, const std::string& name);
 
 }  // namespace rupture

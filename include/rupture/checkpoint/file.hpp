@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "rupture/checkpoint/content.hpp"
 #include "rupture/checkpoint/envelope.hpp"
@@ -49,19 +50,35 @@ FileKind identify(const std::filesystem::path& path);
 std::string write_content(const std::filesystem::path& path, FileKind kind, const Content& content,
                           IfExists if_exists, SumFile sum = SumFile::omit);
 
-/// Reads a file and verifies everything that can be verified without knowing what the datasets
-/// mean: its bytes, schema version, content checksum and finite numbers. Throws Failure.
-ContentFile read_file(const std::filesystem::path& path);
+/// Thrown if a file is not as it was sealed, but its HDF5 part can be read: another program may
+/// have edited or repacked it.
+struct Changed : Failure {
+  using Failure::Failure;
+};
 
-/// The same for a file in memory; `name` is what messages call it. Throws Failure.
-ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name);
+/// Whether libhdf5 is let loose on a file in this process at once, or first in a child process,
+/// which costs some milliseconds: what crashes libhdf5 then becomes a Failure.
+enum class Opening { here, in_child_first };
+
+/// Reads a file and verifies everything that can be verified without knowing what the datasets
+/// mean: its bytes, schema version, content checksum and finite numbers. Throws Failure, and
+/// Changed where that can be told.
+ContentFile read_file(const std::filesystem::path& path, Opening opening = Opening::here);
+
+/// The same for a file in memory; `name` is what messages call it. Throws Failure, and BrokenSeal
+/// instead of Changed.
+ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name,
+                       Opening opening = Opening::here);
+
+/// All bytes of a file. Throws Failure.
+std::vector<std::byte> bytes_of_file(const std::filesystem::path& path);
 
 /// The datasets of any of our files, verified.
 Content read_content(const std::filesystem::path& path);
 
 /// Reads and verifies a checkpoint or record as read_checkpoint() and read_record() do. Throws
 /// Failure if it is damaged, or an unfinished record, which cannot be verified.
-ContentFile verify_file(const std::filesystem::path& path);
+ContentFile verify_file(const std::filesystem::path& path, Opening opening = Opening::here);
 
 /// `<path>.sum`.
 std::filesystem::path sum_path(const std::filesystem::path& path);

@@ -11,6 +11,9 @@
 
 namespace rupture {
 
+/// `rebuild` of a step that no command takes: another program changed the file.
+inline constexpr const char* kEditedOutside = "edited outside";
+
 struct ProvenanceEntry {
   std::string tool;             ///< e.g. "restart"
   std::string version;          ///< of rupture

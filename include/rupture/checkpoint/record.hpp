@@ -79,6 +79,10 @@ struct Record {
 /// `<path>.part`, where the record lives until it is finished.
 std::filesystem::path part_path(const std::filesystem::path& path);
 
+/// Whether a run is writing this .part, which must exist, now. False where the file system has no
+/// locks. Throws Failure if the file cannot be opened.
+bool is_being_written(const std::filesystem::path& part);
+
 /// Throws unless a run with these parameters may write this record: Failure as check_output(), also
 /// of its .part; UsageError if N_s does not fit the 16 bits of a pinned count.
 void check_record(const std::filesystem::path& path, const Parameters& parameters,
@@ -152,5 +156,9 @@ RecordFile read_record_file(const std::filesystem::path& path);
 /// The samples, ruptures, crossings and fields of a record up to and including a step, with which
 /// another one can begin.
 Content rows_until(const Content& record, std::int64_t step);
+
+/// The datasets of an unfinished record up to its last sample, with this provenance, as a finished
+/// record holds them. There must be a sample.
+Content finished_content(const RecordFile& part, const std::vector<ProvenanceEntry>& provenance);
 
 }  // namespace rupture

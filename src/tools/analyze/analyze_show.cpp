@@ -63,7 +63,11 @@ int analyze_show(int argc, const char* const* argv) {
     say("  {} {} (commit {}, {})\n    {}\n", entry.tool, entry.version, entry.commit,
         entry.compiler, entry.command_line);
     if (!entry.parent_checksum.empty()) say("    from {}\n", entry.parent_checksum);
-    if (!entry.rebuild.empty()) say("    made again by: {}\n", entry.rebuild);
+    if (entry.rebuild == kEditedOutside) {
+      say("    {}\n", kEditedOutside);
+    } else if (!entry.rebuild.empty()) {
+      say("    made again by: {}\n", entry.rebuild);
+    }
   }
   return kDone;
 }

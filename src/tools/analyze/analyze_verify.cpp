@@ -93,7 +93,8 @@ int analyze_verify(int argc, const char* const* argv) {
       "without their first word.\n"
       "Every file is looked at, whatever is wrong with others. Exit code 0: all is well, 1: a "
       "file\n"
-      "is damaged, missing, unfinished, not what the manifest says or not listed, or a folder is\n"
+      "is changed, damaged, missing, unfinished, not what the manifest says or not listed, or a "
+      "folder is\n"
       "unreadable or holds no file *.h5.",
       options);
   const auto files = files_of(parsed);

@@ -77,14 +77,14 @@ Inspection unlisted(Inspection finding, const fs::path& file) {
 }  // namespace
 
 std::string_view verdict_name(Verdict verdict) {
-  constexpr std::array<std::string_view, 9> names = {"intact",  "differs",    "unlisted",
-                                                     "damaged", "unfinished", "missing",
-                                                     "empty",   "unreadable", "skipped"};
+  constexpr std::array<std::string_view, 10> names = {
+      "intact",     "differs", "unlisted", "changed",    "damaged",
+      "unfinished", "missing", "empty",    "unreadable", "skipped"};
   return names.at(static_cast<std::size_t>(verdict));
 }
 
 Inspection inspect_file(const fs::path& file, const std::string& expected) try {
-  const ContentFile found = verify_file(file);
+  const ContentFile found = verify_file(file, Opening::in_child_first);
   const std::string& checksum =
       expected == found.stored_checksum ? found.stored_checksum : found.checksum;
   if (expected.empty() || checksum == expected) {
@@ -93,6 +93,8 @@ Inspection inspect_file(const fs::path& file, const std::string& expected) try {
   return {Verdict::differs,
           fmt::format("{} is intact but has content checksum {}, not {} as the manifest says",
                       file.string(), checksum, expected)};
+} catch (const Changed& changed) {
+  return {Verdict::changed, changed.what()};
 } catch (const Failure& failure) {
   return {verdict_of_unverified(file), failure.what()};
 }

@@ -18,6 +18,7 @@ enum class Verdict {
   intact,      ///< with the checksum of the manifest, if that lists it
   differs,     ///< intact, but with another checksum than that of the manifest
   unlisted,    ///< intact, but the manifest does not list it
+  changed,     ///< not as it was sealed, but readable: by another program, or damaged
   damaged,     ///< or no file of ours, or not readable
   unfinished,  ///< a record in the making, which nothing protects
   missing,     ///< no such file

@@ -60,10 +60,11 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
 }
 
 [[noreturn]] void fail_at_unknown(const Lineage& lineage, std::size_t step) {
+  const ProvenanceEntry& entry = lineage.chain[step];
   const std::string text = fmt::format(
-      "{}: step {} ({}) has no command, because it was taken by a build with files of schema "
-      "version 1",
-      lineage.name, step, in_one_line(lineage.chain[step].tool));
+      "{}: step {} ({}) has no command, because {}", lineage.name, step, in_one_line(entry.tool),
+      entry.rebuild.empty() ? "it was taken by a build with files of schema version 1"
+                            : "another program edited the file");
   if (step + 1 == lineage.chain.size()) {
     throw Failure(text + "; analyze show prints what was typed");
   }
@@ -75,7 +76,7 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
 void check_steps(const Lineage& lineage, std::size_t first) {
   for (std::size_t i = lineage.chain.size(); i-- > first;) {
     const std::string& command = lineage.chain[i].rebuild;
-    if (command.empty()) fail_at_unknown(lineage, i);
+    if (command.empty() || command == kEditedOutside) fail_at_unknown(lineage, i);
     if (is_our_command(command)) continue;
     throw Failure(fmt::format("{}: step {} is no command of rupture and will not be run: {}",
                               lineage.name, i, in_one_line(command)));
@@ -104,8 +105,10 @@ std::string lineage_text(const Lineage& lineage) {
   std::string text;
   for (std::size_t i = 0; i < lineage.chain.size(); ++i) {
     const ProvenanceEntry& entry = lineage.chain[i];
-    const std::string command =
-        entry.rebuild.empty() ? "(as typed) " + entry.command_line : entry.rebuild;
+    const std::string command = entry.rebuild.empty() ? "(as typed) " + entry.command_line
+                                : entry.rebuild == kEditedOutside
+                                    ? "(edited outside) " + entry.command_line
+                                    : entry.rebuild;
     text += fmt::format("{} {}  {}: {}\n", i, short_checksum(lineage.checksum_after(i)),
                         build_text(entry), in_one_line(command));
   }

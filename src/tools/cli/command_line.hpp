@@ -67,7 +67,7 @@ void apply(const ParameterChanges& changes, Parameters& parameters);
 enum class Verbosity { normal, quiet };
 enum class Summary { text, json };
 
-/// Options of every tool that writes a file.
+/// Options of every tool that writes a file, which `holds` a checkpoint or record.
 struct OutputOptions {
   std::filesystem::path output;
   IfExists if_exists = IfExists::refuse;
@@ -78,6 +78,8 @@ struct OutputOptions {
   /// Where text goes: standard output, unless that is for JSON.
   std::FILE* text() const { return summary == Summary::json ? stderr : stdout; }
 };
+void add_file_options(po::options_description& options, const std::string& holds);
+/// The same of a tool that writes a checkpoint, and --json.
 void add_output_options(po::options_description& options);
 OutputOptions output_options(const po::variables_map& values);
 

@@ -68,8 +68,8 @@ void Recorder::append_ruptures(const Simulation& simulation) {
 }
 
 void Recorder::take(const Simulation& simulation) {
+  append_ruptures(simulation);  // first, so that a .part has all ruptures up to its last sample
   writer_.append(sample_of(simulation));
-  append_ruptures(simulation);
 }
 
 void Recorder::sync(const Simulation& simulation) {

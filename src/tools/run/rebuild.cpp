@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/any.hpp>
+#include <iterator>
 
 #include "run/run_options.hpp"
 
@@ -59,6 +61,17 @@ std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
                                        const Parameters& parameters, const Clock& clock,
                                        std::int64_t step) {
   chain.back().rebuild += " --until " + time_text(parameters, clock, step);
+  return chain;
+}
+
+std::vector<ProvenanceEntry> cut_at(std::vector<ProvenanceEntry> chain,
+                                    const Parameters& parameters, double t, std::int64_t step) {
+  if (chain.empty()) return chain;
+  auto words = shell_words(chain.back().rebuild);
+  const auto until = std::find(words.begin(), words.end(), "--until");
+  if (std::distance(until, words.end()) < 2) return chain;
+  *std::next(until) = time_text(parameters, {step, t}, step);
+  chain.back().rebuild = shell_line(words);
   return chain;
 }
 

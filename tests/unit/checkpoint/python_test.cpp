@@ -149,6 +149,17 @@ TEST_F(Python, reads_a_record_in_the_making) {
   EXPECT_EQ(output("pieces.py", "r.h5.part"), "8 samples\n");
 }
 
+TEST_F(Python, opens_a_record_in_the_making_while_it_is_written) {
+  RecordWriter out(file("r.h5"), testing::small_parameters(), {}, IfExists::refuse, {}, 4);
+  for (int n = 0; n < 4; ++n) out.append(testing::small_sample(5, n));
+  testing::spill(file("first.py"),
+                 "import h5py, sys\n"
+                 "f = h5py.File(sys.argv[1], 'r')\n"
+                 "print(f['parameters/slider/Nx'][()], f['series/time'].shape)\n"
+                 "print('rupture finish' in f.attrs['note'].decode())\n");
+  EXPECT_EQ(output("first.py", "r.h5.part"), "5 (0,)\nTrue\n");
+}
+
 TEST_F(Python, reads_values_units_and_attributes) {
   write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::refuse);
   testing::spill(

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+#include "child_process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+namespace {
+
+constexpr rlim_t kMostSeconds = 60;  // of processor time
+
+void be_silent() {
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+}
+
+void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
+  const rlimit both = {most, most};
+  [[maybe_unused]] const int ignored = ::setrlimit(resource, &both);
+}
+
+// A handler of ours or of a sanitizer would report what is expected here, or go on.
+void let_signals_end_it() {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
+    std::signal(signal, SIG_DFL);
+  }
+}
+
+[[noreturn]] void be_the_child(const std::function<int()>& work) {
+  be_silent();
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, kMostSeconds);
+  let_signals_end_it();
+  int code = ChildEnd::kThrew;
+  try {
+    code = work();
+  } catch (const std::exception&) {
+  }
+  ::_exit(code);
+}
+
+}  // namespace
+
+ChildEnd in_child_process(const std::function<int()>& work) {
+  const pid_t child = ::fork();
+  if (child < 0) {
+    throw Failure(fmt::format("could not start a process: {}", std::strerror(errno)));
+  }
+  if (child == 0) be_the_child(work);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw Failure("a process that was started is lost");
+  }
+  if (WIFEXITED(status)) return {WEXITSTATUS(status), 0};
+  return {ChildEnd::kThrew, WTERMSIG(status)};
+}
+
+}  // namespace rupture

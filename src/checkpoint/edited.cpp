@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+#include "rupture/checkpoint/edited.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "context.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/record.hpp"
+#include "rupture/model/error.hpp"
+#include "rupture/model/laws.hpp"
+#include "seal.hpp"
+
+namespace rupture {
+namespace {
+
+// The parameters and the states of all laws, for their units.
+Content parameters_and_states() {
+  Content all = parameters_content(Parameters{});
+  for (const std::string_view law : law_names()) {
+    Parameters parameters;
+    set_parameter(parameters, "junctions.law", std::string(law));
+    State state(parameters);
+    state.clock.origin_step = 1;
+    all.merge(state_content(state));
+  }
+  return all;
+}
+
+// Other programs lose the attribute when they replace a dataset. What it says is known.
+void add_missing_units(Content& content) {
+  const Content known = parameters_and_states();
+  for (auto& [path, dataset] : content) {
+    if (!dataset.unit.empty()) continue;
+    const auto found = known.find(path);
+    dataset.unit = found == known.end() ? "1" : found->second.unit;
+  }
+}
+
+void refuse_missing_units(const Content& content) {
+  for (const auto& [path, dataset] : content) {
+    if (!dataset.unit.empty()) continue;
+    throw Failure(
+        fmt::format("{} has lost its attribute unit; set it to that of the other record", path));
+  }
+}
+
+EditedFile opened(std::span<const std::byte> bytes) {
+  try {
+    demand_survival(bytes, hdf5::Accept::edited);
+    return open_edited(bytes);
+  } catch (const hdf5::LibraryFailure& failure) {
+    throw Failure(fmt::format("{}; it is no HDF5 file, or damaged: copy it again or write it anew",
+                              failure.what()));
+  }
+}
+
+Content checked_checkpoint(Content content, const ProvenanceEntry& entry) {
+  // What follows is not the run that wrote the file.
+  std::erase_if(content, [](const auto& item) { return item.first.starts_with("/run/"); });
+  add_missing_units(content);
+  Checkpoint checkpoint = checkpoint_from(content);
+  checkpoint.provenance.push_back(entry);
+  return checkpoint_content(checkpoint);
+}
+
+Content checked_record(Content content, const ProvenanceEntry& entry) {
+  refuse_missing_units(content);
+  auto chain = record_from({FileKind::record, "", "", content}).provenance;
+  chain.push_back(entry);
+  Content sealed = provenance_content(chain);
+  sealed.merge(content);
+  return sealed;
+}
+
+}  // namespace
+
+EditedFile read_edited(const std::filesystem::path& path) {
+  const auto bytes = bytes_of_file(path);
+  EditedFile file = naming(path, [&] { return opened(bytes); });
+  file.name = path.string();
+  return file;
+}
+
+Content checked_content(const EditedFile& file, const ProvenanceEntry& entry) {
+  return naming(file.name, [&] {
+    return file.kind == FileKind::checkpoint ? checked_checkpoint(file.content, entry)
+                                             : checked_record(file.content, entry);
+  });
+}
+
+}  // namespace rupture

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+// finish: the record of a run that was killed, or still runs, as an ordinary record.
+#include <fmt/core.h>
+
+#include "cli/command_line.hpp"
+#include "cli/text.hpp"
+#include "run/rebuild.hpp"
+#include "rupture/checkpoint/record.hpp"
+#include "rupture/model/error.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+struct Options {
+  std::filesystem::path part;
+  OutputOptions output;
+};
+
+Options setup(int argc, char** argv) {
+  po::options_description options("Options");
+  add_file_options(options, "record");
+  const Parsed parsed = parse(
+      argc, argv,
+      {"finish",
+       "finish RECORD.h5.part -o OUT [options]",
+       "Makes an ordinary record of what an unfinished one holds up to its last sample. The run\n"
+       "may have been killed, or still go on, which this does not disturb; RECORD.h5.part stays.",
+       {},
+       "make an ordinary record of one that is unfinished"},
+      options, "record", UsesParameters::no);
+  return {single_input(parsed.values, "record", "an unfinished record (RECORD.h5.part)"),
+          output_options(parsed.values)};
+}
+
+RecordFile read_part(const std::filesystem::path& path) {
+  if (const FileKind kind = identify(path); kind != FileKind::open_record) {
+    throw Failure(fmt::format("{} is {}; expected an unfinished record (RECORD.h5.part)",
+                              path.string(), kind_text(kind)));
+  }
+  RecordFile part = read_record_file(path);
+  if (part.record.time.empty()) {
+    throw Failure(
+        fmt::format("{} holds no sample yet: its run has to go on, or begin again", path.string()));
+  }
+  return part;
+}
+
+/// The run refuses to replace at its end what it did not find at its start.
+void refuse_name_of_run(const Options& options) {
+  namespace fs = std::filesystem;
+  const fs::path& output = options.output.output;
+  if (!is_being_written(options.part) || fs::weakly_canonical(part_path(fs::absolute(output))) !=
+                                             fs::weakly_canonical(fs::absolute(options.part))) {
+    return;
+  }
+  throw Failure(
+      fmt::format("a run is writing {} and will write {} when it ends: give another output",
+                  options.part.string(), output.string()));
+}
+
+int run(const Options& options) {
+  const OutputOptions& output = options.output;
+  const RecordFile part = read_part(options.part);
+  check_outputs({output.output}, output.if_exists, options.part);
+  refuse_name_of_run(options);
+  const Record& record = part.record;
+  const double t = record.time.back();
+  const auto chain = cut_at(record.provenance, record.parameters, t, record.step.back());
+  const std::string checksum = write_content(
+      output.output, FileKind::record, finished_content(part, chain), output.if_exists, output.sum);
+  if (output.verbosity == Verbosity::quiet) return kDone;
+  say("{} samples up to t = {:.9g} s\n{}", record.time.size(), t,
+      wrote_text(output.output, checksum));
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("finish", [&] { return run(setup(argc, argv)); });
+}

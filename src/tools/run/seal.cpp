@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+// seal: a checkpoint or record that another program edited, checked and sealed again.
+#include <fmt/core.h>
+
+#include <optional>
+
+#include "cli/command_line.hpp"
+#include "cli/option_values.hpp"
+#include "cli/text.hpp"
+#include "rupture/checkpoint/compare.hpp"
+#include "rupture/checkpoint/edited.hpp"
+#include "rupture/model/error.hpp"
+
+namespace {
+
+using namespace rupture;
+using namespace rupture::tools;
+
+struct Options {
+  std::string file;
+  std::string original;  // empty if none is given
+  OutputOptions output;
+  std::vector<std::string> arguments;
+};
+
+Options setup(int argc, char** argv) {
+  po::options_description options("Options");
+  options.add_options()("original", input_file("checkpoint or record"),
+                        "the file as it was before; the datasets that differ are named");
+  add_file_options(options, "checkpoint or record");
+  const Parsed parsed = parse(
+      argc, argv,
+      {"seal",
+       "seal FILE -o OUT [options]",
+       "Checks a checkpoint or record that was edited or repacked by another program, such as "
+       "h5py\n"
+       "or MATLAB, and writes a sealed one, whose provenance says that it was edited outside.\n"
+       "Attributes other than unit, and how datasets are stored, are not kept.",
+       {},
+       "check and seal a file that another program edited"},
+      options, "file", UsesParameters::no);
+  const auto& values = parsed.values;
+  return {single_input(values, "file", "a checkpoint or record to seal"),
+          values.count("original") > 0 ? values["original"].as<std::string>() : "",
+          output_options(values), parsed.arguments};
+}
+
+void refuse_what_needs_no_seal(const std::string& path) {
+  try {
+    if (identify(path) != FileKind::open_record) verify_file(path, Opening::in_child_first);
+  } catch (const Failure&) {
+    return;  // why, is said when it is read
+  }
+  if (identify(path) == FileKind::open_record) {
+    throw Failure(
+        fmt::format("{} is an unfinished record: rupture finish {} -o NEW.h5", path, path));
+  }
+  throw Failure(fmt::format("{} is sealed and intact: there is nothing to do", path));
+}
+
+ContentFile read_original(const std::string& path, const EditedFile& edited,
+                          const std::string& edited_path) {
+  ContentFile original = verify_file(path, Opening::in_child_first);
+  const std::string& sealed = edited.sealed_checksum;
+  if (sealed == original.checksum || sealed == original.stored_checksum) return original;
+  throw Failure(fmt::format("{} is not the original of {}: its content checksum is {}, not {}",
+                            path, edited_path, original.checksum,
+                            sealed.empty() ? "known" : sealed));
+}
+
+std::string_view word(Change change) {
+  switch (change) {
+    case Change::type:
+      return "another type";
+    case Change::shape:
+      return "another shape";
+    case Change::only_in_a:
+      return "removed";
+    case Change::only_in_b:
+      return "added";
+    case Change::values:
+      break;
+  }
+  return "other values";
+}
+
+std::string line_about(const Difference& difference, const Content& edited) {
+  std::string text = fmt::format("edited: {}: {}", difference.path, word(difference.change));
+  if (difference.change == Change::values) {
+    text += fmt::format(", {} of {}", difference.count,
+                        element_count(edited.at(difference.path).shape));
+  }
+  return text + "\n";
+}
+
+void print_differences(const ContentFile& original, const EditedFile& edited) {
+  for (const Difference& difference : diff(original.content, edited.content)) {
+    say("{}", line_about(difference, edited.content));
+  }
+}
+
+void print_checksums(const EditedFile& edited) {
+  if (edited.content_is_as_sealed) {
+    say("the content is as it was sealed; only what is beside it was changed\n");
+  } else if (edited.sealed_checksum.empty()) {
+    say("the file does not say what it was before\n");
+  } else {
+    say("the content is not what it was, {}\n", edited.sealed_checksum);
+  }
+}
+
+int run(const Options& options) {
+  const OutputOptions& output = options.output;
+  refuse_what_needs_no_seal(options.file);
+  const EditedFile edited = read_edited(options.file);
+  check_outputs({output.output}, output.if_exists, options.file);
+  std::optional<ContentFile> original;
+  if (!options.original.empty()) original = read_original(options.original, edited, options.file);
+  const auto entry =
+      make_provenance("seal", options.arguments, edited.sealed_checksum, kEditedOutside);
+  const std::string checksum = write_content(
+      output.output, edited.kind, checked_content(edited, entry), output.if_exists, output.sum);
+  if (output.verbosity == Verbosity::quiet) return kDone;
+  print_checksums(edited);
+  if (original) print_differences(*original, edited);
+  say("{}", wrote_text(output.output, checksum));
+  return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_tool("seal", [&] { return run(setup(argc, argv)); });
+}
