@@ -66,7 +66,7 @@ int decimals_for(double duration) {
 std::vector<Part> parts_of(const Simulation& now, std::int64_t last, double rate,
                            bool until_quiet) {
   const std::int64_t first = now.run().first_step, step = now.state().step;
-  const double whole = static_cast<double>(last - first);
+  const auto whole = static_cast<double>(last - first);
   const int decimals = decimals_for(whole * now.parameters().dt);
   const double end = time_at(now.parameters(), now.state().clock, last);
   std::vector<Part> parts = {{2, fmt::format("t = {:.{}f} s of {}{:.{}f} s", now.time(), decimals,

@@ -45,8 +45,8 @@ class Run {
  private:
   /// As it was before the first step.
   struct Beginning {
-    std::int64_t step;
-    double time;  // [s]
+    std::int64_t step = 0;
+    double time = 0.0;  // [s]
     Energies energies;
     std::chrono::steady_clock::time_point wall_clock;
   };
