@@ -92,7 +92,7 @@ def draw_tau_over_p(figure, axes, record, rows, t_zero):
 
 
 def mark_events(axes, events, t_zero):
-    """A number at the right of the panel where each event begins, unless it would lie on another."""
+    """A number at the right where each event begins, unless it would lie on another."""
     low, high = axes.get_ylim()
     free = low
     for event in events:
