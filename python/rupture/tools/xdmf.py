@@ -8,6 +8,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
 
 import h5py
+import numpy as np
 
 from rupture.elasticity import STRESSES, stress_of
 from rupture.errors import Failure
@@ -51,6 +52,9 @@ def open_checkpoint(path):
 def write_derived(group, checkpoint):
     """What follows from a checkpoint, which does not hold it."""
     bulk = stress_of(checkpoint["u_x"], checkpoint["u_z"], checkpoint.parameters)
+    places = np.stack(np.broadcast_arrays(checkpoint.x, checkpoint.z[:, None], 0.0), axis=-1)
+    group.create_dataset("slider", data=places)
+    group.create_dataset("interface", data=places[:1])
     report = analyze("stress", checkpoint)
     along = ([report["tau"]], [report["p"]], [checkpoint.pinned_fraction])  # one row
     for names, arrays, units in ((STRESSES, bulk, ["Pa"] * 3), (INTERFACE, along, ["N", "N", "1"])):
@@ -69,16 +73,13 @@ def scalar(name, place, shape):
     return f'<Attribute Name="{name}" Center="Node">{item(place, shape)}</Attribute>'
 
 
-def grid(name, shape, spacing, attributes):
-    """Blocks are the points of a square lattice, rows first, in the plane that ParaView shows:
-    z upwards. (Of grids in two dimensions, VTK's readers disagree about that plane.)"""
-    size = " ".join(map(str, (1, *shape)))
-    numbers = '<DataItem Format="XML" NumberType="Float" Precision="8" Dimensions="3">'
-    steps = " ".join([repr(spacing)] * 3)
-    origin, steps = f"{numbers}0 0 0</DataItem>", f"{numbers}{steps}</DataItem>"
+def grid(name, shape, points, attributes):
+    """Blocks are points, rows first. (VTK's readers disagree about
+    their plane; so the positions stand in the file.)"""
+    size = " ".join(map(str, shape))
     return (
-        f'<Grid Name="{name}"><Topology TopologyType="3DCoRectMesh" Dimensions="{size}"/>'
-        f'<Geometry GeometryType="ORIGIN_DXDYDZ">{origin}{steps}</Geometry>'
+        f'<Grid Name="{name}"><Topology TopologyType="2DSMesh" Dimensions="{size}"/>'
+        f'<Geometry GeometryType="XYZ">{item(points, (*shape, 3))}</Geometry>'
         f"{''.join(attributes)}</Grid>"
     )
 
@@ -89,9 +90,8 @@ def step_of(checkpoint, state, derived):
     bulk = [scalar(name, f"{state}/{name}", shape) for name in STATE]
     bulk += [scalar(name, f"{derived}/{name}", shape) for name in STRESSES]
     along = [scalar(name, f"{derived}/{name}", (1, shape[1])) for name in INTERFACE]
-    spacing = float(checkpoint.x[1])
-    grids = grid("slider", shape, spacing, bulk)
-    grids += grid("interface", (1, shape[1]), spacing, along)
+    grids = grid("slider", shape, f"{derived}/slider", bulk)
+    grids += grid("interface", (1, shape[1]), f"{derived}/interface", along)
     time = f'<Time Value="{checkpoint.time!r}"/>'
     return f'<Grid Name="t" GridType="Collection" CollectionType="Spatial">{time}{grids}</Grid>\n'
 
