@@ -37,7 +37,7 @@ LATER = {  # count only where the law uses them and away from their defaults
     "/parameters/slider/springs": b"exact",
 }
 OF_LAWS = {name for names in USED.values() for name in names}  # all laws use the others
-CONTENT = ("parameters", "state", "series", "ruptures", "crossings")
+CONTENT = ("parameters", "state", "series", "ruptures", "crossings", "fields")
 
 
 def counts(path, dataset, law):

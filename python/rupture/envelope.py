@@ -19,19 +19,23 @@ PIECE = (
 EXPLANATIONS = {CHECKPOINT: WHOLE, RECORD: WHOLE, PART: PIECE}
 
 
-@contextmanager
-def mapped(path):
-    """The bytes of a file, as they are now, without a copy."""
+def map_file(path):
     try:
-        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
-            with memoryview(data) as view:
-                yield view
+        with open(path, "rb") as file:
+            return mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
     except FileNotFoundError:
         raise Failure(f"{path} does not exist; give the path of a checkpoint or record") from None
     except ValueError:
         raise Failure(f"{path} is empty; expected a checkpoint or record") from None
     except OSError as error:
         raise Failure(f"cannot read {path}: {error.strerror}") from None
+
+
+@contextmanager
+def mapped(path):
+    """The bytes of a file, as they are now, without a copy."""
+    with map_file(path) as data, memoryview(data) as view:
+        yield view
 
 
 def kind_of(data, path):

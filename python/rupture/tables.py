@@ -9,6 +9,8 @@ import numpy as np
 
 from rupture.errors import Failure
 
+POSITIONS = ("x", "z")  # of a group, which all have the same
+
 
 def imported(name):
     try:
@@ -40,7 +42,7 @@ def to_xarray(file):
     coordinates = {n: (n, values, {"units": units[n]}) for n, values in where.items()}
     variables = {}
     for name, array in file.items():
-        if name in coordinates:
+        if name.split("/")[-1] in POSITIONS or name in coordinates:
             continue
         dimensions = dimensions_of(file, name, array)
         variables[name.replace("/", "_")] = (dimensions, array, {"units": file.units(name)})

@@ -41,7 +41,9 @@ class Files(unittest.TestCase):
             call(*arguments)
 
     def test_a_part_is_the_beginning_of_the_record(self):
-        part, whole = rupture.open(killed("part", 4)), self.result.record
+        name = killed("part", 4)
+        part, again, whole = rupture.open(name), rupture.open(name), self.result.record
+        self.assertTrue(np.array_equal(part["tau"], again["tau"]))
         shared = min(len(part.time), len(whole.time))
         self.assertGreater(shared, 100)
         self.assertFalse(part.finished)

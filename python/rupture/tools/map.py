@@ -8,15 +8,12 @@ import itertools
 import numpy as np
 
 from rupture import plotting
-from rupture.errors import Failure
-from rupture.files import Record, open_file
 from rupture.programs import analyze
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, UsageError, run_tool
+from rupture.tools.command_line import Parser, run_tool
 from rupture.tools.output import check_output, complete
+from rupture.tools.window import add_window, events_in, open_record, window_of
 
-MARGIN = 0.15  # shown before and after an event, of its duration
-LEAST_MARGIN = 0.5e-3  # [s]
 SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
 
@@ -32,43 +29,9 @@ def parser():
     )
     made.add_argument("record", metavar="RECORD", help="record, or the .part of one")
     made.add_output("picture to write: .png, .pdf or .svg")
-    made.add_argument("--event", type=int, metavar="N", help="draw this event of `analyze events`")
-    made.add_time("--from", "draw from this time on", dest="begin")
-    made.add_time("--to", "draw up to this time", dest="end")
+    add_window(made)
     made.add_common()
     return made
-
-
-def open_record(path):
-    record = open_file(path)
-    if not isinstance(record, Record):
-        raise Failure(f"{path} is a checkpoint; give a record")
-    if len(record.time) < 2:
-        raise Failure(f"{path} has fewer than two samples; wait until its run has written more")
-    return record
-
-
-def window_of_event(events, number):
-    """[s], [s]"""
-    if not 0 <= number < len(events):
-        has = f"events 0 to {len(events) - 1}" if events else "no events"
-        raise UsageError(f"there is no event {number}: the record has {has}")
-    start, end = events[number]["t_start"], events[number]["t_end"]
-    margin = max(MARGIN * (end - start), LEAST_MARGIN)
-    return start - margin, end + margin
-
-
-def window_of(options, record, events):
-    """The time to be drawn [s], [s]."""
-    if options.event is not None:
-        begin, end = window_of_event(events, options.event)
-    else:
-        begin = record.time[0] if options.begin is None else options.begin
-        end = record.time[-1] if options.end is None else options.end
-    begin, end = max(begin, record.time[0]), min(end, record.time[-1])
-    if np.count_nonzero((record.time >= begin) & (record.time <= end)) < 2:
-        raise UsageError(f"fewer than two samples lie between {begin:g} s and {end:g} s")
-    return begin, end
 
 
 def slip_speed(record, rows):
@@ -152,7 +115,7 @@ def run():
     record = open_record(options.record)
     events = analyze("events", options.record)["events"]
     begin, end = window_of(options, record, events)
-    shown = [event for event in events if event["t_end"] >= begin and event["t_start"] <= end]
+    shown = events_in(events, begin, end)
     figure = figure_of(record, options.record, shown, (begin, end))
     with complete(options.output) as path:
         figure.savefig(path, dpi=200)
