@@ -21,7 +21,7 @@ def check_refusals(test, name, cases):
     for arguments, code, part in cases:
         found, said, sentence = ran(name, *arguments)
         test.assertEqual((found, said, sentence.count("\n")), (code, "", 1), sentence)
-        test.assertTrue(sentence.startswith(f"{name}: "), sentence)
+        test.assertTrue(sentence.startswith(f"rupture {name}: "), sentence)
         test.assertIn(part, sentence)
 
 

@@ -56,7 +56,7 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, name, arguments, purpose, summary, inputs):
         self.summary, self.inputs = summary, inputs
-        usage = f"{name} {arguments} [options]"
+        usage = f"rupture {name} {arguments} [options]"
         super().__init__(name, usage, purpose, add_help=False, allow_abbrev=False)
 
     def add_time(self, name, text, **more):
@@ -116,10 +116,10 @@ def run_tool(name, run):
     try:
         run()
     except UsageError as error:
-        print(f"{name}: {error}; see {name} --help", file=sys.stderr)
+        print(f"rupture {name}: {error}; see rupture {name} --help", file=sys.stderr)
         return 2
     except (Failure, OSError, MemoryError) as error:
-        print(f"{name}: {error or 'not enough memory'}", file=sys.stderr)
+        print(f"rupture {name}: {error or 'not enough memory'}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         return 130

@@ -41,22 +41,20 @@ bool has_module(const std::string& name) {
 class Python : public testing::InFolder {
  protected:
   void SetUp() override {
-    if (!fs::exists(schema_page())) GTEST_SKIP() << "the sources are elsewhere";
+    if (!fs::exists(kSources / "python")) GTEST_SKIP() << "the sources are elsewhere";
     if (!has_module("h5py")) GTEST_SKIP() << kPython << " has no h5py";
-    const std::string page = testing::slurp(schema_page());
-    testing::spill(file("checksum.py"), python_of(page, "## Content checksum"));
+    const std::string page = testing::slurp(kSources / "docs/schema.md");
     testing::spill(file("labels.py"), python_of(page, "#### Labels"));
     testing::spill(file("pieces.py"), python_of(page, "#### While it grows"));
-    if (!fs::exists(kSources / "python")) GTEST_SKIP() << "the sources are elsewhere";
-    if (output_of(std::string(kPython) + " -c 'import h5py; print(1)' 2>&1") != "1\n") {
-      GTEST_SKIP() << kPython << " has no h5py";
-    }
   }
-  // What a script of the sources prints about a file.
+  // What a script prints about a file.
+  std::string said(const fs::path& script, const char* name) {
+    return output_of(fmt::format("PYTHONPATH={}/python {} -B {} {} 2>&1", kSources.string(),
+                                 kPython, script.string(), file(name).string()));
+  }
+  std::string output(const char* script, const char* name) { return said(file(script), name); }
   std::string recomputed(const char* name) {
-    const fs::path script = kSources / "python/rupture/checksum.py";
-    return output_of(
-        fmt::format("{} -B {} {} 2>&1", kPython, script.string(), file(name).string()));
+    return said(kSources / "python/rupture/checksum.py", name);
   }
 };
 
@@ -151,11 +149,7 @@ TEST_F(Xarray, finds_dimensions_positions_and_units) {
 TEST_F(Python, reads_a_record_in_the_making) {
   RecordWriter out(file("r.h5"), testing::small_parameters(), {}, IfExists::refuse, {}, 4);
   for (int n = 0; n < 10; ++n) out.append(testing::small_sample(5, n));
-  const std::string page = testing::slurp(kSources / "docs/schema.md");
-  testing::spill(file("pieces.py"), python_of(page, "### Record"));
-  EXPECT_EQ(output_of(fmt::format("PYTHONPATH={}/python {} -B {} {} 2>&1", kSources.string(),
-                                  kPython, file("pieces.py").string(), file("r.h5.part").string())),
-            "8 samples\n");
+  EXPECT_EQ(output("pieces.py", "r.h5.part"), "8 samples\n");
 }
 
 TEST_F(Python, reads_values_units_and_attributes) {
