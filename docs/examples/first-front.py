@@ -5,7 +5,7 @@
 # # The first front, with and without driving
 #
 # The slider is loaded until a front has crossed its whole interface. Then the run is taken up again
-# just before that event, with the driving stopped. Run it cell by cell (VS Code, Spyder, and Jupyter
+# just before that event, with the driving stopped. Run it cell by cell (VS Code, Spyder, or Jupyter
 # with jupytext read these cells) or as a whole: `python3 first-front.py`. It takes half a minute.
 
 # %%
@@ -31,7 +31,7 @@ first = next(event for event in events if event["spanning"])
 print(f"event {first['number']} crosses the interface from {first['t_start']:.4f} s on")
 
 # %% [markdown]
-# The last checkpoint before that event is where the other run begins. `driving.V` is the speed of the
+# The other run begins at the last checkpoint before that event. `driving.V` is the speed of the
 # driving point.
 
 # %%
