@@ -16,8 +16,8 @@ CPPCHECK = (
     " -I include -I src -I src/tools -I tests -I tests/tools"
 ).split()
 PYTHON_CHECKS = {
-    "black --check --diff --quiet recipes src tests": "black would change this (black FILE).",
-    "flake8 recipes src tests": "flake8 found the faults above (.flake8 has what it may not say).",
+    "black --check --diff --quiet python recipes src tests": "black would change this (black FILE).",
+    "flake8 python recipes src tests": "flake8 found the faults above (.flake8 has what it may not say).",
     "mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is run).",
 }
 SHELL_SCRIPTS = (

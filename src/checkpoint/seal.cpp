@@ -104,10 +104,9 @@ Sealed seal(FileKind kind, const Content& content) {
   const bool is_piece = kind == FileKind::open_record;  // which nothing compares
   const std::string checksum = is_piece ? std::string() : content_checksum(content);
   const auto labels = kind == FileKind::record ? record_labels(content) : hdf5::Labels{};
-  std::vector<std::byte> bytes =
-      hdf5::make_image({std::string(format_name(kind)), kSchemaVersion, checksum,
-                        is_piece ? kNoteInPieces : ""},
-                       content, labels);
+  std::vector<std::byte> bytes = hdf5::make_image(
+      {std::string(format_name(kind)), kSchemaVersion, checksum, is_piece ? kNoteInPieces : ""},
+      content, labels);
   const std::string header = header_text(kind, std::span(bytes).subspan(kHeaderSize));
   std::memcpy(bytes.data(), header.data(), header.size());
   return {checksum, std::move(bytes)};

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The rupture authors
 // SPDX-License-Identifier: MIT
 
-// Other programs can read our files, and recompute their checksum from docs/schema.md alone.
+// Other programs can read our files, and recompute their checksum with h5py alone.
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <memory>
 
@@ -16,9 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPython = "/usr/bin/python3";
 
-fs::path schema_page() {
-  return fs::path(__FILE__).parent_path() / "../../../docs/schema.md";
-}
+const fs::path kSources = fs::path(__FILE__).parent_path() / "../../..";
 
 // The ```python block of the page that follows this heading.
 std::string python_of(const std::string& page, const std::string& heading) {
@@ -41,18 +41,21 @@ bool has_module(const std::string& name) {
 class Python : public testing::InFolder {
  protected:
   void SetUp() override {
-    if (!fs::exists(schema_page())) GTEST_SKIP() << "the sources are elsewhere";
+    if (!fs::exists(kSources / "python")) GTEST_SKIP() << "the sources are elsewhere";
     if (!has_module("h5py")) GTEST_SKIP() << kPython << " has no h5py";
-    const std::string page = testing::slurp(schema_page());
-    testing::spill(file("checksum.py"), python_of(page, "## Content checksum"));
+    const std::string page = testing::slurp(kSources / "docs/schema.md");
     testing::spill(file("labels.py"), python_of(page, "#### Labels"));
     testing::spill(file("pieces.py"), python_of(page, "#### While it grows"));
   }
-  std::string output(const char* script, const char* name) {
-    return output_of(std::string(kPython) + " " + file(script).string() + " " +
-                     file(name).string() + " 2>&1");
+  // What a script prints about a file.
+  std::string said(const fs::path& script, const char* name) {
+    return output_of(fmt::format("PYTHONPATH={}/python {} -B {} {} 2>&1", kSources.string(),
+                                 kPython, script.string(), file(name).string()));
   }
-  std::string recomputed(const char* name) { return output("checksum.py", name); }
+  std::string output(const char* script, const char* name) { return said(file(script), name); }
+  std::string recomputed(const char* name) {
+    return said(kSources / "python/rupture/checksum.py", name);
+  }
 };
 
 TEST_F(Python, recomputes_the_checksum_of_a_checkpoint) {

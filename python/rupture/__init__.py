@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Checkpoints and records of rupture as numpy arrays, and its programs as functions.
+
+    import rupture
+    result = rupture.run("load", output="load.h5", record="load-record.h5", until=0.85)
+    record = result.record
+    record.time, record.x, record["tau"], record.units("tau")
+
+All numbers are in SI units. What goes wrong raises `rupture.Failure`, one sentence.
+"""
+
+from rupture.errors import Failure
+from rupture.files import Checkpoint, File, Record, open_file as open, verify
+from rupture.programs import Result, analyze, run
+
+__all__ = ["Checkpoint", "Failure", "File", "Record", "Result", "analyze", "open", "run", "verify"]

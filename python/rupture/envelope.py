@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""The text of 512 bytes in front of each file and of each piece of a `.part`; docs/schema.md."""
+
+import hashlib
+import mmap
+from contextlib import contextmanager
+
+from rupture.errors import Failure
+
+HEADER = 512  # [bytes]
+CHECKPOINT, RECORD, PART = "rupture-checkpoint", "rupture-record", "rupture-record-part"
+WHOLE = "An HDF5 file starts at byte 512; the SHA-256 is that of\ntail -c +513 FILE | sha256sum\n"
+PIECE = (
+    "One of the pieces of an unfinished record, which follow each other in this file.\n"
+    "An HDF5 file starts at byte 512 of each.\n"
+)
+EXPLANATIONS = {CHECKPOINT: WHOLE, RECORD: WHOLE, PART: PIECE}
+
+
+def map_file(path):
+    try:
+        with open(path, "rb") as file:
+            return mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+    except FileNotFoundError:
+        raise Failure(f"{path} does not exist; give the path of a checkpoint or record") from None
+    except ValueError:
+        raise Failure(f"{path} is empty; expected a checkpoint or record") from None
+    except OSError as error:
+        raise Failure(f"cannot read {path}: {error.strerror}") from None
+
+
+@contextmanager
+def mapped(path):
+    """The bytes of a file, as they are now, without a copy."""
+    with map_file(path) as data, memoryview(data) as view:
+        yield view
+
+
+def kind_of(data, path):
+    """First line of the header."""
+    kind = bytes(data[:HEADER]).split(b"\n")[0].decode("latin-1")
+    if kind in EXPLANATIONS and len(data) >= HEADER:
+        return kind
+    raise Failure(f"{path} is not a rupture file: give one that rupture's programs wrote")
+
+
+def sealed_header(kind, data):
+    digest = hashlib.sha256(data[HEADER:]).hexdigest()
+    text = f"{kind}\nbytes {len(data)}\nsha256 {digest}\n{EXPLANATIONS[kind]}"
+    return text.encode().ljust(HEADER, b"\n")
+
+
+def is_intact(kind, data):
+    return data[:HEADER] == sealed_header(kind, data)
+
+
+def check_seal(data, path):
+    """The kind of the file; a Failure if its bytes are not those that were written."""
+    kind = kind_of(data, path)
+    whole = next(pieces(data), b"") if kind == PART else is_intact(kind, data)
+    if not whole:
+        raise Failure(
+            f"{path} is damaged or was changed by another program: its bytes and the SHA-256 in"
+            " its header do not agree; copy it again or write it anew"
+        )
+    return kind
+
+
+def stated_size(header):
+    """What the header says [bytes]; 0 if it says nothing."""
+    lines = bytes(header).split(b"\n")
+    words = lines[1].split() if len(lines) > 1 else []
+    return int(words[1]) if len(words) == 2 and words[1].isdigit() else 0
+
+
+def pieces(data):
+    """The intact pieces of a `.part`, up to the first that is not whole."""
+    start = 0
+    while HEADER < (size := stated_size(data[start : start + HEADER])) <= len(data) - start:
+        piece = data[start : start + size]
+        if not is_intact(PART, piece):
+            return
+        yield piece
+        start += size

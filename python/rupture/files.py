@@ -1,0 +1,291 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Checkpoints and records as numpy arrays.
+
+The examples use a checkpoint and a record of a small slider:
+
+>>> checkpoint, record = rupture.open("small.h5"), rupture.open("small-record.h5")
+"""
+
+import difflib
+from collections import namedtuple
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from rupture import tables
+from rupture.checksum import content_checksum, datasets
+from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, mapped
+from rupture.errors import Failure
+from rupture.pieces import joined
+
+Ruptures = namedtuple("Ruptures", "time step block x")
+POISSON = 1 / 3
+
+
+def plain(value):
+    """A scalar of a file as Python's own."""
+    return value.decode() if isinstance(value, bytes) else value.item()
+
+
+def text(attribute):
+    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
+
+
+class File(Mapping):
+    """What checkpoints and records have in common. A mapping from names to arrays, which are read
+    from the file when they are asked for. Usable in `with`.
+
+    >>> sorted(checkpoint)[:3]
+    ['drive/origin_position', 'drive/origin_step', 'f_x']
+    """
+
+    home: str  # the group whose datasets need no group in their name
+    dimensions: dict  # names of the dimensions, by group
+
+    def __init__(self, path, file):
+        self.path = Path(path)
+        self.file = file
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        self.file.close()
+
+    def __repr__(self):
+        return f"<rupture.{type(self).__name__} {str(self.path)!r}: {', '.join(self)}>"
+
+    def dataset(self, name):
+        """The h5py.Dataset of a name, a path or, with a point in it, a parameter."""
+        for path in (f"{self.home}/{name}", name, f"parameters/{name.replace('.', '/')}"):
+            if isinstance(self.file.get(path), h5py.Dataset):
+                return self.file[path]
+        near = difflib.get_close_matches(name, [*self, *self.parameters], 1)
+        hint = f"; did you mean {near[0]}?" if near else f"; it has {', '.join(self)}"
+        raise Failure(f"{self.path} has no {name}{hint}")
+
+    def __getitem__(self, name):
+        """The array of this name in SI units, such as "u_x"; a number where it is one.
+
+        >>> checkpoint["u_x"].shape
+        (9, 17)
+        """
+        value = self.dataset(name)[()]
+        return value if isinstance(value, np.ndarray) else plain(value)
+
+    def __contains__(self, name):
+        return isinstance(name, str) and name in set(self)
+
+    def __iter__(self):
+        paths = datasets(self.file)
+        return (path.removeprefix(f"{self.home}/") for path in paths if self.is_data(path))
+
+    def __len__(self):
+        return sum(1 for _ in self)
+
+    @staticmethod
+    def is_data(path):
+        return path.split("/")[0] not in ("parameters", "provenance", "run")
+
+    def units(self, name):
+        """The unit of an array or of a parameter; "1" where it has none.
+
+        >>> record.units("tau"), record.units("slider.L")
+        ('N', 'm')
+        """
+        attributes = self.dataset(name).attrs
+        return text(attributes["unit"])
+
+    @cached_property
+    def parameters(self):
+        """All parameters by name, in SI units.
+
+        >>> record.parameters["slider.L"], record.parameters["junctions.law"]
+        (0.14, 'reference')
+        """
+        stored = datasets(self.file["parameters"])
+        return {path.replace("/", "."): plain(item[()]) for path, item in stored.items()}
+
+    @property
+    def provenance(self):
+        """The steps that led to this file, oldest first.
+
+        >>> [step["tool"] for step in checkpoint.provenance]
+        ['load']
+        """
+        steps = self.file["provenance"]
+        return [{name: plain(steps[n][name][()]) for name in steps[n]} for n in sorted(steps)]
+
+    @property
+    def checksum(self):
+        """The content checksum that the file states; `rupture.verify()` recomputes it. That of a
+        record which is not finished is not known yet, and empty."""
+        return text(self.file.attrs.get("content_checksum", ""))
+
+    @property
+    def x(self):
+        """Positions of the blocks along the interface, from the driven side [m].
+
+        >>> record.x[:3]
+        array([0.     , 0.00875, 0.0175 ])
+        """
+        return np.linspace(0, self.parameters["slider.L"], self.parameters["slider.Nx"])
+
+    @property
+    def z(self):
+        """Heights of the rows of blocks above the interface [m]."""
+        return np.linspace(0, self.parameters["slider.H"], self.parameters["slider.Nz"])
+
+    @property
+    def c_s(self):
+        """Shear wave speed sqrt(G / rho), Poisson ratio 1/3 [m/s].
+
+        >>> round(record.c_s)
+        935
+        """
+        p = {name: self.parameters[f"slider.{name}"] for name in "LHBME"}
+        density = p["M"] / (p["L"] * p["H"] * p["B"])
+        return np.sqrt(p["E"] / (2 * (1 + POISSON)) / density)
+
+    @property
+    def springs_per_block(self):
+        simplified = self.parameters.get("junctions.law") == "simplified"
+        return 1 if simplified else self.parameters["junctions.N_s"]
+
+    def to_xarray(self):
+        """An xarray.Dataset with named dimensions, positions, and units as attributes.
+
+        >>> record.to_xarray()["tau"].dims
+        ('time', 'x')
+        """
+        return tables.to_xarray(self)
+
+    def to_dataframe(self):
+        """A pandas.DataFrame: a row for each sample and block of a record, or for each block of a
+        checkpoint. Arrays of other dimensions are in `to_xarray()`.
+
+        >>> record.to_dataframe().index.names
+        FrozenList(['time', 'x'])
+        """
+        return tables.to_dataframe(self)
+
+
+class Checkpoint(File):
+    """The whole state of a slider. Blocks are [Nz][Nx], row 0 being the interface; junctions are
+    [Nx][S].
+
+    >>> checkpoint
+    <rupture.Checkpoint 'small.h5': drive/origin_position, ...>
+    """
+
+    home = "state"
+    dimensions = {"state": ("z", "x"), "state/junctions": ("x", "junction")}
+
+    @property
+    def time(self):
+        """[s]
+
+        >>> checkpoint.time
+        0.002
+        """
+        step = self["step"] - self.value_or("clock/origin_step", 0)
+        return self.value_or("clock/origin_time", 0.0) + step * self.parameters["numerics.dt"]
+
+    def value_or(self, name, default):
+        return self[name] if name in self else default
+
+    @property
+    def pinned_fraction(self):
+        """Fraction of each interface block's junctions that are pinned, [Nx]."""
+        return 1 - self["junctions/slipping"].mean(axis=1)
+
+
+class Record(File):
+    """Time series of the interface of one run: [n] or [n][Nx].
+
+    >>> record["tau"].shape == (len(record.time), len(record.x))
+    True
+    """
+
+    home = "series"
+    dimensions = {
+        "series": ("time", "x"),
+        "ruptures": ("rupture",),
+        "crossings": ("crossing",),
+        "fields": ("field_time", "z", "x"),
+    }
+
+    @property
+    def time(self):
+        """Times of the samples [s]."""
+        return self["time"]
+
+    @property
+    def finished(self):
+        """False of a `.part`, the record of a run that goes on or was interrupted."""
+        return text(self.file.attrs["format"]) == RECORD
+
+    @property
+    def ruptures(self):
+        """When which block ruptured: time [s], step, block and x [m], an array each.
+
+        >>> record.ruptures.time[:2], record.ruptures.block[:2]
+        (array([0.000117 , 0.0001278]), array([1, 2]))
+        """
+        columns = {name: self[f"ruptures/{name}"] for name in ("time", "step", "block")}
+        return Ruptures(**columns, x=self.x[columns["block"]])
+
+    @property
+    def pinned_fraction(self):
+        """Fraction of each block's junctions that are pinned, [n][Nx].
+
+        >>> record.pinned_fraction[0].min()
+        1.0
+        """
+        return self["pinned"] / self.springs_per_block
+
+
+def opened(path):
+    try:
+        return h5py.File(path, "r")
+    except OSError as error:
+        raise Failure(f"cannot read {path}: {error}") from None
+
+
+def open_file(path):
+    """A `Checkpoint` or a `Record`, after a check of the SHA-256 over its bytes. A `.part` is read
+    as far as it is written now, and stays as it was when the file grows: open it again.
+
+    >>> rupture.open("small.h5").time
+    0.002
+    """
+    with mapped(path) as data:
+        kind = check_seal(data, path)
+        if kind == PART:
+            return Record(path, joined(data))
+    return (Checkpoint if kind == CHECKPOINT else Record)(path, opened(path))
+
+
+def verify(path):
+    """The content checksum of a file, recomputed, after a check of the SHA-256 over its bytes;
+    a Failure if one of them is not that which the file states.
+
+    >>> rupture.verify("small.h5") == rupture.open("small.h5").checksum
+    True
+    """
+    with open_file(path) as file:
+        computed = content_checksum(file.file)
+        if file.checksum not in ("", computed):
+            raise Failure(
+                f"{path} is damaged: its content has the checksum {computed}, and the file states"
+                f" {file.checksum}; write it anew"
+            )
+    return computed

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""The look of all pictures, and the panels that several draw. For matplotlib, which is needed only
+here."""
+
+import numpy as np
+
+MAP = "viridis"  # for images; "cividis" where a second one is needed
+
+# Okabe and Ito's colours: distinct for all common kinds of colour vision.
+BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
+YELLOW, BLUE, VERMILION, PURPLE = "#F0E442", "#0072B2", "#D55E00", "#CC79A7"
+LINES = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK]
+
+STYLE = {
+    "font.family": "DejaVu Sans",  # comes with Matplotlib
+    "font.size": 8,
+    "axes.titlesize": 8,
+    "axes.labelsize": 8,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "legend.fontsize": 7.5,
+    "legend.frameon": False,
+    "axes.linewidth": 0.6,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.minor.width": 0.4,
+    "ytick.minor.width": 0.4,
+    "xtick.direction": "out",
+    "ytick.direction": "out",
+    "lines.linewidth": 1.2,
+    "lines.markersize": 3,
+    "image.cmap": MAP,
+    "image.origin": "lower",
+    "image.interpolation": "nearest",
+    "figure.constrained_layout.use": True,
+    "pdf.fonttype": 42,  # text stays text
+    "savefig.dpi": 300,
+}
+
+RUPTURED = 0.3  # pinned fraction below which a block counts as ruptured
+ROWS = 1500  # of an image: more than can be told apart
+MILLISECONDS = 1e3
+ROUNDING = 1e-6  # of times [ms]
+
+
+def rows_in(record, t_zero, window):
+    """Indices of at most ROWS samples of a record, evenly, in `window` [ms after t_zero]."""
+    time = (record.time - t_zero) * MILLISECONDS
+    shown = np.flatnonzero((time > window[0] - ROUNDING) & (time < window[1] + ROUNDING))
+    return shown[:: max(1, -(-len(shown) // ROWS))]
+
+
+def draw_image(axes, record, values, rows, t_zero, **look):
+    """Image of `values` [rows][blocks], position along x, time upwards in ms after t_zero."""
+    x, time = record.x / record.x[-1], (record.time[rows] - t_zero) * MILLISECONDS
+    axes.set(xlabel="$x/L$", ylabel="time [ms]", xlim=(0, 1))
+    return axes.pcolormesh(x, time, values, shading="nearest", rasterized=True, **look)
+
+
+def draw_pinned(axes, record, t_zero, window):
+    """Map of the pinned fraction, with the line along which blocks rupture. `window` is the time
+    shown [ms after t_zero]. Returns the image."""
+    rows = rows_in(record, t_zero, window)
+    fraction = record.pinned_fraction[rows]
+    image = draw_image(axes, record, fraction, rows, t_zero, cmap=MAP, vmin=0, vmax=1)
+    x, time = record.x / record.x[-1], (record.time[rows] - t_zero) * MILLISECONDS
+    if fraction.min() < RUPTURED < fraction.max():
+        axes.contour(x, time, fraction, levels=[RUPTURED], colors="white", linewidths=0.8)
+    axes.set(ylim=window)
+    return image
+
+
+def draw_pinned_scale(figure, image, axes, **place):
+    scale = figure.colorbar(
+        image, ax=axes, label="fraction of pinned junctions", aspect=30, **place
+    )
+    across = scale.ax.axhline if scale.orientation == "vertical" else scale.ax.axvline
+    across(RUPTURED, color="white", linestyle="--", linewidth=0.8)
+
+
+def draw_front_speeds(axes, fronts, looks):
+    """Front speed against position. `fronts` holds reports of `analyze front` by name, `looks`
+    label, colour and marker by the same names."""
+    for name, (label, colour, marker) in looks.items():
+        front = fronts[name]
+        v_c = np.array(front["v_c"], dtype=float)  # None becomes NaN
+        x = np.array(front["x"]) / front["L"]
+        forwards = v_c > 0
+        axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
+    c_s = front["c_s"]
+    axes.axhline(c_s, color=BLACK, linewidth=0.8)
+    axes.annotate("$c_s$", (0.9, c_s), xytext=(0, 2), textcoords="offset points")
+    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1))

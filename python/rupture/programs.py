@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""The programs as functions."""
+
+import json
+import os
+import shutil
+import subprocess
+from functools import cached_property
+from pathlib import Path
+
+from rupture.errors import Failure
+from rupture.files import File, open_file
+
+PACKAGE = Path(__file__).resolve().parent
+# The programs of a build, and of an installation with the package in lib/python3/dist-packages.
+BESIDE = (PACKAGE / "../../build/release/bin", PACKAGE / "../../../../libexec/rupture")
+
+
+def command_of(program):
+    """The words that start a program: of the folder $RUPTURE_BIN, of this build or installation,
+    or of `rupture` on the PATH."""
+    own = os.environ.get("RUPTURE_BIN")
+    for folder in [Path(own)] if own else BESIDE:
+        if os.access(folder / program, os.X_OK):
+            return [str(folder / program)]
+    if not own and shutil.which("rupture"):
+        return ["rupture", program]
+    where = f"not in RUPTURE_BIN={own}" if own else "neither built nor installed, nor on the PATH"
+    raise Failure(
+        f"found no program {program}: {where}; build it, or set RUPTURE_BIN to its folder"
+    )
+
+
+def words(value):
+    """The values of an option as words of a command line."""
+    several = value if isinstance(value, (list, tuple)) else [value]
+    return [str(one.path if isinstance(one, File) else one) for one in several]
+
+
+def options_of(options):
+    """Keyword arguments as options: `until_quiet=0.01` is --until-quiet 0.01, `for_=0.02` is
+    --for 0.02, True a flag; False and None are left out."""
+    for name, value in options.items():
+        if value is None or value is False:
+            continue
+        yield "--" + name.rstrip("_").replace("_", "-")
+        yield from [] if value is True else words(value)
+
+
+def output_of(program, *arguments):
+    """Runs a program: its standard output. A Failure with its sentence if it failed."""
+    command = command_of(program) + [word for given in arguments for word in words(given)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        said = done.stderr.strip().splitlines()[-1:] or [f"ended with {done.returncode}"]
+        raise Failure(said[0])
+    return done.stdout
+
+
+class Result:
+    """The files that a run wrote. They are opened when they are asked for."""
+
+    def __init__(self, output, record):
+        self.output = Path(output)  # the checkpoint at its end
+        self.record_file = Path(record) if record else None
+
+    def __repr__(self):
+        return f"<rupture.Result {str(self.output)!r} {self.checksum[:8]}>"
+
+    @cached_property
+    def checkpoint(self):
+        """The state at the end, a `Checkpoint`."""
+        return open_file(self.output)
+
+    @cached_property
+    def record(self):
+        """The `Record` of the run; None if none was asked for."""
+        return open_file(self.record_file) if self.record_file else None
+
+    @property
+    def checksum(self):
+        """The content checksum of the checkpoint."""
+        return self.checkpoint.checksum
+
+    @property
+    def checkpoints(self):
+        """The paths of the checkpoints on the way, in the order of their times."""
+        own = self.checkpoint.file.get("run/id")
+        paths = self.output.parent.glob(f"{self.output.stem}-t*{self.output.suffix}")
+        opened = [open_file(path) for path in paths] if own else []
+        mine = [file for file in opened if file.file["run/id"][()] == own[()]]
+        return [file.path for file in sorted(mine, key=lambda file: file.time)]
+
+
+def run(program, *inputs, output, record=None, set=(), **options):
+    """Runs `load`, `prepare`, `restart` or `modify-phi`, and returns its `Result`.
+
+    Inputs are paths or opened files. Options have the names of the command line with
+    _ for -, and SI units; `set` changes parameters by their names.
+
+    >>> after = rupture.run("restart", "small.h5", output="after.h5", record="after-record.h5",
+    ...                     set={"driving.V": 0}, record_every=1e-5, for_=1e-3, force=True)
+    >>> after.checkpoint.time, after.record.parameters["driving.V"], len(after.record.time)
+    (0.003, 0.0, 101)
+    """
+    settings = [word for name, value in dict(set).items() for word in ("--set", f"{name}={value}")]
+    files = {"output": output, "record": record}
+    output_of(program, *inputs, "--quiet", *settings, *options_of({**options, **files}))
+    return Result(output, record)
+
+
+def analyze(command, *inputs, **options):
+    """The report of `analyze COMMAND` as a dict, in SI units; None where there is no value.
+
+    >>> rupture.analyze("events", "small-record.h5")["events"][0]["type"]
+    'fast'
+    """
+    return json.loads(output_of("analyze", command, *inputs, "--json", *options_of(options)))

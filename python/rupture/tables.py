@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Files as tables of pandas and datasets of xarray, which need not be installed otherwise."""
+
+import importlib
+
+import numpy as np
+
+from rupture.errors import Failure
+
+POSITIONS = ("x", "z")  # of a group, which all have the same
+
+
+def imported(name):
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        package = f"apt-get install python3-{name}"
+        raise Failure(f"{name} is not installed; install it, on Debian with {package}") from None
+
+
+def positions(file):
+    """The coordinates that files of this kind have."""
+    main = file.dimensions[file.home]
+    return {name: getattr(file, name) for name in main if hasattr(file, name)}
+
+
+def dimensions_of(file, name, array):
+    """The names of an array's dimensions, by its group; an own one for each that has no name."""
+    path = name if "/" in name and name.split("/")[0] in file.dimensions else f"{file.home}/{name}"
+    group = path.rpartition("/")[0]
+    named = file.dimensions.get(group, ())[: np.ndim(array)]
+    known = len(named) == np.ndim(array) and name != "crossings/levels"
+    return named if known else tuple(f"{name}_{n}".replace("/", "_") for n in range(np.ndim(array)))
+
+
+def to_xarray(file):
+    xarray = imported("xarray")
+    units = {"time": "s", "x": "m", "z": "m"}
+    where = positions(file)
+    coordinates = {n: (n, values, {"units": units[n]}) for n, values in where.items()}
+    variables = {}
+    for name, array in file.items():
+        if name.split("/")[-1] in POSITIONS or name in coordinates:
+            continue
+        dimensions = dimensions_of(file, name, array)
+        variables[name.replace("/", "_")] = (dimensions, array, {"units": file.units(name)})
+    return xarray.Dataset(variables, coordinates, {"source": str(file.path)})
+
+
+def to_dataframe(file):
+    pandas = imported("pandas")
+    where = {name: getattr(file, name) for name in file.dimensions[file.home]}
+    shape = tuple(map(len, where.values()))
+    columns = {}
+    for name, array in file.items():
+        if "/" not in name and name not in where:
+            array = np.reshape(array, np.shape(array) + (1,) * (len(shape) - np.ndim(array)))
+            columns[name] = np.broadcast_to(array, shape).ravel()
+    return pandas.DataFrame(columns, pandas.MultiIndex.from_product(where.values(), names=where))

@@ -1,0 +1,154 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""movie: a record as a film."""
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+
+from rupture import plotting
+from rupture.elasticity import stress_of
+from rupture.errors import Failure
+from rupture.programs import analyze
+from rupture.tables import imported
+from rupture.tools.command_line import Parser, run_tool
+from rupture.tools.output import check_output, complete
+from rupture.tools.window import add_window, open_record, window_of
+
+ENDINGS = (".gif", ".mp4", ".webm")
+CODECS = {".mp4": "libx264", ".webm": "libvpx-vp9"}
+FRAMES = 150
+PER_SECOND = 15
+DPI = 120
+
+
+def parser():
+    made = Parser(
+        "movie",
+        "RECORD -o FILE",
+        "Films a record, or an unfinished one: the interface and, where the run had --fields, the"
+        " slider above it, coloured by its displacement since the first frame or by shear stress.",
+        "film of a record",
+        "record",
+    )
+    made.add_argument("record", metavar="RECORD", help="record, or the .part of one")
+    made.add_output("film to write: .gif, or .mp4 or .webm with ffmpeg")
+    colours = ("displacement", "stress")
+    text = "colours of the slider"
+    made.add_argument("--colour", choices=colours, default=colours[0], help=text)
+    text = "the most frames, at 15 per second"
+    made.add_argument("--frames", type=int, metavar="N", default=FRAMES, help=text)
+    add_window(made)
+    made.add_common()
+    return made
+
+
+def writer_of(path):
+    animation = imported("matplotlib.animation")
+    ending = Path(path).suffix.lower()
+    if ending == ".gif":
+        return animation.PillowWriter(fps=PER_SECOND)
+    if not shutil.which("ffmpeg"):
+        raise Failure(f"{ending} needs ffmpeg, which is not installed; install it, or write a .gif")
+    even = ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"]
+    return animation.FFMpegWriter(fps=PER_SECOND, codec=CODECS[ending], extra_args=even)
+
+
+def chosen_samples(time, window, most):
+    """Indices of at most so many samples in the window, evenly."""
+    shown = np.flatnonzero((time >= window[0]) & (time <= window[1]))
+    return shown[np.unique(np.linspace(0, len(shown) - 1, min(most, len(shown))).astype(int))]
+
+
+class Interface:
+    """Slip speed and pinned fraction of each block; `rows` are the samples of the frames."""
+
+    def __init__(self, axes, record, rows):
+        x, time = record.x / record.x[-1], record.time
+        self.speed = np.abs(np.gradient(record["u_x"], time, axis=0))[rows] * 1e3  # [mm/s]
+        self.pinned = record.pinned_fraction[rows]
+        self.bars = axes.bar(x, self.pinned[0], x[1], color=plotting.SKY)
+        axes.axhline(plotting.RUPTURED, color=plotting.BLACK, linestyle="--", linewidth=0.8)
+        axes.set(xlabel="$x/L$", ylabel="pinned fraction", xlim=(0, 1), ylim=(0, 1.02))
+        right = axes.twinx()
+        (self.line,) = right.plot(x, self.speed[0], color=plotting.VERMILION)
+        right.set(yscale="log", ylim=(0.1, max(1, 1.5 * self.speed.max())))
+        right.set_ylabel("slip speed [mm/s]", color=plotting.VERMILION)
+
+    def draw(self, frame):
+        for bar, height in zip(self.bars, self.pinned[frame]):
+            bar.set_height(height)
+        self.line.set_ydata(self.speed[frame])
+        return f"fastest block {self.speed[frame].max():.3g} mm/s"
+
+
+class Slider:
+    """The blocks, coloured; `rows` are samples of the fields."""
+
+    def __init__(self, figure, axes, record, rows, colour):
+        self.values, label = values_of(record, rows, colour)
+        limit = np.quantile(np.abs(self.values), 0.995) or 1.0
+        lowest = self.values.min() if colour == "displacement" else -limit
+        p = record.parameters
+        extent = (0, 1, 0, p["slider.H"] / p["slider.L"])
+        look = {"vmin": lowest, "vmax": limit, "cmap": COLOURS[colour], "origin": "lower"}
+        self.image = axes.imshow(self.values[0], extent=extent, aspect="auto", **look)
+        axes.set(ylabel="$z/L$", xlim=(0, 1))
+        figure.colorbar(self.image, ax=axes, label=label, location="top", aspect=40)
+
+    def draw(self, frame):
+        self.image.set_data(self.values[frame])
+
+
+COLOURS = {"displacement": plotting.MAP, "stress": "RdBu_r"}
+
+
+def values_of(record, rows, colour):
+    """What colours the blocks, [frames][Nz][Nx], and its label."""
+    u_x = record["fields/u_x"][rows].astype(float)
+    if colour == "displacement":
+        return (u_x - u_x[0]) * 1e6, "$u_x$ since the first frame [µm]"
+    u_z = record["fields/u_z"][rows].astype(float)
+    stress = stress_of(u_x, u_z, record.parameters)[2]
+    return stress / 1e6, r"shear stress $\sigma_{xz}$ [MPa]"
+
+
+def draw_frames(record, window, options, path):
+    pyplot = imported("matplotlib.pyplot")
+    pyplot.rcParams.update(plotting.STYLE)
+    with_bulk = "fields/u_x" in record
+    times = record["fields/time"] if with_bulk else record.time
+    rows = chosen_samples(times, window, options.frames)
+    figure, axes = pyplot.subplots(
+        1 + with_bulk, 1, figsize=(6, 5 if with_bulk else 3), squeeze=False
+    )
+    near = np.clip(np.searchsorted(record.time, times[rows] - 1e-12), 0, len(record.time) - 1)
+    interface = Interface(axes[-1, 0], record, near)
+    slider = Slider(figure, axes[0, 0], record, rows, options.colour) if with_bulk else None
+    figure.suptitle(" ")
+    figure.canvas.draw()
+    figure.set_layout_engine("none")  # the place of everything stays as it is: half the time
+    with (writer := writer_of(path)).saving(figure, str(path), DPI):
+        for frame, time in enumerate(times[rows]):
+            said = interface.draw(frame)
+            if slider:
+                slider.draw(frame)
+            figure.suptitle(f"t = {time * 1e3:.3f} ms, {said}")
+            writer.grab_frame()
+
+
+def run():
+    options = parser().parse_args()
+    check_output(options.output, options.force, ENDINGS)
+    writer_of(options.output)
+    record = open_record(options.record)
+    events = analyze("events", options.record)["events"] if options.event is not None else []
+    window = window_of(options, record, events)
+    with complete(options.output) as path:
+        draw_frames(record, window, options, path)
+
+
+def main():
+    return run_tool("movie", run)

@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""watch: a run that goes on, by the record that it writes."""
+
+import shutil
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+from rupture import plotting
+from rupture.errors import Failure
+from rupture.files import Record, open_file
+from rupture.tables import imported
+from rupture.tools.command_line import Parser, run_tool
+
+LEVELS = " ▁▂▃▄▅▆▇█"
+SAMPLES = 1000  # the last ones, shown in a window
+
+
+def parser():
+    made = Parser(
+        "watch",
+        "RECORD.part",
+        "Shows the interface while a run goes on, in a window or, without a display, as text:"
+        " the fraction of pinned junctions along it. Ends when the record is finished.",
+        "a run that goes on, in a window or as text",
+        "record",
+    )
+    made.add_argument("record", metavar="RECORD.part", help="record that a run writes")
+    made.add_time("--every", "look so often", default=1.0)
+    made.add_argument("--text", action="store_true", help="text, even if there is a display")
+    made.add_common()
+    return made
+
+
+def current(path):
+    """The record as it is now: the `.part`, or what became of it."""
+    whole = Path(str(path).removesuffix(".part"))
+    part = whole.with_name(whole.name + ".part")
+    for existing in (part, whole):
+        try:
+            record = open_file(existing)
+        except Failure:
+            if existing.exists():
+                raise
+            continue
+        if isinstance(record, Record):
+            return record
+        raise Failure(f"{existing} is a checkpoint; give the .part of a record")
+    raise Failure(f"{part} does not exist; give the .part of a run that writes a record")
+
+
+def bar(fraction, width):
+    """A character per block, or for every n-th where there are too many."""
+    shown = fraction[:: max(1, -(-len(fraction) // width))]
+    return "".join(LEVELS[round(f * (len(LEVELS) - 1))] for f in shown)
+
+
+def text_of(record):
+    if not len(record.time):
+        return "no sample yet"
+    width = shutil.get_terminal_size().columns - 50
+    pinned = bar(record["pinned"][-1] / record.springs_per_block, max(width, 10))
+    force, count = record["F_T"][-1], len(record.ruptures.time)
+    return f"t = {record.time[-1]:.6f} s  F_T = {force:7.2f} N  {count:5} ruptures  |{pinned}|"
+
+
+class Text:
+    """A line that is rewritten; off a terminal, a line each time."""
+
+    def draw(self, record):
+        on_terminal = sys.stdout.isatty()
+        print(
+            ("\r\033[K" if on_terminal else "") + text_of(record), end="" if on_terminal else "\n"
+        )
+        sys.stdout.flush()
+
+    def pause(self, seconds):
+        time.sleep(seconds)
+
+    def finish(self):
+        print("\nfinished" if sys.stdout.isatty() else "finished")
+
+
+class Window:
+    def __init__(self, pyplot):
+        self.pyplot = pyplot
+        pyplot.rcParams.update(plotting.STYLE)
+        self.figure, self.axes = pyplot.subplots(figsize=(5, 5))
+        pyplot.show(block=False)
+
+    def draw(self, record):
+        self.axes.clear()
+        if len(record.time) > 1:
+            shown = record.time[-SAMPLES:][[0, -1]] * plotting.MILLISECONDS
+            plotting.draw_pinned(self.axes, record, 0.0, shown)
+        self.axes.set_title(f"t = {np.max(record.time, initial=0):.6f} s")
+
+    def pause(self, seconds):
+        self.pyplot.pause(seconds)
+        if not self.pyplot.fignum_exists(self.figure.number):
+            raise KeyboardInterrupt  # the window was closed
+
+    def finish(self):
+        self.pyplot.show()
+
+
+def view(options):
+    if options.text:
+        return Text()
+    pyplot = imported("matplotlib.pyplot")
+    pyplot.figure()  # only now is the display looked for
+    pyplot.close()
+    interactive = pyplot.get_backend() in imported("matplotlib.rcsetup").interactive_bk
+    return Window(pyplot) if interactive else Text()
+
+
+def run():
+    options = parser().parse_args()
+    record, shown = current(options.record), view(options)
+    while True:
+        shown.draw(record)
+        if record.finished:
+            return shown.finish()
+        shown.pause(options.every)
+        record = current(options.record)
+
+
+def main():
+    return run_tool("watch", run)

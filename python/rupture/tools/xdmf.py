@@ -1,0 +1,125 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""xdmf: checkpoints for ParaView and VTK."""
+
+import os
+from pathlib import Path
+from xml.sax.saxutils import escape, quoteattr
+
+import h5py
+import numpy as np
+
+from rupture.elasticity import STRESSES, stress_of
+from rupture.errors import Failure
+from rupture.files import Checkpoint, open_file
+from rupture.programs import analyze
+from rupture.tools.command_line import Parser, run_tool
+from rupture.tools.output import check_output, complete
+
+STATE = ("u_x", "u_z", "v_x", "v_z")
+INTERFACE = ("tau", "p", "pinned_fraction")
+
+
+def parser():
+    made = Parser(
+        "xdmf",
+        "CHECKPOINT... -o FILE.xdmf",
+        "Writes a file with which ParaView and VTK open checkpoints as one series in time:"
+        " displacement, velocity and stress of the blocks; tau, p and the pinned fraction along the"
+        " interface. It refers to the checkpoints, which have to stay where they are. What they do"
+        " not hold as such, stress and interface, is written to FILE-derived.h5.",
+        "series of checkpoints for ParaView and VTK",
+        "checkpoint",
+    )
+    made.add_argument(
+        "checkpoints", metavar="CHECKPOINT", nargs="+", help="checkpoints, in any order"
+    )
+    made.add_output("file to write: .xdmf")
+    made.add_common()
+    return made
+
+
+def open_checkpoint(path):
+    if ":" in str(path):
+        raise Failure(f"{path} has a colon in its name, which XDMF cannot refer to; rename it")
+    checkpoint = open_file(path)
+    if isinstance(checkpoint, Checkpoint):
+        return checkpoint
+    raise Failure(f"{path} is a record; give checkpoints")
+
+
+def write_derived(group, checkpoint):
+    """What follows from a checkpoint, which does not hold it."""
+    bulk = stress_of(checkpoint["u_x"], checkpoint["u_z"], checkpoint.parameters)
+    places = np.stack(np.broadcast_arrays(checkpoint.x, checkpoint.z[:, None], 0.0), axis=-1)
+    group.create_dataset("slider", data=places)
+    group.create_dataset("interface", data=places[:1])
+    report = analyze("stress", checkpoint)
+    along = ([report["tau"]], [report["p"]], [checkpoint.pinned_fraction])  # one row
+    for names, arrays, units in ((STRESSES, bulk, ["Pa"] * 3), (INTERFACE, along, ["N", "N", "1"])):
+        for name, array, unit in zip(names, arrays, units):
+            group.create_dataset(name, data=array).attrs["unit"] = unit
+
+
+def item(place, shape):
+    """Numbers in an HDF5 file; `place` is FILE:/PATH."""
+    size = " ".join(map(str, shape))
+    kind = 'Format="HDF" NumberType="Float" Precision="8"'
+    return f'<DataItem {kind} Dimensions="{size}">{escape(place)}</DataItem>'
+
+
+def scalar(name, place, shape):
+    return f'<Attribute Name="{name}" Center="Node">{item(place, shape)}</Attribute>'
+
+
+def grid(name, shape, points, attributes):
+    """Blocks are points, rows first. (VTK's readers disagree about
+    their plane; so the positions stand in the file.)"""
+    size = " ".join(map(str, shape))
+    return (
+        f'<Grid Name="{name}"><Topology TopologyType="2DSMesh" Dimensions="{size}"/>'
+        f'<Geometry GeometryType="XYZ">{item(points, (*shape, 3))}</Geometry>'
+        f"{''.join(attributes)}</Grid>"
+    )
+
+
+def step_of(checkpoint, state, derived):
+    """The grids of one time. `state` and `derived` are the places of the groups."""
+    shape = checkpoint["u_x"].shape
+    bulk = [scalar(name, f"{state}/{name}", shape) for name in STATE]
+    bulk += [scalar(name, f"{derived}/{name}", shape) for name in STRESSES]
+    along = [scalar(name, f"{derived}/{name}", (1, shape[1])) for name in INTERFACE]
+    grids = grid("slider", shape, f"{derived}/slider", bulk)
+    grids += grid("interface", (1, shape[1]), f"{derived}/interface", along)
+    time = f'<Time Value="{checkpoint.time!r}"/>'
+    return f'<Grid Name="t" GridType="Collection" CollectionType="Spatial">{time}{grids}</Grid>\n'
+
+
+def write_all(checkpoints, output, derived):
+    steps = []
+    with complete(derived) as path:
+        with h5py.File(path, "w") as file:
+            for number, checkpoint in enumerate(checkpoints):
+                write_derived(file.create_group(f"{number:04}"), checkpoint)
+                beside = os.path.relpath(checkpoint.path, output.parent)
+                places = f"{beside}:/state", f"{derived.name}:/{number:04}"
+                steps.append(step_of(checkpoint, *places))
+    series = f'<Grid Name={quoteattr(output.stem)} GridType="Collection" CollectionType="Temporal">'
+    with complete(output) as path:
+        text = f'<Xdmf Version="2.2"><Domain>{series}\n{"".join(steps)}</Grid></Domain></Xdmf>\n'
+        path.write_text(f'<?xml version="1.0"?>\n{text}', encoding="utf-8")
+
+
+def run():
+    options = parser().parse_args()
+    output = Path(options.output)
+    derived = output.with_name(f"{output.stem}-derived.h5")
+    check_output(output, options.force, (".xdmf", ".xmf"))
+    check_output(derived, options.force)
+    checkpoints = [open_checkpoint(path) for path in options.checkpoints]
+    write_all(sorted(checkpoints, key=lambda one: one.time), output, derived)
+
+
+def main():
+    return run_tool("xdmf", run)

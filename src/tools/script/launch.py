@@ -1,0 +1,19 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Runs the program of the Python package that has the name of this file, which is a link in a build
+and a copy in the folder libexec/rupture of an installation."""
+
+import os
+import sys
+from importlib import import_module
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+PACKAGES = (HERE / "../../../python", HERE / "../../lib/python3/dist-packages")
+sys.path[:0] = [str(folder.resolve()) for folder in PACKAGES if (folder / "rupture").is_dir()][:1]
+os.environ.setdefault("RUPTURE_BIN", os.path.dirname(os.path.abspath(__file__)))
+
+name = os.path.basename(sys.argv[0])
+sys.exit(import_module(f"rupture.tools.{name}").main())

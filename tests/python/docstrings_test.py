@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""The examples in the docstrings of the package give what they say."""
+
+import doctest
+import sys
+
+import rupture.files
+import rupture.programs
+import small
+
+
+def failures(module, files):
+    names = {"rupture": rupture, **files}
+    return doctest.testmod(module, extraglobs=names, optionflags=doctest.ELLIPSIS).failed
+
+
+if __name__ == "__main__":
+    small.folder()
+    opened = {
+        "checkpoint": rupture.open("small.h5"),
+        "record": rupture.open("small-record.h5"),
+    }
+    sys.exit(sum(failures(module, opened) for module in (rupture.files, rupture.programs)))

@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""docs/examples/first-front.py runs: the front crosses, and arrests without driving."""
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import rupture
+
+SCRIPT = Path(__file__).resolve().parents[2] / "docs/examples/first-front.py"
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        subprocess.run([sys.executable, "-B", SCRIPT], check=True)
+        assert Path("first-front.png").stat().st_size > 10_000
+        driven, stopped = map(rupture.open, ("load-record.h5", "stopped-record.h5"))
+        assert (driven.parameters["driving.V"], stopped.parameters["driving.V"]) == (4e-4, 0)
+        events = rupture.analyze("events", "load-record.h5")["events"]
+        assert any(event["spanning"] for event in events)
+        assert not rupture.analyze("events", "stopped-record.h5")["events"][0]["spanning"]

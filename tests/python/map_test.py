@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""map: pictures of records, the window that they show, and refusals."""
+
+import struct
+import unittest
+from pathlib import Path
+
+import numpy as np
+import rupture
+import small
+from program import check_description, check_refusals, ran
+from rupture import plotting
+from rupture.tools.map import slip_speed
+
+
+def size_of_png(path):
+    data = Path(path).read_bytes()
+    assert data.startswith(b"\x89PNG\r\n\x1a\n")
+    return struct.unpack(">II", data[16:24])
+
+
+class Map(unittest.TestCase):
+    def setUp(self):
+        self.folder, self.result, _ = small.folder()
+
+    def test_draws_all_or_an_event_or_a_time(self):
+        for number, choice in enumerate([(), ("--event", 0), ("--from", "0.5ms", "--to", 1e-3)]):
+            name = f"map-{number}.png"
+            self.assertEqual(ran("map", "small-record.h5", "-o", name, *choice), (0, "", ""))
+            self.assertEqual(size_of_png(name), (2000, 840))
+        self.assertNotEqual(Path("map-0.png").read_bytes(), Path("map-1.png").read_bytes())
+
+    def test_draws_a_record_without_events(self):
+        rupture.run("load", output="still.h5", record="still-record.h5", until=2e-3, set=QUIET)
+        self.assertEqual(ran("map", "still-record.h5", "-o", "still.pdf"), (0, "", ""))
+
+    def test_refuses(self):
+        Path("there.png").write_text("kept")
+        to = ("-o", "x.png")
+        cases = [
+            ((), 2, "are required: RECORD"),
+            (("none.h5", *to), 1, "none.h5 does not exist"),
+            (("small.h5", *to), 1, "is a checkpoint; give a record"),
+            (("small-record.h5", "-o", "x.gif"), 2, "has to end with .png"),
+            (("small-record.h5", "-o", "no/x.png"), 1, "the folder no does not exist"),
+            (("small-record.h5", "-o", "there.png"), 1, "there.png exists"),
+            (("small-record.h5", *to, "--event", 9), 2, "there is no event 9"),
+            (("small-record.h5", *to, "--from", "5 parsec"), 2, "is no time"),
+            (("small-record.h5", *to, "--from", 3), 2, "fewer than two samples lie between"),
+        ]
+        check_refusals(self, "map", cases)
+        self.assertEqual(Path("there.png").read_text(), "kept")
+        self.assertFalse(list(self.folder.glob("*x.png")) + list(self.folder.glob(".*")))
+
+    def test_describes_itself(self):
+        check_description(self, "map")
+
+    def test_the_slip_speed_is_that_of_the_blocks(self):
+        record = self.result.record
+        rows = plotting.rows_in(record, 0.0, (0.2, 0.4))
+        ends = record.time[rows[[0, -1]]]
+        self.assertTrue(np.allclose(ends, (0.2e-3, 0.4e-3), rtol=1e-9), ends)
+        step = record.time[2] - record.time[0]
+        speed = np.abs(record["u_x"][rows[2]] - record["u_x"][rows[0]]) / step
+        self.assertTrue(np.allclose(slip_speed(record, rows)[1], speed, rtol=1e-9))
+
+
+QUIET = small.SMALL | {"driving.V": 0}
+
+if __name__ == "__main__":
+    unittest.main()
