@@ -15,19 +15,15 @@ CPPCHECK = (
     " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"
     " -I include -I src -I src/tools -I tests -I tests/tools"
 ).split()
+PYTHON = "python recipes src tests"
 PYTHON_CHECKS = {
-    "black --check --diff --quiet python recipes src tests": "black would change this (black FILE).",
-    "flake8 python recipes src tests": "flake8 found the faults above (.flake8 has what it may not say).",
+    f"black --check --diff --quiet {PYTHON}": "black would change this (black FILE).",
+    f"flake8 {PYTHON}": "flake8 found the faults above (.flake8 has what it may not say).",
     "mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is run).",
 }
 SHELL_SCRIPTS = (
-    *(
-        "reproduce.sh",
-        ".ci/run",
-        "src/tools/rupture-golden",
-        "src/tools/reproduce",
-        "recipes/*/*.sh",
-    ),
+    *("reproduce.sh", ".ci/run", "src/tools/rupture-golden", "src/tools/reproduce"),
+    "recipes/*/*.sh",
     *("recipes/profiles/*/job.sh", "recipes/profiles/*/step", "tests/*/*.sh"),
     "tests/regression/project/*.sh",
 )

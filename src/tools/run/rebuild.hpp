@@ -37,8 +37,8 @@ std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
                                        const Parameters& parameters, const Clock& clock,
                                        std::int64_t step);
 
-/// The chain of a record of which only what there is at `step`, at time `t`, is kept: its last entry
-/// gets this time instead of the planned one. Without a command it stays as it is.
+/// The chain of a record of which only what there is at `step`, at time `t`, is kept: its last
+/// entry gets this time instead of the planned one. Without a command it stays as it is.
 std::vector<ProvenanceEntry> cut_at(std::vector<ProvenanceEntry> chain,
                                     const Parameters& parameters, double t, std::int64_t step);
 
