@@ -19,7 +19,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 
-file(STRINGS packages.txt _rows REGEX "^run +(python3-|snakemake)")
+file(STRINGS packages.txt _rows REGEX "^run +(python3|snakemake)")
 list(TRANSFORM _rows REPLACE "^run +([^ ]+).*" "\\1")
 list(JOIN _rows ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
 

@@ -133,7 +133,7 @@ class Programs(unittest.TestCase):
         self.assertEqual(self.result.checksum, rupture.verify("small.h5"))
 
     def test_a_refusal_is_its_sentence(self):
-        with self.assertRaisesRegex(rupture.Failure, "^rupture load: small.h5 exists"):
+        with self.assertRaisesRegex(rupture.Failure, "^load: small.h5 exists"):
             rupture.run("load", output="small.h5", until=0.001)
         os.environ["RUPTURE_BIN"], kept = "/nowhere", os.environ["RUPTURE_BIN"]
         with self.assertRaisesRegex(rupture.Failure, "RUPTURE_BIN=/nowhere"):

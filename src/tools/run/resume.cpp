@@ -181,21 +181,27 @@ Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const Run
   return part.empty() ? std::move(finished) : std::move(part);
 }
 
-/// True if these rows have all samples that the run had taken when it wrote the checkpoint.
+/// True if these rows have all samples that the run had taken when it wrote the checkpoint. At its
+/// end it takes one in any case.
 bool have_all_samples(const Content& rows, const std::string& group, const Checkpoint& checkpoint,
-                      const Interval& every) {
-  const RunSoFar& run = *checkpoint.run;
+                      const Interval& every, const StopRule& rule) {
+  const std::int64_t step = checkpoint.state.step, first = checkpoint.run->first_step;
   const auto steps = sampled_steps(rows, group);
-  const auto samples = static_cast<std::size_t>(1 + every.number_at(checkpoint.state.step) -
-                                                every.number_at(run.first_step));
-  return steps.size() == samples && steps.back() == sample_step(run.first_step, every, samples - 1);
+  auto samples = static_cast<std::size_t>(1 + every.number_at(step) - every.number_at(first));
+  std::int64_t last = sample_step(first, every, samples - 1);
+  if (step == rule.last_step && last < step) {
+    last = step;
+    ++samples;
+  }
+  return steps.size() == samples && steps.back() == last;
 }
 
 /// The same of everything that the record holds.
-bool reach(const Content& rows, const Checkpoint& checkpoint, const RunFiles& files) {
-  return have_all_samples(rows, kSeriesGroup, checkpoint, files.record_every) &&
+bool reach(const Content& rows, const Checkpoint& checkpoint, const RunFiles& files,
+           const StopRule& rule) {
+  return have_all_samples(rows, kSeriesGroup, checkpoint, files.record_every, rule) &&
          (!files.fields_every ||
-          have_all_samples(rows, kFieldsGroup, checkpoint, *files.fields_every)) &&
+          have_all_samples(rows, kFieldsGroup, checkpoint, *files.fields_every, rule)) &&
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }
 
@@ -257,7 +263,7 @@ Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFil
     const std::int64_t step = checkpoint->state.step;
     if (is_beyond_end(step, *checkpoint->run, rule)) continue;
     Content rows = record.empty() ? Content{} : rows_until(record, step);
-    if (!files.record || reach(rows, *checkpoint, files)) {
+    if (!files.record || reach(rows, *checkpoint, files, rule)) {
       remains.newest = {std::move(*checkpoint), path, std::move(rows), {}};
       return remains;
     }
