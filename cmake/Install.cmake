@@ -26,4 +26,5 @@ set(_share ${CMAKE_INSTALL_DATADIR}/rupture)
 install(PROGRAMS reproduce.sh DESTINATION ${_share})
 install(DIRECTORY recipes checkpoints docs DESTINATION ${_share} USE_SOURCE_PERMISSIONS
         PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY benchmarks/lammps DESTINATION ${_share}/benchmarks FILES_MATCHING PATTERN *.in)
 install(FILES codemeta.json DESTINATION ${_share})

@@ -14,7 +14,7 @@ ROOT = WORK / ".rupture" if WORK else SHARE
 LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/profiles")
-READ = ("recipes", "checkpoints", "docs", "codemeta.json")
+READ = ("recipes", "checkpoints", "docs", "benchmarks", "codemeta.json")
 # Recipes that `all` leaves out: they judge no claim and take longer than ten minutes each.
 BESIDE_ALL = ("choices", "convergence")
 

@@ -55,6 +55,7 @@ class DebianPackage(unittest.TestCase):
             "doc/rupture/copyright",
             "man/man1/rupture.1.gz",
             "rupture/checkpoints/manifest",
+            "rupture/benchmarks/lammps/bulk.in",
         ):
             self.assertTrue((self.unpacked / "usr/share" / path).exists(), path)
 
