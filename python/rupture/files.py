@@ -19,12 +19,12 @@ import numpy as np
 
 from rupture import tables
 from rupture.checksum import content_checksum, datasets
+from rupture.elasticity import POISSON
 from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, mapped
 from rupture.errors import Failure
 from rupture.pieces import joined
 
 Ruptures = namedtuple("Ruptures", "time step block x")
-POISSON = 1 / 3
 
 
 def plain(value):

@@ -20,12 +20,9 @@ from workshop import Workshop, without_lines
 from data.records import report
 from data.scratch import scratch
 from events.choose_events import start
+from events.continuations import WITHOUT_SLOW_SLIP
 from events.conventions import CONVENTIONS, PRIMARY
 from events.fronts import is_fast_slow
-
-WITHOUT = ["--set", "junctions.v_slow=0"]
-# Ends once nothing has broken for 12 ms, so that a record holds one event only.
-LASTING = ["--until-quiet", "0.012", "--for", "0.05"]
 
 
 def same_event(event, events):
@@ -44,7 +41,7 @@ def measure(workshop, run, by_convention, checkpoint_every):
     """`by_convention`: one event."""
     before = start(by_convention[PRIMARY], checkpoint_every)
     workshop.run("restart", f"{run}-t{before['from']}.h5", "start", "--until", before["until"])
-    workshop.recorded(workshop.path("start"), "without", *WITHOUT, *LASTING)
+    workshop.recorded(workshop.path("start"), "without", *WITHOUT_SLOW_SLIP.split())
     return {
         name: {
             "with": without_lines(event),

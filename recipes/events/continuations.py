@@ -22,4 +22,7 @@ CONTINUATIONS = {  # from a branch on
     "distance": "--set junctions.law=distance",
 }
 SLIPS = ["stopped", "t_R-half", "t_R-double"]  # of which the slip of a block is measured
+# The simplified law without slow slip. It ends once nothing has broken for 12 ms, so that a record
+# holds one event only.
+WITHOUT_SLOW_SLIP = "--until-quiet 0.012 --for 0.05 --set junctions.v_slow=0"
 WIDER = "--shape uniform --x-from 0.035"  # phi beyond 0.25 L, options of `modify-phi`

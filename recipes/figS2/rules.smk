@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 
 # Figure S2: the simplified law, one spring per block and slow slip imposed. See README.md.
+from events.continuations import WITHOUT_SLOW_SLIP
+
 FIGS2_LOAD = f"{DATA}/ensemble/simplified-01"
 
 
@@ -25,19 +27,13 @@ use rule restart_before_event as figS2_before with:
     message: "figS2: go to 0.5 ms before the event"
 
 
-# Without slow slip it ends once nothing has broken for 12 ms, so that a record holds one event only.
-FIGS2_RUNS = {"event": "--for 0.015", "no-slow-slip": "--until-quiet 0.012 --for 0.05"}
-FIGS2_CHANGES = {"event": "", "no-slow-slip": "--set junctions.v_slow=0"}
+FIGS2_RUNS = {"event": "--for 0.015", "no-slow-slip": WITHOUT_SLOW_SLIP}
 
 
 use rule restart_recorded as figS2_run with:
     input: **content_of(h5=f"{DATA}/figS2/before.h5")
     output: **recorded(f"{DATA}/figS2/{{run}}")
-    params:
-        **run_with(
-            lambda wildcards: FIGS2_RUNS[wildcards.run],
-            changes=lambda wildcards: FIGS2_CHANGES[wildcards.run],
-        ),
+    params: **run_with(lambda wildcards: FIGS2_RUNS[wildcards.run])
     wildcard_constraints: run="|".join(FIGS2_RUNS)
     log: f"{LOGS}/figS2/{{run}}.log"
     message: "figS2: run the event ({wildcards.run})"

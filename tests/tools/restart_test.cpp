@@ -10,7 +10,24 @@
 namespace rupture::testing {
 namespace {
 
-using Restart = ToolTest;
+class Restart : public ToolTest {
+ protected:
+  /// The option leaves the state as it is and adds so many datasets to the record, in this group.
+  void expect_added_to_record(const std::string& option, const char* group, std::size_t datasets) {
+    const std::string run = "load --config small.ini --until 3e-4 -o ";
+    output_of(run + "a.h5 --record a-r.h5");
+    output_of(run + "b.h5 --record b-r.h5 " + option);
+    EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
+    const Outcome outcome = run_words({"analyze", "diff", "a-r.h5", "b-r.h5", "--json"});
+    EXPECT_EQ(outcome.exit_code, kFailed);
+    const Json differences = Json::parse(outcome.out)["differences"];
+    EXPECT_EQ(differences.size(), datasets);
+    for (const Json& difference : differences) {
+      EXPECT_EQ(difference["change"], "only_in_b");
+      EXPECT_TRUE(std::string(difference["path"]).starts_with(group));
+    }
+  }
+};
 
 /// Where a run to 6e-4 s is split; the rupture lasts from 1.5e-4 s to 2.5e-4 s.
 class Split : public ToolTest, public ::testing::WithParamInterface<const char*> {};
@@ -116,32 +133,12 @@ TEST_F(Restart, fields_are_those_of_the_states) {
 }
 
 TEST_F(Restart, fields_change_nothing_else) {
-  const std::string run = "load --config small.ini --until 3e-4 -o ";
-  output_of(run + "a.h5 --record a-r.h5");
-  output_of(run + "b.h5 --record b-r.h5 --fields 5e-5");
-  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
-  const Outcome outcome = run_words({"analyze", "diff", "a-r.h5", "b-r.h5", "--json"});
-  const Json differences = Json::parse(outcome.out)["differences"];
-  EXPECT_EQ(differences.size(), 4U);
-  for (const Json& difference : differences) {
-    EXPECT_TRUE(std::string(difference["path"]).starts_with("/fields/"));
-  }
+  expect_added_to_record("--fields 5e-5", "/fields/", 4);
   EXPECT_EQ(output_of("analyze events b-r.h5"), output_of("analyze events a-r.h5"));
 }
 
 TEST_F(Restart, crossings_change_nothing_else) {
-  const std::string run = "load --config small.ini --until 3e-4 -o ";
-  output_of(run + "a.h5 --record a-r.h5");
-  output_of(run + "b.h5 --record b-r.h5 --crossings 0.5");
-  EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
-  const Outcome outcome = run_words({"analyze", "diff", "a-r.h5", "b-r.h5", "--json"});
-  EXPECT_EQ(outcome.exit_code, kFailed);
-  const Json differences = Json::parse(outcome.out)["differences"];
-  EXPECT_EQ(differences.size(), 5U);
-  for (const Json& difference : differences) {
-    EXPECT_EQ(difference["change"], "only_in_b");
-    EXPECT_TRUE(std::string(difference["path"]).starts_with("/crossings/"));
-  }
+  expect_added_to_record("--crossings 0.5", "/crossings/", 5);
 }
 
 TEST_F(Restart, for_and_until_mean_the_same_end) {

@@ -48,12 +48,14 @@ Options setup(int argc, char** argv) {
 }
 
 void refuse_what_needs_no_seal(const std::string& path) {
+  FileKind kind{};
   try {
-    if (identify(path) != FileKind::open_record) verify_file(path, Opening::in_child_first);
+    kind = identify(path);
+    if (kind != FileKind::open_record) verify_file(path, Opening::in_child_first);
   } catch (const Failure&) {
     return;  // why, is said when it is read
   }
-  if (identify(path) == FileKind::open_record) {
+  if (kind == FileKind::open_record) {
     throw Failure(
         fmt::format("{} is an unfinished record: rupture finish {} -o NEW.h5", path, path));
   }
