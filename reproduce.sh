@@ -18,5 +18,6 @@ if [[ -x /usr/bin/snakemake ]]; then
   export PYTHONNOUSERSITE=1               # Debian's packages, not the user's own
   export SETUPTOOLS_USE_DISTUTILS=stdlib  # half the time to import Snakemake
 fi
-export PYTHONPATH=$root/recipes PYTHONDONTWRITEBYTECODE=1
+# The Python package is beside the recipes, or where an installation has it.
+export PYTHONPATH=$root/recipes:$root/python:$root/../../lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
 exec "$python" "$root/recipes/reproduce/__main__.py" "$@"

@@ -13,11 +13,12 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import rupture
 
 from claims import paper
 from claims.claim import write_claims
 from claims.own_result import OwnResult, write_own
-from data.records import Pinned, report, values
+from data.records import report, values
 from data.tables import write_fronts, write_table
 from events.event_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_loads
@@ -104,7 +105,7 @@ def panels(count):
 def draw(data, fronts, stem):
     fig, maps, speeds = panels(len(fronts))
     for axes, name, text in zip(maps, fronts, "ABD"):
-        image = draw_map(axes, fronts[name], Pinned(data / f"{name}-record.h5"))
+        image = draw_map(axes, fronts[name], rupture.open(data / f"{name}-record.h5"))
         axes.set_title(EVENTS[name][0])
         letter(axes, text)
     draw_pinned_scale(fig, image, maps[1:] if len(maps) > 2 else maps)

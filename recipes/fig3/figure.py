@@ -12,10 +12,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import rupture
 
 from claims import paper
 from claims.claim import write_claims
-from data.records import Pinned, report, values
+from data.records import report, values
 from data.tables import write_table
 from events.event_claims import claim_3A, claim_3B, claim_3C, claim_3Cv
 from events.slip import with_peak_speed
@@ -33,7 +34,7 @@ SLIPS = {  # run: label, colour, line style
 
 def draw_maps(fig, axes, data, t_zero, window):
     for axis, run, title in zip(axes, ("stopped", "no-slow-slip"), ("$V = 0$", "no slow slip")):
-        image = draw_pinned(axis, Pinned(data / f"{run}-record.h5"), t_zero, window)
+        image = draw_pinned(axis, rupture.open(data / f"{run}-record.h5"), t_zero, window)
         axis.set_title(title)
     draw_pinned_scale(fig, image, axes)
 

@@ -11,9 +11,10 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import rupture
 
 from claims.claim import write_claims
-from data.records import Pinned, report, values
+from data.records import report, values
 from events.event_claims import claim_4AB
 from events.units import of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
@@ -34,7 +35,7 @@ def draw_event(axes, data, event):
     t_zero = np.nanmin(ruptures)
     window = (-MARGIN, (np.nanmax(ruptures) - t_zero) * 1e3 + MARGIN)
     for axis, run in zip(axes, (event, f"{event}/wider")):
-        image = draw_pinned(axis, Pinned(data / f"{run}-record.h5"), t_zero, window)
+        image = draw_pinned(axis, rupture.open(data / f"{run}-record.h5"), t_zero, window)
     axes[1].set_ylabel("")
     arrow = {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
     axes[1].annotate("", (1, 0.03), (REGION, 0.03), "axes fraction", "axes fraction", arrow)

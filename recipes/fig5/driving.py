@@ -12,9 +12,10 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+import rupture
 
 from claims.claim import write_claims
-from data.records import Pinned, report, values
+from data.records import report, values
 from data.tables import write_table
 from events.event_claims import claim_5A
 from events.fronts import middle_of_slow_stretch
@@ -46,9 +47,9 @@ def draw_loading(axes, data, t_zero, t_stop):
 
 def draw_map(axes, pinned, t_zero, colours, shown):
     return axes.pcolormesh(
-        pinned.x_over_L,
+        pinned.x / pinned.x[-1],
         (pinned.time - t_zero) * 1e3,
-        np.where(shown, pinned.fraction, np.nan),
+        np.where(shown, pinned.pinned_fraction, np.nan),
         cmap=colours,
         vmin=0,
         vmax=1,
@@ -72,9 +73,11 @@ def draw(data, fronts, t_stop, stem):
     last = (np.nanmax(values(fronts[0]["t_rupture"])) - t_zero) * 1e3
     fig, axes = figure(0.8 * DOUBLE, 0.36 * DOUBLE, ncols=2)
     draw_loading(axes[0], data, t_zero, t_stop)
-    driven, undriven = (Pinned(data / f"{run}-record.h5") for run in (EVENT, f"{EVENT}/undriven"))
+    driven, undriven = (
+        rupture.open(data / f"{run}-record.h5") for run in (EVENT, f"{EVENT}/undriven")
+    )
     draw_map(axes[1], driven, t_zero, "gray", True)
-    image = draw_map(axes[1], undriven, t_zero, MAP, undriven.fraction < STILL)
+    image = draw_map(axes[1], undriven, t_zero, MAP, undriven.pinned_fraction < STILL)
     draw_lines(axes[1], fronts, t_zero, t_stop)
     axes[1].axhline((t_stop - t_zero) * 1e3, color=VERMILION, linestyle=":", linewidth=0.9)
     axes[1].set(xlabel="$x/L$", ylabel="time [ms]", xlim=(0, 1), ylim=(-MARGIN, last + MARGIN))

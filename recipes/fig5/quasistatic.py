@@ -10,11 +10,12 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+import rupture
 from quasistatic_stretch import MIDDLE, advances, measured, read_ruptures
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.records import Pinned, report, shear_wave_speed
+from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
 from pictures.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
@@ -40,7 +41,7 @@ def draw_loading(axes, load, stopped, window):
 def draw_image(axes, pinned, values, window, colours):
     shown = (pinned.time >= window[0]) & (pinned.time <= window[1])
     return axes.pcolormesh(
-        pinned.x_over_L,
+        pinned.x / pinned.x[-1],
         pinned.time[shown],
         values[shown],
         cmap=colours,
@@ -52,9 +53,9 @@ def draw_image(axes, pinned, values, window, colours):
 
 
 def draw_maps(fig, axes, load, stopped, window, t_branch):
-    pinned, after = Pinned(load), Pinned(stopped)
-    grey = draw_image(axes, pinned, pinned.fraction, window, "gray")
-    slipping = np.ma.masked_where(after.fraction > 1 - SLIPPING, after.fraction)
+    pinned, after = rupture.open(load), rupture.open(stopped)
+    grey = draw_image(axes, pinned, pinned.pinned_fraction, window, "gray")
+    slipping = np.ma.masked_where(after.pinned_fraction > 1 - SLIPPING, after.pinned_fraction)
     colour = draw_image(axes, after, slipping, window, MAP)
     axes.axhline(t_branch, color=VERMILION, linewidth=0.8)
     above = {"xytext": (0, 2), "textcoords": "offset points", "ha": "right"}
@@ -147,7 +148,7 @@ def main(data, results, *others):
         ["V = 0 from [s]", "tip [block]", "advance driven [blocks]", "advance with V = 0 [blocks]"],
         [branch.values() for branch in branches],
     )
-    c_s = shear_wave_speed(record)
+    c_s = rupture.open(record).c_s
     of_seed = json.dumps(measured(stretch, c_s, branches[MIDDLE]))
     (data.parent / "ensemble/h0-01.json").write_text(of_seed, encoding="utf-8")
     write_claims(data / "claims-quasistatic.json", [claim_5B(stretch, c_s, branches, others)])

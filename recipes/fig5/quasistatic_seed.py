@@ -14,6 +14,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import rupture
+
 from quasistatic_stretch import (
     MIDDLE,
     STOPPED_FOR,
@@ -23,7 +25,6 @@ from quasistatic_stretch import (
     read_ruptures,
 )
 
-from data.records import shear_wave_speed
 from data.scratch import scratch
 
 RECORD_EVERY = "1e-3"  # [s]
@@ -48,7 +49,7 @@ def measure(programs, seed, until, every, folder):
     stopped = run(programs / "restart", folder, "stopped", folder / f"load-t{t}.h5", *stop)
     driven, undriven = read_ruptures(load), read_ruptures(stopped)
     branch = advances(driven, undriven, stretch["interval_from"], float(t))
-    return measured(stretch, shear_wave_speed(load), branch)
+    return measured(stretch, rupture.open(load).c_s, branch)
 
 
 def main(programs, seed, until, every, folder):

@@ -8,11 +8,12 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import rupture
 from scipy import stats
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.records import Pinned, report, values
+from data.records import report, values
 from data.tables import write_table
 from events.event_claims import largest_change_of_mean
 from events.junctions import Junctions
@@ -94,7 +95,9 @@ def draw(data, junctions, fronts, stem):
     last = max(np.nanmax(values(front["t_rupture"])) for front in fronts)
     window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
     for column, (run, title) in enumerate(zip(STATES.values(), TITLES)):
-        pinned = draw_pinned(axes[0, column], Pinned(data / f"{run}-record.h5"), t_zero, window)
+        pinned = draw_pinned(
+            axes[0, column], rupture.open(data / f"{run}-record.h5"), t_zero, window
+        )
         shares = draw_phi(axes[1, column], junctions[column], force_edges(junctions))
         draw_slipping(axes[2, column], junctions[column])
         axes[0, column].set(title=title, xlabel="")

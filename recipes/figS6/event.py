@@ -11,10 +11,11 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import rupture
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.records import Pinned, report, values
+from data.records import report, values
 from data.tables import write_fronts, write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
@@ -47,7 +48,7 @@ def draw(record, fronts, stem):
     t_zero, last = np.nanmin(ruptures), np.nanmax(ruptures)
     window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
     fig, axes = figure(DOUBLE, 0.42 * DOUBLE, ncols=2)
-    image = draw_pinned(axes[0], Pinned(record), t_zero, window)
+    image = draw_pinned(axes[0], rupture.open(record), t_zero, window)
     draw_pinned_scale(fig, image, axes[0])
     draw_speeds(axes[1], fronts)
     letter(axes[0], "A")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-"""The look of all figures: sizes of a printed page, and colours that everybody can tell apart."""
+"""The look of all figures: that of the Python package, at the sizes of a printed page."""
 
 from pathlib import Path
 
@@ -9,45 +9,26 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend has to be chosen first)
+from rupture.plotting import (  # noqa: E402, F401  (for the recipes, which import them from here)
+    BLACK,
+    BLUE,
+    GREEN,
+    LINES,
+    MAP,
+    ORANGE,
+    PURPLE,
+    SKY,
+    VERMILION,
+    YELLOW,
+)
+from rupture.plotting import STYLE as LOOK  # noqa: E402
 
 MM = 1 / 25.4  # [inch]
 SINGLE = 89 * MM  # width of one column [inch]
 DOUBLE = 183 * MM  # width of the page [inch]
-MAP = "viridis"  # for images; "cividis" where a second one is needed
-
-# Okabe and Ito's colours: distinct for all common kinds of colour vision.
-BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
-YELLOW, BLUE, VERMILION, PURPLE = "#F0E442", "#0072B2", "#D55E00", "#CC79A7"
-LINES = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK]
-
 OF_PAPER = {"color": BLACK, "linestyle": ":", "linewidth": 0.8}  # lines of the paper's numbers
 
-STYLE = {
-    "font.family": "DejaVu Sans",  # comes with Matplotlib
-    "font.size": 8,
-    "axes.titlesize": 8,
-    "axes.labelsize": 8,
-    "xtick.labelsize": 7.5,
-    "ytick.labelsize": 7.5,
-    "legend.fontsize": 7.5,
-    "legend.frameon": False,
-    "axes.linewidth": 0.6,
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
-    "xtick.minor.width": 0.4,
-    "ytick.minor.width": 0.4,
-    "xtick.direction": "out",
-    "ytick.direction": "out",
-    "lines.linewidth": 1.2,
-    "lines.markersize": 3,
-    "axes.prop_cycle": matplotlib.cycler(color=LINES),
-    "image.cmap": MAP,
-    "image.origin": "lower",
-    "image.interpolation": "nearest",
-    "figure.constrained_layout.use": True,
-    "pdf.fonttype": 42,  # text stays text
-    "savefig.dpi": 300,
-}
+STYLE = LOOK | {"axes.prop_cycle": matplotlib.cycler(color=LINES)}
 
 
 def figure(width=SINGLE, height=None, **subplots):

@@ -50,7 +50,7 @@ def log_handler(message):
 
 def planned(folder):
     """All commands of all recipes from scratch, in which events have been found."""
-    for name in ("recipes", "checkpoints", "docs", "benchmarks"):
+    for name in ("recipes", "python", "checkpoints", "docs", "benchmarks"):
         (folder / name).symlink_to(SOURCE / name)
     (folder / "handler.py").write_text(HANDLER)
     done = subprocess.run(

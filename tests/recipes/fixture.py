@@ -134,7 +134,10 @@ class Project:
         return subprocess.run(
             [sys.executable, SOURCE / "recipes/report/report.py", self.root],
             env=os.environ
-            | {"PYTHONPATH": str(SOURCE / "recipes"), "PYTHONDONTWRITEBYTECODE": "1"},
+            | {
+                "PYTHONPATH": f"{SOURCE / 'recipes'}:{SOURCE / 'python'}",
+                "PYTHONDONTWRITEBYTECODE": "1",
+            },
             capture_output=True,
             text=True,
         )

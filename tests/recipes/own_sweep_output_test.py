@@ -19,7 +19,7 @@ import matplotlib.image
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "recipes"))
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes")]
 
 from sweeps.needs import Needs  # noqa: E402
 from sweeps.picture import axis_of, draw, edges, limits, middle  # noqa: E402

@@ -44,7 +44,8 @@ class Running(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
-        shutil.copytree(ROOT / "recipes", self.root / "recipes")
+        for name in ("recipes", "python"):
+            shutil.copytree(ROOT / name, self.root / name)
         for name in ("reproduce.sh", "packages.txt"):
             shutil.copy2(ROOT / name, self.root / name)
         tools = self.root / "bin"

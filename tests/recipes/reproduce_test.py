@@ -84,7 +84,8 @@ class Project(unittest.TestCase):
         self.root = Path(folder.name)
         self.bin = self.root / "bin"
         self.bin.mkdir()
-        shutil.copytree(ROOT / "recipes", self.root / "recipes")
+        for name in ("recipes", "python"):
+            shutil.copytree(ROOT / name, self.root / name)
         for name in ("reproduce.sh", "packages.txt", "codemeta.json"):
             shutil.copy2(ROOT / name, self.root / name)
 

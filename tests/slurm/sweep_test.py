@@ -23,7 +23,7 @@ from pathlib import Path
 from cluster import Cluster, missing_programs
 
 ROOT = Path(__file__).resolve().parents[2]
-COPIED = ("reproduce.sh", "packages.txt", "codemeta.json", "recipes", "checkpoints")
+COPIED = ("reproduce.sh", "packages.txt", "codemeta.json", "recipes", "python", "checkpoints")
 CORES = 2
 SWEEP = """\
 [sweep]
@@ -227,7 +227,7 @@ class OnSlurm(unittest.TestCase):
 
     def kill_all_of(self, project):
         """Every process that was started in the project's folder, at once."""
-        mark = f"PYTHONPATH={project.root}/recipes\0".encode()
+        mark = f"PYTHONPATH={project.root}/recipes:".encode()
         for folder in Path("/proc").glob("[0-9]*"):
             if mark in environment_of(folder):
                 os.kill(int(folder.name), signal.SIGKILL)
