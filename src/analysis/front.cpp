@@ -97,6 +97,7 @@ std::optional<SlowStretch> describe(const Front& front, const Stretch& run,
   slow.x_to = x[stretch->last];
   slow.t_from = *front.line.t_rupture[stretch->first];
   slow.t_to = *front.line.t_rupture[stretch->last];
+  slow.t_last_stencil = *front.line.t_rupture[run.last];
   slow.speed = *median(v_c);
   slow.stencils = run.last - run.first + 1;
   slow.slowest = *std::min_element(v_c.begin(), v_c.end());

@@ -146,6 +146,7 @@ TEST_F(Analyze, slow_slip_of_blocks_behind_a_slow_front) {
   EXPECT_NEAR(json["estimate"], 1.0464e-3, 1e-7);
   EXPECT_EQ(json_of(command + " --x-from 0.04 --x-to 0.05 --json")["blocks"], 5);
   EXPECT_EQ(json_of(command + " --longest 2 --shortest 2 --json")["blocks"], 3);
+  EXPECT_EQ(json_of(command + " --to-last-stencil --json")["blocks"], 16);
   expect_csv(
       command,
       {"x [m]", "t_from [s]", "t_to [s]", "speed [m/s]", "R^2", "v_c [m/s]", "estimate [m/s]"}, 15);

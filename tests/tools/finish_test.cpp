@@ -40,6 +40,17 @@ TEST_F(Finish, gives_the_record_of_a_run_that_was_to_end_there) {
   }
 }
 
+TEST_F(Finish, says_what_it_did_as_JSON) {
+  interrupt("--record-every 1e-6");
+  const Outcome outcome = run("finish r.h5.part -o new.h5 --json");
+  EXPECT_EQ(outcome.err.find("256 samples up to t = 0.000255 s\n"), 0U) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["samples"], 256);
+  EXPECT_DOUBLE_EQ(json["time"], 255e-6);
+  const Json file = {{"path", "new.h5"}, {"holds", "record"}, {"checksum", checksum_of("new.h5")}};
+  EXPECT_EQ(json["files"], Json::array({file}));
+}
+
 TEST_F(Finish, leaves_the_unfinished_record_to_the_run) {
   interrupt("--record-every 1e-6");
   const std::string before = read("r.h5.part");

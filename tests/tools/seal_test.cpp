@@ -104,6 +104,19 @@ class Seal : public ToolTest {
   }
 };
 
+TEST_F(Seal, says_what_it_found_as_JSON) {
+  edit(edit_attachment);
+  const Json json = json_of("seal e.h5 -o new.h5 --original good.h5 --json --quiet");
+  EXPECT_EQ(json["content_is_as_sealed"], false);
+  EXPECT_EQ(json["sealed_checksum"], checksum_of("good.h5"));
+  const Json attachment = {
+      {"path", "/state/junctions/attachment"}, {"change", "other values"}, {"count", 1}};
+  EXPECT_EQ(json["differences"], Json::array({attachment}));
+  const Json file = {
+      {"path", "new.h5"}, {"holds", "checkpoint"}, {"checksum", checksum_of("new.h5")}};
+  EXPECT_EQ(json["files"], Json::array({file}));
+}
+
 TEST_F(Seal, takes_a_state_that_was_edited) {
   edit(edit_attachment);
   expect_readers_say(kOtherContent);

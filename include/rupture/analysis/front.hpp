@@ -70,6 +70,7 @@ bool spans(FrontType type);
 struct SlowStretch {
   double x_from = 0, x_to = 0;  ///< first and last block that count to the stretch [m]
   double t_from = 0, t_to = 0;  ///< when these two ruptured [s]
+  double t_last_stencil = 0;    ///< when the centre of the last slow stencil ruptured [s]
   double speed = 0;             ///< median of v_c over the stretch [m/s]
   double slowest = 0;           ///< smallest v_c in it [m/s]
   std::size_t stencils = 0;     ///< of the run of slow stencils, wherever those at its ends count

@@ -24,7 +24,8 @@ namespace rupture::tools {
 namespace {
 
 SlowSlipCriteria slow_slip_criteria(const po::variables_map& values) {
-  return {non_negative(values, "longest"), non_negative(values, "shortest")};
+  return {non_negative(values, "longest"), non_negative(values, "shortest"),
+          values.count("to-last-stencil") > 0};
 }
 
 /// The blocks between --x-from and --x-to, or those of the slow stretch.
@@ -146,6 +147,9 @@ int analyze_slow_slip(int argc, const char* const* argv) {
       "the slip of a block is followed for W <t_R> at most");
   add("shortest", number("W")->default_value(0.5, "0.5"),
       "blocks whose slip can be followed for less than W <t_R> are left out");
+  add("to-last-stencil",
+      "slip is followed until the front ruptures the block in the centre of the last slow stencil, "
+      "rather than the last block of the slow stretch");
   const auto command = read_record_command(
       argc, argv, "slow-slip",
       "Slip speed of blocks while the front ahead of them is slow. Their slow slip begins H/c_s\n"

@@ -173,17 +173,13 @@ void apply(const ParameterChanges& changes, Parameters& parameters) {
   for (const auto& [name, value] : changes) set_parameter(parameters, name, value);
 }
 
-void add_file_options(po::options_description& options, const std::string& holds) {
+void add_output_options(po::options_description& options, const std::string& holds) {
   const std::string help = holds + " to write";
   options.add_options()("output,o", output_file(holds)->required(), help.c_str())(
       "force,f", "replace files that exist already")(
       "sum", "write FILE.sum with its content checksum beside each file, for workflows")(
-      "quiet,q", "print errors only");
-}
-
-void add_output_options(po::options_description& options) {
-  add_file_options(options, "checkpoint");
-  options.add_options()("json", "print a summary as one JSON object; text goes to standard error");
+      "quiet,q", "print errors only")(
+      "json", "print a summary as one JSON object; text goes to standard error");
 }
 
 OutputOptions output_options(const po::variables_map& values) {

@@ -78,9 +78,7 @@ struct OutputOptions {
   /// Where text goes: standard output, unless that is for JSON.
   std::FILE* text() const { return summary == Summary::json ? stderr : stdout; }
 };
-void add_file_options(po::options_description& options, const std::string& holds);
-/// The same of a tool that writes a checkpoint, and --json.
-void add_output_options(po::options_description& options);
+void add_output_options(po::options_description& options, const std::string& holds);
 OutputOptions output_options(const po::variables_map& values);
 
 /// The file to write that an option names. Throws UsageError for "-", by which other programs mean

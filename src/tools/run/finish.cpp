@@ -7,6 +7,7 @@
 #include "cli/command_line.hpp"
 #include "cli/text.hpp"
 #include "run/rebuild.hpp"
+#include "run/summary.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
 
@@ -22,7 +23,7 @@ struct Options {
 
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
-  add_file_options(options, "record");
+  add_output_options(options, "record");
   const Parsed parsed = parse(
       argc, argv,
       {"finish",
@@ -72,9 +73,13 @@ int run(const Options& options) {
   const auto chain = cut_at(record.provenance, record.parameters, t, record.step.back());
   const std::string checksum = write_content(
       output.output, FileKind::record, finished_content(part, chain), output.if_exists, output.sum);
-  if (output.verbosity == Verbosity::quiet) return kDone;
-  say("{} samples up to t = {:.9g} s\n{}", record.time.size(), t,
-      wrote_text(output.output, checksum));
+  const FinishedSummary summary = {
+      std::ssize(record.time), t, {{output.output, "record", checksum}}};
+  if (output.verbosity == Verbosity::normal) {
+    say_on(output.text(), "{} samples up to t = {:.9g} s\n{}", summary.samples, t,
+           wrote_text(output.output, checksum));
+  }
+  print_if_asked(quantities_of(summary), output);
   return kDone;
 }
 

@@ -25,7 +25,7 @@ Options setup(int argc, char** argv) {
   options.add_options()("until", seconds()->default_value(0.0, "0"),
                         "drive until this time; 0: the equilibrium only");
   add_run_options(options);
-  add_output_options(options);
+  add_output_options(options, "checkpoint");
   const Parsed parsed = parse(
       argc, argv,
       {"load",

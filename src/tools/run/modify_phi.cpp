@@ -47,7 +47,7 @@ Options setup(int argc, char** argv) {
   add("slipping", one_of("keep|pin")->default_value("keep"),
       "slipping junctions: keep them slipping, or pin them and include them");
   const po::options_description own = options;
-  add_output_options(options);
+  add_output_options(options, "checkpoint");
   const Parsed parsed = parse(
       argc, argv,
       {"modify-phi",

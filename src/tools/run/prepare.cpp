@@ -81,7 +81,7 @@ Options setup(int argc, char** argv) {
   po::options_description options("Options");
   add_prestress_options(options);
   const po::options_description own = options;
-  add_output_options(options);
+  add_output_options(options, "checkpoint");
   const Parsed parsed = parse(
       argc, argv,
       {"prepare",

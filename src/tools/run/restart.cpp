@@ -46,7 +46,7 @@ Options setup(int argc, char** argv) {
       "stop earlier, once no junction has broken for T or the front has reached the leading "
       "edge");
   add_run_options(options);
-  add_output_options(options);
+  add_output_options(options, "checkpoint");
   const Parsed parsed =
       parse(argc, argv,
             {"restart", "restart CHECKPOINT -o OUT (--until T | --for T | --until-quiet) [options]",

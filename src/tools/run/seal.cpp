@@ -4,11 +4,10 @@
 // seal: a checkpoint or record that another program edited, checked and sealed again.
 #include <fmt/core.h>
 
-#include <optional>
-
 #include "cli/command_line.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
+#include "run/summary.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/edited.hpp"
 #include "rupture/model/error.hpp"
@@ -29,7 +28,7 @@ Options setup(int argc, char** argv) {
   po::options_description options("Options");
   options.add_options()("original", input_file("checkpoint or record"),
                         "the file as it was before; the datasets that differ are named");
-  add_file_options(options, "checkpoint or record");
+  add_output_options(options, "checkpoint or record");
   const Parsed parsed = parse(
       argc, argv,
       {"seal",
@@ -72,24 +71,8 @@ ContentFile read_original(const std::string& path, const EditedFile& edited,
                             sealed.empty() ? "known" : sealed));
 }
 
-std::string_view word(Change change) {
-  switch (change) {
-    case Change::type:
-      return "another type";
-    case Change::shape:
-      return "another shape";
-    case Change::only_in_a:
-      return "removed";
-    case Change::only_in_b:
-      return "added";
-    case Change::values:
-      break;
-  }
-  return "other values";
-}
-
 std::string line_about(const Difference& difference, const Content& edited) {
-  std::string text = fmt::format("edited: {}: {}", difference.path, word(difference.change));
+  std::string text = fmt::format("edited: {}: {}", difference.path, name_of(difference.change));
   if (difference.change == Change::values) {
     text += fmt::format(", {} of {}", difference.count,
                         element_count(edited.at(difference.path).shape));
@@ -97,20 +80,19 @@ std::string line_about(const Difference& difference, const Content& edited) {
   return text + "\n";
 }
 
-void print_differences(const ContentFile& original, const EditedFile& edited) {
-  for (const Difference& difference : diff(original.content, edited.content)) {
-    say("{}", line_about(difference, edited.content));
-  }
-}
-
-void print_checksums(const EditedFile& edited) {
-  if (edited.content_is_as_sealed) {
-    say("the content is as it was sealed; only what is beside it was changed\n");
-  } else if (edited.sealed_checksum.empty()) {
-    say("the file does not say what it was before\n");
+void print(const SealSummary& summary, const Content& edited, std::FILE* to) {
+  if (summary.content_is_as_sealed) {
+    say_on(to, "the content is as it was sealed; only what is beside it was changed\n");
+  } else if (summary.sealed_checksum.empty()) {
+    say_on(to, "the file does not say what it was before\n");
   } else {
-    say("the content is not what it was, {}\n", edited.sealed_checksum);
+    say_on(to, "the content is not what it was, {}\n", summary.sealed_checksum);
   }
+  for (const Difference& difference : summary.differences) {
+    say_on(to, "{}", line_about(difference, edited));
+  }
+  const WrittenFile& file = summary.files.front();
+  say_on(to, "{}", wrote_text(file.path, file.checksum));
 }
 
 int run(const Options& options) {
@@ -118,16 +100,20 @@ int run(const Options& options) {
   refuse_what_needs_no_seal(options.file);
   const EditedFile edited = read_edited(options.file);
   check_outputs({output.output}, output.if_exists, options.file);
-  std::optional<ContentFile> original;
-  if (!options.original.empty()) original = read_original(options.original, edited, options.file);
+  SealSummary summary = {.sealed_checksum = edited.sealed_checksum,
+                         .content_is_as_sealed = edited.content_is_as_sealed};
+  if (!options.original.empty()) {
+    const ContentFile original = read_original(options.original, edited, options.file);
+    summary.differences = diff(original.content, edited.content);
+  }
   const auto entry =
       make_provenance("seal", options.arguments, edited.sealed_checksum, kEditedOutside);
   const std::string checksum = write_content(
       output.output, edited.kind, checked_content(edited, entry), output.if_exists, output.sum);
-  if (output.verbosity == Verbosity::quiet) return kDone;
-  print_checksums(edited);
-  if (original) print_differences(*original, edited);
-  say("{}", wrote_text(output.output, checksum));
+  const std::string holds = edited.kind == FileKind::record ? "record" : "checkpoint";
+  summary.files = {{output.output, holds, checksum}};
+  if (output.verbosity == Verbosity::normal) print(summary, edited.content, output.text());
+  print_if_asked(quantities_of(summary), output);
   return kDone;
 }
 

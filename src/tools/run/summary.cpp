@@ -44,6 +44,16 @@ Quantities row_of(const ImpossibleBlock& block) {
   };
 }
 
+Quantities row_of(const Difference& difference) {
+  return {
+      {"path", "", "dataset", difference.path},
+      {"change", "", "added, removed, another type, another shape or other values",
+       name_of(difference.change)},
+      {"count", "1", "elements with other values; 0 for other changes",
+       static_cast<std::int64_t>(difference.count)},
+  };
+}
+
 std::int64_t changed_blocks(const PhiSummary& phi) {
   std::int64_t changed = 0;
   for (std::size_t i = 0; i < phi.before.size(); ++i) {
@@ -66,6 +76,22 @@ std::string name_of(Ending ending) {
       break;
   }
   return "end";
+}
+
+std::string name_of(Change change) {
+  switch (change) {
+    case Change::type:
+      return "another type";
+    case Change::shape:
+      return "another shape";
+    case Change::only_in_a:
+      return "removed";
+    case Change::only_in_b:
+      return "added";
+    case Change::values:
+      break;
+  }
+  return "other values";
 }
 
 RunSummary summary_of_complete(const Checkpoint& end) {
@@ -123,6 +149,27 @@ Quantities quantities_of(const PhiSummary& s) {
   };
 }
 
+Quantities quantities_of(const FinishedSummary& s) {
+  return {
+      {"samples", "1", "that the record holds", s.samples},
+      {"time", "s", "of the last one", s.time},
+      row_of(s.files),
+  };
+}
+
+Quantities quantities_of(const SealSummary& s) {
+  List differences{row_of(Difference{}), {}};
+  for (const auto& difference : s.differences) differences.elements.push_back(row_of(difference));
+  return {
+      {"content_is_as_sealed", "", "whether only what is beside the content was changed",
+       s.content_is_as_sealed},
+      {"sealed_checksum", "", "content checksum before the edit; empty if the file does not say it",
+       s.sealed_checksum},
+      {"differences", "", "from --original, dataset by dataset; empty without it", differences},
+      row_of(s.files),
+  };
+}
+
 void print_if_asked(const Quantities& rows, const OutputOptions& output) {
   if (output.summary == Summary::json) print_json(rows);
 }
@@ -132,7 +179,9 @@ std::vector<std::pair<std::string, Quantities>> summary_quantities() {
   return {{"load", of_run},
           {"restart", of_run},
           {"prepare", quantities_of(PreparedSummary{})},
-          {"modify-phi", quantities_of(PhiSummary{})}};
+          {"modify-phi", quantities_of(PhiSummary{})},
+          {"finish", quantities_of(FinishedSummary{})},
+          {"seal", quantities_of(SealSummary{})}};
 }
 
 }  // namespace rupture::tools

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The rupture authors
 // SPDX-License-Identifier: MIT
 
-// What load, restart, prepare and modify-phi have done, as they print it with --json.
+// What the programs that write files have done, as they print it with --json.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,7 @@
 #include "cli/quantity.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/compare.hpp"
 #include "rupture/dynamics/energy.hpp"
 #include "rupture/dynamics/run.hpp"
 
@@ -61,9 +62,29 @@ struct PhiSummary {
   std::vector<WrittenFile> files = {};
 };
 
+/// Of finish.
+struct FinishedSummary {
+  std::int64_t samples = 0;
+  double time = 0.0;  ///< of the last one [s]
+  std::vector<WrittenFile> files = {};
+};
+
+/// Of seal.
+struct SealSummary {
+  std::string sealed_checksum;  ///< of the content before it was edited; empty if that is not known
+  bool content_is_as_sealed = false;
+  std::vector<Difference> differences = {};  ///< from the original, if one was given
+  std::vector<WrittenFile> files = {};
+};
+
+/// How a dataset was edited, in words.
+std::string name_of(Change change);
+
 Quantities quantities_of(const RunSummary& summary);
 Quantities quantities_of(const PreparedSummary& summary);
 Quantities quantities_of(const PhiSummary& summary);
+Quantities quantities_of(const FinishedSummary& summary);
+Quantities quantities_of(const SealSummary& summary);
 
 /// Prints them as one JSON object if the options ask for it.
 void print_if_asked(const Quantities& rows, const OutputOptions& output);

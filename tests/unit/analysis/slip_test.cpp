@@ -138,6 +138,14 @@ TEST_F(SlowSlipBehindAFront, ends_when_the_front_becomes_fast) {
   EXPECT_EQ(time->to, front_.slow->t_to);
 }
 
+TEST_F(SlowSlipBehindAFront, ends_half_a_stencil_later_with_the_last_slow_stencil) {
+  const auto time = slow_slip_time(p_, front_, 24, {.to_last_stencil = true});
+  ASSERT_TRUE(time);
+  const auto last = slow_blocks(front_).back() + 2;
+  EXPECT_EQ(time->to, *front_.line.t_rupture[last]);
+  EXPECT_GT(time->to, front_.slow->t_to);
+}
+
 TEST_F(SlowSlipBehindAFront, needs_some_time) {
   EXPECT_FALSE(slow_slip_time(p_, front_, 26, criteria_));
   EXPECT_FALSE(slow_slip_time(p_, front_, 40, criteria_));
