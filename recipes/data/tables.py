@@ -5,9 +5,12 @@
 those of sweeps (collect.py), as rows whose cells may be empty."""
 
 import csv
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 
+from data.records import report
 from data.replacing import replacing
 
 
@@ -47,6 +50,14 @@ def read_rows(path):
     """Rows by name; all values are texts."""
     with open(path, newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
+
+
+@cache
+def points_of(path):
+    """The points of a sweep, as pairs: its row in the table results/data/RECIPE/SWEEP.csv, and all
+    that was measured (sweeps/point.py)."""
+    folder = Path(path).parents[1] / "points"
+    return [(row, report(folder / f"{row['point']}.json")) for row in read_rows(path)]
 
 
 def numbers(rows, column):

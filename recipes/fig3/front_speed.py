@@ -4,7 +4,7 @@
 
 """Figure 3 D, its data and its claim:
 
-    front_speed.py POINTS.json PHI.json L_0.json FOLDER CLAIMS.json [OTHER_SEEDS_AND_WIDTHS.json...]
+    front_speed.py POINTS.csv PHI.csv L_0.json FOLDER CLAIMS.json [OTHER_SEEDS_AND_WIDTHS.csv...]
 
 Front speed and slow slip belong to the same blocks (slow_fronts.py). A run counts if its front
 spans and slows down, and at least BLOCKS blocks could be measured; the same for both models. The

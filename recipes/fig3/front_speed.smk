@@ -8,10 +8,12 @@ FIG3_PARTS += [f"{DATA}/fig3/claims-D.json"]
 
 rule fig3_front_speed:
     input:
-        points=windows("front_speed"),
-        phi=windows("front_speed_phi"),
-        widths=of_ensemble([windows("front_speed_widths")]),
-        other_seeds=windows_of_seeds("front_speed", "front_speed_widths"),
+        points=f"{DATA}/fig3/front_speed.csv",
+        phi=f"{DATA}/fig3/front_speed_phi.csv",
+        widths=of_ensemble([f"{DATA}/fig3/front_speed_widths.csv"]),
+        other_seeds=of_ensemble(
+            tables_of_seeds("fig3/front_speed") + tables_of_seeds("fig3/front_speed_widths")
+        ),
         l_0=f"{DATA}/fig3/l0-seed-1.json",
         shared=["recipes/fig3/slow_fronts.py", "recipes/fig3/decay_length.py"],
         **script("recipes/fig3/front_speed.py"),

@@ -4,10 +4,9 @@
 
 """Fronts where junctions that slip carry no force: data and claim 0slip.
 
-no_slip_force.py POINTS FOLDER CLAIMS.json TABLE.csv...
+no_slip_force.py FOLDER CLAIMS.json TABLE.csv...
 
-The tables are those of the sweeps, the seed that is shown first; POINTS is the folder with what was
-measured of each point.
+The tables are those of the sweeps, the seed that is shown first.
 """
 
 import sys
@@ -15,28 +14,16 @@ from pathlib import Path
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.records import report, values
-from data.tables import read_rows, write_table
-from events.conventions import CONVENTIONS, PRIMARY
-from events.fronts import SLOW_BELOW
-from maps.front_map import IMPOSSIBLE, SKIP_BELOW_X, TYPES, front_type, place_of
-
-COMMANDS = {  # convention: command of the sweeps; the others only differ in what is called slow
-    "stencil 3": "stencil_3",
-    "stencil 7": "stencil_7",
-    "20 % pinned": "pinned_20",
-    "50 % pinned": "pinned_50",
-}
-WAYS = {  # convention: command, and slow below this times c_s
-    name: (COMMANDS.get(name, "front"), options.get("--slow-below", SLOW_BELOW))
-    for name, options in CONVENTIONS.items()
-    if name in COMMANDS or set(options) <= {"--slow-below"}
-}
+from data.records import values
+from data.tables import points_of, write_table
+from events.conventions import PRIMARY
+from maps.front_map import IMPOSSIBLE, SKIP_BELOW_X, TYPES, front_type, read_map
+from maps.map_conventions import MEASURES
 
 
-def types_of(point):
-    """{convention: type} of a point; impossible where no interface can be prepared."""
-    return {name: front_type(point.get(command), below) for name, (command, below) in WAYS.items()}
+def types_of(front):
+    """{convention: type}; impossible where no interface can be prepared."""
+    return {name: front_type(front, **how) for name, how in MEASURES.items()}
 
 
 def slowest(front):
@@ -51,24 +38,24 @@ def counts(kinds):
     return {f"{kind} fronts": kinds.count(kind) for kind in TYPES}
 
 
-def case_under(convention, points):
-    return counts([types_of(point)[convention] for point in points])
+def case_under(convention, fronts):
+    return counts([types_of(front)[convention] for front in fronts])
 
 
 def units_of(seeds):
-    """Of {seed: points}."""
+    """Of {seed: fronts}."""
     return {
-        f"seed {seed}": {name: [case_under(name, points)] for name in WAYS}
-        for seed, points in seeds.items()
+        f"seed {seed}": {name: [case_under(name, fronts)] for name in MEASURES}
+        for seed, fronts in seeds.items()
     }
 
 
 def claim(seeds):
-    """`seeds`: {seed: points}, the shown one first."""
+    """`seeds`: {seed: fronts}, the shown one first."""
     shown = next(iter(seeds.values()))
-    kinds = [types_of(point)[PRIMARY] for point in shown]
-    speeds = [v for point in shown if (v := slowest(point.get("front"))) is not None]
-    slow_somehow = [point for point in shown if "slow" in types_of(point).values()]
+    kinds = [types_of(front)[PRIMARY] for front in shown]
+    speeds = [v for front in shown if (v := slowest(front)) is not None]
+    slow_somehow = [front for front in shown if "slow" in types_of(front).values()]
     case = counts(kinds)
     return judged(
         "0slip",
@@ -87,25 +74,22 @@ def claim(seeds):
     )
 
 
-def read_seeds(tables, points):
-    """{seed: [(row, point), ...]}"""
-    seeds: dict[int, list] = {}
-    for row in (row for table in tables for row in read_rows(table)):
-        point = report(Path(points) / f"{row['point']}.json")
-        seeds.setdefault(int(row["numerics.seed"]), []).append((row, point))
-    return seeds
-
-
-def main(points, folder, claims_path, *tables):
-    seeds = read_seeds(tables, points)
+def main(folder, claims_path, *tables):
+    maps = [read_map(points_of(table)) for table in tables]
+    fronts = [
+        (seed, place, front)
+        for of_table in maps
+        for place, seeds in of_table.items()
+        for seed, front in seeds.items()
+    ]
     rows = (
-        [seed, *place_of(row), slowest(point.get("front")), *types_of(point).values()]
-        for seed, pairs in seeds.items()
-        for row, point in pairs
+        [seed, *place, slowest(front), *types_of(front).values()] for seed, place, front in fronts
     )
-    names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *WAYS]
+    names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *MEASURES]
     write_table(Path(folder) / "no-slip-force.csv", names, rows)
-    of_seed = {seed: [point for _, point in pairs] for seed, pairs in seeds.items()}
+    of_seed: dict[int, list] = {}
+    for seed, _, front in fronts:
+        of_seed.setdefault(seed, []).append(front)
     write_claims(claims_path, [claim(of_seed)])
 
 

@@ -16,5 +16,5 @@ rule fig3_no_slip_force:
     log: f"{LOGS}/fig3-no-slip-force.log"
     message: "fig3: find the fronts without a slipping force, compare with the claim"
     shell:
-        "{PYTHON} {input.script} {POINTS} {RESULTS}/fig3 {output.claims} {input.shown} {input.seeds}"
+        "{PYTHON} {input.script} {RESULTS}/fig3 {output.claims} {input.shown} {input.seeds}"
         " 2> {log}"

@@ -4,7 +4,7 @@
 
 """Figure 3 C, inset, its data and the claims 3Ci and co:
 
-    slow_slip.py PREPARED.json EVENT.csv FOLDER CLAIMS.json [OF_OTHER_SEEDS.json...]
+    slow_slip.py PREPARED.csv EVENT.csv FOLDER CLAIMS.json [OF_OTHER_SEEDS.csv...]
 
 The measured slow slip of each run: the mean over its blocks and their extremes (slow_fronts.py). A
 run counts if its front spans and slows down, and at least BLOCKS blocks could be measured.

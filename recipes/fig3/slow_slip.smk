@@ -7,9 +7,9 @@ FIG3_PARTS += [f"{DATA}/fig3/claims-Ci.json"]
 
 rule fig3_slow_slip:
     input:
-        prepared=windows("slow_slip"),
+        prepared=f"{DATA}/fig3/slow_slip.csv",
         event=f"{DATA}/fig3/slow_slip_event.csv",
-        other_seeds=windows_of_seeds("slow_slip"),
+        other_seeds=of_ensemble(tables_of_seeds("fig3/slow_slip")),
         shared="recipes/fig3/slow_fronts.py",
         **script("recipes/fig3/slow_slip.py"),
     output:

@@ -11,8 +11,8 @@ import numpy as np
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.records import report, values
-from data.tables import read_rows, write_table
+from data.records import values
+from data.tables import points_of, write_table
 from maps.front_map import SKIP_BELOW_X, front_type
 from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
@@ -128,10 +128,8 @@ def claim_S3t(points):
 def main(data, results):
     data, results = Path(data), Path(results)
     points = {
-        (float(row["tau-bar"]), float(row["sigma-bar"])): report(
-            data / f"points/{row['point']}.json"
-        )
-        for row in read_rows(data / "figS3/profiles.csv")
+        (float(row["tau-bar"]), float(row["sigma-bar"])): point
+        for row, point in points_of(data / "figS3/profiles.csv")
     }
     draw(points, results / "figS3")
     names = ["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"]

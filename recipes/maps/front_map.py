@@ -5,21 +5,23 @@
 claim Geo).
 
 A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, with the front that
-`analyze front --json` reported, or None where no interface can be prepared.
+`analyze front --json` reported, or None where no interface can be prepared. Where the sweep also
+measured it with other pinned fractions of a rupture, the front has them: front["at"][fraction].
 """
 
 from pathlib import Path
 
 import numpy as np
 
-from data.records import report, values
-from data.tables import read_rows, write_table
+from data.records import values
+from data.tables import points_of, read_rows, write_table
 from events.fronts import SLOW_BELOW
 
 STENCIL = 5  # blocks
 SKIP_BELOW_X = 0.0275  # [m] as in the sweeps' commands: such stencils touch the trigger region
 TYPES = ("arrested", "slow", "fast")
 IMPOSSIBLE = "impossible"
+COMMANDS = {0.2: "pinned_20", 0.5: "pinned_50"}  # of sweeps: --ruptured-below another fraction
 
 
 # --- reading -------------------------------------------------------------------------------
@@ -29,28 +31,29 @@ def place_of(row):
     return float(row["tau-bar"]), float(row["sigma-bar"])
 
 
-def front_of_point(path):
-    """None where no interface can be prepared. One that was prepared and could not be run is an
-    error, not an impossible place."""
-    result = report(path)
-    if "front" not in result and result.get("checksums"):
-        raise ValueError(f"{path}: {result['sentence']}")
-    return result.get("front")
+def front_of(result):
+    """Of a point's result: None where no interface can be prepared. One that was prepared and could
+    not be run is an error, not an impossible place."""
+    if "front" not in result:
+        if result.get("checksums"):
+            raise ValueError(f"a prepared interface was not run: {result['sentence']}")
+        return None
+    others = {fraction: result.get(command) for fraction, command in COMMANDS.items()}
+    return result["front"] | {"at": others}
 
 
-def read_map(rows, points):
-    """The map of some rows of tables; `points` is the folder with the points' files."""
+def read_map(points):
+    """The map of some points of sweeps."""
     fronts: dict[tuple, dict] = {}
-    for row in rows:
-        front = front_of_point(Path(points) / f"{row['point']}.json")
-        fronts.setdefault(place_of(row), {})[int(row["numerics.seed"])] = front
+    for row, result in points:
+        fronts.setdefault(place_of(row), {})[int(row["numerics.seed"])] = front_of(result)
     return fronts
 
 
-def read_variants(table, names, points):
-    """{variant: map} of the rows of tables with a column of variants."""
+def read_variants(points, names):
+    """{variant: map} of the points of sweeps with variants."""
     return {
-        name: read_map([row for row in table if row["variant"] == name], points) for name in names
+        name: read_map([point for point in points if point[0]["variant"] == name]) for name in names
     }
 
 
@@ -84,10 +87,13 @@ def beyond_trigger(front, stencil=None):
     return speeds(front, stencil)[first + stencil // 2 - STENCIL // 2 :]
 
 
-def front_type(front, slow_below=SLOW_BELOW, stencil=None):
-    """The type by another threshold or stencil than those that `analyze front` was called with."""
+def front_type(front, slow_below=SLOW_BELOW, stencil=None, ruptured_below=None):
+    """The type by another threshold, stencil or pinned fraction than those that `analyze front` was
+    called with."""
     if front is None:
         return IMPOSSIBLE
+    if ruptured_below is not None:
+        front = front["at"][ruptured_below]
     if front["t_rupture"][-1] is None:
         return "arrested"
     v_c = beyond_trigger(front, stencil)
@@ -237,13 +243,12 @@ def map_of_seed(fronts, seed):
 def load_map(data, folder, parts):
     """All fronts, those of the regular grid (map.csv), and the boundary of the recipe `folder`;
     `parts` are the tables beside map.csv that hold more points."""
-    tables = {part: read_rows(Path(data) / folder / f"{part}.csv") for part in ("map", *parts)}
-    points = Path(data) / "points"
-    fronts = read_map([row for rows in tables.values() for row in rows], points)
+    tables = [Path(data) / folder / f"{part}.csv" for part in ("map", *parts)]
+    fronts = read_map([point for table in tables for point in points_of(table)])
     for seeds in fronts.values():
         if not all(map(is_like_analyze, seeds.values())):
             raise ValueError("front types differ from those of `analyze front`")
-    grid = {place: {1: fronts[place][1]} for place in map(place_of, tables["map"])}
+    grid = {place: {1: fronts[place][1]} for place in map(place_of, read_rows(tables[0]))}
     boundary = [place_of(row) for row in read_rows(Path(data) / folder / "boundary.csv")]
     return fronts, grid, boundary
 

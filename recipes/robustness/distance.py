@@ -12,7 +12,7 @@ import numpy as np
 
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
-from data.tables import read_rows
+from data.tables import points_of
 from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import BLACK, BLUE, DOUBLE, figure, letter, save
@@ -88,8 +88,7 @@ def draw(maps, fronts, stem):
 
 def main(data, unmodified, continued, results):
     data, results = Path(data), Path(results)
-    rows = read_rows(data / "robustness/distance.csv")
-    maps = read_variants(rows, TITLES, data / "points")
+    maps = read_variants(points_of(data / "robustness/distance.csv"), TITLES)
     fronts = {"by time": report(unmodified), "by distance": report(continued)}
     draw(maps, fronts, results / "distance")
     write_variants(results / "distance.csv", maps)

@@ -15,7 +15,7 @@ import numpy as np
 from claims.claim import write_claims
 from claims.judge import judged, unmet
 from data.records import report, values
-from data.tables import read_rows, write_table
+from data.tables import points_of, write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS, PRIMARY
 from events.event_claims import case_of_event, words_case, words_shown
@@ -150,7 +150,7 @@ def main(data, unmodified, continued, results, claims, *loads):
     )
     draw(spanning, results / "exponential")
     write_events(results / "exponential-events.csv", spanning)
-    fronts = read_map(read_rows(data / "robustness/exponential-map.csv"), data / "points")
+    fronts = read_map(points_of(data / "robustness/exponential-map.csv"))
     draw_map(fronts, results / "exponential-map")
     write_types(results / "exponential-map.csv", fronts)
     strict = claim_strict(spanning, report(unmodified), report(continued), loads)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from claims.claim import write_claims
 from claims.judge import judged
-from data.tables import read_rows
+from data.tables import points_of
 from maps.front_map import (
     TYPES,
     along,
@@ -117,8 +117,8 @@ def draw(maps, stem):
 
 def main(data, results, *tables):
     data, results = Path(data), Path(results)
-    rows = [row for table in tables for row in read_rows(table)]
-    maps = read_variants(rows, TITLES, data / "points")
+    points = [point for table in tables for point in points_of(table)]
+    maps = read_variants(points, TITLES)
     draw(maps, results / "geometry")
     write_variants(results / "geometry.csv", maps)
     write_claims(data / "robustness/claims-Geo.json", [claim_Geo(maps)])

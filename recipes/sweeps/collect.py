@@ -5,16 +5,24 @@
 """Collects the points of a sweep in one table: collect.py SWEEP.ini POINTS_FOLDER TABLE.csv
 
 One row per point: its values, its status (and the tool's sentence, if it failed), the columns that
-the sweep's [table] names. Fails if every point failed.
+the sweep's [table] names, and a digest of all that was measured: who reads more than the columns
+(points_of() in data/tables.py) can go by the table. Fails if every point failed.
 """
 
+import json
 import sys
 from pathlib import Path
 
 from data.records import report
 from data.tables import write_table
 from data.value import find
+from sweeps.point_store import digest
 from sweeps.sweep import names_of_values, read_sweep
+
+
+def digest_of(result):
+    """Not of the programs that it came from: others may give the same."""
+    return digest(json.dumps({name: result[name] for name in result if name != "origin"}))
 
 
 def rows(sweep, result_of):
@@ -23,7 +31,7 @@ def rows(sweep, result_of):
         result = result_of(point)
         found = {heading: find(result, path) for heading, path in sweep.columns.items()}
         state = {name: result[name] for name in ("status", "sentence")}
-        yield {**point.values, **state, **found, "point": point.id}
+        yield {**point.values, **state, **found, "point": point.id, "digest": digest_of(result)}
 
 
 def main(sweep_file, folder, path):
@@ -33,7 +41,14 @@ def main(sweep_file, folder, path):
         sys.exit(
             f"collect.py: every point of {sweep_file} failed. The first: {table[0]['sentence']}"
         )
-    names = [*names_of_values(sweep.points), "status", "sentence", *sweep.columns, "point"]
+    names = [
+        *names_of_values(sweep.points),
+        "status",
+        "sentence",
+        *sweep.columns,
+        "point",
+        "digest",
+    ]
     write_table(path, names, ([row.get(name) for name in names] for row in table))
 
 

@@ -20,12 +20,18 @@ std::int64_t steps_between_questions(const Parameters& p) {
   return std::max<std::int64_t>(blocks_moved / (p.Nx * p.Nz), 1);
 }
 
+double pinned_at_edge(const Simulation& simulation) {
+  return pinned_fraction(simulation.state().junctions, simulation.parameters().Nx - 1);
+}
+
 }  // namespace
 
-std::optional<Ending> ending_at(std::int64_t step, const RunSoFar& run, const StopRule& rule) {
+std::optional<Ending> ending_at(std::int64_t step, const RunSoFar& run, double pinned_at_edge,
+                                const StopRule& rule) {
   if (step >= rule.last_step) return Ending::last_step;
   if (!rule.quiet_steps || step % kQuietCheck != 0) return std::nullopt;
-  if (run.leading_edge_ruptured) return Ending::leading_edge;
+  const bool is_pinned = rule.arrived_below && pinned_at_edge >= *rule.arrived_below;
+  if (run.leading_edge_ruptured && !is_pinned) return Ending::leading_edge;
   if (step - run.last_break >= *rule.quiet_steps) return Ending::quiet;
   return std::nullopt;
 }
@@ -34,7 +40,8 @@ Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Obser
   show(simulation, observers);
   for (;;) {
     const std::int64_t step = simulation.state().step;
-    if (const auto end = ending_at(step, simulation.run(), rule)) return *end;
+    const auto end = ending_at(step, simulation.run(), pinned_at_edge(simulation), rule);
+    if (end) return *end;
     std::int64_t pause = rule.last_step;
     if (rule.interrupted) {
       if (rule.interrupted()) return Ending::interrupted;

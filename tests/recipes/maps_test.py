@@ -3,9 +3,7 @@
 
 """Maps of front types (recipes/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
-import json
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -51,16 +49,15 @@ def front(slower=None, arrives=True):
         "t_rupture": t_rupture if arrives else [*t_rupture[:-1], None],
         "c_s": C_S,
     }
-    return line | {"v_c": speeds(line, 5)}
+    line |= {"v_c": speeds(line, 5)}
+    return line | {"at": {0.2: line, 0.5: line}}
 
 
 class ReadMap(unittest.TestCase):
     ROW = {"point": "p", "tau-bar": "0.1", "sigma-bar": "0", "numerics.seed": "1"}
 
     def read(self, result):
-        with tempfile.TemporaryDirectory() as folder:
-            Path(folder, "p.json").write_text(json.dumps(result), encoding="utf-8")
-            return read_map([self.ROW], folder)
+        return read_map([(self.ROW, result)])
 
     def test_an_interface_that_cannot_be_prepared_has_no_front(self):
         refused = {"status": "failed", "sentence": "no such phi", "checksums": {}}
@@ -75,6 +72,13 @@ class ReadMap(unittest.TestCase):
                     "checksums": {"start.h5": "00"},
                 }
             )
+
+    def test_a_front_has_what_was_measured_with_other_pinned_fractions(self):
+        fast, slow = front(), front({12: 1.0})
+        (seeds,) = self.read({"front": fast, "pinned_20": slow, "pinned_50": fast}).values()
+        self.assertEqual(front_type(seeds[1]), "fast")
+        self.assertEqual(front_type(seeds[1], ruptured_below=0.2), "slow")
+        self.assertEqual(front_type(seeds[1], ruptured_below=0.5), "fast")
 
 
 class Speeds(unittest.TestCase):

@@ -5,6 +5,7 @@
 """Slow slip behind slow fronts on prepared interfaces: windows, seeds, claims 3Ci, 3D and co
 (recipes/fig3)."""
 
+import csv
 import json
 import sys
 import tempfile
@@ -15,23 +16,14 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes"), str(ROOT / "recipes/fig3")]
 
 import front_speed  # noqa: E402
-import measure_slow_slip  # noqa: E402
 import slow_fronts  # noqa: E402
 import slow_slip  # noqa: E402
 from claims import paper  # noqa: E402
-from events.conventions import PRIMARY  # noqa: E402
-
-# Slow stencils are those around blocks 2 to 8, so the stretch without its ends is 4 to 6.
-FRONT = {
-    "x": [0.5 * i for i in range(12)],
-    "t_rupture": [float(i) for i in range(12)],
-    "slow": {"x_from": 2.0, "x_to": 3.0, "t_to": 6.0},
-}
 
 
-def slips(t_to, blocks=5):
+def slips(blocks=5):
+    """A report of `analyze slow-slip`."""
     return {
-        "slow": {"t_to": t_to},
         "blocks": blocks,
         "front_speed": 10.0,
         "speed": {"mean": 1e-3, "min": 0.9e-3, "max": 1.1e-3},
@@ -40,63 +32,50 @@ def slips(t_to, blocks=5):
     }
 
 
-class Windows(unittest.TestCase):
-    def analyze(self, t_to, narrow=slips(6.0)):
-        """Measures as the program does; t_to is when the stretch of a cut record ends."""
-        self.calls: list[list[str]] = []
-
-        def call(command, _, words):
-            if command == "front":
-                return FRONT
-            self.calls.append(words)
-            return slips(t_to) if "--to" in words else narrow
-
-        return call
-
-    def test_the_time_ends_with_the_last_slow_stencil(self):
-        found = measure_slow_slip.windows(self.analyze(8.0), "record.h5")
-        self.assertEqual({*found}, {*slow_fronts.WINDOWS, slow_fronts.NARROW})
-        primary = self.calls[1]
-        for option, value in ("--to", 10.0), ("--x-from", 2.0), ("--x-to", 3.0):
-            self.assertEqual(primary[primary.index(option) + 1], str(value))
-
-    def test_a_stretch_that_ends_elsewhere_is_not_measured(self):
-        found = measure_slow_slip.windows(self.analyze(9.0), "record.h5")
-        self.assertEqual({*found}, {slow_fronts.NARROW})
-
-    def test_without_blocks_inside_nothing_is(self):
-        none = slips(0.0) | {"slow": None}
-        self.assertEqual(measure_slow_slip.windows(self.analyze(8.0, none), "record.h5"), {})
-
-
 class Fronts(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.path = Path(folder.name) / "slow_slip-windows.json"
+        self.table = Path(folder.name) / "fig3" / "slow_slip.csv"
+        self.points = Path(folder.name) / "points"
+        for path in (self.table.parent, self.points):
+            path.mkdir()
 
-    def write(self, *rows):
-        self.path.write_text(json.dumps(rows), encoding="utf-8")
+    def write(self, *points):
+        """Pairs: the type of a front, and what was measured of it."""
+        with self.table.open("w", newline="", encoding="utf-8") as file:
+            table = csv.writer(file)
+            table.writerow(["type", "point"])
+            for number, (kind, result) in enumerate(points):
+                table.writerow([kind, number])
+                path = self.points / f"{number}.json"
+                path.write_text(json.dumps(result), encoding="utf-8")
 
     def test_fronts_count_that_slow_down_with_five_blocks_in_the_window(self):
-        narrow = {PRIMARY: slips(0.0), slow_fronts.NARROW: slips(0.0, blocks=4)}
         self.write(
-            {"type": "slow", "windows": narrow},
-            {"type": "slow", "windows": {}},
-            {"type": "fast", "windows": {PRIMARY: slips(0.0)}},
+            ("slow", {"slow_slip": slips(), "narrow": slips(blocks=4)}),
+            ("slow", {}),
+            ("fast", {"slow_slip": slips()}),
         )
-        (front,) = slow_fronts.fronts(self.path)
+        (front,) = slow_fronts.fronts(self.table)
         self.assertEqual(front["slow slip [m/s]"], 1e-3)
-        self.assertEqual(slow_fronts.fronts(self.path, slow_fronts.NARROW), [])
+        self.assertEqual(slow_fronts.fronts(self.table, slow_fronts.NARROW), [])
+        self.assertEqual(slow_fronts.too_short(self.table), 1)
+
+    def test_windows_are_commands_of_the_sweeps(self):
+        for name in ("slow_slip", "front_speed"):
+            sweep = (ROOT / f"recipes/fig3/{name}.ini").read_text(encoding="utf-8")
+            for command in slow_fronts.WINDOWS.values():
+                self.assertRegex(sweep, rf"(?m)^{command} *= analyze slow-slip ")
 
     def test_near_arrest_is_below_3_m_s(self):
         rows = [{"front speed [m/s]": v} for v in (2.9, 3.0, 10.0)]
         self.assertEqual(slow_fronts.without_near_arrest(rows), rows[1:])
 
-    def test_a_seed_needs_the_files_of_all_sweeps(self):
-        paths = ["a-windows.json", "b-windows.json", "x/a-seed-12-windows.json"]
+    def test_a_seed_needs_the_tables_of_all_sweeps(self):
+        paths = ["a.csv", "b.csv", "x/a-seed-12.csv"]
         units = slow_fronts.of_seeds(paths, lambda a, b: (a, b), ["a", "b"])
-        self.assertEqual(units, {"seed 1": ("a-windows.json", "b-windows.json")})
+        self.assertEqual(units, {"seed 1": ("a.csv", "b.csv")})
         units = slow_fronts.of_seeds(paths, str, ["a"])
         self.assertEqual(list(units), ["seed 1", "seed 12"])
 

@@ -256,6 +256,16 @@ class Computing(unittest.TestCase):
         report = json.loads((self.folder / f"{good['point']}.json").read_text())
         self.assertEqual(report["checksums"], {"x.h5": "abc"})
 
+    def test_the_digest_tells_results_apart_and_not_what_computed_them(self):
+        self.batch("good")
+        (point,) = self.table()
+        path = self.folder / f"{point['point']}.json"
+        for name, told_apart in (("origin", False), ("first", True)):
+            changed = json.loads(path.read_text()) | {name: "other"}
+            path.write_text(json.dumps(changed))
+            (other,) = self.table()
+            self.assertEqual(other["digest"] != point["digest"], told_apart)
+
     def test_nothing_but_failures_is_a_failure(self):
         self.batch("bad")
         self.assertIn("tool: too large", self.table())

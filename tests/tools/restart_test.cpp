@@ -221,6 +221,31 @@ TEST_F(Restart, until_quiet_stops_when_the_front_has_reached_the_leading_edge) {
   EXPECT_NEAR(end, 2.6e-4, 1e-12);  // the edge ruptures at 2.53e-4 s; looked at every 100 steps
 }
 
+TEST_F(Restart, until_quiet_waits_for_the_pinned_fraction_that_was_asked_for) {
+  output_of("prepare --tau-bar 0.21 --sigma-bar 0.285 -o a.h5");  // not all break at once
+  const std::string command = "restart a.h5 -f -o b.h5 --record r.h5 --crossings 0.2 --until-quiet";
+  const auto arrival = [&] {
+    return json_of("analyze front r.h5 --json --ruptured-below 0.2")["t_rupture"].back();
+  };
+  const double end = json_of(command + " --json -q")["time"];
+  EXPECT_TRUE(arrival().is_null());
+  const Json later = json_of(command + " --arrived-below 0.2 --json -q");
+  EXPECT_EQ(later["ending"], "leading_edge");
+  EXPECT_GT(double{arrival()}, end);
+  EXPECT_LE(later["time"], double{arrival()} + 2e-5);
+}
+
+TEST_F(Restart, arrived_below_needs_a_fraction_at_which_blocks_have_ruptured) {
+  output_of("load --config small.ini -o a.h5 --until 1e-4");
+  const std::string command = "restart a.h5 -o b.h5 --arrived-below ";
+  expect_refusal(command + "0.2 --for 1e-4", kUsage,
+                 "--arrived-below says when --until-quiet ends a run: give both");
+  expect_refusal(command + "0.4 --until-quiet", kUsage,
+                 "--arrived-below 0.4 makes no sense: a block ruptures at 0.3");
+  expect_refusal(command + "0 --until-quiet", kUsage,
+                 "--arrived-below 0 makes no sense: a pinned fraction is above 0 and at most 1");
+}
+
 TEST_F(Restart, until_quiet_ends_a_split_run_where_it_ends_the_whole) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   output_of("restart a.h5 -o whole.h5 --until-quiet");

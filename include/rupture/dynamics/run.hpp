@@ -32,6 +32,9 @@ struct StopRule {
   /// leading edge, both counted from the start of this run. Looked at every kQuietCheck steps from
   /// step 0, so that the answer does not depend on what else pauses the run.
   std::optional<std::int64_t> quiet_steps;
+  /// Then the front has reached the leading edge once the block there has ruptured and, if this is
+  /// given, a smaller fraction than this of its junctions is pinned.
+  std::optional<double> arrived_below = {};
   /// Also stop once this is true, if it is given; asked some ten times a second.
   std::function<bool()> interrupted = {};
 };
@@ -39,8 +42,10 @@ inline constexpr std::int64_t kQuietCheck = 100;
 
 enum class Ending { last_step, quiet, leading_edge, interrupted };
 
-/// Whether a run that is at `step` has come to its end; interruptions apart.
-std::optional<Ending> ending_at(std::int64_t step, const RunSoFar& run, const StopRule& rule);
+/// Whether a run that is at `step` has come to its end, interruptions apart; `pinned_at_edge` is
+/// the pinned fraction of the block at the leading edge.
+std::optional<Ending> ending_at(std::int64_t step, const RunSoFar& run, double pinned_at_edge,
+                                const StopRule& rule);
 
 /// Advances until the stop rule says so. Observers see the state at each step they ask for, the
 /// step at which the run starts and the one at which it ends included.

@@ -12,6 +12,7 @@
 #include "rupture/forces/interface_law.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
+#include "rupture/model/rupture.hpp"
 
 namespace {
 
@@ -21,6 +22,7 @@ using namespace rupture::tools;
 struct Options {
   std::string checkpoint;
   std::optional<double> until, duration, quiet;  // [s]; quiet < 0: five mean slipping times
+  std::optional<double> arrived_below;           // pinned fraction
   ParameterChanges parameters;
   RunOptions run;
   OutputOptions output;
@@ -37,6 +39,17 @@ double quiet_time(const po::variables_map& values) {
   return given ? non_negative(*given, "until-quiet") : -1.0;
 }
 
+/// The pinned fraction of --arrived-below.
+double arrived_below(const po::variables_map& values) {
+  if (values.count("until-quiet") == 0) {
+    throw UsageError("--arrived-below says when --until-quiet ends a run: give both");
+  }
+  const double below = fraction(values, "arrived-below");
+  if (below <= kRupturedFraction) return below;
+  throw UsageError(fmt::format("--arrived-below {} makes no sense: a block ruptures at {}", below,
+                               kRupturedFraction));
+}
+
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   auto add = options.add_options();
@@ -45,6 +58,9 @@ Options setup(int argc, char** argv) {
   add("until-quiet", seconds_or("5 t_R"),
       "stop earlier, once no junction has broken for T or the front has reached the leading "
       "edge");
+  add("arrived-below", number("F"),
+      "with --until-quiet: the front has reached the edge once less than this fraction of the "
+      "junctions there is pinned; default 0.3, at which a block ruptures");
   add_run_options(options);
   add_output_options(options, "checkpoint");
   const Parsed parsed =
@@ -61,6 +77,7 @@ Options setup(int argc, char** argv) {
   result.until = optional_non_negative(values, "until");
   result.duration = optional_non_negative(values, "for");
   if (values.count("until-quiet") > 0) result.quiet = quiet_time(values);
+  if (values.count("arrived-below") > 0) result.arrived_below = arrived_below(values);
   if (result.until && result.duration) {
     throw UsageError("--until and --for exclude each other: give one");
   }
@@ -120,6 +137,7 @@ StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
   }
   if (options.quiet) {
     rule.quiet_steps = steps_in(p, *options.quiet < 0.0 ? 5.0 * p.t_R : *options.quiet);
+    rule.arrived_below = options.arrived_below;
   }
   return rule;
 }
