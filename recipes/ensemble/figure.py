@@ -62,7 +62,7 @@ def spanning_events(path):
 
 
 def load_of(path):
-    return Path(path).name.removesuffix("-events.json")
+    return Path(path).name.rpartition("-")[0]
 
 
 def setting_of(load):
@@ -128,24 +128,28 @@ def summary(loads):
     return "\n".join([head, *(counts(setting, loads) for setting in NAMES)]) + "\n"
 
 
-def own_result_of_product(reports):
-    """How far the shares of the claims on single fronts move if conventions are combined."""
-    ranges = {claim: range_of(reports, claim) for claim in PRODUCT_CLAIMS}
+def own_result_of_product(products):
+    """How far the shares of the claims on single fronts move if conventions are combined.
+    `products`: {load: report of measure_product.py}."""
+    measured: dict[str, object] = {}
+    for setting, claims in PRODUCT_CLAIMS.items():
+        name = "reference" if setting == "load" else setting
+        reports = [product for load, product in products.items() if setting_of(load) == setting]
+        measured |= {"combinations": len(reports[0]), f"loads, {name}": len(reports)}
+        for claim in claims:
+            measured[f"{claim}: fewest and most"] = list(range_of(reports, claim))
     return OwnResult(
         id="product",
-        question="for how many loads do 2A, 2B and 2C hold if several conventions change at once?",
-        measured={
-            "loads": len(reports),
-            "combinations": len(reports[0]),
-            **{f"{claim}: fewest and most": list(ends) for claim, ends in ranges.items()},
-        },
+        question="for how many loads do 2A, 2B, 2C, S6A and Exp hold if several conventions"
+        " change at once?",
+        measured=measured,
     )
 
 
 def main(results, *paths):
     results = Path(results)
     events = [path for path in paths if path.endswith("-events.json")]
-    products = [report(path) for path in paths if path.endswith("-product.json")]
+    products = {load_of(path): report(path) for path in paths if path.endswith("-product.json")}
     loads = {load_of(path): spanning_events(path) for path in events}
     reference = {load: pairs for load, pairs in loads.items() if setting_of(load) == "load"}
     draw(loads, results / "ensemble")

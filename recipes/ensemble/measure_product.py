@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 
 """Whether the claims on fronts hold for a load under each combination of conventions:
-measure_product.py PROGRAMS record.h5
+measure_product.py PROGRAMS SETTING record.h5
 
 Prints {combination: {claim: held}}; events/product.py has the combinations and the claims."""
 
@@ -14,10 +14,10 @@ from events.conventions import Analysis, words_of
 from events.product import claims_held, combinations
 
 
-def main(programs, record):
+def main(programs, setting, record):
     analyze = Analysis(programs)
     held = {
-        name: claims_held(analyze("events", record, words_of(options))["events"])
+        name: claims_held(setting, analyze("events", record, words_of(options))["events"])
         for name, options in combinations().items()
     }
     print(json.dumps(held))

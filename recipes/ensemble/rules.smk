@@ -8,7 +8,11 @@ rule ensemble:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
         continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
         quasistatic=[f"{DATA}/ensemble/h0-{seed:02d}.json" for seed in range(1, 21)],
-        products=[f"{DATA}/ensemble/{load}-product.json" for load in REFERENCE_LOADS],
+        products=[
+            f"{DATA}/ensemble/{load}-product.json"
+            for setting in ("load", "decaying", "exponential")
+            for load in LOADS_OF[setting]
+        ],
         beside="recipes/ensemble/alternation.py",
         **script("recipes/ensemble/figure.py"),
     output:

@@ -11,7 +11,11 @@ from claims.judge import holds
 from events.conventions import CONVENTIONS, PRIMARY
 from events.event_claims import case_of_event
 
-CLAIMS = ("2A", "2B", "2C")  # on fronts as they are, which costs no further simulation
+CLAIMS = {  # on fronts as they are, which costs no further simulation, by the setting of a load
+    "load": ("2A", "2B", "2C"),
+    "decaying": ("S6A",),
+    "exponential": ("Exp",),
+}
 
 
 def combinations():
@@ -28,10 +32,10 @@ def combinations():
     return found
 
 
-def claims_held(events):
-    """{claim: whether one of the events meets it}"""
+def claims_held(setting, events):
+    """{claim: whether one of the events of a load meets it}"""
     cases = [case_of_event(event) for event in events]
-    return {claim: holds(claim, cases) for claim in CLAIMS}
+    return {claim: holds(claim, cases) for claim in CLAIMS[setting]}
 
 
 def range_of(reports, claim):

@@ -24,6 +24,7 @@ from maps.map_conventions import (
     ALONG_TAU,
     WAYS,
     out_of_order,
+    over_product,
     units_of_seeds,
 )
 
@@ -126,7 +127,7 @@ def map_claim(name, fronts, grid, boundary, thresholds, note):
 
     return judged(
         name,
-        measured(fronts, grid, boundary, thresholds),
+        measured(fronts, grid, boundary, thresholds) | over_product(name, seeds_of(fronts), case),
         case_of_map(fronts, grid, boundary_seeds),
         units_of_seeds(seeds_of(fronts), WAYS, case),
         f"{note} {ABOUT_UNITS}",

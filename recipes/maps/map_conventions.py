@@ -8,7 +8,11 @@ A way is options of front_type(), and the axis along which types may not step ba
 at the ends of a slow stretch count makes no difference to a type, so those ways are left out.
 """
 
+from itertools import product
+
+from claims.judge import holds
 from events.conventions import CONVENTIONS
+from events.product import combinations
 from maps.front_map import (
     fast_below_left_of_arrested,
     steps_back,
@@ -21,15 +25,27 @@ OPTIONS = {  # of `analyze`: of front_type()
     "--slow-below": "slow_below",
     "--ruptured-below": "ruptured_below",
 }
-MEASURES = {
-    name: {OPTIONS[option]: value for option, value in options.items()}
-    for name, options in CONVENTIONS.items()
-    if set(options) <= set(OPTIONS)
-}
+
+
+def of_types(ways):
+    """Of {name: options of `analyze`} those that make a difference to types, for front_type()."""
+    return {
+        name: {OPTIONS[option]: value for option, value in options.items()}
+        for name, options in ways.items()
+        if set(options) <= set(OPTIONS)
+    }
+
+
+MEASURES = of_types(CONVENTIONS)
 ALONG_TAU, ALONG_SIGMA = 0, 1  # axes of a place
 WAYS = {name: {"axis": ALONG_TAU} | how for name, how in MEASURES.items()} | {
     "order along sigma_bar": {"axis": ALONG_SIGMA}
 }
+
+PRODUCT = [  # all combinations of them
+    {"axis": axis} | how
+    for axis, how in product((ALONG_TAU, ALONG_SIGMA), of_types(combinations()).values())
+]
 
 ABOUT_UNITS = "The map of a seed has its own fronts at the boundary and those of seed 1 elsewhere."
 
@@ -46,4 +62,13 @@ def units_of_seeds(seeds, ways, case):
     """{seed: {convention: [case]}}; `case` measures the map of a seed in a way."""
     return {
         f"seed {seed}": {name: [case(seed, **way)] for name, way in ways.items()} for seed in seeds
+    }
+
+
+def over_product(claim_id, seeds, case):
+    """How far the number of seeds for which the claim holds moves if ways are combined."""
+    held = [sum(holds(claim_id, [case(seed, **way)]) for seed in seeds) for way in PRODUCT]
+    return {
+        "combinations of conventions": len(held),
+        "seeds under them, fewest and most": [min(held), max(held)],
     }

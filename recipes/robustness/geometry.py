@@ -27,7 +27,14 @@ from maps.front_map import (
     types_of_seeds,
     write_variants,
 )
-from maps.map_conventions import ABOUT_UNITS, ALONG_TAU, WAYS, out_of_order, units_of_seeds
+from maps.map_conventions import (
+    ABOUT_UNITS,
+    ALONG_TAU,
+    WAYS,
+    out_of_order,
+    over_product,
+    units_of_seeds,
+)
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import DOUBLE, figure, letter, save
 
@@ -78,23 +85,20 @@ def case_of(maps, axis=ALONG_TAU, **how):
     }
 
 
-def units_of(maps):
+def claim_Geo(maps):
     def case(seed, **way):
         of_seed = {name: map_of_seed(fronts, seed) for name, fronts in maps.items()}
         return case_of(of_seed, **way)
 
+    shown = case_of(maps)
     seeds = sorted({seed for fronts in maps.values() for seed in seeds_of(fronts)})
-    return units_of_seeds(seeds, WAYS, case)
-
-
-def claim_Geo(maps):
-    case = case_of(maps)
     return judged(
         "Geo",
-        shown=case,
-        units=units_of(maps),
-        measured=case
-        | {k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()},
+        shown=shown,
+        units=units_of_seeds(seeds, WAYS, case),
+        measured=shown
+        | {k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()}
+        | over_product("Geo", seeds, case),
         note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar,"
         " with all three at two or more, and no place fast below-left of an arrested one. Block"
         " spacing and mass, p per block, H, h and the trigger region's length are kept, so N_x = 43"

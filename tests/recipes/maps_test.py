@@ -32,25 +32,7 @@ from events.conventions import PRIMARY  # noqa: E402
 from maps.map_claims import case_of_map, fewest_seeds, map_claim  # noqa: E402
 from maps.map_conventions import WAYS, out_of_order  # noqa: E402
 from maps.map_points import boundary_of_variants  # noqa: E402
-
-C_S = 1000.0  # [m/s]
-SPACING = 0.0025  # [m]
-BLOCKS = 20  # of which the first ten are in the trigger region
-
-
-def front(slower=None, arrives=True):
-    """A front at 300 m/s, but at {n: speed} from block n to block n + 1 [m/s]."""
-    between = [300.0] * (BLOCKS - 1)
-    for block, speed in (slower or {}).items():
-        between[block] = speed
-    t_rupture = np.cumsum([0.0, *(SPACING / speed for speed in between)]).tolist()
-    line = {
-        "x": [n * SPACING for n in range(BLOCKS)],
-        "t_rupture": t_rupture if arrives else [*t_rupture[:-1], None],
-        "c_s": C_S,
-    }
-    line |= {"v_c": speeds(line, 5)}
-    return line | {"at": {0.2: line, 0.5: line}}
+from made_up_front import front  # noqa: E402
 
 
 class ReadMap(unittest.TestCase):
