@@ -35,7 +35,6 @@ ONLY_BY_HAND = (
     "analyze loading --x",
     "analyze events",
     "analyze events --slow-below",
-    "analyze slow-slip --skip-below-x --stencils-at-ends --to --x-from --x-to",
 )
 RECIPES = sorted(path.parent.name for path in (SOURCE / "recipes").glob("*/rules.smk"))
 
@@ -87,7 +86,7 @@ def calls_in(text):
     text = re.sub(r"\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+", "$", text)
     for part in re.split(r"[;\n]|&&|\|\|", text):
         words = shlex.split(re.sub(r"\d?>.*", "", part).replace("{", " ").replace("(", " "))
-        words = [word for word in words if word != "do"]
+        words = [word for word in words if word not in ("do", "rupture")]
         if words and Path(words[0]).name in PROGRAMS:
             yield [Path(words[0]).name, *words[1:]]
 
