@@ -68,7 +68,8 @@ def number_or_text(text, unit):
 def check_value(name, text, unit):
     value = number_or_text(text, unit)
     if unit and not (isinstance(value, float) and math.isfinite(value)):
-        raise SweepError(f"{name} is a finite number, which '{text}' is not")
+        kind = "number," if unit == "1" else f"number in {unit}, written without it,"
+        raise SweepError(f"{name} is a finite {kind} which '{text}' is not")
     if name != "variant" and shlex.quote(text) != text:
         raise SweepError(f"'{text}' is no value of {name}: use one word without quotation marks")
 

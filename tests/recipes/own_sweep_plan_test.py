@@ -358,6 +358,10 @@ class Mistakes(Planning):
             PREPARED + "[values]\ntau-bar = 0.1, high\n" + FRONT,
             "tau-bar is a finite number, which 'high' is not",
         )
+        self.refuse(
+            PREPARED + "[values]\njunctions.t_R = 1ms\n" + FRONT,
+            "junctions.t_R is a finite number in s, written without it, which '1ms' is not",
+        )
         for value in ("nan", "inf", "-inf", "1e999"):
             text = PREPARED + f"[values]\ntau-bar = 0.1, {value}\n" + FRONT
             self.refuse(text, "tau-bar is a finite number, which")
