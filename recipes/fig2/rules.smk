@@ -7,7 +7,11 @@ import shutil
 
 FIG2_LOADS = of_ensemble(f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS)
 FIG2_OF_ALL = len(FIG2_LOADS) == len(REFERENCE_LOADS)
-FIG2_FILM = f"{RESULTS}/movie.{'webm' if shutil.which('ffmpeg') else 'gif'}"  # leads the report
+# The film leads the report. With ffmpeg it can be stopped, and a browser shows a still until it is started.
+FIG2_FILM, FIG2_STILL = [f"{RESULTS}/movie.gif"], ""
+if shutil.which("ffmpeg"):
+    FIG2_FILM = [f"{RESULTS}/movie.webm", f"{RESULTS}/movie.png"]
+    FIG2_STILL = "&& ffmpeg -v error -y -ss 6 -i {output[0]} -frames:v 1 {output[1]}"
 FIG2_EVENTS = ["fast-slow-fast", "fast-only", *(["most-like"] if FIG2_OF_ALL else [])]
 
 
@@ -67,7 +71,7 @@ rule fig2_film:
     params: code=CODE
     log: f"{LOGS}/fig2-film.log"
     message: "fig2: film event I"
-    shell: "{BIN}/movie {input.record} -o {output} --event 0 --force 2> {log}"
+    shell: "({BIN}/movie {input.record} -o {output[0]} --event 0 --force " + FIG2_STILL + ") 2> {log}"
 
 
 rule fig2:

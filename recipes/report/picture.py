@@ -10,6 +10,7 @@ from project import Problem
 
 VIDEOS = {"movie.webm": "video/webm", "movie.mp4": "video/mp4"}
 ANIMATION = "movie.gif"
+STILL = "movie.png"  # shown before a video is started, and on paper
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,7 @@ class Picture:
 class Movie:
     videos: list[tuple[str, str]]  # name and type, the preferred one first
     animation: str | None
+    still: str | None
 
 
 def picture(path, alt):
@@ -41,5 +43,5 @@ def picture(path, alt):
 def find_movie(results):
     """The one in results/, whoever has made it; None if there is none."""
     videos = [(name, kind) for name, kind in VIDEOS.items() if (results / name).exists()]
-    animation = ANIMATION if (results / ANIMATION).exists() else None
-    return Movie(videos, animation) if videos or animation else None
+    animation, still = (n if (results / n).exists() else None for n in (ANIMATION, STILL))
+    return Movie(videos, animation, still) if videos or animation else None

@@ -77,6 +77,9 @@ class Page(unittest.TestCase):
             '<source src="movie.mp4" type="video/mp4">', page.partition('id="gallery"')[0]
         )
         self.assertNotIn('<img src="movie.gif"', page)
+        self.assertNotIn("poster", page)
+        spill(self.project.root / "results/movie.png", "PNG")
+        self.assertIn('poster="movie.png"', self.page())
 
     def test_orders_recipes_as_the_paper_does(self):
         names = re.findall(r'<section id="([^"]+)"', self.page())
