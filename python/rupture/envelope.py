@@ -5,6 +5,8 @@
 
 import hashlib
 import mmap
+import os
+import stat
 from contextlib import contextmanager
 
 from rupture.errors import Failure
@@ -19,16 +21,30 @@ PIECE = (
 EXPLANATIONS = {CHECKPOINT: WHOLE, RECORD: WHOLE, PART: PIECE}
 
 
+def refuse_what_is_no_file(path):
+    """Before it is opened, which would wait for the other end of a pipe."""
+    wanted = "give the path of a checkpoint or record"
+    if not os.fspath(path):
+        raise Failure(f"an input has an empty name; {wanted}")
+    mode = os.stat(path).st_mode
+    if stat.S_ISDIR(mode):
+        raise Failure(f"{path} is a folder; {wanted}")
+    if not stat.S_ISREG(mode):
+        raise Failure(f"{path} is not a regular file; {wanted}")
+
+
 def map_file(path):
     try:
+        refuse_what_is_no_file(path)
         with open(path, "rb") as file:
             return mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         raise Failure(f"{path} does not exist; give the path of a checkpoint or record") from None
     except ValueError:
         raise Failure(f"{path} is empty; expected a checkpoint or record") from None
     except OSError as error:
-        raise Failure(f"cannot read {path}: {error.strerror}") from None
+        hint = "check the permissions of the file and its folder"
+        raise Failure(f"cannot read {path}: {error.strerror}; {hint}") from None
 
 
 @contextmanager
@@ -43,6 +59,11 @@ def kind_of(data, path):
     kind = bytes(data[:HEADER]).split(b"\n")[0].decode("latin-1")
     if kind in EXPLANATIONS and len(data) >= HEADER:
         return kind
+    if kind in EXPLANATIONS:
+        raise Failure(
+            f"{path} is truncated: it ends within its 512-byte header; copy it again or write it"
+            " anew"
+        )
     raise Failure(f"{path} is not a rupture file: give one that rupture's programs wrote")
 
 

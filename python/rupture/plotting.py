@@ -4,7 +4,11 @@
 """The look of all pictures, and the panels that several draw. For matplotlib, which is needed only
 here."""
 
+import os
+
 import numpy as np
+
+from rupture.tables import imported
 
 MAP = "viridis"  # for images; "cividis" where a second one is needed
 
@@ -43,6 +47,18 @@ RUPTURED = 0.3  # pinned fraction below which a block counts as ruptured
 ROWS = 1500  # of an image: more than can be told apart
 MILLISECONDS = 1e3
 ROUNDING = 1e-6  # of times [ms]
+
+
+def pyplot_without_window():
+    """For files, whatever display or toolkit is set; it may be missing."""
+    pyplot = imported("matplotlib.pyplot")
+    pyplot.switch_backend("agg")
+    return pyplot
+
+
+def plain_text(name):
+    """The name of a file as matplotlib draws it: no formula, and no byte that is no text."""
+    return os.fsencode(name).decode(errors="replace").replace("$", r"\$")
 
 
 def rows_in(record, t_zero, window):

@@ -16,8 +16,10 @@ def imported(name):
     try:
         return importlib.import_module(name)
     except ImportError:
-        package = f"apt-get install python3-{name}"
+        package = f"apt-get install python3-{name.split('.')[0]}"
         raise Failure(f"{name} is not installed; install it, on Debian with {package}") from None
+    except ValueError as error:  # of the user's settings, such as MPLBACKEND
+        raise Failure(f"{name} refuses its settings: {error}") from None
 
 
 def positions(file):

@@ -80,6 +80,9 @@ Content checked_record(Content content, const ProvenanceEntry& entry) {
 
 EditedFile read_edited(const std::filesystem::path& path) {
   const auto bytes = bytes_of_file(path);
+  if (bytes.empty()) {
+    throw Failure(fmt::format("{} is empty; expected a checkpoint or record", path.string()));
+  }
   EditedFile file = naming(path, [&] { return opened(bytes); });
   file.name = path.string();
   return file;

@@ -238,6 +238,10 @@ RootAttributes read_root_attributes(Id file, Accept accept) {
     check(exists, "read the root attributes");
     if (exists > 0) attributes.emplace(name, read_attribute(file, name, "/", accept));
   }
+  if (!attributes.contains("format")) {
+    throw Failure(
+        "format is missing; expected text, as in every file that one of rupture's programs wrote");
+  }
   RootAttributes root{read_text(attributes, "format"),
                       read_scalar<std::int64_t>(attributes, "schema_version"), "", ""};
   if (attributes.contains("content_checksum")) {

@@ -3,6 +3,7 @@
 
 """map: pictures of records, the window that they show, and refusals."""
 
+import os
 import struct
 import unittest
 from pathlib import Path
@@ -48,11 +49,35 @@ class Map(unittest.TestCase):
             (("small-record.h5", "-o", "there.png"), 1, "there.png exists"),
             (("small-record.h5", *to, "--event", 9), 2, "there is no event 9"),
             (("small-record.h5", *to, "--from", "5 parsec"), 2, "is no time"),
-            (("small-record.h5", *to, "--from", 3), 2, "fewer than two samples lie between"),
+            (("small-record.h5", *to, "--from", 3), 2, "--from 3 is outside the record, which"),
         ]
         check_refusals(self, "map", cases)
         self.assertEqual(Path("there.png").read_text(), "kept")
-        self.assertFalse(list(self.folder.glob("*x.png")) + list(self.folder.glob(".*")))
+
+    def test_refuses_times_and_events_that_make_no_sense(self):
+        record = ("small-record.h5", "-o", "x.png")
+        cases = [
+            ((*record, "--event", 0, "--to", 1), 2, "--event and --from or --to exclude each"),
+            ((*record, "--event", -1), 2, "'-1' is no number of an event: give a whole number"),
+            ((*record, "--event", 1.5), 2, "'1.5' is no number of an event: give a whole number"),
+            ((*record, "--from=-1"), 2, "give a finite time of at least 0 s"),
+            ((*record, "--from", "1e999"), 2, "give a finite time of at least 0 s"),
+            ((*record, "--from", "1.2.3"), 2, "'1.2.3' is no time, such as 0.8"),
+            ((*record, "--from", "2ms", "--to", "1ms"), 2, "window is empty: --to is before"),
+            ((*record, "--to", 0), 2, "fewer than two samples lie between 0 s and 0 s: give a"),
+            ((*record, "--to", 1, "--to", 2), 2, "--to: is given more than once"),
+        ]
+        check_refusals(self, "map", cases)
+
+    def test_draws_with_any_name_and_any_backend(self):
+        for name in ("a$b^c.h5", os.fsdecode(b"\xff.h5")):
+            Path(name).write_bytes(Path("small-record.h5").read_bytes())
+            env = os.environ | {"MPLBACKEND": "QtAgg", "QT_QPA_PLATFORM": "none"}
+            self.assertEqual(ran("map", name, "-o", "odd.png", "-f", env=env), (0, "", ""))
+            Path(name).unlink()
+        env = os.environ | {"MPLBACKEND": "none"}
+        cases = [(("small-record.h5", "-o", "x.png"), 1, "refuses its settings: Key backend")]
+        check_refusals(self, "map", cases, env=env)
 
     def test_describes_itself(self):
         check_description(self, "map")

@@ -46,8 +46,28 @@ class Movie(unittest.TestCase):
             (("small-record.h5", "-o", "y.gif", "--colour", "red"), 2, "invalid choice"),
             (("small-record.h5", "-o", "y.gif", "--event", 7), 2, "there is no event 7"),
         ]
+        cases += [
+            (("small-record.h5", "-o", "y.gif", "--frames", n), 2, "is no number of frames: give")
+            for n in (0, -3, 1.5, "many")
+        ]
         check_refusals(self, "movie", cases)
-        self.assertFalse(list(self.folder.glob("y*")) + list(self.folder.glob(".*")))
+
+    def test_refuses_a_time_without_fields(self):
+        fields = {"fields": 2e-4, "record_every": 1e-5, "until": 1e-3, "set": small.SMALL}
+        rupture.run("load", output="f.h5", record="f-record.h5", force=True, **fields)
+        window = ("--from", "0.25ms", "--to", "0.35ms")
+        sentence = "the record has no fields between 0.00025 s and 0.00035 s; choose a longer time"
+        check_refusals(self, "movie", [(("f-record.h5", "-o", "y.gif", *window), 1, sentence)])
+
+    def test_says_why_ffmpeg_failed(self):
+        Path("bin").mkdir()
+        ffmpeg = Path("bin/ffmpeg")
+        ffmpeg.write_text("#!/bin/sh\necho much >&2; echo no room >&2; exit 1\n")
+        ffmpeg.chmod(0o755)
+        env = os.environ | {"PATH": f"{self.folder}/bin:{os.environ['PATH']}"}
+        sentence = "could not write y.mp4: ffmpeg: no room"
+        case = (("small-record.h5", "-o", "y.mp4", "--frames", 9), 1, sentence)
+        check_refusals(self, "movie", [case], env=env)
 
     def test_describes_itself(self):
         check_description(self, "movie")
@@ -80,6 +100,10 @@ class Watch(unittest.TestCase):
             (("none.h5.part",), 1, "none.h5.part does not exist"),
             (("small.h5",), 1, "is a checkpoint"),
             (("small-record.h5", "--every", "often"), 2, "is no time"),
+            (("small-record.h5", "--every", 0), 2, "of at least 0.01 s and at most 86400 s"),
+            (("small-record.h5", "--every", "1e999"), 2, "of at least 0.01 s and at most 86400 s"),
+            (("",), 1, "'' names no file; give the .part of a run that writes a record"),
+            ((".part",), 1, "'.part' names no file; give the .part of a run that writes a record"),
         ]
         check_refusals(self, "watch", cases)
 

@@ -16,10 +16,13 @@ def ran(name, *arguments, **options):
     return done.returncode, done.stdout, done.stderr
 
 
-def check_refusals(test, name, cases):
-    """`cases`: arguments, exit code and a part of the sentence, which is the only one."""
+def check_refusals(test, name, cases, **options):
+    """`cases`: arguments, exit code and a part of the sentence, which is the only one. Nothing is
+    left behind."""
+    before = sorted(Path().rglob("*"))
     for arguments, code, part in cases:
-        found, said, sentence = ran(name, *arguments)
+        found, said, sentence = ran(name, *arguments, **options)
+        test.assertEqual(sorted(Path().rglob("*")), before)
         test.assertEqual((found, said, sentence.count("\n")), (code, "", 1), sentence)
         test.assertTrue(sentence.startswith(f"rupture {name}: "), sentence)
         test.assertIn(part, sentence)

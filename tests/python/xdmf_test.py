@@ -85,6 +85,8 @@ class Xdmf(unittest.TestCase):
 
     def test_refuses(self):
         Path("a:b.h5").write_bytes(Path("small.h5").read_bytes())
+        odd = os.fsdecode(b"\xff.h5")
+        Path(odd).write_bytes(Path("small.h5").read_bytes())
         to = ("-o", "x.xdmf")
         cases = [
             (to, 2, "are required: CHECKPOINT"),
@@ -93,9 +95,17 @@ class Xdmf(unittest.TestCase):
             (("small.h5", "-o", "x.vtk"), 2, "has to end with .xdmf"),
             (("small.h5", "-o", self.output), 1, "exists"),
             (("a:b.h5", *to), 1, "colon"),
+            ((odd, *to), 1, "has an unusual character in its name, which XDMF cannot refer to"),
+            (("small.h5", "-o", ""), 2, "an output has an empty name"),
         ]
         check_refusals(self, "xdmf", cases)
-        self.assertFalse(list(self.folder.glob("x*")) + list(self.folder.glob(".*")))
+
+    def test_refuses_to_replace_its_input(self):
+        checkpoint = Path("own-derived.h5")
+        checkpoint.write_bytes(Path("small.h5").read_bytes())
+        case = ((checkpoint, "-o", "own.xdmf", "-f"), 2, "is the input, which is never changed")
+        check_refusals(self, "xdmf", [case])
+        self.assertEqual(checkpoint.read_bytes(), Path("small.h5").read_bytes())
 
     def test_describes_itself(self):
         check_description(self, "xdmf")

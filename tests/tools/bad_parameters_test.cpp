@@ -259,8 +259,9 @@ TEST_F(BadOptions, restart_keeps_the_lattice) {
 }
 
 TEST_F(BadOptions, configuration_must_be_readable) {
-  expect_refusal("load --config gone.ini -o a.h5", kFailed,
-                 "cannot read the configuration file gone.ini");
+  expect_refusal(
+      "load --config gone.ini -o a.h5", kFailed,
+      "cannot read the configuration file gone.ini; give the path of a readable INI file");
   write("odd.ini", "slider.L\n");
   expect_refusal_with("load --config odd.ini -o a.h5", kUsage, "slider.L");
   write("odd.ini", "until = soon\n");

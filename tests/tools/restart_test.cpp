@@ -240,8 +240,9 @@ TEST_F(Restart, arrived_below_needs_a_fraction_at_which_blocks_have_ruptured) {
   const std::string command = "restart a.h5 -o b.h5 --arrived-below ";
   expect_refusal(command + "0.2 --for 1e-4", kUsage,
                  "--arrived-below says when --until-quiet ends a run: give both");
-  expect_refusal(command + "0.4 --until-quiet", kUsage,
-                 "--arrived-below 0.4 makes no sense: a block ruptures at 0.3");
+  expect_refusal(
+      command + "0.4 --until-quiet", kUsage,
+      "--arrived-below 0.4 makes no sense: a block ruptures at 0.3, so give at most that");
   expect_refusal(command + "0 --until-quiet", kUsage,
                  "--arrived-below 0 makes no sense: a pinned fraction is above 0 and at most 1");
 }

@@ -98,7 +98,7 @@ TEST_F(Verify, sees_other_content_than_the_manifest_says) {
   expect_refusal("analyze verify --manifest m.txt", kFailed,
                  "m.txt is no manifest: 'a.h5' is not 'content-sha256 <64 hex digits>  <file>'");
   expect_refusal("analyze verify --manifest gone.txt", kFailed,
-                 "cannot read the manifest gone.txt");
+                 "cannot read the manifest gone.txt; give the path of a readable file");
 }
 
 TEST_F(Verify, refuses_an_empty_manifest) {

@@ -6,6 +6,7 @@
 
 import argparse
 import json
+import math
 import re
 import signal
 import sys
@@ -19,14 +20,51 @@ class UsageError(Failure):
 
 
 UNITS = {"": 1, "s": 1, "ms": 1e-3, "us": 1e-6}  # of times [s]
+TIME = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)", re.ASCII)
+WHOLE = re.compile(r"[-+]?\d{1,18}", re.ASCII)
 
 
-def seconds(text):
-    """A time such as 0.8, 0.8s or "800 ms" [s]."""
-    found = re.fullmatch(r"([-+.\deE]*\d\.?)\s*([a-z]*)", text.strip())
-    if not found or found[2] not in UNITS:
-        raise argparse.ArgumentTypeError(f"'{text}' is no time, such as 0.8, 0.8s or 800ms")
-    return float(found[1]) * UNITS[found[2]]
+class Seconds:
+    """The type of times such as 0.8, 0.8s or "800 ms" [s]."""
+
+    def __init__(self, least=0.0, most=math.inf):
+        self.least, self.most = least, most
+
+    def __call__(self, text):
+        found = TIME.fullmatch(text.strip())
+        if not found or found[2] not in UNITS:
+            raise argparse.ArgumentTypeError(f"'{text}' is no time, such as 0.8, 0.8s or 800ms")
+        time = float(found[1]) * UNITS[found[2]]
+        if self.least <= time <= self.most and math.isfinite(time):
+            return time
+        most = f" and at most {self.most:g} s" if self.most < math.inf else ""
+        expected = f"give a finite time of at least {self.least:g} s{most}"
+        raise argparse.ArgumentTypeError(f"'{text}' makes no sense: {expected}")
+
+
+class WholeNumber:
+    """The type of whole numbers of something, from `least` on."""
+
+    def __init__(self, what, least):
+        self.what, self.least = what, least
+
+    def __call__(self, text):
+        if WHOLE.fullmatch(text) and int(text) >= self.least:
+            return int(text)
+        expected = f"a whole number from {self.least} on"
+        raise argparse.ArgumentTypeError(f"'{text}' is no {self.what}: give {expected}")
+
+
+class Once(argparse.Action):
+    """Keeps a value, and refuses another one, which would silently take its place."""
+
+    given = False
+
+    def __call__(self, parser, namespace, values, option_string=None):
+        if self.given:
+            raise argparse.ArgumentError(self, "is given more than once")
+        self.given = True
+        setattr(namespace, self.dest, values)
 
 
 class Version(argparse.Action):
@@ -47,8 +85,8 @@ def kind_of(action):
         return "flag"
     if action.choices:
         return "choice"
-    names = {seconds: "number", float: "number", int: "integer"}
-    return names.get(action.type, "output file" if action.dest == "output" else "text")
+    names = {Seconds: "number", WholeNumber: "integer"}
+    return names.get(type(action.type), "output file" if action.dest == "output" else "text")
 
 
 class Parser(argparse.ArgumentParser):
@@ -58,9 +96,10 @@ class Parser(argparse.ArgumentParser):
         self.summary, self.inputs = summary, inputs
         usage = f"rupture {name} {arguments} [options]"
         super().__init__(name, usage, purpose, add_help=False, allow_abbrev=False)
+        self.register("action", None, Once)
 
-    def add_time(self, name, text, **more):
-        option = self.add_argument(name, type=seconds, metavar="T[s]", help=text, **more)
+    def add_time(self, name, text, limits=Seconds(), **more):
+        option = self.add_argument(name, type=limits, metavar="T[s]", help=text, **more)
         option.unit = "s"  # type: ignore[attr-defined]
 
     def add_common(self):
@@ -110,16 +149,29 @@ def option_json(action):
     return described | ({"words": list(action.choices)} if action.choices else {})
 
 
+def complain(name, sentence):
+    """In one line, whatever the names of files hold."""
+    line = "".join("?" if ord(letter) < 32 else letter for letter in sentence)
+    print(f"rupture {name}: {line}", file=sys.stderr)
+
+
 def run_tool(name, run):
     """Calls `run` with nothing: the exit code of the program."""
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     try:
         run()
+        sys.stdout.flush()
     except UsageError as error:
-        print(f"rupture {name}: {error}; see rupture {name} --help", file=sys.stderr)
+        complain(name, f"{error}; see rupture {name} --help")
         return 2
-    except (Failure, OSError, MemoryError) as error:
-        print(f"rupture {name}: {error or 'not enough memory'}", file=sys.stderr)
+    except Failure as error:
+        complain(name, str(error))
+        return 1
+    except OSError as error:  # those of other files are Failures
+        complain(name, f"{error.filename or 'standard output'}: {error.strerror or error}")
+        return 1
+    except MemoryError:
+        complain(name, "not enough memory")
         return 1
     except KeyboardInterrupt:
         return 130

@@ -84,7 +84,7 @@ def draw_speeds(axes, path, events):
 
 
 def figure_of(record, path, events, window):
-    pyplot = imported("matplotlib.pyplot")
+    pyplot = plotting.pyplot_without_window()
     pyplot.rcParams.update(plotting.STYLE)
     figure, axes = pyplot.subplots(1, 4, figsize=(10, 4.2))
     axes[1].sharey(axes[0])
@@ -104,14 +104,15 @@ def figure_of(record, path, events, window):
     axes[2].set_title("event", loc="right", x=1.13, fontsize=6.5, y=0.98)
     axes[0].set_ylabel(f"time [ms] after {t_zero:.6g} s" if single else "time [ms]")
     draw_speeds(axes[3], path, events)
-    figure.suptitle(f"{record.path.name}, {window[0]:.6g} s to {window[1]:.6g} s")
+    name = plotting.plain_text(record.path.name)
+    figure.suptitle(f"{name}, {window[0]:.6g} s to {window[1]:.6g} s")
     return figure
 
 
 def run():
     made = parser()
     options = made.parse_args()
-    check_output(options.output, options.force, (".png", ".pdf", ".svg"))
+    check_output(options.output, options.force, (".png", ".pdf", ".svg"), [options.record])
     record = open_record(options.record)
     events = analyze("events", options.record)["events"]
     begin, end = window_of(options, record, events)

@@ -3,7 +3,11 @@
 
 """movie: a record as a film."""
 
+import logging
 import shutil
+import signal
+import subprocess
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +17,7 @@ from rupture.elasticity import stress_of
 from rupture.errors import Failure
 from rupture.programs import analyze
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, run_tool
+from rupture.tools.command_line import Parser, WholeNumber, run_tool
 from rupture.tools.output import check_output, complete
 from rupture.tools.window import add_window, open_record, window_of
 
@@ -39,7 +43,8 @@ def parser():
     text = "colours of the slider"
     made.add_argument("--colour", choices=colours, default=colours[0], help=text)
     text = "the most frames, at 15 per second"
-    made.add_argument("--frames", type=int, metavar="N", default=FRAMES, help=text)
+    number = WholeNumber("number of frames", 1)
+    made.add_argument("--frames", type=number, metavar="N", default=FRAMES, help=text)
     add_window(made)
     made.add_common()
     return made
@@ -53,12 +58,29 @@ def writer_of(path):
     if not shutil.which("ffmpeg"):
         raise Failure(f"{ending} needs ffmpeg, which is not installed; install it, or write a .gif")
     even = ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"]
-    return animation.FFMpegWriter(fps=PER_SECOND, codec=CODECS[ending], extra_args=even)
+    terse = ["-loglevel", "error"]
+    return animation.FFMpegWriter(fps=PER_SECOND, codec=CODECS[ending], extra_args=even + terse)
+
+
+@contextmanager
+def reasons_of_ffmpeg(output):
+    """If ffmpeg stops, its reason is the sentence; the signal of the broken pipe would leave none,
+    and matplotlib's log another one."""
+    signal.signal(signal.SIGPIPE, signal.SIG_IGN)
+    logging.getLogger("matplotlib.animation").setLevel(logging.CRITICAL)
+    try:
+        yield
+    except subprocess.CalledProcessError as error:
+        reason = [f"exit code {error.returncode}", *error.stderr.strip().splitlines()][-1]
+        raise Failure(f"could not write {output}: ffmpeg: {reason}") from None
 
 
 def chosen_samples(time, window, most):
     """Indices of at most so many samples in the window, evenly."""
     shown = np.flatnonzero((time >= window[0]) & (time <= window[1]))
+    if not len(shown):
+        between = f"between {window[0]:g} s and {window[1]:g} s"
+        raise Failure(f"the record has no fields {between}; choose a longer time")
     return shown[np.unique(np.linspace(0, len(shown) - 1, min(most, len(shown))).astype(int))]
 
 
@@ -116,7 +138,7 @@ def values_of(record, rows, colour):
 
 
 def draw_frames(record, window, options, path):
-    pyplot = imported("matplotlib.pyplot")
+    pyplot = plotting.pyplot_without_window()
     pyplot.rcParams.update(plotting.STYLE)
     with_bulk = "fields/u_x" in record
     times = record["fields/time"] if with_bulk else record.time
@@ -141,12 +163,12 @@ def draw_frames(record, window, options, path):
 
 def run():
     options = parser().parse_args()
-    check_output(options.output, options.force, ENDINGS)
+    check_output(options.output, options.force, ENDINGS, [options.record])
     writer_of(options.output)
     record = open_record(options.record)
     events = analyze("events", options.record)["events"] if options.event is not None else []
     window = window_of(options, record, events)
-    with complete(options.output) as path:
+    with complete(options.output) as path, reasons_of_ffmpeg(options.output):
         draw_frames(record, window, options, path)
 
 

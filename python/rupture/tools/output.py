@@ -4,21 +4,39 @@
 """Files appear complete or not at all, and replace others only if that is asked for."""
 
 import os
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from rupture.tools.command_line import Failure, UsageError
 
 
-def check_output(path, force, endings=()):
+def check_folder(path):
+    folder = path.parent
+    if not folder.exists():
+        raise Failure(f"the folder {folder} does not exist; make it first")
+    if not folder.is_dir():
+        raise Failure(f"could not write {path}: {folder} is no folder; give another path")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        reason = f"there is no permission to write in the folder {folder}"
+        raise Failure(f"could not write {path}: {reason}; give another path")
+
+
+def check_output(name, force, endings=(), inputs=()):
     """Before anything is computed."""
-    path = Path(path)
+    path = Path(name)
+    if not os.fspath(name):
+        raise UsageError("an output has an empty name; give the path of a file")
     if endings and path.suffix.lower() not in endings:
         raise UsageError(f"{path} has to end with {' or '.join(endings)}")
-    if not path.parent.is_dir():
-        raise Failure(f"the folder {path.parent} does not exist; make it first")
+    check_folder(path)
+    if any(path.exists() and os.path.exists(one) and path.samefile(one) for one in inputs):
+        raise UsageError(f"{path} is the input, which is never changed: give another output")
+    if path.is_dir():
+        raise Failure(f"{path} is a folder; give the path of a file to write")
     if path.exists() and not force:
         raise Failure(f"{path} exists; give another name, or --force to replace it")
+    if path.exists() and not path.is_file():
+        raise Failure(f"{path} is not a regular file; give another path")
 
 
 @contextmanager
@@ -27,9 +45,14 @@ def complete(path):
     path = Path(path)
     hidden = path.with_name(f".{path.stem}.tmp.{os.getpid()}{path.suffix}")
     try:
+        hidden.touch()  # fails with a better reason than the library that writes the file
         yield hidden
         with open(hidden, "rb") as file:
             os.fsync(file.fileno())
         os.replace(hidden, path)
+    except OSError as error:
+        reason = os.strerror(error.errno) if error.errno else str(error)
+        raise Failure(f"could not write {path}: {reason}") from None
     finally:
-        hidden.unlink(missing_ok=True)
+        with suppress(OSError):
+            hidden.unlink()

@@ -14,7 +14,7 @@ from rupture import plotting
 from rupture.errors import Failure
 from rupture.files import Record, open_file
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, run_tool
+from rupture.tools.command_line import Parser, Seconds, run_tool
 
 LEVELS = " ▁▂▃▄▅▆▇█"
 SAMPLES = 1000  # the last ones, shown in a window
@@ -30,7 +30,7 @@ def parser():
         "record",
     )
     made.add_argument("record", metavar="RECORD.part", help="record that a run writes")
-    made.add_time("--every", "look so often", default=1.0)
+    made.add_time("--every", "look so often", Seconds(least=0.01, most=86400), default=1.0)
     made.add_argument("--text", action="store_true", help="text, even if there is a display")
     made.add_common()
     return made
@@ -39,6 +39,8 @@ def parser():
 def current(path):
     """The record as it is now: the `.part`, or what became of it."""
     whole = Path(str(path).removesuffix(".part"))
+    if not whole.name:
+        raise Failure(f"'{path}' names no file; give the .part of a run that writes a record")
     part = whole.with_name(whole.name + ".part")
     for existing in (part, whole):
         try:
@@ -112,7 +114,10 @@ def view(options):
     if options.text:
         return Text()
     pyplot = imported("matplotlib.pyplot")
-    pyplot.figure()  # only now is the display looked for
+    try:
+        pyplot.figure()  # only now are the display and its toolkit looked for
+    except ImportError:
+        return Text()
     pyplot.close()
     interactive = pyplot.get_backend() in imported("matplotlib.rcsetup").interactive_bk
     return Window(pyplot) if interactive else Text()

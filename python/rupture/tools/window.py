@@ -7,7 +7,7 @@ import numpy as np
 
 from rupture.errors import Failure
 from rupture.files import Record, open_file
-from rupture.tools.command_line import UsageError
+from rupture.tools.command_line import UsageError, WholeNumber
 
 MARGIN = 0.15  # shown before and after an event, of its duration
 LEAST_MARGIN = 0.5e-3  # [s]
@@ -15,7 +15,8 @@ LEAST_MARGIN = 0.5e-3  # [s]
 
 def add_window(parser):
     text = "draw this event of `analyze events`"
-    parser.add_argument("--event", type=int, metavar="N", help=text)
+    number = WholeNumber("number of an event", 0)
+    parser.add_argument("--event", type=number, metavar="N", help=text)
     parser.add_time("--from", "draw from this time on", dest="begin")
     parser.add_time("--to", "draw up to this time", dest="end")
 
@@ -31,7 +32,7 @@ def open_record(path):
 
 def window_of_event(events, number):
     """[s], [s]"""
-    if not 0 <= number < len(events):
+    if number >= len(events):
         has = f"events 0 to {len(events) - 1}" if events else "no events"
         raise UsageError(f"there is no event {number}: the record has {has}")
     start, end = events[number]["t_start"], events[number]["t_end"]
@@ -39,16 +40,33 @@ def window_of_event(events, number):
     return start - margin, end + margin
 
 
+def asked_window(options, first, last):
+    """What --from and --to say of a record from `first` to `last` [s], [s]."""
+    begin = first if options.begin is None else options.begin
+    end = last if options.end is None else options.end
+    record = f"the record, which goes from {first:.7g} s to {last:.7g} s"
+    if begin > last:
+        raise UsageError(f"--from {begin:g} is outside {record}")
+    if end < first:
+        raise UsageError(f"--to {end:g} is outside {record}")
+    if end < begin:
+        raise UsageError("the time window is empty: --to is before --from")
+    return begin, end
+
+
 def window_of(options, record, events):
     """The time to be drawn [s], [s]."""
-    if options.event is not None:
+    first, last = record.time[[0, -1]]
+    if options.event is None:
+        begin, end = asked_window(options, first, last)
+    elif options.begin is None and options.end is None:
         begin, end = window_of_event(events, options.event)
     else:
-        begin = record.time[0] if options.begin is None else options.begin
-        end = record.time[-1] if options.end is None else options.end
-    begin, end = max(begin, record.time[0]), min(end, record.time[-1])
+        raise UsageError("--event and --from or --to exclude each other: give one of them")
+    begin, end = max(begin, first), min(end, last)
     if np.count_nonzero((record.time >= begin) & (record.time <= end)) < 2:
-        raise UsageError(f"fewer than two samples lie between {begin:g} s and {end:g} s")
+        between = f"between {begin:g} s and {end:g} s"
+        raise UsageError(f"fewer than two samples lie {between}: give a longer time")
     return begin, end
 
 

@@ -3,6 +3,7 @@
 
 """xdmf: checkpoints for ParaView and VTK."""
 
+import io
 import os
 from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
@@ -41,12 +42,18 @@ def parser():
 
 
 def open_checkpoint(path):
-    if ":" in str(path):
-        raise Failure(f"{path} has a colon in its name, which XDMF cannot refer to; rename it")
     checkpoint = open_file(path)
     if isinstance(checkpoint, Checkpoint):
         return checkpoint
     raise Failure(f"{path} is a record; give checkpoints")
+
+
+def refuse_odd_names(names):
+    """XDMF puts a colon behind the name of a file, and is XML."""
+    for name in names:
+        if ":" in name or not name.isprintable():
+            what = "a colon" if ":" in name else "an unusual character"
+            raise Failure(f"{name} has {what} in its name, which XDMF cannot refer to; rename it")
 
 
 def write_derived(group, checkpoint):
@@ -96,27 +103,40 @@ def step_of(checkpoint, state, derived):
     return f'<Grid Name="t" GridType="Collection" CollectionType="Spatial">{time}{grids}</Grid>\n'
 
 
+def text_of(name, steps):
+    series = f'<Grid Name={quoteattr(name)} GridType="Collection" CollectionType="Temporal">'
+    text = f'<Xdmf Version="2.2"><Domain>{series}\n{"".join(steps)}</Grid></Domain></Xdmf>\n'
+    return f'<?xml version="1.0"?>\n{text}'
+
+
+def write_numbers(path, checkpoints):
+    """By way of memory, because libhdf5 does not survive a full disk."""
+    image = io.BytesIO()
+    with h5py.File(image, "w") as file:
+        for number, checkpoint in enumerate(checkpoints):
+            write_derived(file.create_group(f"{number:04}"), checkpoint)
+    path.write_bytes(image.getbuffer())
+
+
 def write_all(checkpoints, output, derived):
-    steps = []
-    with complete(derived) as path:
-        with h5py.File(path, "w") as file:
-            for number, checkpoint in enumerate(checkpoints):
-                write_derived(file.create_group(f"{number:04}"), checkpoint)
-                beside = os.path.relpath(checkpoint.path, output.parent)
-                places = f"{beside}:/state", f"{derived.name}:/{number:04}"
-                steps.append(step_of(checkpoint, *places))
-    series = f'<Grid Name={quoteattr(output.stem)} GridType="Collection" CollectionType="Temporal">'
-    with complete(output) as path:
-        text = f'<Xdmf Version="2.2"><Domain>{series}\n{"".join(steps)}</Grid></Domain></Xdmf>\n'
-        path.write_text(f'<?xml version="1.0"?>\n{text}', encoding="utf-8")
+    """Neither file takes its name before both are written."""
+    beside = [os.path.relpath(one.path, output.parent) for one in checkpoints]
+    refuse_odd_names([*beside, derived.name])
+    steps = [
+        step_of(checkpoint, f"{path}:/state", f"{derived.name}:/{number:04}")
+        for number, (checkpoint, path) in enumerate(zip(checkpoints, beside))
+    ]
+    with complete(output) as text, complete(derived) as numbers:
+        write_numbers(numbers, checkpoints)
+        text.write_text(text_of(output.stem, steps), encoding="utf-8")
 
 
 def run():
     options = parser().parse_args()
+    check_output(options.output, options.force, (".xdmf", ".xmf"), options.checkpoints)
     output = Path(options.output)
     derived = output.with_name(f"{output.stem}-derived.h5")
-    check_output(output, options.force, (".xdmf", ".xmf"))
-    check_output(derived, options.force)
+    check_output(derived, options.force, inputs=options.checkpoints)
     checkpoints = [open_checkpoint(path) for path in options.checkpoints]
     write_all(sorted(checkpoints, key=lambda one: one.time), output, derived)
 

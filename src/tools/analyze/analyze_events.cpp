@@ -64,7 +64,7 @@ int analyze_events(int argc, const char* const* argv) {
   const Record& record = command.record;
   const Parameters& p = record.parameters;
   const auto events = find_events(p, record.ruptures, {record.time, record.F_T},
-                                  quiet_time(command), criteria(command.parsed.values));
+                                  quiet_time(command), criteria(command));
   print(quantities_of(p, events), "", command.parsed.values);
   return kDone;
 }

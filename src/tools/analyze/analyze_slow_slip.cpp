@@ -24,8 +24,14 @@ namespace rupture::tools {
 namespace {
 
 SlowSlipCriteria slow_slip_criteria(const po::variables_map& values) {
-  return {non_negative(values, "longest"), non_negative(values, "shortest"),
-          values.count("to-last-stencil") > 0};
+  const double longest = non_negative(values, "longest"),
+               shortest = non_negative(values, "shortest");
+  if (longest < shortest) {
+    throw UsageError(fmt::format(
+        "--longest {:g} is below --shortest {:g}, which leaves out every block: give a larger one",
+        longest, shortest));
+  }
+  return {longest, shortest, values.count("to-last-stencil") > 0};
 }
 
 /// The blocks between --x-from and --x-to, or those of the slow stretch.

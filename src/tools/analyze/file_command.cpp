@@ -20,7 +20,9 @@ Parsed parse_file_command(int argc, const char* const* argv, const std::string& 
 
 std::vector<std::string> files_of(const Parsed& parsed) {
   if (parsed.values.count(kFiles) == 0) return {};
-  return parsed.values[kFiles].as<std::vector<std::string>>();
+  auto files = parsed.values[kFiles].as<std::vector<std::string>>();
+  refuse_empty_names(files);
+  return files;
 }
 
 std::string file_of(const Parsed& parsed) {

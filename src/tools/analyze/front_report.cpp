@@ -12,11 +12,25 @@ namespace rupture::tools {
 
 namespace {
 
-std::size_t stencil(const po::variables_map& values) {
+/// Only a stencil that was asked for has to fit: a short interface has no speeds by default.
+std::size_t stencil(const po::variables_map& values, const Parameters& p) {
   const int blocks = values["stencil"].as<int>();
-  if (blocks >= 3 && blocks % 2 == 1) return static_cast<std::size_t>(blocks);
+  if (blocks < 3 || blocks % 2 == 0) {
+    throw UsageError(
+        fmt::format("--stencil {} makes no sense: give an odd number of blocks from 3 on", blocks));
+  }
+  if (blocks > p.Nx && !values["stencil"].defaulted()) {
+    throw UsageError(fmt::format(
+        "--stencil {} is longer than the interface: give at most its {} blocks", blocks, p.Nx));
+  }
+  return static_cast<std::size_t>(blocks);
+}
+
+double skip_below_x(const po::variables_map& values, const Parameters& p) {
+  const double x = non_negative(values, "skip-below-x");
+  if (x <= p.L || values["skip-below-x"].defaulted()) return x;
   throw UsageError(
-      fmt::format("--stencil {} makes no sense: give an odd number of blocks from 3 on", blocks));
+      fmt::format("--skip-below-x {:g} is beyond the interface, which ends at {:g} m", x, p.L));
 }
 
 StencilsAtEnds stencils_at_ends(const po::variables_map& values) {
@@ -46,17 +60,18 @@ void add_criteria_options(po::options_description& options) {
       "--crossings");
 }
 
-FrontCriteria criteria(const po::variables_map& values) {
+FrontCriteria criteria(const RecordCommand& command) {
+  const po::variables_map& values = command.parsed.values;
+  const Parameters& p = command.record.parameters;
   return {.slow_below = non_negative(values, "slow-below"),
-          .skip_below_x = non_negative(values, "skip-below-x"),
-          .stencil = stencil(values),
+          .skip_below_x = skip_below_x(values, p),
+          .stencil = stencil(values, p),
           .stencils_at_ends = stencils_at_ends(values)};
 }
 
 Front front_of(const RecordCommand& command, const ChosenEvent& event) {
   const Parameters& p = command.record.parameters;
-  return measure_front(p, rupture_line(p, event.ruptures, event.from, event.to),
-                       criteria(command.parsed.values));
+  return measure_front(p, rupture_line(p, event.ruptures, event.from, event.to), criteria(command));
 }
 
 std::string slow_text(const Front& front, double c_s) {

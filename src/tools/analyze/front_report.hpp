@@ -15,8 +15,8 @@ namespace rupture::tools {
 /// read_record_command() goes.
 void add_criteria_options(po::options_description& options);
 
-/// Throws UsageError for a criterion that makes no sense.
-FrontCriteria criteria(const po::variables_map& values);
+/// Throws UsageError for a criterion that makes no sense for this record.
+FrontCriteria criteria(const RecordCommand& command);
 
 /// The front of the chosen event.
 Front front_of(const RecordCommand& command, const ChosenEvent& event);

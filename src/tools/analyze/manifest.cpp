@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "cli/text.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
 
@@ -15,7 +16,10 @@ namespace rupture::tools {
 
 std::vector<ManifestLine> read_manifest(const std::filesystem::path& path) {
   std::ifstream file(path);
-  if (!file) throw Failure(fmt::format("cannot read the manifest {}", path.string()));
+  if (!file || std::filesystem::is_directory(path)) {
+    throw Failure(fmt::format("cannot read the manifest {}; give the path of a readable file",
+                              path.string()));
+  }
   std::vector<ManifestLine> lines;
   std::string text;
   while (std::getline(file, text)) {
@@ -27,7 +31,7 @@ std::vector<ManifestLine> read_manifest(const std::filesystem::path& path) {
     if (line.checksum == kChecksumLabel) words >> line.checksum;
     if (line.checksum.size() != 64 || !std::getline(words >> std::ws, name)) {
       throw Failure(fmt::format("{} is no manifest: '{}' is not '{} <64 hex digits>  <file>'",
-                                path.string(), text, kChecksumLabel));
+                                path.string(), in_one_line(text), kChecksumLabel));
     }
     line.file = path.parent_path() / name;
     lines.push_back(std::move(line));

@@ -60,14 +60,26 @@ std::pair<std::string, std::string> split_assignment(const std::string& assignme
   return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
+po::parsed_options parse_lines(std::ifstream& file, const std::string& path,
+                               const po::options_description& options) {
+  try {
+    return po::parse_config_file(file, options, /*allow_unregistered=*/true);
+  } catch (const po::invalid_syntax& error) {
+    throw UsageError(
+        fmt::format("{}: {}; write lines NAME = VALUE and [GROUP]", path, error.what()));
+  }
+}
+
 /// Options in the file go to `values` unless the command line gave them; other names are
 /// parameters.
 ParameterChanges read_config(const std::string& path, const po::options_description& options,
                              po::variables_map& values) {
   std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path))
-    throw Failure(fmt::format("cannot read the configuration file {}", path));
-  const auto parsed = po::parse_config_file(file, options, /*allow_unregistered=*/true);
+  if (!file || std::filesystem::is_directory(path)) {
+    throw Failure(fmt::format(
+        "cannot read the configuration file {}; give the path of a readable INI file", path));
+  }
+  const po::parsed_options parsed = parse_lines(file, path, options);
   ParameterChanges changes;
   po::parsed_options known(&options);
   for (const auto& option : parsed.options) {
@@ -194,6 +206,7 @@ OutputOptions output_options(const po::variables_map& values) {
 
 std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option) {
   const auto name = values[option].as<std::string>();
+  if (name.empty()) throw UsageError("an output has an empty name; give the path of a file");
   if (name != "-") return name;
   throw UsageError(fmt::format(
       "--{} - is no file: checkpoints and records do not go to standard output; give the path of "
@@ -211,7 +224,6 @@ void check_distinct(const std::vector<std::filesystem::path>& outputs,
   const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
   std::set<fs::path> taken;
   for (const fs::path& output : outputs) {
-    if (output.empty()) throw UsageError("an output has an empty name; give the path of a file");
     for (const fs::path& file : {output, sum_path(output)}) {
       if (!input.empty() && place(file) == place(input)) {
         throw UsageError(fmt::format("{} is the input, which is never changed: give another output",
@@ -246,6 +258,11 @@ void refuse_other_laws(const Parameters& p) {
                                law_info(p.law).name, fmt::join(known, " and the ")));
 }
 
+void refuse_empty_names(const std::vector<std::string>& inputs) {
+  if (std::find(inputs.begin(), inputs.end(), "") == inputs.end()) return;
+  throw UsageError("an input has an empty name; give the path of a file");
+}
+
 std::string single_input(const po::variables_map& values, const std::string& positional,
                          const std::string& wanted) {
   if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);
@@ -253,6 +270,7 @@ std::string single_input(const po::variables_map& values, const std::string& pos
   if (inputs.size() > 1) {
     throw UsageError(fmt::format("'{}' is one file too many: name only {}", inputs[1], wanted));
   }
+  refuse_empty_names(inputs);
   return inputs.front();
 }
 

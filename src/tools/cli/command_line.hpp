@@ -105,6 +105,9 @@ PhiShape shape_named(const std::string& name);
 /// theory.
 void refuse_other_laws(const Parameters& parameters);
 
+/// Throws UsageError if one of them is empty.
+void refuse_empty_names(const std::vector<std::string>& inputs);
+
 /// The one positional argument. Throws UsageError, saying what is wanted, if there is none or more.
 std::string single_input(const po::variables_map& values, const std::string& positional,
                          const std::string& wanted);

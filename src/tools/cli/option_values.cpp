@@ -9,6 +9,7 @@
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <cmath>
 #include <sstream>
+#include <type_traits>
 
 #include "rupture/model/error.hpp"
 #include "rupture/model/number_text.hpp"
@@ -24,16 +25,34 @@ double pinned_fraction(double value, const Given& given, const std::string& opti
                                option, given));
 }
 
-/// The same words, or for a number with a unit its plain number.
+/// Refuses an option's value; `reason` goes behind the name of the option.
+[[noreturn]] void refuse(const std::string& reason) {
+  throw po::error_with_option_name("%canonical_option% " + reason);
+}
+
+/// The word of a number without its unit.
+std::string plain_number(const std::string& word, const std::string& unit) {
+  const auto number = in_unit(word, unit);
+  if (!number) refuse(fmt::format("{} is not a number (unit {})", word, units_taken(unit)));
+  if (double value = 0.0; !boost::conversion::try_lexical_convert(*number, value)) {
+    refuse(fmt::format("{} is too large for a number", word));
+  }
+  return *number;
+}
+
+/// The same words, or for numbers with a unit their plain numbers.
+template <class T>
 std::vector<std::string> plain(std::vector<std::string> words, const ValueKind& kind) {
-  if (kind.kind != "number") return words;
   for (std::string& word : words) {
-    const auto number = in_unit(word, kind.unit);
-    if (!number) {
-      throw po::error_with_option_name(fmt::format(
-          "%canonical_option% {} is not a number (unit {})", word, units_taken(kind.unit)));
+    if (kind.kind == "number") word = plain_number(word, kind.unit);
+    if (kind.kind == "input file" && word.empty()) {
+      refuse("has an empty name: give the path of a file");
     }
-    word = *number;
+    if constexpr (std::is_same_v<T, int>) {
+      if (int value = 0; !boost::conversion::try_lexical_convert(word, value)) {
+        refuse(fmt::format("{} is not a whole number of this size", word));
+      }
+    }
   }
   return words;
 }
@@ -48,7 +67,7 @@ class DescribedValue : public po::typed_value<T>, public ValueKind {
   }
 
   void xparse(boost::any& value, const std::vector<std::string>& words) const override {
-    po::typed_value<T>::xparse(value, plain(words, *this));
+    po::typed_value<T>::xparse(value, plain<T>(words, *this));
   }
 };
 

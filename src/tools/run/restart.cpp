@@ -46,8 +46,9 @@ double arrived_below(const po::variables_map& values) {
   }
   const double below = fraction(values, "arrived-below");
   if (below <= kRupturedFraction) return below;
-  throw UsageError(fmt::format("--arrived-below {} makes no sense: a block ruptures at {}", below,
-                               kRupturedFraction));
+  throw UsageError(
+      fmt::format("--arrived-below {} makes no sense: a block ruptures at {}, so give at most that",
+                  below, kRupturedFraction));
 }
 
 Options setup(int argc, char** argv) {

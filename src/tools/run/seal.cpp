@@ -100,6 +100,7 @@ int run(const Options& options) {
   refuse_what_needs_no_seal(options.file);
   const EditedFile edited = read_edited(options.file);
   check_outputs({output.output}, output.if_exists, options.file);
+  if (!options.original.empty()) check_distinct({output.output}, options.original);
   SealSummary summary = {.sealed_checksum = edited.sealed_checksum,
                          .content_is_as_sealed = edited.content_is_as_sealed};
   if (!options.original.empty()) {

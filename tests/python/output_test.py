@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""What map, movie, watch and xdmf have in common: files that are none, outputs that cannot be
+written, by their path or because the disk is full. One sentence, and nothing is left."""
+
+import os
+import resource
+import subprocess
+import unittest
+from pathlib import Path
+
+import small
+from program import check_refusals
+
+WRITERS = {"map": ("small-record.h5", ".png"), "movie": ("small-record.h5", ".gif")}
+WRITERS["xdmf"] = ("small.h5", ".xdmf")
+
+
+def no_room():
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+
+class Inputs(unittest.TestCase):
+    def setUp(self):
+        small.folder()
+        Path("folder").mkdir(exist_ok=True)
+        Path("empty.h5").touch()
+        Path("text.h5").write_text("no HDF5\n")
+        Path("short.h5.part").write_text("rupture-record-part\nbytes 9000\n")
+        if not Path("pipe").exists():
+            os.mkfifo("pipe")
+
+    def test_that_are_no_files_of_rupture(self):
+        sentences = [
+            ("", "an input has an empty name; give the path of a checkpoint or record"),
+            ("folder", "folder is a folder; give the path of a checkpoint or record"),
+            ("pipe", "pipe is not a regular file; give the path of a checkpoint or record"),
+            ("small.h5/x", "small.h5/x does not exist; give the path of a checkpoint or record"),
+            ("empty.h5", "empty.h5 is empty; expected a checkpoint or record"),
+            ("text.h5", "text.h5 is not a rupture file: give one that rupture's programs wrote"),
+            ("short.h5.part", "is truncated: it ends within its 512-byte header; copy it again"),
+        ]
+        for name, (_, ending) in WRITERS.items():
+            output = ("-o", f"x{ending}")
+            check_refusals(self, name, [((i, *output), 1, part) for i, part in sentences])
+        check_refusals(self, "watch", [((i,), 1, part) for i, part in sentences[4:]])
+
+
+class Outputs(unittest.TestCase):
+    def setUp(self):
+        small.folder()
+
+    def test_that_cannot_be_written(self):
+        for name, (given, ending) in WRITERS.items():
+            folder = Path(f"folder{ending}")
+            folder.mkdir(exist_ok=True)
+            cases = [
+                ("", 2, "an output has an empty name; give the path of a file"),
+                ("-", 2, f"- has to end with {ending}"),
+                (folder, 1, f"{folder} is a folder; give the path of a file to write"),
+                (f"small.h5/x{ending}", 1, "small.h5 is no folder; give another path"),
+                (f"/proc/x{ending}", 1, f"could not write /proc/x{ending}: "),
+                (f"{'x' * 300}{ending}", 1, "File name too long"),
+            ]
+            check_refusals(self, name, [((given, "-f", "-o", o), c, part) for o, c, part in cases])
+
+    def test_that_are_inputs(self):
+        for name, (given, ending) in WRITERS.items():
+            own = Path(f"own{ending}")
+            own.write_bytes(Path(given).read_bytes())
+            sentence = f"{own} is the input, which is never changed: give another output"
+            check_refusals(self, name, [((own, "-o", own, "-f"), 2, sentence)])
+            self.assertEqual(own.read_bytes(), Path(given).read_bytes())
+
+    def test_for_which_the_disk_has_no_room(self):
+        for name, (given, ending) in WRITERS.items():
+            case = ((given, "-o", f"x{ending}"), 1, f"could not write x{ending}: File too large")
+            if name == "xdmf":
+                case = (*case[:2], "could not write x-derived.h5: File too large")
+            check_refusals(self, name, [case], preexec_fn=no_room)
+
+    def test_of_text(self):
+        for name in WRITERS:
+            with open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run(
+                    [Path(os.environ["RUPTURE_BIN"]) / name, "--help"],
+                    stdout=full,
+                    stderr=subprocess.PIPE,
+                    text=True,
+                    check=False,
+                )
+            sentence = f"rupture {name}: standard output: No space left on device\n"
+            self.assertEqual((done.returncode, done.stderr), (1, sentence))
+
+
+if __name__ == "__main__":
+    unittest.main()
