@@ -105,6 +105,16 @@ class Bash(Completion):
         self.assertEqual(self.complete("modify-phi", "--shape", ""), ["uniform", "bell"])
         self.assertEqual(self.complete("load", "--until", ""), [])
 
+    def test_recipes_and_commands_of_reproduce(self):
+        listed = subprocess.run(
+            [BUILD / "bin/rupture", "reproduce", "list"], capture_output=True, check=True, text=True
+        )
+        words = {line.split()[0] for line in listed.stdout.splitlines()}
+        self.assertLessEqual({"fig3", "choices", "all", "sweep"}, words)
+        self.assertEqual(set(self.complete("reproduce", "")), words)
+        self.assertEqual(self.complete("reproduce", "fig2", "figS6"), ["figS6"])
+        self.assertEqual(self.complete("reproduce", "sweep", "my"), ["my.ini"])
+
     def test_files_by_kind(self):
         inputs = ["a.h5", "folder", "two words.h5"]
         self.assertEqual(sorted(self.complete("restart", "")), inputs)
@@ -136,6 +146,8 @@ class Zsh(Completion):
             ("load --set junctions.law=dec", "decaying"),
             ("load --config ", "my.ini"),
             ("restart tw", "two\\ words.h5"),
+            ("reproduce converg", "convergence"),
+            ("reproduce sweep m", "my.ini"),
         ):
             self.assertIn(expected, self.shown(line), line)
 

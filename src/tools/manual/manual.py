@@ -54,8 +54,8 @@ def answer(program, *words):
 
 def with_defaults(tool):
     """A tool that does not describe itself has a name alone."""
-    empty: dict = {"input": None, "options": [], "commands": [], "parameters": False, "purpose": ""}
-    tool = empty | {"synopsis": tool["name"]} | tool
+    empty: dict = {"input": None, "words": [], "options": [], "commands": [], "parameters": False}
+    tool = empty | {"purpose": "", "synopsis": tool["name"]} | tool
     tool["summary"] = tool.get("summary") or tool["purpose"] or "a tool of rupture"
     option = {"holds": "", "words": [], "short": None, "value": "", "unit": "", "default": None}
     tool["options"] = [option | known for known in tool["options"]]
