@@ -188,7 +188,8 @@ ContentFile read_file(const fs::path& path, Opening opening) try {
 
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name, Opening opening) {
   if (header_kind(bytes, name) == FileKind::open_record) {
-    return {FileKind::open_record, "", "", naming(name, [&] { return read_pieces(bytes); })};
+    Pieces pieces = naming(name, [&] { return read_pieces(bytes); });
+    return {FileKind::open_record, "", "", std::move(pieces.content), pieces.ignored_bytes};
   }
   const FileKind kind = check_envelope(bytes, name);
   return naming(name, [&] {

@@ -58,7 +58,7 @@ void PartFile::sync() const {
   sync_file(path_);
 }
 
-Content read_pieces(std::span<const std::byte> file) {
+Pieces read_pieces(std::span<const std::byte> file) {
   Content whole;
   bool first = true;
   while (const std::size_t size = intact_piece(file)) {
@@ -71,7 +71,7 @@ Content read_pieces(std::span<const std::byte> file) {
     file = file.subspan(size);
   }
   if (first) throw Failure("the first piece of the unfinished record is damaged");
-  return whole;
+  return {std::move(whole), file.size()};
 }
 
 }  // namespace rupture

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -34,8 +35,13 @@ class PartFile {
   std::optional<WriterLock> lock_;
 };
 
-/// The datasets in the intact pieces at the start of `file`, those that grow put together. Throws
-/// Failure if not even the first is intact, or if they do not fit together.
-Content read_pieces(std::span<const std::byte> file);
+/// The datasets in the intact pieces at the start of `file`, those that grow put together, and how
+/// many bytes are left behind them. Throws Failure if not even the first is intact, or if they do
+/// not fit together.
+struct Pieces {
+  Content content;
+  std::uint64_t ignored_bytes = 0;
+};
+Pieces read_pieces(std::span<const std::byte> file);
 
 }  // namespace rupture

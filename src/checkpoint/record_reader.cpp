@@ -213,7 +213,7 @@ RecordFile read_record_file(const std::filesystem::path& path) {
   }
   ContentFile file = read_file(path);
   Record record = naming(path, [&] { return record_from(file); });
-  return {std::move(record), std::move(file.content)};
+  return {std::move(record), std::move(file.content), file.ignored_bytes};
 }
 
 }  // namespace rupture

@@ -51,6 +51,19 @@ TEST_F(Finish, says_what_it_did_as_JSON) {
   EXPECT_EQ(json["files"], Json::array({file}));
 }
 
+TEST_F(Finish, says_how_much_at_the_end_it_ignored) {
+  interrupt("--record-every 1e-6");
+  const std::string whole = read("r.h5.part");
+  EXPECT_EQ(json_of("finish r.h5.part -o a.h5 -f -q --json")["ignored_bytes"], 0);
+  write("r.h5.part", whole + whole.substr(0, 777));
+  const Outcome outcome = run("finish r.h5.part -o b.h5 --json");
+  EXPECT_EQ(Json::parse(outcome.out)["ignored_bytes"], 777);
+  EXPECT_EQ(lines_of(outcome.err).at(1),
+            "ignored 777 bytes at the end, which are no complete piece: the run was killed while "
+            "it wrote them, or writes them now, or they are damaged");
+  EXPECT_EQ(checksum_of("b.h5"), checksum_of("a.h5"));
+}
+
 TEST_F(Finish, leaves_the_unfinished_record_to_the_run) {
   interrupt("--record-every 1e-6");
   const std::string before = read("r.h5.part");

@@ -31,6 +31,7 @@ struct ContentFile {
   std::string checksum;         ///< of the content, by the present rule; empty for an open record
   std::string stored_checksum;  ///< as stored, by the rule of the file's schema, verified
   Content content;
+  std::uint64_t ignored_bytes = 0;  ///< behind the last intact piece of an open record
 };
 
 /// Throws Failure if a file could not be written to `path`: it exists and may not be replaced, it

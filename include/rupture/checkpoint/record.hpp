@@ -148,6 +148,7 @@ std::vector<Rupture> ruptures_below(const Record& record, double fraction);
 struct RecordFile {
   Record record;
   Content content;
+  std::uint64_t ignored_bytes = 0;  ///< see ContentFile
 };
 
 /// Reads a finished record or a .part with which another one can begin. Throws Failure.

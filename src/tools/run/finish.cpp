@@ -63,6 +63,18 @@ void refuse_name_of_run(const Options& options) {
                   options.part.string(), output.string()));
 }
 
+void print(const FinishedSummary& summary, std::FILE* to) {
+  say_on(to, "{} samples up to t = {:.9g} s\n", summary.samples, summary.time);
+  if (summary.ignored_bytes > 0) {
+    say_on(to,
+           "ignored {} bytes at the end, which are no complete piece: the run was killed while it "
+           "wrote them, or writes them now, or they are damaged\n",
+           summary.ignored_bytes);
+  }
+  const WrittenFile& file = summary.files.front();
+  say_on(to, "{}", wrote_text(file.path, file.checksum));
+}
+
 int run(const Options& options) {
   const OutputOptions& output = options.output;
   const RecordFile part = read_part(options.part);
@@ -73,12 +85,11 @@ int run(const Options& options) {
   const auto chain = cut_at(record.provenance, record.parameters, t, record.step.back());
   const std::string checksum = write_content(
       output.output, FileKind::record, finished_content(part, chain), output.if_exists, output.sum);
-  const FinishedSummary summary = {
-      std::ssize(record.time), t, {{output.output, "record", checksum}}};
-  if (output.verbosity == Verbosity::normal) {
-    say_on(output.text(), "{} samples up to t = {:.9g} s\n{}", summary.samples, t,
-           wrote_text(output.output, checksum));
-  }
+  const FinishedSummary summary = {.samples = std::ssize(record.time),
+                                   .time = t,
+                                   .ignored_bytes = static_cast<std::int64_t>(part.ignored_bytes),
+                                   .files = {{output.output, "record", checksum}}};
+  if (output.verbosity == Verbosity::normal) print(summary, output.text());
   print_if_asked(quantities_of(summary), output);
   return kDone;
 }

@@ -153,7 +153,8 @@ bool is_record_of_run(const Record& record, const Checkpoint& start, const RunFi
 Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
                  const RunFiles& files) {
   if (!fs::exists(path)) return {};
-  auto [record, content] = read_record_file(path);
+  RecordFile file = read_record_file(path);
+  const Record& record = file.record;
   if (!is_record_of_run(record, start, files) ||
       (!record.step.empty() && record.step.back() > rule.last_step)) {
     throw Failure(fmt::format(
@@ -162,7 +163,7 @@ Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& 
         "--record, or --force to replace it",
         path.string()));
   }
-  return std::move(content);
+  return std::move(file.content);
 }
 
 /// The same of the .part, or else of the record; both must be of the run.

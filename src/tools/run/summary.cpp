@@ -153,6 +153,9 @@ Quantities quantities_of(const FinishedSummary& s) {
   return {
       {"samples", "1", "that the record holds", s.samples},
       {"time", "s", "of the last one", s.time},
+      {"ignored_bytes", "1",
+       "at the end of the unfinished record, of no complete piece, as after a kill",
+       s.ignored_bytes},
       row_of(s.files),
   };
 }

@@ -65,7 +65,8 @@ struct PhiSummary {
 /// Of finish.
 struct FinishedSummary {
   std::int64_t samples = 0;
-  double time = 0.0;  ///< of the last one [s]
+  double time = 0.0;               ///< of the last one [s]
+  std::int64_t ignored_bytes = 0;  ///< at the end of the unfinished record
   std::vector<WrittenFile> files = {};
 };
 

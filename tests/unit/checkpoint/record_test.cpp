@@ -351,7 +351,8 @@ TEST_F(RecordWithFields, returns_them_and_their_positions) {
   auto out = writer_of("r.h5");
   append_all(out, 0, 20);
   out.finish();
-  const auto [record, content] = read_record_file(file("r.h5"));
+  const auto [record, content, ignored_bytes] = read_record_file(file("r.h5"));
+  EXPECT_EQ(ignored_bytes, 0U);
   expect_samples(record, 20);
   EXPECT_EQ(record.fields, Fields::record);
   EXPECT_EQ(record.field_step.size(), 10U);
