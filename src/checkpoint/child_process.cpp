@@ -23,7 +23,9 @@ constexpr rlim_t kMostSeconds = 60;  // of processor time
 
 void be_silent() {
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+  if (nowhere < 0) return;
+  ::dup2(nowhere, STDOUT_FILENO);
+  ::dup2(nowhere, STDERR_FILENO);
 }
 
 void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
