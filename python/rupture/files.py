@@ -63,11 +63,16 @@ class File(Mapping):
     def __repr__(self):
         return f"<rupture.{type(self).__name__} {str(self.path)!r}: {', '.join(self)}>"
 
+    def dataset_at(self, path):
+        """The h5py.Dataset of a path, None if there is none."""
+        item = self.file.get(path) if path else None
+        return item if isinstance(item, h5py.Dataset) else None
+
     def dataset(self, name):
         """The h5py.Dataset of a name, a path or, with a point in it, a parameter."""
         for path in (f"{self.home}/{name}", name, f"parameters/{name.replace('.', '/')}"):
-            if isinstance(self.file.get(path), h5py.Dataset):
-                return self.file[path]
+            if found := self.dataset_at(path):
+                return found
         near = difflib.get_close_matches(name, [*self, *self.parameters], 1)
         hint = f"; did you mean {near[0]}?" if near else f"; it has {', '.join(self)}"
         raise Failure(f"{self.path} has no {name}{hint}")
@@ -82,7 +87,12 @@ class File(Mapping):
         return value if isinstance(value, np.ndarray) else plain(value)
 
     def __contains__(self, name):
-        return isinstance(name, str) and name in set(self)
+        """Whether iteration gives this name, without listing all of them."""
+        return isinstance(name, str) and any(
+            self.is_data(path) and (found := self.dataset_at(path)) and found.name == f"/{path}"
+            for path in (f"{self.home}/{name}", name)
+            if path.removeprefix(f"{self.home}/") == name
+        )
 
     def __iter__(self):
         paths = datasets(self.file)

@@ -9,6 +9,7 @@ import subprocess
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 import rupture
@@ -75,6 +76,32 @@ class Files(unittest.TestCase):
         bad.write_bytes(b"")
         self.fails("is empty", rupture.open, bad)
         self.fails("does not exist", rupture.open, "none.h5")
+
+    def test_contains_what_iteration_gives_and_nothing_else(self):
+        record = self.result.record
+        for file in (record, self.result.checkpoint, rupture.open(killed("in", 2))):
+            listed = list(file)
+            paths = [f"{file.home}/{name}" for name in listed]
+            parameters = [f"parameters/{name.replace('.', '/')}" for name in file.parameters]
+            odd = [
+                "",
+                ".",
+                "junctions",
+                "ruptures",
+                "series",
+                "state",
+                "provenance/0/tool",
+                3,
+                None,
+            ]
+            odd += [f"/{name}" for name in listed] + [f"./{name}" for name in listed]
+            odd += [f"{name}/" for name in listed] + [f"{name}/x" for name in listed]
+            for name in [*listed, *paths, *parameters, *file.parameters, *odd]:
+                self.assertEqual(name in file, name in set(listed), name)
+        with mock.patch("rupture.files.datasets", side_effect=AssertionError("lists all")):
+            self.assertIn("tau", record)
+            self.assertNotIn("fields/u_x", record)
+        self.fails("has no ", record.dataset, "")
 
     def test_verifies_files_of_every_schema(self):
         for path in sorted(RECORDS.glob("schema-*/*.h5")):
