@@ -76,7 +76,7 @@ std::string text_of_any_length(Id type, const Read& read, const std::string& pat
   const std::string doing = "read " + path;
   char* text = nullptr;
   check(read(type, &text), doing);
-  const std::string copy = text == nullptr ? "" : text;
+  std::string copy = text == nullptr ? "" : text;
   check(H5free_memory(text), doing);
   return copy;
 }
