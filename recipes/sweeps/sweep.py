@@ -51,8 +51,9 @@ from pathlib import Path
 from sweeps.needs import Needs, needs_of
 from sweeps.sweep_values import LIMIT, SweepError, calculate, references, values_of
 
-BATCHES = 64  # of a large sweep, so that many cores have work until its end
-LARGEST_BATCH = 20  # points
+BATCHES_OF_ONE = 64  # of a large sweep, so that many cores have work until its end
+BATCHES_OF_MANY = 12  # of each if there are many sweeps: planning takes 1.5 ms for a job
+LARGEST_BATCH = 60  # points
 SEED = "numerics.seed"
 
 
@@ -172,9 +173,9 @@ def combinations(ini):
     ]
 
 
-def batches_of(points):
+def batches_of(points, most=BATCHES_OF_ONE):
     """The points of each job. Neighbours, which take about the same time, go to different jobs."""
-    size = min(LARGEST_BATCH, math.ceil(len(points) / BATCHES))
+    size = min(LARGEST_BATCH, math.ceil(len(points) / most))
     count = math.ceil(len(points) / size) if points else 0
     return [points[number::count] for number in range(count)]
 

@@ -8,7 +8,15 @@
 # A job computes a batch of points and makes one small file, which has a digest of each result. The
 # results themselves are no outputs of the job, so that those that are done outlive one that is ended.
 from sweeps.point_store import PointStore
-from sweeps.sweep import batches_of, file_and_seed, is_sweep, read_sweep, seeds_of
+from sweeps.sweep import (
+    BATCHES_OF_MANY,
+    BATCHES_OF_ONE,
+    batches_of,
+    file_and_seed,
+    is_sweep,
+    read_sweep,
+    seeds_of,
+)
 
 SWEEP_FILES = {
     f"{path.parent.name}/{path.stem}": path
@@ -24,10 +32,18 @@ TABLES = list(SWEEP_FILES)
 OWN = [f"sweeps/{Path(config['sweep']).stem}"] if "sweep" in config else []
 SWEEP_FILES |= {name: Path(config["sweep"]) for name in OWN}
 SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
+
+
+def batches(sweep):
+    points = {point.id: point for point in sweep.points}
+    return batches_of(list(points.values()), most=MOST_BATCHES)
+
+
+MOST_BATCHES = BATCHES_OF_ONE if OWN else BATCHES_OF_MANY
 BATCHES = {
     f"{DATA}/batches/{name}-{number:04d}.sum": (name, batch)
     for name, sweep in SWEEPS.items()
-    for number, batch in enumerate(batches_of(list({point.id: point for point in sweep.points}.values())), 1)
+    for number, batch in enumerate(batches(sweep), 1)
 }
 POINTS = f"{DATA}/points"
 
