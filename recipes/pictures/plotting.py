@@ -42,9 +42,10 @@ def letter(axes, text):
     axes.set_title(text, loc="left", fontweight="bold", fontsize=9)
 
 
-def save(fig, stem):
-    """Writes stem.png and stem.pdf; equal plots are equal bytes."""
+def save(fig, stem, source=None):
+    """Writes stem.png and stem.pdf; equal plots are equal bytes. The PNG says its `source`, if it
+    has one."""
     Path(stem).parent.mkdir(parents=True, exist_ok=True)
-    fig.savefig(f"{stem}.png", metadata={"Software": None})
+    fig.savefig(f"{stem}.png", metadata={"Software": None, "Source": source})
     fig.savefig(f"{stem}.pdf", metadata={"CreationDate": None, "ModDate": None})
     plt.close(fig)

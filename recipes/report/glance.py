@@ -68,10 +68,10 @@ def draw_conventions(axes, names, columns):
         axes.plot(column.at, names.index(column.share.convention), "s", color=colour, markersize=2)
 
 
-def draw_glance(claims, stem):
+def draw_glance(claims, stem, source):
     """Black: the primary convention; blue: the others, each with its 90 % interval. Red: the shown
     case, above where the claim holds for it, below where it does not. Dotted: the share that
-    `reproduced` needs."""
+    `reproduced` needs. `source`: what it is drawn from, for the PNG."""
     columns, names = columns_of(claims), conventions_of(claims)
     lines = len(names) * ROW
     fig, (upper, lower) = figure(
@@ -91,4 +91,4 @@ def draw_glance(claims, stem):
     lower.tick_params(axis="x", length=0, labelbottom=False, labeltop=False, top=False)
     lower.tick_params(axis="y", length=0)
     lower.set(ylim=(len(names) - 0.5, -0.5), xlim=(-1, columns[claims[-1].id][-1].at + 1))
-    save(fig, stem)
+    save(fig, stem, source)

@@ -24,7 +24,7 @@ from claims.claim import VERDICTS, Claim, measured_parts, read_claims
 from claims.own_result import read_own
 from data.replacing import write_whole
 from crate import write_crate
-from glance import draw_glance
+from glance_picture import glance_picture
 from jobs import Accounts, Job, steps, total
 from origin import builds, checksums, last_run, present_build, processor
 from picture import Picture, find_movie, picture
@@ -34,10 +34,6 @@ from symbols import typeset
 HERE = Path(__file__).resolve().parent
 MANY = 12  # commands of a step, or checksums, beyond which only their number is of interest
 MANY_SUMS = 100
-GLANCE = (
-    "Above, for which share of its units each claim holds under each convention, from the smallest"
-    " to the largest, and whether it holds for the shown case; below, which convention that is."
-)
 
 
 @dataclass(frozen=True)
@@ -132,15 +128,6 @@ def counts(rows):
     return [(sum(row["result"].verdict == name for row in rows), name) for name in VERDICTS]
 
 
-def draw_claims(root, recipes):
-    """results/claims.png, all claims at a glance; None without any claim over units."""
-    found = [claim for recipe in recipes for claim in recipe.claims if claim.shares]
-    if not found:
-        return None
-    draw_glance(found, root / "results/claims")
-    return picture(root / "results/claims.png", GLANCE)
-
-
 def how_verdicts_come_about(root, shown):
     """docs/claims.md, below its title."""
     text = (root / "docs/claims.md").read_text(encoding="utf-8")
@@ -176,7 +163,7 @@ def contents(root):
         "listed": len(listed),
         "counts": counts(rows),
         "movie": find_movie(root / "results"),
-        "glance": draw_claims(root, recipes),
+        "glance": glance_picture(root, [claim for recipe in recipes for claim in recipe.claims]),
         "verdicts": how_verdicts_come_about(root, names),
         "jobs": jobs,
         "run": last_run(root, jobs),

@@ -152,7 +152,20 @@ class Page(unittest.TestCase):
         text = " ".join(row.split())
         self.assertIn("primary: 7 of 20 (0.20 to 0.53)", text)
         self.assertIn("holds as it should", text)
-        self.assertTrue((self.project.root / "results/claims.png").exists())
+
+    def test_the_picture_of_all_claims_is_drawn_when_that_changes_it(self):
+        picture = self.project.root / "results/claims.png"
+        claims = self.project.root / "results/fig2/claims.json"
+        self.page()
+        drawn = picture.stat().st_mtime_ns
+        self.page()
+        self.assertEqual(picture.stat().st_mtime_ns, drawn)
+        claims.write_text(claims.read_text().replace('"shown": true', '"shown": false'))
+        self.page()
+        self.assertGreater(picture.stat().st_mtime_ns, drawn)
+        picture.with_suffix(".pdf").unlink()
+        self.page()
+        self.assertTrue(picture.with_suffix(".pdf").exists())
 
     def test_adds_up_times_counting_a_job_once(self):
         self.project.make_accounts()

@@ -193,7 +193,7 @@ class Batches(unittest.TestCase):
             batches = batches_of(list(range(number)))
             self.assertEqual(sorted(sum(batches, [])), list(range(number)))
 
-    def test_short_sweeps_have_a_job_per_point_and_long_ones_at_most_20_points_per_job(self):
+    def test_short_sweeps_have_a_job_per_point_and_long_ones_at_most_60_points_per_job(self):
         self.assertEqual(len(batches_of(list(range(64)))), 64)
         self.assertEqual(max(map(len, batches_of(list(range(100_000))))), 60)
 
