@@ -94,6 +94,16 @@ class Watch(unittest.TestCase):
         whole = rupture.open("w-record.h5")
         self.assertIn(f"{len(whole.ruptures.time)} ruptures", lines[-1])
 
+    def test_says_that_a_run_was_killed(self):
+        load = os.environ["RUPTURE_BIN"] + "/load"
+        command = [load, "-o", "k.h5", "--until", "100", "-q", "--record", "k-record.h5"]
+        with subprocess.Popen(command) as it:
+            while not Path("k-record.h5.part").exists():
+                self.assertIsNone(it.poll())
+            it.kill()
+        sentence = "no run writes k-record.h5.part any more, and it is not finished; rupture finish"
+        check_refusals(self, "watch", [(("k-record.h5.part",), 1, sentence)])
+
     def test_refuses(self):
         cases = [
             ((), 2, "are required: RECORD"),

@@ -3,7 +3,9 @@
 
 """watch: a run that goes on, by the record that it writes."""
 
+import fcntl
 import shutil
+import struct
 import sys
 import time
 from pathlib import Path
@@ -18,6 +20,8 @@ from rupture.tools.command_line import Parser, Seconds, run_tool
 
 LEVELS = " ▁▂▃▄▅▆▇█"
 SAMPLES = 1000  # the last ones, shown in a window
+MOMENT = 0.3  # [s]
+FLOCK = "hhqqi0q"  # struct flock: l_type, l_whence, l_start, l_len, l_pid
 
 
 def parser():
@@ -53,6 +57,30 @@ def current(path):
             return record
         raise Failure(f"{existing} is a checkpoint; give the .part of a record")
     raise Failure(f"{part} does not exist; give the .part of a run that writes a record")
+
+
+def is_being_written(path):
+    """Whether a run holds its lock (docs/decisions/0008-records-in-pieces.md); True where the file
+    system does not tell."""
+    try:
+        with open(path, "rb") as file:
+            asked = struct.pack(FLOCK, fcntl.F_WRLCK, 0, 0, 0, 0)
+            answer = fcntl.fcntl(file, fcntl.F_OFD_GETLK, asked)
+    except OSError:
+        return True
+    return struct.unpack(FLOCK, answer)[0] != fcntl.F_UNLCK
+
+
+def latest(path):
+    """The record as it is now. Raises Failure if its run was killed; a run takes its lock, and
+    finishes its record, in a moment, so there is a second look."""
+    for pause in (MOMENT, 0.0):
+        record = current(path)
+        if record.finished or is_being_written(record.path):
+            return record
+        time.sleep(pause)
+    hint = f"rupture finish {record.path} -o NEW.h5 makes an ordinary record of it"
+    raise Failure(f"no run writes {record.path} any more, and it is not finished; {hint}")
 
 
 def bar(fraction, width):
@@ -125,13 +153,13 @@ def view(options):
 
 def run():
     options = parser().parse_args()
-    record, shown = current(options.record), view(options)
+    record, shown = latest(options.record), view(options)
     while True:
         shown.draw(record)
         if record.finished:
             return shown.finish()
         shown.pause(options.every)
-        record = current(options.record)
+        record = latest(options.record)
 
 
 def main():
