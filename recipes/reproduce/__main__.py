@@ -62,7 +62,7 @@ def everything(request, processes):
     names = sorted(set(recipe_names()).difference(BESIDE_ALL), key=natural)
     compute.reproduce(request, names, processes)
     say()
-    code = compute.write_report(processes)
+    code = compute.write_report_if_needed(processes)
     say(f"\nDone in {duration(time.monotonic() - started)}.")
     return code
 

@@ -86,8 +86,20 @@ def reproduce(request, recipes, processes):
     print_claims(recipes)
 
 
+def is_current(path):
+    """Whether what describes the results is newer than every job that made one, and than all texts
+    and scripts that it comes from: it would say the same again."""
+    scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
+    texts = [ROOT / "codemeta.json", *(ROOT / "docs").glob("*.md"), PROGRAMS / "load"]
+    shown = [RESULTS / "jobs.jsonl", *RESULTS.glob("movie.*"), *RESULTS.glob("*/*.json")]
+    sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
+    return path.exists() and path.stat().st_mtime > max(one.stat().st_mtime for one in sources)
+
+
 def write_crate(processes):
     """What is in results/ and how it was made, for programs: in a second or so."""
+    if is_current(RESULTS / "ro-crate-metadata.json"):
+        return
     if processes.run([sys.executable, "recipes/report/crate.py"]):
         raise Failure(f"{RESULTS}/ro-crate-metadata.json could not be written.")
 
@@ -109,6 +121,14 @@ def run_sweep(request, processes):
     started = time.time()
     run_pipeline(processes, ["sweep"], options_of_snakemake(request, place, sweep=path, code=code))
     return report.report_sweep(path, RESULTS, code, started)
+
+
+def write_report_if_needed(processes):
+    page = RESULTS / "index.html"
+    if not is_current(page) or not is_current(RESULTS / "ro-crate-metadata.json"):
+        return write_report(processes)
+    say(f"Report: {page.resolve()}")
+    return 0
 
 
 def write_report(processes):

@@ -18,10 +18,11 @@ from sweeps.sweep import (
     seeds_of,
 )
 
+# A recipe reads the tables of its own sweeps only, so those of recipes that are not asked for need no look.
 SWEEP_FILES = {
     f"{path.parent.name}/{path.stem}": path
     for path in sorted(Path("recipes").glob("*/*.ini"))
-    if is_sweep(path) and "sweep" not in config
+    if (not ASKED or path.parent.name in ASKED) and is_sweep(path) and "sweep" not in config
 }
 SWEEP_FILES |= {
     f"{name}-seed-{seed}": f"{path}#{seed}"

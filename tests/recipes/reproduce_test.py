@@ -16,6 +16,7 @@ import tempfile
 import time
 import unittest
 import unittest.mock
+from collections.abc import Callable
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -424,6 +425,22 @@ class NothingToDo(Project):
         crate = json.loads((self.root / "results/ro-crate-metadata.json").read_text())
         [run] = [each for each in crate["@graph"] if each["@id"] == "#run-tiny"]
         self.assertLessEqual(run["startTime"], run["endTime"])
+
+    def test_what_describes_the_results_is_written_again_when_that_may_differ(self):
+        crate = self.root / "results/ro-crate-metadata.json"
+        changes: list[Callable] = [
+            lambda: None,
+            lambda: None,
+            lambda: self.append("recipes/tiny/README.md"),
+            lambda: self.delete("results/tiny/claims.json"),
+        ]
+        times = []
+        for change in changes:
+            change()
+            self.steps()
+            times.append(crate.stat().st_mtime_ns)
+        self.assertEqual(times[0], times[1])
+        self.assertEqual(times[1:], sorted(set(times[1:])))
 
     def delete(self, name):
         (self.root / name).unlink()

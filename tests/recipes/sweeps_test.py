@@ -187,6 +187,17 @@ class Reading(unittest.TestCase):
         self.assertEqual(points[0], points[1])
 
 
+class Tables(unittest.TestCase):
+    def test_a_recipe_reads_those_of_its_own_sweeps_only(self):
+        sweeps = {f"{path.parent.name}/{path.stem}" for path in ROOT.glob("recipes/*/*.ini")}
+        for rules in ROOT.glob("recipes/*/*.smk"):
+            text = rules.read_text(encoding="utf-8")
+            for table in re.findall(r"\{DATA\}/([\w/-]+)\.csv|tables_of_seeds\(\"([^\"]+)", text):
+                name = "".join(table)
+                if name in sweeps:
+                    self.assertEqual(name.split("/")[0], rules.parent.name, f"{rules}: {name}")
+
+
 class Batches(unittest.TestCase):
     def test_every_point_is_in_one_batch(self):
         for number in (0, 1, 24, 64, 65, 859, 2000):
