@@ -127,7 +127,7 @@ class Window:
         if len(record.time) > 1:
             shown = record.time[-SAMPLES:][[0, -1]] * plotting.MILLISECONDS
             plotting.draw_pinned(self.axes, record, 0.0, shown)
-        self.axes.set_title(f"t = {np.max(record.time, initial=0):.6f} s")
+        self.axes.set_title(f"pinned fraction until t = {np.max(record.time, initial=0):.6f} s")
 
     def pause(self, seconds):
         self.pyplot.pause(seconds)
