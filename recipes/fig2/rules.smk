@@ -66,7 +66,7 @@ use rule restart_recorded as fig2_filmed with:
 rule fig2_film:
     input:
         **content_of(record=f"{DATA}/fast-slow-fast/filmed-record.h5"),
-        common=COMMON,
+        drawn_by=sorted(map(str, Path("python/rupture").rglob("*.py"))),
     output: FIG2_FILM
     params: code=CODE
     log: f"{LOGS}/fig2-film.log"

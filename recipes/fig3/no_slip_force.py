@@ -39,7 +39,7 @@ def counts(kinds):
 
 
 def case_under(convention, fronts):
-    return counts([types_of(front)[convention] for front in fronts])
+    return counts([front_type(front, **MEASURES[convention]) for front in fronts])
 
 
 def units_of(seeds):

@@ -20,18 +20,21 @@ std::int64_t steps_between_questions(const Parameters& p) {
   return std::max<std::int64_t>(blocks_moved / (p.Nx * p.Nz), 1);
 }
 
-double pinned_at_edge(const Simulation& simulation) {
-  return pinned_fraction(simulation.state().junctions, simulation.parameters().Nx - 1);
+/// Whether the block at the leading edge, which has ruptured, keeps the rule waiting.
+bool waits_at_edge(const Junctions& junctions, const StopRule& rule) {
+  const Eigen::Index edge = junctions.repin_time.rows() - 1;
+  return rule.arrived_below && pinned_fraction(junctions, edge) >= *rule.arrived_below;
 }
 
 }  // namespace
 
-std::optional<Ending> ending_at(std::int64_t step, const RunSoFar& run, double pinned_at_edge,
-                                const StopRule& rule) {
+std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const StopRule& rule) {
+  const std::int64_t step = state.step;
   if (step >= rule.last_step) return Ending::last_step;
   if (!rule.quiet_steps || step % kQuietCheck != 0) return std::nullopt;
-  const bool is_pinned = rule.arrived_below && pinned_at_edge >= *rule.arrived_below;
-  if (run.leading_edge_ruptured && !is_pinned) return Ending::leading_edge;
+  if (run.leading_edge_ruptured && !waits_at_edge(state.junctions, rule)) {
+    return Ending::leading_edge;
+  }
   if (step - run.last_break >= *rule.quiet_steps) return Ending::quiet;
   return std::nullopt;
 }
@@ -40,8 +43,7 @@ Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Obser
   show(simulation, observers);
   for (;;) {
     const std::int64_t step = simulation.state().step;
-    const auto end = ending_at(step, simulation.run(), pinned_at_edge(simulation), rule);
-    if (end) return *end;
+    if (const auto end = ending_at(simulation.state(), simulation.run(), rule)) return *end;
     std::int64_t pause = rule.last_step;
     if (rule.interrupted) {
       if (rule.interrupted()) return Ending::interrupted;

@@ -42,10 +42,8 @@ inline constexpr std::int64_t kQuietCheck = 100;
 
 enum class Ending { last_step, quiet, leading_edge, interrupted };
 
-/// Whether a run that is at `step` has come to its end, interruptions apart; `pinned_at_edge` is
-/// the pinned fraction of the block at the leading edge.
-std::optional<Ending> ending_at(std::int64_t step, const RunSoFar& run, double pinned_at_edge,
-                                const StopRule& rule);
+/// Whether a run has come to its end in this state, interruptions apart.
+std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const StopRule& rule);
 
 /// Advances until the stop rule says so. Observers see the state at each step they ask for, the
 /// step at which the run starts and the one at which it ends included.

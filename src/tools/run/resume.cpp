@@ -230,9 +230,8 @@ bool same_command(const Checkpoint& a, const Checkpoint& b) {
 
 /// True if a run with this rule ends at this checkpoint of it, as far as the checkpoint tells.
 bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
-  const std::int64_t step = checkpoint.state.step;
-  const double at_edge = pinned_fraction(checkpoint.state.junctions, checkpoint.parameters.Nx - 1);
-  return step <= rule.last_step && ending_at(step, *checkpoint.run, at_edge, rule).has_value();
+  return checkpoint.state.step <= rule.last_step &&
+         ending_at(checkpoint.state, *checkpoint.run, rule).has_value();
 }
 
 }  // namespace
