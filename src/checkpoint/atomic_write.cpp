@@ -52,10 +52,6 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
   return true;
 }
 
-fs::path temporary_for(const fs::path& path) {
-  return folder_of(path) / fmt::format(".{}.tmp.{}", path.filename().string(), ::getpid());
-}
-
 // Makes renames and removals durable. Some file systems cannot, and a folder may forbid reading;
 // then they are in place all the same.
 void sync_folder_of(const fs::path& path) {
@@ -119,8 +115,12 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+fs::path temporary_path(const fs::path& path) {
+  return folder_of(path) / fmt::format(".{}.tmp.{}", path.filename().string(), ::getpid());
+}
+
 PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes)
-    : path_(std::move(path)), temporary_(temporary_for(path_)) {
+    : path_(std::move(path)), temporary_(temporary_path(path_)) {
   const FileSizeSignalBlocked guard;
   ::unlink(temporary_.c_str());  // left by a killed process that had the same number
   Descriptor file(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));

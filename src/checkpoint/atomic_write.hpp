@@ -13,7 +13,10 @@ namespace rupture {
 /// Folder of a path, "." for a bare file name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 
-/// A file that appears complete or not at all: first under a hidden name in its folder, then, on
+/// The hidden name under which this process writes a file first.
+std::filesystem::path temporary_path(const std::filesystem::path& path);
+
+/// A file that appears complete or not at all: first under its temporary_path(), then, on
 /// commit(), under its own. Both throw Failure with the system's reason; without a commit nothing
 /// is left of it.
 class PendingFile {

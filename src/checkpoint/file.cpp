@@ -154,6 +154,11 @@ void check_output(const fs::path& path, IfExists if_exists) {
     throw Failure(fmt::format("could not write {}: its folder {}: {}; give another path",
                               path.string(), folder.string(), std::strerror(errno)));
   }
+  // The longest name that will be written: with another, a run would be lost at its end.
+  if (::lstat(temporary_path(sum).c_str(), &info) != 0 && errno != ENOENT) {
+    throw Failure(fmt::format("could not write {}: {}; give another path", path.string(),
+                              std::strerror(errno)));
+  }
 }
 
 FileKind identify(const fs::path& path) {

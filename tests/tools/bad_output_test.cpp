@@ -186,6 +186,25 @@ TEST_F(BadOutput, input_is_never_overwritten_nor_removed_as_a_sum) {
   }
 }
 
+TEST_F(BadOutput, one_file_by_two_names_is_found_through_links_and_folders) {
+  fs::create_symlink(".", path("here"));
+  fs::create_symlink("a.h5", path("link.h5"));
+  for (const std::string own : {"here/a.h5", "link.h5", "here/./a.h5"}) {
+    expect_refusal("restart a.h5 --for 1e-5 --force -o " + own, kUsage,
+                   own + " is the input, which is never changed: give another output");
+  }
+  expect_refusal("restart a.h5 --for 1e-5 -o b.h5 --record here/b.h5", kUsage,
+                 "two outputs would have the name here/b.h5: give different names");
+}
+
+TEST_F(BadOutput, name_that_is_too_long) {
+  for (const std::size_t length : {250U, 253U, 300U}) {
+    const std::string name(length, 'x');
+    expect_refusal("restart a.h5 --for 1e-5 -o " + name, kFailed,
+                   "could not write " + name + ": File name too long; give another path");
+  }
+}
+
 TEST_F(BadOutput, dangling_link_is_replaced_or_refused_but_never_followed) {
   fs::create_symlink("elsewhere.h5", path("link.h5"));
   expect_refusal("load --config small.ini -o link.h5", kFailed,

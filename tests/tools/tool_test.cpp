@@ -7,9 +7,10 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
+
+#include "support/files.hpp"
 
 namespace rupture::testing {
 namespace {
@@ -33,11 +34,6 @@ std::vector<std::string> split(std::string_view text, char separator) {
     }
   }
   return parts;
-}
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string tool_of(std::string_view command) {
@@ -122,7 +118,7 @@ Files ToolTest::files() const {
     } else if (entry.is_directory()) {
       all[name + "/"] = "";
     } else {
-      all[name] = bytes_of(entry.path());
+      all[name] = slurp(entry.path());
     }
   }
   return all;
@@ -130,7 +126,7 @@ Files ToolTest::files() const {
 
 std::string ToolTest::read(const std::string& file) const {
   EXPECT_TRUE(fs::exists(path(file))) << file;
-  return bytes_of(path(file));
+  return slurp(path(file));
 }
 
 void ToolTest::write(const std::string& file, std::string_view bytes) const {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <new>
 #include <set>
 #include <sstream>
@@ -221,15 +222,24 @@ std::string wrote_text(const std::filesystem::path& path, const std::string& che
 void check_distinct(const std::vector<std::filesystem::path>& outputs,
                     const std::filesystem::path& input) {
   namespace fs = std::filesystem;
-  const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  std::map<fs::path, fs::path> folders;  // a run can have thousands of files in one
+  const auto place = [&folders](const fs::path& path) {
+    std::error_code ignored;  // is met again when the file is written
+    if (fs::is_symlink(path, ignored)) return fs::weakly_canonical(fs::absolute(path));
+    fs::path& folder = folders[path.parent_path()];
+    if (folder.empty()) folder = fs::weakly_canonical(fs::absolute(path).parent_path());
+    return folder / path.filename();
+  };
+  const fs::path place_of_input = input.empty() ? input : place(input);
   std::set<fs::path> taken;
   for (const fs::path& output : outputs) {
     for (const fs::path& file : {output, sum_path(output)}) {
-      if (!input.empty() && place(file) == place(input)) {
+      const fs::path place_of_file = place(file);
+      if (place_of_file == place_of_input) {
         throw UsageError(fmt::format("{} is the input, which is never changed: give another output",
                                      file.string()));
       }
-      if (taken.insert(place(file)).second) continue;
+      if (taken.insert(place_of_file).second) continue;
       throw UsageError(
           fmt::format("two outputs would have the name {}: give different names", file.string()));
     }
