@@ -102,6 +102,22 @@ void keep_rows(Dataset& dataset, std::uint64_t rows) {
 
 }  // namespace
 
+std::string_view name_of(Change change) {
+  switch (change) {
+    case Change::values:
+      return "values";
+    case Change::type:
+      return "type";
+    case Change::shape:
+      return "shape";
+    case Change::only_in_a:
+      return "only_in_a";
+    case Change::only_in_b:
+      break;
+  }
+  return "only_in_b";
+}
+
 std::vector<Difference> diff(const Content& a, const Content& b) {
   std::vector<Difference> differences;
   for (const auto& [path, dataset] : a) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace rupture {
 
 /// How a dataset differs between contents a and b.
 enum class Change { values, type, shape, only_in_a, only_in_b };
+
+/// The name of its enumerator, for reports.
+std::string_view name_of(Change change);
 
 /// The largest of some numbers and the element that has it first, in storage order.
 template <class T>

@@ -21,22 +21,6 @@ struct Pair {
   Content a, b;
 };
 
-std::string_view change_name(Change change) {
-  switch (change) {
-    case Change::values:
-      return "values";
-    case Change::type:
-      return "type";
-    case Change::shape:
-      return "shape";
-    case Change::only_in_a:
-      return "only_in_a";
-    case Change::only_in_b:
-      break;
-  }
-  return "only_in_b";
-}
-
 /// A dataset that both files hold, under different values.
 struct Differing {
   const Difference& difference;
@@ -129,7 +113,7 @@ Json largest_json(const Differing& d, const Largest<T>& largest) {
 
 Json change_json(const Pair& pair, const Difference& difference) {
   const std::string& path = difference.path;
-  Json json = {{"path", path}, {"change", change_name(difference.change)}};
+  Json json = {{"path", path}, {"change", name_of(difference.change)}};
   if (difference.change == Change::type || difference.change == Change::shape) {
     for (const auto& [name, content] : {std::pair{"a", &pair.a}, std::pair{"b", &pair.b}}) {
       const Dataset& dataset = content->at(path);

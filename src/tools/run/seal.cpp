@@ -71,8 +71,24 @@ ContentFile read_original(const std::string& path, const EditedFile& edited,
                             sealed.empty() ? "known" : sealed));
 }
 
+std::string words_about(Change change) {
+  switch (change) {
+    case Change::type:
+      return "another type";
+    case Change::shape:
+      return "another shape";
+    case Change::only_in_a:
+      return "removed";
+    case Change::only_in_b:
+      return "added";
+    case Change::values:
+      break;
+  }
+  return "other values";
+}
+
 std::string line_about(const Difference& difference, const Content& edited) {
-  std::string text = fmt::format("edited: {}: {}", difference.path, name_of(difference.change));
+  std::string text = fmt::format("edited: {}: {}", difference.path, words_about(difference.change));
   if (difference.change == Change::values) {
     text += fmt::format(", {} of {}", difference.count,
                         element_count(edited.at(difference.path).shape));

@@ -47,8 +47,8 @@ Quantities row_of(const ImpossibleBlock& block) {
 Quantities row_of(const Difference& difference) {
   return {
       {"path", "", "dataset", difference.path},
-      {"change", "", "added, removed, another type, another shape or other values",
-       name_of(difference.change)},
+      {"change", "", "values, type, shape, only_in_a (the original) or only_in_b (the edited file)",
+       std::string(name_of(difference.change))},
       {"count", "1", "elements with other values; 0 for other changes",
        static_cast<std::int64_t>(difference.count)},
   };
@@ -76,22 +76,6 @@ std::string name_of(Ending ending) {
       break;
   }
   return "end";
-}
-
-std::string name_of(Change change) {
-  switch (change) {
-    case Change::type:
-      return "another type";
-    case Change::shape:
-      return "another shape";
-    case Change::only_in_a:
-      return "removed";
-    case Change::only_in_b:
-      return "added";
-    case Change::values:
-      break;
-  }
-  return "other values";
 }
 
 RunSummary summary_of_complete(const Checkpoint& end) {

@@ -78,9 +78,6 @@ struct SealSummary {
   std::vector<WrittenFile> files = {};
 };
 
-/// How a dataset was edited, in words.
-std::string name_of(Change change);
-
 Quantities quantities_of(const RunSummary& summary);
 Quantities quantities_of(const PreparedSummary& summary);
 Quantities quantities_of(const PhiSummary& summary);
