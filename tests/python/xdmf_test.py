@@ -83,7 +83,14 @@ class Xdmf(unittest.TestCase):
         with h5py.File(derived) as file:
             self.assertFalse({"u_x", "v_x", "attachment"} & set(file["0000"]))
 
+    def test_equal_checkpoints_count_once(self):
+        paths = self.result.checkpoints
+        Path("copy.h5").write_bytes(Path(paths[1]).read_bytes())
+        self.assertEqual(ran("xdmf", *paths, "copy.h5", "-o", "once.xdmf"), (0, "", ""))
+        self.assertEqual(Path("once.xdmf").read_text().count("<Time "), len(paths))
+
     def test_refuses(self):
+        rupture.run("modify-phi", "small.h5", output="wider.h5", shape="bell")
         Path("a:b.h5").write_bytes(Path("small.h5").read_bytes())
         odd = os.fsdecode(b"\xff.h5")
         Path(odd).write_bytes(Path("small.h5").read_bytes())
@@ -92,6 +99,12 @@ class Xdmf(unittest.TestCase):
             (to, 2, "are required: CHECKPOINT"),
             (("none.h5", *to), 1, "none.h5 does not exist"),
             (("small.h5", "small-record.h5", *to), 1, "small-record.h5 is a record"),
+            (
+                ("small.h5", "wider.h5", *to),
+                1,
+                "small.h5 and wider.h5 are different states of t = 0.002 s; a series has one state"
+                " of a time: leave one out",
+            ),
             (("small.h5", "-o", "x.vtk"), 2, "has to end with .xdmf"),
             (("small.h5", "-o", self.output), 1, "exists"),
             (("a:b.h5", *to), 1, "colon"),

@@ -34,7 +34,10 @@ def parser():
         "checkpoint",
     )
     made.add_argument(
-        "checkpoints", metavar="CHECKPOINT", nargs="+", help="checkpoints, in any order"
+        "checkpoints",
+        metavar="CHECKPOINT",
+        nargs="+",
+        help="checkpoints, in any order; equal ones count once",
     )
     made.add_output("file to write: .xdmf")
     made.add_common()
@@ -46,6 +49,19 @@ def open_checkpoint(path):
     if isinstance(checkpoint, Checkpoint):
         return checkpoint
     raise Failure(f"{path} is a record; give checkpoints")
+
+
+def in_time(checkpoints):
+    """One per time, in order: the last checkpoint on the way is often the end of a run, too."""
+    series = {}
+    for checkpoint in checkpoints:
+        other = series.setdefault(checkpoint.time, checkpoint)
+        if other.checksum != checkpoint.checksum:
+            raise Failure(
+                f"{other.path} and {checkpoint.path} are different states of t ="
+                f" {checkpoint.time:g} s; a series has one state of a time: leave one out"
+            )
+    return [series[time] for time in sorted(series)]
 
 
 def refuse_odd_names(names):
@@ -138,7 +154,7 @@ def run():
     derived = output.with_name(f"{output.stem}-derived.h5")
     check_output(derived, options.force, inputs=options.checkpoints)
     checkpoints = [open_checkpoint(path) for path in options.checkpoints]
-    write_all(sorted(checkpoints, key=lambda one: one.time), output, derived)
+    write_all(in_time(checkpoints), output, derived)
 
 
 def main():
