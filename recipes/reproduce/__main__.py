@@ -3,6 +3,7 @@
 
 """./reproduce.sh COMMAND [OPTION]..."""
 
+import json
 import os
 import shutil
 import sys
@@ -11,7 +12,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 from reproduce import checks, compute
-from reproduce.command_line import help_text, listing, natural, parse
+from reproduce.command_line import (
+    description,
+    help_text,
+    listing,
+    natural,
+    read_words,
+    request_of,
+)
 from reproduce.processes import Processes
 from reproduce.project import (
     BESIDE_ALL,
@@ -88,15 +96,19 @@ RUN: dict[str, Callable] = {
 def main(*words):
     caller = Path.cwd()
     os.chdir(SHARE)
-    request = parse(words, caller)
-    if request is None:
+    options = read_words(words)
+    if options.help:
         print(help_text(), end="")
-    elif request.command == "list":
+        return 0
+    if options.describe:
+        print(json.dumps(description()))
+        return 0
+    request = request_of(options, caller)
+    if request.command == "list":
         print(listing())
-    else:
-        enter_root()
-        return RUN[request.command](request, Processes())
-    return 0
+        return 0
+    enter_root()
+    return RUN[request.command](request, Processes())
 
 
 def main_or_sentence(*words):

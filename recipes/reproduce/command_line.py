@@ -6,12 +6,13 @@
 import argparse
 import os
 import re
-from dataclasses import dataclass
+import textwrap
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from reproduce.project import BESIDE_ALL, PROFILES, WORK, UsageError, recipe_names
 
-HELP = """\
+USAGE = """\
 Usage: ./reproduce.sh COMMAND [OPTION]...
 
 Commands
@@ -28,15 +29,53 @@ Commands
   clean                     delete build/ and results/ (never checkpoints/)
 
 Options
-  --dry-run                 of a sweep: say how many points there are, and compute none
-  --from-scratch            compute the checkpoints that the figures start from, too,
-                            instead of using those in checkpoints/
-  --profile NAME            where commands run: local (the default), slurm, or another folder of
-                            recipes/profiles/, or the path of one (docs/cluster.md)
-  --programs FOLDER         use the programs there instead of building them
-  --cores N                 use N cores of this machine (default: all)
-  -h, --help                print this text
 """
+
+
+@dataclass(frozen=True)
+class Option:
+    """The fields are those of --describe (docs/schema.md)."""
+
+    name: str
+    help: str
+    short: str | None = None
+    kind: str = "flag"
+    value: str = ""
+    unit: str = ""
+    default: str | None = None
+
+
+OPTIONS = (
+    Option("dry-run", "of a sweep: say how many points there are, and compute none"),
+    Option(
+        "from-scratch",
+        "compute the checkpoints that the figures start from, too, instead of using those in"
+        " checkpoints/",
+    ),
+    Option(
+        "profile",
+        "where commands run: local, slurm, another folder of recipes/profiles/, or the path of one"
+        " (docs/cluster.md)",
+        kind="text",
+        value="NAME",
+        default="local",
+    ),
+    Option(
+        "programs",
+        "use the programs there instead of building them",
+        kind="text",
+        value="FOLDER",
+    ),
+    Option(
+        "cores",
+        "use N cores of this machine (default: all)",
+        kind="integer",
+        value="N",
+        unit="1",
+    ),
+    Option("describe", "print name, options and input as one JSON object and stop"),
+    Option("help", "print this text", short="h"),
+)
 
 COMMANDS = {
     "all": f"everything above but {' and '.join(BESIDE_ALL)}",
@@ -56,14 +95,41 @@ if WORK:
     COMMANDS = {name: text for name, text in COMMANDS.items() if name not in NEED_SOURCES}
 
 
+def option_text(option):
+    names = f"-{option.short}, --{option.name}" if option.short else f"--{option.name}"
+    first = f"{names} {option.value}".strip().ljust(26)
+    default = f" (default: {option.default})" if option.default else ""
+    return textwrap.fill(
+        first + option.help + default, 100, initial_indent="  ", subsequent_indent=" " * 28
+    )
+
+
 def help_text():
     """Of `rupture reproduce` without the commands that are about the sources."""
+    text = USAGE + "".join(option_text(option) + "\n" for option in OPTIONS)
     if not WORK:
-        return HELP
+        return text
     of_sources = tuple(f"  {name} " for name in NEED_SOURCES)
-    lines = [line for line in HELP.splitlines(True) if not line.startswith(of_sources)]
+    lines = [line for line in text.splitlines(True) if not line.startswith(of_sources)]
     text = "".join(lines).replace("./reproduce.sh", "rupture reproduce")
     return text.replace("install what is missing, build, compute", "compute")
+
+
+def description():
+    """As the other programs describe themselves (docs/schema.md, Programs as JSON)."""
+    return {
+        "name": "reproduce",
+        "summary": "compute figures of the paper, their claims, and sweeps of your own",
+        "synopsis": "reproduce COMMAND [options]",
+        "purpose": "Computes the figures that are named, or all, in results/ of the current folder;"
+        " rupture reproduce list lists them.",
+        "input": "word",
+        "words": [*sorted(recipe_names(), key=natural), *COMMANDS],
+        "outputs": [],
+        "parameters": False,
+        "one_needed": [],
+        "options": [asdict(option) for option in OPTIONS],
+    }
 
 
 class Parser(argparse.ArgumentParser):
@@ -90,12 +156,15 @@ def whole_number(text):
 def read_words(words):
     parser = Parser(add_help=False, allow_abbrev=False)
     parser.add_argument("commands", nargs="*")
-    parser.add_argument("-h", "--help", action="store_true")
-    parser.add_argument("--dry-run", action="store_true")
-    parser.add_argument("--from-scratch", action="store_true")
-    parser.add_argument("--profile", default="local")
-    parser.add_argument("--programs")
-    parser.add_argument("--cores", type=whole_number, default=os.cpu_count())
+    for option in OPTIONS:
+        names = [f"-{option.short}"] if option.short else []
+        names.append(f"--{option.name}")
+        if option.kind == "flag":
+            parser.add_argument(*names, action="store_true")
+        elif option.kind == "integer":
+            parser.add_argument(*names, type=whole_number)
+        else:
+            parser.add_argument(*names, default=option.default)
     return parser.parse_intermixed_args(words)
 
 
@@ -176,11 +245,8 @@ def check_commands(words, options):
             )
 
 
-def parse(words, caller):
-    """The request, or None if help was asked for. `caller`: the folder in which it was typed."""
-    options = read_words(words)
-    if options.help:
-        return None
+def request_of(options, caller):
+    """`caller`: the folder in which it was typed."""
     if not options.commands:
         raise UsageError("")
     command = options.commands[0] if options.commands[0] in COMMANDS else "recipes"
@@ -194,5 +260,5 @@ def parse(words, caller):
         from_scratch=options.from_scratch,
         profile=profile_at(options.profile, caller),
         programs=None if options.programs is None else programs_at(options.programs, caller),
-        cores=options.cores,
+        cores=int(options.cores or os.cpu_count() or 1),
     )

@@ -114,6 +114,7 @@ class Bash(Completion):
         self.assertEqual(set(self.complete("reproduce", "")), words)
         self.assertEqual(self.complete("reproduce", "fig2", "figS6"), ["figS6"])
         self.assertEqual(self.complete("reproduce", "sweep", "my"), ["my.ini"])
+        self.assertEqual(self.complete("reproduce", "--pro"), ["--profile", "--programs"])
 
     def test_files_by_kind(self):
         inputs = ["a.h5", "folder", "two words.h5"]

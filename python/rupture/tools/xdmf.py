@@ -53,7 +53,7 @@ def open_checkpoint(path):
 
 def in_time(checkpoints):
     """One per time, in order: the last checkpoint on the way is often the end of a run, too."""
-    series = {}
+    series: dict = {}
     for checkpoint in checkpoints:
         other = series.setdefault(checkpoint.time, checkpoint)
         if other.checksum != checkpoint.checksum:
