@@ -104,7 +104,8 @@ def draw_front_speeds(axes, fronts, looks):
         v_c = np.array(front["v_c"], dtype=float)  # None becomes NaN
         x = np.array(front["x"]) / front["L"]
         forwards = v_c > 0
-        axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
+        if forwards.any():  # not over fewer blocks than a stencil has
+            axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
     c_s = front["c_s"]
     axes.axhline(c_s, color=BLACK, linewidth=0.8)
     axes.annotate("$c_s$", (0.9, c_s), xytext=(0, 2), textcoords="offset points")

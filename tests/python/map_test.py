@@ -33,6 +33,14 @@ class Map(unittest.TestCase):
             self.assertEqual(size_of_png(name), (2000, 840))
         self.assertNotEqual(Path("map-0.png").read_bytes(), Path("map-1.png").read_bytes())
 
+    def test_names_no_event_that_has_no_speed(self):
+        axes = plotting.pyplot_without_window().subplots()[1]
+        short = {"v_c": [None, None], "x": [0.0, 0.07], "L": 0.14, "c_s": 1000.0}
+        long = short | {"v_c": [None, 1200.0]}
+        looks = {0: ("event 0", "k", "o"), 1: ("event 1", "k", "o")}
+        plotting.draw_front_speeds(axes, {0: short, 1: long}, looks)
+        self.assertEqual(axes.get_legend_handles_labels()[1], ["event 1"])
+
     def test_draws_a_record_without_events(self):
         rupture.run("load", output="still.h5", record="still-record.h5", until=2e-3, set=QUIET)
         self.assertEqual(ran("map", "still-record.h5", "-o", "still.pdf"), (0, "", ""))

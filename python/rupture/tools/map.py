@@ -79,6 +79,9 @@ def draw_speeds(axes, path, events):
         axes.text(0.5, 0.5, "no block ruptured", ha="center", transform=axes.transAxes)
         return axes.set(xlabel="$x/L$", xlim=(0, 1))
     plotting.draw_front_speeds(axes, fronts, looks)
+    if not axes.get_legend_handles_labels()[0]:
+        axes.text(0.5, 0.5, "fronts too short for a speed", ha="center", transform=axes.transAxes)
+        return
     legend = axes.legend(fontsize=6.5, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1))
     legend.set_in_layout(False)  # there is room where the other panels have their colours
 
