@@ -10,10 +10,11 @@ import contextlib
 import io
 import sys
 
-# Snakemake asks smart_open whether a path is one of a cloud. It would import the packages of all
-# clouds that are installed, which takes as long as planning; with None, they are not.
-for cloud in ("azure", "boto3", "paramiko"):
-    sys.modules[cloud] = None  # type: ignore  # Python's manual allows it
+# Packages that would be imported where they are installed, which takes as long as planning; with
+# None, they are not. Snakemake asks smart_open whether a path is one of a cloud, and pandas whether
+# a parameter of a rule is a table, which none is here.
+for package in ("azure", "boto3", "paramiko", "pandas"):
+    sys.modules[package] = None  # type: ignore  # Python's manual allows it
 
 from snakemake import main as run_snakemake  # noqa: E402
 

@@ -4,6 +4,7 @@
 """Values in sweep files (sweep.py): lists, ranges, and expressions of other values."""
 
 import ast
+import functools
 import math
 import operator
 import re
@@ -51,6 +52,11 @@ def evaluate(node):
     raise SweepError("an expression may use numbers, {names}, + - * / ** and sqrt() only")
 
 
+@functools.cache  # the points of a sweep repeat most of what they calculate
+def number_of(text):
+    return evaluate(ast.parse(text, mode="eval"))
+
+
 def calculate(expression, values):
     filled = expression
     for name in references(expression):
@@ -58,7 +64,7 @@ def calculate(expression, values):
             raise SweepError(f"'{expression}' refers to {{{name}}}, which has no value")
         filled = filled.replace(f"{{{name}}}", f"({values[name]})")
     try:
-        number = evaluate(ast.parse(filled, mode="eval"))
+        number = number_of(filled)
     except (ArithmeticError, MemoryError, RecursionError, SyntaxError, ValueError) as error:
         why = ", ".join(text for text in error.args if isinstance(text, str))
         raise SweepError(f"'{expression}' cannot be calculated ({why}), as {filled}") from None
@@ -67,6 +73,7 @@ def calculate(expression, values):
     return text_of(number)
 
 
+@functools.cache
 def references(text):
     return re.findall(r"\{([^{}]+)\}", text)
 
