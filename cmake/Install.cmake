@@ -10,7 +10,7 @@ set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/rupture)
 install(DIRECTORY python/rupture DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE)
 install(TARGETS rupture rupture_flags EXPORT ruptureTargets
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY include/rupture ${RUPTURE_GENERATED_DIR}/rupture
+install(DIRECTORY include/rupture
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT ruptureTargets NAMESPACE rupture:: DESTINATION ${_package})
 
