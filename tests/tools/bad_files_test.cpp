@@ -188,11 +188,11 @@ TEST_F(BadFiles, newer_schema) {
   const auto body = std::as_bytes(std::span(bytes)).subspan(kHeaderSize);
   bytes.replace(0, kHeaderSize, header_text(FileKind::checkpoint, body));
   write("newer.h5", bytes);
-  const std::string version = "rupture " + std::string(rupture::version);
-  const std::string sentence = "newer.h5: written by " + version + " (schema " +
-                               std::to_string(kSchemaVersion + 1) + "); this is " + version +
+  const std::string program = "rupture " + std::string(rupture::version);
+  const std::string sentence = "newer.h5: written by " + program + " (schema " +
+                               std::to_string(kSchemaVersion + 1) + "); this is " + program +
                                ", which reads up to schema " + std::to_string(kSchemaVersion) +
-                               ": use " + version + " or newer";
+                               ": use " + program + " or newer";
   expect_refused("newer.h5", sentence);
   expect_refused_as_any_file("newer.h5", sentence);
 }
