@@ -13,7 +13,7 @@ import json
 from functools import cache
 from pathlib import Path
 
-from data.replacing import replacing
+from data.replacing import write_whole
 
 
 COMPUTED_BY = Path(__file__).with_name("point.py").read_text(encoding="utf-8")
@@ -57,16 +57,16 @@ class PointStore:
 
     def save(self, point, result):
         content = json.dumps({**result, "origin": self.origin(point)}) + "\n"
-        with replacing(self.path(point)) as part:
-            part.write_text(content, encoding="utf-8")
+        write_whole(self.path(point), content)
         self.note_crash(point, "")
 
     def note_crash(self, point, sentence):
         """Why the point is unfinished; an empty sentence if it is not."""
         path = self.folder / f"{point.id}.why"
-        path.unlink(missing_ok=True)
         if sentence:
-            path.write_text(f"{sentence}\n", encoding="utf-8")
+            write_whole(path, f"{sentence}\n")
+        else:
+            path.unlink(missing_ok=True)
 
     def crash(self, point):
         path = self.folder / f"{point.id}.why"

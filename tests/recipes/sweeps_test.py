@@ -17,7 +17,15 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "recipes"))
 
 from sweeps.needs import Needs  # noqa: E402
-from sweeps.sweep import SweepError, batches_of, read_sweep, seeds_of, values_of  # noqa: E402
+from sweeps.point_store import PointStore  # noqa: E402
+from sweeps.sweep import (  # noqa: E402
+    Point,
+    SweepError,
+    batches_of,
+    read_sweep,
+    seeds_of,
+    values_of,
+)
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
 
@@ -321,6 +329,17 @@ class Computing(unittest.TestCase):
         tool = self.folder / "tool"
         tool.write_text('#!/bin/sh\necho "$2" >> "$CALLS"\nkill -INT $$\n')
         self.assertEqual((self.batch("a, b").returncode, self.computed), (130, ["a"]))
+
+
+class Crashes(unittest.TestCase):
+    def test_the_first_point_of_all_may_crash(self):
+        with tempfile.TemporaryDirectory() as folder:
+            store = PointStore(f"{folder}/none/yet", "code")
+            point = Point({}, {}, "")
+            store.note_crash(point, "why")
+            self.assertEqual(store.crash(point), "why")
+            store.save(point, {})
+            self.assertEqual(store.crash(point), "")
 
 
 if __name__ == "__main__":
