@@ -54,8 +54,7 @@ def say_slowest(log):
 
 def run_tests(request, processes):
     (LOGS / "test.log").unlink(missing_ok=True)
-    ensure_packages(processes, "run", "test")
-    build(processes, request.cores, "all")
+    build(processes, request.cores, "all", "run", "test")
     use_own_environment()
     code = run_ctest(processes, "release", "test.log", request.cores)
     say()
@@ -67,14 +66,13 @@ def run_tests(request, processes):
 def test_slurm(request, processes):
     """Where SLURM cannot be installed, ctest says that this was skipped."""
     (LOGS / "slurm.log").unlink(missing_ok=True)
-    ensure_packages(processes, "run")
+    build(processes, request.cores, "tools", "run")
     try:
         ensure_packages(processes, "slurm")
     except SystemExit:
         if processes.received:
             raise
         say("Going on without them.")
-    build(processes, request.cores, "tools")
     use_own_environment()
     return run_ctest(processes, "slurm", "slurm.log", 1)
 
@@ -119,7 +117,7 @@ def check_licences(processes):
 
 def check_sources(request, processes):
     """Without the headers of libraries, which the compiler sees, cppcheck takes seconds."""
-    ensure_packages(processes, "run", "check")
+    ensure_packages(processes, "build", "run", "check")
     check_format(processes)
     check_python(processes)
     check_shell(processes)
@@ -133,7 +131,7 @@ def check_sources(request, processes):
 
 def tidy_sources(request, processes):
     """The counts of what clang-tidy found in the headers of libraries are left out."""
-    ensure_packages(processes, "run", "check")
+    ensure_packages(processes, "build", "run", "check")
     set_up(processes, "configure", "check")
     files = "\n".join(path for path in sources(".cpp") if path.startswith("src/"))
     tidy = (

@@ -29,9 +29,10 @@ RESULTS = Path("results")
 
 def prepare(request, processes):
     """Where the commands run, once there is everything that they need."""
-    ensure_packages(processes, "run")
-    if not request.programs:
-        build(processes, request.cores, "tools")
+    if request.programs:
+        ensure_packages(processes, "run")
+    else:
+        build(processes, request.cores, "tools", "run")
     use_own_environment()
     return place_of(request)
 

@@ -4,8 +4,9 @@
 
 # Installs packages and builds programs, for ./reproduce.sh:
 #
-#   set-up.sh packages PURPOSE...    those of packages.txt for these purposes (run, test, check, slurm)
-#   set-up.sh build CORES TARGET     a target of the release build
+#   set-up.sh packages PURPOSE...               those that packages.txt names for these purposes
+#   set-up.sh build CORES TARGET [PURPOSE...]   a target of the release build; first the packages that
+#                                               it needs, and meanwhile those for these purposes
 #   set-up.sh configure PRESET
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
@@ -54,13 +55,16 @@ install_packages() {
     apt-get -o DPkg::Lock::Timeout="$patience" install -y --no-install-recommends "$@"
 }
 
+is_debian() { command -v dpkg-query && command -v apt-get; } >/dev/null
+
 ensure_packages() {
   local wanted missing
-  mapfile -t wanted < <(packages_for "$@")
-  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  (($# > 0)) || return 0
+  if ! is_debian; then
     echo "This is not a Debian system: what packages.txt names has to be installed already."
     return
   fi
+  mapfile -t wanted < <(packages_for "$@")
   mapfile -t missing < <(missing_of "${wanted[@]}")
   ((${#missing[@]} > 0)) || return 0
   if ((EUID == 0)); then
@@ -96,9 +100,25 @@ build() {
   }
 }
 
+# An installation that has begun is waited for, even if the build fails.
+build_while_installing() {
+  local cores=$1 target=$2 installation='' status=0
+  shift 2
+  if is_debian && ((EUID == 0)); then
+    ensure_packages build
+    ensure_packages "$@" &
+    installation=$!
+  else
+    ensure_packages build "$@"  # one sentence names all that is missing
+  fi
+  (build "$cores" "$target") || status=$?
+  [[ -z $installation ]] || wait "$installation" || status=$?
+  return "$status"
+}
+
 mkdir -p "$logs"
 case $1 in
   packages) shift && ensure_packages "$@" ;;
   configure) configure "$2" ;;
-  build) build "$2" "$3" ;;
+  build) shift && build_while_installing "$@" ;;
 esac

@@ -23,5 +23,6 @@ def ensure_packages(processes, *purposes):
         set_up(processes, "packages", *purposes)
 
 
-def build(processes, cores, target):
-    set_up(processes, "build", cores, target)
+def build(processes, cores, target, *purposes):
+    """While it compiles, packages for these purposes are installed."""
+    set_up(processes, "build", cores, target, *purposes)
