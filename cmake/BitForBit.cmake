@@ -9,7 +9,8 @@
 set(RUPTURE_BIT_FOR_BIT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math -fopenmp-simd)
 
 string(TOUPPER "${CMAKE_BUILD_TYPE}" _type)
-set(_given " ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${_type}} ${RUPTURE_KERNEL_FLAGS} $ENV{CXXFLAGS} ")
+set(_given " ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${_type}} ${RUPTURE_KERNEL_FLAGS} ${RUPTURE_LIBRARY_FLAGS} \
+$ENV{CXXFLAGS} ")
 foreach(_flag -ffast-math -Ofast -funsafe-math-optimizations -fassociative-math
               -freciprocal-math -ffp-contract=fast -ffinite-math-only)
   if("${_given}" MATCHES "[ ;]${_flag}[ ;]")

@@ -34,14 +34,14 @@ memory  = 400 MB
 
 [values]
 tau-bar = 0.1, 0.2, 0.3, 5
-seed    = 1 to 12
+seed    = 1 to 8
 
 [quantities]
 type       = front.type
 slow speed = front.slow.speed
 """
-POINTS = 48
-REFUSED = 12  # no distribution of junction forces carries tau-bar = 5
+POINTS = 32
+REFUSED = 8  # no distribution of junction forces carries tau-bar = 5
 WITHIN = 600  # [s] a run, however slow the machine
 
 
