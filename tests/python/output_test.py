@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: The rupture authors
 # SPDX-License-Identifier: MIT
 
-"""What map, movie, watch and xdmf have in common: files that are none, outputs that cannot be
-written, by their path or because the disk is full. One sentence, and nothing is left."""
+"""What map, movie, watch and xdmf have in common: packages that are missing, files that are none,
+outputs that cannot be written, by their path or because the disk is full. One sentence, and nothing
+is left."""
 
 import os
 import resource
 import subprocess
 import unittest
+from importlib import import_module
 from pathlib import Path
 
 import small
@@ -19,6 +21,16 @@ WRITERS["xdmf"] = ("small.h5", ".xdmf")
 
 def no_room():
     resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+
+class Packages(unittest.TestCase):
+    def test_that_are_missing_are_named(self):
+        small.folder()
+        Path("h5py.py").write_text("raise ModuleNotFoundError(name='h5py')\n")
+        path = os.pathsep.join([os.getcwd(), os.environ["PYTHONPATH"]])
+        case = (("--help",), 1, "h5py is not installed; install it, on Debian with apt-get install")
+        for name in (*WRITERS, "watch"):
+            check_refusals(self, name, [case], env=os.environ | {"PYTHONPATH": path})
 
 
 class Inputs(unittest.TestCase):
@@ -74,6 +86,7 @@ class Outputs(unittest.TestCase):
             self.assertEqual(own.read_bytes(), Path(given).read_bytes())
 
     def test_for_which_the_disk_has_no_room(self):
+        import_module("matplotlib.font_manager")  # writes its cache now, while there is room
         for name, (given, ending) in WRITERS.items():
             case = ((given, "-o", f"x{ending}"), 1, f"could not write x{ending}: File too large")
             if name == "xdmf":

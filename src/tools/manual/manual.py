@@ -53,10 +53,12 @@ def answer(program, *words):
 
 
 def with_defaults(tool):
-    """A tool that does not describe itself has a name alone."""
+    if "summary" not in tool:  # of a tool that does not run, `rupture` knows the name alone
+        sys.exit(
+            f"{tool['name']} does not describe itself: see what {tool['name']} --describe says"
+        )
     empty: dict = {"input": None, "words": [], "options": [], "commands": [], "parameters": False}
-    tool = empty | {"purpose": "", "synopsis": tool["name"]} | tool
-    tool["summary"] = tool.get("summary") or tool["purpose"] or "a tool of rupture"
+    tool = empty | tool
     option = {"holds": "", "words": [], "short": None, "value": "", "unit": "", "default": None}
     tool["options"] = [option | known for known in tool["options"]]
     tool["commands"] = [with_defaults(command) for command in tool["commands"]]

@@ -16,4 +16,9 @@ sys.path[:0] = [str(folder.resolve()) for folder in PACKAGES if (folder / "ruptu
 os.environ.setdefault("RUPTURE_BIN", os.path.dirname(os.path.abspath(__file__)))
 
 name = os.path.basename(sys.argv[0])
-sys.exit(import_module(f"rupture.tools.{name}").main())
+try:
+    tool = import_module(f"rupture.tools.{name}")
+except ModuleNotFoundError as error:
+    hint = f"install it, on Debian with apt-get install python3-{error.name}"
+    sys.exit(f"rupture {name}: {error.name} is not installed; {hint}")
+sys.exit(tool.main())
