@@ -3,7 +3,7 @@
 
 """Collects the points of a user's sweep that there are.
 
-Writes NAME.csv, NAME.h5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan,
+Writes NAME.csv, NAME.hdf5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan,
 and prints what came out. A point that is not there is `unfinished`.
 """
 
@@ -92,10 +92,10 @@ def report_sweep(plan, results, code, started):
     table = list(rows(sweep, lambda point: result_of(point, store)))
     columns = columns_of(sweep, table)
     write_csv(plan.with_suffix(".csv"), columns)
-    write_hdf5(plan.with_suffix(".h5"), sweep.title, columns)
+    write_hdf5(plan.with_suffix(".hdf5"), sweep.title, columns)
     unfinished = print_summary(sweep, table, count_computed(sweep, store, started))
     stem = plan.resolve().with_suffix("")
-    print(f"Table: {stem}.csv and .h5", flush=True)  # before anything of Matplotlib
+    print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
     print(picture(stem, sweep, columns), flush=True)
     if unfinished:
         print("The same command tries unfinished points again.", file=sys.stderr)

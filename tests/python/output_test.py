@@ -90,7 +90,7 @@ class Outputs(unittest.TestCase):
         for name, (given, ending) in WRITERS.items():
             case = ((given, "-o", f"x{ending}"), 1, f"could not write x{ending}: File too large")
             if name == "xdmf":
-                case = (*case[:2], "could not write x-derived.h5: File too large")
+                case = (*case[:2], "could not write x-derived.hdf5: File too large")
             check_refusals(self, name, [case], preexec_fn=no_room)
 
     def test_of_text(self):

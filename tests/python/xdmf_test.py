@@ -71,17 +71,21 @@ class Xdmf(unittest.TestCase):
         import h5py
 
         p = still.parameters
-        with h5py.File("still-derived.h5") as file:
+        with h5py.File("still-derived.hdf5") as file:
             middle = file["0000/sigma_zz"][4].mean()
         load = p["slider.F_N"] / (p["slider.L"] * p["slider.B"])
         self.assertAlmostEqual(middle / -load, 1, delta=0.1)
 
     def test_does_not_copy_the_checkpoints(self):
-        derived = self.output.with_name("run-derived.h5")
+        derived = self.output.with_name("run-derived.hdf5")
         import h5py
 
         with h5py.File(derived) as file:
             self.assertFalse({"u_x", "v_x", "attachment"} & set(file["0000"]))
+
+    def test_leaves_a_folder_that_can_be_verified(self):
+        code, found, _ = ran("analyze", "verify", self.folder)
+        self.assertEqual((code, found.count("intact  ")), (0, len(list(Path().glob("*.h5")))))
 
     def test_equal_checkpoints_count_once(self):
         paths = self.result.checkpoints
@@ -114,7 +118,7 @@ class Xdmf(unittest.TestCase):
         check_refusals(self, "xdmf", cases)
 
     def test_refuses_to_replace_its_input(self):
-        checkpoint = Path("own-derived.h5")
+        checkpoint = Path("own-derived.hdf5")
         checkpoint.write_bytes(Path("small.h5").read_bytes())
         case = ((checkpoint, "-o", "own.xdmf", "-f"), 2, "is the input, which is never changed")
         check_refusals(self, "xdmf", [case])

@@ -92,7 +92,7 @@ class Running(unittest.TestCase):
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("2 points: 1 failed, 1 unfinished.", crashed.stdout)
         self.assertIn("The same command tries unfinished points again.", crashed.stderr)
-        self.assertEqual(self.files(), {".ini", ".csv", ".h5", ".png", ".pdf"})
+        self.assertEqual(self.files(), {".ini", ".csv", ".hdf5", ".png", ".pdf"})
 
         again = self.sweep("0.1, 2")
         self.assertEqual((again.returncode, again.stderr, self.computed), (0, "", 1))

@@ -29,7 +29,7 @@ def parser():
         "Writes a file with which ParaView and VTK open checkpoints as one series in time:"
         " displacement, velocity and stress of the blocks; tau, p and the pinned fraction along the"
         " interface. It refers to the checkpoints, which have to stay where they are. What they do"
-        " not hold as such, stress and interface, is written to FILE-derived.h5.",
+        " not hold as such, stress and interface, is written to FILE-derived.hdf5.",
         "series of checkpoints for ParaView and VTK",
         "checkpoint",
     )
@@ -151,7 +151,7 @@ def run():
     options = parser().parse_args()
     check_output(options.output, options.force, (".xdmf", ".xmf"), options.checkpoints)
     output = Path(options.output)
-    derived = output.with_name(f"{output.stem}-derived.h5")
+    derived = output.with_name(f"{output.stem}-derived.hdf5")
     check_output(derived, options.force, inputs=options.checkpoints)
     checkpoints = [open_checkpoint(path) for path in options.checkpoints]
     write_all(in_time(checkpoints), output, derived)
