@@ -3,66 +3,21 @@
 
 #include "rupture/checkpoint/record.hpp"
 
-#include <signal.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
 #include <limits>
 
-#include "fixtures.hpp"
+#include "record_fixture.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 
 namespace rupture {
 namespace {
 
-namespace fs = std::filesystem;
-
 using testing::expect_contains;
 using testing::failure_of;
+using testing::RecordFile;
 using testing::slurp;
 using testing::small_parameters;
 using testing::small_sample;
 using testing::spill;
-
-constexpr std::size_t kNx = 5;
-
-class RecordFile : public testing::InFolder {
- protected:
-  RecordWriter writer(const char* name, std::size_t flush_every = 256,
-                      IfExists if_exists = IfExists::refuse) {
-    return {file(name), small_parameters(), testing::small_checkpoint().provenance, if_exists,
-            {},         flush_every};
-  }
-
-  static void append(RecordWriter& record, int from, int to) {
-    for (int n = from; n < to; ++n) {
-      record.append(small_sample(kNx, n));
-      if (n % 4 == 0) record.append(std::vector<Rupture>{{100 * n, 0.001 * n, n % 5}});
-    }
-  }
-
-  static void expect_samples(const Record& record, int count) {
-    ASSERT_EQ(record.time.size(), static_cast<std::size_t>(count));
-    ASSERT_EQ(record.u_x.rows(), count);
-    for (int n = 0; n < count; ++n) {
-      const Sample sample = small_sample(kNx, n);
-      const auto at = static_cast<std::size_t>(n);
-      EXPECT_EQ(record.time[at], sample.time);
-      EXPECT_EQ(record.step[at], sample.step);
-      EXPECT_EQ(record.F_T[at], sample.F_T);
-      EXPECT_EQ(record.x_drive[at], sample.x_drive);
-      for (std::size_t i = 0; i < kNx; ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        EXPECT_EQ(record.pinned(n, column), sample.pinned[i]);
-        EXPECT_EQ(record.p(n, column), sample.p[i]);
-        EXPECT_EQ(record.tau(n, column), sample.tau[i]);
-        EXPECT_EQ(record.u_x(n, column), sample.u_x[i]);
-      }
-    }
-  }
-};
 
 TEST_F(RecordFile, returns_what_was_appended) {
   auto out = writer("r.h5", 7);
@@ -127,103 +82,6 @@ TEST_F(RecordFile, may_be_empty) {
   EXPECT_EQ(record.p.cols(), 5);
 }
 
-TEST_F(RecordFile, in_the_making_is_readable_up_to_its_last_flush) {
-  auto out = writer("r.h5", 8);
-  expect_samples(read_record(file("r.h5.part")), 0);
-  append(out, 0, 20);
-  const Record record = read_record(file("r.h5.part"));
-  expect_samples(record, 16);
-  EXPECT_EQ(record.complete, Complete::no);
-  EXPECT_EQ(identify(file("r.h5.part")), FileKind::open_record);
-  EXPECT_FALSE(fs::exists(file("r.h5")));
-  out.flush();
-  expect_samples(read_record(file("r.h5.part")), 20);
-}
-
-TEST_F(RecordFile, interrupted_stays_behind_as_a_part_that_cannot_be_verified) {
-  {
-    auto out = writer("r.h5", 8);
-    append(out, 0, 20);
-  }
-  EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
-  expect_samples(read_record(file("r.h5.part")), 16);
-  expect_contains(failure_of([&] { verify_file(file("r.h5.part")); }),
-                  "r.h5.part: an unfinished record cannot be verified");
-}
-
-TEST_F(RecordFile, of_a_run_killed_at_any_moment_is_readable) {
-  for (int trial = 0; trial < 20; ++trial) {
-    fs::remove(file("r.h5.part"));
-    const pid_t child = fork();
-    if (child == 0) {
-      auto out = writer("r.h5", 4, IfExists::replace);  // is nearly always within a flush
-      for (int n = 0;; ++n) append(out, n, n + 1);
-    }
-    const auto not_yet_begun = [&] {
-      return failure_of([&] { identify(file("r.h5.part")); }) != "(no failure)";
-    };
-    for (int n = 0; n < 40000 && not_yet_begun(); ++n) usleep(500);
-    ASSERT_FALSE(not_yet_begun()) << "the writer has not begun within 20 s";
-    usleep(static_cast<useconds_t>(10000 + 700 * trial));
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
-    const Record record = read_record(file("r.h5.part"));
-    expect_samples(record, static_cast<int>(record.time.size()));
-  }
-}
-
-TEST_F(RecordFile, in_the_making_ends_with_its_last_whole_piece) {
-  auto out = writer("r.h5", 4);
-  std::vector<std::size_t> sizes;
-  for (int n = 0; n <= 12; n += 4) {
-    append(out, n, n + 4);
-    sizes.push_back(fs::file_size(file("r.h5.part")));
-  }
-  const std::string whole = slurp(file("r.h5.part"));
-  for (std::size_t size = sizes[0]; size < whole.size(); size += 37) {
-    spill(file("cut.part"), whole.substr(0, size));
-    const auto pieces = std::upper_bound(sizes.begin(), sizes.end(), size) - sizes.begin();
-    expect_samples(read_record(file("cut.part")), static_cast<int>(4 * pieces));
-  }
-}
-
-TEST_F(RecordFile, in_the_making_ends_before_its_first_damaged_piece) {
-  auto out = writer("r.h5", 4);
-  append(out, 0, 4);
-  const std::size_t intact = fs::file_size(file("r.h5.part"));
-  append(out, 4, 12);
-  const std::string whole = slurp(file("r.h5.part"));
-  for (std::size_t at = intact; at < intact + kHeaderSize + 1000; at += 7) {
-    std::string damaged = whole;
-    damaged[at] = static_cast<char>(damaged[at] ^ 1);
-    spill(file("damaged.part"), damaged);
-    expect_samples(read_record(file("damaged.part")), 4);
-  }
-}
-
-TEST_F(RecordFile, in_the_making_is_refused_if_its_first_piece_is_damaged) {
-  auto out = writer("r.h5", 4);
-  append(out, 0, 8);
-  std::string bytes = slurp(file("r.h5.part"));
-  bytes[600] = static_cast<char>(bytes[600] ^ 1);
-  spill(file("damaged.part"), bytes);
-  EXPECT_EQ(
-      failure_of([&] { read_record(file("damaged.part")); }),
-      file("damaged.part").string() + ": the first piece of the unfinished record is damaged");
-}
-
-TEST_F(RecordFile, with_pieces_that_do_not_fit_together_is_refused) {
-  auto out = writer("r.h5", 4);
-  append(out, 0, 4);
-  Parameters wider = small_parameters();
-  wider.Nx = 6;
-  RecordWriter other(file("q.h5"), wider, {}, IfExists::refuse, {}, 4);
-  for (int n = 0; n < 4; ++n) other.append(small_sample(6, n));
-  spill(file("mixed.part"), slurp(file("r.h5.part")) + slurp(file("q.h5.part")));
-  expect_contains(failure_of([&] { read_record(file("mixed.part")); }),
-                  "do not continue those of the pieces before");
-}
-
 TEST_F(RecordFile, that_begins_with_the_rows_of_another_continues_it) {
   auto whole = writer("whole.h5", 8);
   append(whole, 0, 20);
@@ -235,196 +93,6 @@ TEST_F(RecordFile, that_begins_with_the_rows_of_another_continues_it) {
     append(out, kept, 20);
     EXPECT_EQ(out.finish(), checksum) << kept;
   }
-}
-
-/// A record with crossings of 0.2 and 0.5 besides the ruptures.
-class RecordWithCrossings : public RecordFile {
- protected:
-  RecordWriter writer_of(const char* name, const Content& rows = {}) {
-    return {file(name),
-            small_parameters(),
-            {},
-            IfExists::replace,
-            rows,
-            8,
-            {.crossing_levels = {0.2, 0.5}}};
-  }
-  static void append_all(RecordWriter& record, int from, int to) {
-    for (int n = from; n < to; ++n) {
-      append(record, n, n + 1);
-      record.append(std::vector<Rupture>{{100 * n, 0.001 * n, n % 5, n % 3 == 0 ? 0.2 : 0.5}});
-    }
-  }
-};
-
-TEST_F(RecordWithCrossings, returns_them_by_their_level) {
-  auto out = writer_of("r.h5");
-  append_all(out, 0, 20);
-  out.finish();
-  const Record record = read_record(file("r.h5"));
-  expect_samples(record, 20);
-  EXPECT_EQ(record.crossing_levels, (std::vector<double>{0.2, 0.5}));
-  EXPECT_EQ(record.crossings.size(), 20U);
-  EXPECT_EQ(ruptures_below(record, kRupturedFraction), record.ruptures);
-  EXPECT_EQ(ruptures_below(record, kRupturedFraction).size(), 5U);
-  const auto low = ruptures_below(record, 0.2);
-  ASSERT_EQ(low.size(), 7U);
-  EXPECT_EQ(low[6], (Rupture{1800, 0.001 * 18, 3, 0.2}));
-  EXPECT_EQ(ruptures_below(record, 0.5).size(), 13U);
-  EXPECT_EQ(
-      failure_of([&] { ruptures_below(record, 0.4); }),
-      "the record does not tell when blocks fell below a pinned fraction of 0.4, only of 0.2, "
-      "0.5, 0.3: record it with --crossings 0.4");
-}
-
-TEST_F(RecordWithCrossings, knows_its_levels_without_any_crossing) {
-  auto out = writer_of("r.h5");
-  append(out, 0, 4);
-  out.finish();
-  EXPECT_TRUE(ruptures_below(read_record(file("r.h5")), 0.5).empty());
-}
-
-TEST_F(RecordWithCrossings, that_begins_with_the_rows_of_another_continues_it) {
-  auto whole = writer_of("whole.h5");
-  append_all(whole, 0, 20);
-  const std::string checksum = whole.finish();
-  for (const int kept : {0, 1, 8, 13}) {
-    auto out = writer_of("r.h5", rows_until(read_content(file("whole.h5")), 100 * kept - 1));
-    EXPECT_EQ(read_record(file("r.h5.part")).crossings.size(), static_cast<std::size_t>(kept));
-    append_all(out, kept, 20);
-    EXPECT_EQ(out.finish(), checksum) << kept;
-  }
-}
-
-TEST_F(RecordWithCrossings, has_another_checksum_than_one_without_and_equal_other_datasets) {
-  auto out = writer_of("r.h5"), without = writer("q.h5");
-  append_all(out, 0, 20);
-  append(without, 0, 20);
-  EXPECT_NE(out.finish(), without.finish());
-  Content content = read_content(file("r.h5"));
-  std::erase_if(content, [](const auto& entry) { return entry.first.starts_with("/crossings/"); });
-  EXPECT_EQ(content_checksum(content), content_checksum(read_content(file("q.h5"))));
-}
-
-TEST_F(RecordWithCrossings, with_impossible_datasets_is_refused) {
-  auto out = writer_of("r.h5");
-  append_all(out, 0, 5);
-  out.finish();
-  const auto refusal_without = [&](const char* path) {
-    Content content = read_content(file("r.h5"));
-    content.erase(path);
-    write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
-    return failure_of([&] { read_record(file("q.h5")); });
-  };
-  for (const char* path :
-       {"/crossings/levels", "/crossings/step", "/crossings/block", "/crossings/pinned_below"}) {
-    expect_contains(refusal_without(path), std::string(path) + " is missing");
-  }
-}
-
-/// A record with fields, which are sampled half as often.
-class RecordWithFields : public RecordFile {
- protected:
-  static constexpr std::size_t kBlocks = 20;  // of small_parameters()
-
-  RecordWriter writer_of(const char* name, const Content& rows = {}) {
-    return {file(name), small_parameters(),        {}, IfExists::replace, rows,
-            8,          {.fields = Fields::record}};
-  }
-  static FieldSample field_sample(int n) {
-    FieldSample sample{0.001 * n, 100 * n, {}, {}};
-    for (std::size_t i = 0; i < kBlocks; ++i) {
-      sample.u_x.push_back(static_cast<float>(n) + static_cast<float>(i) / 32.0F);
-      sample.u_z.push_back(-sample.u_x.back());
-    }
-    return sample;
-  }
-  static void append_all(RecordWriter& record, int from, int to) {
-    for (int n = from; n < to; ++n) {
-      append(record, n, n + 1);
-      if (n % 2 == 0) record.append(field_sample(n));
-    }
-  }
-};
-
-TEST_F(RecordWithFields, returns_them_and_their_positions) {
-  auto out = writer_of("r.h5");
-  append_all(out, 0, 20);
-  out.finish();
-  const auto [record, content, ignored_bytes] = read_record_file(file("r.h5"));
-  EXPECT_EQ(ignored_bytes, 0U);
-  expect_samples(record, 20);
-  EXPECT_EQ(record.fields, Fields::record);
-  EXPECT_EQ(record.field_step.size(), 10U);
-  EXPECT_EQ(record.field_step[9], 1800);
-  EXPECT_EQ(read_array<double>(content, "/fields/time", {10})[9], 0.001 * 18);
-  const auto u_z = read_array<float>(content, "/fields/u_z", {10, 4, 5});
-  EXPECT_EQ(std::vector<float>(u_z.end() - kBlocks, u_z.end()), field_sample(18).u_z);
-  EXPECT_EQ(read_array<double>(content, "/fields/z", {4}),
-            (std::vector<double>{0, 0.01, 0.02, 0.03}));
-}
-
-TEST_F(RecordWithFields, continue_those_of_another) {
-  auto whole = writer_of("whole.h5");
-  append_all(whole, 0, 20);
-  const std::string checksum = whole.finish();
-  for (const int kept : {0, 1, 8, 13}) {
-    const Content rows = rows_until(read_content(file("whole.h5")), 100 * kept - 1);
-    auto out = writer_of("r.h5", rows);
-    append_all(out, kept, 20);
-    EXPECT_EQ(out.finish(), checksum) << kept;
-  }
-}
-
-TEST_F(RecordWithFields, adds_nothing_but_them_and_they_count) {
-  auto out = writer_of("r.h5");
-  append_all(out, 0, 20);
-  const std::string checksum = out.finish();
-  auto without = writer("q.h5");
-  append(without, 0, 20);
-  const std::string checksum_without = without.finish();
-  EXPECT_NE(checksum, checksum_without);
-  EXPECT_EQ(read_record(file("q.h5")).fields, Fields::omit);
-  Content content = read_content(file("r.h5"));
-  std::erase_if(content, [](const auto& entry) { return entry.first.starts_with("/fields/"); });
-  EXPECT_EQ(content_checksum(content), checksum_without);
-}
-
-TEST_F(RecordWithFields, of_large_sliders_are_flushed_by_their_size) {
-  Parameters large = small_parameters();
-  large.Nx = 401;
-  large.L = 4.0;
-  large.Nz = 401;
-  FieldSample sample{0.0, 0, std::vector<float>(401 * 401), std::vector<float>(401 * 401)};
-  RecordWriter out(file("r.h5"), large, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
-                   {.fields = Fields::record});
-  const auto begun = fs::file_size(file("r.h5.part"));
-  out.append(sample);
-  EXPECT_GT(fs::file_size(file("r.h5.part")), begun + 8 * 401 * 401);
-}
-
-TEST_F(RecordWithFields, with_impossible_values_is_refused) {
-  auto out = writer_of("r.h5");
-  FieldSample bad = field_sample(0);
-  bad.u_x.pop_back();
-  EXPECT_EQ(failure_of([&] { out.append(bad); }),
-            "a sample has 19 values of u_x; expected Nx Nz = 20");
-  out.append(field_sample(2));
-  out.append(field_sample(0));
-  out.finish();
-  expect_contains(failure_of([&] { read_record(file("r.h5")); }),
-                  "/fields/step holds 200 and then 0; expected ascending steps");
-  Content content = read_content(file("r.h5"));
-  content.erase("/fields/u_z");
-  write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
-  expect_contains(failure_of([&] { read_record(file("q.h5")); }),
-                  "/fields/u_z is missing; expected float32 of shape [2][4][5]");
-  auto infinite = writer_of("i.h5");
-  bad = field_sample(0);
-  bad.u_z[7] = std::numeric_limits<float>::infinity();
-  infinite.append(bad);
-  expect_contains(failure_of([&] { infinite.flush(); }),
-                  "/fields/u_z holds inf at index 7 of [1][4][5]; only finite numbers are stored");
 }
 
 TEST_F(RecordFile, is_not_started_where_it_could_not_be_finished) {
@@ -447,14 +115,6 @@ TEST_F(RecordFile, does_not_overwrite_a_file_that_appeared_meanwhile) {
   expect_contains(failure_of([&] { out.finish(); }), "exists; give --force to replace it");
   EXPECT_EQ(slurp(file("r.h5")), "precious");
   expect_samples(read_record(file("r.h5.part")), 3);
-}
-
-TEST_F(RecordFile, has_one_writer_at_a_time) {
-  auto out = writer("r.h5", 4);
-  append(out, 0, 4);
-  expect_contains(failure_of([&] { writer("r.h5", 4, IfExists::replace); }),
-                  "another run is writing " + file("r.h5.part").string());
-  expect_samples(read_record(file("r.h5.part")), 4);
 }
 
 TEST_F(RecordFile, whose_steps_do_not_ascend_is_refused) {
@@ -483,36 +143,6 @@ TEST_F(RecordFile, refuses_samples_of_the_wrong_length_and_too_many_junctions) {
   Parameters many = small_parameters();
   many.N_s = 65536;
   EXPECT_THROW(RecordWriter(file("q.h5"), many, {}, IfExists::refuse), UsageError);
-}
-
-TEST_F(RecordFile, on_a_full_disk_fails_with_the_reason_and_keeps_the_part) {
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  {
-    auto out = writer("r.h5", 8);
-    append(out, 0, 8);
-    const rlimit limit{fs::file_size(file("r.h5.part")) + 1000, before.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-    const std::string message = failure_of([&] { append(out, 8, 20000); });
-    expect_contains(message, "could not write " + file("r.h5.part").string());
-    expect_contains(message, "File too large");
-  }
-  setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
-  const Record record = read_record(file("r.h5.part"));
-  EXPECT_GE(record.time.size(), 8U);
-  expect_samples(record, static_cast<int>(record.time.size()));
-}
-
-TEST_F(RecordFile, that_cannot_even_be_begun_leaves_nothing_behind) {
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit limit{1000, before.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &limit);
-  expect_contains(failure_of([&] { writer("r.h5"); }),
-                  "could not write " + file("r.h5.part").string());
-  setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(RecordFile, and_checkpoint_are_not_mistaken_for_each_other) {

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+// What a record may hold besides its series: crossings of other pinned fractions, and fields.
+#include <array>
+#include <limits>
+
+#include "record_fixture.hpp"
+#include "rupture/checkpoint/checksum.hpp"
+
+namespace rupture {
+namespace {
+
+using testing::expect_contains;
+using testing::failure_of;
+using testing::RecordFile;
+using testing::small_parameters;
+using testing::small_sample;
+
+/// A record with crossings of 0.2 and 0.5 besides the ruptures.
+class RecordWithCrossings : public RecordFile {
+ protected:
+  RecordWriter writer_of(const char* name, const Content& rows = {}) {
+    return {file(name),
+            small_parameters(),
+            {},
+            IfExists::replace,
+            rows,
+            8,
+            {.crossing_levels = {0.2, 0.5}}};
+  }
+  static void append_all(RecordWriter& record, int from, int to) {
+    for (int n = from; n < to; ++n) {
+      append(record, n, n + 1);
+      record.append(std::vector<Rupture>{{100 * n, 0.001 * n, n % 5, n % 3 == 0 ? 0.2 : 0.5}});
+    }
+  }
+};
+
+TEST_F(RecordWithCrossings, returns_them_by_their_level) {
+  auto out = writer_of("r.h5");
+  append_all(out, 0, 20);
+  out.finish();
+  const Record record = read_record(file("r.h5"));
+  expect_samples(record, 20);
+  EXPECT_EQ(record.crossing_levels, (std::vector<double>{0.2, 0.5}));
+  EXPECT_EQ(record.crossings.size(), 20U);
+  EXPECT_EQ(ruptures_below(record, kRupturedFraction), record.ruptures);
+  EXPECT_EQ(ruptures_below(record, kRupturedFraction).size(), 5U);
+  const auto low = ruptures_below(record, 0.2);
+  ASSERT_EQ(low.size(), 7U);
+  EXPECT_EQ(low[6], (Rupture{1800, 0.001 * 18, 3, 0.2}));
+  EXPECT_EQ(ruptures_below(record, 0.5).size(), 13U);
+  EXPECT_EQ(
+      failure_of([&] { ruptures_below(record, 0.4); }),
+      "the record does not tell when blocks fell below a pinned fraction of 0.4, only of 0.2, "
+      "0.5, 0.3: record it with --crossings 0.4");
+}
+
+TEST_F(RecordWithCrossings, knows_its_levels_without_any_crossing) {
+  auto out = writer_of("r.h5");
+  append(out, 0, 4);
+  out.finish();
+  EXPECT_TRUE(ruptures_below(read_record(file("r.h5")), 0.5).empty());
+}
+
+TEST_F(RecordWithCrossings, that_begins_with_the_rows_of_another_continues_it) {
+  auto whole = writer_of("whole.h5");
+  append_all(whole, 0, 20);
+  const std::string checksum = whole.finish();
+  for (const int kept : {0, 1, 8, 13}) {
+    auto out = writer_of("r.h5", rows_until(read_content(file("whole.h5")), 100 * kept - 1));
+    EXPECT_EQ(read_record(file("r.h5.part")).crossings.size(), static_cast<std::size_t>(kept));
+    append_all(out, kept, 20);
+    EXPECT_EQ(out.finish(), checksum) << kept;
+  }
+}
+
+TEST_F(RecordWithCrossings, has_another_checksum_than_one_without_and_equal_other_datasets) {
+  auto out = writer_of("r.h5"), without = writer("q.h5");
+  append_all(out, 0, 20);
+  append(without, 0, 20);
+  EXPECT_NE(out.finish(), without.finish());
+  Content content = read_content(file("r.h5"));
+  std::erase_if(content, [](const auto& entry) { return entry.first.starts_with("/crossings/"); });
+  EXPECT_EQ(content_checksum(content), content_checksum(read_content(file("q.h5"))));
+}
+
+TEST_F(RecordWithCrossings, with_impossible_datasets_is_refused) {
+  auto out = writer_of("r.h5");
+  append_all(out, 0, 5);
+  out.finish();
+  const auto refusal_without = [&](const char* path) {
+    Content content = read_content(file("r.h5"));
+    content.erase(path);
+    write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
+    return failure_of([&] { read_record(file("q.h5")); });
+  };
+  for (const char* path :
+       {"/crossings/levels", "/crossings/step", "/crossings/block", "/crossings/pinned_below"}) {
+    expect_contains(refusal_without(path), std::string(path) + " is missing");
+  }
+}
+
+/// A record with fields, which are sampled half as often.
+class RecordWithFields : public RecordFile {
+ protected:
+  static constexpr std::size_t kBlocks = 20;  // of small_parameters()
+
+  RecordWriter writer_of(const char* name, const Content& rows = {}) {
+    return {file(name), small_parameters(),        {}, IfExists::replace, rows,
+            8,          {.fields = Fields::record}};
+  }
+  static FieldSample field_sample(int n) {
+    FieldSample sample{0.001 * n, 100 * n, {}, {}};
+    for (std::size_t i = 0; i < kBlocks; ++i) {
+      sample.u_x.push_back(static_cast<float>(n) + static_cast<float>(i) / 32.0F);
+      sample.u_z.push_back(-sample.u_x.back());
+    }
+    return sample;
+  }
+  static void append_all(RecordWriter& record, int from, int to) {
+    for (int n = from; n < to; ++n) {
+      append(record, n, n + 1);
+      if (n % 2 == 0) record.append(field_sample(n));
+    }
+  }
+};
+
+TEST_F(RecordWithFields, returns_them_and_their_positions) {
+  auto out = writer_of("r.h5");
+  append_all(out, 0, 20);
+  out.finish();
+  const auto [record, content, ignored_bytes] = read_record_file(file("r.h5"));
+  EXPECT_EQ(ignored_bytes, 0U);
+  expect_samples(record, 20);
+  EXPECT_EQ(record.fields, Fields::record);
+  EXPECT_EQ(record.field_step.size(), 10U);
+  EXPECT_EQ(record.field_step[9], 1800);
+  EXPECT_EQ(read_array<double>(content, "/fields/time", {10})[9], 0.001 * 18);
+  const auto u_z = read_array<float>(content, "/fields/u_z", {10, 4, 5});
+  EXPECT_EQ(std::vector<float>(u_z.end() - kBlocks, u_z.end()), field_sample(18).u_z);
+  EXPECT_EQ(read_array<double>(content, "/fields/z", {4}),
+            (std::vector<double>{0, 0.01, 0.02, 0.03}));
+}
+
+TEST_F(RecordWithFields, continue_those_of_another) {
+  auto whole = writer_of("whole.h5");
+  append_all(whole, 0, 20);
+  const std::string checksum = whole.finish();
+  for (const int kept : {0, 1, 8, 13}) {
+    const Content rows = rows_until(read_content(file("whole.h5")), 100 * kept - 1);
+    auto out = writer_of("r.h5", rows);
+    append_all(out, kept, 20);
+    EXPECT_EQ(out.finish(), checksum) << kept;
+  }
+}
+
+TEST_F(RecordWithFields, adds_nothing_but_them_and_they_count) {
+  auto out = writer_of("r.h5");
+  append_all(out, 0, 20);
+  const std::string checksum = out.finish();
+  auto without = writer("q.h5");
+  append(without, 0, 20);
+  const std::string checksum_without = without.finish();
+  EXPECT_NE(checksum, checksum_without);
+  EXPECT_EQ(read_record(file("q.h5")).fields, Fields::omit);
+  Content content = read_content(file("r.h5"));
+  std::erase_if(content, [](const auto& entry) { return entry.first.starts_with("/fields/"); });
+  EXPECT_EQ(content_checksum(content), checksum_without);
+}
+
+TEST_F(RecordWithFields, of_large_sliders_are_flushed_by_their_size) {
+  Parameters large = small_parameters();
+  large.Nx = 401;
+  large.L = 4.0;
+  large.Nz = 401;
+  FieldSample sample{0.0, 0, std::vector<float>(401 * 401), std::vector<float>(401 * 401)};
+  RecordWriter out(file("r.h5"), large, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
+                   {.fields = Fields::record});
+  const auto begun = fs::file_size(file("r.h5.part"));
+  out.append(sample);
+  EXPECT_GT(fs::file_size(file("r.h5.part")), begun + 8 * 401 * 401);
+}
+
+TEST_F(RecordWithFields, with_impossible_values_is_refused) {
+  auto out = writer_of("r.h5");
+  FieldSample bad = field_sample(0);
+  bad.u_x.pop_back();
+  EXPECT_EQ(failure_of([&] { out.append(bad); }),
+            "a sample has 19 values of u_x; expected Nx Nz = 20");
+  out.append(field_sample(2));
+  out.append(field_sample(0));
+  out.finish();
+  expect_contains(failure_of([&] { read_record(file("r.h5")); }),
+                  "/fields/step holds 200 and then 0; expected ascending steps");
+  Content content = read_content(file("r.h5"));
+  content.erase("/fields/u_z");
+  write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
+  expect_contains(failure_of([&] { read_record(file("q.h5")); }),
+                  "/fields/u_z is missing; expected float32 of shape [2][4][5]");
+  auto infinite = writer_of("i.h5");
+  bad = field_sample(0);
+  bad.u_z[7] = std::numeric_limits<float>::infinity();
+  infinite.append(bad);
+  expect_contains(failure_of([&] { infinite.flush(); }),
+                  "/fields/u_z holds inf at index 7 of [1][4][5]; only finite numbers are stored");
+}
+
+}  // namespace
+}  // namespace rupture
