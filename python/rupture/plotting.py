@@ -96,6 +96,12 @@ def draw_pinned_scale(figure, image, axes, **place):
     across(RUPTURED, color="white", linestyle="--", linewidth=0.8)
 
 
+def name_line(axes, text, height):
+    """At the right end of a horizontal line, outside the panel, where no data are."""
+    place = {"xycoords": axes.get_yaxis_transform(), "textcoords": "offset points"}
+    axes.annotate(text, (1, height), xytext=(3, 0), va="center", **place)
+
+
 def draw_front_speeds(axes, fronts, looks):
     """Front speed against position. `fronts` holds reports of `analyze front` by name, `looks`
     label, colour and marker by the same names."""
@@ -108,5 +114,5 @@ def draw_front_speeds(axes, fronts, looks):
             axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
     c_s = front["c_s"]
     axes.axhline(c_s, color=BLACK, linewidth=0.8)
-    axes.annotate("$c_s$", (0.9, c_s), xytext=(0, 2), textcoords="offset points")
+    name_line(axes, "$c_s$", c_s)
     axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1))

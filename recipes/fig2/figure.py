@@ -22,7 +22,7 @@ from data.records import report, values
 from data.tables import write_fronts, write_table
 from events.event_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_loads
-from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
+from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from pictures.plotting import (
     BLUE,
     DOUBLE,
@@ -71,10 +71,10 @@ def draw_map(axes, front, pinned):
     return image
 
 
-def write_beside(axes, text, place, coordinates, offset, **alignment):
-    """At the end of a line, outside the panel; `offset` in points."""
-    offset = {"xytext": offset, "textcoords": "offset points"}
-    axes.annotate(text, place, xycoords=coordinates, **offset, **alignment)
+def name_upright_line(axes, text, x):
+    """At its upper end, outside the panel."""
+    place = {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points"}
+    axes.annotate(text, (x, 1), xytext=(0, 2), ha="center", **place)
 
 
 def draw_speeds(axes, fronts):
@@ -82,10 +82,10 @@ def draw_speeds(axes, fronts):
     c_s = fronts["fast-slow-fast"]["c_s"]
     for part, text in PAPER_SPEEDS.items():
         axes.axhline(part * c_s, **OF_PAPER)
-        write_beside(axes, text, (1, part * c_s), axes.get_yaxis_transform(), (3, 0), va="center")
+        name_line(axes, text, part * c_s)
     for x in paper.TRANSITIONS:
         axes.axvline(x, **OF_PAPER)
-        write_beside(axes, f"${x} L$", (x, 1), axes.get_xaxis_transform(), (0, 2), ha="center")
+        name_upright_line(axes, f"${x} L$", x)
     axes.plot([], [], label="paper", **OF_PAPER)
     axes.set(ylim=(1, None))
     look = {"frameon": True, "framealpha": 0.9, "edgecolor": "none", "borderpad": 0.2}

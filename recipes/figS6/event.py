@@ -23,7 +23,7 @@ from events.event_claims import case_of_event, words_case, words_shown
 from events.fronts import is_fast_slow_fast_in_words
 from events.units import below_c_s_over_8
 from events.units import in_words as units_in_words
-from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale
+from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from pictures.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
 
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
@@ -38,7 +38,7 @@ def draw_speeds(axes, fronts):
     draw_front_speeds(axes, fronts, RUNS)
     allowed = fronts["event"]["c_s"] / 8
     axes.axhline(allowed, color=BLACK, linewidth=0.8)
-    axes.annotate("$c_s/8$", (0.9, allowed), xytext=(0, 2), textcoords="offset points")
+    name_line(axes, "$c_s/8$", allowed)
     axes.set(ylim=(10, 1e4))
     axes.legend(loc="upper left")
 

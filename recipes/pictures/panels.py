@@ -4,7 +4,11 @@
 """Panels that several figures draw in the same way; more are in the Python package."""
 
 from rupture import plotting
-from rupture.plotting import draw_pinned, draw_pinned_scale  # noqa: F401  (for the recipes)
+from rupture.plotting import (  # noqa: F401  (for the recipes)
+    draw_pinned,
+    draw_pinned_scale,
+    name_line,
+)
 
 from events.fronts import LOADING_ZONE
 
