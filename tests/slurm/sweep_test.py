@@ -99,7 +99,7 @@ class Project:
 
     def tables(self):
         folder = self.root / "results/sweeps/my"
-        return [(folder / name).read_bytes() for name in ("my.csv", "my.h5")]
+        return [(folder / name).read_bytes() for name in ("my.csv", "my.hdf5")]
 
     def sums(self):
         """Of the checkpoints and records of figures, and of the points."""
