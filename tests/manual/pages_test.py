@@ -55,6 +55,7 @@ class Pages(unittest.TestCase):
     def test_all_options_and_commands_are_explained(self):
         for tool in TOOLS:
             text = " ".join(text_of(PAGES / f"rupture-{tool['name']}.1.gz").split())
+            self.assertIn(f"SYNOPSIS rupture {tool['synopsis']} DESCRIPTION", text)
             for command in tool.get("commands", []):
                 self.assertIn(command["synopsis"].removeprefix(tool["name"] + " "), text)
             for leaf in tool.get("commands") or [tool]:

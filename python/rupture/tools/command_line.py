@@ -94,7 +94,8 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, name, arguments, purpose, summary, inputs):
         self.summary, self.inputs = summary, inputs
-        usage = f"rupture {name} {arguments} [options]"
+        self.synopsis = f"{name} {arguments} [options]"
+        usage = f"rupture {self.synopsis}"
         super().__init__(name, usage, purpose, add_help=False, allow_abbrev=False)
         self.register("action", None, Once)
 
@@ -122,7 +123,7 @@ class Parser(argparse.ArgumentParser):
     def description_json(self):
         return {
             "name": self.prog,
-            "synopsis": self.usage,
+            "synopsis": self.synopsis,
             "purpose": self.description,
             "summary": self.summary,
             "input": self.inputs,
