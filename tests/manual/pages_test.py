@@ -56,6 +56,7 @@ class Pages(unittest.TestCase):
         for tool in TOOLS:
             text = " ".join(text_of(PAGES / f"rupture-{tool['name']}.1.gz").split())
             self.assertIn(f"SYNOPSIS rupture {tool['synopsis']} DESCRIPTION", text)
+            self.assertNotRegex(text, r"\[(.+)\] \[\1\]", "a unit stands twice")
             for command in tool.get("commands", []):
                 self.assertIn(command["synopsis"].removeprefix(tool["name"] + " "), text)
             for leaf in tool.get("commands") or [tool]:

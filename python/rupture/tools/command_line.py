@@ -100,7 +100,7 @@ class Parser(argparse.ArgumentParser):
         self.register("action", None, Once)
 
     def add_time(self, name, text, limits=Seconds(), **more):
-        option = self.add_argument(name, type=limits, metavar="T[s]", help=text, **more)
+        option = self.add_argument(name, type=limits, metavar="T [s]", help=text, **more)
         option.unit = "s"  # type: ignore[attr-defined]
 
     def add_common(self):
@@ -136,14 +136,14 @@ class Parser(argparse.ArgumentParser):
 
 def option_json(action):
     long, *short = sorted(action.option_strings, key=len, reverse=True)
-    kind = kind_of(action)
+    kind, unit = kind_of(action), getattr(action, "unit", "")
     value = "|".join(action.choices) if action.choices else action.metavar
     described = {
         "name": long.removeprefix("--"),
         "short": short[0].removeprefix("-") if short else None,
         "kind": kind,
-        "value": "" if kind == "flag" else value,
-        "unit": getattr(action, "unit", ""),
+        "value": "" if kind == "flag" else value.removesuffix(f" [{unit}]"),
+        "unit": unit,
         "default": None if kind == "flag" else action.default,
         "help": action.help,
     }
