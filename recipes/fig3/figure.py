@@ -43,7 +43,9 @@ def draw_slip(axes, slips, t_zero):
     for run, (label, colour, style) in SLIPS.items():
         slip = slips[run]
         time = (np.array(slip["time"]) - t_zero) * 1e3
-        axes.plot(time, np.array(slip["slip"]) * 1e6, style, color=colour, label=label)
+        u = np.array(slip["slip"]) * 1e6
+        axes.plot(time, u, style, color=colour, label=label)
+        axes.plot(time[-1], u[-1], "o", color=colour)
         fitted = np.array([slip["slow_from"], slip["slow_to"]])
         start = np.interp(slip["slow_from"], slip["time"], slip["slip"])
         line = start + slip["slow_speed"] * (fitted - fitted[0])
