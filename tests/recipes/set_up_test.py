@@ -14,16 +14,20 @@ from stand_ins import SWEEP, WITHIN, Project, write_program
 
 class SettingUp(Project):
     def set_up(self, *words):
-        path = f"{self.bin}{os.pathsep}{os.environ['PATH']}"
         return subprocess.run(
             [self.root / "recipes/reproduce/set-up.sh", *words],
-            env=dict(os.environ, PATH=path),
+            env=self.environment(),
             capture_output=True,
             text=True,
             check=False,
             timeout=WITHIN,
         )
 
+    def calls(self):
+        return (self.root / "calls").read_text(encoding="utf-8")
+
+
+class Building(SettingUp):
     def make_cmake(self, says):
         """Notes its calls."""
         text = (
@@ -31,9 +35,6 @@ class SettingUp(Project):
             f"case \"$*\" in *--build*) printf '%b' '{says}';; esac\n"
         )
         write_program(self.bin / "cmake", text)
-
-    def calls(self):
-        return (self.root / "calls").read_text(encoding="utf-8")
 
     def test_figures_and_sweeps_build_the_programs_only(self):
         self.make_cmake("ninja: no work to do.\\n")
@@ -67,9 +68,14 @@ class SettingUp(Project):
             "error: x\nreproduce.sh: The build failed; the whole output is in", done.stderr
         )
 
-    @unittest.skipIf(os.geteuid() != 0, "installs packages, if only with stand-ins")
+
+@unittest.skipIf(os.geteuid() != 0, "installs packages, if only with stand-ins")
+class Installing(SettingUp):
+    def setUp(self):
+        super().setUp()
+        write_program(self.bin / "dpkg-query", "#!/bin/sh\n")  # nothing is installed
+
     def test_other_programs_that_install_are_waited_for(self):
-        write_program(self.bin / "dpkg-query", "#!/bin/sh\n")
         write_program(
             self.bin / "apt-get",
             '#!/bin/bash\necho "$*" >> calls\n[[ $* != update || $(wc -l < calls) -gt 1 ]] || {\n'
@@ -82,9 +88,7 @@ class SettingUp(Project):
             "^update\nupdate\n-o DPkg::Lock::Timeout=[0-9]+ install -y .* lammps\n$",
         )
 
-    @unittest.skipIf(os.geteuid() != 0, "installs packages, if only with stand-ins")
     def test_what_compiling_needs_is_installed_first_and_the_rest_meanwhile(self):
-        write_program(self.bin / "dpkg-query", "#!/bin/sh\n")
         write_program(
             self.bin / "apt-get",
             "#!/bin/bash\n[[ $* == *install* ]] || exit 0\n"
@@ -102,9 +106,7 @@ class SettingUp(Project):
                 calls = list(dict.fromkeys(self.calls().split()))
                 self.assertEqual(calls, ["compilers", "cmake", "recipes"])
 
-    @unittest.skipIf(os.geteuid() != 0, "installs packages, if only with stand-ins")
     def test_other_failures_of_apt_get_are_final(self):
-        write_program(self.bin / "dpkg-query", "#!/bin/sh\n")
         write_program(self.bin / "apt-get", "#!/bin/sh\necho 'E: no network' >&2; exit 100\n")
         done = self.set_up("packages", "bench")
         self.assertEqual(done.returncode, 1)

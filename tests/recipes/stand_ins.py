@@ -40,12 +40,14 @@ class Project(unittest.TestCase):
         for name in ("reproduce.sh", "packages.txt", "codemeta.json"):
             shutil.copy2(ROOT / name, self.root / name)
 
+    def environment(self):
+        return os.environ | {"PATH": f"{self.bin}{os.pathsep}{os.environ['PATH']}"}
+
     def start(self, *arguments):
-        path = f"{self.bin}{os.pathsep}{os.environ['PATH']}"
         return subprocess.Popen(
             [self.root / "reproduce.sh", *arguments],
             cwd=self.root,
-            env=dict(os.environ, PATH=path),
+            env=self.environment(),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
