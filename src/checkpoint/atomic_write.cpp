@@ -5,10 +5,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/random.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -23,24 +26,6 @@ namespace fs = std::filesystem;
 [[noreturn]] void fail(const fs::path& path) {
   throw Failure(fmt::format("could not write {}: {}", path.string(), std::strerror(errno)));
 }
-
-// An open file descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  int get() const { return fd_; }
-  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
-
- private:
-  int fd_;
-};
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
@@ -71,6 +56,31 @@ struct flock whole_file_for_writing() {
   lock.l_type = F_WRLCK;
   lock.l_whence = SEEK_SET;
   return lock;
+}
+
+// False if somebody else has locked the file. Where the file system has no locks, nothing is
+// locked.
+bool lock(const Descriptor& file) {
+  struct flock lock = whole_file_for_writing();
+  return ::fcntl(file.get(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES);
+}
+
+// Whether the path, or a link there, is this very file.
+bool is_at(const Descriptor& file, const fs::path& path) {
+  struct stat ours {
+  }, there{};
+  return ::fstat(file.get(), &ours) == 0 && ::lstat(path.c_str(), &there) == 0 &&
+         ours.st_dev == there.st_dev && ours.st_ino == there.st_ino;
+}
+
+// False if there is a file already. Some network file systems know no such renaming, but links.
+bool rename_to_new(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno == EINVAL || errno == ENOSYS) {
+    if (::link(from.c_str(), to.c_str()) == 0) return ::unlink(from.c_str()) == 0;
+  }
+  if (errno != EEXIST) fail(to);
+  return false;
 }
 
 sigset_t file_size_signal() {
@@ -116,16 +126,29 @@ fs::path folder_of(const fs::path& path) {
 }
 
 fs::path temporary_path(const fs::path& path) {
-  return folder_of(path) / fmt::format(".{}.tmp.{}", path.filename().string(), ::getpid());
+  std::uint32_t number = 0;
+  if (::getrandom(&number, sizeof number, 0) < 0) fail(path);
+  return folder_of(path) / fmt::format(".{}.tmp.{:08x}", path.filename().string(), number);
 }
 
-PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes)
-    : path_(std::move(path)), temporary_(temporary_path(path_)) {
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(fd_, other.fd_);
+  return *this;
+}
+
+Descriptor::~Descriptor() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes) : path_(std::move(path)) {
+  constexpr int flags = O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC;
   const FileSizeSignalBlocked guard;
-  ::unlink(temporary_.c_str());  // left by a killed process that had the same number
-  Descriptor file(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  do {
+    temporary_ = temporary_path(path_);
+    file = Descriptor(::open(temporary_.c_str(), flags, 0666));
+  } while (file.get() < 0 && errno == EEXIST);
   if (file.get() < 0) fail(path_);
-  if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0 && file.close()) return;
+  if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0) return;
   const int reason = errno;
   ::unlink(temporary_.c_str());
   errno = reason;
@@ -136,14 +159,19 @@ PendingFile::~PendingFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-void PendingFile::commit() {
-  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_);
+bool PendingFile::commit(IfExists if_exists) {
+  if (if_exists == IfExists::refuse) {
+    if (!rename_to_new(temporary_, path_)) return false;
+  } else if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    fail(path_);
+  }
   temporary_.clear();
   sync_folder_of(path_);
+  return true;
 }
 
-void write_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-  PendingFile(path, bytes).commit();
+void fail_existing(const fs::path& path) {
+  throw Failure(fmt::format("{} exists; give --force to replace it", path.string()));
 }
 
 void remove_durably(const fs::path& path) {
@@ -154,6 +182,19 @@ void remove_durably(const fs::path& path) {
   }
 }
 
+std::optional<std::vector<std::byte>> read_start(const Descriptor& file, std::size_t size) {
+  std::vector<std::byte> bytes(size);
+  std::size_t have = 0;
+  ssize_t got = 1;
+  while (have < size && (got > 0 || (got < 0 && errno == EINTR))) {
+    got = ::read(file.get(), bytes.data() + have, size - have);
+    if (got > 0) have += static_cast<std::size_t>(got);
+  }
+  if (got < 0) return std::nullopt;
+  bytes.resize(have);
+  return bytes;
+}
+
 bool is_locked(const fs::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) fail(path);
@@ -161,41 +202,48 @@ bool is_locked(const fs::path& path) {
   return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
-void refuse_locked(const fs::path& path) {
-  if (is_locked(path)) fail_locked(path);
-}
-
-WriterLock::WriterLock(const fs::path& path) : fd_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
-  if (fd_ < 0) fail(path);
-  struct flock lock = whole_file_for_writing();
-  if (::fcntl(fd_, F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
-  ::close(fd_);
-  fail_locked(path);
-}
-
-WriterLock::~WriterLock() {
-  ::close(fd_);
-}
-
-void append_to(const fs::path& path, std::span<const std::byte> bytes) {
-  const FileSizeSignalBlocked guard;
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-  const off_t before = file.get() < 0 ? -1 : ::lseek(file.get(), 0, SEEK_END);
-  if (before < 0) fail(path);
-  if (write_all(file.get(), bytes)) {
-    if (!file.close()) fail(path);
-    return;
+GrowingFile::GrowingFile(fs::path path, std::span<const std::byte> bytes, IfExists if_exists)
+    : path_(std::move(path)) {
+  PendingFile pending(path_, bytes);
+  lock(pending.file);  // before others can find it
+  for (bool is_there = false; !is_there;) {
+    const Descriptor old(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
+    if (old.get() < 0 && errno != ENOENT && errno != ELOOP) fail(path_);
+    if (old.get() >= 0 && !lock(old)) fail_locked(path_);
+    if (old.get() >= 0 && !is_at(old, path_)) continue;
+    const bool may_replace = old.get() >= 0 || errno == ELOOP;
+    if (may_replace && if_exists == IfExists::refuse) fail_existing(path_);
+    is_there = pending.commit(may_replace ? IfExists::replace : IfExists::refuse);
   }
+  file_ = std::move(pending.file);
+}
+
+void GrowingFile::append(std::span<const std::byte> bytes) const {
+  const FileSizeSignalBlocked guard;
+  const off_t before = ::lseek(file_.get(), 0, SEEK_END);
+  if (before < 0) fail(path_);
+  if (write_all(file_.get(), bytes)) return;
   const int reason = errno;
   // If the file cannot be cut back either, its reader sees that what was begun is not whole.
-  [[maybe_unused]] const int ignored = ::ftruncate(file.get(), before);
+  [[maybe_unused]] const int ignored = ::ftruncate(file_.get(), before);
   errno = reason;
-  fail(path);
+  fail(path_);
 }
 
-void sync_file(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.get() < 0 || ::fsync(file.get()) != 0) fail(path);
+void GrowingFile::sync() const {
+  if (::fsync(file_.get()) != 0) fail(path_);
+}
+
+std::vector<std::byte> GrowingFile::bytes() const {
+  const off_t size = ::lseek(file_.get(), 0, SEEK_END);
+  if (size < 0 || ::lseek(file_.get(), 0, SEEK_SET) != 0) fail(path_);
+  auto all = read_start(file_, static_cast<std::size_t>(size));
+  if (!all) fail(path_);
+  return *std::move(all);
+}
+
+void GrowingFile::remove() const {
+  if (is_at(file_, path_)) remove_durably(path_);
 }
 
 }  // namespace rupture

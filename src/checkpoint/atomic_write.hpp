@@ -6,15 +6,39 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
+
+#include "rupture/checkpoint/file.hpp"
 
 namespace rupture {
 
 /// Folder of a path, "." for a bare file name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 
-/// The hidden name under which this process writes a file first.
+/// A hidden name under which a file is written first: another one each time.
 std::filesystem::path temporary_path(const std::filesystem::path& path);
+
+/// An open file descriptor; a negative one is none.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd = -1) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  ~Descriptor();
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+/// The next `size` bytes of the file, or fewer if it ends before. No value, with errno set, if it
+/// cannot be read.
+std::optional<std::vector<std::byte>> read_start(const Descriptor& file, std::size_t size);
 
 /// A file that appears complete or not at all: first under its temporary_path(), then, on
 /// commit(), under its own. Both throw Failure with the system's reason; without a commit nothing
@@ -29,48 +53,48 @@ class PendingFile {
   PendingFile& operator=(PendingFile&&) = delete;
   ~PendingFile();
 
-  /// Renames it to its path, replacing what is there, and brings that to disk.
-  void commit();
+  /// Renames it to its path and brings that to disk. With IfExists::refuse it is false, and nothing
+  /// has happened, if there is a file.
+  bool commit(IfExists if_exists);
+
+  Descriptor file;  ///< for reading and appending
 
  private:
   std::filesystem::path path_, temporary_;
 };
 
-/// Writes a file so in one go.
-void write_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+/// Throws Failure: the file exists and may not be replaced.
+[[noreturn]] void fail_existing(const std::filesystem::path& path);
 
 /// Removes a file, if there is one, and brings that to disk. Throws Failure.
 void remove_durably(const std::filesystem::path& path);
 
-/// Whether a WriterLock, of any process, is on the file. False where the file system has no locks.
+/// Whether a GrowingFile, of any process, is writing the file. False where the file system has no
+/// locks.
 bool is_locked(const std::filesystem::path& path);
 
-/// Throws Failure if it is.
-void refuse_locked(const std::filesystem::path& path);
-
-/// While it lives, no other process, and no other lock of this one, locks the file. Readers are not
+/// A file that grows, and that no other process writes, nor another object of this one: it is
+/// locked before it gets its name, and one that it replaces is locked meanwhile. Readers are not
 /// locked out: HDF5 asks for flock() before it reads, and this is a lock of the other kind, which
-/// flock() does not see.
-class WriterLock {
+/// flock() does not see. Where the file system has no locks, nothing is locked.
+class GrowingFile {
  public:
-  /// Throws Failure if somebody else has locked the file. Where the file system has no locks,
-  /// nothing is locked.
-  explicit WriterLock(const std::filesystem::path& path);
-  WriterLock(const WriterLock&) = delete;
-  WriterLock& operator=(const WriterLock&) = delete;
-  WriterLock(WriterLock&&) = delete;
-  WriterLock& operator=(WriterLock&&) = delete;
-  ~WriterLock();
+  /// Begins with `bytes`. Throws Failure with the system's reason, and if somebody else is writing
+  /// the file or it may not be replaced.
+  GrowingFile(std::filesystem::path path, std::span<const std::byte> bytes, IfExists if_exists);
+
+  /// Adds to its end, without bringing it to disk. Throws Failure; the file then is as it was.
+  void append(std::span<const std::byte> bytes) const;
+  /// Brings it to disk. Throws Failure.
+  void sync() const;
+  /// All of it, wherever it is by now. Throws Failure.
+  std::vector<std::byte> bytes() const;
+  /// Removes it, unless it was moved.
+  void remove() const;
 
  private:
-  int fd_;
+  std::filesystem::path path_;
+  Descriptor file_;
 };
-
-/// Adds to the end of an existing file, without bringing it to disk. Throws Failure with the
-/// system's reason; the file is then cut back to what it was.
-void append_to(const std::filesystem::path& path, std::span<const std::byte> bytes);
-
-/// Brings an existing file to disk. Throws Failure.
-void sync_file(const std::filesystem::path& path);
 
 }  // namespace rupture

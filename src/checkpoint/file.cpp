@@ -55,21 +55,10 @@ std::size_t readable_size(const fs::path& path) {
 
 // The first `size` bytes of the file, or fewer if it ends before.
 std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd < 0) fail_reading(path);
-  std::vector<std::byte> bytes(size);
-  std::size_t have = 0;
-  ssize_t got = 1;
-  while (have < size && (got > 0 || (got < 0 && errno == EINTR))) {
-    got = ::read(fd, bytes.data() + have, size - have);
-    if (got > 0) have += static_cast<std::size_t>(got);
-  }
-  const int reason = got < 0 ? errno : 0;
-  ::close(fd);
-  errno = reason;
-  if (got < 0) fail_reading(path);
-  bytes.resize(have);
-  return bytes;
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  auto bytes = file.get() < 0 ? std::nullopt : read_start(file, size);
+  if (!bytes) fail_reading(path);
+  return *std::move(bytes);
 }
 
 std::string sum_line(const std::string& checksum, const fs::path& path) {
@@ -81,18 +70,18 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Replaces a file and its .sum, or removes the latter. Both are on the disk before anything is
-// replaced, and no .sum is there while it would be that of the other file.
-void replace(PendingFile file, const fs::path& sum, const std::string& line, SumFile wanted) {
-  if (text_of(sum) == line) {  // workflow rules go by its modification time
-    file.commit();
-    return;
-  }
+// Gives a file its name and replaces its .sum, or removes the latter. Both are on the disk before
+// anything is replaced, and no .sum is there while it would be that of the other file.
+void publish(PendingFile file, const fs::path& path, const std::string& line, IfExists if_exists,
+             SumFile wanted) {
+  const fs::path sum = sum_path(path);
   std::optional<PendingFile> new_sum;
-  if (wanted == SumFile::write) new_sum.emplace(sum, std::as_bytes(std::span(line)));
-  remove_durably(sum);
-  file.commit();
-  if (new_sum) new_sum->commit();
+  if (text_of(sum) != line) {  // workflow rules go by its modification time
+    if (wanted == SumFile::write) new_sum.emplace(sum, std::as_bytes(std::span(line)));
+    remove_durably(sum);
+  }
+  if (!file.commit(if_exists)) fail_existing(path);
+  if (new_sum) new_sum->commit(IfExists::replace);
 }
 
 // Throws Changed if the HDF5 part of a file whose seal is broken can be read all the same.
@@ -137,9 +126,7 @@ void check_output(const fs::path& path, IfExists if_exists) {
   if (exists && S_ISDIR(info.st_mode)) {
     throw Failure(fmt::format("{} is a folder; give the path of a file to write", path.string()));
   }
-  if (exists && if_exists == IfExists::refuse) {
-    throw Failure(fmt::format("{} exists; give --force to replace it", path.string()));
-  }
+  if (exists && if_exists == IfExists::refuse) fail_existing(path);
   if (exists && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode)) {
     throw Failure(fmt::format("{} is not a regular file; give another path", path.string()));
   }
@@ -170,7 +157,7 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
                           IfExists if_exists, SumFile sum) {
   check_output(path, if_exists);
   const Sealed sealed = naming(path, [&] { return seal(kind, content); });
-  replace(PendingFile(path, sealed.bytes), sum_path(path), sum_line(sealed.checksum, path), sum);
+  publish(PendingFile(path, sealed.bytes), path, sum_line(sealed.checksum, path), if_exists, sum);
   return sealed.checksum;
 }
 
@@ -214,7 +201,7 @@ fs::path sum_path(const fs::path& path) {
 void restore_sum(const fs::path& path) {
   const std::string line = sum_line(read_file(path).checksum, path);
   if (text_of(sum_path(path)) != line) {
-    write_atomically(sum_path(path), std::as_bytes(std::span(line)));
+    PendingFile(sum_path(path), std::as_bytes(std::span(line))).commit(IfExists::replace);
   }
 }
 

@@ -39,23 +39,19 @@ void append_piece(Content& whole, const Content& piece) {
 
 }  // namespace
 
-PartFile::PartFile(std::filesystem::path path, const Content& first) : path_(std::move(path)) {
-  const auto piece = naming(path_, [&] { return seal(FileKind::open_record, first); }).bytes;
-  if (std::filesystem::exists(path_)) refuse_locked(path_);
-  write_atomically(path_, piece);
-  lock_.emplace(path_);
-  // Another process may have replaced it in the moment before it was locked.
-  if (std::filesystem::file_size(path_) != piece.size()) {
-    throw Failure(fmt::format("another run has begun to write {}", path_.string()));
-  }
+PartFile::PartFile(const std::filesystem::path& path, const Content& first, IfExists if_exists)
+    : path_(path), file_(path, sealed(first), if_exists) {}
+
+std::vector<std::byte> PartFile::sealed(const Content& piece) const {
+  return naming(path_, [&] { return seal(FileKind::open_record, piece); }).bytes;
 }
 
-void PartFile::append(const Content& rows) const {
-  append_to(path_, naming(path_, [&] { return seal(FileKind::open_record, rows); }).bytes);
-}
-
-void PartFile::sync() const {
-  sync_file(path_);
+Content PartFile::content() const {
+  return naming(path_, [&] {
+    Pieces pieces = read_pieces(file_.bytes());
+    if (pieces.ignored_bytes == 0) return std::move(pieces.content);
+    throw Failure("another program has changed the unfinished record, or the disk damaged it");
+  });
 }
 
 Pieces read_pieces(std::span<const std::byte> file) {

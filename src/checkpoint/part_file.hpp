@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <span>
 
 #include "atomic_write.hpp"
@@ -20,19 +19,27 @@ namespace rupture {
 
 class PartFile {
  public:
-  /// Creates the file, replacing one that is there, with its first piece: every dataset of the
-  /// record. Throws Failure, also if another process is writing the file.
-  PartFile(std::filesystem::path path, const Content& first);
+  /// Creates the file with its first piece: every dataset of the record. Throws Failure as
+  /// GrowingFile does.
+  PartFile(const std::filesystem::path& path, const Content& first, IfExists if_exists);
 
   /// Adds a piece with further rows of some datasets. Throws Failure; the file then ends as it did.
-  void append(const Content& rows) const;
+  void append(const Content& rows) const { file_.append(sealed(rows)); }
 
   /// Brings all pieces to the disk. Throws Failure.
-  void sync() const;
+  void sync() const { file_.sync(); }
+
+  /// All pieces put together, wherever the file is by now. Throws Failure.
+  Content content() const;
+
+  /// Removes the file, unless it was moved.
+  void remove() const { file_.remove(); }
 
  private:
+  std::vector<std::byte> sealed(const Content& piece) const;
+
   std::filesystem::path path_;
-  std::optional<WriterLock> lock_;
+  GrowingFile file_;
 };
 
 /// The datasets in the intact pieces at the start of `file`, those that grow put together, and how

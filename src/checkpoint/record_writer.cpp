@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "atomic_write.hpp"
+#include "context.hpp"
 #include "part_file.hpp"
 #include "record_labels.hpp"
 #include "record_layout.hpp"
@@ -44,6 +45,13 @@ void check_count_range(const Parameters& parameters) {
                     "{} junctions per block",
                     parameters.N_s, most));
   }
+}
+
+// Throws Failure unless this is a record, which begins where its run did.
+void check_complete(const Content& content, std::optional<std::int64_t> first_step) {
+  const auto step = record_from({FileKind::record, "", "", content}).step;
+  if (!first_step || (!step.empty() && step.front() == *first_step)) return;
+  throw Failure(fmt::format("it does not begin at step {}, as its run did", *first_step));
 }
 
 // Everything a record holds: its rows so far and what stays as it is.
@@ -175,8 +183,8 @@ RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& paramet
     rows_before[layout::kCrossingLevels] = make_array(std::span(levels), {levels.size()}, "1");
   }
   rows_before.merge(Content(buffers_->content()));  // all datasets are there, even if without rows
-  part_ = std::make_unique<Part>(part_path(path_),
-                                 first_piece(parameters, provenance, std::move(rows_before)));
+  part_ = std::make_unique<Part>(
+      part_path(path_), first_piece(parameters, provenance, std::move(rows_before)), if_exists);
 }
 
 RecordWriter::~RecordWriter() = default;
@@ -209,13 +217,14 @@ void RecordWriter::sync() {
   part_->sync();
 }
 
-std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance, SumFile sum) {
+std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance, SumFile sum,
+                                 std::optional<std::int64_t> first_step) {
   flush();
-  const std::filesystem::path part = part_path(path_);
   Content content = provenance_content(provenance);
-  content.merge(read_content(part));
+  content.merge(part_->content());
+  naming(part_path(path_), [&] { check_complete(content, first_step); });
   std::string checksum = write_content(path_, FileKind::record, content, if_exists_, sum);
-  remove_durably(part);
+  part_->remove();
   return checksum;
 }
 

@@ -302,6 +302,13 @@ int rename(const char* from, const char* to) {
   return logged(real(from, to), "rename", from, to);
 }
 
+int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
+  static auto* real = next<int(int, const char*, int, const char*, unsigned)>("renameat2");
+  if (!is_watched(from)) return real(from_folder, from, to_folder, to, flags);
+  if (fails(Needs::nothing)) return -1;
+  return logged(real(from_folder, from, to_folder, to, flags), "rename", from, to);
+}
+
 #define FAULTS_REMOVE(name)                            \
   int name(const char* path) {                         \
     static auto* real = next<int(const char*)>(#name); \

@@ -10,7 +10,7 @@ import subprocess
 import time
 import unittest
 
-from scenario import BIN, CONFIGS, Folder, main
+from scenario import BIN, INPUTS, Folder, main
 
 NAMES = ("x --resume.h5", "a -- b.h5", "restart --until 1.h5", "it's.h5")
 SECONDS = 60  # until the first checkpoint must be there
@@ -61,12 +61,11 @@ class Names(unittest.TestCase):
         return out, err
 
     def test_the_command_that_is_told_goes_on_and_the_run_is_complete(self):
-        begin = {name: text.encode() for name, text in CONFIGS.items()}
-        with Folder(begin) as folder:
+        with Folder(INPUTS) as folder:
             self.assertEqual(run(command("whole.h5"), folder).returncode, 0)
             whole = folder.must_run("analyze checksum whole.h5")
         for name in NAMES:
-            with self.subTest(name), Folder(begin) as folder:
+            with self.subTest(name), Folder(INPUTS) as folder:
                 out, err = self.interrupt(command(name), folder)
                 told = re.fullmatch(
                     r"load: interrupted, and saved as (.+\.h5); to go on: (.+)\n", err

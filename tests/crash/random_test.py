@@ -12,7 +12,7 @@ import unittest
 
 from scenario import (
     BIN,
-    CONFIGS,
+    INPUTS,
     Folder,
     LONG,
     Scenario,
@@ -43,9 +43,8 @@ class Random(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        begin = {name: text.encode() for name, text in CONFIGS.items()}
-        cls.whole = made("load", LOAD, begin)
-        with Folder(begin) as folder:
+        cls.whole = made("load", LOAD, INPUTS)
+        with Folder(INPUTS) as folder:
             started = time.monotonic()
             folder.must_run(LOAD)
             cls.seconds = time.monotonic() - started

@@ -145,8 +145,8 @@ TEST_F(Load, names_checkpoints_on_the_way_in_one_line) {
   const auto lines = lines_of(output_of(load + " --checkpoint-every 1e-5"));
   ASSERT_EQ(lines.size(), 5U);
   EXPECT_EQ(lines[2], "wrote 10 checkpoints on the way: a-t0.000010000.h5 ... a-t0.000100000.h5");
-  EXPECT_EQ(lines[3] + "\n", "wrote r.h5  " + sum_line("r.h5").substr(0, 79) + "\n");
-  EXPECT_EQ(lines[4] + "\n", "wrote a.h5  " + sum_line("a.h5").substr(0, 79) + "\n");
+  EXPECT_EQ(lines[3] + "\n", "wrote a.h5  " + sum_line("a.h5").substr(0, 79) + "\n");
+  EXPECT_EQ(lines[4] + "\n", "wrote r.h5  " + sum_line("r.h5").substr(0, 79) + "\n");
   EXPECT_NE(output_of(load + " --checkpoint-at 5e-5")
                 .find("\nwrote 1 checkpoint on the way: a-t0.000050000.h5\n"),
             std::string::npos);

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -119,11 +120,11 @@ class RecordWriter {
   void sync();
 
   /// Flushes, seals, renames to the final path, writes the .sum on request and returns the content
-  /// checksum. Nothing may be appended afterwards. Throws Failure; the .part then stays.
-  /// A `provenance` that is given replaces that of the .part, which could not know how the run
-  /// ends.
+  /// checksum. Nothing may be appended afterwards. Throws Failure, also if the record does not
+  /// begin at `first_step` or its steps do not ascend; the .part then stays. A `provenance` that is
+  /// given replaces that of the .part, which could not know how the run ends.
   std::string finish(const std::vector<ProvenanceEntry>& provenance = {},
-                     SumFile sum = SumFile::omit);
+                     SumFile sum = SumFile::omit, std::optional<std::int64_t> first_step = {});
 
  private:
   class Buffers;

@@ -119,7 +119,7 @@ int body_or_help(const std::function<int()>& body) {
 
 int complain(const std::string& name, const std::string& message, ExitCode code) {
   std::fflush(stdout);
-  fmt::print(stderr, "{}: {}\n", name, in_one_line(message));
+  say_on(stderr, "{}: {}\n", name, in_one_line(message));
   return code;
 }
 
@@ -285,9 +285,12 @@ std::string single_input(const po::variables_map& values, const std::string& pos
 }
 
 int run_tool(const std::string& name, const std::function<int()>& body) {
+  occupy_standard_streams();
+  ignore_broken_pipes();
   try {
     const int code = body_or_help(body);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      if (nobody_reads_output()) end_by_signal(SIGPIPE);
       return complain(name, "cannot write to standard output", kFailed);
     }
     return code;

@@ -112,7 +112,8 @@ void refuse_empty_names(const std::vector<std::string>& inputs);
 std::string single_input(const po::variables_map& values, const std::string& positional,
                          const std::string& wanted);
 
-/// Runs a tool's body and turns exceptions into one line on standard error and an exit code.
+/// Runs a tool's body and turns exceptions into one line on standard error and an exit code. If the
+/// reader of standard output goes away, the body goes on; then SIGPIPE ends the process.
 int run_tool(const std::string& name, const std::function<int()>& body);
 
 }  // namespace rupture::tools

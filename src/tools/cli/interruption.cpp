@@ -3,9 +3,14 @@
 
 #include "cli/interruption.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <array>
 #include <cstdlib>
 #include <ctime>
+#include <tuple>
 
 namespace rupture::tools {
 namespace {
@@ -53,6 +58,22 @@ InterruptionNoted::~InterruptionNoted() {
 
 int InterruptionNoted::signal() {
   return noted;
+}
+
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    std::ignore = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+void ignore_broken_pipes() {
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+bool nobody_reads_output() {
+  pollfd output = {STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
 }
 
 void end_by_signal(int signal) {

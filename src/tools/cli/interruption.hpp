@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The rupture authors
 // SPDX-License-Identifier: MIT
 
-// Stopping a run by Ctrl-C or kill without losing it.
+// Programs that are interrupted, or whose standard streams are closed, without losing a run.
 #pragma once
 
 #include <csignal>
@@ -30,6 +30,16 @@ struct Interrupted {
   int signal;
   std::string message;
 };
+
+/// Puts /dev/null where a standard stream is closed, so that no file gets its number, which other
+/// output would then go to. Reading and writing go on to fail.
+void occupy_standard_streams();
+
+/// From now on, writing to a pipe that nobody reads fails instead of ending the process.
+void ignore_broken_pipes();
+
+/// True if standard output is such a pipe.
+bool nobody_reads_output();
 
 /// Ends the process as the signal would have, so that a shell or a workflow sees why.
 [[noreturn]] void end_by_signal(int signal);

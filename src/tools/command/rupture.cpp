@@ -6,11 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <string_view>
 
 #include "cli/command_line.hpp"
 #include "cli/report.hpp"
+#include "cli/text.hpp"
 #include "command/tools.hpp"
 #include "rupture/model/error.hpp"
 
@@ -52,6 +54,7 @@ std::string describe() {
   std::vector<char*> argv = {const_cast<char*>(path.c_str())};
   for (const std::string& word : arguments) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
+  std::signal(SIGPIPE, SIG_DFL);  // ignored signals are inherited
   ::execv(path.c_str(), argv.data());
   throw Failure(fmt::format("cannot run {}: {}", path, std::strerror(errno)));
 }
@@ -66,7 +69,7 @@ std::string describe() {
 
 int run(Words words) {
   if (words.empty()) {
-    fmt::print(stderr, "{}", help());
+    say_on(stderr, "{}", help());
     return kUsage;
   }
   const std::string first = words.front();

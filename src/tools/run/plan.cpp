@@ -52,13 +52,13 @@ void leave_out_what_was_written(RunPlan& plan) {
   steps.erase(steps.begin(), later);
 }
 
-void check_outputs(const RunPlan& plan, const std::set<fs::path>& replaceable,
-                   const RunOptions& options, const OutputOptions& output, const fs::path& input) {
-  const auto on_the_way = paths_at(plan.checkpoint_steps, plan);
-  check_distinct(all_paths(on_the_way, plan.files), input);
-  check_output(plan.files.output, output.if_exists);
-  for (const fs::path& path : on_the_way) {
-    check_output(path, replaceable.contains(path) ? IfExists::replace : output.if_exists);
+void check_outputs(const RunPlan& plan, const RunOptions& options, const OutputOptions& output,
+                   const fs::path& input) {
+  auto checkpoints = paths_at(plan.checkpoint_steps, plan);
+  check_distinct(all_paths(checkpoints, plan.files), input);
+  checkpoints.push_back(plan.files.output);
+  for (const fs::path& path : checkpoints) {
+    check_output(path, plan.replaceable.contains(path) ? IfExists::replace : output.if_exists);
   }
   if (plan.files.record) {
     check_record(*plan.files.record, plan.start.parameters, if_record_exists(options, output));
@@ -106,29 +106,31 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
                             options.crossings, fields_interval(p, start.state.clock, options)},
                   .checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options),
                   .written_before = {},
+                  .replaceable = {},
                   .work = {}};
   plan.start = std::move(start);
   plan.work = nothing_of(plan, options, input);
-  plan.is_complete =
-      options.resume == Resume::yes && is_complete(plan.start, plan.rule, plan.files);
-  if (plan.is_complete) {
-    plan.begin.checkpoint = plan.start;
-    plan.written_before = all_paths(paths_at(plan.checkpoint_steps, plan), plan.files);
-    return plan;
-  }
   Remains remains =
       options.resume == Resume::yes ? find_remains(plan.start, plan.rule, plan.files) : Remains{};
+  plan.replaceable = std::move(remains.replaceable);
+  plan.is_complete = remains.is_complete;
   plan.begin = beginning(plan, std::move(remains.newest));
   if (plan.is_resumed()) leave_out_what_was_written(plan);
-  check_outputs(plan, remains.replaceable, options, output, input);
+  if (plan.is_complete) {
+    if (plan.files.record) plan.written_before.push_back(*plan.files.record);
+    return plan;
+  }
+  check_outputs(plan, options, output, input);
   plan.work = rest_of(plan, plan.work);
   return plan;
 }
 
 IfExists if_checkpoint_exists(const RunPlan& plan, const RunOptions& options,
                               const fs::path& path) {
-  return options.resume == Resume::yes && may_write(path, plan.start) ? IfExists::replace
-                                                                      : plan.files.if_exists;
+  const bool may_replace = path == plan.files.output
+                               ? plan.replaceable.contains(path)
+                               : options.resume == Resume::yes && may_write(path, plan.start);
+  return may_replace ? IfExists::replace : plan.files.if_exists;
 }
 
 IfExists if_record_exists(const RunOptions& options, const OutputOptions& output) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <vector>
 
 #include "run/forecast.hpp"
@@ -23,6 +24,7 @@ struct RunPlan {
   RunFiles files;
   std::vector<std::int64_t> checkpoint_steps;         ///< on the way, that are still to come
   std::vector<std::filesystem::path> written_before;  ///< files of the run that are there already
+  std::set<std::filesystem::path> replaceable;        ///< checkpoints of the run, or damaged ones
   bool is_complete = false;                           ///< and nothing is left to do
   Workload work;                                      ///< as far as it costs something
 
@@ -35,7 +37,7 @@ struct RunPlan {
 RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& options,
                  const OutputOptions& output, const std::filesystem::path& input);
 
-/// Whether to replace a checkpoint on the way that is there already.
+/// Whether to replace a checkpoint that is there already.
 IfExists if_checkpoint_exists(const RunPlan& plan, const RunOptions& options,
                               const std::filesystem::path& path);
 

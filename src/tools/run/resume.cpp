@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/text.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
@@ -71,8 +72,8 @@ bool is_beyond_end(std::int64_t step, const RunSoFar& run, const StopRule& rule)
   return run.leading_edge_ruptured || step > end;
 }
 
-/// Files OUT-t*.h5, those of the latest times first.
-std::vector<fs::path> checkpoints_beside(const fs::path& output) {
+/// OUT.h5, if it is there, and files OUT-t*.h5, those of the latest times first.
+std::vector<fs::path> checkpoints_of(const fs::path& output) {
   const std::string prefix = output.stem().string() + "-t";
   std::vector<std::pair<double, fs::path>> found;
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
@@ -91,7 +92,7 @@ std::vector<fs::path> checkpoints_beside(const fs::path& output) {
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<fs::path> paths;
-  paths.reserve(found.size());
+  if (fs::exists(output)) paths.push_back(output);
   for (auto& [t, path] : found) paths.push_back(std::move(path));
   return paths;
 }
@@ -101,7 +102,7 @@ std::optional<Checkpoint> read_if_intact(const fs::path& path) {
   try {
     return read_checkpoint(path);
   } catch (const Failure& damage) {
-    fmt::print(stderr, "not used to resume: {}\n", damage.what());
+    say_on(stderr, "not used to resume: {}\n", damage.what());
     return std::nullopt;
   }
 }
@@ -166,9 +167,15 @@ Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& 
   return std::move(file.content);
 }
 
-/// The same of the .part, or else of the record; both must be of the run.
-Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
-  if (!files.record) return {};
+/// What a run has recorded so far.
+struct Recorded {
+  Content rows;
+  bool is_finished;  ///< and there is no .part any more
+};
+
+/// That of the .part, or else of the record; both must be of the run.
+Recorded recorded_so_far(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
+  if (!files.record) return {{}, true};
   const auto held_by = [&](const fs::path& path) {
     try {
       return recorded(path, start, rule, files);
@@ -179,7 +186,8 @@ Content recorded_so_far(const Checkpoint& start, const StopRule& rule, const Run
   };
   Content finished = held_by(*files.record);
   Content part = held_by(part_path(*files.record));
-  return part.empty() ? std::move(finished) : std::move(part);
+  if (!part.empty()) return {std::move(part), false};
+  return {std::move(finished), !fs::exists(part_path(*files.record))};
 }
 
 /// True if these rows have all samples that the run had taken when it wrote the checkpoint. At its
@@ -228,10 +236,19 @@ bool same_command(const Checkpoint& a, const Checkpoint& b) {
          deciding_arguments(b.provenance.back().command_line);
 }
 
-/// True if a run with this rule ends at this checkpoint of it, as far as the checkpoint tells.
-bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
+/// True if the run that begins with `start` ends at this checkpoint of it. Of a run until quiet
+/// that is only known if the command was the same, up to options that change no bit.
+bool is_end(const Checkpoint& checkpoint, const Checkpoint& start, const StopRule& rule) {
   return checkpoint.state.step <= rule.last_step &&
-         ending_at(checkpoint.state, *checkpoint.run, rule).has_value();
+         ending_at(checkpoint.state, *checkpoint.run, rule).has_value() &&
+         (!rule.quiet_steps || same_command(checkpoint, start));
+}
+
+/// True if the run goes through this checkpoint, which it wrote at its end or on its way.
+bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const Checkpoint& start,
+                   const StopRule& rule, const RunFiles& files) {
+  if (path == files.output) return is_end(checkpoint, start, rule);
+  return !is_beyond_end(checkpoint.state.step, *checkpoint.run, rule);
 }
 
 }  // namespace
@@ -253,38 +270,27 @@ fs::path path_at(const fs::path& output, double t) {
 }
 
 Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
-  const Content record = recorded_so_far(start, rule, files);
+  const Recorded record = recorded_so_far(start, rule, files);
   bool too_new = false;
   Remains remains;
-  for (const fs::path& path : checkpoints_beside(files.output)) {
+  for (const fs::path& path : checkpoints_of(files.output)) {
     auto checkpoint = read_if_intact(path);
     if (checkpoint ? !is_of_run(*checkpoint, start) : !is_checkpoint(path)) continue;
-    remains.replaceable.insert(path);
-    if (!checkpoint) continue;
-    const std::int64_t step = checkpoint->state.step;
-    if (is_beyond_end(step, *checkpoint->run, rule)) continue;
-    Content rows = record.empty() ? Content{} : rows_until(record, step);
+    const bool is_usable = checkpoint && is_on_the_way(*checkpoint, path, start, rule, files);
+    if (is_usable || path != files.output) remains.replaceable.insert(path);
+    if (!is_usable) continue;
+    Content rows =
+        record.rows.empty() ? Content{} : rows_until(record.rows, checkpoint->state.step);
     if (!files.record || reach(rows, *checkpoint, files, rule)) {
       remains.newest = {std::move(*checkpoint), path, std::move(rows), {}};
+      remains.is_complete = path == files.output && record.is_finished;
       return remains;
     }
     if (!std::exchange(too_new, true)) {
-      fmt::print(stderr, "not used to resume: {}, which the record does not reach\n",
-                 path.string());
+      say_on(stderr, "not used to resume: {}, which the record does not reach\n", path.string());
     }
   }
   return remains;
-}
-
-bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
-  if (!fs::exists(files.output)) return false;
-  const auto end = read_if_intact(files.output);
-  if (!end || !is_of_run(*end, start)) return false;
-  if (!is_end(*end, rule) || (rule.quiet_steps && !same_command(*end, start))) return false;
-  if (!files.record) return true;
-  const StopRule until_then = {.last_step = end->state.step, .quiet_steps = {}};
-  return last_sample(recorded(*files.record, start, until_then, files), kSeriesGroup) ==
-         end->state.step;
 }
 
 bool may_write(const fs::path& path, const Checkpoint& start) {

@@ -45,20 +45,18 @@ struct Resumption {
 /// Files of an interrupted run.
 struct Remains {
   /// The run at its newest checkpoint that is intact, not beyond its end, and that its record
-  /// reaches; none if there is no such checkpoint.
+  /// reaches; none if there is no such checkpoint. It may be that of the run's end.
   std::optional<Resumption> newest;
+  bool is_complete = false;  ///< it is that one, and the record is finished, too
   /// That checkpoint and those of later times that are of the run or damaged: it may replace them.
+  /// That of its end only if it is the one that it will write.
   std::set<std::filesystem::path> replaceable;
 };
 
 /// Reads each file once. Throws Failure if there is a record that is not this run's.
 Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFiles& files);
 
-/// True if the run has been completed already, and everything is still there. Of a run until
-/// quiet that is only known if the command was the same, up to options that change no bit.
-bool is_complete(const Checkpoint& start, const StopRule& rule, const RunFiles& files);
-
-/// True if `path`, a checkpoint on the way, may be written by the run that begins with `start` when
+/// True if `path`, a checkpoint, may be written by the run that begins with `start` when
 /// it is resumed, as things are now: there is nothing, or a checkpoint of this run, or a damaged
 /// one.
 bool may_write(const std::filesystem::path& path, const Checkpoint& start);

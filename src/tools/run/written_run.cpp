@@ -6,12 +6,14 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "cli/text.hpp"
 #include "run/progress.hpp"
 #include "run/rebuild.hpp"
 #include "rupture/dynamics/simulation.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -140,15 +142,29 @@ void Run::summarise(const Beginning& beginning, Ending ending) {
 }
 
 void Run::finish() {
-  if (recorder_) {
-    recorder_->finish(simulation_);
-    if (field_recorder_) field_recorder_->finish(simulation_);
-    const auto provenance = record_provenance(simulation_.state().step);
-    summary_.files.push_back({*files_.record, "record", writer_->finish(provenance, output_.sum)});
+  std::exception_ptr failure;
+  try {
+    take_last_samples();
+  } catch (const Failure&) {
+    failure = std::current_exception();  // the checkpoint needs no record
+  }
+  if (files_.output != saved_) {
+    save(files_.output, if_exists_(files_.output));
     announce(output_, summary_.files.back());
   }
-  save(files_.output, output_.if_exists);
+  if (failure) std::rethrow_exception(failure);
+  if (!recorder_) return;
+  const auto provenance = record_provenance(simulation_.state().step);
+  const auto checksum = writer_->finish(provenance, output_.sum, simulation_.run().first_step);
+  summary_.files.push_back({*files_.record, "record", checksum});
   announce(output_, summary_.files.back());
+}
+
+void Run::take_last_samples() {
+  if (!recorder_) return;
+  recorder_->finish(simulation_);
+  if (field_recorder_) field_recorder_->finish(simulation_);
+  recorder_->sync(simulation_);
 }
 
 const fs::path& Run::save_on_the_way() {

@@ -20,7 +20,7 @@
 
 namespace rupture::tools {
 
-/// Whether to replace a checkpoint on the way that is there already.
+/// Whether to replace a checkpoint that is there already.
 using IfCheckpointExists = std::function<IfExists(const std::filesystem::path&)>;
 
 /// A run with everything that it writes on its way. The objects it is made with must outlive it.
@@ -33,7 +33,7 @@ class Run {
   /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
   Ending go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
             OnAlarm on_alarm);
-  /// Completes the record and writes the last checkpoint.
+  /// Writes the last checkpoint, then completes the record.
   void finish();
   /// Saves everything that resuming needs; returns the checkpoint.
   const std::filesystem::path& save_on_the_way();
@@ -52,6 +52,7 @@ class Run {
   };
 
   void summarise(const Beginning& beginning, Ending ending);
+  void take_last_samples();
   void save(const std::filesystem::path& path, IfExists if_exists);
   /// That of the record, if the run ends at `step`.
   std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const;

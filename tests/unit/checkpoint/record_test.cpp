@@ -121,9 +121,21 @@ TEST_F(RecordFile, whose_steps_do_not_ascend_is_refused) {
   auto out = writer("r.h5");
   append(out, 0, 4);
   append(out, 2, 4);
-  out.finish();
-  expect_contains(failure_of([&] { read_record(file("r.h5")); }),
-                  "/series/step holds 300 and then 200; expected ascending steps");
+  const std::string sentence = file("r.h5.part").string() +
+                               ": /series/step holds 300 and then 200; expected ascending steps";
+  EXPECT_EQ(failure_of([&] { out.finish(); }), sentence);
+  EXPECT_EQ(failure_of([&] { read_record(file("r.h5.part")); }), sentence);
+  EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
+}
+
+TEST_F(RecordFile, that_does_not_begin_where_its_run_did_is_not_completed) {
+  auto out = writer("r.h5");
+  append(out, 1, 4);
+  EXPECT_EQ(failure_of([&] { out.finish({}, SumFile::omit, 0); }),
+            file("r.h5.part").string() + ": it does not begin at step 0, as its run did");
+  EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
+  out.finish({}, SumFile::omit, 100);
+  EXPECT_EQ(read_record(file("r.h5")).step.front(), 100);
 }
 
 TEST_F(RecordFile, refuses_nan_at_the_next_flush) {

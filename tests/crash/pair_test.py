@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""The same command started twice at the same moment, in one folder: one of the two gives way."""
+
+import subprocess
+import unittest
+
+from scenario import (
+    BIN,
+    INPUTS,
+    Folder,
+    LONG,
+    made,
+    main,
+    sums,
+    without_notes,
+    without_temporaries,
+)
+
+LOAD = (
+    "load --config driven.ini --until 4e-4 --checkpoint-every 1.5e-4 --record r.h5"
+    " --record-every 6e-7 -o b.h5 --sum"
+)
+PREPARE = "prepare --config rest.ini --tau-bar 0.5 -o b.h5 --sum"
+CONTAINERS = ["unshare", "--pid", "--fork"]  # both processes have the number 1
+PAIRS = 120 if LONG else 20
+
+
+def run_pair(command, folder, containers):
+    """(exit code, last words) of both."""
+    words = [*containers, BIN / command.split()[0], *command.split()[1:]]
+    null, pipe = subprocess.DEVNULL, subprocess.PIPE
+    both = [
+        subprocess.Popen(words, cwd=folder.path, text=True, stdout=null, stderr=pipe)
+        for _ in range(2)
+    ]
+    said = [process.communicate(timeout=120)[1] for process in both]
+    return [(process.returncode, words) for process, words in zip(both, said)]
+
+
+class Pair(unittest.TestCase):
+    def check(self, command, options, codes, containers=()):
+        """The folder ends as after one run; who fails says why in a sentence."""
+        wanted = sums(made("alone", command, INPUTS).new)
+        for pair in range(PAIRS):
+            with self.subTest(options, pair=pair), Folder(INPUTS) as folder:
+                ends = run_pair(f"{command} {options}", folder, containers)
+                self.assertIn(sorted(code for code, _ in ends), codes, ends)
+                for code, words in ends:
+                    sentence = r"\w+: [^\n]*(another run|exists; give --force)[^\n]*\n"
+                    said = rf"\A{sentence}\Z" if code else r"\A\Z"
+                    self.assertRegex(without_notes(words), said)
+                self.assertEqual(sums(folder.files()), wanted)
+                for name in wanted:
+                    folder.must_run(f"analyze verify {name.removesuffix('.sum')}")
+                self.assertEqual(without_temporaries(folder.files()), folder.files())
+
+    def test_of_two_starts_exactly_one_succeeds(self):
+        for command in (LOAD, PREPARE):
+            self.check(command, "", [[0, 1]])
+
+    def test_of_two_starts_in_containers_exactly_one_succeeds(self):
+        if subprocess.run([*CONTAINERS, "true"], capture_output=True, check=False).returncode:
+            self.skipTest("this user cannot give processes numbers of their own")
+        for command in (LOAD, PREPARE):
+            self.check(command, "", [[0, 1]], CONTAINERS)
+
+    def test_that_may_replace_files_leaves_those_of_one_run(self):
+        for options in ("--force", "--resume"):  # the second may begin when the first is done
+            self.check(LOAD, options, [[0, 1], [0, 0]])
+
+
+if __name__ == "__main__":
+    main(unittest.main)
