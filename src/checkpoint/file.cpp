@@ -75,10 +75,11 @@ std::string text_of(const fs::path& path) {
 void publish(PendingFile file, const fs::path& path, const std::string& line, IfExists if_exists,
              SumFile wanted) {
   const fs::path sum = sum_path(path);
+  const bool is_other = fs::exists(sum);  // if not, one that appears now is of another run
   std::optional<PendingFile> new_sum;
   if (text_of(sum) != line) {  // workflow rules go by its modification time
     if (wanted == SumFile::write) new_sum.emplace(sum, std::as_bytes(std::span(line)));
-    remove_durably(sum);
+    if (is_other) remove_durably(sum);
   }
   if (!file.commit(if_exists)) fail_existing(path);
   if (new_sum) new_sum->commit(IfExists::replace);
