@@ -154,8 +154,8 @@ def killed_late(scenario):
 
 
 def without_notes(words):
-    """What a run says apart from the checkpoints with which it could not be resumed."""
-    return re.sub(r"^not used to resume: .+\n", "", words, flags=re.MULTILINE)
+    """What a run says apart from its progress and from checkpoints that it could not resume."""
+    return re.sub(r"^(not used to resume: |\w+: +\d+ % ).+\n", "", words, flags=re.MULTILINE)
 
 
 def faults_in_files(scenario, files):
