@@ -296,6 +296,17 @@ TEST_F(Lineage, refuses_a_chain_without_beginning) {
                  "a.h5 does not say which steps led to it");
 }
 
+TEST_F(Lineage, prints_no_control_characters) {
+  output_of("load --config small.ini -o a.h5");
+  const std::size_t lines = lines_of(output_of("analyze show a.h5")).size();
+  const std::string wild = "\x1b[2J\n\xc2\x9bX";
+  change_chain("a.h5", [&](auto& chain) { chain[0] = {wild, wild, wild, wild, wild, "", wild}; });
+  EXPECT_EQ(lines_of(output_of("analyze show a.h5")).size(), lines);
+  for (const char* command : {"analyze show a.h5", "analyze lineage a.h5"}) {
+    EXPECT_EQ(output_of(command).find_first_of("\x1b\x9b"), std::string::npos) << command;
+  }
+}
+
 TEST_F(Lineage, refuses_to_print_commands_of_others) {
   output_of("load --config small.ini -o a.h5");
   for (const std::string command : {"load; rm x", "rm -r x", "load\nrm x", "load $(rm x)"}) {

@@ -166,6 +166,12 @@ TEST_F(Verify, names_unfinished_records_in_a_folder) {
                                                "1 intact, 1 skipped\n");
 }
 
+TEST_F(Verify, forges_no_line_of_a_name) {
+  fs::rename(path("a.h5"), path("x.h5\nintact  \x1b[2J\xc2\x9b.h5"));
+  EXPECT_EQ(lines_of(output_of("analyze verify .")).size(), 4U);
+  EXPECT_NE(output_of("analyze verify .").find("  ./x.h5?intact  ?[2J?.h5\n"), std::string::npos);
+}
+
 TEST_F(Verify, refuses_an_empty_folder) {
   fs::create_directory(path("f"));
   expect_refusal("analyze verify f", kFailed, "f holds no file *.h5");

@@ -152,7 +152,7 @@ def option_json(action):
 
 def complain(name, sentence):
     """In one line, whatever the names of files hold."""
-    line = "".join("?" if ord(letter) < 32 else letter for letter in sentence)
+    line = "".join(letter if letter.isprintable() else "?" for letter in sentence)
     print(f"rupture {name}: {line}", file=sys.stderr)
 
 

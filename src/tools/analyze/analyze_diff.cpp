@@ -80,7 +80,9 @@ std::string array_text(const Differing& d) {
 }
 
 std::string values_text(const Differing& d) {
-  if (d.is_text()) return fmt::format("'{}' and '{}'\n", text_of(d.a), text_of(d.b));
+  if (d.is_text()) {
+    return in_one_line(fmt::format("'{}' and '{}'", text_of(d.a), text_of(d.b))) + "\n";
+  }
   return d.a.shape.empty() ? scalar_text(d) : array_text(d);
 }
 
@@ -147,7 +149,7 @@ std::string report_text(const Pair& pair, const std::vector<Difference>& differe
                         std::size_t cut) {
   std::string text;
   for (const auto& difference : differences) {
-    text += fmt::format("{}: {}", difference.path, change_text(pair, difference));
+    text += in_one_line(difference.path) + ": " + change_text(pair, difference);
   }
   if (cut > 0) text += fmt::format("{} arrays were compared in the rows that both have\n", cut);
   if (differences.empty()) return text + "equal\n";

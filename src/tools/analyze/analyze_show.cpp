@@ -51,7 +51,7 @@ int analyze_show(int argc, const char* const* argv) {
     say("{}\n", json_text(json));
     return kDone;
   }
-  say("{}: {}", path, kind_summary(file));
+  say("{}: {}", in_one_line(path), kind_summary(file));
   if (!file.checksum.empty()) say("{}\n", labelled(file.checksum));
   say("\nparameters\n");
   for (const auto& info : parameter_table()) {
@@ -60,13 +60,15 @@ int analyze_show(int argc, const char* const* argv) {
   }
   say("\nprovenance\n");
   for (const auto& entry : chain) {
-    say("  {} {} (commit {}, {})\n    {}\n", entry.tool, entry.version, entry.commit,
-        entry.compiler, entry.command_line);
-    if (!entry.parent_checksum.empty()) say("    from {}\n", entry.parent_checksum);
+    say("  {}\n    {}\n",
+        in_one_line(fmt::format("{} {} (commit {}, {})", entry.tool, entry.version, entry.commit,
+                                entry.compiler)),
+        in_one_line(entry.command_line));
+    if (!entry.parent_checksum.empty()) say("    from {}\n", in_one_line(entry.parent_checksum));
     if (entry.rebuild == kEditedOutside) {
       say("    {}\n", kEditedOutside);
     } else if (!entry.rebuild.empty()) {
-      say("    made again by: {}\n", entry.rebuild);
+      say("    made again by: {}\n", in_one_line(entry.rebuild));
     }
   }
   return kDone;

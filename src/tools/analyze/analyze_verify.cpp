@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 class Account {
  public:
   void add(const Inspection& finding) {
-    say("{}  {}\n", verdict_name(finding.verdict), finding.text);
+    say("{}  {}\n", verdict_name(finding.verdict), in_one_line(finding.text));
     std::fflush(stdout);
     ++counts_[finding.verdict];
     if (finding.bad()) bad_.push_back(finding.text);

@@ -109,8 +109,9 @@ std::string lineage_text(const Lineage& lineage) {
                                 : entry.rebuild == kEditedOutside
                                     ? "(edited outside) " + entry.command_line
                                     : entry.rebuild;
-    text += fmt::format("{} {}  {}: {}\n", i, short_checksum(lineage.checksum_after(i)),
-                        build_text(entry), in_one_line(command));
+    text +=
+        fmt::format("{} {}  {}: {}\n", i, in_one_line(short_checksum(lineage.checksum_after(i))),
+                    build_text(entry), in_one_line(command));
   }
   return text;
 }
@@ -155,7 +156,8 @@ std::string rebuild_script(const Lineage& lineage, const std::string& output,
     script += fmt::format("\n# {}, {}: {}\n", build_text(entry), in_one_line(entry.compiler),
                           in_one_line(entry.command_line));
     script += fmt::format("rupture {} {}\n", entry.rebuild, shell_line(files));
-    script += fmt::format("check {}\n", shell_line({input, lineage.checksum_after(i)}));
+    script +=
+        fmt::format("check {}\n", shell_line({input, in_one_line(lineage.checksum_after(i))}));
   }
   return script;
 }

@@ -216,7 +216,7 @@ std::filesystem::path file_to_write(const po::variables_map& values, const std::
 }
 
 std::string wrote_text(const std::filesystem::path& path, const std::string& checksum) {
-  return fmt::format("wrote {}  {}\n", path.string(), labelled(checksum));
+  return fmt::format("wrote {}  {}\n", in_one_line(path.string()), labelled(checksum));
 }
 
 void check_distinct(const std::vector<std::filesystem::path>& outputs,

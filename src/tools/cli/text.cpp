@@ -74,10 +74,13 @@ std::string time_text(double t) {
   return rounded(t / unit->first) + " " + unit->second;
 }
 
-std::string in_one_line(std::string message) {
-  const auto control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
-  std::replace_if(message.begin(), message.end(), control, '?');
-  return message;
+std::string in_one_line(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool in_two = byte == 0xc2 && i + 1 < text.size() && (text[i + 1] & 0xe0) == 0x80;
+    if (byte < ' ' || byte == 0x7f || in_two) text.replace(i, in_two ? 2 : 1, "?");
+  }
+  return text;
 }
 
 }  // namespace rupture::tools

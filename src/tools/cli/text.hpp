@@ -41,8 +41,8 @@ std::string rounded(double value);
 /// A duration [s] in the unit that suits it: "12 s", "3.4 h".
 std::string time_text(double t);
 
-/// The text with its control characters as question marks: what a file or its name says may hold
-/// anything, also what a terminal or a shell obeys.
+/// The text with its control characters, also the two-byte ones of UTF-8, as question marks: what a
+/// file or its name says may hold anything, also what a terminal or a shell obeys.
 std::string in_one_line(std::string text);
 
 }  // namespace rupture::tools

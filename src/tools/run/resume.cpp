@@ -287,7 +287,8 @@ Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFil
       return remains;
     }
     if (!std::exchange(too_new, true)) {
-      say_on(stderr, "not used to resume: {}, which the record does not reach\n", path.string());
+      say_on(stderr, "not used to resume: {}, which the record does not reach\n",
+             in_one_line(path.string()));
     }
   }
   return remains;

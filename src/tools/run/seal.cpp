@@ -88,7 +88,8 @@ std::string words_about(Change change) {
 }
 
 std::string line_about(const Difference& difference, const Content& edited) {
-  std::string text = fmt::format("edited: {}: {}", difference.path, words_about(difference.change));
+  std::string text =
+      fmt::format("edited: {}: {}", in_one_line(difference.path), words_about(difference.change));
   if (difference.change == Change::values) {
     text += fmt::format(", {} of {}", difference.count,
                         element_count(edited.at(difference.path).shape));

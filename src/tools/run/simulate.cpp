@@ -37,9 +37,9 @@ std::string resuming_command(const RunOptions& options) {
 
 void say_where_it_begins(std::FILE* to, const RunPlan& plan) {
   if (plan.is_complete) {
-    say_on(to, "{} is complete\n", plan.files.output.string());
+    say_on(to, "{} is complete\n", in_one_line(plan.files.output.string()));
   } else if (plan.is_resumed()) {
-    say_on(to, "resuming from {}\n", plan.begin.file.string());
+    say_on(to, "resuming from {}\n", in_one_line(plan.begin.file.string()));
   } else {
     say_on(to, "nothing to resume from: the run begins anew\n");
   }

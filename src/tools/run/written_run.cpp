@@ -57,7 +57,8 @@ void print_invariants(std::FILE* to, Ending ending, const RunSummary& summary) {
 /// Checkpoints on the way, of which there may be many: one line names them.
 void announce(const OutputOptions& output, const std::vector<WrittenFile>& on_the_way) {
   if (output.verbosity == Verbosity::quiet || on_the_way.empty()) return;
-  const std::string first = on_the_way.front().path, last = on_the_way.back().path;
+  const std::string first = in_one_line(on_the_way.front().path);
+  const std::string last = in_one_line(on_the_way.back().path);
   if (on_the_way.size() == 1) {
     say_on(output.text(), "wrote 1 checkpoint on the way: {}\n", first);
   } else {
