@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <map>
+
 #include "hdf5_objects.hpp"
 #include "rupture/checkpoint/envelope.hpp"
 #include "rupture/model/error.hpp"
@@ -12,10 +14,16 @@ namespace rupture::hdf5 {
 namespace {
 
 constexpr std::size_t kCompactLimit = 1024;  // [bytes] smaller datasets live in their header
+constexpr const char* kProvenance = "/provenance/";
+constexpr std::size_t kLongestLinked = 40;  // [bytes] a link takes that much itself
 
-Handle group_creation_properties() {
+// Provenance grows for ever, group by group: in the form that needs least room.
+Handle group_creation_properties(const std::string& path) {
   Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "prepare a group");
   check(H5Pset_obj_track_times(properties, false), "switch off times");
+  if (path.starts_with(kProvenance)) {
+    check(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED), "choose a compact group");
+  }
   return properties;
 }
 
@@ -42,7 +50,7 @@ void create_groups(Id file, const std::string& path) {
     const auto exists = H5Lexists(file, group.c_str(), H5P_DEFAULT);
     check(exists, doing);
     if (exists > 0) continue;
-    const Handle properties = group_creation_properties();
+    const Handle properties = group_creation_properties(group);
     const Handle created(H5Gcreate2(file, group.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT),
                          H5Gclose, doing);
   }
@@ -51,11 +59,11 @@ void create_groups(Id file, const std::string& path) {
 Handle dataset_creation_properties() {
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "prepare a dataset");
   check(H5Pset_obj_track_times(properties, false), "switch off times");
+  check(H5Pset_dset_no_attrs_hint(properties, true), "leave no gaps");
   return properties;
 }
 
 void write_dataset(Id file, const std::string& path, const Dataset& data) {
-  create_groups(file, path);
   const std::string doing = fmt::format("write {}", path);
   const Handle type = stored_type(data.type, data.bytes.size());
   const Handle space = create_space(data.shape);
@@ -118,7 +126,21 @@ void write_root_attributes(Id file, const RootAttributes& attributes) {
 }
 
 void write_content(Id file, const Content& content) {
-  for (const auto& [path, dataset] : content) write_dataset(file, path, dataset);
+  std::map<std::vector<std::byte>, std::string> texts;
+  std::string group;
+  for (const auto& [path, dataset] : content) {
+    if (const auto in = path.substr(0, path.rfind('/') + 1); in != group) {
+      create_groups(file, group = in);
+    }
+    const bool may_repeat = path.starts_with(kProvenance) && dataset.bytes.size() <= kLongestLinked;
+    const auto first = may_repeat ? texts.try_emplace(dataset.bytes, path).first->second : path;
+    if (first == path) {
+      write_dataset(file, path, dataset);
+    } else {
+      check(H5Lcreate_hard(file, first.c_str(), file, path.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+            "write " + path);
+    }
+  }
 }
 
 }  // namespace rupture::hdf5

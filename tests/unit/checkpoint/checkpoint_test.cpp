@@ -3,6 +3,8 @@
 
 #include "rupture/checkpoint/checkpoint.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <limits>
 #include <thread>
@@ -58,6 +60,25 @@ TEST_F(CheckpointFile, returns_the_same_bits) {
   EXPECT_EQ(checksum, content_checksum(read.parameters, read.state));
   EXPECT_EQ(checksum, verify_file(file("x.h5")).checksum);
   EXPECT_EQ(identify(file("x.h5")), FileKind::checkpoint);
+}
+
+// The bound that docs/schema.md states, and reading a chain whose texts are all the same.
+TEST_F(CheckpointFile, grows_by_little_with_each_step_of_its_provenance) {
+  Checkpoint checkpoint = small_checkpoint();
+  write(checkpoint);
+  const auto before = fs::file_size(file("x.h5"));
+  const std::string text(40, 'x');
+  checkpoint.provenance.resize(102, {text, text, text, text, text, text, text});
+  write(checkpoint);
+  EXPECT_EQ(read_checkpoint(file("x.h5")).provenance, checkpoint.provenance);
+  for (int i = 2; i < 102; ++i) {
+    auto& step = checkpoint.provenance[static_cast<std::size_t>(i)];
+    step.command_line = step.rebuild = fmt::format("restart --until {}", i);
+    step.parent_checksum = fmt::format("{:064}", i);
+  }
+  write(checkpoint);
+  EXPECT_LT(fs::file_size(file("x.h5")), before + 100 * (1100 + 2 * 20));
+  EXPECT_EQ(read_checkpoint(file("x.h5")).provenance, checkpoint.provenance);
 }
 
 TEST_F(CheckpointFile, leaves_the_padding_of_fields_zero) {
