@@ -40,14 +40,6 @@ void add_missing_units(Content& content) {
   }
 }
 
-void refuse_missing_units(const Content& content) {
-  for (const auto& [path, dataset] : content) {
-    if (!dataset.unit.empty()) continue;
-    throw Failure(
-        fmt::format("{} has lost its attribute unit; set it to that of the other record", path));
-  }
-}
-
 EditedFile opened(std::span<const std::byte> bytes) {
   try {
     demand_survival(bytes, hdf5::Accept::edited);
@@ -68,7 +60,6 @@ Content checked_checkpoint(Content content, const ProvenanceEntry& entry) {
 }
 
 Content checked_record(Content content, const ProvenanceEntry& entry) {
-  refuse_missing_units(content);
   auto chain = record_from({FileKind::record, "", "", content}).provenance;
   chain.push_back(entry);
   Content sealed = provenance_content(chain);

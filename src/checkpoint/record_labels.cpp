@@ -37,7 +37,7 @@ Content record_positions(const Parameters& parameters, const Content& record) {
     const std::string path = row.path;
     if (!record.contains(path.substr(0, path.rfind('/')) + "/time")) return;
     const std::vector<double> values = row.along(parameters);
-    positions[path] = make_array(std::span(values), {values.size()}, "m");
+    positions[path] = make_array(std::span(values), {values.size()}, row.unit);
   });
   return positions;
 }
@@ -45,18 +45,12 @@ Content record_positions(const Parameters& parameters, const Content& record) {
 hdf5::Labels record_labels(const Content& record) {
   hdf5::Labels labels;
   const auto is_there = [&](const std::string& path) { return record.contains(path); };
-  const auto add = [&](const auto& row) {
+  layout::for_each_dataset([&](const auto& row) {
     if (!is_there(row.path)) return;
     auto axes = axes_of(row.path, record.at(row.path).shape);
     if (!std::all_of(axes.begin(), axes.end(), is_there)) axes.clear();  // reading will complain
     labels[row.path] = {row.long_name, std::move(axes)};
-  };
-  layout::for_each(layout::kSeries, add);
-  layout::for_each(layout::kRuptures, add);
-  layout::for_each(layout::kCrossings, add);
-  layout::for_each(layout::kFields, add);
-  layout::for_each(layout::kPositions, add);
-  layout::for_each(layout::kLevels, add);
+  });
   return labels;
 }
 

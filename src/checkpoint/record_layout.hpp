@@ -105,13 +105,14 @@ inline Shape shape_of(const std::vector<float>&, std::uint64_t rows, const Param
 /// Where the blocks are. It follows from the parameters and is there for other programs.
 struct Positions {
   const char* path;
+  const char* unit;
   const char* long_name;
-  std::vector<double> (*along)(const Parameters&);  // [m]
+  std::vector<double> (*along)(const Parameters&);
 };
 inline constexpr std::tuple kPositions = {
-    Positions{"/series/x", "position of the block along x", block_positions},
-    Positions{"/fields/x", "position of the block along x", block_positions},
-    Positions{"/fields/z", "height of the block above the interface", block_heights},
+    Positions{"/series/x", "m", "position of the block along x", block_positions},
+    Positions{"/fields/x", "m", "position of the block along x", block_positions},
+    Positions{"/fields/z", "m", "height of the block above the interface", block_heights},
 };
 
 /// The pinned fractions whose crossings are recorded.
@@ -126,6 +127,14 @@ inline constexpr std::tuple kLevels = {Levels{kCrossingLevels, "1", "pinned frac
 template <class Table, class Use>
 void for_each(const Table& table, const Use& use) {
   std::apply([&](const auto&... row) { (use(row), ...); }, table);
+}
+
+/// Calls `use` with the row of each dataset that a record may hold besides parameters and
+/// provenance.
+template <class Use>
+void for_each_dataset(const Use& use) {
+  for_each(std::tie(kSeries, kRuptures, kCrossings, kFields, kPositions, kLevels),
+           [&](const auto& table) { for_each(table, use); });
 }
 
 }  // namespace rupture::record_layout

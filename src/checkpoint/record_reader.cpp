@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
-#include <set>
+#include <map>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -27,10 +31,17 @@ std::uint64_t rows_in(const Content& content, const std::string& path) {
   return found == content.end() || found->second.shape.empty() ? 0 : found->second.shape[0];
 }
 
+// Whether the record holds a part that it may lack; one is there or not as a whole.
+bool has(const Content& content, const std::string& group) {
+  return std::any_of(content.begin(), content.end(),
+                     [&](const auto& entry) { return entry.first.starts_with(group); });
+}
+
 // Copies the rows of a table whose step is at most `last`.
 template <class Table>
 void copy_rows(const Content& from, const std::string& group, const Table& table, std::int64_t last,
                Content& to) {
+  if (!has(from, group)) return;
   const std::string steps = group + "step";
   const auto step = read_array<std::int64_t>(from, steps, {rows_in(from, steps)});
   const auto length =
@@ -61,20 +72,11 @@ void read(const Content& content, const char* path, std::uint64_t rows, std::int
       std::as_writable_bytes(std::span(values.data(), static_cast<std::size_t>(values.size()))));
 }
 
-void check_ascending(const char* group, const std::vector<std::int64_t>& step) {
-  const auto misplaced =
-      std::adjacent_find(step.begin(), step.end(), [](auto a, auto b) { return a >= b; });
-  if (misplaced == step.end()) return;
-  throw Failure(fmt::format("{}step holds {} and then {}; expected ascending steps", group,
-                            misplaced[0], misplaced[1]));
-}
-
 void read_series(const Content& content, Record& record) {
   const std::uint64_t n = rows_in(content, layout::kSeriesGroup + std::string("time"));
   layout::for_each(layout::kSeries, [&](const auto& row) {
     read(content, row.path, n, record.parameters.Nx, record.*row.in_record);
   });
-  check_ascending(layout::kSeriesGroup, record.step);
 }
 
 template <class Table>
@@ -93,12 +95,6 @@ std::vector<Rupture> read_ruptures(const Content& content, const std::string& gr
     }
   }
   return ruptures;
-}
-
-// Whether the record holds a part that it may lack; one is there or not as a whole.
-bool has(const Content& content, const char* group) {
-  return std::any_of(content.begin(), content.end(),
-                     [&](const auto& entry) { return entry.first.starts_with(group); });
 }
 
 void read_crossings(const Content& content, Record& record) {
@@ -122,30 +118,129 @@ void read_fields(const Content& content, Record& record) {
   });
   record.fields = Fields::record;
   record.field_step = read_array<std::int64_t>(content, steps, {n});
-  check_ascending(layout::kFieldsGroup, record.field_step);
 }
 
-void refuse_unknown(const Content& content) {
-  std::set<std::string> known = {layout::kCrossingLevels};
-  const auto add = [&](const auto& row) { known.insert(row.path); };
-  layout::for_each(layout::kSeries, add);
-  layout::for_each(layout::kRuptures, add);
-  layout::for_each(layout::kCrossings, add);
-  layout::for_each(layout::kFields, add);
-  layout::for_each(layout::kPositions, add);
+void refuse_foreign(const Content& content) {
+  std::map<std::string, std::string> units;
+  layout::for_each_dataset([&](const auto& row) { units[row.path] = row.unit; });
   for (const auto& [path, dataset] : content) {
-    const bool elsewhere = path.starts_with("/parameters/") || path.starts_with("/provenance/");
-    if (!elsewhere && !known.contains(path)) {
+    if (path.starts_with("/parameters/") || path.starts_with("/provenance/")) continue;
+    const auto known = units.find(path);
+    if (known == units.end()) {
       throw Failure(
           fmt::format("{} is not part of a record: use a newer rupture, or remove it if another "
                       "program added it",
                       path));
     }
+    if (dataset.unit == known->second) continue;
+    throw Failure(
+        fmt::format("{} has the unit '{}'; expected '{}'", path, dataset.unit, known->second));
+  }
+}
+
+void check_ascending(const char* group, const std::vector<std::int64_t>& step) {
+  const auto misplaced = std::adjacent_find(step.begin(), step.end(), std::greater_equal());
+  if (misplaced == step.end()) return;
+  throw Failure(fmt::format("{}step holds {} and then {}; expected ascending steps", group,
+                            misplaced[0], misplaced[1]));
+}
+
+// Restarts may have moved the origins of time and driving point, so that only what was gained since
+// the first sample follows from the steps. Rounding is far below the gain of one step.
+void check_pace(const Content& content, const std::string& group, const std::string& name,
+                double per_step, const Record& record) {
+  const std::uint64_t n = record.step.empty() ? 0 : rows_in(content, group + name);
+  if (n == 0) return;
+  const auto value = read_array<double>(content, group + name, {n});
+  const auto step = read_array<std::int64_t>(content, group + "step", {n});
+  const double first = (name == "time" ? record.time : record.x_drive)[0];
+  for (std::size_t i = 0; i < n; ++i) {
+    const double steps = static_cast<double>(step[i]) - static_cast<double>(record.step[0]);
+    const double expected = first + steps * per_step;
+    const double rounding = 1e-15 * std::max(std::abs(first), std::abs(expected));
+    if (std::abs(value[i] - expected) <= 1e-3 * std::abs(per_step) + rounding) continue;
+    throw Failure(fmt::format("{}{} holds {} at step {}; by the parameters it is {} there", group,
+                              name, value[i], step[i], expected));
+  }
+}
+
+// A run notes ruptures from its first sample on by step, level and block.
+void check_order(const char* group, const std::vector<Rupture>& ruptures, const Record& record) {
+  const auto place = [](const Rupture& r) { return std::tuple(r.step, r.pinned_below, r.block); };
+  auto last = std::tuple(record.step.empty() ? 0 : record.step[0], 0.0, std::int64_t{-1});
+  for (const Rupture& rupture : ruptures) {
+    if (last >= place(rupture)) {
+      throw Failure(
+          fmt::format("{}step holds {} after {}, for block {}; expected ascending steps, "
+                      "not before the first sample, and ascending blocks in each",
+                      group, rupture.step, std::get<0>(last), rupture.block));
+    }
+    last = place(rupture);
+  }
+}
+
+// A block that is above a fraction in one sample and below it in the next has fallen in between.
+void check_falls(const Record& record, const char* group, const std::vector<Rupture>& ruptures,
+                 double fraction) {
+  const double limit = fraction * static_cast<double>(springs_per_block(record.parameters));
+  Eigen::ArrayX<Eigen::Index> fell = Eigen::ArrayX<Eigen::Index>::Zero(record.parameters.Nx);
+  auto next = ruptures.begin();
+  for (Eigen::Index n = 0; n < record.pinned.rows(); ++n) {
+    const std::int64_t step = record.step[static_cast<std::size_t>(n)];
+    for (; next != ruptures.end() && next->step <= step; ++next) {
+      if (next->pinned_below == fraction) fell(next->block) = n;
+    }
+    for (Eigen::Index i = 0; n > 0 && i < fell.size(); ++i) {
+      const bool falls = record.pinned(n - 1, i) >= limit && record.pinned(n, i) < limit;
+      if (!falls || fell(i) == n) continue;
+      throw Failure(
+          fmt::format("{} lacks block {}, whose pinned fraction falls below {} by step {}", group,
+                      i, fraction, step));
+    }
+  }
+}
+
+void check_levels(const Record& record) {
+  const auto& levels = record.crossing_levels;
+  const auto strange = [](double f) { return f <= 0.0 || f > 1.0 || f == kRupturedFraction; };
+  if (std::any_of(levels.begin(), levels.end(), strange) ||
+      std::adjacent_find(levels.begin(), levels.end(), std::greater_equal()) != levels.end()) {
+    throw Failure(fmt::format("{} holds {}; expected ascending fractions up to 1, without {}",
+                              layout::kCrossingLevels, fmt::join(levels, ", "), kRupturedFraction));
+  }
+  for (const Rupture& crossing : record.crossings) {
+    if (std::binary_search(levels.begin(), levels.end(), crossing.pinned_below)) continue;
+    throw Failure(fmt::format("/crossings/pinned_below holds {}; expected one of the levels {}",
+                              crossing.pinned_below, fmt::join(levels, ", ")));
+  }
+}
+
+// Datasets must agree with each other and with the parameters.
+void check_consistent(const Content& content, const Record& record) {
+  const Parameters& p = record.parameters;
+  const auto most = springs_per_block(p);
+  if (record.pinned.size() > 0 && record.pinned.maxCoeff() > most) {
+    throw Failure(fmt::format("/series/pinned holds {}; expected {} at most",
+                              record.pinned.maxCoeff(), most));
+  }
+  check_ascending(layout::kSeriesGroup, record.step);
+  check_ascending(layout::kFieldsGroup, record.field_step);
+  check_order(layout::kRupturesGroup, record.ruptures, record);
+  check_order(layout::kCrossingsGroup, record.crossings, record);
+  for (const auto* group : {layout::kSeriesGroup, layout::kRupturesGroup, layout::kCrossingsGroup,
+                            layout::kFieldsGroup}) {
+    check_pace(content, group, "time", p.dt, record);
+  }
+  check_pace(content, layout::kSeriesGroup, "x_drive", p.V * p.dt, record);
+  check_falls(record, layout::kRupturesGroup, record.ruptures, kRupturedFraction);
+  check_levels(record);
+  for (const double level : record.crossing_levels) {
+    check_falls(record, layout::kCrossingsGroup, record.crossings, level);
   }
 }
 
 Record record_from_content(const Content& content, Complete complete) {
-  refuse_unknown(content);
+  refuse_foreign(content);
   Record record;
   record.complete = complete;
   record.parameters = read_parameters(content);
@@ -156,6 +251,7 @@ Record record_from_content(const Content& content, Complete complete) {
       read_ruptures(content, layout::kRupturesGroup, layout::kRuptures, record.parameters.Nx);
   read_crossings(content, record);
   read_fields(content, record);
+  check_consistent(content, record);
   return record;
 }
 
@@ -170,12 +266,8 @@ Content rows_until(const Content& record, std::int64_t step) {
   Content rows;
   copy_rows(record, layout::kSeriesGroup, layout::kSeries, step, rows);
   copy_rows(record, layout::kRupturesGroup, layout::kRuptures, step, rows);
-  if (has(record, layout::kFieldsGroup)) {
-    copy_rows(record, layout::kFieldsGroup, layout::kFields, step, rows);
-  }
-  if (has(record, layout::kCrossingsGroup)) {
-    copy_rows(record, layout::kCrossingsGroup, layout::kCrossings, step, rows);
-  }
+  copy_rows(record, layout::kFieldsGroup, layout::kFields, step, rows);
+  copy_rows(record, layout::kCrossingsGroup, layout::kCrossings, step, rows);
   return rows;
 }
 

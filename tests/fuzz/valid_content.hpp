@@ -47,7 +47,8 @@ inline Content record_content() {
   content["/series/time"] = make_array(std::span(times), {3}, "s");
   content["/series/step"] = make_array(std::span(steps), {3}, "1");
   content["/series/F_T"] = make_array(std::span(times), {3}, "N");
-  content["/series/x_drive"] = make_array(std::span(times), {3}, "m");
+  const std::vector<double> drive = {1e-4 * p.V, 2e-4 * p.V, 3e-4 * p.V};
+  content["/series/x_drive"] = make_array(std::span(drive), {3}, "m");
   content["/series/pinned"] = make_array(std::span(pinned), {3, 4}, "1");
   content["/series/p"] = make_array(std::span(forces), {3, 4}, "N");
   content["/series/tau"] = make_array(std::span(forces), {3, 4}, "N");

@@ -169,6 +169,15 @@ TEST_F(Seal, takes_records) {
   output_of("seal e.h5 -o new.h5 -q");
   EXPECT_EQ(checksum_of("new.h5"), checksum_of("record.h5"));
   output_of("analyze events new.h5");
+  edit(
+      [](hid_t file) {
+        const Opened time(H5Dopen2(file, "/series/time", H5P_DEFAULT));
+        Values values = values_of(time.id);
+        values.back() *= 2;
+        write_values(time.id, values);
+      },
+      "record.h5");
+  expect_refusal_with("seal e.h5 -o new.h5 -f", kFailed, "e.h5: /series/time holds ");
 }
 
 TEST_F(Seal, refuses_what_readers_would_refuse) {

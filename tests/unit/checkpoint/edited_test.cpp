@@ -179,8 +179,7 @@ TEST_F(Edited, record_without_a_unit_is_refused) {
     check(H5Adelete_by_name(file, "/series/tau", "unit", H5P_DEFAULT), "delete");
   });
   EXPECT_EQ(failure_of([&] { checked_content(read(), kEntry); }),
-            file("e.h5").string() +
-                ": /series/tau has lost its attribute unit; set it to that of the other record");
+            file("e.h5").string() + ": /series/tau has the unit ''; expected 'N'");
 }
 
 TEST_F(Edited, content_that_readers_would_refuse_is_not_sealed) {

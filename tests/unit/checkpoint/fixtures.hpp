@@ -78,6 +78,9 @@ inline Parameters small_parameters() {
   parameters.h = 0.01;
   parameters.N_s = 3;
   parameters.f_new = NewForce::f_slip;
+  parameters.E /= 4;  // for such a time step
+  parameters.dt = 1e-5;
+  parameters.V = 1e-3;
   return parameters;
 }
 
@@ -113,7 +116,8 @@ inline Checkpoint small_checkpoint() {
   return checkpoint;
 }
 
-/// Sample number n; every value differs from every other one.
+/// Sample number n of a record with small_parameters(); every value but `pinned` differs from every
+/// other one.
 inline Sample small_sample(std::size_t Nx, int n) {
   Sample sample;
   sample.time = 0.001 * n;
@@ -122,7 +126,7 @@ inline Sample small_sample(std::size_t Nx, int n) {
   sample.x_drive = 1e-6 * n;
   for (std::size_t i = 0; i < Nx; ++i) {
     const double value = n + static_cast<double>(i) / 16.0;
-    sample.pinned.push_back(static_cast<std::uint16_t>(static_cast<std::size_t>(n) + i));
+    sample.pinned.push_back(static_cast<std::uint16_t>(2 + (static_cast<std::size_t>(n) + i) % 2));
     sample.p.push_back(value);
     sample.tau.push_back(-value);
     sample.u_x.push_back(1e-6 * value);
