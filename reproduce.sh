@@ -10,7 +10,7 @@ root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 
 # Debian's Python comes first: another one on the PATH may lack h5py.
 python=/usr/bin/python3
-[[ -x $python ]] || "$root/recipes/reproduce/set-up.sh" packages build
+[[ -x $python ]] || "$root/recipes/reproduce/set-up.sh" python "$@"
 [[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME

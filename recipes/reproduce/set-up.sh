@@ -5,6 +5,7 @@
 # Installs packages and builds programs, for ./reproduce.sh:
 #
 #   set-up.sh packages PURPOSE...               those that packages.txt names for these purposes
+#   set-up.sh python COMMAND...                 those to begin a command where Python is missing
 #   set-up.sh build CORES TARGET [PURPOSE...]   a target of the release build; first the packages that
 #                                               it needs, and meanwhile those for these purposes
 #   set-up.sh configure PRESET
@@ -52,7 +53,7 @@ update_lists() {
 
 install_packages() {
   update_lists &&
-    apt-get -o DPkg::Lock::Timeout="$patience" install -y --no-install-recommends "$@"
+    apt-get -o DPkg::Lock::Timeout="$patience" install -y --no-remove --no-install-recommends "$@"
 }
 
 is_debian() { command -v dpkg-query && command -v apt-get; } >/dev/null
@@ -73,9 +74,18 @@ ensure_packages() {
     quietly packages "Installing packages" install_packages "${missing[@]}"
   else
     echo "Some Debian packages are missing. Install them with this command, then start again:" >&2
-    echo "sudo apt-get install --no-install-recommends ${missing[*]}" >&2
+    echo "sudo apt-get install --no-remove --no-install-recommends ${missing[*]}" >&2
     exit 1
   fi
+}
+
+# Root gets the rest while the programs are compiled; others are told at once of all they need.
+ensure_python() {
+  local words=" $* " purposes=(build)
+  words=${words/ test-slurm / slurm }
+  words=${words/ tidy / check }
+  ((EUID == 0)) || purposes+=(run "$words")  # other words are no purposes
+  ensure_packages "${purposes[@]}"
 }
 
 # --- building ------------------------------------------------------------------------------
@@ -119,6 +129,7 @@ build_while_installing() {
 mkdir -p "$logs"
 case $1 in
   packages) shift && ensure_packages "$@" ;;
+  python) shift && ensure_python "$@" ;;
   configure) configure "$2" ;;
   build) shift && build_while_installing "$@" ;;
 esac

@@ -21,7 +21,7 @@ usage() {
 demand_fuzzer() {
   local program='extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }'
   if clang++ -fsanitize=fuzzer,address -x c++ - -o /dev/null <<<"$program" 2>/dev/null; then return; fi
-  echo "Skipped: clang++ or its fuzzer (libclang-rt-14-dev) is not installed."
+  echo "Skipped: clang++ or its fuzzer (libclang-rt-dev) is not installed."
   if [[ -n ${CI-} ]]; then exit 1; fi
   exit "$skipped"
 }

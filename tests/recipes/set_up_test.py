@@ -11,9 +11,11 @@ import unittest
 
 from stand_ins import SWEEP, WITHIN, Project, write_program
 
+NOBODY = 65534
+
 
 class SettingUp(Project):
-    def set_up(self, *words):
+    def set_up(self, *words, user=None):
         return subprocess.run(
             [self.root / "recipes/reproduce/set-up.sh", *words],
             env=self.environment(),
@@ -21,6 +23,7 @@ class SettingUp(Project):
             text=True,
             check=False,
             timeout=WITHIN,
+            user=user,
         )
 
     def calls(self):
@@ -85,8 +88,19 @@ class Installing(SettingUp):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(
             self.calls(),
-            "^update\nupdate\n-o DPkg::Lock::Timeout=[0-9]+ install -y .* lammps\n$",
+            "^update\nupdate\n-o DPkg::Lock::Timeout=[0-9]+ install -y --no-remove .* lammps\n$",
         )
+
+    def test_who_is_not_root_hears_of_all_packages_at_once(self):
+        self.root.chmod(0o777)
+        table = (self.root / "packages.txt").read_text(encoding="utf-8")
+        for command, purpose in (("fig3", "run"), ("tidy", "check"), ("test-slurm", "slurm")):
+            done = self.set_up("python", "--cores", "1", command, user=NOBODY)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            command = "sudo apt-get install --no-remove --no-install-recommends "
+            named = done.stderr.splitlines()[-1].removeprefix(command).split()
+            needed = re.findall(f"^(?:build|run|{purpose}) +(\\S+)", table, re.MULTILINE)
+            self.assertEqual(named, sorted(set(needed)))
 
     def test_what_compiling_needs_is_installed_first_and_the_rest_meanwhile(self):
         write_program(
