@@ -154,7 +154,8 @@ void read_array_bytes(const Content& content, const std::string& path, DataType 
 }
 
 std::string read_text(const Content& content, const std::string& path) {
-  const Dataset& dataset = expect(content, path, DataType::text, {});
+  const Shape scalar;
+  const Dataset& dataset = expect(content, path, DataType::text, scalar);
   std::string text(reinterpret_cast<const char*>(dataset.bytes.data()), dataset.bytes.size());
   text.resize(text.find_last_not_of('\0') + 1);  // npos + 1 = 0: nothing but nulls
   return text;

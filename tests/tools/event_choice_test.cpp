@@ -144,7 +144,7 @@ TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {
     EXPECT_EQ(row[0], std::to_string(n));
     EXPECT_EQ(std::stod(row[1]), events[n]["t_start"]);
     EXPECT_EQ(row[5], events[n]["spanning"] ? "true" : "false");
-    EXPECT_EQ(row[6], events[n]["type"]);
+    EXPECT_EQ(row[6], events[n]["type"].get<std::string>());
     const Json& slow = events[n]["slow"];
     EXPECT_EQ(row[7].empty(), slow.is_null());
     if (!slow.is_null()) {

@@ -86,8 +86,17 @@ TEST_F(Rupture, refuses_what_is_no_tool) {
   expect_refusal("rupture ../bin/load", kUsage,
                  "unknown tool '../bin/load': did you mean 'load'? See rupture help");
   expect_refusal_with("rupture help prepear", kUsage, "did you mean 'prepare'?");
+}
+
+TEST_F(Rupture, says_where_it_misses_the_programs_if_it_was_copied) {
   write("libexec/rupture/restart", "not executable");
-  EXPECT_NE(run_installed({"restart"}).err.find("unknown tool 'restart'"), std::string::npos);
+  for (const std::string folder : {"libexec/rupture", "bin"}) {
+    const Outcome copied = run_installed({"restart"});
+    EXPECT_EQ(copied.exit_code, kFailed);
+    EXPECT_EQ(copied.err, "rupture: there is no program restart in " + path(folder).string() +
+                              ": install rupture, or link to it instead of copying it\n");
+    fs::remove_all(path("libexec"));
+  }
 }
 
 TEST_F(Rupture, shows_its_help_where_no_tool_is_given) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -64,8 +65,13 @@ std::vector<std::string_view> tool_names() {
 }
 
 fs::path tool_path(const std::string& name) {
-  const fs::path program = tool_folder() / name;
+  const fs::path folder = tool_folder(), program = folder / name;
   if (fs::path(name).filename() == name && can_run(program)) return program;
+  if (std::ranges::count(tool_names(), name) != 0) {
+    throw Failure(fmt::format(
+        "there is no program {} in {}: install rupture, or link to it instead of copying it", name,
+        folder.string()));
+  }
   throw UsageError(fmt::format("unknown tool '{}': did you mean '{}'? See rupture help", name,
                                nearest(name, tool_names())));
 }
