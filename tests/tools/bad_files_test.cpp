@@ -139,7 +139,7 @@ TEST_F(BadFiles, damaged) {
 }
 
 /// A sample of the bits and lengths; all of them are in tests/unit/checkpoint/damage_test.cpp.
-TEST_F(BadFiles, damaged_anywhere) {
+TEST_F(BadFiles, SLOW_damaged_anywhere) {
   const std::string whole = read("good.h5");
   for (std::size_t bit = 40; bit < 8 * whole.size(); bit += 1 + 8 * whole.size() / 60) {
     std::string bytes = whole;

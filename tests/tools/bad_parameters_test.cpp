@@ -318,7 +318,7 @@ TEST_F(BadOptions, too_many_junctions_for_a_record_are_refused) {
                       kUsage, "junctions.N_s = 70000 is too large for a record");
 }
 
-TEST_F(BadOptions, lattice_too_large_for_the_memory_is_refused) {
+TEST_F(BadOptions, SLOW_lattice_too_large_for_the_memory_is_refused) {
   if (RUPTURE_SANITIZED) GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
   const RunOptions two_gigabytes = {.memory = std::uint64_t{2} << 30U};
   constexpr const char* sentence = "not enough memory for a lattice of this size";

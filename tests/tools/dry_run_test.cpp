@@ -52,14 +52,14 @@ constexpr const char* kWide =
 constexpr const char* kWider =
     " --set slider.Nx=141 --set slider.Nz=76 --set numerics.dt=1e-7 --set driving.h=0.005";
 
-TEST_F(DryRun, memory_and_disk_of_load) {
+TEST_F(DryRun, SLOW_memory_and_disk_of_load) {
   expect_forecast_holds(std::string("load -o a.h5 --until 1e-5 --checkpoint-every 5e-6") + kWide);
   expect_forecast_holds(std::string("load -o c.h5 --until 1e-5 --checkpoint-every 5e-6") + kWider);
   expect_forecast_holds("load -o b.h5 --until 2e-4 --record b-r.h5 --record-every 2e-6");
   expect_forecast_holds("load -o d.h5 --until 2e-3 --record d-r.h5 --fields 2e-6");
 }
 
-TEST_F(DryRun, memory_and_disk_of_restart) {
+TEST_F(DryRun, SLOW_memory_and_disk_of_restart) {
   output_of(std::string("load -o a.h5 -q") + kWide);
   expect_forecast_holds("restart a.h5 -o b.h5 --for 1e-5 --checkpoint-every 2e-6");
   expect_forecast_holds("restart a.h5 -o c.h5 --for 5e-4 --record c-r.h5 --record-every 1e-7");

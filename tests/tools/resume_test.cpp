@@ -86,7 +86,7 @@ TEST_F(Resume, of_a_complete_run_does_nothing) {
   EXPECT_TRUE(files() == before);
 }
 
-TEST_F(Resume, quiet_run_ends_where_the_uninterrupted_one_ends) {
+TEST_F(Resume, SLOW_quiet_run_ends_where_the_uninterrupted_one_ends) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
   const std::string run =
       "restart begin.h5 -o x.h5 --sum --until-quiet 1e-4 --checkpoint-every 1e-4 --set driving.V=0";
@@ -214,7 +214,7 @@ TEST_F(Resume, goes_not_beyond_the_end_that_is_asked_for) {
   EXPECT_EQ(checksum_of("x.h5"), checksum_of("short.h5"));
 }
 
-TEST_F(Resume, uses_no_checkpoint_behind_the_end_of_a_quiet_run) {
+TEST_F(Resume, SLOW_uses_no_checkpoint_behind_the_end_of_a_quiet_run) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
   const std::string run =
       "restart begin.h5 -o x.h5 --sum --checkpoint-every 1e-4 --set driving.V=0";

@@ -61,7 +61,7 @@ TEST_F(Rupture, says_in_its_own_help_what_tools_say_of_themselves) {
   EXPECT_NE(help.find("\n  restart      \n"), std::string::npos) << help;
 }
 
-TEST_F(Rupture, lists_every_tool_with_a_summary) {
+TEST_F(Rupture, SLOW_lists_every_tool_with_a_summary) {
   const Json tools = json_of("rupture --describe").at("tools");
   const std::string help = output_of("rupture help");
   EXPECT_GE(tools.size(), 5U);

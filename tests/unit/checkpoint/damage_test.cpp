@@ -54,19 +54,19 @@ class Damage : public testing::InFolder {
   }
 };
 
-TEST_F(Damage, of_any_single_bit_of_a_checkpoint_is_refused) {
+TEST_F(Damage, SLOW_of_any_single_bit_of_a_checkpoint_is_refused) {
   expect_every_flip_refused(checkpoint());
 }
 
-TEST_F(Damage, of_any_single_bit_of_a_record_is_refused) {
+TEST_F(Damage, SLOW_of_any_single_bit_of_a_record_is_refused) {
   expect_every_flip_refused(record());
 }
 
-TEST_F(Damage, by_truncation_of_a_checkpoint_to_any_length_is_refused) {
+TEST_F(Damage, SLOW_by_truncation_of_a_checkpoint_to_any_length_is_refused) {
   expect_every_truncation_refused(checkpoint());
 }
 
-TEST_F(Damage, by_truncation_of_a_record_to_any_length_is_refused) {
+TEST_F(Damage, SLOW_by_truncation_of_a_record_to_any_length_is_refused) {
   expect_every_truncation_refused(record());
 }
 

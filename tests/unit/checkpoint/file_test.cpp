@@ -112,7 +112,7 @@ TEST_F(File, without_read_permission_is_refused_with_the_reason) {
                   "could not read " + quoted("x.h5") + ": Permission denied");
 }
 
-TEST_F(File, foreign_truncated_or_damaged_is_refused) {
+TEST_F(File, SLOW_foreign_truncated_or_damaged_is_refused) {
   spill(file("x.h5"), "hello");
   expect_contains(reading(file("x.h5")), "x.h5 is not a rupture file");
   write(file("x.h5"), IfExists::replace);

@@ -70,7 +70,7 @@ TEST_F(RecordFile, of_a_run_killed_at_any_moment_is_readable) {
   }
 }
 
-TEST_F(RecordFile, in_the_making_ends_with_its_last_whole_piece) {
+TEST_F(RecordFile, SLOW_in_the_making_ends_with_its_last_whole_piece) {
   auto out = writer("r.h5", 4);
   std::vector<std::size_t> sizes;
   for (int n = 0; n <= 12; n += 4) {
