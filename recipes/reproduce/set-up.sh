@@ -92,18 +92,40 @@ ensure_python() {
 
 configure() { quietly "configure-$1" "Configuring" cmake --preset "$1"; }
 
-# Says so only if there is something to compile or to link.
+# Only if there is something to compile or to link.
+say_building() {
+  [[ -n ${said-} ]] || echo "Building (log: $logs/build.log) ..."
+  said=yes
+}
+
+# On a terminal in one line that changes, elsewhere in a line for each tenth. Bash does not wait for
+# more lines than one, as Debian's awk does.
+show_progress() {
+  local line percent tenth=0 before='' after=$'\n'
+  [[ ! -t 1 ]] || before=$'\r' after=''
+  while IFS= read -r line; do
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (Building|Linking) ]] || continue
+    say_building
+    percent=$((100 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+    [[ -n $after ]] && ((percent / 10 == tenth)) && continue
+    tenth=$((percent / 10))
+    printf '%s  %d %%%s' "$before" "$percent" "$after"
+  done
+  [[ -n $after || -z ${said-} ]] || echo
+}
+
 run_build() {
   local cores=$1 target=$2
   cmake --build --preset release --parallel "$cores" --target "$target" 2>&1 |
-    tee "$logs/build.log" |
-    awk -v path="$logs/build.log" \
-      '/\] (Building|Linking)/ && !said { print "Building (log: " path ") ..."; fflush(); said = 1 }'
+    tee "$logs/build.log" | show_progress
 }
 
 # If another file than the presets has changed, Ninja configures by itself.
 build() {
-  [[ build/release/build.ninja -nt CMakePresets.json ]] || configure release
+  [[ build/release/build.ninja -nt CMakePresets.json ]] || {
+    say_building
+    configure release
+  }
   run_build "$@" || {
     tail -n 60 "$logs/build.log" >&2
     die "The build failed; the whole output is in $PWD/$logs/build.log."

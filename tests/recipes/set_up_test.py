@@ -46,17 +46,41 @@ class Building(SettingUp):
         targets = re.findall(r"--target (\S+)", self.calls())
         self.assertEqual(targets, ["tools"])
 
+    def configured(self):
+        ninja = self.root / "build/release/build.ninja"
+        ninja.parent.mkdir(parents=True)
+        ninja.touch()
+        return ninja
+
     def test_building_is_said_when_something_is_built(self):
+        self.configured()
         self.make_cmake("[0/1] Re-checking globbed directories...\\nninja: no work to do.\\n")
         self.assertEqual(self.set_up("build", "2", "tools").stdout, "")
         self.make_cmake("[1/2] Building CXX object x.o\\n[2/2] Linking CXX executable x\\n")
         said = self.set_up("build", "2", "tools").stdout
-        self.assertEqual(said, "Building (log: build/log/build.log) ...\n")
+        self.assertEqual(said, "Building (log: build/log/build.log) ...\n  50 %\n  100 %\n")
+
+    def test_a_first_build_is_said_at_once_and_its_percentage_moves(self):
+        wait = "for i in {1..100}; do [[ -e %s ]] && break; sleep 0.1; done; [[ -e %s ]] || exit 1"
+        text = "#!/bin/bash\n" + wait.replace("%s", "said") + "\n[[ $1 == --build ]] || exit 0\n"
+        text += "for n in 1 2 3 4; do echo [$n/40] Building x.o; done\n" + wait.replace(
+            "%s", "moved"
+        )
+        write_program(self.bin / "cmake", text)
+        words = ["recipes/reproduce/set-up.sh", "build", "2", "tools"]
+        with subprocess.Popen(
+            words, cwd=self.root, env=self.environment(), stdout=subprocess.PIPE, text=True
+        ) as started:
+            lines = iter(started.stdout or ())
+            self.assertTrue(next(lines, "").startswith("Building"))
+            (self.root / "said").touch()
+            self.assertEqual(next(lines, ""), "  10 %\n")
+            (self.root / "moved").touch()
+        self.assertEqual(started.returncode, 0)
 
     def test_configures_if_the_presets_are_newer(self):
         self.make_cmake("")
-        presets, ninja = self.root / "CMakePresets.json", self.root / "build/release/build.ninja"
-        ninja.parent.mkdir(parents=True)
+        presets, ninja = self.root / "CMakePresets.json", self.configured()
         for path in (presets, ninja, presets):
             path.touch()
             self.set_up("build", "2", "tools")
@@ -65,6 +89,7 @@ class Building(SettingUp):
 
     def test_a_failed_build_shows_its_end(self):
         write_program(self.bin / "cmake", "#!/bin/sh\necho error: x\n! [ $1 = --build ]\n")
+        self.configured()
         done = self.set_up("build", "2", "tools")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn(
