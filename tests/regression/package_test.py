@@ -6,6 +6,7 @@
 package_test.py BUILD COMPILER
 """
 
+import re
 import shutil
 import subprocess
 import sys
@@ -15,6 +16,7 @@ from pathlib import Path
 
 BUILD, COMPILER = sys.argv[1:3]
 PROJECT = Path(__file__).resolve().parent / "project"
+ROOT = PROJECT.parents[2]
 
 
 def run(*command):
@@ -115,6 +117,19 @@ class Package(unittest.TestCase):
         result = self.configure()
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.done("cmake", "--build", self.build, "--target", "my_program")
+
+    def test_any_version_of_eigen_is_taken(self):
+        """By ours and by our users' projects: a version asked for excludes the next major one."""
+        cache = (Path(BUILD) / "CMakeCache.txt").read_text(encoding="utf-8")
+        [installed] = re.findall("^Eigen3_DIR:PATH=(.*)$", cache, re.MULTILINE)
+        config = self.prefix.parent / "Eigen3Config.cmake"
+        config.write_text(f'include("{installed}/Eigen3Config.cmake")\n')
+        config.with_name("Eigen3ConfigVersion.cmake").write_text("set(PACKAGE_VERSION 5.0)\n")
+        options = (f"-DEigen3_DIR={config.parent}", f"-DCMAKE_IGNORE_PATH={installed}")
+        for source in (self.source, ROOT):
+            shutil.rmtree(self.build, ignore_errors=True)
+            result = self.configure("-S", source, "-DRUPTURE_TESTS=OFF", *options)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
     def test_without_its_dependencies_the_library_is_missed_only_if_asked_for(self):
         without = "-DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON"
