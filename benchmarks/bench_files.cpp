@@ -101,7 +101,7 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
     record_a = !record_a;
     bench.SetIterationTime(with.back());
   }
-  const double finish = seconds_for([&] {
+  const double finish = seconds_for([&, &parts = parts] {  // clang 14 does not capture a binding
     recorder.finish(run_a);
     if (parts.fields == Fields::record) fields.finish(run_a);
     writer.finish();

@@ -3,6 +3,7 @@
 
 """Tests of the programs, and checks of the sources: ./reproduce.sh test, check, tidy."""
 
+import json
 import re
 import subprocess
 from pathlib import Path
@@ -115,6 +116,26 @@ def check_licences(processes):
         )
 
 
+def compile_commands():
+    """Each C++ file and header by itself; a header that a source includes first, with that."""
+    first = re.compile(r'#include ["<](.+)[">]')
+    found = [first.search(Path(path).read_text()) for path in sources(".cpp")]
+    included = tuple(f"/{each[1]}" for each in found if each)
+    for entry in json.loads(Path("build/check/compile_commands.json").read_text()):
+        if Path(entry["file"]).exists() and not entry["file"].endswith(included):
+            yield re.sub(" -o .*", " -fsyntax-only ", entry["command"]) + entry["file"]
+
+
+def compile_each_alone(request, processes):
+    """Without precompiled headers and groups of files, which hide that an #include is missing."""
+    set_up(processes, "configure", "check")
+    commands = Path("build/check/commands")
+    commands.write_text("\n".join(compile_commands()))
+    each = f"xargs -P {request.cores} -d \\n -n 1 -a {commands} sh -c"
+    if processes.run(each.split()):
+        raise Failure("The files above cannot be compiled by themselves.")
+
+
 def check_sources(request, processes):
     """Without the headers of libraries, which the compiler sees, cppcheck takes seconds."""
     ensure_packages(processes, "build", "run", "check")
@@ -126,6 +147,7 @@ def check_sources(request, processes):
         [*CPPCHECK, "-j", str(request.cores), "include", "src", "tests", "benchmarks"]
     ):
         raise Failure("cppcheck found the faults above (.cppcheck has what it may not say).")
+    compile_each_alone(request, processes)
     say("The sources are laid out as they should be, and no fault was found in them.")
 
 

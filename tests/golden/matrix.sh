@@ -46,8 +46,8 @@ demand_sysroot() {
   fi
 }
 
-# As fast as it can be compiled: the states come from the library, so the programs need no optimisation;
-# and the build under ThreadSanitizer compiles each file alone, so here all of a target are one.
+# As fast as it can be compiled: the states come from the library, so the programs need no optimisation,
+# and all files of a target are one.
 build_programs() {
   cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None "$@" \
     -DCMAKE_CXX_FLAGS="$level" -DRUPTURE_KERNEL_FLAGS="$level" -DRUPTURE_PROGRAM_FLAGS=-O0 \

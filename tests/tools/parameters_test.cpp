@@ -4,6 +4,8 @@
 // parameters: each row of the table, alone, by group and as JSON.
 #include "rupture/model/parameters.hpp"
 
+#include <fmt/format.h>
+
 #include "rupture/model/error.hpp"
 #include "tool_test.hpp"
 

@@ -17,7 +17,8 @@ namespace rupture::tools {
 std::vector<std::string_view> tool_names();
 
 /// The program of this name: in ../libexec/rupture if this one is installed, else beside it. Throws
-/// Failure if one of tool_names() is not there, UsageError with the nearest of them for other names.
+/// Failure if one of tool_names() is not there, UsageError with the nearest of them for other
+/// names.
 std::filesystem::path tool_path(const std::string& name);
 
 /// What each of tool_names() answers to --describe (docs/schema.md); of one that does not, only its

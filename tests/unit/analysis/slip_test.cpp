@@ -111,11 +111,11 @@ Front made_up_front() {
 
 class SlowSlipBehindAFront : public ::testing::Test {
  protected:
-  const Parameters p_;
+  const Parameters p_{};
   const Front front_ = made_up_front();
   const double wait_ = p_.H / shear_wave_speed(p_);
   const double t_R_ = mean_slipping_time(p_);
-  const SlowSlipCriteria criteria_;
+  const SlowSlipCriteria criteria_{};
 };
 
 TEST_F(SlowSlipBehindAFront, begins_after_the_rupture_of_the_block) {

@@ -3,6 +3,7 @@
 
 // What a record may hold besides its series: crossings of other pinned fractions, and fields.
 #include <array>
+#include <filesystem>
 #include <limits>
 
 #include "record_fixture.hpp"
@@ -11,6 +12,7 @@
 namespace rupture {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::expect_contains;
 using testing::failure_of;
 using testing::RecordFile;
