@@ -17,9 +17,8 @@ from claims.claim import number, write_claims
 from claims.own_result import OwnResult, write_own
 from data.records import report
 from data.tables import read_rows, write_table
-from events.conventions import IN_WORDS, PRIMARY
+from events.conventions import PRIMARY
 from events.event_claims import case_of_event
-from events.fronts import is_fast_slow_fast_in_words
 from events.units import name_of
 from maps.front_map import IMPOSSIBLE, band, place_of, type_on_map
 from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
@@ -60,9 +59,8 @@ RANGE = (5, 95)  # [%]
 
 def spanning_events(path):
     """Pairs of an event of a load and whether it is fast-slow-fast in words."""
-    events = report(path)
-    pairs = zip(events[PRIMARY], events[IN_WORDS])
-    return [(e, is_fast_slow_fast_in_words(words)) for e, words in pairs if e["spanning"]]
+    events = report(path)[PRIMARY]
+    return [(event, event["fast_slow_fast"]) for event in events if event["spanning"]]
 
 
 def by_choice(paths):

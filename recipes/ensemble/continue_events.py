@@ -32,7 +32,7 @@ from data.scratch import scratch
 from events.choose_events import start
 from events.continuations import BRANCHES, CONTINUATIONS, DURATION, LEAD, SLIP_AT, SLIPS, WIDER
 from events.conventions import IN_WORDS, WAYS
-from events.fronts import is_fast_slow_fast_in_words, middle_of_slow_stretch
+from events.fronts import middle_of_slow_stretch
 
 RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FRONTS = ["stopped", "no-slow-slip", "wider"]  # of which the front is measured
@@ -139,7 +139,7 @@ def measure(workshop, event, before):
 def main(programs, run, checkpoint_every, record_options):
     events = json.loads(Path(f"{run}-events.json").read_text(encoding="utf-8"))[IN_WORDS]
     found = {}
-    for event in filter(is_fast_slow_fast_in_words, events):
+    for event in (event for event in events if event["fast_slow_fast"]):
         before = start(event, float(checkpoint_every))
         before["checkpoint"] = Path(f"{run}-t{before['from']}.h5")
         with scratch(Path(f"{run}-scratch")) as folder:

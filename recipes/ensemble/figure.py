@@ -18,9 +18,8 @@ from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
-from events.conventions import IN_WORDS
 from events.event_claims import is_fast_slow_fast
-from events.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast_in_words
+from events.fronts import has_slow_stretch, is_fast_only
 from events.product import CLAIMS as PRODUCT_CLAIMS
 from events.product import range_of
 from pictures.plotting import BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
@@ -49,16 +48,15 @@ OF_SLOW = {  # name in a report: for readers
 }
 
 
-def kind_of(event, event_in_words):
-    if is_fast_slow_fast_in_words(event_in_words):
+def kind_of(event):
+    if event["fast_slow_fast"]:
         return alternation.SLOW
     return "fast everywhere" if is_fast_only(event) else "other"
 
 
 def spanning_events(path):
     """(kind, event) of a load."""
-    pairs = zip(read_events(path), read_events(path, IN_WORDS))
-    return [(kind_of(*pair), pair[0]) for pair in pairs if pair[0]["spanning"]]
+    return [(kind_of(event), event) for event in read_events(path) if event["spanning"]]
 
 
 def load_of(path):

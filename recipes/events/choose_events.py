@@ -16,8 +16,8 @@ import sys
 
 from data.records import report
 from events.continuations import LEAD
-from events.conventions import IN_WORDS, PRIMARY
-from events.fronts import is_fast_only, is_fast_slow_fast_in_words
+from events.conventions import PRIMARY
+from events.fronts import is_fast_only
 
 
 def start(event, checkpoint_every):
@@ -31,9 +31,9 @@ def read_events(path, convention=PRIMARY):
     return report(path)[convention]
 
 
-def choose(events_in_words, events):
+def choose(events):
     """{name: event}; None where the load has no such event."""
-    slow = [event for event in events_in_words if is_fast_slow_fast_in_words(event)] + [None, None]
+    slow = [event for event in events if event["fast_slow_fast"]] + [None, None]
     later = (event for event in events if slow[0] and event["t_start"] > slow[0]["t_start"])
     return {
         "fast-slow-fast": slow[0],
@@ -43,7 +43,7 @@ def choose(events_in_words, events):
 
 
 def main(path, checkpoint_every):
-    chosen = choose(read_events(path, IN_WORDS), read_events(path))
+    chosen = choose(read_events(path))
     if missing := [name for name, event in chosen.items() if event is None]:
         sys.exit(f"{path} has no event {' and no '.join(missing)}: load for longer")
     starts = {name: start(event, float(checkpoint_every)) for name, event in chosen.items()}

@@ -17,7 +17,6 @@ from events.fronts import (
     LOADING_ZONE,
     front_spans,
     is_fast_slow,
-    is_fast_slow_fast_in_words,
     middle_of_slow_stretch,
 )
 
@@ -65,9 +64,7 @@ def is_fast_slow_fast(front):
 
 def words_case(front):
     """Claims 2Aw, S6Aw and Expw; the front is measured with conventions.IN_WORDS."""
-    return case_of_event(front) | {
-        "fast-slow-fast in words": yes(is_fast_slow_fast_in_words(front))
-    }
+    return case_of_event(front) | {"fast-slow-fast in words": yes(front["fast_slow_fast"])}
 
 
 def words_shown(front):

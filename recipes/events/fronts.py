@@ -7,8 +7,6 @@
 """
 
 SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of `analyze front`
-FAST_IN_WORDS = 1 / 10  # of c_s
-STENCILS_IN_WORDS = 3
 FAST_OVER_SLOW = 10  # claim S2
 SLOW_FOR = 0.5e-3  # [s], at least (claim S2)
 LOADING_ZONE = 0.02  # [m]; speeds within it do not count
@@ -21,20 +19,6 @@ def middle_of_slow_stretch(front):
 
 def front_spans(front):
     return front["type"] in ("slow", "fast")
-
-
-def is_fast_slow_fast_in_words(front):
-    """Spans, with three stencils or more below c_s/10, and a median of at least c_s/10 before and
-    after them. The front is measured as conventions.IN_WORDS says."""
-    slow = front["slow"]
-    if front["type"] != "slow" or slow is None:
-        return False
-    if slow["fast_before"] is None or slow["fast_after"] is None:
-        return False
-    return (
-        slow["stencils"] >= STENCILS_IN_WORDS
-        and min(slow["fast_before"], slow["fast_after"]) >= FAST_IN_WORDS * front["c_s"]
-    )
 
 
 def is_fast_slow(front):

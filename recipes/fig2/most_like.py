@@ -34,11 +34,10 @@ SUM = "sum of squared logarithms"
 
 def ratios_of(event):
     """Measured over the paper's; None where the event spans without a slow stretch, or where one of
-    the five is not known or not positive: a front that runs backwards is none of the paper's. A
-    stretch that is not fast at an end has no transition there."""
+    the five is not known or zero. A stretch that is not fast at an end has no transition there."""
     case = case_of_event(event)
     known = [case[key] for key, _ in PAPER.values()] + [case["fast/slow after"]]
-    if not has_slow_stretch(event) or not all(value and value > 0 for value in known):
+    if not has_slow_stretch(event) or not all(known):
         return None
     return {name: case[key] / of_paper for name, (key, of_paper) in PAPER.items()}
 

@@ -20,7 +20,6 @@ from data.tables import write_fronts, write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
 from events.event_claims import case_of_event, words_case, words_shown
-from events.fronts import is_fast_slow_fast_in_words
 from events.units import below_c_s_over_8
 from events.units import in_words as units_in_words
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
@@ -88,7 +87,7 @@ def measured(fronts, events):
 
 
 def claims_of(fronts, events, in_words, loads):
-    first = next(filter(is_fast_slow_fast_in_words, in_words), in_words[0])
+    first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
     return [
         judged(
             "S6A",

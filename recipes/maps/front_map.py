@@ -87,6 +87,14 @@ def beyond_trigger(front, stencil=None):
     return speeds(front, stencil)[first + stencil // 2 - STENCIL // 2 :]
 
 
+def has_spanned(front):
+    """Whether more than half of the blocks beyond the trigger region ruptured, the one at the
+    leading edge among them and not first."""
+    first = int(np.searchsorted(front["x"], SKIP_BELOW_X, side="right"))
+    times = values(front["t_rupture"])[first:]
+    return 2 * np.isfinite(times).sum() > len(times) and bool((times < times[-1]).any())
+
+
 def front_type(front, slow_below=SLOW_BELOW, stencil=None, ruptured_below=None):
     """The type by another threshold, stencil or pinned fraction than those that `analyze front` was
     called with."""
@@ -94,10 +102,9 @@ def front_type(front, slow_below=SLOW_BELOW, stencil=None, ruptured_below=None):
         return IMPOSSIBLE
     if ruptured_below is not None:
         front = front["at"][ruptured_below]
-    if front["t_rupture"][-1] is None:
+    if not has_spanned(front):
         return "arrested"
-    v_c = beyond_trigger(front, stencil)
-    slow = (v_c > 0) & (v_c < slow_below * front["c_s"])
+    slow = np.abs(beyond_trigger(front, stencil)) < slow_below * front["c_s"]
     return "slow" if slow.any() else "fast"
 
 

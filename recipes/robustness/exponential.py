@@ -19,7 +19,7 @@ from data.tables import points_of, write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS, PRIMARY
 from events.event_claims import case_of_event, words_case, words_shown
-from events.fronts import has_slow_stretch, is_fast_only, is_fast_slow_fast_in_words
+from events.fronts import has_slow_stretch, is_fast_only
 from events.units import in_words as units_in_words
 from events.units import of_loads
 from maps.front_map import TYPES, read_map, types_of, write_types
@@ -101,7 +101,7 @@ def with_map(units, of_map):
 
 
 def claim_words(in_words, of_map, loads):
-    first = next(filter(is_fast_slow_fast_in_words, in_words), in_words[0])
+    first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
     return judged(
         "Expw",
         words_shown(first) | of_map,

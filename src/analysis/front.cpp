@@ -4,6 +4,7 @@
 #include "rupture/analysis/front.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rupture/analysis/statistics.hpp"
 #include "rupture/model/derived.hpp"
@@ -11,11 +12,16 @@
 namespace rupture {
 namespace {
 
+/// What the paper calls slow (Discussion), and how many stencils of it make a stretch.
+constexpr double kSlowInWords = 1.0 / 10.0;
+constexpr std::size_t kStencilsInWords = 3;
+
+/// Those of the stencils that run forwards.
 std::vector<double> speeds(const std::vector<std::optional<double>>& v_c, std::size_t from,
                            std::size_t to) {
   std::vector<double> values;
   for (std::size_t i = from; i < to; ++i) {
-    if (v_c[i]) values.push_back(*v_c[i]);
+    if (v_c[i] && *v_c[i] > 0.0) values.push_back(*v_c[i]);
   }
   return values;
 }
@@ -25,10 +31,14 @@ struct Stretch {
   std::size_t first, last;
 };
 
-/// Whether the stencil around block i measures a front that moves on, beyond the loading zone.
+/// Whether the stencil around block i measures a speed beyond the loading zone.
+bool counts(const Front& front, std::size_t i, const FrontCriteria& criteria) {
+  return front.line.x[i] > criteria.skip_below_x && front.v_c[i];
+}
+
+/// The same of a front that moves on.
 bool moves_on(const Front& front, std::size_t i, const FrontCriteria& criteria) {
-  const auto& v = front.v_c[i];
-  return front.line.x[i] > criteria.skip_below_x && v && *v > 0.0;
+  return counts(front, i, criteria) && *front.v_c[i] > 0.0;
 }
 
 /// Whether block i + 1 ruptured after block i; both did.
@@ -117,6 +127,35 @@ std::optional<SlowStretch> longest(const Front& front, const std::vector<Stretch
   return longest;
 }
 
+bool is_slow_anywhere(const Front& front, double limit, const FrontCriteria& criteria) {
+  for (std::size_t i = 0; i < front.v_c.size(); ++i) {
+    if (counts(front, i, criteria) && std::abs(*front.v_c[i]) < limit) return true;
+  }
+  return false;
+}
+
+std::size_t backward_stencils(const Front& front, const FrontCriteria& criteria) {
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < front.v_c.size(); ++i) {
+    if (counts(front, i, criteria) && *front.v_c[i] < 0.0) ++found;
+  }
+  return found;
+}
+
+std::optional<SlowStretch> longest_below(const Front& front, double limit,
+                                         const FrontCriteria& criteria) {
+  return longest(front, slow_stretches(front, limit, criteria), criteria);
+}
+
+/// Of a front that spans.
+bool is_fast_slow_fast(const Front& front, double c_s, FrontCriteria criteria) {
+  const double limit = kSlowInWords * c_s;
+  criteria.stencils_at_ends = StencilsAtEnds::slow;
+  const auto slow = longest_below(front, limit, criteria);
+  return slow && slow->stencils >= kStencilsInWords && slow->fast_before.value_or(0.0) >= limit &&
+         slow->fast_after.value_or(0.0) >= limit;
+}
+
 }  // namespace
 
 RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures, double from,
@@ -174,13 +213,15 @@ Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& 
   for (std::size_t i = 0; i < front.line.x.size(); ++i) {
     if (front.line.t_rupture[i]) front.x_arrest = front.line.x[i];
   }
+  front.reached_edge = front.line.t_rupture.back().has_value();
+  front.backward_stencils = backward_stencils(front, criteria);
+  const double c_s = shear_wave_speed(p), limit = criteria.slow_below * c_s;
+  front.slow = longest_below(front, limit, criteria);
   if (front.x_arrest) front.type = FrontType::arrested;
-  const auto runs = slow_stretches(front, criteria.slow_below * shear_wave_speed(p), criteria);
-  front.slow = longest(front, runs, criteria);
-  if (front.line.t_rupture.back()) {
-    front.x_arrest.reset();
-    front.type = runs.empty() ? FrontType::fast : FrontType::slow;
-  }
+  if (!spans(p, front.line.t_rupture, criteria.skip_below_x)) return front;
+  front.x_arrest.reset();
+  front.type = is_slow_anywhere(front, limit, criteria) ? FrontType::slow : FrontType::fast;
+  front.fast_slow_fast = is_fast_slow_fast(front, c_s, criteria);
   return front;
 }
 

@@ -54,7 +54,7 @@ Checkpoint checkpoint_from(const Content& content) {
   checkpoint.parameters = read_parameters(content);
   checkpoint.state = read_state(content, checkpoint.parameters);
   checkpoint.provenance = read_provenance(content);
-  checkpoint.run = read_run(content, checkpoint.state.step);
+  checkpoint.run = read_run(content, checkpoint.parameters, checkpoint.state.step);
   checkpoint.run_id = read_run_id(content);
   refuse_leftovers(content, checkpoint_content(checkpoint));
   return checkpoint;

@@ -32,9 +32,7 @@ std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const S
   const std::int64_t step = state.step;
   if (step >= rule.last_step) return Ending::last_step;
   if (!rule.quiet_steps || step % kQuietCheck != 0) return std::nullopt;
-  if (run.leading_edge_ruptured && !waits_at_edge(state.junctions, rule)) {
-    return Ending::leading_edge;
-  }
+  if (run.spanned && !waits_at_edge(state.junctions, rule)) return Ending::spanned;
   if (step - run.last_break >= *rule.quiet_steps) return Ending::quiet;
   return std::nullopt;
 }

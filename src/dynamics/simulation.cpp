@@ -60,7 +60,7 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads,
   law_->friction(state_.u_x.row(0), contact(), tau_.data());
   note_ruptures();
   ruptures_.clear();  // blocks that had ruptured before this simulation began
-  run_ = {.first_step = state_.step, .last_break = state_.step};
+  run_ = run_from(parameters_, state_.step);
   power_ = initial_power();
 }
 
@@ -163,9 +163,7 @@ void Simulation::note_ruptures() {
 
 void Simulation::note(const Rupture& rupture) {
   ruptures_.push_back(rupture);
-  if (rupture.pinned_below != kRupturedFraction) return;
-  ++run_.ruptures;
-  run_.leading_edge_ruptured |= rupture.block + 1 == parameters_.Nx;
+  if (rupture.pinned_below == kRupturedFraction) add_rupture(parameters_, rupture, run_);
 }
 
 Power Simulation::power(double damping_power, const double* bottom_velocity) const {

@@ -15,56 +15,29 @@ from events.choose_events import choose  # noqa: E402
 from claims.judge import holds  # noqa: E402
 from events.conventions import CONVENTIONS, PRIMARY  # noqa: E402
 from events.event_claims import case_3Cv, claim_3Cv, slow_speeds, speeds_compared  # noqa: E402
-from events.fronts import is_fast_slow_fast_in_words  # noqa: E402
 from events.product import combinations, range_of  # noqa: E402
 from events.slip import peak_speed, with_peak_speed  # noqa: E402
 from events.units import slips_3C  # noqa: E402
 
 
-def event(t_start=0.0, *, stencils=3, before=200.0, after=200.0, kind="slow"):
-    slow = {"stencils": stencils, "fast_before": before, "fast_after": after}
-    return {
-        "t_start": t_start,
-        "type": kind,
-        "slow": slow if kind != "fast" else None,
-        "c_s": 1000.0,
-    }
-
-
-class InWords(unittest.TestCase):
-    def test_three_slow_stencils_between_fast_ones(self):
-        self.assertTrue(is_fast_slow_fast_in_words(event()))
-        self.assertFalse(is_fast_slow_fast_in_words(event(stencils=2)))
-
-    def test_fast_is_a_tenth_of_the_wave_speed(self):
-        self.assertTrue(is_fast_slow_fast_in_words(event(before=100.0, after=100.0)))
-        self.assertFalse(is_fast_slow_fast_in_words(event(before=99.0)))
-        self.assertFalse(is_fast_slow_fast_in_words(event(after=99.0)))
-
-    def test_without_speeds_on_a_side_it_is_none(self):
-        self.assertFalse(is_fast_slow_fast_in_words(event(before=None)))
-        self.assertFalse(is_fast_slow_fast_in_words(event(after=None)))
-
-    def test_what_arrests_or_has_no_slow_stretch_is_none(self):
-        self.assertFalse(is_fast_slow_fast_in_words(event() | {"slow": None}))
-        self.assertFalse(is_fast_slow_fast_in_words(event(kind="arrested")))
-        self.assertFalse(is_fast_slow_fast_in_words(event(kind="fast")))
+def event(t_start, *, kind="slow", fast_slow_fast=True):
+    return {"t_start": t_start, "type": kind, "fast_slow_fast": fast_slow_fast}
 
 
 class Choice(unittest.TestCase):
     def test_the_fast_event_comes_after_the_first_slow_one(self):
         events = [
-            event(0.1, kind="fast"),
+            event(0.1, kind="fast", fast_slow_fast=False),
             event(0.2),
-            event(0.3, kind="fast"),
-            event(0.4, stencils=1),
+            event(0.3, kind="fast", fast_slow_fast=False),
+            event(0.4, fast_slow_fast=False),
             event(0.5),
         ]
-        chosen = {name: found["t_start"] for name, found in choose(events, events).items()}
+        chosen = {name: found["t_start"] for name, found in choose(events).items()}
         self.assertEqual(chosen, {"fast-slow-fast": 0.2, "fast-only": 0.3, "second-slow": 0.5})
 
     def test_a_load_with_one_slow_event_has_no_second(self):
-        chosen = choose([event(0.1)], [event(0.1)])
+        chosen = choose([event(0.1)])
         self.assertIsNone(chosen["second-slow"])
         self.assertIsNone(chosen["fast-only"])
 

@@ -92,14 +92,18 @@ class Types(unittest.TestCase):
             self.assertEqual(front_type(front({9: 1.0}), stencil=stencil), "fast", stencil)
             self.assertEqual(front_type(front({10: 1.0}), stencil=stencil), "slow", stencil)
 
-    def test_what_runs_backwards_does_not_count(self):
+    def test_what_runs_backwards_counts_by_the_magnitude_of_its_speed(self):
         line = front()
         line["t_rupture"][10:15] = [t - 1.0 for t in line["t_rupture"][10:15]]
         line["t_rupture"][15:] = [t - 2.0 for t in line["t_rupture"][15:]]
-        self.assertEqual(front_type(line), "fast")
+        self.assertEqual(front_type(line, stencil=5), "slow")
 
     def test_what_does_not_arrive_is_arrested(self):
         self.assertEqual(front_type(front(arrives=False)), "arrested")
+        edge = front() | {"t_rupture": [None] * 19 + [1.0]}
+        self.assertEqual(front_type(edge), "arrested", "one block")
+        backwards = front() | {"t_rupture": front()["t_rupture"][::-1]}
+        self.assertEqual(front_type(backwards), "arrested", "from the edge")
 
     def test_what_cannot_be_prepared_has_no_type(self):
         self.assertEqual(front_type(None), "impossible")

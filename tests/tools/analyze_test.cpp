@@ -55,7 +55,8 @@ TEST_F(Analyze, stress_of_slipping_blocks_is_at_the_slipping_force) {
 
 TEST_F(Analyze, front_has_the_documented_fields) {
   const Json json = json_of("analyze front r.h5 --json");
-  expect_fields(json, {"x", "t_rupture", "v_c", "type", "x_arrest", "slow"});
+  expect_fields(json, {"x", "t_rupture", "v_c", "type", "reached_edge", "fast_slow_fast",
+                       "backward_stencils", "x_arrest", "slow"});
   EXPECT_EQ(json["type"], "fast");
   EXPECT_TRUE(json["x_arrest"].is_null());
   EXPECT_TRUE(json["slow"].is_null());
@@ -85,6 +86,19 @@ TEST_F(Analyze, classify_prints_the_type_alone) {
   EXPECT_EQ(json_of("analyze classify r.h5 --json")["type"], "fast");
 }
 
+TEST_F(Analyze, texts_call_a_fast_slow_fast_front_so) {
+  output_of("restart " RUPTURE_CHECKPOINTS "/second-slow.h5 -o e.h5 --for 4e-3 --record e-r.h5");
+  EXPECT_EQ(output_of("analyze classify e-r.h5"), "fast-slow-fast\n");
+  EXPECT_NE(output_of("analyze events e-r.h5").find(" fast-slow-fast "), std::string::npos);
+  EXPECT_EQ(lines_of(output_of("analyze front e-r.h5 --slow-below 0.005")).back(),
+            "fast-slow-fast front; below c_s/10, but not below --slow-below");
+  for (const char* command : {"classify", "front"}) {
+    const Json json = json_of("analyze " + std::string(command) + " e-r.h5 --json");
+    EXPECT_EQ(json["type"], "slow");
+    EXPECT_EQ(json["fast_slow_fast"], true);
+  }
+}
+
 TEST_F(Analyze, classify_has_no_series_to_print_as_csv) {
   expect_refusal_with("analyze classify r.h5 --csv", kUsage, "unknown option '--csv'");
 }
@@ -93,8 +107,9 @@ TEST_F(Analyze, events_have_the_documented_fields) {
   const Json json = json_of("analyze events r.h5 --json");
   ASSERT_EQ(json["events"].size(), 1U);
   const Json& event = json["events"][0];
-  expect_fields(event, {"number", "t_start", "t_end", "x_first", "x_last", "spanning", "type",
-                        "F_T_before", "F_T_after"});
+  expect_fields(
+      event, {"number", "t_start", "t_end", "x_first", "x_last", "spanning", "type", "reached_edge",
+              "fast_slow_fast", "backward_stencils", "F_T_before", "F_T_after"});
   EXPECT_NEAR(event["t_start"], 1.526e-4, 1e-9);
   EXPECT_NEAR(event["t_end"], 2.53e-4, 1e-9);
   EXPECT_NEAR(event["x_last"], 0.14, 1e-12);

@@ -55,6 +55,17 @@ TEST_F(EventChoice, the_first_spanning_event_may_be_meant) {
                  "events lists them)");
 }
 
+TEST_F(EventChoice, an_event_that_reaches_the_edge_without_spanning_is_arrested) {
+  const std::string front = "analyze front r.h5 --quiet-time 1e-5 --json --event ";
+  for (const char* n : {"11", "23"}) {  // backwards from the edge; one block there and the first
+    const Json json = json_of(front + n);
+    EXPECT_EQ(json["type"], "arrested") << n;
+    EXPECT_EQ(json["reached_edge"], true) << n;
+    EXPECT_NEAR(json["x_arrest"], 0.14, 1e-12) << n;
+  }
+  EXPECT_EQ(json_of(front + "first-spanning"), json_of(front + "24"));
+}
+
 TEST_F(EventChoice, the_quiet_time_splits_as_in_events) {
   EXPECT_EQ(json_of("analyze events r.h5 --quiet-time 1 --json")["events"].size(), 1U);
   EXPECT_EQ(output_of("analyze front r.h5 --quiet-time 1"),
@@ -123,6 +134,9 @@ TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {
                                          "x_last [m]",
                                          "spanning",
                                          "type",
+                                         "reached_edge",
+                                         "fast_slow_fast",
+                                         "backward_stencils",
                                          "slow.x_from [m]",
                                          "slow.x_to [m]",
                                          "slow.t_from [s]",
@@ -146,13 +160,15 @@ TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {
     EXPECT_EQ(row[5], events[n]["spanning"] ? "true" : "false");
     EXPECT_EQ(row[6], events[n]["type"].get<std::string>());
     const Json& slow = events[n]["slow"];
-    EXPECT_EQ(row[7].empty(), slow.is_null());
+    EXPECT_EQ(row[7], events[n]["reached_edge"] ? "true" : "false");
+    EXPECT_EQ(std::stoi(row[9]), events[n]["backward_stencils"]);
+    EXPECT_EQ(row[10].empty(), slow.is_null());
     if (!slow.is_null()) {
-      EXPECT_EQ(std::stod(row[12]), slow["speed"]);
-      EXPECT_EQ(std::stod(row[13]), slow["slowest"]);
+      EXPECT_EQ(std::stod(row[15]), slow["speed"]);
+      EXPECT_EQ(std::stod(row[16]), slow["slowest"]);
     }
   }
-  EXPECT_FALSE(rows[2][7].empty()) << "the second event is slow by this measure";
+  EXPECT_FALSE(rows[2][10].empty()) << "the second event is slow by this measure";
 }
 
 TEST_F(EventChoice, events_as_text_begin_with_the_number) {

@@ -213,10 +213,10 @@ TEST_F(Restart, until_quiet_without_time_means_five_mean_slipping_times) {
       << out;
 }
 
-TEST_F(Restart, until_quiet_stops_when_the_front_has_reached_the_leading_edge) {
+TEST_F(Restart, until_quiet_stops_when_an_event_has_spanned) {
   output_of("load --config small.ini -o a.h5 --until 1e-4");
   const std::string out = output_of("restart a.h5 -o b.h5 --until-quiet");
-  EXPECT_NE(out.find("(the front reached the leading edge)"), std::string::npos) << out;
+  EXPECT_NE(out.find("(an event spanned the interface)"), std::string::npos) << out;
   const double end = json_of("analyze stress b.h5 --json")["time"];
   EXPECT_NEAR(end, 2.6e-4, 1e-12);  // the edge ruptures at 2.53e-4 s; looked at every 100 steps
 }
@@ -230,7 +230,7 @@ TEST_F(Restart, until_quiet_waits_for_the_pinned_fraction_that_was_asked_for) {
   const double end = json_of(command + " --json -q")["time"];
   EXPECT_TRUE(arrival().is_null());
   const Json later = json_of(command + " --arrived-below 0.2 --json -q");
-  EXPECT_EQ(later["ending"], "leading_edge");
+  EXPECT_EQ(later["ending"], "spanned");
   EXPECT_GT(double{arrival()}, end);
   EXPECT_LE(later["time"], double{arrival()} + 2e-5);
 }

@@ -99,6 +99,17 @@ TEST_F(Resume, SLOW_quiet_run_ends_where_the_uninterrupted_one_ends) {
   }
 }
 
+TEST_F(Resume, run_until_an_event_spans_ends_where_the_uninterrupted_one_ends) {
+  output_of("load --config small.ini -o begin.h5 --until 1e-4");
+  const std::string run = "restart begin.h5 -o x.h5 --sum --until-quiet --checkpoint-at 2.4e-4";
+  output_of(run);
+  const std::string whole = read("x.h5.sum");
+  forget("x.h5");
+  const std::string text = said(run);  // the last two of the nine blocks are still to rupture
+  EXPECT_NE(text.find("resuming from x-t0.000240000.h5"), std::string::npos) << text;
+  EXPECT_EQ(read("x.h5.sum"), whole);
+}
+
 TEST_F(Resume, for_counts_from_the_beginning_of_the_run) {
   output_of("load --config small.ini -o begin.h5 --until 1e-4");
   const std::string run = "restart begin.h5 -o x.h5 --sum --for 5e-4 --checkpoint-every 1e-4";

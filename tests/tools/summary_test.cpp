@@ -54,7 +54,7 @@ TEST_F(Summary, of_a_restart_counts_what_it_did) {
 TEST_F(Summary, says_why_a_run_until_quiet_ended) {
   output_of("load --config small.ini -o a.h5");
   EXPECT_EQ(summary_of("restart a.h5 -o b.h5 --for 1e-3 --until-quiet 1e-4")["ending"], "quiet");
-  EXPECT_EQ(summary_of("restart a.h5 -o c.h5 --for 1e-3 --until-quiet")["ending"], "leading_edge");
+  EXPECT_EQ(summary_of("restart a.h5 -o c.h5 --for 1e-3 --until-quiet")["ending"], "spanned");
 }
 
 TEST_F(Summary, of_a_run_that_was_complete_or_resumed) {

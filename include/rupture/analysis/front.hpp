@@ -13,6 +13,7 @@
 
 #include "rupture/model/parameters.hpp"
 #include "rupture/model/rupture.hpp"
+#include "rupture/model/spanning.hpp"
 
 namespace rupture {
 
@@ -22,9 +23,9 @@ enum class StencilsAtEnds { neither, slow, fast };
 
 /// Choices behind a front's type, speeds and places; the tools show them as options.
 struct FrontCriteria {
-  double slow_below = 1.0 / 20.0;  ///< a front is slow where v_c < slow_below * c_s
-  double skip_below_x = 0.02;      ///< the loading or triggering zone does not count [m]
-  std::size_t stencil = 5;         ///< blocks of the moving stencil, odd
+  double slow_below = 1.0 / 20.0;      ///< a front is slow where |v_c| < slow_below * c_s
+  double skip_below_x = kLoadingZone;  ///< the loading or triggering zone does not count [m]
+  std::size_t stencil = 5;             ///< blocks of the moving stencil, odd
   StencilsAtEnds stencils_at_ends = StencilsAtEnds::neither;
 
   std::size_t half_stencil() const { return stencil / 2; }  ///< blocks on either side of its centre
@@ -32,8 +33,8 @@ struct FrontCriteria {
 
 /// One interface-length array each; a block that did not rupture has no value.
 struct RuptureLine {
-  std::vector<double> x;                         ///< position of the blocks [m]
-  std::vector<std::optional<double>> t_rupture;  ///< first rupture in the window [s]
+  std::vector<double> x;    ///< position of the blocks [m]
+  FirstRuptures t_rupture;  ///< first rupture in the window [s]
 };
 
 /// First rupture of every block at times in [from, to] [s].
@@ -50,10 +51,10 @@ std::vector<std::optional<double>> front_speed(const RuptureLine& line,
 enum class FrontType { none, arrested, slow, fast };
 std::string_view front_type_name(FrontType type);
 
-/// Whether a front of this type reached the leading edge.
+/// Whether an event with a front of this type spans.
 bool spans(FrontType type);
 
-/// A stretch of consecutive blocks over which the front is slow.
+/// A stretch of consecutive blocks over which the front is slow and runs forwards.
 ///
 /// The centres of slow stencils form a run first..last. With h = half_stencil(), centres up to h
 /// blocks from its first or last one, on either side, have stencils that touch both the slow
@@ -79,7 +80,8 @@ struct SlowStretch {
   /// Length over duration [m/s]; no value for a single block.
   std::optional<double> mean() const;
 
-  /// Medians of v_c over the stencils that count to the fast sides, beyond the loading zone.
+  /// Medians of v_c over the stencils that count to the fast sides, beyond the loading zone, and
+  /// run forwards.
   std::optional<double> fast_before, fast_after;  ///< [m/s]
 };
 
@@ -87,14 +89,23 @@ struct Front {
   RuptureLine line;
   std::vector<std::optional<double>> v_c;
   FrontType type = FrontType::none;
-  std::optional<double> x_arrest;   ///< furthest ruptured block if the front did not span [m]
+  bool reached_edge = false;          ///< whether the leading edge ruptured, be it alone
+  bool fast_slow_fast = false;        ///< in the paper's words, see measure_front()
+  std::size_t backward_stencils = 0;  ///< beyond the loading zone, where v_c < 0
+  std::optional<double> x_arrest;     ///< furthest ruptured block if the front did not span: of an
+                                      ///< arrested one that reached the leading edge, that [m]
   std::optional<SlowStretch> slow;  ///< the slow stretch that lasted longest; none also where slow
                                     ///< stencils exist but no block counts to any stretch
 };
 
-/// Measures the front in one rupture line. None: nothing ruptured; arrested: it does not reach the
-/// leading edge; slow: it does, and v_c < slow_below c_s somewhere beyond skip_below_x; fast: the
-/// rest. The type does not depend on stencils_at_ends.
+/// Measures the front in one rupture line. None: nothing ruptured; arrested: the event does not
+/// span; slow: it does, and |v_c| < slow_below c_s somewhere beyond skip_below_x; fast: the rest.
+///
+/// Fast-slow-fast, whatever slow_below is: the event spans; of the stretches with 0 < v_c < c_s/10
+/// the one that lasted longest has three stencils or more; and the medians of v_c before and after
+/// it are at least c_s/10, without the stencils that touch it.
+///
+/// Neither depends on stencils_at_ends.
 Front measure_front(const Parameters& parameters, RuptureLine line, const FrontCriteria& criteria);
 
 }  // namespace rupture

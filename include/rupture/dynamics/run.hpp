@@ -28,19 +28,19 @@ class Observer {
 /// When a run ends.
 struct StopRule {
   std::int64_t last_step = 0;  ///< latest step, always in force
-  /// Also stop once no junction has broken for this many steps, or the front has reached the
-  /// leading edge, both counted from the start of this run. Looked at every kQuietCheck steps from
-  /// step 0, so that the answer does not depend on what else pauses the run.
+  /// Also stop once no junction has broken for this many steps, or an event has spanned
+  /// (model/spanning.hpp), both counted from the start of this run. Looked at every kQuietCheck
+  /// steps from step 0, so that the answer does not depend on what else pauses the run.
   std::optional<std::int64_t> quiet_steps;
-  /// Then the front has reached the leading edge once the block there has ruptured and, if this is
-  /// given, a smaller fraction than this of its junctions is pinned.
+  /// Then, if this is given, a run whose event has spanned still waits until a smaller fraction
+  /// than this of the junctions at the leading edge is pinned.
   std::optional<double> arrived_below = {};
   /// Also stop once this is true, if it is given; asked some ten times a second.
   std::function<bool()> interrupted = {};
 };
 inline constexpr std::int64_t kQuietCheck = 100;
 
-enum class Ending { last_step, quiet, leading_edge, interrupted };
+enum class Ending { last_step, quiet, spanned, interrupted };
 
 /// Whether a run has come to its end in this state, interruptions apart.
 std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const StopRule& rule);

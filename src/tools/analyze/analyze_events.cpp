@@ -18,16 +18,22 @@ Quantities event_quantities(const Parameters& p, const Event& event, std::int64_
   const TextColumn times = {13, "{:.7f}"};
   const double drop = event.F_T_before - event.F_T_after;
   const std::string slow = "   " + slow_text(event.front, shear_wave_speed(p));
-  return {
+  Quantities kind = kind_quantities(event.front);
+  for (Quantity& row : kind) row = in_csv(row);
+  const Quantities before = {
       {"number", "1", "as --event counts, from 0", number, Csv::yes, TextColumn{6}},
       {"t_start", "s", "first block rupture of the event", event.t_start, Csv::yes, times},
       {"t_end", "s", "last block rupture of the event", event.t_end, Csv::yes, times},
       {"x_first", "m", "block that ruptured first", event.x_first, Csv::yes},
       {"x_last", "m", "furthest block that ruptured", event.x_last, Csv::yes,
        TextColumn{15, "{:.4f}", "reaches x [m]"}},
-      {"spanning", "", "whether the front reached the leading edge", spans(event.front.type),
-       Csv::yes},
-      in_csv(type_quantity(event.front), TextColumn{10}),
+      {"spanning", "",
+       "whether more than half of the blocks beyond the loading zone ruptured, the leading edge "
+       "among them and not first",
+       spans(event.front.type), Csv::yes},
+      text_only(kind_name(event.front), {16, "{}", "type"}),
+  };
+  const Quantities after = {
       in_csv(slow_quantity(event.front.slow)),
       {"F_T_before", "N", "driving force at the first rupture", event.F_T_before, Csv::yes},
       {"F_T_after", "N", "lowest driving force until the event is over", event.F_T_after, Csv::yes},
@@ -37,6 +43,7 @@ Quantities event_quantities(const Parameters& p, const Event& event, std::int64_
       length_quantity(p),
       rupture_times(event.front.line),
   };
+  return join({before, kind, after});
 }
 
 Quantities quantities_of(const Parameters& p, const std::vector<Event>& events) {

@@ -15,22 +15,23 @@
 namespace rupture::tools {
 namespace {
 
+Quantities classification_of(const Front& front) {
+  return join({kind_quantities(front), {arrest_quantity(front)}});
+}
+
 Quantities quantities_of(const Front& front, const Parameters& p) {
   const TextColumn times = {17, "{:.7f}"}, speeds = {12, "{:.4g}"};
-  return {
+  const Quantities line = {
       positions(front.line.x),
       in_csv(rupture_times(front.line), times),
       {"v_c", "m/s", "front speed at each block", front.v_c, Csv::yes, speeds},
-      type_quantity(front),
-      arrest_quantity(front),
+  };
+  const Quantities slow = {
       slow_quantity(front.slow),
       shear_wave_quantity(p),
       length_quantity(p),
   };
-}
-
-Quantities classification_of(const Front& front) {
-  return {type_quantity(front), arrest_quantity(front)};
+  return join({line, classification_of(front), slow});
 }
 
 }  // namespace
@@ -69,12 +70,11 @@ int analyze_classify(int argc, const char* const* argv) {
   add_criteria_options(options);
   const auto command = read_record_command(
       argc, argv, "classify",
-      "Prints the type of one event's front: none (nothing ruptured), arrested, "
-      "slow or fast,\nand nothing else.",
+      "Prints what one event's front is: none (nothing ruptured), arrested, slow, fast or\n"
+      "fast-slow-fast, and nothing else.",
       options);
   const Front front = front_of(command, choose_event(command));
-  print(classification_of(front), fmt::format("{}\n", front_type_name(front.type)),
-        command.parsed.values);
+  print(classification_of(front), kind_name(front) + "\n", command.parsed.values);
   return kDone;
 }
 

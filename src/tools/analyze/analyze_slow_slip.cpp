@@ -86,10 +86,11 @@ std::optional<double> average(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-std::optional<double> median_of_known(const std::vector<std::optional<double>>& values) {
+/// Of the stencils that run forwards.
+std::optional<double> median_speed(const std::vector<std::optional<double>>& values) {
   std::vector<double> known;
   for (const auto& value : values) {
-    if (value) known.push_back(*value);
+    if (value && *value > 0.0) known.push_back(*value);
   }
   return median(known);
 }
@@ -128,7 +129,7 @@ Quantities quantities_of(const Front& front, const SlowSlips& slips) {
       type_quantity(front),
       slow_quantity(front.slow),
       {"blocks", "1", "blocks whose slow slip was measured", std::ssize(slips.x)},
-      {"front_speed", "m/s", "median front speed at these blocks", median_of_known(slips.v_c)},
+      {"front_speed", "m/s", "median front speed at these blocks", median_speed(slips.v_c)},
       extremes(slips.speed),
       {"estimate", "m/s", "mean of Eq. S1 at their normal forces", average(slips.estimate)},
       per_block(slips),
@@ -171,7 +172,7 @@ int analyze_slow_slip(int argc, const char* const* argv) {
   std::string text =
       fmt::format("{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n",
                   slips.x.size(), text_of(average(slips.speed), 1e-3),
-                  text_of(average(slips.estimate), 1e-3), text_of(median_of_known(slips.v_c)));
+                  text_of(average(slips.estimate), 1e-3), text_of(median_speed(slips.v_c)));
   if (front.type == FrontType::none || event.in_window > 1) {
     text += front_text(front, shear_wave_speed(command.record.parameters), event);
   }

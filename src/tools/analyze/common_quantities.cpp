@@ -11,6 +11,19 @@ Quantity type_quantity(const Front& front) {
   return {"type", "", "none, arrested, slow or fast", std::string(front_type_name(front.type))};
 }
 
+Quantities kind_quantities(const Front& front) {
+  return {
+      type_quantity(front),
+      {"reached_edge", "", "whether the block at the leading edge ruptured", front.reached_edge},
+      {"fast_slow_fast", "",
+       "whether it spans and is below c_s/10 over three stencils or more, with medians of at least "
+       "c_s/10 before and after",
+       front.fast_slow_fast},
+      {"backward_stencils", "1", "stencils beyond the loading zone where the front runs backwards",
+       static_cast<std::int64_t>(front.backward_stencils)},
+  };
+}
+
 Quantity arrest_quantity(const Front& front) {
   return {"x_arrest", "m", "furthest ruptured block of an arrested front", front.x_arrest};
 }

@@ -13,6 +13,7 @@
 namespace rupture::tools {
 
 Quantity type_quantity(const Front& front);
+Quantities kind_quantities(const Front& front);  ///< type, and what stands beside it
 Quantity arrest_quantity(const Front& front);
 Quantity slow_quantity(const std::optional<SlowStretch>& slow);  ///< null without a slow stretch
 Quantity positions(Value x);  ///< of blocks, also in CSV and text

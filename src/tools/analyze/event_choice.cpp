@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <charconv>
 
+#include "analyze/front_report.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/events.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/normal_contact.hpp"
+#include "rupture/model/spanning.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -72,10 +74,10 @@ ChosenEvent event_number(const Bursts& bursts, std::size_t number) {
   return {burst, burst.front().time, burst.back().time, number, 1};
 }
 
-ChosenEvent first_spanning(const Parameters& p, const Bursts& bursts) {
-  const auto arrives = [&](const Rupture& rupture) { return rupture.block == p.Nx - 1; };
+ChosenEvent first_spanning(const RecordCommand& command, const Bursts& bursts) {
   for (std::size_t n = 0; n < bursts.size(); ++n) {
-    if (std::any_of(bursts[n].begin(), bursts[n].end(), arrives)) return event_number(bursts, n);
+    const ChosenEvent event = event_number(bursts, n);
+    if (spans(front_of(command, event).type)) return event;
   }
   throw Failure(fmt::format(
       "none of the {} events in this record spans the interface: give --event N (analyze events "
@@ -92,8 +94,9 @@ std::size_t number_of(const std::string& text) {
       "--event {} names no event: give its number in analyze events, or first-spanning", text));
 }
 
-ChosenEvent named_event(const Parameters& p, const Bursts& bursts, const std::string& name) {
-  if (name == "first-spanning") return first_spanning(p, bursts);
+ChosenEvent named_event(const RecordCommand& command, const Bursts& bursts,
+                        const std::string& name) {
+  if (name == "first-spanning") return first_spanning(command, bursts);
   const std::size_t number = number_of(name);
   if (number < bursts.size()) return event_number(bursts, number);
   const std::string known =
@@ -120,14 +123,14 @@ void add_event_options(po::options_description& options) {
 
 double quiet_time(const RecordCommand& command) {
   return optional_non_negative(command.parsed.values, "quiet-time")
-      .value_or(5.0 * command.record.parameters.t_R);
+      .value_or(pause_between_events(command.record.parameters));
 }
 
 ChosenEvent choose_event(const RecordCommand& command) {
   const auto& values = command.parsed.values;
   const Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
   if (values.count("event") == 0) return event_in_window(command, bursts);
-  return named_event(command.record.parameters, bursts, values["event"].as<std::string>());
+  return named_event(command, bursts, values["event"].as<std::string>());
 }
 
 }  // namespace rupture::tools

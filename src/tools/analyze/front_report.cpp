@@ -47,9 +47,9 @@ StencilsAtEnds stencils_at_ends(const po::variables_map& values) {
 void add_criteria_options(po::options_description& options) {
   auto add = options.add_options();
   add("slow-below", number("R")->default_value(0.05, "0.05"),
-      "the front is slow where v_c < R c_s");
-  add("skip-below-x", number("X", "m")->default_value(0.02, "0.02"),
-      "loading zone in which speeds do not count");
+      "the front is slow where |v_c| < R c_s");
+  add("skip-below-x", number("X", "m")->default_value(kLoadingZone, "0.02"),
+      "loading zone, in which blocks and speeds do not count");
   add("stencil", integer("N")->default_value(5),
       "blocks of the stencil whose end points give v_c, odd");
   add("stencils-at-ends", one_of("neither|slow|fast")->default_value("neither"),
@@ -74,8 +74,15 @@ Front front_of(const RecordCommand& command, const ChosenEvent& event) {
   return measure_front(p, rupture_line(p, event.ruptures, event.from, event.to), criteria(command));
 }
 
+std::string kind_name(const Front& front) {
+  return front.fast_slow_fast ? "fast-slow-fast" : std::string(front_type_name(front.type));
+}
+
 std::string slow_text(const Front& front, double c_s) {
   const auto& slow = front.slow;
+  if (front.fast_slow_fast && front.type == FrontType::fast) {
+    return "below c_s/10, but not below --slow-below";
+  }
   if (!slow && front.type == FrontType::slow) return "slow for less than a stencil";
   if (!slow) return "no slow stretch";
   return fmt::format("slow from x = {:.4f} m to {:.4f} m for {:.3g} ms at {:.3g} m/s (c_s/{:.0f})",
@@ -92,8 +99,7 @@ std::string front_text(const Front& front, double c_s, const ChosenEvent& event)
       event.in_window > 1 ? fmt::format("; event {}, the trigger's, of {} (see analyze events)",
                                         event.number, event.in_window)
                           : "";
-  return fmt::format("{} front; {}{}\n", front_type_name(front.type), slow_text(front, c_s),
-                     others);
+  return fmt::format("{} front; {}{}\n", kind_name(front), slow_text(front, c_s), others);
 }
 
 }  // namespace rupture::tools

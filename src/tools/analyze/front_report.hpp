@@ -21,6 +21,9 @@ FrontCriteria criteria(const RecordCommand& command);
 /// The front of the chosen event.
 Front front_of(const RecordCommand& command, const ChosenEvent& event);
 
+/// The type, or fast-slow-fast.
+std::string kind_name(const Front& front);
+
 std::string slow_text(const Front& front, double c_s);
 
 /// One line on the front as a whole.

@@ -95,7 +95,7 @@ Workload rest_of(const RunPlan& plan, Workload work) {
 RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& options,
                  const OutputOptions& output, const fs::path& input) {
   const Parameters& p = start.parameters;
-  start.run = {.first_step = start.state.step, .last_break = start.state.step};
+  start.run = run_from(p, start.state.step);
   start.run_id = id_of_run(start);
   const Interval every =
       options.record ? sampling_interval(p, start.state.clock, options) : Interval{};

@@ -57,11 +57,10 @@ Options setup(int argc, char** argv) {
   add("until", seconds(), "run until this time");
   add("for", seconds(), "run for this long");
   add("until-quiet", seconds_or("5 t_R"),
-      "stop earlier, once no junction has broken for T or the front has reached the leading "
-      "edge");
+      "stop earlier, once no junction has broken for T or an event has spanned the interface");
   add("arrived-below", number("F"),
-      "with --until-quiet: the front has reached the edge once less than this fraction of the "
-      "junctions there is pinned; default 0.3, at which a block ruptures");
+      "with --until-quiet: after an event has spanned, wait until less than this fraction of the "
+      "junctions at the leading edge is pinned; default 0.3, at which a block ruptures");
   add_run_options(options);
   add_output_options(options, "checkpoint");
   const Parsed parsed =

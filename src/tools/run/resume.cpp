@@ -62,14 +62,14 @@ bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start) {
                                    : checkpoint.run_id == id_of_run(start);
 }
 
-/// True if a run with this rule would have ended before `step`. When a front reached the leading
-/// edge is not known; then it is true.
+/// True if a run with this rule would have ended before `step`. When an event spanned is not known,
+/// nor, in files of earlier builds, whether one has; then it is true.
 bool is_beyond_end(std::int64_t step, const RunSoFar& run, const StopRule& rule) {
   if (step > rule.last_step) return true;
   if (!rule.quiet_steps) return false;
   const std::int64_t quiet_from = run.last_break + *rule.quiet_steps;
   const std::int64_t end = (quiet_from + kQuietCheck - 1) / kQuietCheck * kQuietCheck;
-  return run.leading_edge_ruptured || step > end;
+  return run.spanned || run.event.empty() || step > end;
 }
 
 /// OUT.h5, if it is there, and files OUT-t*.h5, those of the latest times first.

@@ -68,8 +68,8 @@ std::string name_of(Ending ending) {
   switch (ending) {
     case Ending::quiet:
       return "quiet";
-    case Ending::leading_edge:
-      return "leading_edge";
+    case Ending::spanned:
+      return "spanned";
     case Ending::interrupted:
       return "interrupted";
     case Ending::last_step:
@@ -85,8 +85,7 @@ RunSummary summary_of_complete(const Checkpoint& end) {
 Quantities quantities_of(const RunSummary& s) {
   return {
       {"ending", "",
-       "end, quiet, leading_edge (the front is there), interrupted, or complete (nothing was left "
-       "to do)",
+       "end, quiet, spanned (an event has), interrupted, or complete (nothing was left to do)",
        s.ending},
       {"time", "s", "simulated time at the end", s.time},
       {"steps", "1", "time steps that were taken now", s.steps},

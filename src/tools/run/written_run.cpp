@@ -31,8 +31,8 @@ std::string_view reason(Ending ending) {
   switch (ending) {
     case Ending::quiet:
       return "no junction broke any more";
-    case Ending::leading_edge:
-      return "the front reached the leading edge";
+    case Ending::spanned:
+      return "an event spanned the interface";
     case Ending::interrupted:
       return "interrupted";
     case Ending::last_step:

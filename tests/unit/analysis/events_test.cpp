@@ -61,7 +61,7 @@ TEST(Events, carry_the_front_of_their_own_ruptures) {
   EXPECT_EQ(found[0].front.line.t_rupture[3], std::nullopt);
   EXPECT_EQ(found[1].front.line.t_rupture[1], 0.205);
   EXPECT_EQ(found[0].front.type, FrontType::arrested);
-  EXPECT_EQ(found[2].front.type, FrontType::fast) << "it reached the leading edge";
+  EXPECT_EQ(found[2].front.type, FrontType::arrested) << "one block, at the leading edge";
 }
 
 TEST(Events, are_none_without_ruptures) {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
@@ -70,13 +72,56 @@ TEST(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
   EXPECT_EQ(simulation.state().step, 300);
 }
 
-TEST(Run, ends_at_a_whole_hundred_after_the_front_has_reached_the_leading_edge) {
-  const Parameters p = quickly_ruptured_slider();
+/// With ten blocks beyond the loading zone.
+Parameters longer_slider() {
+  Parameters p = testing::small_slider(19, 5);
+  p.V = 0.1;
+  return p;
+}
+
+TEST(Run, ends_at_a_whole_hundred_after_an_event_has_spanned) {
+  const Parameters p = longer_slider();
   Simulation simulation(p, normal_load_equilibrium(p));
-  EXPECT_EQ(run(simulation, {10000, 5000}, {}), Ending::leading_edge);
+  EXPECT_EQ(run(simulation, {10000, 5000}, {}), Ending::spanned);
   const std::int64_t edge = simulation.ruptures().back().step;
-  EXPECT_EQ(simulation.ruptures().back().block, 8);
+  EXPECT_EQ(simulation.ruptures().back().block, 18);
   EXPECT_EQ(simulation.state().step, (edge + 99) / 100 * 100);
+}
+
+TEST(Run, does_not_end_where_the_leading_edge_ruptures_alone) {
+  Parameters p = longer_slider();
+  p.V = 0.0;
+  State state = normal_load_equilibrium(p);
+  state.junctions.attachment.row(18) -= 1e-5;
+  Simulation simulation(p, state);
+  EXPECT_EQ(run(simulation, {10000, 250}, {}), Ending::quiet);
+  EXPECT_EQ(simulation.ruptures().size(), 1U);
+  EXPECT_TRUE(simulation.run().leading_edge_ruptured);
+}
+
+/// Whether a run of the reference slider has seen an event span: blocks of it rupture 10 us apart,
+/// but `pause` [s] later from block `after` on.
+bool has_spanned(const std::vector<std::int64_t>& blocks, std::int64_t after = 0,
+                 double pause = 0) {
+  const Parameters p;
+  RunSoFar run = run_from(p, 0);
+  double t = 1.0;
+  for (const std::int64_t block : blocks) {
+    t += block == after ? pause : 1e-5;
+    add_rupture(p, {0, t, block}, run);
+  }
+  return run.spanned;
+}
+
+TEST(RunSoFar, tells_whether_one_event_has_spanned) {
+  std::vector<std::int64_t> blocks(57);
+  std::iota(blocks.begin(), blocks.end(), 0);
+  EXPECT_TRUE(has_spanned(blocks));
+  EXPECT_TRUE(has_spanned(blocks, 30, 0.0099)) << "a pause of less than 5 t_R";
+  EXPECT_FALSE(has_spanned(blocks, 35, 0.0101)) << "two events, the latter of 22 of 48 blocks";
+  EXPECT_FALSE(has_spanned({56})) << "one block";
+  EXPECT_FALSE(has_spanned({blocks.rbegin(), blocks.rend()})) << "backwards from the edge";
+  EXPECT_FALSE(has_spanned({blocks.begin(), blocks.end() - 1}));
 }
 
 TEST(Run, never_passes_the_last_step) {

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The rupture authors
+// SPDX-License-Identifier: MIT
+
+#include "rupture/model/run_so_far.hpp"
+
+namespace rupture {
+
+RunSoFar run_from(const Parameters& p, std::int64_t step) {
+  RunSoFar run;
+  run.first_step = run.last_break = step;
+  run.event.resize(static_cast<std::size_t>(p.Nx));
+  return run;
+}
+
+void add_rupture(const Parameters& p, const Rupture& rupture, RunSoFar& run) {
+  ++run.ruptures;
+  run.leading_edge_ruptured |= rupture.block + 1 == p.Nx;
+  if (run.event.empty()) return;
+  const bool is_new = rupture.time - run.last_rupture > pause_between_events(p);
+  if (is_new) run.event.assign(run.event.size(), std::nullopt);
+  auto& first = run.event[static_cast<std::size_t>(rupture.block)];
+  if (!first) first = rupture.time;
+  run.last_rupture = rupture.time;
+  run.spanned = run.spanned || spans(p, run.event);
+}
+
+}  // namespace rupture
