@@ -4,7 +4,7 @@
 #include "rupture/analysis/front.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "rupture/analysis/statistics.hpp"
 #include "rupture/model/derived.hpp"
@@ -31,14 +31,10 @@ struct Stretch {
   std::size_t first, last;
 };
 
-/// Whether the stencil around block i measures a speed beyond the loading zone.
-bool counts(const Front& front, std::size_t i, const FrontCriteria& criteria) {
-  return front.line.x[i] > criteria.skip_below_x && front.v_c[i];
-}
-
-/// The same of a front that moves on.
+/// Whether the stencil around block i measures a front that moves on, beyond the loading zone.
 bool moves_on(const Front& front, std::size_t i, const FrontCriteria& criteria) {
-  return counts(front, i, criteria) && *front.v_c[i] > 0.0;
+  const auto& v = front.v_c[i];
+  return front.line.x[i] > criteria.skip_below_x && v && *v > 0.0;
 }
 
 /// Whether block i + 1 ruptured after block i; both did.
@@ -117,41 +113,32 @@ std::optional<SlowStretch> describe(const Front& front, const Stretch& run,
 }
 
 /// The slow stretch that lasted longest; none if no block counts to any.
-std::optional<SlowStretch> longest(const Front& front, const std::vector<Stretch>& runs,
+std::optional<SlowStretch> longest(const Front& front, double limit,
                                    const FrontCriteria& criteria) {
   std::optional<SlowStretch> longest;
-  for (const Stretch& run : runs) {
+  for (const Stretch& run : slow_stretches(front, limit, criteria)) {
     const auto slow = describe(front, run, criteria);
     if (slow && (!longest || slow->duration() > longest->duration())) longest = slow;
   }
   return longest;
 }
 
-bool is_slow_anywhere(const Front& front, double limit, const FrontCriteria& criteria) {
-  for (std::size_t i = 0; i < front.v_c.size(); ++i) {
-    if (counts(front, i, criteria) && std::abs(*front.v_c[i]) < limit) return true;
-  }
-  return false;
-}
-
-std::size_t backward_stencils(const Front& front, const FrontCriteria& criteria) {
+/// Stencils beyond the loading zone with v_c in an open interval [m/s].
+std::size_t stencils_between(double from, double to, const Front& front,
+                             const FrontCriteria& criteria) {
   std::size_t found = 0;
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
-    if (counts(front, i, criteria) && *front.v_c[i] < 0.0) ++found;
+    const auto& v = front.v_c[i];
+    if (front.line.x[i] > criteria.skip_below_x && v && *v > from && *v < to) ++found;
   }
   return found;
-}
-
-std::optional<SlowStretch> longest_below(const Front& front, double limit,
-                                         const FrontCriteria& criteria) {
-  return longest(front, slow_stretches(front, limit, criteria), criteria);
 }
 
 /// Of a front that spans.
 bool is_fast_slow_fast(const Front& front, double c_s, FrontCriteria criteria) {
   const double limit = kSlowInWords * c_s;
   criteria.stencils_at_ends = StencilsAtEnds::slow;
-  const auto slow = longest_below(front, limit, criteria);
+  const auto slow = longest(front, limit, criteria);
   return slow && slow->stencils >= kStencilsInWords && slow->fast_before.value_or(0.0) >= limit &&
          slow->fast_after.value_or(0.0) >= limit;
 }
@@ -214,13 +201,15 @@ Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& 
     if (front.line.t_rupture[i]) front.x_arrest = front.line.x[i];
   }
   front.reached_edge = front.line.t_rupture.back().has_value();
-  front.backward_stencils = backward_stencils(front, criteria);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  front.backward_stencils = stencils_between(-kInfinity, 0.0, front, criteria);
   const double c_s = shear_wave_speed(p), limit = criteria.slow_below * c_s;
-  front.slow = longest_below(front, limit, criteria);
+  front.slow = longest(front, limit, criteria);
   if (front.x_arrest) front.type = FrontType::arrested;
   if (!spans(p, front.line.t_rupture, criteria.skip_below_x)) return front;
   front.x_arrest.reset();
-  front.type = is_slow_anywhere(front, limit, criteria) ? FrontType::slow : FrontType::fast;
+  const bool is_slow = stencils_between(-limit, limit, front, criteria) > 0;
+  front.type = is_slow ? FrontType::slow : FrontType::fast;
   front.fast_slow_fast = is_fast_slow_fast(front, c_s, criteria);
   return front;
 }

@@ -19,8 +19,4 @@ bool spans(const Parameters& p, const FirstRuptures& first, double skip_below_x)
   return 2 * ruptured > blocks && before_edge > 0;
 }
 
-double pause_between_events(const Parameters& p) {
-  return 5.0 * p.t_R;
-}
-
 }  // namespace rupture

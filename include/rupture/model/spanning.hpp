@@ -22,6 +22,8 @@ using FirstRuptures = std::vector<std::optional<double>>;
 bool spans(const Parameters& p, const FirstRuptures& first, double skip_below_x = kLoadingZone);
 
 /// Time without block ruptures that separates events, 5 t_R [s].
-double pause_between_events(const Parameters& p);
+inline double pause_between_events(const Parameters& p) {
+  return 5.0 * p.t_R;
+}
 
 }  // namespace rupture

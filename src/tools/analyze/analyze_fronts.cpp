@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 // analyze front, classify: the front of one event in a record.
-#include <fmt/core.h>
-
 #include "analyze/analyze.hpp"
 #include "analyze/common_quantities.hpp"
 #include "analyze/event_choice.hpp"

@@ -278,14 +278,14 @@ TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {
   Checkpoint written = small_checkpoint();
   const std::string without = write(written);
   EXPECT_FALSE(read_checkpoint(file("x.h5")).run);
-  written.run = {.first_step = 3, .last_break = 70, .ruptures = 5, .leading_edge_ruptured = true};
+  written.run = {.first_step = 3,
+                 .last_break = 70,
+                 .ruptures = 5,
+                 .leading_edge_ruptured = true,
+                 .event = {{}, 0.25, 0.5, {}, {}},
+                 .last_rupture = 0.5,
+                 .spanned = true};
   EXPECT_EQ(write(written), without) << "it is no part of the content that is checksummed";
-  EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run) << "as earlier builds wrote it";
-  written.run->event.resize(written.parameters.Nx);
-  written.run->event[1] = 0.25;
-  written.run->last_rupture = 0.5;
-  written.run->spanned = true;
-  EXPECT_EQ(write(written), without);
   EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);
   EXPECT_EQ(read_checkpoint(file("x.h5")).run_id, "");
   written.run_id = "abc";
@@ -318,11 +318,8 @@ TEST_F(CheckpointFile, of_an_impossible_run_is_refused) {
   expect_contains(refusal_with("/run/ruptures", integer(-2)), "/run/ruptures = -2; expected 0 to");
   expect_contains(refusal_with("/run/leading_edge_ruptured", make_scalar<std::uint8_t>(2, "1")),
                   "/run/leading_edge_ruptured = 2; expected 0 or 1");
-  expect_contains(refusal_with("/run/spanned", make_scalar<std::uint8_t>(2, "1")),
-                  "/run/spanned = 2; expected 0 or 1");
   expect_contains(refusal_with("/run/event", times({0.1, 0.6, 0.5, -1.0, -1.0})),
                   "/run/event holds 0.6; expected 0 to /run/last_rupture = 0.5, or -1 for no");
-  expect_contains(refusal_with("/run/event", times({0.1})), "/run/event");
   expect_contains(refusal_with("/run/more", integer(0)), "/run/more is not part of a checkpoint");
 }
 

@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
@@ -29,9 +27,9 @@ class Every : public Observer {
   std::int64_t interval_, next_ = 0;
 };
 
-/// Ruptures from end to end between steps 1,300 and 1,500.
+/// With ten blocks beyond the loading zone; ruptures from end to end between steps 1,700 and 2,850.
 Parameters quickly_ruptured_slider() {
-  Parameters p = testing::small_slider(9, 5);
+  Parameters p = testing::small_slider(19, 5);
   p.V = 0.1;
   return p;
 }
@@ -72,15 +70,8 @@ TEST(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
   EXPECT_EQ(simulation.state().step, 300);
 }
 
-/// With ten blocks beyond the loading zone.
-Parameters longer_slider() {
-  Parameters p = testing::small_slider(19, 5);
-  p.V = 0.1;
-  return p;
-}
-
 TEST(Run, ends_at_a_whole_hundred_after_an_event_has_spanned) {
-  const Parameters p = longer_slider();
+  const Parameters p = quickly_ruptured_slider();
   Simulation simulation(p, normal_load_equilibrium(p));
   EXPECT_EQ(run(simulation, {10000, 5000}, {}), Ending::spanned);
   const std::int64_t edge = simulation.ruptures().back().step;
@@ -89,7 +80,7 @@ TEST(Run, ends_at_a_whole_hundred_after_an_event_has_spanned) {
 }
 
 TEST(Run, does_not_end_where_the_leading_edge_ruptures_alone) {
-  Parameters p = longer_slider();
+  Parameters p = quickly_ruptured_slider();
   p.V = 0.0;
   State state = normal_load_equilibrium(p);
   state.junctions.attachment.row(18) -= 1e-5;
@@ -99,29 +90,18 @@ TEST(Run, does_not_end_where_the_leading_edge_ruptures_alone) {
   EXPECT_TRUE(simulation.run().leading_edge_ruptured);
 }
 
-/// Whether a run of the reference slider has seen an event span: blocks of it rupture 10 us apart,
-/// but `pause` [s] later from block `after` on.
-bool has_spanned(const std::vector<std::int64_t>& blocks, std::int64_t after = 0,
-                 double pause = 0) {
+TEST(RunSoFar, tells_whether_one_of_its_events_has_spanned) {
   const Parameters p;
   RunSoFar run = run_from(p, 0);
-  double t = 1.0;
-  for (const std::int64_t block : blocks) {
-    t += block == after ? pause : 1e-5;
-    add_rupture(p, {0, t, block}, run);
-  }
-  return run.spanned;
-}
-
-TEST(RunSoFar, tells_whether_one_event_has_spanned) {
-  std::vector<std::int64_t> blocks(57);
-  std::iota(blocks.begin(), blocks.end(), 0);
-  EXPECT_TRUE(has_spanned(blocks));
-  EXPECT_TRUE(has_spanned(blocks, 30, 0.0099)) << "a pause of less than 5 t_R";
-  EXPECT_FALSE(has_spanned(blocks, 35, 0.0101)) << "two events, the latter of 22 of 48 blocks";
-  EXPECT_FALSE(has_spanned({56})) << "one block";
-  EXPECT_FALSE(has_spanned({blocks.rbegin(), blocks.rend()})) << "backwards from the edge";
-  EXPECT_FALSE(has_spanned({blocks.begin(), blocks.end() - 1}));
+  const auto has_spanned_after = [&](double t, std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i <= last; ++i) add_rupture(p, {0, t += 1e-5, i}, run);
+    return run.spanned;
+  };
+  EXPECT_FALSE(has_spanned_after(1.0, 56, 56)) << "one block";
+  EXPECT_FALSE(has_spanned_after(2.0, 0, 35));
+  EXPECT_FALSE(has_spanned_after(2.0104, 36, 56)) << "10.03 ms later: another event";
+  EXPECT_FALSE(has_spanned_after(3.0, 0, 35));
+  EXPECT_TRUE(has_spanned_after(3.0102, 36, 56)) << "9.85 ms later: the same event, 5 t_R = 10 ms";
 }
 
 TEST(Run, never_passes_the_last_step) {
