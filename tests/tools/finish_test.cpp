@@ -81,7 +81,7 @@ class Running : public ToolTest {
       const auto i = static_cast<std::size_t>(Parameters{}.Nx);
       const std::vector<double> values(i, 0.5);
       writer_.append(
-          {1e-6 * n, 5 * n, 1.0, 0.0, std::vector<std::uint16_t>(i), values, values, values});
+          {1e-6 * n, 5 * n, 1.0, 4e-10 * n, std::vector<std::uint16_t>(i), values, values, values});
     }
   }
   RecordWriter writer_{path("r.h5"), Parameters{}, {}, IfExists::refuse, {}, 4};
