@@ -6,6 +6,11 @@
 # `./reproduce.sh --help` says what it can do. The commands are in recipes/reproduce/.
 set -euo pipefail
 
+# A stream that is closed would become the next file. Output that nobody can read fails.
+[[ -e /proc/self/fd/0 ]] || exec 0>/dev/null
+[[ -e /proc/self/fd/1 ]] || exec 1</dev/null
+[[ -e /proc/self/fd/2 ]] || exec 2>/dev/null
+
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 
 # Debian's Python comes first: another one on the PATH may lack h5py.

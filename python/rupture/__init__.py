@@ -13,6 +13,13 @@ All numbers are in SI units. What goes wrong raises `rupture.Failure`, one sente
 
 from rupture.errors import Failure
 from rupture.files import Checkpoint, File, Record, open_file as open, verify
-from rupture.programs import Result, analyze, run
+from rupture.programs import Result, analyze, output_of, run
 
 __all__ = ["Checkpoint", "Failure", "File", "Record", "Result", "analyze", "open", "run", "verify"]
+
+
+def __getattr__(name):
+    """`rupture.__version__`, that of the programs."""
+    if name == "__version__":
+        return output_of("analyze", "--version").split("rupture ")[1].split(",")[0]
+    raise AttributeError(f"module 'rupture' has no attribute '{name}'")

@@ -21,7 +21,7 @@ from rupture import tables
 from rupture.checksum import content_checksum, datasets
 from rupture.elasticity import POISSON
 from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, mapped
-from rupture.errors import Failure
+from rupture.errors import Failure, NoSuchName
 from rupture.pieces import joined
 
 Ruptures = namedtuple("Ruptures", "time step block x")
@@ -75,7 +75,7 @@ class File(Mapping):
                 return found
         near = difflib.get_close_matches(name, [*self, *self.parameters], 1)
         hint = f"; did you mean {near[0]}?" if near else f"; it has {', '.join(self)}"
-        raise Failure(f"{self.path} has no {name}{hint}")
+        raise NoSuchName(f"{self.path} has no {name}{hint}")
 
     def __getitem__(self, name):
         """The array of this name in SI units, such as "u_x"; a number where it is one.
@@ -87,11 +87,10 @@ class File(Mapping):
         return value if isinstance(value, np.ndarray) else plain(value)
 
     def __contains__(self, name):
-        """Whether iteration gives this name, without listing all of them."""
+        """Whether iteration gives this name, also with its group, without listing all of them."""
         return isinstance(name, str) and any(
             self.is_data(path) and (found := self.dataset_at(path)) and found.name == f"/{path}"
             for path in (f"{self.home}/{name}", name)
-            if path.removeprefix(f"{self.home}/") == name
         )
 
     def __iter__(self):
@@ -257,7 +256,7 @@ class Record(File):
     def pinned_fraction(self):
         """Fraction of each block's junctions that are pinned, [n][Nx].
 
-        >>> record.pinned_fraction[0].min()
+        >>> float(record.pinned_fraction[0].min())
         1.0
         """
         return self["pinned"] / self.springs_per_block

@@ -17,6 +17,8 @@ PACKAGE = Path(__file__).resolve().parent
 # The programs of a build, and of an installation with the package in lib/python3/dist-packages.
 BESIDE = (PACKAGE / "../../build/release/bin", PACKAGE / "../../../../libexec/rupture")
 
+DRAWING = ("map", "movie", "xdmf")  # they write no checkpoint, and say nothing
+
 
 def command_of(program):
     """The words that start a program: of the folder $RUPTURE_BIN, of this build or installation,
@@ -95,7 +97,8 @@ class Result:
 
 
 def run(program, *inputs, output, record=None, set=(), **options):
-    """Runs `load`, `prepare`, `restart` or `modify-phi`, and returns its `Result`.
+    """Runs `load`, `prepare`, `restart` or `modify-phi`, and returns its `Result`; or `map`,
+    `movie` or `xdmf`, and returns the path of what it drew.
 
     Inputs are paths or opened files. Options have the names of the command line with
     _ for -, and SI units; `set` changes parameters by their names.
@@ -107,8 +110,9 @@ def run(program, *inputs, output, record=None, set=(), **options):
     """
     settings = [word for name, value in dict(set).items() for word in ("--set", f"{name}={value}")]
     files = {"output": output, "record": record}
-    output_of(program, *inputs, "--quiet", *settings, *options_of({**options, **files}))
-    return Result(output, record)
+    quiet = [] if program in DRAWING else ["--quiet"]
+    output_of(program, *inputs, *quiet, *settings, *options_of({**options, **files}))
+    return Path(output) if program in DRAWING else Result(output, record)
 
 
 def analyze(command, *inputs, **options):

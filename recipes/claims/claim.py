@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from data.replacing import write_whole
+from rupture.replacing import write_whole
 
 REPRODUCED = "reproduced"
 DEPENDS = "depends"

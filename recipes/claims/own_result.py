@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from claims.claim import measured_parts, plain
-from data.replacing import write_whole
+from rupture.replacing import write_whole
 
 OWN = "own.json"  # beside a recipe's claims.json
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from data.records import report
-from data.replacing import replacing
+from rupture.replacing import replacing
 
 
 def write_table(path, names, rows):

@@ -18,7 +18,8 @@ from datetime import datetime, timezone
 from pathlib import Path
 from urllib.parse import quote
 
-from data.replacing import write_whole
+from runs.written import take_names
+from rupture.replacing import write_whole
 from jobs import Accounts
 from origin import builds, checksums
 from picture import ANIMATION, VIDEOS
@@ -232,4 +233,9 @@ def write_crate(root):
 
 
 if __name__ == "__main__":
-    write_crate(Path(*sys.argv[1:]).resolve())
+    folder = Path(*sys.argv[1:]).resolve()
+    try:
+        take_names(folder / "results", CRATE)
+    except FileExistsError as problem:
+        sys.exit(f"crate.py: {problem}")
+    write_crate(folder)

@@ -9,6 +9,7 @@ alone, which may be copied without the rest. Programs can read the same in the f
 writes.
 """
 
+import os
 import re
 import sys
 import time
@@ -22,13 +23,14 @@ from alt_text import seen
 from caption import as_html, filled
 from claims.claim import VERDICTS, Claim, measured_parts, read_claims
 from claims.own_result import read_own
-from data.replacing import write_whole
-from crate import write_crate
+from rupture.replacing import write_whole
+from crate import CRATE, write_crate
 from glance_picture import glance_picture
 from jobs import Accounts, Job, steps, total
 from origin import builds, checksums, last_run, present_build, processor
 from picture import Picture, find_movie, picture
 from project import Problem, label, listed_claims, natural, read_readme, recipe_names
+from runs.written import take_names
 from symbols import typeset
 
 HERE = Path(__file__).resolve().parent
@@ -196,13 +198,17 @@ def render(content):
 
 def main(folder="."):
     root = Path(folder).resolve()
-    path = root / "results/index.html"
+    path = (root / "results").resolve() / "index.html"
     try:
+        take_names(root / "results", "index.html", "claims.png", "claims.pdf", CRATE)
         write_whole(path, render(contents(root)))
         write_crate(root)
-    except Problem as problem:
+        print(f"Report: {path}", flush=True)
+    except (Problem, FileExistsError) as problem:
         sys.exit(f"report.py: {problem}")
-    print(f"Report: {path}")
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more
+        sys.exit(f"report.py: {error.filename or 'standard output'}: {error.strerror}.")
 
 
 if __name__ == "__main__":

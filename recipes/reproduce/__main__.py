@@ -5,13 +5,13 @@
 
 import json
 import os
-import shutil
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
 
 from reproduce import checks, compute
+from reproduce.clean import clean
 from reproduce.command_line import (
     description,
     help_text,
@@ -32,25 +32,6 @@ from reproduce.project import (
     say,
 )
 from reproduce.set_up import ensure_packages
-
-
-def delete(folder):
-    """Of a link, as to a larger disk, what is behind it."""
-    if folder.is_symlink():
-        for path in folder.iterdir():
-            delete(path) if path.is_dir() else path.unlink()
-    elif folder.exists():
-        shutil.rmtree(folder)
-
-
-def clean(*_):
-    """build/ is last: the lock is there."""
-    try:
-        for name in ("results", ".snakemake", "build"):
-            delete(Path(name))
-    except OSError as error:
-        raise Failure(f"{error.filename} cannot be deleted ({error.strerror}).") from None
-    say("Deleted build/ and results/.")
 
 
 def duration(seconds):
@@ -111,10 +92,17 @@ def main(*words):
     return RUN[request.command](request, Processes())
 
 
+def discard_output():
+    """What is left of it, which Python writes at its end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 def main_or_sentence(*words):
     """The exit code: 1 if a command failed, 2 if the command line makes no sense."""
     try:
-        return main(*words)
+        code = main(*words)
+        sys.stdout.flush()
+        return code
     except UsageError as error:
         if str(error):
             complain(error)
@@ -125,8 +113,12 @@ def main_or_sentence(*words):
         complain(failure)
         return 1
     except BrokenPipeError:  # such as that of `| head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        discard_output()
         return 141
+    except OSError as error:
+        discard_output()
+        complain(f"{error.filename or 'standard output'}: {error.strerror}.")
+        return 1
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ Commands
   check                     look for faults in the sources and in their layout
   tidy                      look for more of them, with clang-tidy (some minutes)
   list                      list the figures and other recipes
-  clean                     delete build/ and results/ (never checkpoints/)
+  clean                     delete what these commands wrote and built, and name what is left
 
 Options
 """
@@ -86,7 +86,7 @@ COMMANDS = {
     "check": "faults and layout of the sources",
     "tidy": "more faults",
     "list": "this list",
-    "clean": "delete build/ and results/",
+    "clean": "delete what was written and built here",
 }
 
 

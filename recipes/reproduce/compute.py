@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 from runs.fingerprint import fingerprint_of_programs
+from runs.written import note
 from sweeps.sweep import SweepError
 from reproduce.place import place_of
 from reproduce.project import (
@@ -77,6 +78,7 @@ def reproduce(request, recipes, processes):
     place = prepare(request, processes)
     names = " ".join(recipes)
     say(f"Computing {names} {place} ...")
+    note(RESULTS, RESULTS / "runs.jsonl")
     started = time.time()
     options = options_of_snakemake(request, place, recipes=names)
     if run_pipeline(processes, recipes, options):

@@ -21,10 +21,24 @@ from snakemake import main as run_snakemake  # noqa: E402
 STAGES = ("start", "refine")  # recipes/Snakefile
 
 
+class Errors(io.StringIO):
+    """Standard error without the note about the profile, which newer Snakemakes print each time."""
+
+    hidden = False
+
+    def write(self, text):
+        self.hidden = text.startswith("Using profile ") or (self.hidden and text == "\n")
+        return len(text) if self.hidden else sys.__stderr__.write(text)
+
+    def flush(self):
+        sys.__stderr__.flush()
+
+
 def snakemake(*arguments):
     """Its exit code. This is the program `snakemake`, without starting it anew each time."""
     try:
-        run_snakemake([*arguments])
+        with contextlib.redirect_stderr(Errors()):
+            run_snakemake([*arguments])
     except SystemExit as end:
         return end.code
     return 0

@@ -5,6 +5,7 @@
 
 import os
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 SHARE = Path(__file__).resolve().parents[2]  # recipes and what they read
@@ -69,4 +70,5 @@ def say(text=""):
 
 
 def complain(text):
-    print(f"{'reproduce' if WORK else 'reproduce.sh'}: {text}", file=sys.stderr, flush=True)
+    with suppress(OSError):  # nobody can read it
+        print(f"{'reproduce' if WORK else 'reproduce.sh'}: {text}", file=sys.stderr, flush=True)

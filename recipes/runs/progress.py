@@ -15,8 +15,11 @@ import sys
 import time
 from pathlib import Path
 
+from runs.written import note
+
 LOG = Path("build/log/recipes.log")
-JOBS = Path("results/jobs.jsonl")
+RESULTS = Path("results")
+JOBS = RESULTS / "jobs.jsonl"
 LAST_LINES = 30
 COLLECTING = ("all", "refine", "start", "sweep")  # rules that make nothing themselves
 START = time.monotonic()
@@ -34,10 +37,10 @@ def log(text):
 
 
 def show(text):
-    """A reader who has gone, as of `| head`, does not stop the run."""
+    """A reader who has gone, as of `| head`, or a full disk does not stop the run."""
     try:
         print(text, flush=True)
-    except BrokenPipeError:
+    except OSError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -70,6 +73,8 @@ def on_start(message):
         "command": "",
         **{name: [str(path) for path in message[name]] for name in ("input", "output")},
     }
+    records = [f"{path}.part" for path in message["output"] if str(path).endswith(".h5")]
+    note(RESULTS, JOBS, *message["output"], *message["log"], *records)
     if message["name"] not in COLLECTING:
         steps["started"] += 1
         number = f"{steps['started']:{len(steps['total'])}}/{steps['total']}"

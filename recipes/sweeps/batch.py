@@ -16,7 +16,7 @@ import json
 import signal
 import sys
 
-from data.replacing import replacing
+from rupture.replacing import replacing
 from sweeps.point import INTERRUPTIONS, Crash, compute
 from sweeps.point_store import PointStore, digest
 from sweeps.sweep import read_sweep

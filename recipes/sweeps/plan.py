@@ -15,12 +15,15 @@ import subprocess
 from contextlib import contextmanager
 from pathlib import Path
 
-from data.replacing import replacing
+from rupture.replacing import replacing
+from runs.written import note
 from sweeps.columns import check_values, settle_columns, units_of_values
 from sweeps.expand import expand
 from sweeps.form import check_command, check_form, check_given_once, check_name, check_needed
 from sweeps.names import names_of
 from sweeps.sweep import SweepError, empty_ini, is_values, parse_ini, sentence_of, sweep_of
+
+ENDINGS = (".ini", "-points.csv", ".csv", ".hdf5", ".png", ".pdf")
 
 
 @contextmanager
@@ -47,6 +50,7 @@ def keep_base(path, tools, results):
     checksum = done.stdout.strip()
     copy = Path(results) / "data/bases" / f"{checksum[:16]}.h5"
     with writing(copy) as part:
+        note(results, copy, f"{copy}.sum")
         part.write_bytes(content)
     with writing(f"{copy}.sum") as part:
         part.write_text(f"content-sha256 {checksum}  {copy.name}\n", encoding="utf-8")
@@ -115,6 +119,7 @@ def make_plan(path, names, tools, results):
         copy = output.with_name(f"{path.stem}-points.csv")
         plan["sweep"]["points"] = keep_points(plan["sweep"]["points"], copy)
     with writing(output) as part, part.open("w", encoding="utf-8") as file:
+        note(results, *(output.with_name(f"{path.stem}{ending}") for ending in ENDINGS))
         parser_of(plan).write(file)
     return output
 

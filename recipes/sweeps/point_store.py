@@ -13,7 +13,7 @@ import json
 from functools import cache
 from pathlib import Path
 
-from data.replacing import write_whole
+from rupture.replacing import write_whole
 
 
 COMPUTED_BY = Path(__file__).with_name("point.py").read_text(encoding="utf-8")

@@ -7,6 +7,7 @@
 #
 # A job computes a batch of points and makes one small file, which has a digest of each result. The
 # results themselves are no outputs of the job, so that those that are done outlive one that is ended.
+from runs.written import note
 from sweeps.point_store import PointStore
 from sweeps.sweep import (
     BATCHES_OF_MANY,
@@ -51,6 +52,7 @@ POINTS = f"{DATA}/points"
 # A result that was deleted, damaged, or replaced by that of other programs is to be computed again.
 STORE = PointStore(POINTS, CODE)
 for path, (_, batch) in BATCHES.items():
+    note(RESULTS, *(f"{POINTS}/{point.id}.{ending}" for point in batch for ending in ("json", "why")))
     if Path(path).exists() and any(STORE.result(point) is None for point in batch):
         Path(path).unlink()
 

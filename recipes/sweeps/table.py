@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
-from data.replacing import replacing
+from rupture.replacing import replacing
 from data.tables import write_table
 
 

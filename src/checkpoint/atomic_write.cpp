@@ -197,6 +197,7 @@ std::optional<std::vector<std::byte>> read_start(const Descriptor& file, std::si
 
 bool is_locked(const fs::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0 && errno == ENOENT) return false;  // its run has just ended
   if (file.get() < 0) fail(path);
   struct flock lock = whole_file_for_writing();
   return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;

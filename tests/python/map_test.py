@@ -27,7 +27,9 @@ class Map(unittest.TestCase):
         self.folder, self.result, _ = small.folder()
 
     def test_draws_all_or_an_event_or_a_time(self):
-        for number, choice in enumerate([(), ("--event", 0), ("--from", "0.5ms", "--to", 1e-3)]):
+        for number, choice in enumerate(
+            [(), ("--event", "first-spanning"), ("--from", "0.5ms", "--to", 1e-3)]
+        ):
             name = f"map-{number}.png"
             self.assertEqual(ran("map", "small-record.h5", "-o", name, *choice), (0, "", ""))
             self.assertEqual(size_of_png(name), (2000, 840))

@@ -5,6 +5,7 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import unittest
 from pathlib import Path
@@ -33,6 +34,17 @@ class Movie(unittest.TestCase):
         command = ("movie", "small-record.h5", "-o", "x.mp4", "--frames", 2, "--event", 0)
         self.assertEqual(ran(*command), (0, "", ""))
         self.assertEqual(Path("x.mp4").read_bytes()[4:8], b"ftyp")
+
+    def test_interrupted_ends_by_the_signal_and_leaves_nothing(self):
+        before = sorted(Path().iterdir())
+        for number in (signal.SIGINT, signal.SIGTERM):
+            command = [os.environ["RUPTURE_BIN"] + "/movie", "small-record.h5", "-o", "z.gif"]
+            with subprocess.Popen(command, stderr=subprocess.PIPE) as it:
+                while not list(Path().glob(".z.tmp.*")):
+                    self.assertIsNone(it.poll())
+                it.send_signal(number)
+                self.assertEqual(it.communicate()[1], b"")
+            self.assertEqual((it.returncode, sorted(Path().iterdir())), (-number, before))
 
     def test_frames_are_even_and_in_the_window(self):
         time = np.arange(101.0)

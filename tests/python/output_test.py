@@ -11,9 +11,11 @@ import subprocess
 import unittest
 from importlib import import_module
 from pathlib import Path
+from unittest import mock
 
 import small
 from program import check_refusals
+from rupture.replacing import rename_to_new, replacing
 
 WRITERS = {"map": ("small-record.h5", ".png"), "movie": ("small-record.h5", ".gif")}
 WRITERS["xdmf"] = ("small.h5", ".xdmf")
@@ -94,17 +96,61 @@ class Outputs(unittest.TestCase):
             check_refusals(self, name, [case], preexec_fn=no_room)
 
     def test_of_text(self):
-        for name in WRITERS:
-            with open("/dev/full", "w", encoding="utf-8") as full:
-                done = subprocess.run(
-                    [Path(os.environ["RUPTURE_BIN"]) / name, "--help"],
-                    stdout=full,
-                    stderr=subprocess.PIPE,
-                    text=True,
-                    check=False,
-                )
-            sentence = f"rupture {name}: standard output: No space left on device\n"
-            self.assertEqual((done.returncode, done.stderr), (1, sentence))
+        reasons = {"/dev/full": "No space left on device", "&-": "Bad file descriptor"}
+        words = [
+            f"{name} --{what}" for name in (*WRITERS, "watch") for what in ("help", "describe")
+        ]
+        for command in (*words, "watch --text small-record.h5"):
+            for to, reason in reasons.items():
+                shell = ["bash", "-c", f'"$RUPTURE_BIN"/{command} >{to}']
+                done = subprocess.run(shell, stderr=subprocess.PIPE, text=True, check=False)
+                sentence = f"rupture {command.split()[0]}: standard output: {reason}\n"
+                self.assertEqual((done.returncode, done.stderr), (1, sentence))
+
+    def test_with_all_streams_closed(self):
+        for number, code in enumerate((0, 1)):
+            command = '"$RUPTURE_BIN"/xdmf small.h5 -o closed.xdmf <&- >&- 2>&-'
+            self.assertEqual(subprocess.run(["bash", "-c", command]).returncode, code)
+        self.assertTrue(Path("closed.xdmf").read_text().startswith("<?xml"))
+
+
+class Replacing(unittest.TestCase):
+    def setUp(self):
+        small.folder()
+        Path("theirs").write_text("theirs")
+
+    def left(self):
+        return [path for path in Path().iterdir() if ".tmp." in path.name]
+
+    def test_a_file_that_appears_meanwhile_is_kept(self):
+        with self.assertRaises(FileExistsError), replacing("new", rename_to_new) as temporary:
+            temporary.write_text("ours")
+            os.link("theirs", "new")
+        self.assertEqual((Path("new").read_text(), self.left()), ("theirs", []))
+
+    def test_a_link_in_the_place_of_the_temporary_file_is_neither_followed_nor_deleted(self):
+        with mock.patch("secrets.token_hex", return_value="0"):
+            Path(".x.tmp.0").symlink_to("theirs")
+            with self.assertRaises(FileExistsError), replacing("x"):
+                pass
+            Path(".x.tmp.0").unlink()
+            with self.assertRaises(OSError), replacing("x") as temporary:
+                temporary.rename("x")
+                temporary.symlink_to("theirs")
+        self.assertEqual([path.readlink() for path in self.left()], [Path("theirs")])
+        self.assertEqual(Path("theirs").read_text(), "theirs")
+        temporary.unlink()
+
+    def test_file_and_folder_are_synced(self):
+        synced = []
+
+        def note(file):
+            synced.append((os.readlink(f"/proc/self/fd/{file}"), Path("y").exists()))
+
+        with mock.patch("os.fsync", note), replacing("y") as hidden:
+            pass
+        here = os.getcwd()
+        self.assertEqual(synced, [(f"{here}/{hidden}", False), (here, True)])
 
 
 if __name__ == "__main__":

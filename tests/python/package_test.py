@@ -82,6 +82,7 @@ class Files(unittest.TestCase):
         for file in (record, self.result.checkpoint, rupture.open(killed("in", 2))):
             listed = list(file)
             paths = [f"{file.home}/{name}" for name in listed]
+            there = [path for path in paths if path in file.file]  # also with its group
             parameters = [f"parameters/{name.replace('.', '/')}" for name in file.parameters]
             odd = [
                 "",
@@ -97,10 +98,12 @@ class Files(unittest.TestCase):
             odd += [f"/{name}" for name in listed] + [f"./{name}" for name in listed]
             odd += [f"{name}/" for name in listed] + [f"{name}/x" for name in listed]
             for name in [*listed, *paths, *parameters, *file.parameters, *odd]:
-                self.assertEqual(name in file, name in set(listed), name)
+                self.assertEqual(name in file, name in {*listed, *there}, name)
         with mock.patch("rupture.files.datasets", side_effect=AssertionError("lists all")):
             self.assertIn("tau", record)
             self.assertNotIn("fields/u_x", record)
+            self.assertIn("series/tau", record)
+        self.assertEqual(record.get("nix", 5), 5)
         self.fails("has no ", record.dataset, "")
 
     def test_verifies_files_of_every_schema(self):
@@ -152,6 +155,13 @@ class Files(unittest.TestCase):
 class Programs(unittest.TestCase):
     def setUp(self):
         self.folder, self.result, _ = small.folder()
+
+    def test_that_draw_give_the_path_of_the_picture(self):
+        path = rupture.run("map", "small-record.h5", output="map.png")
+        self.assertEqual((path, path.read_bytes()[1:4]), (Path("map.png"), b"PNG"))
+
+    def test_have_the_version_of_the_package(self):
+        self.assertRegex(rupture.__version__, r"^\d+\.\d+\.\d+$")
 
     def test_a_result_has_the_files_of_its_run(self):
         names = [path.name for path in self.result.checkpoints]

@@ -29,6 +29,22 @@ class Page(unittest.TestCase):
         self.assertEqual(done.stdout, f"Report: {self.project.page}\n")
         return self.project.page.read_text(encoding="utf-8")
 
+    def test_files_of_others_are_not_replaced(self):
+        for name in ("index.html", "ro-crate-metadata.json", "claims.png"):
+            path = (self.project.root / "results" / name).resolve()
+            path.symlink_to("mine")
+            done = self.project.report()
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+            self.assertIn(f"report.py: {path} was not written by", done.stderr)
+            self.assertEqual(path.readlink().name, "mine")
+            path.unlink()
+        self.project.page.write_text("mine")
+        self.assertEqual(self.project.report().returncode, 1)
+        self.assertEqual(self.project.page.read_text(), "mine")
+        self.project.page.unlink()
+        self.page()
+        self.page()
+
     def section(self, name):
         return re.findall(rf'<section id="{name}".*?</section>', self.page(), re.S)[0]
 

@@ -3,8 +3,10 @@
 
 """./reproduce.sh itself: what may be typed, where it runs, and which tests it calls slow."""
 
+import io
 import os
 import re
+import subprocess
 import sys
 import unittest
 import unittest.mock
@@ -14,6 +16,7 @@ from stand_ins import ROOT, Project, write_program
 sys.path.insert(0, str(ROOT / "recipes"))
 
 from reproduce.checks import slowest_tests  # noqa: E402
+from reproduce.pipeline import Errors  # noqa: E402
 from reproduce.place import count_cores, memory_of_allocation  # noqa: E402
 
 
@@ -70,12 +73,48 @@ class CommandLine(Project):
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("build cannot be written (Not a directory).", done.stderr)
 
-    def test_clean_deletes_what_is_behind_a_link(self):
-        (self.root / "disk/fig1").mkdir(parents=True)
-        (self.root / "disk/runs.jsonl").touch()
-        (self.root / "results").symlink_to("disk")
-        self.assertEqual(self.call("clean").stdout, "Deleted build/ and results/.\n")
-        self.assertEqual(list((self.root / "disk").iterdir()), [])
+    def make(self, *files):
+        for path in (self.root / name for name in files):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(f"\nCMAKE_HOME_DIRECTORY:INTERNAL={self.root.resolve()}\n")
+
+    def test_clean_deletes_what_was_written_here_and_names_the_rest(self):
+        self.make("disk/a", "results/a", "results/x/y", "results/mine", "mine", ".snakemake/z")
+        self.make("build/release/CMakeCache.txt", "build/other/o")
+        (self.root / "results/disk").symlink_to("../disk")
+        (self.root / "results/link").symlink_to("../mine")
+        listed = "a x/y disk/a link ../mine /etc/hostname".replace(" ", "\n")
+        (self.root / "results/.rupture-files").write_text(f"{listed}\n\n.\n")
+        deleted, _, *left = self.call("clean").stdout.splitlines()
+        self.assertEqual(deleted, "Deleted 2 files in results/, .snakemake/, build/release/.")
+        kept = ["results/disk -> ../disk", "results/link -> ../mine", "results/mine"]
+        self.assertEqual(left, [f"  {name}" for name in (*kept, "build/other/o")])
+        for name in ("disk/a", "mine", *(one.split()[0] for one in kept)):
+            self.assertTrue((self.root / name).exists(), name)
+        self.assertFalse((self.root / "results/x").exists())
+
+    def test_clean_follows_no_link(self):
+        self.make("disk/a", "disk/release/CMakeCache.txt")
+        (self.root / "disk/.rupture-files").write_text("a\n")
+        for name in ("results", "build"):
+            (self.root / name).symlink_to("disk")
+        self.assertIn("Nothing was deleted.\n", self.call("clean").stdout)
+        self.assertTrue((self.root / "disk/a").exists())
+        self.assertTrue((self.root / "disk/release/CMakeCache.txt").exists())
+
+    def test_standard_output_that_takes_nothing_is_said(self):
+        for to, reason in (("/dev/full", "No space left on device"), ("&-", "Bad file descriptor")):
+            command = ["bash", "-c", f"./reproduce.sh list >{to}"]
+            done = subprocess.run(command, cwd=self.root, stderr=subprocess.PIPE, text=True)
+            sentence = f"reproduce.sh: standard output: {reason}.\n"
+            self.assertEqual((done.returncode, done.stderr), (1, sentence))
+
+    def test_notes_about_the_profile_are_hidden(self):
+        with unittest.mock.patch("sys.__stderr__", io.StringIO()) as shown:
+            errors = Errors()
+            for line in ("Using profile local for ...", "another"):
+                print(line, file=errors)
+        self.assertEqual(shown.getvalue(), "another\n")
 
     def test_nothing_is_made_for_help_and_mistakes(self):
         before = sorted(self.root.iterdir())

@@ -241,7 +241,10 @@ class Computing(unittest.TestCase):
 
     def script(self, name, *arguments, crash="none"):
         environment = dict(
-            os.environ, PYTHONPATH=str(ROOT / "recipes"), CALLS=str(self.calls), CRASH=crash
+            os.environ,
+            PYTHONPATH=f"{ROOT}/recipes:{ROOT}/python",
+            CALLS=str(self.calls),
+            CRASH=crash,
         )
         command = [sys.executable, ROOT / "recipes/sweeps" / name, *arguments]
         return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)

@@ -40,6 +40,14 @@ TEST_F(Finish, gives_the_record_of_a_run_that_was_to_end_there) {
   }
 }
 
+TEST_F(Finish, names_the_record_of_a_run_that_has_just_ended) {
+  output_of("load --config small.ini -o a.h5 --until 1e-6 --record r.h5");
+  const Outcome outcome = run("finish r.h5.part -o new.h5");
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  EXPECT_EQ(outcome.err,
+            "finish: r.h5.part is no more: its run has ended, and its record is r.h5\n");
+}
+
 TEST_F(Finish, says_what_it_did_as_JSON) {
   interrupt("--record-every 1e-6");
   const Outcome outcome = run("finish r.h5.part -o new.h5 --json");

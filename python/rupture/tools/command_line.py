@@ -7,12 +7,15 @@
 import argparse
 import json
 import math
+import os
 import re
 import signal
 import sys
+from contextlib import suppress
 
 from rupture.errors import Failure
 from rupture.programs import output_of
+from rupture.replacing import end_by_signal
 
 
 class UsageError(Failure):
@@ -43,15 +46,17 @@ class Seconds:
 
 
 class WholeNumber:
-    """The type of whole numbers of something, from `least` on."""
+    """The type of whole numbers of something, from `least` on, or `words` instead."""
 
-    def __init__(self, what, least):
-        self.what, self.least = what, least
+    def __init__(self, what, least, *words):
+        self.what, self.least, self.words = what, least, words
 
     def __call__(self, text):
+        if text in self.words:
+            return text
         if WHOLE.fullmatch(text) and int(text) >= self.least:
             return int(text)
-        expected = f"a whole number from {self.least} on"
+        expected = " or ".join((f"a whole number from {self.least} on", *self.words))
         raise argparse.ArgumentTypeError(f"'{text}' is no {self.what}: give {expected}")
 
 
@@ -65,6 +70,14 @@ class Once(argparse.Action):
             raise argparse.ArgumentError(self, "is given more than once")
         self.given = True
         setattr(namespace, self.dest, values)
+
+
+class Help(argparse.Action):
+    """argparse's own one hides that it could not be written."""
+
+    def __call__(self, parser, *_):
+        print(parser.format_help(), end="")
+        parser.exit()
 
 
 class Version(argparse.Action):
@@ -85,8 +98,11 @@ def kind_of(action):
         return "flag"
     if action.choices:
         return "choice"
-    names = {Seconds: "number", WholeNumber: "integer"}
-    return names.get(type(action.type), "output file" if action.dest == "output" else "text")
+    if isinstance(action.type, WholeNumber) and not action.type.words:
+        return "integer"
+    if isinstance(action.type, Seconds):
+        return "number"
+    return "output file" if action.dest == "output" else "text"
 
 
 class Parser(argparse.ArgumentParser):
@@ -105,7 +121,7 @@ class Parser(argparse.ArgumentParser):
 
     def add_common(self):
         common = self.add_argument_group("Common options")
-        common.add_argument("-h", "--help", action="help", help="show this help and stop")
+        common.add_argument("-h", "--help", action=Help, nargs=0, help="show this help and stop")
         text = "print name, options and input as one JSON object and stop"
         common.add_argument("--describe", action=Describe, nargs=0, help=text)
         common.add_argument("--version", action=Version, nargs=0, help="show version and stop")
@@ -153,15 +169,21 @@ def option_json(action):
 def complain(name, sentence):
     """In one line, whatever the names of files hold."""
     line = "".join(letter if letter.isprintable() else "?" for letter in sentence)
-    print(f"rupture {name}: {line}", file=sys.stderr)
+    with suppress(OSError):  # nobody can read it
+        print(f"rupture {name}: {line}", file=sys.stderr, flush=True)
 
 
 def run_tool(name, run):
     """Calls `run` with nothing: the exit code of the program."""
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, end_by_signal)
     try:
-        run()
-        sys.stdout.flush()
+        try:
+            run()
+        finally:  # also after --help
+            sys.stdout.flush()
     except UsageError as error:
         complain(name, f"{error}; see rupture {name} --help")
         return 2
@@ -170,10 +192,9 @@ def run_tool(name, run):
         return 1
     except OSError as error:  # those of other files are Failures
         complain(name, f"{error.filename or 'standard output'}: {error.strerror or error}")
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more
         return 1
     except MemoryError:
         complain(name, "not enough memory")
         return 1
-    except KeyboardInterrupt:
-        return 130
     return 0

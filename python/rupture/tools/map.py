@@ -121,7 +121,7 @@ def run():
     begin, end = window_of(options, record, events)
     shown = events_in(events, begin, end)
     figure = figure_of(record, options.record, shown, (begin, end))
-    with complete(options.output) as path:
+    with complete(options.output, options.force) as path:
         figure.savefig(path, dpi=200)
 
 

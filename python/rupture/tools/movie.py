@@ -168,7 +168,7 @@ def run():
     record = open_record(options.record)
     events = analyze("events", options.record)["events"] if options.event is not None else []
     window = window_of(options, record, events)
-    with complete(options.output) as path, reasons_of_ffmpeg(options.output):
+    with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output):
         draw_frames(record, window, options, path)
 
 

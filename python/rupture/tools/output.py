@@ -4,10 +4,15 @@
 """Files appear complete or not at all, and replace others only if that is asked for."""
 
 import os
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 
+from rupture.replacing import rename_to_new, replacing
 from rupture.tools.command_line import Failure, UsageError
+
+
+def refuse_existing(path):
+    raise Failure(f"{path} exists; give another name, or --force to replace it") from None
 
 
 def check_folder(path):
@@ -34,25 +39,20 @@ def check_output(name, force, endings=(), inputs=()):
     if path.is_dir():
         raise Failure(f"{path} is a folder; give the path of a file to write")
     if path.exists() and not force:
-        raise Failure(f"{path} exists; give another name, or --force to replace it")
+        refuse_existing(path)
     if path.exists() and not path.is_file():
         raise Failure(f"{path} is not a regular file; give another path")
 
 
 @contextmanager
-def complete(path):
+def complete(path, force):
     """The name to write to, whose file gets the name `path` when all has gone well."""
     path = Path(path)
-    hidden = path.with_name(f".{path.stem}.tmp.{os.getpid()}{path.suffix}")
     try:
-        hidden.touch()  # fails with a better reason than the library that writes the file
-        yield hidden
-        with open(hidden, "rb") as file:
-            os.fsync(file.fileno())
-        os.replace(hidden, path)
+        with replacing(path, os.replace if force else rename_to_new) as hidden:
+            yield hidden
+    except FileExistsError:
+        refuse_existing(path)
     except OSError as error:
         reason = os.strerror(error.errno) if error.errno else str(error)
         raise Failure(f"could not write {path}: {reason}") from None
-    finally:
-        with suppress(OSError):
-            hidden.unlink()

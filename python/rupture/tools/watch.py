@@ -132,7 +132,7 @@ class Window:
     def pause(self, seconds):
         self.pyplot.pause(seconds)
         if not self.pyplot.fignum_exists(self.figure.number):
-            raise KeyboardInterrupt  # the window was closed
+            sys.exit()  # the window was closed
 
     def finish(self):
         self.pyplot.show()

@@ -11,12 +11,13 @@ from rupture.tools.command_line import UsageError, WholeNumber
 
 MARGIN = 0.15  # shown before and after an event, of its duration
 LEAST_MARGIN = 0.5e-3  # [s]
+FIRST_SPANNING = "first-spanning"
 
 
 def add_window(parser):
-    text = "draw this event of `analyze events`"
-    number = WholeNumber("number of an event", 0)
-    parser.add_argument("--event", type=number, metavar="N", help=text)
+    text = "draw this event of `analyze events`, or the first that spans the interface"
+    number = WholeNumber("number of an event", 0, FIRST_SPANNING)
+    parser.add_argument("--event", type=number, metavar=f"number|{FIRST_SPANNING}", help=text)
     parser.add_time("--from", "draw from this time on", dest="begin")
     parser.add_time("--to", "draw up to this time", dest="end")
 
@@ -32,6 +33,10 @@ def open_record(path):
 
 def window_of_event(events, number):
     """[s], [s]"""
+    if number == FIRST_SPANNING:
+        number = next((n for n, event in enumerate(events) if event["spanning"]), None)
+    if number is None:
+        raise Failure("no event in the record spans the interface: give --event N")
     if number >= len(events):
         has = f"events 0 to {len(events) - 1}" if events else "no events"
         raise UsageError(f"there is no event {number}: the record has {has}")

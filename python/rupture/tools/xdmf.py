@@ -131,10 +131,10 @@ def write_numbers(path, checkpoints):
     with h5py.File(image, "w") as file:
         for number, checkpoint in enumerate(checkpoints):
             write_derived(file.create_group(f"{number:04}"), checkpoint)
-    path.write_bytes(image.getbuffer())
+    path.write_bytes(image.getvalue())
 
 
-def write_all(checkpoints, output, derived):
+def write_all(checkpoints, output, derived, force):
     """Neither file takes its name before both are written."""
     beside = [os.path.relpath(one.path, output.parent) for one in checkpoints]
     refuse_odd_names([*beside, derived.name])
@@ -142,7 +142,7 @@ def write_all(checkpoints, output, derived):
         step_of(checkpoint, f"{path}:/state", f"{derived.name}:/{number:04}")
         for number, (checkpoint, path) in enumerate(zip(checkpoints, beside))
     ]
-    with complete(output) as text, complete(derived) as numbers:
+    with complete(output, force) as text, complete(derived, force) as numbers:
         write_numbers(numbers, checkpoints)
         text.write_text(text_of(output.stem, steps), encoding="utf-8")
 
@@ -154,7 +154,7 @@ def run():
     derived = output.with_name(f"{output.stem}-derived.hdf5")
     check_output(derived, options.force, inputs=options.checkpoints)
     checkpoints = [open_checkpoint(path) for path in options.checkpoints]
-    write_all(in_time(checkpoints), output, derived)
+    write_all(in_time(checkpoints), output, derived, options.force)
 
 
 def main():

@@ -37,7 +37,14 @@ Options setup(int argc, char** argv) {
           output_options(parsed.values)};
 }
 
-RecordFile read_part(const std::filesystem::path& path) {
+/// Its run may end, and complete its record, at any moment.
+bool has_become_record(const std::filesystem::path& part) {
+  std::filesystem::path record = part;
+  record.replace_extension();
+  return part.extension() == ".part" && !exists(part) && exists(record);
+}
+
+RecordFile read_part(const std::filesystem::path& path) try {
   if (const FileKind kind = identify(path); kind != FileKind::open_record) {
     throw Failure(fmt::format("{} is {}; expected an unfinished record (RECORD.h5.part)",
                               path.string(), kind_text(kind)));
@@ -48,6 +55,10 @@ RecordFile read_part(const std::filesystem::path& path) {
         fmt::format("{} holds no sample yet: its run has to go on, or begin again", path.string()));
   }
   return part;
+} catch (const Failure&) {
+  if (!has_become_record(path)) throw;
+  throw Failure(fmt::format("{} is no more: its run has ended, and its record is {}", path.string(),
+                            std::filesystem::path(path).replace_extension().string()));
 }
 
 /// The run refuses to replace at its end what it did not find at its start.

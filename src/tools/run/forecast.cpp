@@ -49,7 +49,7 @@ double record_size(const Workload& work) {
 
 /// Reading and writing keep several copies of a checkpoint, and of the record when it is completed.
 double run_memory(const Parameters& p, double record) {
-  return 18.5 * kMB + 6.7 * checkpoint_size(p) + 3.0 * record;
+  return 20.5 * kMB + 6.7 * checkpoint_size(p) + 3.5 * record;
 }
 
 bool dissected(const Parameters& p) {
@@ -60,7 +60,7 @@ bool dissected(const Parameters& p) {
 double equilibrium_memory(const Parameters& p) {
   const double width = std::log2(static_cast<double>(std::min(p.Nx, p.Nz)));
   const double per_block = dissected(p) ? 3500.0 + 200.0 * width : 1300.0 * width;
-  return 12.0 * kMB + per_block * blocks(p);
+  return 13.5 * kMB + per_block * blocks(p);
 }
 
 double equilibrium_time(const Parameters& p, double reference) {

@@ -6,6 +6,7 @@
 and a copy in the folder libexec/rupture of an installation."""
 
 import os
+import signal
 import sys
 from importlib import import_module
 from pathlib import Path
@@ -14,6 +15,16 @@ HERE = Path(__file__).resolve().parent
 PACKAGES = (HERE / "../../../python", HERE / "../../lib/python3/dist-packages")
 sys.path[:0] = [str(folder.resolve()) for folder in PACKAGES if (folder / "rupture").is_dir()][:1]
 os.environ.setdefault("RUPTURE_BIN", os.path.dirname(os.path.abspath(__file__)))
+
+
+# A stream that is closed would become the next file. As in cli/interruption.cpp, output that nobody
+# can read fails.
+for number, (stream, mode) in enumerate((("stdin", "r"), ("stdout", "w"), ("stderr", "w"))):
+    if getattr(sys, stream) is None:
+        os.open(os.devnull, os.O_RDONLY if stream == "stdout" else os.O_RDWR)
+        setattr(sys, stream, open(number, mode, encoding="utf-8"))
+if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # no traceback while packages are loaded
 
 name = os.path.basename(sys.argv[0])
 try:

@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""Files that appear whole or not at all, also after a power cut or in folders of others."""
+
+import ctypes
+import errno
+import os
+import secrets
+import signal
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+HERE, NO_REPLACE = -100, 1  # AT_FDCWD and RENAME_NOREPLACE of Linux
+
+
+def rename_to_new(temporary, path):
+    """Raises FileExistsError if there is a file already. Some network file systems know no such
+    renaming, but links."""
+    names = HERE, os.fsencode(temporary), HERE, os.fsencode(path)
+    if ctypes.CDLL(None, use_errno=True).renameat2(*names, NO_REPLACE):
+        if (number := ctypes.get_errno()) not in (errno.EINVAL, errno.ENOSYS):
+            raise OSError(number, os.strerror(number), str(path))
+        os.link(temporary, path)
+
+
+def is_at(file, path):
+    """Whether the path is this very file, and not a link to it."""
+    with suppress(FileNotFoundError):
+        return os.path.samestat(os.fstat(file), os.lstat(path))
+    return False
+
+
+def sync(path):
+    opened = os.open(path, os.O_RDONLY)
+    os.fsync(opened)
+    os.close(opened)
+
+
+unfinished: dict[Path, int] = {}  # temporary files and their descriptors
+
+
+def discard(temporary):
+    """Once it has its name, or somebody took it away, there is nothing to delete."""
+    file = unfinished.pop(temporary)
+    if is_at(file, temporary):
+        temporary.unlink()
+    os.close(file)
+
+
+def end_by_signal(number, _):
+    """A handler: an exception could be lost in a library, or become another one."""
+    for temporary in list(unfinished):
+        discard(temporary)
+    signal.signal(number, signal.SIG_DFL)
+    os.kill(os.getpid(), number)
+
+
+@contextmanager
+def replacing(path, rename=os.replace):
+    """A temporary path, whose file becomes that of `path` at the end; with `rename_to_new`, only
+    if there is none by then."""
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f".{path.stem}.tmp.{secrets.token_hex(4)}{path.suffix}")
+    file = os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
+    unfinished[temporary] = file
+    try:
+        yield temporary
+        if not is_at(file, temporary):
+            raise OSError(errno.ESTALE, "its temporary file was moved", str(path))
+        os.fsync(file)
+        rename(temporary, path)
+        sync(path.parent)
+    finally:
+        discard(temporary)
+
+
+def write_whole(path, text):
+    with replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: The rupture authors
+# SPDX-License-Identifier: MIT
+
+"""The list of what was written below results/, a path in each line: ./reproduce.sh clean deletes
+these files alone, and a report replaces no others."""
+
+import os
+from pathlib import Path
+
+LIST = ".rupture-files"
+known: dict[Path, set[str]] = {}  # by folder: what this process has read or noted
+
+
+def written(results):
+    """Paths relative to `results`. A link in the place of the list is not followed."""
+    path = results / LIST
+    if path.is_symlink() or not path.exists():
+        return set()
+    return set(path.read_text(encoding="utf-8", errors="surrogateescape").splitlines())
+
+
+def note(results, *paths):
+    """Before the files are written, so that those of a run that is killed are known, too."""
+    folder = Path(results).resolve()
+    have = known.setdefault(folder, written(folder))
+    names = dict.fromkeys(os.path.relpath(path, results) for path in paths)
+    if new := [name for name in names if name not in have]:
+        folder.mkdir(parents=True, exist_ok=True)
+        flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW
+        with open(os.open(folder / LIST, flags, 0o666), "w", encoding="utf-8") as file:
+            file.write("".join(f"{name}\n" for name in new))
+        have.update(new)
+
+
+def take_names(results, *names):
+    """Notes them. Raises FileExistsError with a sentence if one is there that is not ours."""
+    folder = Path(results).resolve()
+    for path in (folder / name for name in names):
+        is_ours = path.name in written(folder) and not path.is_symlink()
+        if os.path.lexists(path) and not is_ours:
+            raise FileExistsError(
+                f"{path} was not written by this program ({LIST} beside it has what was), and is"
+                " not replaced: move it away."
+            )
+    note(results, *(Path(results, name) for name in names))
