@@ -83,8 +83,9 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
   RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
                       parts);
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
-  tools::Recorder recorder(writer, tools::Interval{every}, first, last);
-  tools::FieldRecorder fields(writer, tools::Interval{every}, first, last);
+  const tools::Interval interval = {static_cast<double>(every)};
+  tools::Recorder recorder(writer, interval, first, last);
+  tools::FieldRecorder fields(writer, interval, first, last);
 
   std::vector<double> without, with, ratio;
   bool record_a = false;

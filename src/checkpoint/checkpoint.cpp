@@ -14,6 +14,7 @@ namespace rupture {
 namespace {
 
 Content parameters_and_state(const Parameters& parameters, const State& state) {
+  refuse_other_parameters(state, parameters);
   Content content = parameters_content(parameters);
   content.merge(state_content(state));
   return content;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "rupture/model/derived.hpp"
+
 namespace rupture {
 namespace {
 
@@ -14,10 +16,10 @@ void show(const Simulation& simulation, const std::vector<Observer*>& observers)
   }
 }
 
-/// Steps that take about a tenth of a second.
+/// Steps that take about a tenth of a second while all junctions move.
 std::int64_t steps_between_questions(const Parameters& p) {
-  constexpr std::int64_t blocks_moved = 10'000'000;
-  return std::max<std::int64_t>(blocks_moved / (p.Nx * p.Nz), 1);
+  constexpr std::int64_t moved = 10'000'000;  // blocks and junctions
+  return std::max<std::int64_t>(moved / (p.Nx * (p.Nz + springs_per_block(p))), 1);
 }
 
 /// Whether the block at the leading edge, which has ruptured, keeps the rule waiting.

@@ -21,8 +21,9 @@ namespace {
 /// With fewer blocks for each, threads gain too little for the processors that they take.
 [[maybe_unused]] constexpr std::int64_t kBlocksPerThread = 2000;
 
-const Parameters& valid(const Parameters& parameters) {
+const Parameters& valid(const Parameters& parameters, const State& state) {
   validate(parameters);
+  refuse_other_parameters(state, parameters);
   return parameters;
 }
 
@@ -39,7 +40,7 @@ int default_thread_count([[maybe_unused]] const Parameters& p) {
 
 Simulation::Simulation(const Parameters& parameters, State state, int threads,
                        const std::vector<double>& crossings)
-    : parameters_(valid(parameters)),
+    : parameters_(valid(parameters, state)),
       normal_(parameters),
       state_(std::move(state)),
       bulk_(parameters, threads),

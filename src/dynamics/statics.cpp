@@ -3,6 +3,8 @@
 
 #include "statics.hpp"
 
+#include <fmt/core.h>
+
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
@@ -13,6 +15,7 @@
 #include "nested_dissection.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
 #include "rupture/model/normal_contact.hpp"
 
 namespace rupture {
@@ -138,6 +141,10 @@ std::unique_ptr<LinearSolver> solver_for(Elimination elimination) {
 }  // namespace
 
 State compressed(const Parameters& p) {
+  if (p.Nx * p.Nz > kMostBlocks) {
+    throw UsageError(fmt::format("slider.Nx x slider.Nz = {}: an equilibrium has at most {} blocks",
+                                 p.Nx * p.Nz, kMostBlocks));
+  }
   State state(p);
   const NormalContact contact(p);
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
@@ -192,11 +199,11 @@ double largest(const Field& f_x, const Field& f_z) {
 
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
                                    Elimination elimination) {
+  State state = compressed(p);
   const Unknowns unknown(p, elimination);
   constexpr int most_iterations = 50;
   const double tolerance = 1e-11 * mean_normal_force(p);
   Bulk bulk(p);
-  State state = compressed(p);
   Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
   std::unique_ptr<LinearSolver> solver;
   double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit

@@ -3,13 +3,17 @@
 
 #include "rupture/model/state.hpp"
 
+#include <fmt/core.h>
+
 #include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 
 namespace rupture {
 
 State::State(const Parameters& p)
-    : u_x(p.Nx, p.Nz),
+    : made_with(p),
+      u_x(p.Nx, p.Nz),
       u_z(p.Nx, p.Nz),
       v_x(p.Nx, p.Nz),
       v_z(p.Nx, p.Nz),
@@ -21,6 +25,17 @@ State::State(const Parameters& p)
   junctions.draws.setZero(p.Nx, springs);
   if (const auto& memory = law_info(p.law).memory) {
     (junctions.*memory->array).setZero(p.Nx, springs);
+  }
+}
+
+void refuse_other_parameters(const State& state, const Parameters& parameters) {
+  for (const auto& info : parameter_table()) {
+    const std::string made = parameter_text(state.made_with, info);
+    const std::string given = parameter_text(parameters, info);
+    if (made == given) continue;
+    throw UsageError(fmt::format(
+        "{} = {}, but the state was made with {}: give the state to continued() to change it",
+        info.name, given, made));
   }
 }
 

@@ -79,7 +79,7 @@ TEST_F(BadInput, files_that_are_no_manifest_or_configuration) {
   expect_refusal("analyze verify --manifest odd", kFailed,
                  "odd is no manifest: 'a?b' is not 'content-sha256 <64 hex digits>  <file>'");
   expect_refusal("load --config a.h5 -o b.h5", kUsage,
-                 "a.h5: the options configuration file contains an invalid line "
+                 "a.h5:1: the options configuration file contains an invalid line "
                  "'rupture-checkpoint'; write lines NAME = VALUE and [GROUP]");
 }
 

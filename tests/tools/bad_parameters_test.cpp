@@ -134,8 +134,9 @@ TEST_F(BadOptions, other_numbers_have_no_units_of_time) {
       "prepare -o a.h5 --tau-bar 0.2 --x-trigger 20ms", kUsage,
       "--x-trigger 20ms is not a number (unit m, mm, um or nm); see rupture prepare --help");
   write("odd.ini", "until = 10 years\n");
-  expect_refusal("load --config odd.ini -o a.h5", kUsage,
-                 "until 10 years is not a number (unit s, ms, us or ns); see rupture load --help");
+  expect_refusal(
+      "load --config odd.ini -o a.h5", kUsage,
+      "odd.ini:1: until 10 years is not a number (unit s, ms, us or ns); see rupture load --help");
 }
 
 TEST_F(BadOptions, checkpoint_times_must_be_numbers_from_zero) {
@@ -158,14 +159,16 @@ TEST_F(BadOptions, intervals_must_be_at_least_a_step) {
                  "--checkpoint-every is shorter than one time step");
   expect_refusal(load + "--record r.h5 --record-every 0", kUsage,
                  "--record-every is shorter than one time step");
+  expect_refusal(load + "--record r.h5 --record-every 1.5e-7", kUsage,
+                 "--record-every is shorter than one time step");
 }
 
 TEST_F(BadOptions, parts_of_a_record_must_make_sense) {
   const std::string load = "load --config small.ini -o a.h5 ";
-  expect_refusal(load + "--crossings 0.2", kUsage,
-                 "--crossings are part of a record: give --record as well");
-  expect_refusal(load + "--fields 2e-5", kUsage,
-                 "--fields are part of a record: give --record as well");
+  for (const std::string part : {"--crossings 0.2", "--fields 2e-5", "--record-every 1e-4"}) {
+    expect_refusal(load + part, kUsage,
+                   part.substr(0, part.find(' ')) + " needs a record: give --record as well");
+  }
   expect_refusal(load + "--record r.h5 --fields 1e-9", kUsage,
                  "--fields is shorter than one time step");
   expect_refusal(load + "--record r.h5 --crossings 0.2,0.3", kUsage,
@@ -262,23 +265,41 @@ TEST_F(BadOptions, configuration_must_be_readable) {
   expect_refusal(
       "load --config gone.ini -o a.h5", kFailed,
       "cannot read the configuration file gone.ini; give the path of a readable INI file");
-  write("odd.ini", "slider.L\n");
-  expect_refusal_with("load --config odd.ini -o a.h5", kUsage, "slider.L");
-  write("odd.ini", "until = soon\n");
-  expect_refusal_with("load --config odd.ini -o a.h5", kUsage, "soon");
+  expect_refusal("load --config /dev/zero -o a.h5", kFailed,
+                 "the configuration file /dev/zero is longer than 100000 bytes; give the path of "
+                 "an INI file");
+  write("odd.ini", "\n[slider]\nslider.L\n");
+  expect_refusal_with("load --config odd.ini -o a.h5", kUsage, "odd.ini:3: ");
+}
+
+TEST_F(BadOptions, settings_are_given_once_in_each_place) {
+  const std::string load = "load -o a.h5 ";
+  for (const std::string twice :
+       {"--seed 1 --set numerics.seed=2", "--set numerics.seed=1 --set numerics.seed=1"}) {
+    expect_refusal(load + twice, kUsage, "numerics.seed is given twice: give it once");
+  }
+  for (const std::string twice :
+       {"seed = 1\n[numerics]\nseed = 1\n", "[numerics]\nseed = 1\nseed = 2\n",
+        "numerics.seed = 1\n\nset = numerics.seed=1\n"}) {
+    write("twice.ini", twice);
+    expect_refusal(load + "--config twice.ini", kUsage,
+                   "twice.ini:3: numerics.seed is given twice: give it once");
+  }
+  write("twice.ini", "until = 1\n\nuntil = 1\n");
+  expect_refusal_with(load + "--config twice.ini", kUsage, "twice.ini:3: option 'until'");
 }
 
 TEST_F(BadOptions, parameters_of_a_configuration_are_checked_alike) {
   write("bad.ini", "[slider]\nLL = 0.14\n");
   expect_refusal("load --config bad.ini -o a.h5", kUsage,
-                 "unknown parameter 'slider.LL': did you mean 'slider.L'?");
+                 "bad.ini:2: unknown parameter 'slider.LL': did you mean 'slider.L'?");
   write("bad.ini", "[slider]\nL = long\n");
   expect_refusal("load --config bad.ini -o a.h5", kUsage,
-                 "slider.L = 'long' is not a number (unit m, mm, um or nm)");
+                 "bad.ini:2: slider.L = 'long' is not a number (unit m, mm, um or nm)");
   write("bad.ini", "[driving]\nV = 11\n");
   expect_refusal("load --config bad.ini -o a.h5", kUsage,
-                 "driving.V = 11 is out of range: give a value of at least -10 and at most 10 "
-                 "(unit m/s)");
+                 "bad.ini:2: driving.V = 11 is out of range: give a value of at least -10 and at "
+                 "most 10 (unit m/s)");
   write("bad.ini", "untill = 1\n");
   expect_refusal_with("load --config bad.ini -o a.h5", kUsage, "untill");
 }
@@ -322,12 +343,16 @@ TEST_F(BadOptions, SLOW_lattice_too_large_for_the_memory_is_refused) {
   if (RUPTURE_SANITIZED) GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
   const RunOptions two_gigabytes = {.memory = std::uint64_t{2} << 30U};
   constexpr const char* sentence = "not enough memory for a lattice of this size";
+  for (const std::string how : {"", " --dry-run"}) {
+    expect_refusal(
+        "load -o a.h5 --set slider.Nx=65536 --set slider.Nz=65536 --set slider.H=0.14 "
+        "--set driving.h=0 --set numerics.dt=1e-11" +
+            how,
+        kUsage, "slider.Nx x slider.Nz = 4294967296: an equilibrium has at most 7000000 blocks",
+        two_gigabytes);
+  }
   expect_refusal(
-      "load -o a.h5 --set slider.Nx=65536 --set slider.Nz=65536 --set slider.H=0.14 "
-      "--set driving.h=0 --set numerics.dt=1e-11",
-      kFailed, sentence, two_gigabytes);
-  expect_refusal(
-      "load -o a.h5 --set slider.Nx=4001 --set slider.Nz=2001 --set slider.H=0.07 "
+      "load -o a.h5 --set slider.Nx=2801 --set slider.Nz=2401 --set slider.H=0.12 "
       "--set driving.h=0 --set numerics.dt=1e-10",
       kFailed, sentence, two_gigabytes);
   expect_refusal(

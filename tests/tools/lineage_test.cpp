@@ -140,7 +140,7 @@ TEST_F(Lineage, of_a_run_until_quiet_stops_where_it_stopped) {
 }
 
 TEST_F(Lineage, of_records) {
-  output_of("load --config small.ini -o a.h5 --until 2e-4 --record r.h5 --record-every 1.3e-5");
+  output_of("load --config small.ini -o a.h5 --until 2e-4 --record r.h5 --record-every 1.31e-5");
   output_of(
       "restart a.h5 -o b.h5 --for 1e-5 --record s.h5 --record-every 1e-6 --crossings 0.7,0.25,0.7 "
       "--fields 3e-6");

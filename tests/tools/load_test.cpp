@@ -68,7 +68,7 @@ TEST_F(Load, command_line_overrides_the_configuration) {
   write("run.ini",
         "until = 1e-3\nslider.Nx = 9\nslider.Nz = 5\nslider.H = 0.07\ndriving.h = 0.0175\n"
         "driving.V = 5\n");
-  output_of("load --config run.ini --set driving.V=2 --set driving.V=1 --until 1e-4 -o a.h5");
+  output_of("load --config run.ini --set driving.V=1 --until 1e-4 -o a.h5");
   output_of("load --config small.ini -o b.h5 --until 1e-4");
   EXPECT_EQ(checksum_of("a.h5"), checksum_of("b.h5"));
 }
@@ -77,10 +77,10 @@ TEST_F(Load, numbers_with_units_give_what_plain_numbers_give) {
   output_of(
       "load --config small.ini -o a.h5 --until 4e-4 --checkpoint-at 1e-4 2e-4 --record a-r.h5 "
       "--record-every 2e-5 --set numerics.dt=1e-7");
-  write(
-      "run.ini",
-      "until = 0.4 ms   # with a unit\n[slider]\nNx = 9\nNz = 5\nH = 70 mm\n[driving]\nh = 17.5mm\n"
-      "V = 1\n");
+  write("run.ini",
+        "\xEF\xBB\xBFuntil = 0.4 ms   # with a unit\n[slider]\nNx = 9\nNz = 5\nH = 70 "
+        "mm\n[driving]\nh = 17.5mm\n"
+        "V = 1\n");
   output_of(
       "load --config run.ini -o b.h5 --checkpoint-at 100us 0.2ms --record b-r.h5 "
       "--record-every 20us --set numerics.dt=0.1us");
@@ -177,6 +177,18 @@ TEST_F(Load, record_samples_at_multiples_of_the_interval) {
   ASSERT_EQ(time.size(), 7U);
   for (std::size_t n = 0; n < 6; ++n) EXPECT_NEAR(time[n], static_cast<double>(n) * 2e-5, 1e-15);
   EXPECT_NEAR(time.back(), 1.1e-4, 1e-15);
+}
+
+TEST_F(Load, what_is_not_a_multiple_of_the_time_step_is_done_at_the_nearest_step) {
+  output_of(
+      "load --config small.ini -o a.h5 --until 1.1e-5 --record r.h5 --record-every 3.3e-7 "
+      "--checkpoint-every 1.3e-6 -q");
+  const std::vector<double> time = json_of("analyze loading r.h5 --json")["time"];
+  ASSERT_EQ(time.size(), 35U);
+  for (std::size_t n = 0; n < 34; ++n) {
+    EXPECT_NEAR(time[n], static_cast<double>(n) * 3.3e-7, 1.001e-7) << n;  // half a step
+  }
+  EXPECT_EQ(files().size(), 11U);  // small.ini, a.h5, r.h5 and 8 checkpoints on the way
 }
 
 TEST_F(Load, recording_changes_nothing) {

@@ -60,7 +60,7 @@ TEST_F(Resume, gives_the_crossings_of_the_uninterrupted_run) {
 }
 
 TEST_F(Resume, gives_the_fields_of_the_uninterrupted_run) {
-  const std::string run = std::string(kRun) + " --fields 4e-5";
+  const std::string run = std::string(kRun) + " --fields 4.01e-5";  // 200.5 steps
   output_of(run);
   const std::string whole = read("r.h5.sum");
   for (const int n : {5, 2, 1}) {

@@ -47,10 +47,8 @@ State slider_after_80_us(Parameters p, double dt) {
 
 /// That, and then 80 us in other steps.
 State continued(const Parameters& p, double first_dt, double dt) {
-  const Parameters before = unbroken(p, first_dt), after = unbroken(p, dt);
-  State state = slider_after_80_us(p, first_dt);
-  change_pace(before, after, state);
-  return after_another_80_us(after, state);
+  const Parameters after = unbroken(p, dt);
+  return after_another_80_us(after, rupture::continued(slider_after_80_us(p, first_dt), after));
 }
 
 double distance(const Field& a, const Field& b) {

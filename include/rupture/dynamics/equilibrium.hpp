@@ -15,8 +15,13 @@ namespace rupture {
 /// stay; none of their sliders has more than 7,000 blocks.
 inline constexpr std::int64_t kBlocksOfDissection = 10000;
 
+/// With more blocks than this, a factor may have more than the 2^31 entries that it can count: it
+/// has some 30 log2(N) - 71 per block of N x N blocks, 270 here.
+inline constexpr std::int64_t kMostBlocks = 7'000'000;
+
 /// Uniaxial compression under F_N against the support, nothing moved sideways: near the
-/// equilibrium, and a start from which Newton's method converges to it.
+/// equilibrium, and a start from which Newton's method converges to it. Throws UsageError if there
+/// are too many blocks for that.
 State compressed(const Parameters& parameters);
 
 /// The slider at rest under F_N, F_T = 0, all junctions attached at x_ij = x_i(undeformed) and

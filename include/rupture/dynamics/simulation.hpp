@@ -36,7 +36,8 @@ class Simulation {
  public:
   /// Takes over a complete state. The bulk is shared out among `threads` threads, which changes no
   /// bit of any result. Of the pinned fractions `crossings`, ruptures() tells as well when blocks
-  /// fall below them. Throws UsageError if the parameters are invalid.
+  /// fall below them. Throws UsageError if the parameters are invalid or not those that the state
+  /// was made with.
   Simulation(const Parameters& parameters, State state, int threads = 1,
              const std::vector<double>& crossings = {});
   Simulation(const Simulation&) = delete;
@@ -107,6 +108,11 @@ class Simulation {
   Power power_;
   bool blown_up_ = false;
 };
+
+/// The state going on under other parameters: its time and driving point stay where they are, its
+/// junctions become those of another law. Throws UsageError if they are invalid, or if one changes
+/// that must be kept.
+State continued(State state, const Parameters& after);
 
 /// The number of threads with which a slider of this size runs fastest: one while it is small, then
 /// more, up to those that this machine or the environment variable OMP_NUM_THREADS allows.

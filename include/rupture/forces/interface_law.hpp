@@ -51,9 +51,9 @@ std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& 
 void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
                   Eigen::Index j, double u, double w, double t);
 
-/// Makes junctions of the law of `before` junctions of that of `after`, of which both have N_s per
-/// block, at time t [s]. Unless both draw the time at which a spring is pinned again, those that
-/// slip now begin to slip anew under the new law.
+/// Part of continued(): makes junctions of the law of `before` junctions of that of `after`, of
+/// which both have N_s per block, at time t [s]. Unless both draw the time at which a spring is
+/// pinned again, those that slip now begin to slip anew under the new law.
 void change_law(const Parameters& before, const Parameters& after, double t, Junctions& junctions);
 
 }  // namespace rupture

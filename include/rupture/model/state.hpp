@@ -55,6 +55,7 @@ struct State {
   /// The undeformed slider at rest with every junction pinned and unstretched.
   explicit State(const Parameters& parameters);
 
+  Parameters made_with;   ///< give the rest its meaning: other ones are for continued()
   std::int64_t step = 0;  ///< steps done, whatever dt they had
   Clock clock;
   Drive drive;
@@ -63,6 +64,9 @@ struct State {
   Field f_x, f_z;  ///< net force on each block at this step [N]
   Junctions junctions;
 };
+
+/// Throws UsageError unless the state was made with these parameters.
+void refuse_other_parameters(const State& state, const Parameters& parameters);
 
 /// Time of `step`, not before the clock's origin [s].
 double time_at(const Parameters& parameters, const Clock& clock, std::int64_t step);
@@ -73,8 +77,8 @@ double time(const Parameters& parameters, const State& state);
 /// Position x_drive of the driving point at `step` [m].
 double drive_position(const Parameters& parameters, const Drive& drive, std::int64_t step);
 
-/// Lets the state go on under the dt and V of `after`: its time and its driving point stay where
-/// they are.
+/// Part of continued(): lets the state go on under the dt and V of `after`. Its time and its
+/// driving point stay where they are.
 void change_pace(const Parameters& before, const Parameters& after, State& state);
 
 /// Force of the driving spring, F_T = K (x_drive - u_x) at the driven block [N].

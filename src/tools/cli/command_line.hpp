@@ -39,8 +39,14 @@ struct HelpRequested {
   std::string text;
 };
 
+/// A parameter that is given a value.
+struct ParameterChange {
+  std::string name, value;
+  std::string where;  ///< "small.ini:3: ", for errors; empty on the command line
+};
+
 /// Parameter assignments in the order in which they apply.
-using ParameterChanges = std::vector<std::pair<std::string, std::string>>;
+using ParameterChanges = std::vector<ParameterChange>;
 
 /// A parsed command line.
 struct Parsed {
@@ -61,7 +67,7 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
 /// The text of --version: the last word names the instruction set that the time steps use here.
 std::string version_text(const std::string& tool);
 
-/// Applies the changes one by one. Throws UsageError as set_parameter() does.
+/// Applies the changes one by one. Throws UsageError as set_parameter() does, with the place.
 void apply(const ParameterChanges& changes, Parameters& parameters);
 
 enum class Verbosity { normal, quiet };

@@ -4,20 +4,29 @@
 // What a run does again and again: record a sample, write a checkpoint.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace rupture::tools {
 
-/// Steps at which multiples of an interval of time have passed since t = 0, so that split runs do
-/// it at the same steps.
+/// The steps nearest to the multiples of an interval of time. They are counted from t = 0, so that
+/// split runs do it at the same steps.
 struct Interval {
-  std::int64_t steps = 1;
-  std::int64_t zero = 0;  ///< step that t = 0 has by the clock; below 0 if dt was longer before
+  double time = 1;        ///< the interval, at least dt [s]
+  double dt = 1;          ///< [s]
+  std::int64_t zero = 0;  ///< step nearest to t = 0 by the clock; below 0 if dt was longer before
+  double offset = 0;      ///< t = 0 comes so much later than that step [steps]
 
+  /// Step of the multiple with that number.
+  std::int64_t step_of(std::int64_t number) const {
+    return zero + std::llround(static_cast<double>(number) * time / dt + offset);
+  }
   /// Number of the last such step that is not after `step`.
-  std::int64_t number_at(std::int64_t step) const { return (step - zero) / steps; }
-  /// Step of that number.
-  std::int64_t step_of(std::int64_t number) const { return zero + number * steps; }
+  std::int64_t number_at(std::int64_t step) const {
+    const double passed = (static_cast<double>(step - zero) - offset) * dt;  // [s]
+    const auto number = static_cast<std::int64_t>(passed / time);
+    return step_of(number + 1) <= step ? number + 1 : number;
+  }
   /// The first such step after `step`.
   std::int64_t after(std::int64_t step) const { return step_of(number_at(step) + 1); }
 };

@@ -79,15 +79,12 @@ std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
                                             const Parameters& parameters, const Clock& clock,
                                             std::int64_t step, const RunFiles& files) {
   chain = run_until(std::move(chain), parameters, clock, step);
-  const auto every = [&](const Interval& interval) {
-    return time_text(parameters, {}, interval.steps);
-  };
   std::string& command = chain.back().rebuild;
-  command += " --record-every " + every(files.record_every);
+  command += fmt::format(" --record-every {}", files.record_every.time);
   if (!files.crossings.empty()) {
     command += fmt::format(" --crossings {}", fmt::join(files.crossings, ","));
   }
-  if (files.fields_every) command += " --fields " + every(*files.fields_every);
+  if (files.fields_every) command += fmt::format(" --fields {}", files.fields_every->time);
   return chain;
 }
 

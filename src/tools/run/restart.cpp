@@ -5,13 +5,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/option_values.hpp"
 #include "run/rebuild.hpp"
 #include "run/simulate.hpp"
-#include "rupture/forces/interface_law.hpp"
+#include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/error.hpp"
-#include "rupture/model/laws.hpp"
 #include "rupture/model/rupture.hpp"
 
 namespace {
@@ -91,37 +91,6 @@ Options setup(int argc, char** argv) {
   return result;
 }
 
-/// One spring per block cannot become many, nor the other way round.
-void refuse_other_springs(const Parameters& before, const Parameters& after) {
-  const LawInfo &old_law = law_info(before.law), &new_law = law_info(after.law);
-  if (old_law.springs == new_law.springs) return;
-  const bool had_one = old_law.springs == SpringsPerBlock::one;
-  throw UsageError(fmt::format(
-      "junctions.law cannot change from {} to {} in a restart: the {} law has one spring per "
-      "block; start with load --set junctions.law={}",
-      old_law.name, new_law.name, had_one ? old_law.name : new_law.name, new_law.name));
-}
-
-void refuse_changes_of_kept(const Parameters& before, const Parameters& after) {
-  for (const auto& info : parameter_table()) {
-    if (info.restart == Restart::may_change) continue;
-    if (parameter_text(before, info) == parameter_text(after, info)) continue;
-    throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}",
-                                 info.name, parameter_text(before, info)));
-  }
-}
-
-/// Applies the changes to a checkpoint.
-void change_parameters(const ParameterChanges& changes, Checkpoint& checkpoint) {
-  const Parameters before = checkpoint.parameters;
-  apply(changes, checkpoint.parameters);
-  refuse_changes_of_kept(before, checkpoint.parameters);
-  refuse_other_springs(before, checkpoint.parameters);
-  change_law(before, checkpoint.parameters, time(before, checkpoint.state),
-             checkpoint.state.junctions);
-  change_pace(before, checkpoint.parameters, checkpoint.state);
-}
-
 StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
   const Parameters& p = checkpoint.parameters;
   const std::int64_t now = checkpoint.state.step;
@@ -145,8 +114,8 @@ StopRule stop_rule(const Options& options, const Checkpoint& checkpoint) {
 int run(const Options& options) {
   Checkpoint checkpoint = read_checkpoint(options.checkpoint);
   const Parameters before = checkpoint.parameters;
-  change_parameters(options.parameters, checkpoint);
-  validate(checkpoint.parameters);
+  apply(options.parameters, checkpoint.parameters);
+  checkpoint.state = continued(std::move(checkpoint.state), checkpoint.parameters);
   checkpoint.provenance.push_back(
       make_provenance("restart", options.run.arguments, checkpoint.checksum,
                       shell_line(rebuild_command("restart", before, checkpoint.parameters))));

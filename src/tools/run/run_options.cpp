@@ -22,16 +22,18 @@ int thread_count(int threads) {
       fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
 }
 
-/// Whether an option for a part of the record is given. Throws UsageError if there is no record.
-bool is_recorded(const po::variables_map& values, const std::string& option) {
-  if (values.count(option) == 0) return false;
-  if (values.count("record") > 0) return true;
-  throw UsageError(fmt::format("--{} are part of a record: give --record as well", option));
+/// Throws UsageError if there is no record for options that say what is recorded.
+void refuse_without_record(const po::variables_map& values) {
+  if (values.count("record") > 0) return;
+  for (const char* option : {"record-every", "crossings", "fields"}) {
+    if (values.count(option) == 0 || values[option].defaulted()) continue;
+    throw UsageError(fmt::format("--{} needs a record: give --record as well", option));
+  }
 }
 
 /// The levels of --crossings, ascending, so that equal records come from equal commands.
 std::vector<double> crossing_levels(const po::variables_map& values) {
-  if (!is_recorded(values, "crossings")) return {};
+  if (values.count("crossings") == 0) return {};
   auto levels = fractions(values, "crossings");
   if (std::find(levels.begin(), levels.end(), kRupturedFraction) != levels.end()) {
     throw UsageError(
@@ -49,8 +51,11 @@ DryRun dry_run(const po::variables_map& values) {
 
 /// Throws UsageError if the time that `option` gives is shorter than a step.
 Interval interval(const Parameters& p, const Clock& clock, double t, std::string_view option) {
-  const Interval every = {steps_in(p, t), step_at(p, clock, 0.0)};
-  if (every.steps >= 1) return every;
+  constexpr double rounding = 1e-9, half = 0.5 - 1e-6;  // a tie is decided once, by `zero`
+  steps_in(p, t);                                       // not too long
+  const std::int64_t zero = step_at(p, clock, 0.0);
+  const double offset = std::clamp(-time_at(p, clock, zero) / p.dt, -half, half);
+  if (t >= p.dt * (1.0 - rounding)) return {std::max(t, p.dt), p.dt, zero, offset};
   throw UsageError(fmt::format("--{} is shorter than one time step", option));
 }
 
@@ -94,8 +99,9 @@ RunOptions run_options(const Parsed& parsed) {
   run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
   run.record_every = non_negative(values, "record-every");
+  refuse_without_record(values);
   run.crossings = crossing_levels(values);
-  if (is_recorded(values, "fields")) run.fields = optional_non_negative(values, "fields");
+  run.fields = optional_non_negative(values, "fields");
   run.on_alarm = on_alarm(values);
   run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
   run.dry_run = dry_run(values);
@@ -130,7 +136,7 @@ std::vector<std::int64_t> checkpoint_steps(const Parameters& p, const State& fir
   if (run.checkpoint_every) {
     const Interval every = interval(p, first.clock, *run.checkpoint_every, "checkpoint-every");
     constexpr std::int64_t most = 1'000'000;
-    if (const std::int64_t count = (last - first.step) / every.steps; count > most) {
+    if (const auto count = every.number_at(last) - every.number_at(first.step); count > most) {
       throw UsageError(
           fmt::format("--checkpoint-every {:g} would write {} checkpoints: give a longer time",
                       *run.checkpoint_every, count));

@@ -104,6 +104,16 @@ TEST(RunSoFar, tells_whether_one_of_its_events_has_spanned) {
   EXPECT_TRUE(has_spanned_after(3.0102, 36, 56)) << "9.85 ms later: the same event, 5 t_R = 10 ms";
 }
 
+TEST(Run, asks_more_often_whether_it_is_interrupted_where_there_are_many_junctions) {
+  Parameters p = quickly_ruptured_slider();
+  p.N_s = 100000;
+  Simulation simulation(p, normal_load_equilibrium(p));
+  int questions = 0;
+  const auto interrupted = [&] { return ++questions > 1; };
+  EXPECT_EQ(run(simulation, {.last_step = 100, .interrupted = interrupted}, {}),
+            Ending::interrupted);
+}
+
 TEST(Run, never_passes_the_last_step) {
   const Parameters p = quickly_ruptured_slider();
   Simulation simulation(p, normal_load_equilibrium(p));

@@ -209,6 +209,18 @@ TEST(Simulation, refuses_parameters_that_make_no_sense) {
   EXPECT_THROW(Simulation(p, State(p)), UsageError);
 }
 
+TEST(Simulation, goes_on_under_other_parameters_by_one_call_only) {
+  const Parameters p = quick_slider();
+  Simulation first(p, normal_load_equilibrium(p));
+  first.advance(100);
+  Parameters stopped = p;
+  stopped.V = 0.0;
+  EXPECT_EQ(message_of<UsageError>([&] { Simulation(stopped, first.state()); }),
+            "driving.V = 0, but the state was made with 0.1: give the state to continued() to "
+            "change it");
+  EXPECT_EQ(Simulation(stopped, continued(first.state(), stopped)).F_T(), first.F_T());
+}
+
 std::string blow_up(double velocity, Eigen::Index i, Eigen::Index j) {
   const Parameters p = quick_slider();
   State state = normal_load_equilibrium(p);
