@@ -4,14 +4,14 @@
 #include "rupture/dynamics/simulation.hpp"
 
 #include <fmt/core.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include <sched.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
+#include "helpers.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 
@@ -19,7 +19,16 @@ namespace rupture {
 namespace {
 
 /// With fewer blocks for each, threads gain too little for the processors that they take.
-[[maybe_unused]] constexpr std::int64_t kBlocksPerThread = 2000;
+constexpr std::int64_t kBlocksPerThread = 2000;
+
+/// Threads that this process is meant to have: OMP_NUM_THREADS, or one for each processor it may
+/// use.
+int allowed_threads() {
+  const char* const asked = std::getenv("OMP_NUM_THREADS");
+  if (const int threads = asked != nullptr ? std::atoi(asked) : 0; threads > 0) return threads;
+  cpu_set_t processors;
+  return sched_getaffinity(0, sizeof processors, &processors) == 0 ? CPU_COUNT(&processors) : 1;
+}
 
 const Parameters& valid(const Parameters& parameters, const State& state) {
   validate(parameters);
@@ -29,13 +38,9 @@ const Parameters& valid(const Parameters& parameters, const State& state) {
 
 }  // namespace
 
-int default_thread_count([[maybe_unused]] const Parameters& p) {
-#ifdef _OPENMP
+int default_thread_count(const Parameters& p) {
   const std::int64_t useful = p.Nx * p.Nz / kBlocksPerThread;
-  return static_cast<int>(std::clamp<std::int64_t>(useful, 1, omp_get_max_threads()));
-#else
-  return 1;
-#endif
+  return static_cast<int>(std::clamp<std::int64_t>(useful, 1, allowed_threads()));
 }
 
 Simulation::Simulation(const Parameters& parameters, State state, int threads,
@@ -44,6 +49,7 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads,
       normal_(parameters),
       state_(std::move(state)),
       bulk_(parameters, threads),
+      helpers_(std::make_unique<Helpers>(bulk_.bands())),
       law_(make_law(parameters, state_.junctions)),
       p_(static_cast<std::size_t>(parameters.Nx), normal_.normal_force(0.0)),
       k_ij_(p_.size(), junction_stiffness(parameters, p_.front())),
@@ -65,44 +71,37 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads,
   power_ = initial_power();
 }
 
+Simulation::~Simulation() = default;
+
 void Simulation::advance(std::int64_t steps) {
-  if (bulk_.bands() == 1) {
-    take_steps(steps);
-  } else {
-#pragma omp parallel num_threads(bulk_.bands())
-    take_steps(steps);
-  }
+  take_steps(steps);
   if (!blown_up_) add_work();
   if (blown_up_) report_blow_up();
 }
 
-/// All threads are here together. While one of them moves the interface, the others only read the
-/// bulk. Which thread works on which band changes nothing. Numbers: sub-steps of the header.
+/// While this thread moves the interface, helpers only read the bulk. Who works on which band
+/// changes nothing. Numbers: sub-steps of the header.
 void Simulation::take_steps(std::int64_t steps) {
-  const int bands = bulk_.bands();
-#pragma omp for
-  for (int band = 0; band < bands; ++band) bulk_.kick_drift(band, state_);  // 1, of the first step
-
+  const BandWork kick_drift = [this](int band) { bulk_.kick_drift(band, state_); };
+  const BandWork prepare = [this](int band) { bulk_.prepare(band, state_); };
+  helpers_->share(kick_drift);  // 1, of the first step
   for (std::int64_t n = 0; n < steps; ++n) {
-#pragma omp for nowait
-    for (int band = 0; band < bands; ++band) bulk_.prepare(band, state_);
-#pragma omp master
-    {
+    helpers_->share(prepare, [this, n] {
       if (n > 0) add_work();
       if (!blown_up_) move_interface();  // 2, 3, and tau and F_T for 4
-    }
-#pragma omp barrier
+    });
     if (blown_up_) return;
 
     const Then then = n + 1 < steps ? Then::go_on : Then::stop;
-    const double* from_below = eta_f_ > 0.0 ? bottom_.data() : p_.data();
-    const Boundary boundary = {from_below, tau_.data(), top_.data(), driving_row(parameters_),
-                               F_T_};
-#pragma omp for
-    for (int band = 0; band < bands; ++band) {
-      bulk_.finish(band, boundary, then, state_);  // 4, 5, and 1 of the next step if there is one
-    }
+    helpers_->share([this, then](int band) {
+      bulk_.finish(band, boundary(), then, state_);  // 4, 5, and 1 of the next step if any
+    });
   }
+}
+
+Boundary Simulation::boundary() const {
+  const double* from_below = eta_f_ > 0.0 ? bottom_.data() : p_.data();
+  return {from_below, tau_.data(), top_.data(), driving_row(parameters_), F_T_};
 }
 
 void Simulation::move_interface() {

@@ -5,35 +5,28 @@
 // silent.
 //
 //   planted FAULT      FAULT: data_race, no_data_race, out_of_bounds, overflow
+#include <barrier>
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
 
 enum class Order { barrier, none };
 
-/// The pattern of Simulation::take_steps: all threads write rows, one of them reads them all and
-/// writes what all then read. Without the barrier before it, that is a race.
+/// Two threads write rows, then one of them reads both. Without the barrier that is a race.
 double share_rows(Order order) {
-  std::vector<double> rows(64, 1.0);
-  double sum = 0.0;
-  const int count = static_cast<int>(rows.size());
-#pragma omp parallel num_threads(3)
-  for (int step = 0; step < 100; ++step) {
-#pragma omp for nowait
-    for (int n = 0; n < count; ++n) rows[static_cast<std::size_t>(n)] += 1.0;
-    if (order == Order::barrier) {
-#pragma omp barrier
-    }
-#pragma omp master
-    sum += rows.back();
-#pragma omp barrier
-#pragma omp for
-    for (int n = 0; n < count; ++n) rows[static_cast<std::size_t>(n)] -= 1e-9 * sum;
-  }
-  return sum;
+  std::vector<double> rows(2, 1.0);
+  std::barrier<> all(2);
+  const auto write = [&](std::size_t row) {
+    rows[row] += 1.0;
+    if (order == Order::barrier) all.arrive_and_wait();
+  };
+  const std::jthread other(write, 1);
+  write(0);
+  return rows[0] + rows[1];
 }
 
 double commit(const std::string& fault) {

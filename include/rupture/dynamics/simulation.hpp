@@ -32,6 +32,8 @@
 
 namespace rupture {
 
+class Helpers;
+
 class Simulation {
  public:
   /// Takes over a complete state. The bulk is shared out among `threads` threads, which changes no
@@ -40,6 +42,7 @@ class Simulation {
   /// was made with.
   Simulation(const Parameters& parameters, State state, int threads = 1,
              const std::vector<double>& crossings = {});
+  ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
@@ -79,6 +82,7 @@ class Simulation {
 
   ContactView contact() { return {p_.data(), k_ij_.data(), w_.data()}; }
   void take_steps(std::int64_t steps);
+  Boundary boundary() const;
   void find_normal_forces();
   void find_contact();
   void damp_support();
@@ -94,6 +98,7 @@ class Simulation {
   const NormalContact normal_;
   State state_;
   Bulk bulk_;
+  std::unique_ptr<Helpers> helpers_;  // for all bands but one
   std::unique_ptr<InterfaceLaw> law_;
   std::vector<double> p_, k_ij_, w_, tau_;
   const double eta_f_;          // of the support's dashpots, 0 without them [N s/m]
