@@ -46,7 +46,7 @@ void expect_nothing_broke(benchmark::State& bench, const Simulation& simulation,
                           std::int64_t first_step);
 
 template <class Work>
-double seconds_for(Work work) {
+double seconds_for(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -62,9 +62,9 @@ def read_blocks(path):
 def write_start(path, blocks):
     """LAMMPS numbers the blocks of a lattice in the same order, from 1."""
     numbers = np.arange(1, len(blocks.u) + 1)
-    with open(path, "w", encoding="utf-8") as file:
+    with open(path, "wb") as file:
         for time, velocities in enumerate((blocks.v_before, blocks.v)):
-            file.write(HEADER.format(time=time, n=len(numbers)))
+            file.write(HEADER.format(time=time, n=len(numbers)).encode())
             rows = np.column_stack([numbers, blocks.places + blocks.u, velocities])
             np.savetxt(file, rows, fmt=["%d", *["%.17g"] * 4])
 

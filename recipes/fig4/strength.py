@@ -89,16 +89,19 @@ def curves(data):
 # --- tests ---------------------------------------------------------------------------------
 
 
+def strength_of(line, sigma_bar):
+    return np.interp(sigma_bar, *np.array(sorted(line.items())).T)
+
+
 def deviations(points, lines):
     """Relative, from the curve at the sigma_bar that the finite number of junctions has."""
     for point in points:
-        sigmas, strengths = zip(*sorted(lines[point["shape"]].items()))
-        yield point["mu_bar_eff"] / np.interp(point["sigma_bar"], sigmas, strengths) - 1
+        yield point["mu_bar_eff"] / strength_of(lines[point["shape"]], point["sigma_bar"]) - 1
 
 
 def from_nearest_curve(block, lines):
     """Relative deviation of one block from the nearer of the two curves."""
-    strengths = [np.interp(block.sigma_bar, *zip(*sorted(line.items()))) for line in lines.values()]
+    strengths = [strength_of(line, block.sigma_bar) for line in lines.values()]
     return min(abs(block.mu_bar_eff / strength - 1) for strength in strengths)
 
 

@@ -28,7 +28,7 @@ SINGLE = 89 * MM  # width of one column [inch]
 DOUBLE = 183 * MM  # width of the page [inch]
 OF_PAPER = {"color": BLACK, "linestyle": ":", "linewidth": 0.8}  # lines of the paper's numbers
 
-STYLE = LOOK | {"axes.prop_cycle": matplotlib.cycler(color=LINES)}
+STYLE = LOOK | {"axes.prop_cycle": plt.cycler(color=LINES)}
 
 
 def figure(width=SINGLE, height=None, **subplots):

@@ -33,6 +33,8 @@ unpack() {
   for package in "$work"/apt/archives/*.deb; do
     dpkg-deb -x "$package" "$work/root" || return
   done
+  # Since Debian 13 no package has files in /lib, where programs look for their loader.
+  [[ -e $work/root/lib ]] || ln -s usr/lib "$work/root/lib"
 }
 
 mkdir -p "$2"

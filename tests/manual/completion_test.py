@@ -29,18 +29,17 @@ $(complete -p rupture | sed 's/.*-F \\([^ ]*\\) .*/\\1/')
 ((${#COMPREPLY[@]} == 0)) || printf '%s\\n' "${COMPREPLY[@]}"
 """
 
-# zsh completes in a terminal only, so it gets one of its own.
+# zsh completes in a terminal only, so it gets one of its own. Ctrl-X prints the completed line.
 ASK_ZSH = """\
 zmodload zsh/zpty
 zpty shell zsh -f -i
 zpty -w shell "PROMPT= ; fpath=(${(q)1} \\$fpath); autoload -U compinit; compinit -u -D"
-zpty -w shell "LISTMAX=9999; COLUMNS=400; bindkey '^I' complete-word; setopt no_beep"
+zpty -w shell 'bindkey "^I" complete-word "^X" show'
+zpty -w shell 'show() { print -r -- "<$BUFFER>" }; zle -N show'
 zpty -w shell "cd ${(q)2}; echo rea''dy"
 zpty -r -m shell out '*ready*'
-zpty -w -n shell "rupture $3"$'\\t'
-sleep 1
-zpty -w -n shell $'\\C-c'
-out=; while zpty -r -t shell part; do out+=$part; done
+zpty -w -n shell "rupture $3"$'\\t\\C-x'
+zpty -r -m shell out '*<rupture*>*'
 print -r -- $out
 """
 
@@ -145,7 +144,7 @@ class Zsh(Completion):
             ("analyze front --rupt", "--ruptured-below"),
             ("load --set junctions.la", "junctions.law="),
             ("load --set junctions.law=dec", "decaying"),
-            ("load --config ", "my.ini"),
+            ("load --config m", "my.ini"),
             ("restart tw", "two\\ words.h5"),
             ("reproduce converg", "convergence"),
             ("reproduce sweep m", "my.ini"),

@@ -52,7 +52,7 @@ class Movie(unittest.TestCase):
         self.assertEqual(len(chosen_samples(time, (20, 22), 50)), 3)
 
     def test_refuses(self):
-        cases = [
+        cases: list[tuple] = [
             (("small-record.h5", "-o", "y.avi"), 2, "has to end with .gif"),
             (("small.h5", "-o", "y.gif"), 1, "is a checkpoint"),
             (("small-record.h5", "-o", "y.gif", "--colour", "red"), 2, "invalid choice"),

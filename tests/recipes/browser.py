@@ -50,12 +50,12 @@ class Seen:
 
 
 class Browser:
-    def __init__(self):
+    def __init__(self, program):
         options = webdriver.ChromeOptions()
         for argument in ARGUMENTS:
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(service=Service("chromedriver"), options=options)
+        self.driver = webdriver.Chrome(service=Service(program), options=options)
         self.driver.set_page_load_timeout(TIMEOUT)
 
     def close(self):

@@ -154,10 +154,10 @@ def skip(reason):
 
 def demand_browser():
     """A running one. Without it the test is skipped; where CI is set, it fails."""
-    if shutil.which("chromedriver") and find_spec("selenium"):
+    if (program := shutil.which("chromedriver")) and find_spec("selenium"):
         from browser import Browser
 
-        browser = Browser()
+        browser = Browser(program)
         atexit.register(browser.close)
         return browser
     missing = "chromium-driver and python3-selenium are not installed."

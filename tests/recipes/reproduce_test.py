@@ -9,13 +9,13 @@ import re
 import subprocess
 import sys
 import unittest
-import unittest.mock
+from unittest.mock import patch
 
 from stand_ins import ROOT, Project, write_program
 
 sys.path.insert(0, str(ROOT / "recipes"))
 
-from reproduce.checks import slowest_tests  # noqa: E402
+from reproduce.checks import defines_layout, slowest_tests  # noqa: E402
 from reproduce.pipeline import Errors  # noqa: E402
 from reproduce.place import count_cores, memory_of_allocation  # noqa: E402
 
@@ -136,13 +136,19 @@ class Places(unittest.TestCase):
         self.assertIsNone(memory_of_allocation({}, 4))
 
 
-class SlowestTests(unittest.TestCase):
+class Checks(Project):
     def test_the_ten_that_took_longest_are_read_from_the_log_of_ctest(self):
         passed = [f" {n}/12 Test  #{n}: t_{n} ......   Passed    {n}.50 sec" for n in range(1, 12)]
         failed = "12/12 Test #40: Units/of.a/1 ...***Failed  Required regular expression  99.05 sec"
         found = slowest_tests("\n".join([*passed, failed, "Total Test time (real) = 200 sec"]))
         self.assertEqual(found[:2], [(99.05, "Units/of.a/1"), (11.5, "t_11")])
         self.assertEqual(len(found), 10)
+
+    def test_another_version_does_not_judge_the_layout(self):
+        write_program(self.bin / "black", "#!/bin/sh\necho black, 25.1.0\n")
+        with patch.dict(os.environ, {"CI": ""}), patch("reproduce.checks.say") as said:
+            self.assertFalse(defines_layout(self.bin / "black"))
+        said.assert_called_once()
 
 
 class Profiles(Project):
@@ -156,7 +162,7 @@ class Profiles(Project):
             ),
             ({"SLURM_JOB_ID": "7", "SLURM_STEP_ID": "0"}, "inside a step of a job"),
         ):
-            with unittest.mock.patch.dict(os.environ, variables):
+            with patch.dict(os.environ, variables):
                 done = self.call("fig3", "--profile", "slurm", "--programs", "bin")
             self.assertEqual(done.returncode, 1)
             self.assertTrue(done.stderr.startswith(f"reproduce.sh: {sentence}"), done.stderr)

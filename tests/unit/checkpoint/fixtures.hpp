@@ -121,7 +121,7 @@ inline Checkpoint small_checkpoint() {
 inline Sample small_sample(std::size_t Nx, int n) {
   Sample sample;
   sample.time = 0.001 * n;
-  sample.step = 100 * n;
+  sample.step = std::int64_t{100} * n;
   sample.F_T = 7.0 + n;
   sample.x_drive = 1e-6 * n;
   for (std::size_t i = 0; i < Nx; ++i) {
