@@ -110,7 +110,7 @@ class CommandLine(Project):
             self.assertEqual((done.returncode, done.stderr), (1, sentence))
 
     def test_notes_about_the_profile_are_hidden(self):
-        with unittest.mock.patch("sys.__stderr__", io.StringIO()) as shown:
+        with patch("sys.__stderr__", io.StringIO()) as shown:
             errors = Errors()
             for line in ("Using profile local for ...", "another"):
                 print(line, file=errors)
