@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Reproduces the figures of the paper: installs what is missing, builds, runs, prints the claims.
 # `./reproduce.sh --help` says what it can do. The commands are in recipes/reproduce/.
 set -euo pipefail

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The best that this machine could do: + and * on registers, and rewriting memory.
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // How the cost of a step grows with the size of the slider and falls with the number of threads.
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>

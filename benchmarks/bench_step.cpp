@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The time step and its parts at reference size, 57 x 31 blocks and 5,700 junctions.
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // All benchmarks, with the instruction set that RUPTURE_ISA names or the widest one. See README.md.
 #include <benchmark/benchmark.h>
 

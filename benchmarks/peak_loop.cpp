@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Sums and products on registers alone, compiled once per instruction set: PEAK_ISA names this
 // variant, PEAK_LANES is how many doubles its registers hold.
 #include <cstddef>

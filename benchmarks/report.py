@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Merges the measurements of run.sh, prints them as tables and writes them as one JSON file:
 report.py OUT.json MEASURED.json... --lammps LINES"""
 

@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Measures how fast rupture is, prints tables and writes benchmarks.json. `--help` says more.
 set -euo pipefail
 export LC_ALL=C

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Compiler flags on which equal checksums rest, and a refusal of those that would break them.
 #
 # -ffp-contract=off keeps a*b+c as two rounded operations. The two others only tell the compiler that

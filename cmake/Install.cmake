@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Files that `cmake --install` copies besides the programs (src/tools): the library with its headers,
 # the CMake package through which other projects use them (docs/regression-tests.md), and the recipes
 # with what they read, for `rupture reproduce`.

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # `cpack --config build/release/CPackConfig.cmake -B build/package` makes rupture_VERSION_amd64.deb there, of what is installed.
 # Libraries that it needs are found by dpkg-shlibdeps; what `rupture reproduce` needs is in packages.txt.
 set(CPACK_GENERATOR DEB)

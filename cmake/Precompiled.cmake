@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Headers of other projects that many files read, compiled once. None of our own is among them, so a
 # change of ours compiles nothing again that does not include it. Every file still includes what it
 # uses: `./reproduce.sh check` compiles each alone, without them.

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # rupture_add_checkpoint_test(NAME name PIPELINE program [argument...] GOLDEN file)
 #
 # A test of ctest that runs a pipeline in a fresh folder, with rupture's tools on its PATH, and

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # RUPTURE_VERSION_SOURCE has the version and the commit that is being built. It is looked at before
 # each build, so that a new commit needs no new configuration.
 set(RUPTURE_VERSION_SOURCE ${CMAKE_BINARY_DIR}/version.cpp)

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Writes OUTPUT if the VERSION or the commit of SOURCE is not the one in it.
 execute_process(
   COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=12

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Builds for aarch64 with Debian's cross compiler, against the arm64 libraries in CMAKE_SYSROOT:
 #
 #   tests/golden/sysroot.sh arm64 build

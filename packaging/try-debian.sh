@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Runs the README's two commands on the last commit in a bare Debian of another release, and compares
 # all checksums with those of this clone, where ./reproduce.sh fig3 has run before:
 #

@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Times the bulk of the slider in LAMMPS (time.in) on one core: the best of five repetitions, in
 # microseconds of processor time per step, one JSON object per line and variant.
 #

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // What was built. Both are in a source of their own, which CMake writes before each build: a commit
 // compiles nothing else anew.
 #pragma once

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Checkpoints and records of rupture as numpy arrays, and its programs as functions.
 
     import rupture

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The content checksum of a checkpoint or record, as docs/schema.md defines it:
 
     python3 checksum.py FILE

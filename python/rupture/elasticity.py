@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Stresses in the slider, which files do not hold: they follow from the displacements."""
 
 import numpy as np

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The text of 512 bytes in front of each file and of each piece of a `.part`; docs/schema.md."""
 
 import hashlib

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Checkpoints and records as numpy arrays.
 
 The examples use a checkpoint and a record of a small slider:

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The look of all pictures, and the panels that several draw. For matplotlib, which is needed only
 here."""
 

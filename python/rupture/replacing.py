@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Files that appear whole or not at all, also after a power cut or in folders of others."""
 
 import ctypes

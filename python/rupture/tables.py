@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Files as tables of pandas and datasets of xarray, which need not be installed otherwise."""
 
 import importlib

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Fronts under choices that the paper leaves open, a result of our own:
 
     figure.py results/choices SWEEP.csv load-01-events.json ... damping-half-01-events.json ...

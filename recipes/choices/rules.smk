@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # What hangs on choices that the model settles and the paper leaves open: one at a time is changed. The
 # loads that are as settled are those of the ensemble. The chain of commands is in README.md.
 CHOICE_SEEDS = range(1, 6)

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Claims of the paper, beside what was measured: results/figN/claims.json."""
 
 import json

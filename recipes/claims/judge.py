@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The one judge of claims: cases measured by the recipes, against the conditions of claims.toml.
 
 A claim is judged over units (independent realisations: loads, events) and under conventions (ways

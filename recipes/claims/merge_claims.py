@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Joins the claims of a figure's parts: merge_claims.py PART.json... results/figN/claims.json"""
 
 import sys

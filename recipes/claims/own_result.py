@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Results of our own, which no claim of the paper speaks of: measured, without verdict."""
 
 import json

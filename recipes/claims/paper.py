@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The paper's numbers, in one place. What is measured is compared with them, in claims, in pictures
 and to choose the event most like the paper's. No simulation reads them, and no measurement but for
 L_0, a factor common to all points of Figure 3 D."""

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Prints claims as a table that fits into 100 columns: print_claims.py results/fig3/claims.json"""
 
 import json

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Fronts with smaller time steps and on finer lattices: figure.py results/data results/convergence
 
 A case is a front at three levels, from the reference one to the finest.

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Compares the bulk with LAMMPS: lammps.py LMP BULK.in COMPARE.in start.h5 end.h5
 
 start.h5 and end.h5 are checkpoints of free blocks, without load, foundation, drive or junctions.

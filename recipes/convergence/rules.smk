@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 import shutil
 
 # Convergence with the time step and the lattice. It decides nothing, and `all` leaves it out.

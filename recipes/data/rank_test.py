@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Do the members of one group have lower values than those of the other, stratum by stratum?
 
 A stratum is (values of the first group, values of the second); only pairs from the same stratum are

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Reports of the tools; the Python package reads records and checkpoints."""
 
 import json

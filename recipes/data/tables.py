@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """CSV tables with one line of names: those that the figures write and read again, as columns, and
 those of sweeps (collect.py), as rows whose cells may be empty."""
 

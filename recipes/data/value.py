@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Prints one value of a JSON file, for use in a command: value.py choice.json fast_slow_fast.t
 
 Several names stand for the first of them that has a value:

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Do events that are fast-slow-fast alternate with others? A result of our own.
 
 From 0.64 s on, the load that the figures show alternates. What counts was written down before the

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The events of independent loads, picture and table:
 
     figure.py results/ensemble load-01-events.json ... load-01-product.json ...

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Prints the rupture events of a load, measured in each way: measure_events.py PROGRAMS record.h5
 
 {convention: events as `analyze events --json` lists them}; events/conventions.py has the names."""

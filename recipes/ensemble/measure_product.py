@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Whether the claims on fronts hold for a load under each combination of conventions:
 measure_product.py PROGRAMS SETTING record.h5
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Independent loads (runs/ensemble.smk), all their events, and each fast-slow-fast one continued in other
 # ways. The chain of commands is in README.md.
 rule ensemble:

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The programs at work in a folder: runs of events, and what is measured of them."""
 
 import subprocess

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The SI's arithmetic of slow slip, its data and its claim:
 figure.py reference.json unbreakable.json results/estimate"""
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # The SI's arithmetic of slow slip: relaxation of one block. See README.md.
 ESTIMATES = {
     "reference": f"{DATA}/fast-slow-fast.h5",

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Chooses the events that figures show by rule: choose_events.py events.json CHECKPOINT_EVERY
 
 fast-slow-fast, event I, is the first of the load that is so in words, second-slow, event II, the

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """How an event is continued, as data: for the shown events by rules (runs/continuations.smk), for
 those of the ensemble by a script (ensemble/continue_events.py)."""
 

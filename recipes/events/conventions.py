@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Ways to measure a front that the paper leaves open, as data: options of `analyze events` and
 `analyze front`. The first is the primary convention; each other differs from it in one way."""
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The claims about single fronts and about an event with its continuations: 2A-2C, 3A-3Cv, 4AB, 5A,
 S2.
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Kinds of fronts.
 
 `front` is what `analyze front --json` prints, or one entry of `analyze events --json`.

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Forces in single junctions, from a checkpoint and what `analyze phi --json` says of it."""
 
 import h5py

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Prints the time in the middle of a front's slow stretch [s]: middle.py front.json"""
 
 import sys

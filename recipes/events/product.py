@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The full product of the ways to measure a front (conventions.py): any stencil with any pinned
 fraction, and so on. Verdicts go by one convention at a time; the product shows how far the shares
 could move."""

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The slip of a block during an event, as `analyze slip --json` reports it."""
 
 import numpy as np

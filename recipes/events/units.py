@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The units of the ensemble and their cases, for the judge: {unit: {convention: [case, ...]}}.
 
 `paths` are results/data/ensemble/SETTING-SEED-events.json, {convention: events}, or

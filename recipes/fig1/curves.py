@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Tables and claims of Figure 1 D and E: curves.py results/data results/fig1"""
 
 import sys

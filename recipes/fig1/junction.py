@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Table and claim of Figure 1 F: junction.py PREPARED RECORD SLIPPING... junction.csv claims.json
 
 PREPARED has one junction per block, RECORD a sample of each time step while they are pulled, and

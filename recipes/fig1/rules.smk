@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure 1 D-G: the slider's loading, one block, one junction, steady sliding. See README.md.
 FIG1 = f"{DATA}/fig1"
 

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Table and claim of Figure 1 G: speeds.py RANGE.json LIMITS.json table.csv claims.json"""
 
 import sys

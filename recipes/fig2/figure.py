@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure 2, its data and its claims:
 
     figure.py results/data results/fig2 CHOICE load-01-events.json ...

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Chooses the event most like the paper's of independent loads:
 
     most_like.py CHECKPOINT_EVERY load-01-events.json ...

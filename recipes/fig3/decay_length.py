@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """How far ahead of a slow front the shear force is raised: l_0 of Eq. S2,
 tau(x) = A f((x - x_0)/l_0) + tau_0.
 

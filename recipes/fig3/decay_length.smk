@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Beside Figure 3 D: the decay length l_0 ahead of slow fronts, for the seed that is shown and for
 # others. decay_length.py says how it is measured.
 L0_SEEDS = range(1, 6)

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Decay length of the shear force ahead of slow fronts: picture, data and claim l0.
 
 decay_length_figure.py FOLDER CLAIMS.json l0-seed-1.json [l0-seed-2.json ...]

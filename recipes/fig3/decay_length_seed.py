@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Decay length ahead of slow fronts of one seed: decay_length_seed.py PROGRAMS SEED FOLDER
 
 Runs fronts over prepared interfaces, those of Figure 3 D that have the reference parameters. Works

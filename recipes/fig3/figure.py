@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure 3 A-C, its data and its claims:
 
     figure.py results/data results/fig3 CLAIMS.json load-01-continued.json ...

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure 3 D, its data and its claim:
 
     front_speed.py POINTS.csv PHI.csv L_0.json FOLDER CLAIMS.json [OTHER_SEEDS_AND_WIDTHS.csv...]

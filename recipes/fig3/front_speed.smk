@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure 3 D: speed of slow fronts against slow-slip speed. The sweeps are front_speed.ini,
 # front_speed_phi.ini, front_speed_widths.ini.
 FIG3_PARTS += [f"{DATA}/fig3/claims-D.json"]

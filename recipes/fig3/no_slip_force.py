@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Fronts where junctions that slip carry no force: data and claim 0slip.
 
 no_slip_force.py FOLDER CLAIMS.json TABLE.csv...

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Beside Figure 3: no slow fronts without a slipping force. The sweep is no_slip_force.ini.
 FIG3_PARTS += [f"{DATA}/fig3/claims-0slip.json"]
 

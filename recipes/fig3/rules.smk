@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure 3. A-C here: events I and II restarted under other conditions
 # (runs/continuations.smk). Each other part of Figure 3 has a file of its own beside this
 # one, which adds the claims it writes to FIG3_PARTS. See README.md.

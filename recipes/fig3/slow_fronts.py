@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Slow fronts on prepared interfaces, and the slow slip behind them: how it is measured, and seeds
 as units of claims. Rows are those of a sweep's table, with what was measured in one window."""
 

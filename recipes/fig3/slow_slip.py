@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure 3 C, inset, its data and the claims 3Ci and co:
 
     slow_slip.py PREPARED.csv EVENT.csv FOLDER CLAIMS.json [OF_OTHER_SEEDS.csv...]

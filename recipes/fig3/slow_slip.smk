@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure 3 C, inset: slow-slip speed against Eq. S1. The sweeps are slow_slip.ini, slow_slip_event.ini.
 FIG3_PARTS += [f"{DATA}/fig3/claims-Ci.json"]
 

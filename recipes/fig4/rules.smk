@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure 4: A-B in wider.smk, C-D here. The chain of commands is in README.md.
 FIG4_PARTS = [f"{DATA}/fig4/claims-{part}.json" for part in ("AB", "4C", "4D")]
 FIG4_SHOWN = ["fast-slow-fast", "second-slow"]

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure 4 C, its data and claim 4C:
 
     strength.py results/data results/fig4 load-01-continued.json ...

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure 4 A-B and its claim:
 
     wider.py results/data results/fig4 CLAIMS.json load-01-continued.json ...

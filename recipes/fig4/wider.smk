@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure 4 A-B: events I and II, and the same with a wider distribution of junction forces
 # (runs/continuations.smk).
 FIG4_WIDER = [f"{event}{run}" for event in FIG4_SHOWN for run in ("", "/wider")]

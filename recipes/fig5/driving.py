@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure 5 A, its data and its claim:
 
     driving.py results/data results/fig5 CLAIMS.json load-01-continued.json ...

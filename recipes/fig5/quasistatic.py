@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure 5 B, its data and its claim: quasistatic.py results/data/fig5 results/fig5"""
 
 import json

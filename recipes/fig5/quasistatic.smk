@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure 5 B: driven at h = 0, fronts creep between two dynamic events, and stop with the driving.
 #
 # By hand, with build/release/bin on the PATH (the middle branch; the others are at 0.52-0.62 s):

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The quasi-static front of another seed: quasistatic_seed.py PROGRAMS SEED UNTIL EVERY FOLDER
 
 Drives the slider at h = 0 from t = 0, and stops the driving at the checkpoint in the middle of the

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Finds a quasi-static front: quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
 
 Dynamic events are times at which more than half of the blocks rupture within 1 ms. Between the

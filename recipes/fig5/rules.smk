@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure 5. A here: the driving stopped during the slow front (runs/continuations.smk). Each other
 # part of Figure 5 has a file of its own beside this one, which adds the claims it writes to
 # FIG5_PARTS. See README.md.

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure S1, its data and its claim:
 figure.py unloaded-stress.json before-event-stress.json BEFORE_EVENT_CHECKPOINT results/figS1"""
 

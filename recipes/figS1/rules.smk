@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure S1: normal and friction forces along the interface, unloaded and before an event. See
 # README.md.
 FIGS1_STATES = {

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Chooses the first fast-slow event of a load: choose.py events.json CHECKPOINT_EVERY
 
 An event is fast-slow if its front crosses the interface and becomes slow after it was fast: beyond

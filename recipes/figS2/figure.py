@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure S2, its data and its claim:
 
     figure.py results/data/figS2 results/figS2 simplified-01-continued.json ...

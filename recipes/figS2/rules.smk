@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure S2: the simplified law, one spring per block and slow slip imposed. See README.md.
 from events.continuations import WITHOUT_SLOW_SLIP
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure S3: the prestress of prepared interfaces. The chain of commands is in README.md.
 rule figS3:
     input:

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure S4: Figure 4 A-B with the distributions of junction forces. See README.md.
 FIGS4_STATES = ["second-slow", "second-slow/wider-start"]
 FIGS4_RECORDS = ["second-slow", "second-slow/wider"]

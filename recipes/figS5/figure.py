@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure S5, its data and its claim: figure.py uniform.jsonl bell.jsonl results/figS5"""
 
 import json

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Effective static friction from the definition, written without a look at the tool's formulas.
 
 A block whose junctions carry g_0 + xi, xi distributed as phi on [-a, a], is moved forwards: after a

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure S5: effective static friction for two shapes of phi. See README.md.
 FIGS5_SHAPES = ["uniform", "bell"]
 FIGS5_SIGMAS = [f"{0.02 * n:.2f}" for n in range(61)]  # up to 1.2, beyond the last change of branch

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figure S6 A, its data and its claims:
 
     event.py results/data/figS6 results/figS6 decaying-01-events.json ...

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure S6 A: a fast-slow-fast event that arises while the slider is driven.
 FIGS6_PARTS.append(f"{DATA}/figS6/claims-event.json")
 FIGS6_LOAD = f"{DATA}/ensemble/decaying-01"

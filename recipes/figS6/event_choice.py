@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Judges the events of a load by claim S6A: event_choice.py events.json CHECKPOINT_EVERY
 
 Of the events whose front crosses the interface, the first one that meets all conditions is taken;

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure S6 B: the map of front types under the decaying law. A grid with one seed decides where
 # five are needed.
 FIGS6_PARTS.append(f"{DATA}/figS6/claims-map.json")

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Figure S6: the decaying law. One file per part; each adds its claims to FIGS6_PARTS.
 FIGS6_PARTS = []
 

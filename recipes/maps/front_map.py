@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Maps of front types over prestress and width of phi, from tables of sweeps (Figures 4 D and S6 B,
 claim Geo).
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A map of front types, its data and its claim: Figures 4 D and S6 B (recipes/*/map.py)."""
 
 from dataclasses import dataclass

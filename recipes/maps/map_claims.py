@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Measured values, units and verdicts of the claims about maps of front types (4D, S6B)."""
 
 import numpy as np

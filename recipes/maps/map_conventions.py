@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Ways to read a map of front types that the paper leaves open, as data, and the map of each seed
 under each of them: the units of claims 4D, S6B and Geo.
 

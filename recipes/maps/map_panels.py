@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """How maps of front types are drawn (Figures 4 D and S6 B, claim Geo)."""
 
 import numpy as np

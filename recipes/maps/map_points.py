@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Places that a map of front types needs more points at, as the table of another sweep:
 
 map_points.py between MAP.csv OUTPUT                  halfway between two, of which one is fast

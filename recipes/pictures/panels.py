@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Panels that several figures draw in the same way; more are in the Python package."""
 
 from rupture import plotting

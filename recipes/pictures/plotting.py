@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The look of all figures: that of the Python package, at the sizes of a printed page."""
 
 from pathlib import Path

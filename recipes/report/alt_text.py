@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """What a picture shows, in words for those who do not see it, from the caption of its recipe."""
 
 import re

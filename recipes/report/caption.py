@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Captions, from a recipe's README: Markdown with measured numbers, symbols and links.
 
 Numbers come from the results: "at {2A: fast before [m/s]}" becomes "at 229.1 m/s", from the claims

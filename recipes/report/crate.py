@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Writes results/ro-crate-metadata.json: crate.py [PROJECT'S FOLDER]
 
 It says what is in results/ and how it was made, for programs and archives: files, checksums,

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """All claims at a glance, as a specification curve (Simonsohn et al. 2020): above, for which share
 of its units each claim holds under each convention, sorted; below, which convention that is."""
 

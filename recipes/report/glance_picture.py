@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """results/claims.png, all claims at a glance (glance.py). It is drawn anew if that would change it:
 to load Matplotlib and to draw takes longer than all the rest of the page."""
 

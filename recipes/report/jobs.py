@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The jobs that Snakemake ran, as recipes/runs/progress.py noted them in results/jobs.jsonl: rule,
 command, inputs, outputs, start and time of each job."""
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Which build and which machine the results come from, and which checksums they have."""
 
 import json

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The pictures and the movie of the page: sizes and formats."""
 
 import struct

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Parts of the report about the project itself: its recipes, their READMEs, the list of claims."""
 
 import re

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Writes results/index.html, one page with all figures and claims: report.py [PROJECT'S FOLDER]
 
 Shows what is there, from results/NAME/ of any number of recipes, and links to files in results/

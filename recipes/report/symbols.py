@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Symbols as plain texts write them become MathML: tau_bar_0, c_s, <t_R>, R^2, 3e-12.
 
 A symbol is a Greek letter, by its name or itself, or a Latin one. What may follow: `_bar`, an index

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Tests of the programs, and checks of the sources: ./reproduce.sh test, check, tidy."""
 
 import json

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """./reproduce.sh clean: deletes what was written and built here, and names what it leaves."""
 
 import os

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Figures and sweeps: ./reproduce.sh fig3, all, sweep, report."""
 
 import json

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Plans and computes with Snakemake, in a process of its own:
 
     pipeline.py TARGET... -- OPTION OF SNAKEMAKE...

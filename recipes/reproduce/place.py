@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Where commands run: on this machine, or in an allocation of SLURM (docs/cluster.md)."""
 
 import os

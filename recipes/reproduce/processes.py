@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Programs that ./reproduce.sh starts, of which nothing is to be left behind.
 
 Each has a process group of its own. A signal to ./reproduce.sh is passed on to the group. A guard,

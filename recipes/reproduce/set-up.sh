@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Installs packages and builds programs, for ./reproduce.sh:
 #
 #   set-up.sh packages PURPOSE...               those that packages.txt names for these purposes

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Fronts under the distance law, a result of our own:
 distance.py results/data FRONT.json FRONT_WITH_DISTANCE_LAW.json results/robustness"""
 

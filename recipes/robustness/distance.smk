@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # The distance law, a question of our own: are there slow fronts without a time scale?
 rule robustness_distance:
     input:

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Exponential slipping times, events, map of front types and claims:
 
     exponential.py DATA FRONT.json FRONT_WITH_EXPONENTIAL_TIMES.json FOLDER CLAIMS.json LOAD.json...

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Maps of front types for other lengths and nucleation energies, and claim Geo:
 geometry.py results/data results/robustness TABLE.csv...
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Claim Geo: does the order of regions in Figure 4 D survive other lengths and nucleation energies?
 ROBUSTNESS_PARTS.append(f"{DATA}/robustness/claims-Geo.json")
 

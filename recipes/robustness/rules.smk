@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Robustness of the results. Exponential slipping times here; what else there is has a file of its own
 # beside this one, which adds the claims it writes, if any, to ROBUSTNESS_PARTS. See README.md.
 ROBUSTNESS_PARTS = [f"{DATA}/robustness/claims-Exp.json"]

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Continuations of an event whose front becomes slow: the runs behind Figures 3 A-C, 4 A-B, 5 A and S4.
 # {event} is one that figures show (events.smk); events/continuations.py says what each run changes.
 from events.continuations import CONTINUATIONS, SLIPS, WIDER

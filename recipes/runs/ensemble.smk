@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Independent loads: each is driven from t = 0 with its own seed. load-01, the reference slider, is the
 # one that Figures 1 and S1 show; with --from-scratch, the checkpoints in checkpoints/ come from it, too.
 LOAD_UNTIL = 1.2  # s

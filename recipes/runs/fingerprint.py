@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Sources as a digest: results that were made with others are out of date."""
 
 import hashlib

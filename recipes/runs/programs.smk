@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # The parts that rules have in common, written once: how a file follows content, and a rule per program.
 # A recipe says what differs:
 #

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Snakemake's messages on the terminal: one line per step, and everything about a failure.
 
 Snakemake calls log_handler() with each of its messages. Each command also goes to the log file, and

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The list of what was written below results/, a path in each line: ./reproduce.sh clean deletes
 these files alone, and a report replaces no others."""
 

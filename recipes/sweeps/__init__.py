@@ -1,4 +1,1 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Sweeps: files, points and batches; a user's own sweep from its file to its table and picture."""

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Computes some points of a sweep, one after the other:
 
     batch.py FOLDER_OF_TOOLS SWEEP.ini POINTS_FOLDER CODE OUTPUT ID...

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Collects the points of a sweep in one table: collect.py SWEEP.ini POINTS_FOLDER TABLE.csv
 
 One row per point: its values, its status (and the tool's sentence, if it failed), the columns that

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """From the short form of a user's sweep to the long one of sweeps/sweep.py: [commands] and [table]
 instead of base, prepare, load and restart in [sweep], [quantities] and [analyze]."""
 

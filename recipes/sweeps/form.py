@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Sections and keys of a user's sweep file, checked before their content is looked at."""
 
 from sweeps.expand import STARTS

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The names that a user's sweep may use, and their units: parameters and quantities, as `analyze
 quantities` lists them, and options, as the programs describe them. Unit 1: a dimensionless number;
 none: a text."""

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Memory and threads that a point of a sweep needs, from [sweep] of its file."""
 
 import math

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The default picture of a user's sweep: every measured quantity against the one or two values that
 vary. Seeds are repetitions: single ones and their median are shown."""
 

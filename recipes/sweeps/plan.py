@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Plans a user's sweep.
 
 Checks the file, expands its short form and writes RESULTS/sweeps/NAME/NAME.ini, which Snakemake and

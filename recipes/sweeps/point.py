@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Computes one point of a sweep (sweep.py).
 
 Its commands run one after the other in an empty folder, which is deleted at the end. The result has

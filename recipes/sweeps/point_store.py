@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Results of points that have been computed: results/data/points/ID.json.
 
 Beside the result such a file has its `origin`: a digest of the sources (or programs), of point.py

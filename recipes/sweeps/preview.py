@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Says what a sweep would compute."""
 
 from sweeps.plural import plural

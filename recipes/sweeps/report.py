@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Collects the points of a user's sweep that there are.
 
 Writes NAME.csv, NAME.hdf5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan,

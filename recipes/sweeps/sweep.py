@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Sweeps: one chain of commands for many values of some parameters, described by an INI file.
 
     [sweep]

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Sweeps (sweep.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv. Of a user's
 # own sweep (--config sweep=PLAN), only the points are made here: its table is written even if a point
 # cannot be computed (recipes/sweeps/).

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Values in sweep files (sweep.py): lists, ranges, and expressions of other values."""
 
 import ast

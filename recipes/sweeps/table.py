@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The table of a user's sweep as CSV and as HDF5: the same columns and units. Numbers are
 written with all their digits; equal tables are equal bytes."""
 

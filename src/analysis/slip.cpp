@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "rupture/analysis/slip.hpp"
 
 #include <algorithm>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "rupture/analysis/steady_sliding.hpp"
 
 #include <cmath>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Puts the name of the file in front of what went wrong inside it.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Ownership and error checks for HDF5's C interface; nothing here includes hdf5.h.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Content to and from a complete HDF5 file in memory; libhdf5 never touches the disk.
 #pragma once
 

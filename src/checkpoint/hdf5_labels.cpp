@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Attributes `units` and `long_name` of the CF conventions, and HDF5's dimension scales.
 //
 // H5DSattach_scale of hdf5_hl would leave four bytes of each entry of a REFERENCE_LIST as they

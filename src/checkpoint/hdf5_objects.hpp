@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Datasets, attributes and file creation in terms of Content.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The .part file of a record: small sealed records, the pieces, one after another.
 //
 // Each flush appends a piece, so that whatever happens to the process or the disk, the pieces

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // What makes a record's arrays named and labelled ones in other programs, such as xarray.
 #pragma once
 

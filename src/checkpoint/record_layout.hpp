@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // One row per dataset of a record; its writer and its reader go by these rows.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

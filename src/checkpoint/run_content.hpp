@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The memory of a run (model/run_so_far.hpp), as datasets under /run.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Between a Content and the bytes of a file that protects itself.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include <fmt/core.h>
 
 #include "rupture/dynamics/simulation.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Threads that help with the bands of a slider. The caller never waits for a helper that has not
 // begun: it does that band, too. So helpers cost little where other programs hold the processors.
 #pragma once

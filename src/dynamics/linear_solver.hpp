@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Linear equations of a slider at rest. Each order of elimination has a file of its own, because
 // Eigen's factorisation takes a compiler longest of all.
 #pragma once

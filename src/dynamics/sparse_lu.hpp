@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Eigen's sparse LU factorisation as a LinearSolver.
 #pragma once
 

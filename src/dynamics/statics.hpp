@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The slider at rest: the forces on it, and two ways to find the equilibrium that must agree.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "rupture/forces/decaying_law.hpp"
 
 #include "rupture/model/random.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "rupture/forces/reference_law.hpp"
 
 #include "rupture/model/random.hpp"

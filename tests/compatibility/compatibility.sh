@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Files of every schema version that there was, which must stay readable for ever.
 #
 #   compatibility.sh check BIN          the programs in BIN verify the files in schema-*/, go on from the

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A folder as a disk keeps it: what is there for certain, and what a power cut may leave of it.
 
 The model is the one of POSIX, stricter than any usual file system: bytes are on the disk once their

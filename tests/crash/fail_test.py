@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Each call of a tool that touches a file fails in turn: full or broken disks, quotas, limits."""
 
 import errno

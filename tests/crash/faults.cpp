@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Preloaded into a tool (LD_PRELOAD), counts the calls that touch files of its working folder, and
 // ends the tool at one of them or lets one of them fail. The environment says which:
 //

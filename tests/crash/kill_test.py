@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A tool is killed at each call by which a disk can change, also in the middle of a write."""
 
 import signal

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A run whose files are named like words of a command is interrupted, and resumed as it says."""
 
 import re

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The same command started twice at the same moment, in one folder: one of the two gives way."""
 
 import subprocess

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The power fails after any call of a tool: whatever the disk kept, its files are complete."""
 
 import re

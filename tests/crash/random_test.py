@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Real signals at random (seeded) moments of a run, among calls and between them."""
 
 import random

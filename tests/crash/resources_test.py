@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Room and permissions that really run out: full disks, file-size limits, read-only places."""
 
 import errno

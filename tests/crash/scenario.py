@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The tools at work in small folders of their own, and what must hold of such a folder always."""
 
 import functools

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Standard streams that are closed or lose their reader, and a record that is moved meanwhile."""
 
 import shlex

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The bytes that a fuzzer made up, taken one after another.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Valid contents with any changes, as libhdf5 could hand them over: the code behind it refuses them
 // with a Failure or accepts them, and what it accepts can be computed with and is stored again as
 // it was.

@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Searches for inputs that break the reader: builds the fuzz targets with clang in FOLDER and runs
 # each for SECONDS. New inputs are kept in FOLDER/found; one that breaks something, in FOLDER.
 #

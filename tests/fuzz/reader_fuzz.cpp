@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Any bytes, as a file: the reader either refuses them with a Failure or returns what they hold.
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/model/error.hpp"

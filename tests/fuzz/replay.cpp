@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Runs a fuzz target over folders of inputs, where there is no fuzzer: replay FOLDER...
 #include <cstdint>
 #include <cstdio>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Any bytes with a valid header in front, as if rupture itself had sealed them: what our checks
 // behind libhdf5 do with a file that libhdf5 can read. libhdf5 1.10.8 itself does not withstand
 // this (docs/tests.md), so this target is for replaying its corpus and for runs by hand.

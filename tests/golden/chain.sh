@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # The pipeline whose content checksums are in checksums.txt: a chain of short runs whose results must
 # be the same, bit for bit, from every compiler, optimisation level and instruction set.
 # Exit code 77: this processor lacks the instruction set that RUPTURE_ISA names.

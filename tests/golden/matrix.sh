@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Builds the programs that make states as a line of matrix.txt says and checks that they go on from
 # the files of tests/compatibility and give the golden checksums. Another build's `analyze` reads them.
 #

@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Demands that the project refuses to be configured with a flag, and says why.
 #
 #   refuses.sh SOURCE FLAG SCRATCH CMAKE_ARGUMENT...

@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 # Unpacks what the tools are built with for another architecture, the libraries of packages.txt and
 # all that they depend on: the sysroot of a cross compiler and an emulator. This machine's own
 # packages stay as they are: apt works with a state of its own, and needs no root.

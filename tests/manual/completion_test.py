@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Completion, asked for in a real bash, and in zsh where it is installed.
 
 completion_test.py BUILD

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The man pages: there is one per tool, man and lexgrog find no fault, all options are in them.
 
 pages_test.py BUILD

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The examples in the docstrings of the package give what they say."""
 
 import doctest

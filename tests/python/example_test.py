@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The notebook docs/examples/first-front.ipynb runs: the front crosses, and arrests without
 driving."""
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """map: pictures of records, the window that they show, and refusals."""
 
 import os

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """movie and watch: frames, formats and refusals; a run that is watched to its end."""
 
 import os

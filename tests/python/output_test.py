@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """What map, movie, watch and xdmf have in common: packages that are missing, files that are none,
 outputs that cannot be written, by their path or because the disk is full. One sentence, and nothing
 is left."""

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """`import rupture`: files, `.part` files, checksums and programs."""
 
 import os

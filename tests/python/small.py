@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A run of a small slider, through which a rupture passes, in a folder of its own."""
 
 import os

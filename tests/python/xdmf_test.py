@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """xdmf: both readers of VTK, as they are in ParaView, find the values of the checkpoints."""
 
 import os

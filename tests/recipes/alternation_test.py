@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Alternation of events in loads: made-up sequences with known answers."""
 
 import sys

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // What bars readers from the page that is shown, one sentence each: a script for Selenium, which
 // returns the list. It opens all that can be unfolded first.
 const faults = [];

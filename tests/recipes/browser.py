@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Opens a page in headless Chromium, without any network, and says what happened."""
 
 import os

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The report of made-up results in a browser, after results/ was moved elsewhere: it loads
 completely from the file system alone, and nothing bars readers from it in wide and narrow windows,
 light and dark. The same checks must fail when something is wrong."""

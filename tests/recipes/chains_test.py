@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The chains of commands in the recipes' READMEs are those that the rules run.
 
 A command by hand has the program, the options and the values of one that Snakemake would run, or

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """CITATION.cff, codemeta.json and .zenodo.json say the same as CMakeLists.txt and LICENSE."""
 
 import json

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """ro-crate-metadata.json from made-up results: what RO-Crate 1.1 demands, and what is told."""
 
 import hashlib

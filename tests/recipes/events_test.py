@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Kinds of events, and which of a load are shown (recipes/events)."""
 
 import sys

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A small project with made-up results, and what the tests of the report have in common."""
 
 import atexit

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A sweep by ./reproduce.sh that is interrupted, killed or damaged: nothing goes on by itself, and
 the same command completes it (recipes/reproduce/)."""
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The judge of claims: conditions, shares and the four verdicts, and the table of claims itself."""
 
 import sys

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Maps of front types (recipes/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
 import sys

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The event most like the paper's of independent loads: made-up events worked out by hand."""
 
 import math

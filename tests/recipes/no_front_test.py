@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Records in which nothing ruptured: `analyze front` reports the type none, which the recipes count
 as they count fronts that arrest."""
 

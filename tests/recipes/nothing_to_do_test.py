@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A second call of ./reproduce.sh: what is current is not computed again, whatever is stale is."""
 
 import hashlib

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Claims 1E and SI: friction of blocks around their rupture, slip of one block; made up."""
 
 import runpy

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Tables and pictures of a user's sweep (recipes/sweeps/table.py, picture.py): made-up results."""
 
 import csv

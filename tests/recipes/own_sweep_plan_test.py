@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A user's sweep file becomes a plan (recipes/sweeps/plan.py): short form, units, refusals."""
 
 import os

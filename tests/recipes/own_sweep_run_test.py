@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A user's sweep from its file to its table, by ./reproduce.sh: what fails, what crashes, what is
 computed when the file changes (recipes/sweeps/, recipes/sweeps/sweep.smk)."""
 

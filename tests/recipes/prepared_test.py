@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """What is measured of prepared interfaces beside Figure 3: the decay length ahead of slow fronts
 (recipes/fig3/decay_length.py), and fronts without a slipping force (no_slip_force.py)."""
 

@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """results/index.html as it is in this folder, if ./reproduce.sh report has written it."""
 
 import json

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """./reproduce.sh itself: what may be typed, where it runs, and which tests it calls slow."""
 
 import io

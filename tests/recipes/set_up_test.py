@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """./reproduce.sh installs packages and builds, with stand-ins for apt-get and cmake
 (recipes/reproduce/set-up.sh)."""
 

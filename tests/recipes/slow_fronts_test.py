@@ -1,7 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Slow slip behind slow fronts on prepared interfaces: windows, seeds, claims 3Ci, 3D and co
 (recipes/fig3)."""
 

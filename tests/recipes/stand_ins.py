@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A copy of ./reproduce.sh and what it needs, in which stand-ins take the place of programs."""
 
 import os

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Claim 4C: slow points gather at low sigma_bar (recipes/fig4/strength.py); all made up."""
 
 import sys

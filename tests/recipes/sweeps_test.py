@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Reading sweep files (recipes/sweeps/sweep.py) and computing points (batch.py, collect.py)."""
 
 import csv

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The Debian package that cpack makes: its contents, its dependencies, and lintian's opinion.
 
 debian_test.py BUILD

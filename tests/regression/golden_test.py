@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The program rupture-golden by itself, with the built tools.
 
 golden_test.py SOURCE TOOLS

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """The installed CMake package, as the project of a user (project/) uses it.
 
 package_test.py BUILD COMPILER

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Does on purpose what a sanitizer must report, or its legal counterpart, on which it must be
 // silent.
 //

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """A SLURM cluster of one node, this machine, without systemd and apart from any that is installed.
 
 As a program it starts one, runs a command in it and stops it again:

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Sweeps and figures in allocations of a real SLURM, undisturbed and with everything killed.
 
     sweep_test.py FOLDER_OF_PROGRAMS

@@ -1,7 +1,4 @@
 #!/usr/bin/python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Compares what the programs of two builds compute, byte for byte: the state of checkpoints, and
 the series and ruptures of records. Parameters, provenance and checksums may differ.
 

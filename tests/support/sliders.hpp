@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Small sliders for tests, and what the tests do with them.
 #pragma once
 

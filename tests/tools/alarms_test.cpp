@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Alarms: a run whose result is meaningless ends with a sentence, unless the user lets it go on.
 #include "tool_test.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze strength, estimate, steady-state: what follows from parameters and junction forces.
 #include <algorithm>
 #include <cmath>

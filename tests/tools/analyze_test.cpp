@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze: what it measures in records and checkpoints, as text, JSON and CSV.
 #include <algorithm>
 #include <cmath>

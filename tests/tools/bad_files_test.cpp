@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Files that are missing, foreign, damaged or of the wrong kind: one sentence, exit code 1.
 #include <hdf5.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Names that are empty, values that do not fit the file they are for, files of another kind: one
 // sentence, which says what was expected.
 #include <hdf5.h>

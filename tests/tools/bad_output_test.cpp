@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Outputs that cannot be written: one sentence, exit code 1 or 2, nothing half written.
 #include <unistd.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Bad options and parameters: one sentence, exit code 2, nothing written.
 #include <fmt/format.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Tests of the options that all tools have: --help, --version, --quiet, unknown options.
 #include <fmt/core.h>
 

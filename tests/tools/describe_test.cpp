@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // --describe: programs say of themselves what they take, and take what they say.
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // load and restart --dry-run: what a run would need, compared with what it needs.
 #include <cstdint>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze front, classify, slow-slip: which event they speak of where a record holds several.
 #include "tool_test.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // finish: the record of a run that was killed or still runs, as an ordinary record.
 #include "rupture/checkpoint/record.hpp"
 #include "tool_test.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze lineage: the commands that it prints are run and make the same content.
 #include <cstdlib>
 

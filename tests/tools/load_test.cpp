@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // load: equilibrium, driving, configuration, checkpoints on the way.
 #include <cmath>
 #include <numeric>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // modify-phi: new forces in the junctions, the same force on each block.
 #include <algorithm>
 #include <cmath>

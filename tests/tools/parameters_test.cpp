@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // parameters: each row of the table, alone, by group and as JSON.
 #include "rupture/model/parameters.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // prepare: a checkpoint with the prestress that was asked for, from which restart runs the event.
 #include <algorithm>
 #include <cmath>

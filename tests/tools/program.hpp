@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Runs a program of the project as a user would, and keeps what it said.
 #pragma once
 

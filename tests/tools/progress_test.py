@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """What load and restart say of their progress, on a terminal and elsewhere."""
 
 import fcntl

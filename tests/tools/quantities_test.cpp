@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze quantities: parameters as in a file, and one line for each quantity.
 #include <algorithm>
 #include <set>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // restart: continuing a run gives what the uninterrupted one gave; changing parameters does not.
 #include <cmath>
 

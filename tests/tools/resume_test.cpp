@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // --resume: an interrupted run goes on and ends with the bits of the uninterrupted one.
 //
 // Interruptions are imitated here by deleting the files that the run wrote later; tests/crash

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // rupture TOOL: runs the programs, finds them, lists them, and is not in their way.
 #include <csignal>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // seal, and what readers say of files that another program changed. HDF5's C interface does here
 // what h5py and MATLAB do through it.
 #include <hdf5.h>

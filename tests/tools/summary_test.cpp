@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // --json of the programs that write files: what was done, as one object.
 #include <set>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // restart with another time step: the time of the state goes on, whatever dt it had before.
 #include <algorithm>
 #include <cmath>

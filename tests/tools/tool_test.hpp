@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Shared by the tests of the tools: a fresh folder, a small slider, the tools themselves.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze verify: files, folders and manifests.
 #include <unistd.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Order of convergence of velocity Verlet in the time step.
 //
 // Without damping the scheme is of second order. With damping it is of first order: the damping

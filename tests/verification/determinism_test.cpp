@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // A run that is interrupted and taken up again arrives at the bits of one that is not: before,
 // during and after the rupture of the interface.
 #include <gtest/gtest.h>

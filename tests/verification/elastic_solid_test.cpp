@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The lattice is the isotropic plane-stress solid it stands for: E as given, Poisson ratio 1/3, and
 // the wave speeds that follow.
 //

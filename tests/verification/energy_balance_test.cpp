@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Energy account of a run: work of driving and load = energy gained + what damping took + work
 // against the junctions.
 //

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Dashpots of the foundation: a slider that swings on a soft foundation is a damped oscillator.
 #include <gtest/gtest.h>
 

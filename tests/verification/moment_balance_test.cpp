@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Under driving the normal forces shift towards the leading edge, as the balance of moments wants
 // (Fig. S1): F_T acts at height h, friction at the interface.
 #include <gtest/gtest.h>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Claim 1G: friction of one block that slides at constant speed v, against renewal theory, both as
 // in analysis/steady_sliding.hpp, where the theory is derived.
 #include "rupture/analysis/steady_sliding.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // stable_time_step() is where the stability of velocity Verlet ends.
 //
 // The formula takes the wave vector (pi, 0), which a finite lattice reaches only in the limit: 17 x

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Rupture events in a record: bursts of block ruptures separated by quiet times.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Rupture fronts: where they were when, how fast, and of which type (Fig. 2, physics "Measured
 // quantities").
 #pragma once

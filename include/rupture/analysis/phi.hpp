@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The distribution phi(f_T) of the forces that a block's junctions carry (Figs. 4, S4, S5).
 #pragma once
 

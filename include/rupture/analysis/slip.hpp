@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // How far and how fast one block slips during an event: fast slip, arrest, slow slip (Fig. 3C); and
 // how fast the blocks behind a slow front slip (Figs. 3C inset and 3D).
 #pragma once

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Slow slip from the parameters: Eq. S1 and the relaxation of one block behind its coefficient (SI,
 // "Estimate of v_slow slip from Model Parameters").
 #pragma once

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Friction of a block that slides at constant speed (claim 1G): renewal theory, and the law itself.
 //
 // At constant p every junction repeats one cycle: pinned, its force rises from f_new at the rate

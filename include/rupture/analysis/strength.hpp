@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Effective static friction of a block: how much friction its junctions can bear (Figs. 4C, S5).
 //
 // mu_s^eff = tau_max / p, where tau_max is the largest friction force while the block is moved

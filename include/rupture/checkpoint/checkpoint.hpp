@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Checkpoints: everything that determines the rest of a run, in one file.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // SHA-256, and the checksum of a content in its canonical form (docs/schema.md).
 #pragma once
 

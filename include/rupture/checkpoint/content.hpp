@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The content of a file as plain data: named datasets with a type, a shape and a unit.
 //
 // A Content is what the checksum, the comparison and the HDF5 layer have in common; none of them

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Files that another program may have changed since rupture sealed them.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The 512-byte header in front of every file (HDF5's user block).
 //
 // It is readable text: the kind of file, its size, and the SHA-256 of all bytes that follow. It

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Files on disk: whole, verified, and written in one piece or not at all.
 //
 // None of these functions may run in two threads at once (libhdf5 is not thread-safe).

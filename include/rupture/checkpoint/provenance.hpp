@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Where a file comes from: one entry per tool that had a hand in it, oldest first.
 #pragma once
 

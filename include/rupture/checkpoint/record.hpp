@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Records: time series that grow while a run goes on.
 //
 // While the run goes on they live in `<path>.part`, which can be read at any time up to its last

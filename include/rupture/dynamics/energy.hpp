@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The energy account of a run: what came in, where it is, where it went.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The normal-load equilibrium from which driving starts (SI Methods), by a direct solve.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Watches whether the numbers of a run still mean something (docs/guard.md says what, and where the
 // limits come from).
 #pragma once

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Prepared interfaces: initial states with a prescribed prestress (SI Methods, "Fronts on prepared
 // interfaces"; Figs. 3D, 4C, 4D, S3).
 //

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The loop: advance a simulation and let observers look at it at the steps they ask for.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // One slider on its interface, moved in time by velocity Verlet.
 //
 // Scheme, for a state complete at step n (u, v, f, junctions at time t_n = n dt):

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Sums and bounds over the many junctions of each block, by which untouched blocks cost nothing.
 //
 // Everything here follows from the junctions, to the last bit and whatever happened before: a run

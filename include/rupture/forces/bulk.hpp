@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The elastic slider: springs between neighbouring blocks and their damping (physics: "Slider").
 #pragma once
 

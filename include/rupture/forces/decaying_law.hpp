@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The decaying interface law (Fig. S6): the reference law, but for a slipping force that falls with
 // time. It stands for another behaviour of single junctions, to show that results do not hinge on
 // the reference one.

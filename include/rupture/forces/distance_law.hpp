@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The distance law (not of the paper, which contrasts "time- rather than distance-controlled
 // relaxations"): the reference law, but a junction slips for a distance instead of a time. At rest
 // nothing relaxes; the law has no time of its own.

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Friction between interface blocks and track, as the step (dynamics/simulation.hpp) asks for it.
 //
 // A law moves the junctions in State and says which force they exert; it keeps nothing that does

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The common part of all interface laws with N_s junctions per block: the loop over the junctions.
 //
 // Valid for any normal force p_i >= 0. With f_N = p_i / N_s at the current p_i and k_ij =

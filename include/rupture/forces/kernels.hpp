@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The loops that every time step runs, compiled once per instruction set and chosen at start.
 //
 // All variants give the same bits: they use + - * / and sqrt only, without contraction, and every

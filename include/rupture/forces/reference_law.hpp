@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The reference interface law: junctions that are pinned, break, slip and are pinned again
 // (Methods).
 //

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The simplified interface law (SI Methods, Fig. S2): one spring per block, and slow slip put in by
 // hand. It shows that slow slip alone suffices for slow fronts, whatever its origin.
 //

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Memory that starts on a cache line, so that no vector of eight doubles straddles two.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The normal contact of one interface block, written once for the kernels' loop and for everything
 // else. Internal linkage: each instruction set keeps a copy of its own (forces/kernels/isa.cpp).
 #pragma once

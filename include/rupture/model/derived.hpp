@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Quantities that follow from the parameters (Table S1, lower half).
 #pragma once
 

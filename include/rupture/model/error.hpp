@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The two kinds of failure a user can meet; the tools map them to exit codes 2 and 1.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Elementary functions made of +, -, *, / and sqrt only.
 //
 // IEEE 754 fixes the result of those five to the last bit; it does not fix log or the normal

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // One scalar field on the lattice of blocks.
 //
 // Storage is row by row with unit stride along x. Each row is padded to a multiple of eight values

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The interface laws, one row each: what everything but the laws themselves must know of them. Its
 // parameters name the law in their rows; what it does in a step is in its own file
 // (forces/interface_law.hpp).

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The time that stands for "never"; apart, so that the kernels need no other header for it.
 #pragma once
 

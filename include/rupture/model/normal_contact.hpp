@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The forces that press on a slider in z: of its support on one side, F_N on the other. Nothing
 // else needs to know which of them is below.
 //

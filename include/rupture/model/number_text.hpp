@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Numbers as people type them, with or without a unit: 10ms, 0.8 s, 3GPa, 1e-5.
 #pragma once
 

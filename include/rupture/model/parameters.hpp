@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The physical and numerical parameters of one simulation (Table S1 of the paper).
 //
 // Every parameter is declared once, in parameters.cpp: its name, symbol, unit, validity, help, the

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Shapes of the distribution phi(f_T) of junction forces, and their exact quantiles.
 #pragma once
 

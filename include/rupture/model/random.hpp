@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Counter-based random numbers: every draw is a pure function of (seed, block, junction, purpose,
 // n), so there is no generator state to keep and no order in which draws must happen.
 #pragma once

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Which events span the interface (docs/decisions/0022-what-spans.md), for runs and analyses alike.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Everything that changes in time. Plain data; State and Parameters together determine the future.
 #pragma once
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Command lines like those of the other programs: a sentence for each error, exit code 1 or 2, and
 --describe."""
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Files appear complete or not at all, and replace others only if that is asked for."""
 
 import os

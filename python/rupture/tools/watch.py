@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """watch: a run that goes on, by the record that it writes."""
 
 import fcntl

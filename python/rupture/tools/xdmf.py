@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """xdmf: checkpoints for ParaView and VTK."""
 
 import io

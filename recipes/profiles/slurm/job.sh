@@ -1,7 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 #SBATCH --job-name=rupture
 #SBATCH --ntasks=32
 #SBATCH --mem-per-cpu=1000M

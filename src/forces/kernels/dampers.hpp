@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Damping forces eta sum_j (v_j - v_i) over the up to eight neighbours, as a 3 x 3 sum.
 #pragma once
 

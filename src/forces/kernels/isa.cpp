@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The loops of kernels.hpp, compiled once per instruction set: RUPTURE_ISA names this variant,
 // RUPTURE_LANES is how many doubles its registers hold. Nothing here may include a library header
 // with inline functions: the linker would keep one copy of each for all variants, possibly one that

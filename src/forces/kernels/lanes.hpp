@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // One vector register of doubles, as wide as the instruction set that is being compiled for.
 // Included by isa.cpp only: everything here is private to one variant.
 #pragma once

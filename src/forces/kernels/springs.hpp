@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Forces of the bulk springs, each spring computed once (physics: "Slider").
 #pragma once
 

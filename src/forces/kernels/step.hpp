@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The two halves of a time step on the bulk: kick and drift, and its end (dynamics/simulation.hpp).
 #pragma once
 

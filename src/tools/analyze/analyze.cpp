@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze: measure, compare and check what the other tools wrote.
 #include "analyze/analyze.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The commands of the analyze tool. Each parses its own arguments.
 #pragma once
 

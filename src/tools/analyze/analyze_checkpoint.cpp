@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze stress, phi: what a checkpoint says of the interface.
 #include <fmt/core.h>
 

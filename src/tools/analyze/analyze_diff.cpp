@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze diff: where and by how much two files differ.
 #include <fmt/core.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze estimate: slow slip to expect from a checkpoint's parameters.
 #include <fmt/core.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze front, classify: the front of one event in a record.
 #include "analyze/analyze.hpp"
 #include "analyze/common_quantities.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze lineage: the steps that led to a file, and a script that takes them anew.
 #include "analyze/analyze.hpp"
 #include "analyze/file_command.hpp"

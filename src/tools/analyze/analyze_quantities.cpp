@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze quantities: the names, units and meanings of parameters and of what is measured.
 #include <fmt/core.h>
 

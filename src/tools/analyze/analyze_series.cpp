@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze slip, loading: time series of a record.
 #include <fmt/core.h>
 

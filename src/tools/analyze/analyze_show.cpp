@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze show: what a file is, its parameters and where it comes from.
 #include <fmt/core.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze slow-slip: the slip behind a slow front.
 #include <fmt/core.h>
 

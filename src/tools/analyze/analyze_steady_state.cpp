@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze steady-state: friction of a block that slides at constant speed.
 #include <fmt/core.h>
 

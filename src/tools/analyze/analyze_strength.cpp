@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze strength: how much friction a distribution of junction forces can bear.
 #include <fmt/core.h>
 

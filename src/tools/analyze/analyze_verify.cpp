@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // analyze checksum, verify: whether files are intact and what they should be.
 #include <fmt/core.h>
 

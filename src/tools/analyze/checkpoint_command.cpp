@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "analyze/checkpoint_command.hpp"
 
 #include "cli/quantity.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Shared by the analyze commands that read one checkpoint.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "analyze/common_quantities.hpp"
 
 #include "rupture/model/derived.hpp"

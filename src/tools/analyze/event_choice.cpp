@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "analyze/event_choice.hpp"
 
 #include <fmt/format.h>

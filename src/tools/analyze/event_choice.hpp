@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Which event of a record a command speaks of that measures one front.
 #pragma once
 

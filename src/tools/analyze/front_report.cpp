@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "analyze/front_report.hpp"
 
 #include <fmt/core.h>

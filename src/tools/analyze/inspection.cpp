@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "analyze/inspection.hpp"
 
 #include <fmt/format.h>

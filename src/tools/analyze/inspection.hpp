@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The findings of verifying a file or folder, whatever is wrong.
 #pragma once
 

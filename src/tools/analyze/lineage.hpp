@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The steps that led to a file, and the commands that take them anew.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Lists of content checksums: manifests and .sum files.
 #pragma once
 

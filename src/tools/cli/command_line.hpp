@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The command line of all tools: parsing, --help, parameters, errors and exit codes.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // A program's own description, for programs that call it: --describe.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Programs that are interrupted, or whose standard streams are closed, without losing a run.
 #pragma once
 

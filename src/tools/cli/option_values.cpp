@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "cli/option_values.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Values of options: how they are declared, and numbers such as times and lengths.
 #pragma once
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // One row per quantity that a command reports: its key in JSON, unit, meaning and value, and
 // whether CSV and the table in the text show it. JSON, CSV, text and `analyze quantities` come from
 // the rows.

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Text that the tools show: parameter help, suggestions, aligned lines.
 #pragma once
 

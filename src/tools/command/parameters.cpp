@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // parameters: what --set and --config take.
 #include "rupture/model/parameters.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // rupture TOOL: one command for all programs, which stay separate ones.
 #include <fmt/format.h>
 #include <unistd.h>

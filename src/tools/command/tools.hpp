@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The programs that `rupture` runs, and what they say of themselves.
 #pragma once
 

@@ -1,6 +1,3 @@
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Man pages and completion, from what the programs say of themselves (--describe).
 
 manual.py FOLDER_OF_PROGRAMS OUTPUT VERSION

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // How load and restart act on the findings of the guard (rupture/dynamics/guard.hpp).
 #pragma once
 

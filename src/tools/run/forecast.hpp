@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Time, memory and disk of a run, forecast from what it will do and how fast this machine is.
 //
 // The constants come from measurements of lattices from 57 x 31 to 449 x 241 blocks (x86-64, Debian

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // What a run does again and again: record a sample, write a checkpoint.
 #pragma once
 

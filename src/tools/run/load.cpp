@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // load: the slider under its normal load, then driven from the side.
 #include "cli/option_values.hpp"
 #include "run/rebuild.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // modify-phi: replace the distribution of junction forces in a region, keeping each block's mean.
 #include <fmt/core.h>
 

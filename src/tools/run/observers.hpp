@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Observers of a run: the record and the checkpoint schedule.
 #pragma once
 

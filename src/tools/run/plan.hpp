@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The plan of a run, made before it does anything: running it, --dry-run and --resume read this.
 #pragma once
 

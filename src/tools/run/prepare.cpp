@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // prepare: an interface with a prescribed prestress, at the moment its event is triggered.
 #include <fmt/core.h>
 

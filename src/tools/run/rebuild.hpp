@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The commands that make a file anew (ProvenanceEntry::rebuild): complete, so that they need
 // nothing but the parent, and canonical, so that equal content has equal commands.
 //

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // restart: continue a checkpoint, with the same parameters or with changed ones.
 #include <fmt/core.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Finding out where an interrupted run can be taken up.
 #pragma once
 

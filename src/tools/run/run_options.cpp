@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 #include "run/run_options.hpp"
 
 #include <fmt/core.h>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The options that load and restart have in common: how long, and what to write on the way.
 #pragma once
 

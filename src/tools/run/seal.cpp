@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // seal: a checkpoint or record that another program edited, checked and sealed again.
 #include <fmt/core.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Running a simulation from the command line: what load and restart have in common.
 #pragma once
 

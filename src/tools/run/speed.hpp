@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // How fast this machine is, measured now, with all that it does besides.
 #pragma once
 

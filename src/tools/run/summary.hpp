@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // What the programs that write files have done, as they print it with --json.
 #pragma once
 

@@ -1,7 +1,4 @@
 #!/usr/bin/python3
-# SPDX-FileCopyrightText: The rupture authors
-# SPDX-License-Identifier: MIT
-
 """Runs the program of the Python package that has the name of this file, which is a link in a build
 and a copy in the folder libexec/rupture of an installation."""
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Splitting a made-up record into events.
 #include "rupture/analysis/events.hpp"
 

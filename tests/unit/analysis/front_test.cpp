@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Rupture fronts measured in made-up rupture lines of known speed, on the reference slider: blocks
 // 2.5 mm apart, slow below c_s/20 = 48.4 m/s.
 #include "rupture/analysis/front.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Distributions of junction forces: their shapes, how they are measured and how they are replaced.
 #include "rupture/analysis/phi.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Slip measured in a made-up history: at rest until 1 ms, 0.1 ms of fast slip at 100 mm/s, 0.2 ms
 // at rest, then slow slip at 2 mm/s until 4 ms. Slow slip behind a made-up front.
 #include "rupture/analysis/slip.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Eq. S1 and the one-block relaxation behind its coefficient.
 #include "rupture/analysis/slow_slip.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Median and straight-line fit.
 #include "rupture/analysis/statistics.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Effective static friction: closed forms, quadrature, the forces of single junctions, and the
 // reference law itself.
 #include "rupture/analysis/strength.hpp"

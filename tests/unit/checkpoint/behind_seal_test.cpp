@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Files with a valid header around an HDF5 part that another program made: what libhdf5 reads well,
 // but rupture never writes, is refused in one sentence, before much memory is taken.
 #include <hdf5.h>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Work in a child process: how it ended is told apart, and nothing of it reaches this process.
 #include "../../../src/checkpoint/child_process.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Which parameters count in the content checksum: what the law uses, and of the later ones what
 // differs from its default.
 #include "fixtures.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Damage after sealing: every bit and every length of whole files, through the reader itself.
 #include "fixtures.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Files that another program changed: what is read of them, and what is sealed of that.
 #include "rupture/checkpoint/edited.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The header in front of a file: nothing that differs from what was written may pass.
 #include "rupture/checkpoint/envelope.hpp"
 

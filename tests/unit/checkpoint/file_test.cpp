@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Files on disk: what is refused, what is left behind, and what is left alone.
 #include "rupture/checkpoint/file.hpp"
 

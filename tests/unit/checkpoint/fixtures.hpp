@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Shared by the checkpoint tests: a folder that vanishes, and a small checkpoint in which every
 // number is different.
 #pragma once

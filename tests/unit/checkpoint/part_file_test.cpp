@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Records in the making: what a run that goes on, or was killed, has written so far.
 #include <signal.h>
 #include <sys/resource.h>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Other programs can read our files, and recompute their checksum with h5py alone.
 #include <fmt/format.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Shared by the tests of records: small ones, of which every number is known.
 #pragma once
 

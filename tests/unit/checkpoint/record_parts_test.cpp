@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // What a record may hold besides its series: crossings of other pinned fractions, and fields.
 #include <array>
 #include <filesystem>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The normal-load equilibrium of the reference slider, found directly and by relaxation.
 #include "rupture/dynamics/equilibrium.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The guard: silent in runs that mean something, and every finding from a state made to trigger it.
 #include "rupture/dynamics/guard.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Prepared interfaces: the prescribed prestress, the quantiles, the trigger, and what is refused.
 #include "rupture/dynamics/prepared.hpp"
 

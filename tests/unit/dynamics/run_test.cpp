@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The loop: observers and stop rules.
 #include "rupture/dynamics/run.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // One simulation: the order of a step, the forces it reports, ruptures, and blow-up.
 #include "rupture/dynamics/simulation.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The slider at rest in both orders of elimination.
 #include "dynamics/statics.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Springs and dampers between blocks: invariances, a plain second account, energy and padding.
 #include "rupture/forces/bulk.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Every branch of the decaying interface law against sequences worked out by hand, for the junction
 // of hand_made_interface.hpp with mu_d = 0.2 and mu_new = 0.12: broken, it carries 0.2 N at first
 // and 0.12 N after 2 ms, 0.04 N less per millisecond.

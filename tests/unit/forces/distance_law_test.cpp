@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Every branch of the distance law against sequences worked out by hand, for the junction of
 // hand_made_interface.hpp: it breaks beyond a stretch of 0.2 m, trails at 0.085 m and 0.17 N, and
 // is pinned again after sliding by 0.3 m.

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // A block that is moved by hand over junctions with easy numbers.
 //
 // f_N = 1 N and kappa = 4 N/m^2, so k_ij = 2 N/m and w = f_N / k_ij = 0.5 m: with mu_s = 0.4 a

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // All instruction sets that this processor can run give the same bits.
 #include "rupture/forces/kernels.hpp"
 

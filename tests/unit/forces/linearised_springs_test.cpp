@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Bulk springs that are linearised for small displacements.
 #include <gtest/gtest.h>
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The other interface laws over long random histories: they keep nothing but the junctions, and the
 // decaying law contains the reference law.
 #include <gtest/gtest.h>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The reference law over long random histories: against a plain account of every junction, and
 // against itself with nothing remembered but the junctions.
 #include <gtest/gtest.h>

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Every branch of the reference interface law against sequences worked out by hand, for the
 // junction of hand_made_interface.hpp.
 #include "rupture/forces/reference_law.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Every branch of the simplified interface law against sequences worked out by hand.
 //
 // One spring with k_i = 2 N/m under p_i = 1 N (N_s = 1): it breaks beyond 0.2 m and slides at

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Quantities that follow from the parameters.
 #include "rupture/model/derived.hpp"
 

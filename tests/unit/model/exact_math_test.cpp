@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Logarithm and normal quantile made of exact operations, against the C library and a table of 40
 // digits computed with mpmath.
 #include "rupture/model/exact_math.hpp"

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The table of the interface laws.
 #include "rupture/model/laws.hpp"
 

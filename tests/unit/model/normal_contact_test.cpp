@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The support of a slider and F_N against it, on a foundation and under a ceiling.
 #include "rupture/model/normal_contact.hpp"
 

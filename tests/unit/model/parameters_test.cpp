@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // The parameter table: every error sentence, text that reads back, and what makes sense together.
 #include "rupture/model/parameters.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Counter-based random numbers and the slipping times drawn from them.
 #include "rupture/model/random.hpp"
 

@@ -1,6 +1,3 @@
-// SPDX-FileCopyrightText: The rupture authors
-// SPDX-License-Identifier: MIT
-
 // Fields, the initial state and the quantities that are read off a state.
 #include "rupture/model/state.hpp"
 
