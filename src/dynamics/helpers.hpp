@@ -28,8 +28,9 @@ class Helper {
     }
   }
 
-  /// Returns when the band of the last ask is done. A helper for which the caller waits longer than
-  /// it has worked itself costs time: it is not asked again for 20 times as long.
+  /// Returns when the band of the last ask is done. A helper for which the caller waits four times
+  /// as long as it has worked itself has lost its processor, and is not asked again for 20 times as
+  /// long. (One that has begun late costs less, and would begin late again after a rest.)
   void complete(Clock::time_point asked) {
     Now found = Now::asked;
     if (now_.compare_exchange_strong(found, Now::idle) || found == Now::idle) {
@@ -38,7 +39,7 @@ class Helper {
       const auto begin = Clock::now();
       wait_while(Now::busy);
       const auto end = Clock::now();
-      if (end - begin > begin - asked) asked_again_ = end + 20 * (end - begin);
+      if (end - begin > 4 * (begin - asked)) asked_again_ = end + 20 * (end - begin);
     }
   }
 
