@@ -1,7 +1,10 @@
 // analyze diff: where and by how much two files differ.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/dynamics/simulation.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::testing {
@@ -20,6 +23,7 @@ class Diff : public ToolTest {
     other.state.u_x(0, 4) *= -1.0;
     other.state.junctions.draws(7, 99) = 6;
     other.parameters.slipping_times = SlippingTimes::exponential;
+    other.state = continued(std::move(other.state), other.parameters);
     write_checkpoint(path("b.h5"), other, IfExists::refuse);
   }
 };
