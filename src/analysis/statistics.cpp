@@ -40,26 +40,6 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
   return fit;
 }
 
-std::optional<ProportionalFit> fit_through_origin(std::span<const double> x,
-                                                  std::span<const double> y) {
-  const std::size_t n = x.size();
-  if (n < 2 || y.size() != n) return std::nullopt;
-  const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(n);
-  const double xx = std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
-  if (xx <= 0.0) return std::nullopt;
-  const double slope = std::inner_product(x.begin(), x.end(), y.begin(), 0.0) / xx;
-  double unexplained = 0, total = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    unexplained += (y[i] - slope * x[i]) * (y[i] - slope * x[i]);
-    total += (y[i] - mean_y) * (y[i] - mean_y);
-  }
-  ProportionalFit fit{};
-  fit.slope = slope;
-  fit.r_squared = unexplained > 0.0 ? 1.0 - unexplained / total : 1.0;
-  fit.slope_error = std::sqrt(unexplained / static_cast<double>(n - 1) / xx);
-  return fit;
-}
-
 std::optional<Mean> mean_of(std::span<const double> values) {
   if (values.size() < 2) return std::nullopt;
   const auto n = static_cast<double>(values.size());

@@ -16,6 +16,7 @@ import front_speed  # noqa: E402
 import slow_fronts  # noqa: E402
 import slow_slip  # noqa: E402
 from claims import paper  # noqa: E402
+from data.fits import fit_through_origin  # noqa: E402
 
 
 def slips(blocks=5):
@@ -27,6 +28,17 @@ def slips(blocks=5):
         "estimate": 2e-3,
         "per_block": {"x": [2.0, 2.5], "speed": [0.9e-3, 1.1e-3], "v_c": [9.0, 11.0]},
     }
+
+
+class Fit(unittest.TestCase):
+    def test_through_the_origin_is_compared_with_the_mean(self):
+        self.assertEqual(fit_through_origin([1, -2], [3, -6]).slope, 3)
+        # slope (1*3 + 2*3 + 3*6)/14; residuals (15, -12, 3)/14, sum of squares 27/14, of 6 about 4
+        fit = fit_through_origin([1, 2, 3], [3, 3, 6])
+        self.assertAlmostEqual(fit.slope, 27 / 14)
+        self.assertAlmostEqual(fit.r_squared, 1 - 27 / 14 / 6)
+        self.assertLess(fit_through_origin([1, 2, 3], [3, 2, 1]).r_squared, 0)
+        self.assertIsNone(fit_through_origin([1], [1]))
 
 
 class Fronts(unittest.TestCase):

@@ -23,20 +23,6 @@ struct LineFit {
 /// Needs at least three points with different x; otherwise no value.
 std::optional<LineFit> fit_line(std::span<const double> x, std::span<const double> y);
 
-/// y = slope x by least squares.
-struct ProportionalFit {
-  double slope;
-  /// 1 - (sum of squared residuals) / (sum of (y - <y>)^2), as for a line with an intercept: it
-  /// says how much better the fit is than the mean of y, and is negative where it is worse. (Fits
-  /// through the origin are often judged against y = 0 instead, which flatters them.)
-  double r_squared;
-  double slope_error;  ///< standard error of the slope
-};
-
-/// Needs at least two points, one of them with x != 0; otherwise no value.
-std::optional<ProportionalFit> fit_through_origin(std::span<const double> x,
-                                                  std::span<const double> y);
-
 /// A mean and how well it is known.
 struct Mean {
   double value;

@@ -65,34 +65,6 @@ TEST(FitLine, needs_three_points_with_different_x) {
   EXPECT_FALSE(fit_line(Values{0.0, 1.0, 2.0}, Values{0.0, 1.0}));
 }
 
-TEST(FitThroughOrigin, finds_an_exact_proportion) {
-  const auto fit = fit_through_origin(Values{1.0, -2.0}, Values{3.0, -6.0});
-  ASSERT_TRUE(fit);
-  EXPECT_DOUBLE_EQ(fit->slope, 3.0);
-  EXPECT_EQ(fit->r_squared, 1.0);
-  EXPECT_EQ(fit->slope_error, 0.0);
-}
-
-TEST(FitThroughOrigin, tells_how_well_it_fits) {
-  // Slope (1*3 + 2*3 + 3*6) / 14 = 27/14; residuals (15, -12, 3)/14, sum of squares 27/14, of 6
-  // about the mean of 4, with 2 degrees of freedom.
-  const auto fit = fit_through_origin(Values{1.0, 2.0, 3.0}, Values{3.0, 3.0, 6.0});
-  ASSERT_TRUE(fit);
-  EXPECT_NEAR(fit->slope, 27.0 / 14.0, 1e-14);
-  EXPECT_NEAR(fit->r_squared, 1.0 - 27.0 / 14.0 / 6.0, 1e-14);
-  EXPECT_NEAR(fit->slope_error, std::sqrt(27.0 / 14.0 / 2.0 / 14.0), 1e-14);
-}
-
-TEST(FitThroughOrigin, can_be_worse_than_the_mean) {
-  EXPECT_LT(fit_through_origin(Values{1.0, 2.0, 3.0}, Values{3.0, 2.0, 1.0})->r_squared, 0.0);
-}
-
-TEST(FitThroughOrigin, needs_two_points_away_from_the_origin) {
-  EXPECT_FALSE(fit_through_origin(Values{1.0}, Values{1.0}));
-  EXPECT_FALSE(fit_through_origin(Values{0.0, 0.0}, Values{1.0, 2.0}));
-  EXPECT_FALSE(fit_through_origin(Values{1.0, 2.0}, Values{1.0}));
-}
-
 TEST(MeanOf, knows_how_well_it_is_known) {
   // deviations -2, -1, 0, 3: variance 14/3 with 3 degrees of freedom
   const auto mean = mean_of(Values{3.0, 4.0, 5.0, 8.0});
