@@ -107,7 +107,7 @@ TEST(Run, asks_more_often_whether_it_is_interrupted_where_there_are_many_junctio
   Simulation simulation(p, normal_load_equilibrium(p));
   int questions = 0;
   const auto interrupted = [&] { return ++questions > 1; };
-  EXPECT_EQ(run(simulation, {.last_step = 100, .interrupted = interrupted}, {}),
+  EXPECT_EQ(run(simulation, {.last_step = 100, .quiet_steps = {}, .interrupted = interrupted}, {}),
             Ending::interrupted);
 }
 
