@@ -122,10 +122,7 @@ def check_shell(processes):
 
 def check_licences(processes):
     if processes.run(["reuse", "lint", "--quiet"]):
-        raise Failure(
-            "Some files do not say their licence (reuse lint names them): sources begin with two"
-            " lines about it, files that cannot are named in .reuse/dep5."
-        )
+        raise Failure("Some files have no licence (reuse lint names them): name it in .reuse/dep5.")
 
 
 def compile_commands():

@@ -87,7 +87,8 @@ ensure_python() {
 
 # --- building ------------------------------------------------------------------------------
 
-configure() { quietly "configure-$1" "Configuring" cmake --preset "$1"; }
+# In CI a warning of the reference compiler is an error, too.
+configure() { quietly "configure-$1" "Configuring" cmake --preset "$1" ${CI:+-DRUPTURE_WERROR=ON}; }
 
 # Only if there is something to compile or to link.
 say_building() {
