@@ -37,8 +37,7 @@ unpack() {
 mkdir -p "$2"
 exec 9>"$sysroot.lock" # two builds may want it at the same time
 flock 9
-# libgomp1 belongs to the compiler, which is not taken from there.
-mapfile -t packages < <(awk '$1 == "build" && $2 ~ /-dev$/ { print $2 }' "$here/../../packages.txt" && echo libgomp1)
+mapfile -t packages < <(awk '$1 == "build" && $2 ~ /-dev$/ { print $2 }' "$here/../../packages.txt")
 if [[ $(cat "$sysroot/packages" 2>/dev/null) == "${packages[*]}" ]]; then exit 0; fi
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-deb >/dev/null; then
