@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Reproduces the figures of the paper: installs what is missing, builds, runs, prints the claims.
-# `./reproduce.sh --help` says what it can do. The commands are in recipes/reproduce/.
+# `./reproduce.sh --help` says what it can do. The commands are in recipes/common/reproduce/.
 set -euo pipefail
 
 # A stream that is closed would become the next file. Output that nobody can read fails.
@@ -12,7 +12,7 @@ root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 
 # Debian's Python comes first: another one on the PATH may lack h5py.
 python=/usr/bin/python3
-[[ -x $python ]] || "$root/recipes/reproduce/set-up.sh" python "$@"
+[[ -x $python ]] || "$root/recipes/common/reproduce/set-up.sh" python "$@"
 [[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME
@@ -21,5 +21,5 @@ if [[ -x /usr/bin/snakemake ]]; then
   export SETUPTOOLS_USE_DISTUTILS=stdlib  # half the time to import Snakemake
 fi
 # The Python package is beside the recipes, or where an installation has it.
-export PYTHONPATH=$root/recipes:$root/python:$root/../../lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
-exec "$python" "$root/recipes/reproduce/__main__.py" "$@"
+export PYTHONPATH=$root/recipes/common:$root/python:$root/../../lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
+exec "$python" "$root/recipes/common/reproduce/__main__.py" "$@"

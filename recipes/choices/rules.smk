@@ -39,7 +39,7 @@ use rule events as choices_events with:
     input:
         **content_of(h5=f"{DATA}/choices/{{choice}}-{{seed}}-record.h5"),
         script="recipes/ensemble/measure_events.py",
-        conventions="recipes/events/conventions.py",
+        conventions="recipes/common/events/conventions.py",
     output: f"{DATA}/choices/{{choice}}-{{seed}}-events.json"
     log: f"{LOGS}/choices/{{choice}}-{{seed}}-events.log"
     message: "choices: find the rupture events of {wildcards.choice}-{wildcards.seed}"

@@ -144,7 +144,7 @@ use rule join_claims as fig1 with:
     input:
         parts=[f"{FIG1}/claims-{part}.json" for part in ("curves", "junction", "speeds")],
         picture=f"{RESULTS}/fig1/fig1.png",
-        **script("recipes/claims/merge_claims.py"),
+        **script("recipes/common/claims/merge_claims.py"),
     output: claims=f"{RESULTS}/fig1/claims.json"
     log: f"{LOGS}/fig1.log"
     message: "fig1: collect the claims"

@@ -10,7 +10,7 @@ rule fig3_l0_seed:
         script="recipes/fig3/decay_length_seed.py",
         shared=[
             f"recipes/{name}.py"
-            for name in ("fig3/decay_length", "events/conventions", "maps/front_map")
+            for name in ("fig3/decay_length", "common/events/conventions", "common/maps/front_map")
         ],
     output: f"{DATA}/fig3/l0-seed-{{seed}}.json"
     priority: 80  # long: before what is short

@@ -35,7 +35,7 @@ for part in sorted(set(Path("recipes/fig3").glob("*.smk")) - {Path("recipes/fig3
 use rule join_claims as fig3 with:
     input:
         parts=FIG3_PARTS,
-        **script("recipes/claims/merge_claims.py"),
+        **script("recipes/common/claims/merge_claims.py"),
     output: f"{RESULTS}/fig3/claims.json"
     log: f"{LOGS}/fig3-claims.log"
     message: "fig3: join the claims"

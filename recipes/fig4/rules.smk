@@ -20,7 +20,7 @@ STAGES["refine"]["fig4"] = [f"{DATA}/fig4/boundary.csv"]
 rule fig4_between:
     input:
         grid=f"{DATA}/fig4/map.csv",
-        **script("recipes/maps/map_points.py"),
+        **script("recipes/common/maps/map_points.py"),
     output: f"{DATA}/fig4/between.csv"
     log: f"{LOGS}/fig4/between.log"
     message: "fig4: find where the front type changes"
@@ -31,7 +31,7 @@ rule fig4_boundary:
     input:
         grid=f"{DATA}/fig4/map.csv",
         between=f"{DATA}/fig4/map-between.csv",
-        **script("recipes/maps/map_points.py"),
+        **script("recipes/common/maps/map_points.py"),
     output: f"{DATA}/fig4/boundary.csv"
     log: f"{LOGS}/fig4/boundary.log"
     message: "fig4: find the places next to another front type"
@@ -78,7 +78,7 @@ rule fig4_strength:
 use rule join_claims as fig4 with:
     input:
         parts=FIG4_PARTS,
-        **script("recipes/claims/merge_claims.py"),
+        **script("recipes/common/claims/merge_claims.py"),
     output: f"{RESULTS}/fig4/claims.json"
     log: f"{LOGS}/fig4.log"
     message: "fig4: join the claims of its parts"

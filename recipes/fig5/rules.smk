@@ -31,7 +31,7 @@ for part in sorted(set(Path("recipes/fig5").glob("*.smk")) - {Path("recipes/fig5
 use rule join_claims as fig5 with:
     input:
         parts=FIG5_PARTS,
-        **script("recipes/claims/merge_claims.py"),
+        **script("recipes/common/claims/merge_claims.py"),
     output: f"{RESULTS}/fig5/claims.json"
     log: f"{LOGS}/fig5-claims.log"
     message: "fig5: join the claims"

@@ -9,7 +9,7 @@ STAGES["start"]["figS6"] = [f"{DATA}/figS6/boundary.csv"]
 rule figS6_boundary:
     input:
         grid=f"{DATA}/figS6/map.csv",
-        **script("recipes/maps/map_points.py"),
+        **script("recipes/common/maps/map_points.py"),
     output: f"{DATA}/figS6/boundary.csv"
     log: f"{LOGS}/figS6/boundary.log"
     message: "figS6: find the places next to another front type"

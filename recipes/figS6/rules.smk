@@ -9,7 +9,7 @@ include: "map.smk"
 use rule join_claims as figS6 with:
     input:
         parts=lambda wildcards: FIGS6_PARTS,
-        **script("recipes/claims/merge_claims.py"),
+        **script("recipes/common/claims/merge_claims.py"),
     output: f"{RESULTS}/figS6/claims.json"
     log: f"{LOGS}/figS6.log"
     message: "figS6: join the claims of its parts"

@@ -8,7 +8,7 @@ STAGES["refine"]["robustness"] = [f"{DATA}/robustness/geometry-boundary.csv"]
 rule robustness_boundary:
     input:
         grid=f"{DATA}/robustness/geometry.csv",
-        **script("recipes/maps/map_points.py"),
+        **script("recipes/common/maps/map_points.py"),
     output: f"{DATA}/robustness/geometry-boundary.csv"
     log: f"{LOGS}/robustness/geometry-boundary.log"
     message: "robustness: find the places next to another front type"

@@ -41,7 +41,7 @@ use rule join_claims as robustness with:
     input:
         parts=ROBUSTNESS_PARTS,
         own=f"{RESULTS}/robustness/own.json",
-        **script("recipes/claims/merge_claims.py"),
+        **script("recipes/common/claims/merge_claims.py"),
     output: f"{RESULTS}/robustness/claims.json"
     log: f"{LOGS}/robustness-claims.log"
     message: "robustness: join the claims"

@@ -5,7 +5,11 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "recipes"), str(SOURCE / "recipes/ensemble")]
+sys.path[:0] = [
+    str(SOURCE / "python"),
+    str(SOURCE / "recipes/common"),
+    str(SOURCE / "recipes/ensemble"),
+]
 import numpy as np  # noqa: E402
 
 from alternation import SLOW, alternates, changes, own_result, p_of_changes  # noqa: E402

@@ -18,7 +18,7 @@ from pathlib import Path
 from fixture import SOURCE, skip
 from project import read_readme
 
-sys.path.insert(0, str(SOURCE / "recipes"))
+sys.path.insert(0, str(SOURCE / "recipes/common"))
 from sweeps.sweep import is_sweep, read_sweep  # noqa: E402  (found through the line above)
 
 BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))

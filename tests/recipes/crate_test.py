@@ -15,7 +15,7 @@ import h5py
 
 from fixture import SOURCE, START, Project, spill
 
-sys.path.insert(0, str(SOURCE / "recipes"))
+sys.path.insert(0, str(SOURCE / "recipes/common"))
 from crate import CRATE, crate, write_crate  # noqa: E402  (found through the line above)
 
 NOW = 1.75e9  # [s] since 1970

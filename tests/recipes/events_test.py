@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Kinds of events, and which of a load are shown (recipes/events)."""
+"""Kinds of events, and which of a load are shown (recipes/common/events)."""
 
 import sys
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "recipes"))
+sys.path.insert(0, str(ROOT / "recipes/common"))
 
 from events.choose_events import choose  # noqa: E402
 from claims.judge import holds  # noqa: E402

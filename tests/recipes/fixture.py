@@ -14,7 +14,7 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parents[2]
 SKIPPED = 77
 
-sys.path.insert(0, str(SOURCE / "recipes/report"))
+sys.path.insert(0, str(SOURCE / "recipes/common/report"))
 from project import listed_claims  # noqa: E402  (found through the line above)
 
 NOT_RUN = ("5A", "5B")  # the fixture has no results of their recipe
@@ -78,7 +78,7 @@ class Project:
 
     def __init__(self, root):
         self.root = Path(root)
-        table = "recipes/claims/claims.toml"
+        table = "recipes/common/claims/claims.toml"
         for path in (table, "docs/claims.md"):
             spill(self.root / path, (SOURCE / path).read_bytes())
         self.listed = listed_claims(self.root)
@@ -129,10 +129,10 @@ class Project:
     def report(self):
         """Runs report.py: exit code, standard output and standard error."""
         return subprocess.run(
-            [sys.executable, SOURCE / "recipes/report/report.py", self.root],
+            [sys.executable, SOURCE / "recipes/common/report/report.py", self.root],
             env=os.environ
             | {
-                "PYTHONPATH": f"{SOURCE / 'recipes'}:{SOURCE / 'python'}",
+                "PYTHONPATH": f"{SOURCE / 'recipes/common'}:{SOURCE / 'python'}",
                 "PYTHONDONTWRITEBYTECODE": "1",
             },
             capture_output=True,

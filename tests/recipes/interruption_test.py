@@ -1,5 +1,5 @@
 """A sweep by ./reproduce.sh that is interrupted, killed or damaged: nothing goes on by itself, and
-the same command completes it (recipes/reproduce/)."""
+the same command completes it (recipes/common/reproduce/)."""
 
 import json
 import os

@@ -6,7 +6,7 @@ from pathlib import Path
 from unittest import mock
 
 SOURCE = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(SOURCE / "recipes"))
+sys.path.insert(0, str(SOURCE / "recipes/common"))
 from claims import judge  # noqa: E402
 from claims.claim import VERDICTS  # noqa: E402
 from claims.judge import PRIMARY, holds, interval, judged, parse, table, unmet  # noqa: E402

@@ -1,4 +1,4 @@
-"""Maps of front types (recipes/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
+"""Maps of front types (common/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
 import sys
 import unittest
@@ -8,7 +8,7 @@ import numpy as np
 from scipy.stats import mannwhitneyu
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "recipes"))
+sys.path.insert(0, str(ROOT / "recipes/common"))
 
 from data.rank_test import permutation, share_of_lower, van_elteren  # noqa: E402
 from maps.front_map import (  # noqa: E402

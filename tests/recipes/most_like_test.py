@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "recipes"), str(SOURCE / "recipes/fig2")]
+sys.path[:0] = [str(SOURCE / "recipes/common"), str(SOURCE / "recipes/fig2")]
 from most_like import candidates, choice_of, ratios_of, unlikeness  # noqa: E402
 
 C_S, L = 900.0, 0.14

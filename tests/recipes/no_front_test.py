@@ -5,7 +5,7 @@ import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "recipes"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "recipes/common"))
 from events.event_claims import claim_3A  # noqa: E402
 from maps.front_map import is_like_analyze, type_on_map  # noqa: E402
 from maps.map_points import types_in  # noqa: E402

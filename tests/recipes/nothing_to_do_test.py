@@ -100,7 +100,7 @@ class NothingToDo(Project):
         for name, change, last_step in (
             ("a source", lambda: self.append("src/load.cpp"), VERIFY),
             ("a script", lambda: self.append("recipes/tiny/tiny.py"), draw),
-            ("what scripts share", lambda: self.append("recipes/claims/claim.py"), draw),
+            ("what scripts share", lambda: self.append("recipes/common/claims/claim.py"), draw),
             ("a rule", self.change_rule, draw),
             ("a shipped checkpoint", lambda: self.ship(b"another checkpoint"), draw),
             ("a deleted result", lambda: self.delete("results/tiny/claims.json"), draw),

@@ -6,7 +6,11 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "recipes"), str(SOURCE / "recipes/fig1")]
+sys.path[:0] = [
+    str(SOURCE / "python"),
+    str(SOURCE / "recipes/common"),
+    str(SOURCE / "recipes/fig1"),
+]
 import numpy as np  # noqa: E402
 from curves import Blocks, cases_1E  # noqa: E402
 

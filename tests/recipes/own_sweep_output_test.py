@@ -1,4 +1,4 @@
-"""Tables and pictures of a user's sweep (recipes/sweeps/table.py, picture.py): made-up results."""
+"""Tables and pictures of a user's sweep (common/sweeps/table.py, picture.py): made-up results."""
 
 import csv
 import io
@@ -16,7 +16,7 @@ import matplotlib.image
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes")]
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes/common")]
 
 from sweeps.needs import Needs  # noqa: E402
 from sweeps.picture import axis_of, draw, edges, limits, middle  # noqa: E402

@@ -1,4 +1,4 @@
-"""A user's sweep file becomes a plan (recipes/sweeps/plan.py): short form, units, refusals."""
+"""A user's sweep file becomes a plan (common/sweeps/plan.py): short form, units, refusals."""
 
 import os
 import re
@@ -12,7 +12,7 @@ from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ.get("RUPTURE_BIN", ROOT / "build/release/bin"))
-sys.path.insert(0, str(ROOT / "recipes"))
+sys.path.insert(0, str(ROOT / "recipes/common"))
 
 from sweeps.names import names_of  # noqa: E402
 from sweeps.plan import make_plan, plan_sweep  # noqa: E402

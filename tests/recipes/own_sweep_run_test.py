@@ -1,5 +1,5 @@
 """A user's sweep from its file to its table, by ./reproduce.sh: what fails, what crashes, what is
-computed when the file changes (recipes/sweeps/, recipes/sweeps/sweep.smk)."""
+computed when the file changes (recipes/common/sweeps/, recipes/common/sweeps/sweep.smk)."""
 
 import csv
 import os

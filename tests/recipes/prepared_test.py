@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "recipes"), str(ROOT / "recipes/fig3")]
+sys.path[:0] = [str(ROOT / "recipes/common"), str(ROOT / "recipes/fig3")]
 
 import decay_length  # noqa: E402
 import no_slip_force  # noqa: E402

@@ -10,7 +10,7 @@ from unittest.mock import patch
 
 from stand_ins import ROOT, Project, write_program
 
-sys.path.insert(0, str(ROOT / "recipes"))
+sys.path.insert(0, str(ROOT / "recipes/common"))
 
 from reproduce.checks import defines_layout, slowest_tests  # noqa: E402
 from reproduce.pipeline import Errors  # noqa: E402

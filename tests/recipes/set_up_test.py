@@ -1,5 +1,5 @@
 """./reproduce.sh installs packages and builds, with stand-ins for apt-get and cmake
-(recipes/reproduce/set-up.sh)."""
+(recipes/common/reproduce/set-up.sh)."""
 
 import os
 import re
@@ -14,7 +14,7 @@ NOBODY = 65534
 class SettingUp(Project):
     def set_up(self, *words, user=None):
         return subprocess.run(
-            [self.root / "recipes/reproduce/set-up.sh", *words],
+            [self.root / "recipes/common/reproduce/set-up.sh", *words],
             env=self.environment(),
             capture_output=True,
             text=True,
@@ -64,7 +64,7 @@ class Building(SettingUp):
             "%s", "moved"
         )
         write_program(self.bin / "cmake", text)
-        words = ["recipes/reproduce/set-up.sh", "build", "2", "tools"]
+        words = ["recipes/common/reproduce/set-up.sh", "build", "2", "tools"]
         with subprocess.Popen(
             words, cwd=self.root, env=self.environment(), stdout=subprocess.PIPE, text=True
         ) as started:

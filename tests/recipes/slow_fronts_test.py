@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes"), str(ROOT / "recipes/fig3")]
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes/common"), str(ROOT / "recipes/fig3")]
 
 import front_speed  # noqa: E402
 import slow_fronts  # noqa: E402

@@ -5,7 +5,11 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "python"), str(SOURCE / "recipes"), str(SOURCE / "recipes/fig4")]
+sys.path[:0] = [
+    str(SOURCE / "python"),
+    str(SOURCE / "recipes/common"),
+    str(SOURCE / "recipes/fig4"),
+]
 from strength import WAYS, Block, claim_4C, map_strata  # noqa: E402
 
 LINES = {"uniform": {0.0: 1.0, 1.0: 0.0}, "bell": {0.0: 1.0, 1.0: 0.5}}

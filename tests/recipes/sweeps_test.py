@@ -1,4 +1,4 @@
-"""Reading sweep files (recipes/sweeps/sweep.py) and computing points (batch.py, collect.py)."""
+"""Reading sweep files (common/sweeps/sweep.py) and computing points (batch.py, collect.py)."""
 
 import csv
 import json
@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "recipes"))
+sys.path.insert(0, str(ROOT / "recipes/common"))
 
 from sweeps.needs import Needs  # noqa: E402
 from sweeps.point_store import PointStore  # noqa: E402
@@ -239,11 +239,11 @@ class Computing(unittest.TestCase):
     def script(self, name, *arguments, crash="none"):
         environment = dict(
             os.environ,
-            PYTHONPATH=f"{ROOT}/recipes:{ROOT}/python",
+            PYTHONPATH=f"{ROOT}/recipes/common:{ROOT}/python",
             CALLS=str(self.calls),
             CRASH=crash,
         )
-        command = [sys.executable, ROOT / "recipes/sweeps" / name, *arguments]
+        command = [sys.executable, ROOT / "recipes/common/sweeps" / name, *arguments]
         return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
 
     def batch(self, values, code="1", **options):

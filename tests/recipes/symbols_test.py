@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ET
 
 from fixture import SOURCE
 
-sys.path[:0] = [str(SOURCE / "recipes"), str(SOURCE / "recipes/report")]
+sys.path[:0] = [str(SOURCE / "recipes/common"), str(SOURCE / "recipes/common/report")]
 from alt_text import seen  # noqa: E402  (found through the line above)
 from project import listed_claims, read_readme, recipe_names  # noqa: E402
 from symbols import typeset, typeset_html  # noqa: E402

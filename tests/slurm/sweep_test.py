@@ -140,7 +140,7 @@ class OnSlurm(unittest.TestCase):
     def submit(self, project):
         """The file that users change is a batch script."""
         job = ("sbatch", "--parsable", f"--ntasks={CORES}", "--output=job.out")
-        script = ("recipes/profiles/slurm/job.sh", "sweep", "my.ini", "--programs", PROGRAMS)
+        script = ("recipes/common/profiles/slurm/job.sh", "sweep", "my.ini", "--programs", PROGRAMS)
         command = (*job, *script)
         return project.run(*command, environment=self.cluster.environment)[1].strip()
 
@@ -224,7 +224,7 @@ class OnSlurm(unittest.TestCase):
 
     def kill_all_of(self, project):
         """Every process that was started in the project's folder, at once."""
-        mark = f"PYTHONPATH={project.root}/recipes:".encode()
+        mark = f"PYTHONPATH={project.root}/recipes/common:".encode()
         for folder in Path("/proc").glob("[0-9]*"):
             if mark in environment_of(folder):
                 os.kill(int(folder.name), signal.SIGKILL)

@@ -22,7 +22,7 @@ from origin import builds, checksums
 from picture import ANIMATION, VIDEOS
 from project import read_readme, recipe_names
 
-CODEMETA = Path(__file__).resolve().parents[2] / "codemeta.json"
+CODEMETA = Path(__file__).resolve().parents[3] / "codemeta.json"
 CRATE = "ro-crate-metadata.json"
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 CONTEXT = [f"{SPECIFICATION}/context", {"sha256": "http://schema.org/sha256"}]

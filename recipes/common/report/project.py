@@ -80,8 +80,8 @@ class ListedClaim:
 
 
 def listed_claims(root):
-    """All claims, in the order of recipes/claims/claims.toml."""
-    path = root / "recipes/claims/claims.toml"
+    """All claims, in the order of recipes/common/claims/claims.toml."""
+    path = root / "recipes/common/claims/claims.toml"
     try:
         rows = tomllib.loads(path.read_text(encoding="utf-8"))
         return [

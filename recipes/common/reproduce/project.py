@@ -5,13 +5,13 @@ import sys
 from contextlib import suppress
 from pathlib import Path
 
-SHARE = Path(__file__).resolve().parents[2]  # recipes and what they read
+SHARE = Path(__file__).resolve().parents[3]  # recipes and what they read
 # `rupture reproduce` names the folder for results. Elsewhere they are beside the recipes.
 WORK = Path(os.environ["RUPTURE_WORK"]) if "RUPTURE_WORK" in os.environ else None
 ROOT = WORK / ".rupture" if WORK else SHARE
 LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
-PROFILES = Path("recipes/profiles")
+PROFILES = Path("recipes/common/profiles")
 READ = ("recipes", "checkpoints", "docs", "benchmarks", "codemeta.json")
 # Recipes that `all` leaves out: they judge no claim and take longer than ten minutes each.
 BESIDE_ALL = ("choices", "convergence")

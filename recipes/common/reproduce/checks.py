@@ -23,8 +23,8 @@ PYTHON_CHECKS = {
 }
 SHELL_SCRIPTS = (
     *("reproduce.sh", ".ci/run", "src/tools/rupture-golden", "src/tools/reproduce"),
-    "recipes/*/*.sh",
-    *("recipes/profiles/*/job.sh", "recipes/profiles/*/step", "tests/*/*.sh"),
+    "recipes/common/*/*.sh",
+    *("recipes/common/profiles/*/job.sh", "recipes/common/profiles/*/step", "tests/*/*.sh"),
     *("tests/regression/project/*.sh", "packaging/*.sh"),
 )
 

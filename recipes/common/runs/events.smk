@@ -16,7 +16,7 @@ if FROM_SCRATCH:
     rule choice:
         input:
             events=f"{SHOWN_LOAD}-events.json",
-            **script("recipes/events/choose_events.py"),
+            **script("recipes/common/events/choose_events.py"),
         output: f"{DATA}/choice.json"
         log: f"{LOGS}/choice.log"
         message: "choice: choose the events to be shown"

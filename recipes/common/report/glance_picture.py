@@ -11,14 +11,14 @@ GLANCE = (
     "Above, for which share of its units each claim holds under each convention, from the smallest"
     " to the largest, and whether it holds for the shown case; below, which convention that is."
 )
-RECIPES = Path(__file__).resolve().parents[1]
+COMMON = Path(__file__).resolve().parents[1]
 DRAWN_BY = ("report/glance.py", "pictures/plotting.py", "claims/judge.py", "claims/claims.toml")
 
 
 def source_of(claims):
     """A digest of all that it shows, and of what draws it."""
     shown = json.dumps([(claim.id, claim.shown, claim.shares) for claim in claims], default=vars)
-    parts = [shown.encode(), *((RECIPES / path).read_bytes() for path in DRAWN_BY)]
+    parts = [shown.encode(), *((COMMON / path).read_bytes() for path in DRAWN_BY)]
     return hashlib.sha256(b"".join(parts)).hexdigest()
 
 

@@ -6,5 +6,5 @@
 #SBATCH --open-mode=append
 ##SBATCH --account=friction
 ##SBATCH --partition=short
-# Type: sbatch recipes/profiles/slurm/job.sh fig4. Lines with ## do not count until one # is removed.
+# Type: sbatch recipes/common/profiles/slurm/job.sh fig4. Lines with ## do not count until one # is removed.
 exec ./reproduce.sh "$@" --profile slurm

@@ -1,6 +1,6 @@
 # Sweeps (sweep.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv. Of a user's
 # own sweep (--config sweep=PLAN), only the points are made here: its table is written even if a point
-# cannot be computed (recipes/sweeps/).
+# cannot be computed (recipes/common/sweeps/).
 #
 # A job computes a batch of points and makes one small file, which has a digest of each result. The
 # results themselves are no outputs of the job, so that those that are done outlive one that is ended.
@@ -88,7 +88,7 @@ def described(name, batch):
 rule batch:
     input:
         base=lambda wildcards: base_of(batch_at(wildcards)),
-        script="recipes/sweeps/batch.py",
+        script="recipes/common/sweeps/batch.py",
     output: f"{DATA}/batches/{{batch}}.sum"
     params:
         code=CODE,
@@ -109,7 +109,7 @@ rule table:
     input:
         points=lambda wildcards: batches_of_sweep(wildcards.sweep),
         sweep=lambda wildcards: file_and_seed(SWEEP_FILES[wildcards.sweep])[0],
-        **script("recipes/sweeps/collect.py"),
+        **script("recipes/common/sweeps/collect.py"),
     output: f"{DATA}/{{sweep}}.csv"
     params: sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[wildcards.sweep]))
     wildcard_constraints: sweep="|".join(TABLES) or "none"

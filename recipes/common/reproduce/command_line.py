@@ -51,7 +51,7 @@ OPTIONS = (
     ),
     Option(
         "profile",
-        "where commands run: local, slurm, another folder of recipes/profiles/, or the path of one"
+        "where commands run: local, slurm, another folder of recipes/common/profiles/, or the path of one"
         " (docs/cluster.md)",
         kind="text",
         value="NAME",

@@ -7,7 +7,7 @@
 #                                               it needs, and meanwhile those for these purposes
 #   set-up.sh configure PRESET
 set -euo pipefail
-cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../.."
 readonly logs=build/log
 readonly patience=900  # [s] with another program that is installing packages
 

@@ -51,7 +51,7 @@ def options_of_snakemake(request, place, **config):
 
 def run_pipeline(processes, targets, options):
     """Its exit code."""
-    script = ROOT / "recipes/reproduce/pipeline.py"
+    script = ROOT / "recipes/common/reproduce/pipeline.py"
     command = [sys.executable, script, *targets, "--", *options]
     return processes.run([str(word) for word in command])
 
@@ -66,7 +66,7 @@ def note_run(recipes, place, started):
 
 def print_claims(recipes):
     tables = [RESULTS / recipe / "claims.json" for recipe in recipes]
-    command = [sys.executable, "recipes/claims/print_claims.py", *tables]
+    command = [sys.executable, "recipes/common/claims/print_claims.py", *tables]
     if subprocess.run(command, check=False).returncode:
         raise Failure(f"the claims of {' '.join(recipes)} cannot be shown.")
 
@@ -100,7 +100,7 @@ def write_crate(processes):
     """What is in results/ and how it was made, for programs: in a second or so."""
     if is_current(RESULTS / "ro-crate-metadata.json"):
         return
-    if processes.run([sys.executable, "recipes/report/crate.py"]):
+    if processes.run([sys.executable, "recipes/common/report/crate.py"]):
         raise Failure(f"{RESULTS}/ro-crate-metadata.json could not be written.")
 
 
@@ -133,4 +133,4 @@ def write_report_if_needed(processes):
 
 def write_report(processes):
     use_own_environment()
-    return processes.run([sys.executable, "recipes/report/report.py"])
+    return processes.run([sys.executable, "recipes/common/report/report.py"])

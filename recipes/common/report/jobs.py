@@ -1,4 +1,4 @@
-"""The jobs that Snakemake ran, as recipes/runs/progress.py noted them in results/jobs.jsonl: rule,
+"""The jobs that Snakemake ran, as recipes/common/runs/progress.py noted them in results/jobs.jsonl: rule,
 command, inputs, outputs, start and time of each job."""
 
 import json

@@ -89,7 +89,7 @@ rule events:
     input:
         **content_of(h5=f"{DATA}/ensemble/{{load}}-record.h5"),
         script="recipes/ensemble/measure_events.py",
-        conventions="recipes/events/conventions.py",
+        conventions="recipes/common/events/conventions.py",
     output: f"{DATA}/ensemble/{{load}}-events.json"
     params: code=CODE
     log: f"{LOGS}/ensemble/{{load}}-events.log"
@@ -122,7 +122,7 @@ rule continued:
         script=lambda wildcards: f"recipes/ensemble/{CONTINUED[wildcards.load.split('-')[0]]}.py",
         shared=[
             "recipes/ensemble/workshop.py",
-            *(f"recipes/events/{name}.py" for name in ("conventions", "continuations", "fronts", "slip")),
+            *(f"recipes/common/events/{name}.py" for name in ("conventions", "continuations", "fronts", "slip")),
         ],
     output: f"{DATA}/ensemble/{{load}}-continued.json"
     priority: 80  # long: before what is short

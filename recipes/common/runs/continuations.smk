@@ -70,7 +70,7 @@ use rule restart as event_amid_slow with:
     input:
         **content_of(h5=f"{DATA}/{{event}}.h5"),
         front=f"{DATA}/{{event}}-front.json",
-        script="recipes/events/middle.py",
+        script="recipes/common/events/middle.py",
     output: **with_sums(h5=f"{DATA}/{{event}}/amid-slow.h5")
     params: **run_with(lambda wildcards, input: f"--until $({PYTHON} {input.script} {input.front})")
     log: f"{LOGS}/{{event}}/amid-slow.log"
