@@ -34,7 +34,7 @@ void refuse_leftovers(const Content& content, const Content& known) {
 Content checkpoint_content(const Checkpoint& checkpoint) {
   Content content = parameters_and_state(checkpoint.parameters, checkpoint.state);
   content.merge(provenance_content(checkpoint.provenance));
-  if (checkpoint.run) content.merge(run_content(*checkpoint.run, checkpoint.run_id));
+  if (checkpoint.run) content.merge(run_content(*checkpoint.run));
   return content;
 }
 
@@ -53,7 +53,6 @@ Checkpoint checkpoint_from(const Content& content) {
   checkpoint.state = read_state(content, checkpoint.parameters);
   checkpoint.provenance = read_provenance(content);
   checkpoint.run = read_run(content, checkpoint.parameters, checkpoint.state.step);
-  checkpoint.run_id = read_run_id(content);
   refuse_leftovers(content, checkpoint_content(checkpoint));
   return checkpoint;
 }

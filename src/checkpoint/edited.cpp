@@ -47,9 +47,13 @@ EditedFile opened(std::span<const std::byte> bytes) {
   }
 }
 
-Content checked_checkpoint(Content content, const ProvenanceEntry& entry) {
-  // What follows is not the run that wrote the file.
+// What follows is not the run that wrote the file.
+Content without_run(Content content) {
   std::erase_if(content, [](const auto& item) { return item.first.starts_with("/run/"); });
+  return content;
+}
+
+Content checked_checkpoint(Content content, const ProvenanceEntry& entry) {
   add_missing_units(content);
   Checkpoint checkpoint = checkpoint_from(content);
   checkpoint.provenance.push_back(entry);
@@ -78,8 +82,8 @@ EditedFile read_edited(const std::filesystem::path& path) {
 
 Content checked_content(const EditedFile& file, const ProvenanceEntry& entry) {
   return naming(file.name, [&] {
-    return file.kind == FileKind::checkpoint ? checked_checkpoint(file.content, entry)
-                                             : checked_record(file.content, entry);
+    return file.kind == FileKind::checkpoint ? checked_checkpoint(without_run(file.content), entry)
+                                             : checked_record(without_run(file.content), entry);
   });
 }
 

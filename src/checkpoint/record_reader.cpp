@@ -13,6 +13,7 @@
 #include "context.hpp"
 #include "record_labels.hpp"
 #include "record_layout.hpp"
+#include "run_content.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
@@ -117,8 +118,9 @@ void read_fields(const Content& content, Record& record) {
   record.field_step = read_array<std::int64_t>(content, steps, {n});
 }
 
-void refuse_foreign(const Content& content) {
+void refuse_foreign(const Content& content, const RecordedRun& run) {
   std::map<std::string, std::string> units;
+  for (const auto& [path, dataset] : recorded_run_content(run)) units[path] = dataset.unit;
   layout::for_each_dataset([&](const auto& row) { units[row.path] = row.unit; });
   for (const auto& [path, dataset] : content) {
     if (path.starts_with("/parameters/") || path.starts_with("/provenance/")) continue;
@@ -237,8 +239,9 @@ void check_consistent(const Content& content, const Record& record) {
 }
 
 Record record_from_content(const Content& content, Complete complete) {
-  refuse_foreign(content);
   Record record;
+  record.run = read_recorded_run(content);
+  refuse_foreign(content, record.run);
   record.complete = complete;
   record.parameters = read_parameters(content);
   expect_as_written(content, record_positions(record.parameters, content));

@@ -9,6 +9,7 @@
 #include "part_file.hpp"
 #include "record_labels.hpp"
 #include "record_layout.hpp"
+#include "run_content.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/derived.hpp"
@@ -179,6 +180,7 @@ RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& paramet
   if (const auto& levels = parts.crossing_levels; !levels.empty()) {
     rows_before[layout::kCrossingLevels] = make_array(std::span(levels), {levels.size()}, "1");
   }
+  rows_before.merge(recorded_run_content(parts.run));
   rows_before.merge(Content(buffers_->content()));  // all datasets are there, even if without rows
   part_ = std::make_unique<Part>(
       part_path(path_), first_piece(parameters, provenance, std::move(rows_before)), if_exists);

@@ -11,6 +11,8 @@ namespace rupture {
 namespace {
 
 constexpr const char* kId = "/run/id";
+constexpr const char* kRecordEvery = "/run/record_every";
+constexpr const char* kFieldsEvery = "/run/fields_every";
 constexpr const char* kFirstStep = "/run/first_step";
 constexpr const char* kLastBreak = "/run/last_break";
 constexpr const char* kRuptures = "/run/ruptures";
@@ -18,8 +20,11 @@ constexpr const char* kLeadingEdge = "/run/leading_edge_ruptured";
 constexpr const char* kEvent = "/run/event";
 constexpr const char* kLastRupture = "/run/last_rupture";
 constexpr const char* kSpanned = "/run/spanned";
+constexpr const char* kQuietSteps = "/run/quiet_steps";
+constexpr const char* kArrivedBelow = "/run/arrived_below";
 
 constexpr double kNoRupture = -1.0;
+constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
 std::int64_t read_between(const Content& content, const char* path, std::int64_t least,
                           std::int64_t most) {
@@ -60,14 +65,16 @@ void read_event(const Content& content, const Parameters& p, RunSoFar& run) {
 
 }  // namespace
 
-Content run_content(const RunSoFar& run, const std::string& id) {
+Content run_content(const RunSoFar& run) {
   Content content;
   content[kFirstStep] = make_scalar(run.first_step, "1");
   content[kLastBreak] = make_scalar(run.last_break, "1");
   content[kRuptures] = make_scalar(run.ruptures, "1");
   content[kLeadingEdge] = make_truth(run.leading_edge_ruptured);
   if (!run.event.empty()) add_event(run, content);
-  if (!id.empty()) content[kId] = make_text(id);
+  if (run.quiet_steps) content[kQuietSteps] = make_scalar(*run.quiet_steps, "1");
+  if (run.arrived_below) content[kArrivedBelow] = make_scalar(*run.arrived_below, "1");
+  if (!run.id.empty()) content[kId] = make_text(run.id);
   return content;
 }
 
@@ -79,14 +86,28 @@ std::optional<RunSoFar> read_run(const Content& content, const Parameters& p, st
   RunSoFar run;
   run.first_step = read_between(content, kFirstStep, 0, step);
   run.last_break = read_between(content, kLastBreak, run.first_step, step);
-  run.ruptures = read_between(content, kRuptures, 0, std::numeric_limits<std::int64_t>::max());
+  run.ruptures = read_between(content, kRuptures, 0, kMost);
   run.leading_edge_ruptured = read_truth(content, kLeadingEdge);
   if (content.contains(kEvent)) read_event(content, p, run);  // builds before it had none
+  if (content.contains(kId)) run.id = read_text(content, kId);
+  if (content.contains(kQuietSteps)) run.quiet_steps = read_between(content, kQuietSteps, 0, kMost);
+  if (content.contains(kArrivedBelow))
+    run.arrived_below = read_scalar<double>(content, kArrivedBelow);
   return run;
 }
 
-std::string read_run_id(const Content& content) {
-  return content.contains(kId) ? read_text(content, kId) : std::string();
+Content recorded_run_content(const RecordedRun& run) {
+  if (run.id.empty()) return {};
+  Content content = {{kId, make_text(run.id)}, {kRecordEvery, make_scalar(run.every, "s")}};
+  if (run.fields_every) content[kFieldsEvery] = make_scalar(*run.fields_every, "s");
+  return content;
+}
+
+RecordedRun read_recorded_run(const Content& content) {
+  if (!content.contains(kId)) return {};
+  RecordedRun run = {read_text(content, kId), read_scalar<double>(content, kRecordEvery), {}};
+  if (content.contains(kFieldsEvery)) run.fields_every = read_scalar<double>(content, kFieldsEvery);
+  return run;
 }
 
 }  // namespace rupture

@@ -3,6 +3,8 @@
 // Interruptions are imitated here by deleting the files that the run wrote later; tests/crash
 // interrupts real processes.
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/edited.hpp"
+#include "rupture/checkpoint/record.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::testing {
@@ -93,6 +95,12 @@ TEST_F(Resume, SLOW_quiet_run_ends_where_the_uninterrupted_one_ends) {
     interrupt_after(n);
     said(run);
     EXPECT_EQ(read("x.h5.sum"), whole) << n;
+  }
+  EXPECT_EQ(said(run), "x.h5 is complete\n");
+  for (const char* other : {" --until-quiet 9e-5", " --until-quiet 1e-4 --arrived-below 0.2"}) {
+    const std::string start = run.substr(0, run.find(" --until-quiet"));
+    expect_refusal(start + " --set driving.V=0 --resume" + other, kFailed,
+                   "x.h5 exists; give --force to replace it");
   }
 }
 
@@ -316,30 +324,22 @@ TEST_F(Resume, knows_its_checkpoints_by_their_id) {
   output_of(kRun);
   interrupt_after(3);
   Checkpoint foreign = read_checkpoint(path("x-t0.000300000.h5"));
-  EXPECT_EQ(foreign.run_id.size(), 64U);
-  EXPECT_EQ(foreign.run_id, read_checkpoint(path("x-t0.000100000.h5")).run_id);
-  foreign.run_id = std::string(64, '0');
+  EXPECT_EQ(foreign.run->id.size(), 64U);
+  EXPECT_EQ(foreign.run->id, read_checkpoint(path("x-t0.000100000.h5")).run->id);
+  foreign.run->id = std::string(64, '0');
   write_checkpoint(path("x-t0.000300000.h5"), foreign, IfExists::replace);
   EXPECT_NE(said(std::string(kRun) + " --force").find("resuming from x-t0.000200000"),
             std::string::npos);
 }
 
-TEST_F(Resume, goes_on_from_checkpoints_of_builds_without_ids) {
-  output_of(kRun);
-  const std::string whole = read("x.h5.sum"), whole_record = read("r.h5.sum");
-  for (const int n : {4, 2}) {  // the second time with a resumed one behind it
-    interrupt_after(n);
-    for (int m = 1; m <= n; ++m) {
-      const fs::path file = path("x-t0.000" + std::to_string(m) + "00000.h5");
-      Checkpoint old = read_checkpoint(file);
-      old.run_id.clear();
-      write_checkpoint(file, old, IfExists::replace);
-    }
-    EXPECT_NE(said(kRun).find("resuming from x-t0.000" + std::to_string(n)), std::string::npos);
-    EXPECT_EQ(read("x.h5.sum"), whole);
-    EXPECT_EQ(read("r.h5.sum"), whole_record);
-    EXPECT_FALSE(read_checkpoint(path("x.h5")).run_id.empty());
-  }
+TEST_F(Resume, knows_its_record_by_the_id_of_the_run_and_the_intervals) {
+  output_of(std::string(kRun) + " --fields 1e-4");
+  const std::string id = read_checkpoint(path("x.h5")).run->id;
+  EXPECT_EQ(read_record(path("r.h5")).run, (RecordedRun{id, 3e-5, 1e-4}));
+  EditedFile edited;
+  edited.kind = FileKind::record;
+  edited.content = read_content(path("r.h5"));
+  EXPECT_FALSE(checked_content(edited, {}).contains("/run/id")) << "it is not the run's any more";
 }
 
 TEST_F(Resume, of_a_command_whose_configuration_has_another_end_is_not_complete) {

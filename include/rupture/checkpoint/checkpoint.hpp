@@ -21,7 +21,6 @@ struct Checkpoint {
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
   std::optional<RunSoFar> run = {};         ///< of the run that wrote it, if it was a run
   std::string checksum = {};  ///< of the content of the file that was read; empty if none was
-  std::string run_id = {};    ///< of the run that wrote it; empty in files of earlier builds
 };
 
 /// The parameters as datasets: row "slider.L" of the table becomes /parameters/slider/L.

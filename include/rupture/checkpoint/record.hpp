@@ -45,9 +45,18 @@ struct FieldSample {
 
 /// What a record may hold besides series and ruptures.
 enum class Fields { omit, record };
+/// By which --resume knows a record: no part of the content checksum.
+struct RecordedRun {
+  std::string id = {};                      ///< that all files of the run share; empty: unknown
+  double every = 0;                         ///< sampling interval [s]
+  std::optional<double> fields_every = {};  ///< that of the fields, if there are any [s]
+
+  bool operator==(const RecordedRun&) const = default;
+};
 struct RecordParts {
   std::vector<double> crossing_levels = {};  ///< pinned fractions, ascending; none: no crossings
   Fields fields = Fields::omit;
+  RecordedRun run = {};
 };
 
 /// Whether a record was finished. An unfinished one ends at its last flush, or before the first one
@@ -60,6 +69,7 @@ struct Record {
   Parameters parameters;
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
   Complete complete = Complete::yes;
+  RecordedRun run;
   std::vector<double> time;  ///< one value per sample [s]
   std::vector<std::int64_t> step;
   std::vector<double> F_T;      ///< [N]

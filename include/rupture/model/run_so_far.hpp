@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "rupture/model/rupture.hpp"
 #include "rupture/model/spanning.hpp"
@@ -11,6 +13,7 @@ namespace rupture {
 /// Events that a run has seen since it began. With them, a run that was interrupted goes on and
 /// ends as if it had not been.
 struct RunSoFar {
+  std::string id = {};                 ///< that all files of the run share (docs/schema.md)
   std::int64_t first_step = 0;         ///< step at which the run began
   std::int64_t last_break = 0;         ///< step at which a junction last broke, or first_step
   std::int64_t ruptures = 0;           ///< block ruptures
@@ -19,6 +22,9 @@ struct RunSoFar {
                                        ///< next two, if a build without them began the run
   double last_rupture = 0;             ///< of any block in this event; 0 before the first [s]
   bool spanned = false;                ///< whether this event or one before it has spanned
+  std::optional<std::int64_t> quiet_steps =
+      {};                                    ///< its StopRule (dynamics/run.hpp), by which alone
+  std::optional<double> arrived_below = {};  ///< a run until quiet is known to have ended
 
   bool operator==(const RunSoFar&) const = default;
 };

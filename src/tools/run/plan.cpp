@@ -17,7 +17,6 @@ Resumption beginning(const RunPlan& plan, std::optional<Resumption> found) {
   entry.parent_checksum = found->checkpoint.checksum;
   entry.rebuild = "restart";
   found->checkpoint.provenance.push_back(std::move(entry));
-  found->checkpoint.run_id = plan.start.run_id;
   found->record_provenance = chain;
   return std::move(*found);
 }
@@ -93,7 +92,7 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
                  const OutputOptions& output, const fs::path& input) {
   const Parameters& p = start.parameters;
   start.run = run_from(p, start.state.step);
-  start.run_id = id_of_run(start);
+  start.run->id = id_of_run(start);
   const Interval every =
       options.record ? sampling_interval(p, start.state.clock, options) : Interval{};
   RunPlan plan = {.start = {},

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -19,44 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Chain = std::vector<ProvenanceEntry>;
-
-bool same_step(const ProvenanceEntry& a, const ProvenanceEntry& b) {
-  return a.tool == b.tool && a.parent_checksum == b.parent_checksum;
-}
-
-/// True if resuming the run made this entry: its command is `restart --until T` and nothing else.
-bool is_resumption(const ProvenanceEntry& entry, const std::string& tool) {
-  const auto words = shell_words(entry.rebuild);
-  return entry.tool == tool && !entry.parent_checksum.empty() && words.size() == 3 &&
-         words[0] == "restart" && words[1] == "--until";
-}
-
-/// True if `chain` is that of the run whose first file has the chain `start`: the same tools on the
-/// same checkpoints, and behind them nothing but resumptions.
-bool is_chain_of(const Chain& chain, const Chain& start) {
-  if (chain.size() < start.size()) return false;
-  const auto rest = chain.begin() + static_cast<std::ptrdiff_t>(start.size());
-  return std::equal(start.begin(), start.end(), chain.begin(), same_step) &&
-         std::all_of(rest, chain.end(), [&](const ProvenanceEntry& entry) {
-           return is_resumption(entry, start.back().tool);
-         });
-}
-
-/// The same where the checkpoint is of a build that stored no id.
-bool is_of_run_without_id(const Checkpoint& checkpoint, const Checkpoint& start) {
-  return checkpoint.run->first_step == start.state.step &&
-         is_chain_of(checkpoint.provenance, start.provenance);
-}
-
 /// True if `checkpoint` lies on the run that begins with `start`.
 bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start) {
-  if (!checkpoint.run ||
-      parameters_content(checkpoint.parameters) != parameters_content(start.parameters)) {
-    return false;
-  }
-  return checkpoint.run_id.empty() ? is_of_run_without_id(checkpoint, start)
-                                   : checkpoint.run_id == id_of_run(start);
+  return checkpoint.run && checkpoint.run->id == start.run->id;
 }
 
 /// True if a run with this rule would have ended before `step`. When an event spanned is not known,
@@ -124,26 +88,8 @@ std::int64_t sample_step(std::int64_t first, const Interval& every, std::size_t 
   return n == 0 ? first : every.step_of(every.number_at(first) + static_cast<std::int64_t>(n));
 }
 
-/// True if these are the steps that the run samples; the last one may be that of an earlier end.
-bool samples_of_run(const std::vector<std::int64_t>& steps, std::int64_t first,
-                    const Interval& every) {
-  for (std::size_t n = 0; n < steps.size(); ++n) {
-    const std::int64_t due = sample_step(first, every, n);
-    const bool is_last = n > 0 && n + 1 == steps.size();
-    if (steps[n] != due && !(is_last && steps[n] > steps[n - 1] && steps[n] < due)) return false;
-  }
-  return true;
-}
-
 bool is_record_of_run(const Record& record, const Checkpoint& start, const RunFiles& files) {
-  const std::int64_t first = start.state.step;
-  const bool has_fields = record.fields == Fields::record;
-  return parameters_content(record.parameters) == parameters_content(start.parameters) &&
-         is_chain_of(record.provenance, start.provenance) &&
-         samples_of_run(record.step, first, files.record_every) &&
-         record.crossing_levels == files.crossings &&
-         has_fields == files.fields_every.has_value() &&
-         (!has_fields || samples_of_run(record.field_step, first, *files.fields_every));
+  return record.run == recorded_run(start, files) && record.crossing_levels == files.crossings;
 }
 
 /// The part of the run in `path`, a record or its .part; empty if there is no such file. Throws
@@ -211,53 +157,39 @@ bool reach(const Content& rows, const Checkpoint& checkpoint, const RunFiles& fi
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }
 
-/// The part of a command that decides what it computes: its arguments without the program and
-/// without the options that change no bit. The words after "--" are files.
-std::vector<std::string> deciding_arguments(const std::string& command_line) {
-  constexpr std::array<std::string_view, 7> without_effect = {
-      "--resume", "--sum", "--force", "--json", "-f", "--quiet", "-q"};
-  auto words = shell_words(command_line);
-  if (!words.empty()) words.erase(words.begin());
-  const auto files = std::find(words.begin(), words.end(), "--");
-  words.erase(std::remove_if(words.begin(), files,
-                             [&](const std::string& word) {
-                               return std::find(without_effect.begin(), without_effect.end(),
-                                                word) != without_effect.end();
-                             }),
-              files);
-  return words;
-}
-
-bool same_command(const Checkpoint& a, const Checkpoint& b) {
-  return deciding_arguments(a.provenance.back().command_line) ==
-         deciding_arguments(b.provenance.back().command_line);
-}
-
 /// True if the run that begins with `start` ends at this checkpoint of it. Of a run until quiet
-/// that is only known if the command was the same, up to options that change no bit.
-bool is_end(const Checkpoint& checkpoint, const Checkpoint& start, const StopRule& rule) {
+/// that is only known if it was to end by the same rule.
+bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
+  const RunSoFar& run = *checkpoint.run;
   return checkpoint.state.step <= rule.last_step &&
-         ending_at(checkpoint.state, *checkpoint.run, rule).has_value() &&
-         (!rule.quiet_steps || same_command(checkpoint, start));
+         ending_at(checkpoint.state, run, rule).has_value() &&
+         (!rule.quiet_steps ||
+          (run.quiet_steps == rule.quiet_steps && run.arrived_below == rule.arrived_below));
 }
 
 /// True if the run goes through this checkpoint, which it wrote at its end or on its way.
-bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const Checkpoint& start,
-                   const StopRule& rule, const RunFiles& files) {
-  if (path == files.output) return is_end(checkpoint, start, rule);
+bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const StopRule& rule,
+                   const RunFiles& files) {
+  if (path == files.output) return is_end(checkpoint, rule);
   return !is_beyond_end(checkpoint.state.step, *checkpoint.run, rule);
 }
 
 }  // namespace
 
 std::string id_of_run(const Checkpoint& start) {
+  const ProvenanceEntry& tool = start.provenance.back();
   Sha256 hash;
-  hash.update("rupture run 1\n");
-  for (const ProvenanceEntry& entry : start.provenance) {
-    hash.update(fmt::format("{} {}\n", entry.tool, entry.parent_checksum));
-  }
+  hash.update("rupture run 2\n");
+  hash.update(fmt::format("{} {}\n", tool.tool, tool.parent_checksum));
+  hash.update(fmt::format("{}\n", content_checksum(parameters_content(start.parameters))));
   hash.update(fmt::format("{}\n", start.state.step));
   return hash.hex();
+}
+
+RecordedRun recorded_run(const Checkpoint& start, const RunFiles& files) {
+  RecordedRun run = {start.run->id, files.record_every.time, {}};
+  if (files.fields_every) run.fields_every = files.fields_every->time;
+  return run;
 }
 
 fs::path path_at(const fs::path& output, double t) {
@@ -273,7 +205,7 @@ Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFil
   for (const fs::path& path : checkpoints_of(files.output)) {
     auto checkpoint = read_if_intact(path);
     if (checkpoint ? !is_of_run(*checkpoint, start) : !is_checkpoint(path)) continue;
-    const bool is_usable = checkpoint && is_on_the_way(*checkpoint, path, start, rule, files);
+    const bool is_usable = checkpoint && is_on_the_way(*checkpoint, path, rule, files);
     if (is_usable || path != files.output) remains.replaceable.insert(path);
     if (!is_usable) continue;
     Content rows =

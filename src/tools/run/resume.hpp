@@ -10,6 +10,7 @@
 
 #include "run/interval.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/record.hpp"
 #include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
@@ -27,9 +28,12 @@ struct RunFiles {
 /// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].
 std::filesystem::path path_at(const std::filesystem::path& output, double t);
 
-/// Name of the run that begins with `start`: SHA-256 of which tools took which steps to it, and of
-/// its first step. Every checkpoint of the run has it, resumed or not.
+/// Name of the run that begins with `start`: SHA-256 of which tool began it, from which content,
+/// with which parameters and at which step. Every file of the run has it, resumed or not.
 std::string id_of_run(const Checkpoint& start);
+
+/// By which its record is known.
+RecordedRun recorded_run(const Checkpoint& start, const RunFiles& files);
 
 /// A run as it was at one of its checkpoints.
 struct Resumption {

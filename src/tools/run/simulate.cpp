@@ -56,7 +56,7 @@ void carry_out(const RunPlan& plan, const RunOptions& options, const OutputOptio
   const auto if_exists = [&](const fs::path& path) {
     return if_checkpoint_exists(plan, options, path);
   };
-  Run run(plan.begin, rule.last_step, plan.files, if_exists, if_record_exists(options, output),
+  Run run(plan.begin, rule, plan.files, if_exists, if_record_exists(options, output),
           plan.work.threads, output);
   if (run.go(rule, plan.checkpoint_steps, options.on_alarm) == Ending::interrupted) {
     const std::string where = run.has_moved()

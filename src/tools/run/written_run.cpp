@@ -64,35 +64,41 @@ void announce(const OutputOptions& output, const std::vector<WrittenFile>& on_th
   }
 }
 
-RecordParts parts_of(const RunFiles& files) {
-  return {files.crossings, files.fields_every ? Fields::record : Fields::omit};
+RecordParts parts_of(const RunFiles& files, const Checkpoint& begin) {
+  return {files.crossings, files.fields_every ? Fields::record : Fields::omit,
+          recorded_run(begin, files)};
+}
+
+RunSoFar with_rule(RunSoFar run, const StopRule& rule) {
+  run.quiet_steps = rule.quiet_steps;
+  run.arrived_below = rule.arrived_below;
+  return run;
 }
 
 }  // namespace
 
-Run::Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
+Run::Run(const Resumption& begin, const StopRule& rule, const RunFiles& files,
          IfCheckpointExists if_exists, IfExists if_record_exists, int threads,
          const OutputOptions& output)
     : files_(files),
       if_exists_(std::move(if_exists)),
       first_step_(begin.checkpoint.state.step),
       output_(output),
-      id_(begin.checkpoint.run_id),
       provenance_(begin.checkpoint.provenance),
       record_provenance_(begin.record_provenance),
       saved_(begin.file),
       simulation_(begin.checkpoint.parameters, begin.checkpoint.state, threads, files.crossings) {
-  simulation_.resume_from(*begin.checkpoint.run);
+  simulation_.resume_from(with_rule(*begin.checkpoint.run, rule));
   if (!files.record) return;
-  writer_ = std::make_unique<RecordWriter>(*files.record, begin.checkpoint.parameters,
-                                           record_provenance(last_step), if_record_exists,
-                                           begin.rows, RecordWriter::kFlushEvery, parts_of(files));
+  writer_ = std::make_unique<RecordWriter>(
+      *files.record, begin.checkpoint.parameters, record_provenance(rule.last_step),
+      if_record_exists, begin.rows, RecordWriter::kFlushEvery, parts_of(files, begin.checkpoint));
   const std::int64_t now = begin.checkpoint.state.step;
-  recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, now, last_step,
+  recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, now, rule.last_step,
                                          last_sample(begin.rows, kSeriesGroup));
   if (!files.fields_every) return;
-  field_recorder_ = std::make_unique<FieldRecorder>(*writer_, *files.fields_every, now, last_step,
-                                                    last_sample(begin.rows, kFieldsGroup));
+  field_recorder_ = std::make_unique<FieldRecorder>(
+      *writer_, *files.fields_every, now, rule.last_step, last_sample(begin.rows, kFieldsGroup));
 }
 
 Ending Run::go(const StopRule& rule, const std::vector<std::int64_t>& checkpoint_steps,
@@ -182,7 +188,7 @@ void Run::save(const fs::path& path, IfExists if_exists) {
   const Parameters& p = simulation_.parameters();
   const State& state = simulation_.state();
   const Checkpoint now = {
-      p, state, run_until(provenance_, p, state.clock, state.step), simulation_.run(), {}, id_};
+      p, state, run_until(provenance_, p, state.clock, state.step), simulation_.run(), {}};
   const auto checksum = write_checkpoint(path, now, if_exists, output_.sum);
   summary_.files.push_back({path, "checkpoint", checksum});
   saved_ = path;

@@ -23,7 +23,7 @@ using IfCheckpointExists = std::function<IfExists(const std::filesystem::path&)>
 /// A run with everything that it writes on its way. The objects it is made with must outlive it.
 class Run {
  public:
-  Run(const Resumption& begin, std::int64_t last_step, const RunFiles& files,
+  Run(const Resumption& begin, const StopRule& rule, const RunFiles& files,
       IfCheckpointExists if_exists, IfExists if_record_exists, int threads,
       const OutputOptions& output);
 
@@ -58,7 +58,6 @@ class Run {
   const IfCheckpointExists if_exists_;
   const std::int64_t first_step_;
   const OutputOptions& output_;
-  const std::string& id_;
   const std::vector<ProvenanceEntry>& provenance_;
   const std::vector<ProvenanceEntry>& record_provenance_;
   std::filesystem::path saved_;  // the latest checkpoint
