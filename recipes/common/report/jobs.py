@@ -1,5 +1,5 @@
-"""The jobs that Snakemake ran, as recipes/common/runs/progress.py noted them in results/jobs.jsonl: rule,
-command, inputs, outputs, start and time of each job."""
+"""The jobs that Snakemake ran, as runs/progress.py noted them in results/jobs.jsonl: rule, command,
+inputs, outputs, start and time of each job."""
 
 import json
 from dataclasses import dataclass

@@ -51,8 +51,8 @@ OPTIONS = (
     ),
     Option(
         "profile",
-        "where commands run: local, slurm, another folder of recipes/common/profiles/, or the path of one"
-        " (docs/cluster.md)",
+        "where commands run: local, slurm, another folder of recipes/common/profiles/, or the"
+        " path of one (docs/cluster.md)",
         kind="text",
         value="NAME",
         default="local",

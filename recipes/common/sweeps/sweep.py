@@ -32,7 +32,7 @@ its own, results/data/NAME/SWEEP-seed-2.csv. Its name as a file is SWEEP.ini#2.
 Each point is one file, results/data/points/ID.json, where ID follows from its commands: what is
 there already is not computed again, whichever sweep it belonged to, and adding values adds points.
 
-A user's own file (docs/sweeps.md) may be shorter: recipes/common/sweeps/ expands it to one like this.
+A user's own file (docs/sweeps.md) may be shorter: this folder expands it to one like this.
 """
 
 import configparser
