@@ -65,7 +65,7 @@ build_or_stop() {
 compare() {
   ln -sf "$analyze" "$1/analyze"
   "$source/tests/compatibility/compatibility.sh" check "$1"
-  "$source/src/tools/rupture-golden" check --tools "$1" --work "$build/golden" \
+  "${analyze%/*}/golden" check --tools "$1" --work "$build/golden" \
     "$here/checksums.txt" "$here/chain.sh"
 }
 

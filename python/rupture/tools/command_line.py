@@ -8,6 +8,7 @@ import os
 import re
 import signal
 import sys
+import textwrap
 from contextlib import suppress
 
 from rupture.errors import Failure
@@ -69,24 +70,39 @@ class Once(argparse.Action):
         setattr(namespace, self.dest, values)
 
 
-class Help(argparse.Action):
-    """argparse's own one hides that it could not be written."""
+class Answer(argparse.Action):
+    """Prints what `const` makes of the parser. argparse's own help hides that it could not be
+    written."""
 
     def __call__(self, parser, *_):
-        print(parser.format_help(), end="")
+        print(self.const(parser))
         parser.exit()
 
 
-class Version(argparse.Action):
-    def __call__(self, parser, *_):
-        print(output_of("analyze", "--version").replace("analyze", parser.prog, 1), end="")
-        parser.exit()
+def version_text(parser):
+    return output_of("analyze", "--version").strip().replace("analyze", parser.prog, 1)
 
 
-class Describe(argparse.Action):
-    def __call__(self, parser, *_):
-        print(json.dumps(parser.description_json()))
-        parser.exit()
+def name_in_help(option):
+    name, short, default = (option[key] for key in ("name", "short", "default"))
+    words = [f"-{short} [ --{name} ]" if short else f"--{name}", option["value"]]
+    if option["unit"] not in ("", "1"):
+        words.append(f"[{option['unit']}]")
+    if default is not None:
+        words.append(f"(={default:g})" if isinstance(default, float) else f"(={default})")
+    return "  " + " ".join(filter(None, words))
+
+
+def help_text(parser):
+    """From the description, in the layout of the programs in C++."""
+    said = parser.description_json()
+    names = [name_in_help(option) for option in said["options"]]
+    width = max(map(len, names)) + 3
+    text = f"Usage: rupture {said['synopsis']}\n\n{textwrap.fill(said['purpose'], 90)}\n\nOptions:"
+    for name, option in zip(names, said["options"]):
+        lines = f"\n{' ' * width}".join(textwrap.wrap(option["help"], 79 - width))
+        text += f"\n{name:<{width}}{lines}"
+    return text
 
 
 def kind_of(action):
@@ -107,9 +123,9 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, name, arguments, purpose, summary, inputs):
         self.summary, self.inputs = summary, inputs
-        self.synopsis = f"{name} {arguments} [options]"
-        usage = f"rupture {self.synopsis}"
-        super().__init__(name, usage, purpose, add_help=False, allow_abbrev=False)
+        options = "" if "[options]" in arguments else " [options]"
+        self.synopsis = f"{name} {arguments}{options}"
+        super().__init__(name, description=purpose, add_help=False, allow_abbrev=False)
         self.register("action", None, Once)
 
     def add_time(self, name, text, limits=Seconds(), **more):
@@ -117,11 +133,16 @@ class Parser(argparse.ArgumentParser):
         option.unit = "s"  # type: ignore[attr-defined]
 
     def add_common(self):
-        common = self.add_argument_group("Common options")
-        common.add_argument("-h", "--help", action=Help, nargs=0, help="show this help and stop")
-        text = "print name, options and input as one JSON object and stop"
-        common.add_argument("--describe", action=Describe, nargs=0, help=text)
-        common.add_argument("--version", action=Version, nargs=0, help="show version and stop")
+        for names, answer, text in (
+            (("-h", "--help"), help_text, "show this help and stop"),
+            (
+                ("--describe",),
+                lambda parser: json.dumps(parser.description_json()),
+                "print name, options and input as one JSON object and stop",
+            ),
+            (("--version",), version_text, "show version and stop"),
+        ):
+            self.add_argument(*names, action=Answer, nargs=0, const=answer, help=text)
 
     def add_output(self, text, needed=True):
         self.add_argument("-o", "--output", metavar="FILE", required=needed, help=text)

@@ -22,7 +22,7 @@ PYTHON_CHECKS = {
     "mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is run).",
 }
 SHELL_SCRIPTS = (
-    *("reproduce.sh", ".ci/run", "src/tools/rupture-golden", "src/tools/reproduce"),
+    *("reproduce.sh", ".ci/run", "src/tools/reproduce"),
     "recipes/common/*/*.sh",
     *("recipes/common/profiles/*/job.sh", "recipes/common/profiles/*/step", "tests/*/*.sh"),
     *("tests/regression/project/*.sh", "packaging/*.sh"),

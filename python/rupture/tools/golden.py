@@ -1,0 +1,190 @@
+"""golden: regression tests by content checksums (docs/regression-tests.md)."""
+
+import fcntl
+import itertools
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from rupture.errors import Failure
+from rupture.replacing import write_whole
+from rupture.tools.command_line import Parser, run_tool
+
+SKIPPED = 77
+LINE = re.compile(r"(?:content-sha256 +)?([0-9a-f]{64}) +(.*\.h5)")  # without the word in old files
+
+
+def parser():
+    made = Parser(
+        "golden",
+        "check|regenerate [options] GOLDEN PIPELINE [ARGUMENT...]",
+        "Runs a pipeline, any program, in a fresh folder, with rupture and its tools on its PATH."
+        " Compares the content checksums of the files *.h5 that it writes there with those in"
+        " GOLDEN (check), or makes them the new GOLDEN and keeps the old one as GOLDEN.old1, .old2"
+        " and so on (regenerate). Exit code: 0 equal or written, 1 different or failed, 77 if the"
+        " pipeline ended with it, to say that it cannot be run on this machine.",
+        "test by content checksums that a pipeline still gives the same",
+        None,
+    )
+    made.add_argument("command", choices=("check", "regenerate"))
+    text = "the folder of the tools (default: that of this program)"
+    made.add_argument("--tools", metavar="FOLDER", help=text)
+    text = (
+        "keep the files of the last run that agreed with GOLDEN in FOLDER/equal, those of the last"
+        " one that did not in FOLDER/found (default: <name of GOLDEN>.files)"
+    )
+    made.add_argument("--work", metavar="FOLDER", help=text)
+    made.add_common()
+    made.add_argument("golden", metavar="GOLDEN", type=Path)
+    made.add_argument("program", metavar="PIPELINE")
+    made.add_argument("arguments", metavar="ARGUMENT", nargs="...")
+    return made
+
+
+def regenerate_command():
+    return shlex.join([sys.argv[0], "regenerate", *sys.argv[2:]])
+
+
+def take(work):
+    """The open lock: only one run at a time may use the folder, and only what such runs made in it
+    is ever deleted."""
+    lock = work / "rupture-golden.lock"
+    other = "give another folder with --work"
+    if not lock.exists() and ((work / "found").exists() or (work / "equal").exists()):
+        raise Failure(f"{work} has a 'found' or 'equal' that is not of this program: {other}")
+    work.mkdir(parents=True, exist_ok=True)
+    taken = open(lock, "a", encoding="utf-8")
+    try:
+        fcntl.flock(taken, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise Failure(f"another run uses {work}: wait for it, or {other}") from None
+    return taken
+
+
+def run_pipeline(pipeline, tools, folder):
+    path = f"{tools}:{tools}/../../bin:{os.environ.get('PATH', os.defpath)}"
+    program = shutil.which(pipeline[0], path=path)
+    if not program:
+        hint = "give a program, or make it one with chmod +x"
+        raise Failure(f"the pipeline {pipeline[0]} cannot be run: {hint}")
+    words = [os.path.abspath(program), *pipeline[1:]]  # it is run in another folder
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    environment = os.environ | {"PATH": path}
+    code = subprocess.call(words, cwd=folder, env=environment, stdin=subprocess.DEVNULL)
+    if code == SKIPPED:
+        sys.exit(code)
+    said = " ".join(words)
+    if code:
+        wrote = f"what it wrote is in {folder}"
+        raise Failure(f"the pipeline failed with exit code {code}: {said}; {wrote}")
+    if not list(folder.glob("*.h5")):
+        raise Failure(f"the pipeline wrote no *.h5 in its working folder: {said}")
+
+
+def checksum_of(file, tools):
+    """Empty of a damaged file: `analyze` says on the error stream what is wrong with it."""
+    command = [tools / "analyze", "checksum", file.name]
+    done = subprocess.run(command, cwd=file.parent, stdout=subprocess.PIPE, text=True, check=False)
+    return done.stdout.strip()
+
+
+def read_golden(path):
+    """Checksums by names."""
+    if not path.exists():
+        raise Failure(f"there is no golden file {path}; write it with: {regenerate_command()}")
+    wanted = {}
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if not (found := LINE.fullmatch(line)):
+            form = "'content-sha256 <64 hex digits>  <file>.h5'"
+            raise Failure(f"{path} has a line that is not {form}: {line}")
+        wanted[found[2]] = found[1]
+    if not wanted:
+        raise Failure(f"{path} names no file; write it anew with: {regenerate_command()}")
+    return wanted
+
+
+def difference(name, wanted, found):
+    if not found.get(name):
+        return "damaged" if name in found else "missing"
+    return "differs" if name in wanted else "new"
+
+
+def advise(differences, wanted, work, tools):
+    """Files can be compared where those with the golden checksums are still there."""
+    print(f"The files that it wrote are in {work}/found.")
+    commands = []
+    for what, name in differences:
+        files = work / "equal" / name, work / "found" / name
+        if what == "differs" and files[0].exists():
+            if checksum_of(files[0], tools) == wanted[name]:
+                commands.append("  " + shlex.join(map(str, (tools / "analyze", "diff", *files))))
+    if commands:
+        print("To see what differs:", *commands, sep="\n")
+    else:
+        print(
+            "To compare files with 'analyze diff', first run this once with a version that passes."
+        )
+    print(f"If the change is meant:\n  {regenerate_command()}")
+
+
+def keep_as_equal(work):
+    shutil.rmtree(work / "equal", ignore_errors=True)
+    (work / "found").rename(work / "equal")
+
+
+def check(wanted, found, work, tools):
+    names = {name for name, _ in wanted.items() ^ found.items()}
+    differences = sorted((difference(name, wanted, found), name) for name in names)
+    equal = f"{len(wanted.keys() - names)} of {len(wanted)} content checksums are equal"
+    if not differences:
+        keep_as_equal(work)
+        return print(f"{equal}.")
+    for what, name in differences:
+        print(f"  {what:<8} {name}")
+        if what == "differs":
+            print(f"    golden {wanted[name]}\n    found  {found[name]}")
+    advise(differences, wanted, work, tools)
+    print(f"{equal}, all but: {' '.join(name for _, name in differences)}")
+    return sys.exit(1)
+
+
+def regenerate(golden, found, work):
+    if damaged := [name for name, checksum in found.items() if not checksum]:
+        raise Failure(f"{work}/found/{damaged[0]} is damaged, so {golden} stays as it was")
+    keep_as_equal(work)
+    text = "".join(f"content-sha256 {found[name]}  {name}\n" for name in sorted(found))
+    if golden.exists() and golden.read_text(encoding="utf-8") == text:
+        return print(f"{golden} is current: nothing to change.")
+    if golden.exists():
+        names = (Path(f"{golden}.old{number}") for number in itertools.count(1))
+        old = next(name for name in names if not name.exists())
+        shutil.copy2(golden, old)
+        print(f"Kept the old checksums as {old}.")
+    write_whole(golden, text)
+    return print(f"Wrote {golden}; content checksums: {len(found)}.")
+
+
+def run():
+    options = parser().parse_args()
+    tools = Path(options.tools or os.path.dirname(sys.argv[0])).resolve()
+    if not os.access(tools / "analyze", os.X_OK):
+        raise Failure(f"there are no tools of rupture in {tools}: give their folder with --tools")
+    golden = options.golden.resolve()
+    work = Path(options.work or f"{golden.name}.files").resolve()
+    wanted = read_golden(golden) if options.command == "check" else {}
+    with take(work):
+        run_pipeline([options.program, *options.arguments], tools, work / "found")
+        found = {f.name: checksum_of(f, tools) for f in (work / "found").glob("*.h5")}
+        if options.command == "check":
+            check(wanted, found, work, tools)
+        else:
+            regenerate(golden, found, work)
+
+
+def main():
+    return run_tool("golden", run)
