@@ -113,6 +113,20 @@ inline Checkpoint small_checkpoint() {
   return checkpoint;
 }
 
+/// Of the simplified law: springs 0, 2 and 4 are slipping, spring 1 has never broken.
+inline Checkpoint single_springs() {
+  Checkpoint checkpoint;
+  Parameters& p = checkpoint.parameters;
+  p = small_parameters();
+  p.law = Law::simplified;
+  p.f_new = NewForce::zero;
+  checkpoint.state = small_state(p);
+  Junctions& junctions = checkpoint.state.junctions;
+  for (const Eigen::Index i : {0, 2, 4}) junctions.repin_time(i, 0) = Junctions::unknown;
+  junctions.slow_until.col(0) << 0.1, 0.0, -0.2, -0.3, 0.4;
+  return checkpoint;
+}
+
 /// Sample number n of a record with small_parameters(); every value but `pinned` differs from every
 /// other one.
 inline Sample small_sample(std::size_t Nx, int n) {

@@ -1,6 +1,5 @@
 // Records in the making: what a run that goes on, or was killed, has written so far.
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -125,36 +124,6 @@ TEST_F(RecordFile, has_one_writer_at_a_time) {
   expect_contains(failure_of([&] { writer("r.h5", 4, IfExists::replace); }),
                   "another run is writing " + file("r.h5.part").string());
   expect_samples(read_record(file("r.h5.part")), 4);
-}
-
-TEST_F(RecordFile, on_a_full_disk_fails_with_the_reason_and_keeps_the_part) {
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  {
-    auto out = writer("r.h5", 8);
-    append(out, 0, 8);
-    const rlimit limit{fs::file_size(file("r.h5.part")) + 1000, before.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-    const std::string message = failure_of([&] { append(out, 8, 20000); });
-    expect_contains(message, "could not write " + file("r.h5.part").string());
-    expect_contains(message, "File too large");
-  }
-  setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
-  const Record record = read_record(file("r.h5.part"));
-  EXPECT_GE(record.time.size(), 8U);
-  expect_samples(record, static_cast<int>(record.time.size()));
-}
-
-TEST_F(RecordFile, that_cannot_even_be_begun_leaves_nothing_behind) {
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit limit{1000, before.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &limit);
-  expect_contains(failure_of([&] { writer("r.h5"); }),
-                  "could not write " + file("r.h5.part").string());
-  setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_TRUE(names().empty());
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ class RecordFile : public InFolder {
   static void append(RecordWriter& record, int from, int to) {
     for (int n = from; n < to; ++n) {
       record.append(small_sample(kNx, n));
-      if (n % 4 == 0) record.append(std::vector<Rupture>{{100 * n, 0.001 * n, n % 5}});
+      if (n % 4 == 0) record.append(std::vector<rupture::Rupture>{{100 * n, 0.001 * n, n % 5}});
     }
   }
 

@@ -1,7 +1,6 @@
 #include "rupture/checkpoint/record.hpp"
 
 #include <limits>
-#include <tuple>
 
 #include "record_fixture.hpp"
 #include "rupture/checkpoint/checksum.hpp"
@@ -54,11 +53,6 @@ TEST_F(RecordFile, says_where_the_blocks_are_outside_its_checksum) {
   content.erase("/series/x");  // as earlier builds wrote records
   EXPECT_EQ(write_content(file("q.h5"), FileKind::record, content, IfExists::refuse), checksum);
   expect_samples(read_record(file("q.h5")), 3);
-  content["/series/x"] =
-      make_array(std::span<const double>(std::array{0.0, 0.1, 0.2, 0.3, 0.4}), {5}, "m");
-  write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
-  expect_contains(failure_of([&] { read_record(file("q.h5")); }),
-                  "/series/x holds its value in a form that rupture never writes");
 }
 
 TEST_F(RecordFile, grows_over_many_chunks) {
@@ -153,84 +147,6 @@ TEST_F(RecordFile, refuses_samples_of_the_wrong_length_and_too_many_junctions) {
   Parameters many = small_parameters();
   many.N_s = 65536;
   EXPECT_THROW(RecordWriter(file("q.h5"), many, {}, IfExists::refuse), UsageError);
-}
-
-TEST_F(RecordFile, and_checkpoint_are_not_mistaken_for_each_other) {
-  auto out = writer("r.h5");
-  append(out, 0, 3);
-  EXPECT_EQ(failure_of([&] { read_checkpoint(file("r.h5.part")); }),
-            file("r.h5.part").string() + " is an unfinished record; expected a checkpoint");
-  out.finish();
-  write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::refuse);
-  EXPECT_EQ(failure_of([&] { read_checkpoint(file("r.h5")); }),
-            file("r.h5").string() + " is a record; expected a checkpoint");
-  EXPECT_EQ(failure_of([&] { read_record(file("x.h5")); }),
-            file("x.h5").string() + " is a checkpoint; expected a record");
-}
-
-TEST_F(RecordFile, with_impossible_datasets_is_refused) {
-  auto out = writer("r.h5");
-  append(out, 0, 5);
-  out.finish();
-  const auto refusal_after = [&](const auto& change) {
-    Content content = read_content(file("r.h5"));
-    change(content);
-    write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
-    return failure_of([&] { read_record(file("q.h5")); });
-  };
-  expect_contains(refusal_after([](Content& c) { c.erase("/series/p"); }),
-                  "q.h5: /series/p is missing; expected float64 of shape [5][5]");
-  expect_contains(refusal_after([](Content& c) { c["/series/q"] = make_text(""); }),
-                  "/series/q is not part of a record: use a newer rupture");
-}
-
-// Five samples with small_parameters(), a rupture at the first and one at the last step.
-TEST_F(RecordFile, that_contradicts_itself_is_refused) {
-  RecordWriter out(file("r.h5"), small_parameters(), {}, IfExists::refuse, {}, 8,
-                   {.crossing_levels = {0.2, 0.5}});
-  append(out, 0, 5);
-  out.append(std::vector<Rupture>{{300, 0.003, 1, 0.5}});
-  out.finish();
-  const auto refusal_with = [&](const char* path, const Dataset& other) {
-    Content content = read_content(file("r.h5"));
-    content.at(path) = other;
-    write_content(file("q.h5"), FileKind::record, content, IfExists::replace);
-    return failure_of([&] { read_record(file("q.h5")); });
-  };
-  const auto array = [](auto values, const char* unit = "1") {
-    return make_array(std::span<const typename decltype(values)::value_type>(values),
-                      {values.size()}, unit);
-  };
-  using Reals = std::vector<double>;
-  using Integers = std::vector<std::int64_t>;
-  using Counts = std::vector<std::uint16_t>;
-  const auto counts = [](std::uint16_t all, std::uint16_t at_last) {
-    Counts pinned(25, all);
-    pinned[23] = at_last;
-    return make_array(std::span<const std::uint16_t>(pinned), {5, 5}, "1");
-  };
-  const std::vector<std::tuple<const char*, Dataset, const char*>> cases = {
-      {"/series/time", array(Reals{0, 1, 2, 3, 4}, "ms"), "has the unit 'ms'; expected 's'"},
-      {"/series/time", array(Reals{0, 0.001, 0.002, 0.003, 0.00401}, "s"),
-       "/series/time holds 0.00401 at step 400; by the parameters it is 0.004 there"},
-      {"/series/x_drive", array(Reals{0, 1e-6, 2e-6, 0, 4e-6}, "m"), "x_drive holds 0 at step 300"},
-      {"/series/pinned", counts(3, 4), "/series/pinned holds 4; expected 3 at most"},
-      {"/series/pinned", counts(2, 1),
-       "/crossings/ lacks block 3, whose pinned fraction falls below 0.5 by step 400"},
-      {"/series/pinned", counts(1, 0), "/ruptures/ lacks block 3, whose pinned"},
-      {"/ruptures/block", array(Integers{0, 5}),
-       "holds 5 at index 1; expected a block from 0 to 4"},
-      {"/ruptures/step", array(Integers{400, 0}), "/ruptures/step holds 0 after 400, for block 4"},
-      {"/ruptures/step", array(Integers{-1, 400}), "/ruptures/step holds -1 after 0, for block 0"},
-      {"/ruptures/time", array(Reals{0, 0.003}, "s"), "/ruptures/time holds 0.003 at step 400"},
-      {"/crossings/levels", array(Reals{0.5, 0.5}), "/crossings/levels holds 0.5, 0.5; expected"},
-      {"/crossings/levels", array(Reals{0.3, 0.5}), "/crossings/levels holds 0.3, 0.5; expected"},
-      {"/crossings/levels", array(Reals{0.5, 1.5}), "/crossings/levels holds 0.5, 1.5; expected"},
-      {"/crossings/pinned_below", array(Reals{0.4}), "/crossings/pinned_below holds 0.4; expected"},
-  };
-  for (const auto& [path, other, sentence] : cases) {
-    expect_contains(refusal_with(path, other), sentence);
-  }
 }
 
 }  // namespace
