@@ -97,6 +97,8 @@ TEST_F(Resume, SLOW_quiet_run_ends_where_the_uninterrupted_one_ends) {
     EXPECT_EQ(read("x.h5.sum"), whole) << n;
   }
   EXPECT_EQ(said(run), "x.h5 is complete\n");
+  output_of(run + " --record r.h5 --record-every 3e-5 --force");  // its last sample is at its end
+  EXPECT_EQ(said(run + " --record r.h5 --record-every 3e-5"), "x.h5 is complete\n");
   for (const char* other : {" --until-quiet 9e-5", " --until-quiet 1e-4 --arrived-below 0.2"}) {
     const std::string start = run.substr(0, run.find(" --until-quiet"));
     expect_refusal(start + " --set driving.V=0 --resume" + other, kFailed,

@@ -3,7 +3,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/text.hpp"
-#include "run/rebuild.hpp"
+#include "run/files.hpp"
 #include "run/summary.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "run/interval.hpp"
+#include "run/files.hpp"
 #include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
@@ -53,11 +53,16 @@ struct Forecast {
 };
 Forecast forecast(const Workload& work, const Speed& speed);
 
-/// Samples of a record from step `first` to `last`: at both, and whenever `every` passes between.
-std::int64_t sample_count(std::int64_t first, std::int64_t last, const Interval& every);
-
 /// A few lines for people, and the same as one JSON object.
 std::string text_of(const Forecast& forecast);
 std::string json_text(const Forecast& forecast);
+
+/// A slider near the equilibrium under its normal load, at once: uniformly compressed, with
+/// unstretched junctions.
+State roughly_loaded(const Parameters& parameters);
+
+/// Takes steps from `state` for some tenths of a second and, if the run will look for an
+/// equilibrium, finds that of reference_slider().
+Speed measure_speed(const Workload& work, const State& state);
 
 }  // namespace rupture::tools

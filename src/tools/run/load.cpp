@@ -1,8 +1,7 @@
 // load: the slider under its normal load, then driven from the side.
 #include "cli/option_values.hpp"
-#include "run/rebuild.hpp"
-#include "run/simulate.hpp"
-#include "run/speed.hpp"
+#include "run/files.hpp"
+#include "run/run.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 
 namespace {

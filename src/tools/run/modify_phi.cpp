@@ -7,7 +7,7 @@
 #include "cli/command_line.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
-#include "run/rebuild.hpp"
+#include "run/files.hpp"
 #include "run/summary.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"

@@ -1,7 +1,17 @@
 #include "run/observers.hpp"
 
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cmath>
 #include <span>
+#include <utility>
+
+#include "cli/option_values.hpp"
+#include "cli/text.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -28,6 +38,72 @@ std::vector<float> rounded(const Field& field) {
   using Rounded = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::Map<Rounded>(values.data(), blocks.rows(), blocks.cols()) = blocks.cast<float>();
   return values;
+}
+
+/// Steps between looks: one look costs a few steps.
+constexpr std::int64_t kEvery = 5000;
+
+bool on_terminal() {
+  return isatty(STDERR_FILENO) == 1;
+}
+
+/// Whether there is a line of progress on the terminal.
+bool& is_drawn() {
+  static bool drawn = false;
+  return drawn;
+}
+
+/// Columns that a line on the terminal may fill: a full one would make some terminals wrap.
+std::size_t columns() {
+  constexpr std::size_t usual = 80;
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return (known ? size.ws_col : usual) - 1;
+}
+
+/// A part of the line; of those that do not fit, the one of the highest rank goes first.
+struct Part {
+  int rank;
+  std::string text;
+};
+
+std::string joined(const std::vector<Part>& parts) {
+  std::string line;
+  for (const Part& part : parts) line += (line.empty() ? "" : "   ") + part.text;
+  return line;
+}
+
+/// As many of the parts as fit, the last one cut if it does not.
+std::string fitted(std::vector<Part> parts, std::size_t width) {
+  const auto ranks_below = [](const Part& a, const Part& b) { return a.rank < b.rank; };
+  while (parts.size() > 1 && joined(parts).size() > width) {
+    parts.erase(std::max_element(parts.begin(), parts.end(), ranks_below));
+  }
+  return joined(parts).substr(0, width);
+}
+
+/// Decimals by which a thousandth of the duration [s] shows.
+int decimals_for(double duration) {
+  constexpr double most = 9.0;
+  return static_cast<int>(std::clamp(3.0 - std::floor(std::log10(duration)), 0.0, most));
+}
+
+/// `rate` [steps/s]. Widths hardly change, so that parts do not come and go.
+std::vector<Part> parts_of(const Simulation& now, std::int64_t last, double rate,
+                           bool until_quiet) {
+  const std::int64_t first = now.run().first_step, step = now.state().step;
+  const auto whole = static_cast<double>(last - first);
+  const int decimals = decimals_for(whole * now.parameters().dt);
+  const double end = time_at(now.parameters(), now.state().clock, last);
+  std::vector<Part> parts = {{2, fmt::format("t = {:.{}f} s of {}{:.{}f} s", now.time(), decimals,
+                                             until_quiet ? "at most " : "", end, decimals)},
+                             {3, fmt::format("{:>9} steps/s", grouped(rate))}};
+  if (until_quiet) return parts;
+  const double percent = std::floor(100.0 * static_cast<double>(step - first) / whole);
+  parts.insert(parts.begin(), {0, fmt::format("{:3.0f} %", percent)});
+  const double left = std::ceil(static_cast<double>(last - step) / rate);  // [s]
+  parts.push_back({1, fmt::format("{:>6} left", time_text(left))});
+  return parts;
 }
 
 }  // namespace
@@ -94,6 +170,96 @@ std::int64_t CheckpointSchedule::next_step() const {
 void CheckpointSchedule::observe(const Simulation& simulation) {
   write_(simulation);
   ++next_;
+}
+
+void add_alarm_option(po::options_description& options) {
+  options.add_options()(
+      "on-alarm", one_of("stop|report")->default_value("stop"),
+      "what to do when the result becomes meaningless (docs/guard.md): stop with exit code 1, or "
+      "report it and go on. Warnings are only reported, and not at all with --quiet");
+}
+
+OnAlarm on_alarm(const po::variables_map& values) {
+  const auto word = values["on-alarm"].as<std::string>();
+  if (word == "stop") return OnAlarm::stop;
+  if (word == "report") return OnAlarm::report;
+  throw UsageError(fmt::format("--on-alarm {} is unknown: choose stop or report", word));
+}
+
+Alarms::Alarms(const Simulation& simulation, std::int64_t last_step, OnAlarm on_alarm,
+               const OutputOptions& output, std::string tool)
+    : guard_(simulation),
+      last_step_(last_step),
+      on_alarm_(on_alarm),
+      verbosity_(output.verbosity),
+      tool_(std::move(tool)),
+      next_(simulation.state().step) {}
+
+void Alarms::observe(const Simulation& simulation) {
+  const std::int64_t step = simulation.state().step;
+  next_ = (step / kEvery + 1) * kEvery;
+  if (step < last_step_) next_ = std::min(next_, last_step_);
+  for (const Finding& finding : guard_.look(simulation)) {
+    const bool alarm = finding.severity == Severity::alarm;
+    if (alarm && on_alarm_ == OnAlarm::stop) {
+      throw Failure(finding.sentence + "; --on-alarm report goes on nevertheless");
+    }
+    if (!alarm && verbosity_ == Verbosity::quiet) continue;
+    clear_progress_line();
+    say_on(stderr, "{}: {}: {}\n", tool_, alarm ? "alarm" : "warning", finding.sentence);
+  }
+}
+
+Progress::Progress(const Simulation& simulation, const StopRule& rule, std::string tool)
+    : until_quiet_(rule.quiet_steps.has_value()),
+      tool_(std::move(tool)),
+      first_(simulation.run().first_step),
+      last_(rule.last_step),
+      begin_(simulation.state().step),
+      start_(Clock::now()),
+      printed_(start_),
+      next_(on_terminal() ? begin_ + 100 : tenth_after(begin_)) {}
+
+void Progress::observe(const Simulation& simulation) {
+  const std::int64_t done = simulation.state().step - begin_;
+  const std::chrono::duration<double> elapsed = Clock::now() - start_;
+  const double rate = static_cast<double>(done) / std::max(elapsed.count(), 1e-9);
+  if (on_terminal()) {
+    redraw(simulation, rate);
+  } else {
+    print_tenth(simulation, rate);
+  }
+}
+
+void Progress::redraw(const Simulation& simulation, double rate) {
+  constexpr double pause = 0.2;  // [s]
+  const std::size_t width = columns();
+  const auto parts = parts_of(simulation, last_, rate, until_quiet_);
+  say_on(stderr, "\r{:<{}}", fitted(parts, width), width);
+  std::fflush(stderr);
+  is_drawn() = true;
+  next_ = simulation.state().step + std::max<std::int64_t>(1, std::llround(rate * pause));
+}
+
+void Progress::print_tenth(const Simulation& simulation, double rate) {
+  constexpr std::chrono::seconds pause(5);
+  next_ = tenth_after(simulation.state().step);
+  if (Clock::now() - printed_ < pause) return;
+  printed_ = Clock::now();
+  say_on(stderr, "{}: {}\n", tool_, joined(parts_of(simulation, last_, rate, until_quiet_)));
+}
+
+std::int64_t Progress::tenth_after(std::int64_t step) const {
+  constexpr std::int64_t tenths = 10;
+  for (std::int64_t n = 1; n < tenths; ++n) {
+    const std::int64_t next = first_ + (last_ - first_) * n / tenths;
+    if (next > step) return next;
+  }
+  return no_step;
+}
+
+void clear_progress_line() {
+  if (std::exchange(is_drawn(), false)) say_on(stderr, "\r{:{}}\r", "", columns());
 }
 
 }  // namespace rupture::tools

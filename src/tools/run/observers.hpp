@@ -1,13 +1,15 @@
-// Observers of a run: the record and the checkpoint schedule.
+// The observers of a run: they record it, write its checkpoints, look for alarms (docs/guard.md)
+// and show how far it is.
 #pragma once
 
-#include <filesystem>
+#include <chrono>
+#include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
-#include "run/interval.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/checkpoint/record.hpp"
+#include "run/files.hpp"
+#include "rupture/dynamics/guard.hpp"
 #include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
@@ -73,5 +75,59 @@ class CheckpointSchedule : public Observer {
   std::size_t next_ = 0;
   Write write_;
 };
+
+enum class OnAlarm { stop, report };
+
+void add_alarm_option(po::options_description& options);
+
+/// The choice of --on-alarm. Throws UsageError if it is no such word.
+OnAlarm on_alarm(const po::variables_map& values);
+
+/// Looks at the first and last step of a run and every 5000 steps. Warnings and, with
+/// OnAlarm::report, alarms are printed on standard error; Verbosity::quiet silences warnings.
+class Alarms : public Observer {
+ public:
+  Alarms(const Simulation& simulation, std::int64_t last_step, OnAlarm on_alarm,
+         const OutputOptions& output, std::string tool);
+  std::int64_t next_step() const override { return next_; }
+  /// Throws Failure on an alarm, with OnAlarm::stop.
+  void observe(const Simulation& simulation) override;
+
+ private:
+  Guard guard_;
+  const std::int64_t last_step_;
+  const OnAlarm on_alarm_;
+  const Verbosity verbosity_;
+  const std::string tool_;
+  std::int64_t next_;
+};
+
+/// Shows percentage, simulated time, steps/s and the time left: on a terminal in one line that is
+/// written anew and never wider than it; elsewhere in a line per tenth of the run, but none within
+/// five seconds of another or of the start. Of a run until quiet only the latest end is known.
+class Progress : public Observer {
+ public:
+  Progress(const Simulation& simulation, const StopRule& rule, std::string tool);
+  std::int64_t next_step() const override { return next_; }
+  void observe(const Simulation& simulation) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void redraw(const Simulation& simulation, double rate);
+  void print_tenth(const Simulation& simulation, double rate);
+  std::int64_t tenth_after(std::int64_t step) const;
+
+  const bool until_quiet_;
+  const std::string tool_;
+  const std::int64_t first_, last_;  // of the whole run
+  const std::int64_t begin_;         // of this part of it
+  const Clock::time_point start_;
+  Clock::time_point printed_;
+  std::int64_t next_;
+};
+
+/// Clears the line that Progress has drawn on a terminal, if it has, so that other words begin one.
+void clear_progress_line();
 
 }  // namespace rupture::tools

@@ -1,13 +1,81 @@
 #include "run/plan.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "rupture/checkpoint/record.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "cli/option_values.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
 
 namespace fs = std::filesystem;
+
+int thread_count(int threads) {
+  constexpr int most = 1024;
+  if (threads >= 1 && threads <= most) return threads;
+  throw UsageError(
+      fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
+}
+
+/// Throws UsageError if there is no record for options that say what is recorded.
+void refuse_without_record(const po::variables_map& values) {
+  if (values.count("record") > 0) return;
+  for (const char* option : {"record-every", "crossings", "fields"}) {
+    if (values.count(option) == 0 || values[option].defaulted()) continue;
+    throw UsageError(fmt::format("--{} needs a record: give --record as well", option));
+  }
+}
+
+/// The levels of --crossings, ascending, so that equal records come from equal commands.
+std::vector<double> crossing_levels(const po::variables_map& values) {
+  if (values.count("crossings") == 0) return {};
+  auto levels = fractions(values, "crossings");
+  if (std::find(levels.begin(), levels.end(), kRupturedFraction) != levels.end()) {
+    throw UsageError(
+        fmt::format("--crossings {} is recorded always: leave it out", kRupturedFraction));
+  }
+  std::sort(levels.begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+DryRun dry_run(const po::variables_map& values) {
+  if (values.count("dry-run") == 0) return DryRun::no;
+  return values.count("json") > 0 ? DryRun::json : DryRun::text;
+}
+
+/// The steps in a run from `first` to `last` at which checkpoints are wanted, in order. Throws
+/// UsageError if one is outside.
+std::vector<std::int64_t> checkpoint_steps(const Parameters& p, const State& first,
+                                           std::int64_t last, const RunOptions& run) {
+  std::vector<std::int64_t> steps;
+  for (const double t : run.checkpoint_at) {
+    const std::int64_t step = step_at(p, first.clock, t);
+    if (step < first.step || step > last) {
+      throw UsageError(fmt::format("--checkpoint-at {:g} is outside the run, {:g} s to {:g} s", t,
+                                   time(p, first), time_at(p, first.clock, last)));
+    }
+    steps.push_back(step);
+  }
+  if (run.checkpoint_every) {
+    const Interval every = interval(p, first.clock, *run.checkpoint_every, "checkpoint-every");
+    constexpr std::int64_t most = 1'000'000;
+    if (const auto count = every.number_at(last) - every.number_at(first.step); count > most) {
+      throw UsageError(
+          fmt::format("--checkpoint-every {:g} would write {} checkpoints: give a longer time",
+                      *run.checkpoint_every, count));
+    }
+    for (auto step = every.after(first.step); step <= last; step = every.after(step)) {
+      steps.push_back(step);
+    }
+  }
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
 
 /// Where the run goes on, if it was interrupted; else its start.
 Resumption beginning(const RunPlan& plan, std::optional<Resumption> found) {
@@ -77,33 +145,76 @@ Workload rest_of(const RunPlan& plan, Workload work) {
   work.end = plan.rule.quiet_steps ? End::at_the_latest : End::known;
   work.checkpoints = static_cast<std::int64_t>(plan.checkpoint_steps.size()) + 1;
   if (plan.files.record) {
-    const auto count = [&](const Interval& every) {
-      return sample_count(plan.start.run->first_step, plan.rule.last_step, every);
-    };
-    work.samples = count(plan.files.record_every);
-    if (plan.files.fields_every) work.field_samples = count(*plan.files.fields_every);
+    const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
+    work.samples = plan.files.record_every.samples(first, last);
+    if (plan.files.fields_every) work.field_samples = plan.files.fields_every->samples(first, last);
   }
   return work;
 }
 
 }  // namespace
 
+void add_run_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("checkpoint-at", list_of_seconds(), "write checkpoints at these times, named OUT-tT.h5");
+  add("checkpoint-every", seconds(), "write a checkpoint each time T has passed");
+  add("record", output_file("record"), "record time series of the interface in FILE");
+  add("record-every", seconds()->default_value(1e-4, "1e-4"),
+      "sampling interval of the record; ruptures are recorded to the step");
+  add("crossings", text("F,..."),
+      "pinned fractions besides 0.3 whose crossing by a block is recorded, such as 0.2,0.5");
+  add("fields", seconds(),
+      "sampling interval of the displacement of all blocks, for pictures and movies; part of the "
+      "record, 8 bytes per block and sample; default: none");
+  add("threads", integer("N"),
+      "threads that share the work; default: as many as pay for this size of slider. Results do "
+      "not depend on it");
+  add_alarm_option(options);
+  add("resume",
+      "if the same run was interrupted, go on from its newest checkpoint OUT-tT.h5 and with its "
+      "record; the result is that of an uninterrupted run");
+  add("dry-run",
+      "write nothing: check the command and print about how much time, memory and disk it needs. "
+      "The time per step is measured now, for half a second, from the checkpoint or, for load, "
+      "near the equilibrium, which is not solved for");
+}
+
+RunOptions run_options(const Parsed& parsed) {
+  const auto& values = parsed.values;
+  RunOptions run;
+  run.arguments = parsed.arguments;
+  if (values.count("checkpoint-at") > 0) {
+    run.checkpoint_at = values["checkpoint-at"].as<std::vector<double>>();
+    for (const double t : run.checkpoint_at) {
+      if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
+    }
+  }
+  run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
+  if (values.count("record") > 0) run.record = file_to_write(values, "record");
+  run.record_every = non_negative(values, "record-every");
+  refuse_without_record(values);
+  run.crossings = crossing_levels(values);
+  run.fields = optional_non_negative(values, "fields");
+  run.on_alarm = on_alarm(values);
+  run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
+  run.dry_run = dry_run(values);
+  if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
+  return run;
+}
+
 RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& options,
                  const OutputOptions& output, const fs::path& input) {
   const Parameters& p = start.parameters;
   start.run = run_from(p, start.state.step);
   start.run->id = id_of_run(start);
-  const Interval every =
-      options.record ? sampling_interval(p, start.state.clock, options) : Interval{};
-  RunPlan plan = {.start = {},
-                  .begin = {},
-                  .rule = rule,
-                  .files = {output.output, options.record, every, output.if_exists,
-                            options.crossings, fields_interval(p, start.state.clock, options)},
-                  .checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options),
-                  .written_before = {},
-                  .replaceable = {},
-                  .work = {}};
+  const Clock& clock = start.state.clock;
+  RunPlan plan;
+  plan.rule = rule;
+  plan.files = {output.output, options.record, {}, output.if_exists, options.crossings, {}};
+  if (options.record)
+    plan.files.record_every = interval(p, clock, options.record_every, "record-every");
+  if (options.fields) plan.files.fields_every = interval(p, clock, *options.fields, "fields");
+  plan.checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options);
   plan.start = std::move(start);
   plan.work = nothing_of(plan, options, input);
   Remains remains =

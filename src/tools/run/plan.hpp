@@ -1,4 +1,5 @@
-// The plan of a run, made before it does anything: running it, --dry-run and --resume read this.
+// The options that load and restart have in common, and the plan of a run that is made of them
+// before it does anything: running it, --dry-run and --resume read this.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +8,32 @@
 #include <vector>
 
 #include "run/forecast.hpp"
+#include "run/observers.hpp"
 #include "run/resume.hpp"
-#include "run/run_options.hpp"
-#include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
+
+/// Whether to run, or only to say what the run would need, and how.
+enum class DryRun { no, text, json };
+/// Whether to go on with what the same run has left, if it was interrupted.
+enum class Resume { no, yes };
+
+struct RunOptions {
+  std::vector<double> checkpoint_at;       ///< [s]
+  std::optional<double> checkpoint_every;  ///< [s]
+  std::optional<std::filesystem::path> record;
+  double record_every = 1e-4;     ///< [s]
+  std::vector<double> crossings;  ///< pinned fractions, ascending
+  std::optional<double> fields;   ///< sampling interval of the fields [s]
+  std::optional<int> threads;     ///< none: as many as pay
+  OnAlarm on_alarm = OnAlarm::stop;
+  Resume resume = Resume::no;
+  DryRun dry_run = DryRun::no;
+  std::vector<std::string> arguments;  ///< argv, of which the command that goes on is made
+};
+
+void add_run_options(po::options_description& options);
+RunOptions run_options(const Parsed& parsed);
 
 /// A run that has not begun. Its provenance already names the program that runs.
 struct RunPlan {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "cli/option_values.hpp"
-#include "run/rebuild.hpp"
-#include "run/simulate.hpp"
+#include "run/files.hpp"
+#include "run/run.hpp"
 #include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/rupture.hpp"

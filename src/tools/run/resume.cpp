@@ -1,6 +1,6 @@
 #include "run/resume.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "cli/text.hpp"
-#include "rupture/checkpoint/checksum.hpp"
-#include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -83,13 +81,9 @@ std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& 
   return read_array<std::int64_t>(rows, found->first, found->second.shape);
 }
 
-/// Step of sample number n of a run: its first step, then whenever `every` has passed.
-std::int64_t sample_step(std::int64_t first, const Interval& every, std::size_t n) {
-  return n == 0 ? first : every.step_of(every.number_at(first) + static_cast<std::int64_t>(n));
-}
-
 bool is_record_of_run(const Record& record, const Checkpoint& start, const RunFiles& files) {
-  return record.run == recorded_run(start, files) && record.crossing_levels == files.crossings;
+  return record.run == recorded_run(start.run->id, files) &&
+         record.crossing_levels == files.crossings;
 }
 
 /// The part of the run in `path`, a record or its .part; empty if there is no such file. Throws
@@ -133,27 +127,19 @@ Recorded recorded_so_far(const Checkpoint& start, const StopRule& rule, const Ru
   return {std::move(finished), !fs::exists(part_path(*files.record))};
 }
 
-/// True if these rows have all samples that the run had taken when it wrote the checkpoint. At its
-/// end it takes one in any case.
-bool have_all_samples(const Content& rows, const std::string& group, const Checkpoint& checkpoint,
-                      const Interval& every, const StopRule& rule) {
+/// True if these rows are all that the record held when the run wrote the checkpoint, which is at
+/// its end or on its way.
+bool reach(const Content& rows, const Checkpoint& checkpoint, const fs::path& path,
+           const StopRule& rule, const RunFiles& files) {
   const std::int64_t step = checkpoint.state.step, first = checkpoint.run->first_step;
-  const auto steps = sampled_steps(rows, group);
-  auto samples = static_cast<std::size_t>(1 + every.number_at(step) - every.number_at(first));
-  std::int64_t last = sample_step(first, every, samples - 1);
-  if (step == rule.last_step && last < step) {
-    last = step;
-    ++samples;
-  }
-  return steps.size() == samples && steps.back() == last;
-}
-
-/// The same of everything that the record holds.
-bool reach(const Content& rows, const Checkpoint& checkpoint, const RunFiles& files,
-           const StopRule& rule) {
-  return have_all_samples(rows, kSeriesGroup, checkpoint, files.record_every, rule) &&
-         (!files.fields_every ||
-          have_all_samples(rows, kFieldsGroup, checkpoint, *files.fields_every, rule)) &&
+  const bool at_end = path == files.output || step == rule.last_step;
+  const auto have_samples = [&](const char* group, const Interval& every) {
+    const auto steps = sampled_steps(rows, group);
+    const std::int64_t last = at_end ? step : std::max(first, every.last_until(step));
+    return std::ssize(steps) == every.samples(first, last) && steps.back() == last;
+  };
+  return have_samples(kSeriesGroup, files.record_every) &&
+         (!files.fields_every || have_samples(kFieldsGroup, *files.fields_every)) &&
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }
 
@@ -176,28 +162,6 @@ bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const Sto
 
 }  // namespace
 
-std::string id_of_run(const Checkpoint& start) {
-  const ProvenanceEntry& tool = start.provenance.back();
-  Sha256 hash;
-  hash.update("rupture run 2\n");
-  hash.update(fmt::format("{} {}\n", tool.tool, tool.parent_checksum));
-  hash.update(fmt::format("{}\n", content_checksum(parameters_content(start.parameters))));
-  hash.update(fmt::format("{}\n", start.state.step));
-  return hash.hex();
-}
-
-RecordedRun recorded_run(const Checkpoint& start, const RunFiles& files) {
-  RecordedRun run = {start.run->id, files.record_every.time, {}};
-  if (files.fields_every) run.fields_every = files.fields_every->time;
-  return run;
-}
-
-fs::path path_at(const fs::path& output, double t) {
-  const auto name =
-      fmt::format("{}-t{:.9f}{}", output.stem().string(), t, output.extension().string());
-  return output.parent_path() / name;
-}
-
 Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
   const Recorded record = recorded_so_far(start, rule, files);
   bool too_new = false;
@@ -210,7 +174,7 @@ Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFil
     if (!is_usable) continue;
     Content rows =
         record.rows.empty() ? Content{} : rows_until(record.rows, checkpoint->state.step);
-    if (!files.record || reach(rows, *checkpoint, files, rule)) {
+    if (!files.record || reach(rows, *checkpoint, path, rule, files)) {
       remains.newest = {std::move(*checkpoint), path, std::move(rows), {}};
       remains.is_complete = path == files.output && record.is_finished;
       return remains;

@@ -8,32 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "run/interval.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/checkpoint/record.hpp"
+#include "run/files.hpp"
 #include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
-
-/// The files that a run leaves on its way.
-struct RunFiles {
-  std::filesystem::path output;                 ///< its checkpoints are OUT-tT.h5
-  std::optional<std::filesystem::path> record;  ///< or its .part
-  Interval record_every;
-  IfExists if_exists = IfExists::refuse;      ///< what is not of the run
-  std::vector<double> crossings = {};         ///< levels of the record, ascending
-  std::optional<Interval> fields_every = {};  ///< none: the record has no fields
-};
-
-/// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].
-std::filesystem::path path_at(const std::filesystem::path& output, double t);
-
-/// Name of the run that begins with `start`: SHA-256 of which tool began it, from which content,
-/// with which parameters and at which step. Every file of the run has it, resumed or not.
-std::string id_of_run(const Checkpoint& start);
-
-/// By which its record is known.
-RecordedRun recorded_run(const Checkpoint& start, const RunFiles& files);
 
 /// A run as it was at one of its checkpoints.
 struct Resumption {

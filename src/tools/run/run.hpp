@@ -1,11 +1,7 @@
 // Running a simulation from the command line: what load and restart have in common.
 #pragma once
 
-#include <filesystem>
-
-#include "run/run_options.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/dynamics/run.hpp"
+#include "run/plan.hpp"
 
 namespace rupture::tools {
 

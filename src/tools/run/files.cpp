@@ -1,4 +1,4 @@
-#include "run/rebuild.hpp"
+#include "run/files.hpp"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,14 @@
 #include <boost/any.hpp>
 #include <iterator>
 
-#include "run/run_options.hpp"
+#include "rupture/checkpoint/checksum.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
 
 /// The time of a step with the fewest digits by which step_at() finds the step again.
-std::string time_text(const Parameters& p, const Clock& clock, std::int64_t step) {
+std::string shortest_text(const Parameters& p, const Clock& clock, std::int64_t step) {
   const double t = time_at(p, clock, step);
   constexpr int most = 17;
   std::string text;
@@ -24,6 +25,50 @@ std::string time_text(const Parameters& p, const Clock& clock, std::int64_t step
 }
 
 }  // namespace
+
+std::int64_t steps_in(const Parameters& p, double duration) {
+  const double steps = std::round(duration / p.dt);
+  if (!(std::abs(steps) < 0x1p53)) {
+    throw UsageError(
+        fmt::format("t = {:g} s is too long a time for steps of {:g} s", duration, p.dt));
+  }
+  return static_cast<std::int64_t>(steps);
+}
+
+std::int64_t step_at(const Parameters& p, const Clock& clock, double t) {
+  return clock.origin_step + steps_in(p, t - clock.origin_time);
+}
+
+Interval interval(const Parameters& p, const Clock& clock, double t, std::string_view option) {
+  constexpr double rounding = 1e-9, half = 0.5 - 1e-6;  // a tie is decided once, by `zero`
+  steps_in(p, t);                                       // not too long
+  const std::int64_t zero = step_at(p, clock, 0.0);
+  const double offset = std::clamp(-time_at(p, clock, zero) / p.dt, -half, half);
+  if (t >= p.dt * (1.0 - rounding)) return {std::max(t, p.dt), p.dt, zero, offset};
+  throw UsageError(fmt::format("--{} is shorter than one time step", option));
+}
+
+std::string id_of_run(const Checkpoint& start) {
+  const ProvenanceEntry& tool = start.provenance.back();
+  Sha256 hash;
+  hash.update("rupture run 2\n");
+  hash.update(fmt::format("{} {}\n", tool.tool, tool.parent_checksum));
+  hash.update(fmt::format("{}\n", content_checksum(parameters_content(start.parameters))));
+  hash.update(fmt::format("{}\n", start.state.step));
+  return hash.hex();
+}
+
+RecordedRun recorded_run(const std::string& id, const RunFiles& files) {
+  RecordedRun run = {id, files.record_every.time, {}};
+  if (files.fields_every) run.fields_every = files.fields_every->time;
+  return run;
+}
+
+std::filesystem::path path_at(const std::filesystem::path& output, double t) {
+  const auto name =
+      fmt::format("{}-t{:.9f}{}", output.stem().string(), t, output.extension().string());
+  return output.parent_path() / name;
+}
 
 std::vector<std::string> rebuild_command(const std::string& tool, const Parameters& before,
                                          const Parameters& parameters) {
@@ -57,7 +102,7 @@ std::vector<std::string> with_options(std::vector<std::string> command,
 std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
                                        const Parameters& parameters, const Clock& clock,
                                        std::int64_t step) {
-  chain.back().rebuild += " --until " + time_text(parameters, clock, step);
+  chain.back().rebuild += " --until " + shortest_text(parameters, clock, step);
   return chain;
 }
 
@@ -67,7 +112,7 @@ std::vector<ProvenanceEntry> cut_at(std::vector<ProvenanceEntry> chain,
   auto words = shell_words(chain.back().rebuild);
   const auto until = std::find(words.begin(), words.end(), "--until");
   if (std::distance(until, words.end()) < 2) return chain;
-  *std::next(until) = time_text(parameters, {step, t}, step);
+  *std::next(until) = shortest_text(parameters, {step, t}, step);
   chain.back().rebuild = shell_line(words);
   return chain;
 }

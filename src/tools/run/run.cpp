@@ -1,0 +1,305 @@
+#include "run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include "cli/interruption.hpp"
+#include "cli/text.hpp"
+#include "run/observers.hpp"
+#include "run/summary.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::steady_clock;
+
+void announce(const OutputOptions& output, const WrittenFile& file) {
+  if (output.verbosity == Verbosity::normal) {
+    say_on(output.text(), "{}", wrote_text(file.path, file.checksum));
+    std::fflush(output.text());
+  }
+}
+
+std::string_view reason(Ending ending) {
+  switch (ending) {
+    case Ending::quiet:
+      return "no junction broke any more";
+    case Ending::spanned:
+      return "an event spanned the interface";
+    case Ending::interrupted:
+      return "interrupted";
+    case Ending::last_step:
+      break;
+  }
+  return "end of the run";
+}
+
+void print_invariants(std::FILE* to, Ending ending, const RunSummary& summary) {
+  const EnergyBalance& balance = summary.energy;
+  say_on(to, "t = {:.7g} s ({}), {} steps", summary.time, reason(ending), summary.steps);
+  if (summary.steps > 0 && summary.wall_time > 0.0) {
+    say_on(to, ", {:.0f} steps/s", static_cast<double>(summary.steps) / summary.wall_time);
+  }
+  say_on(to,
+         "\nenergy [J]: supplied {:.6e} = stored {:.6e} + taken by damping {:.6e} + work against "
+         "junctions {:.6e}, relative error {:.1e}\n",
+         balance.supplied, balance.stored, balance.damping, balance.junctions,
+         balance.relative_error());
+}
+
+/// Checkpoints on the way, of which there may be many: one line names them.
+void announce(const OutputOptions& output, const std::vector<WrittenFile>& on_the_way) {
+  if (output.verbosity == Verbosity::quiet || on_the_way.empty()) return;
+  const std::string first = in_one_line(on_the_way.front().path);
+  const std::string last = in_one_line(on_the_way.back().path);
+  if (on_the_way.size() == 1) {
+    say_on(output.text(), "wrote 1 checkpoint on the way: {}\n", first);
+  } else {
+    say_on(output.text(), "wrote {} checkpoints on the way: {} ... {}\n", on_the_way.size(), first,
+           last);
+  }
+}
+
+/// Where the plan's run begins, with what /run says of its end.
+RunSoFar so_far(const RunPlan& plan) {
+  RunSoFar run = *plan.begin.checkpoint.run;
+  run.quiet_steps = plan.rule.quiet_steps;
+  run.arrived_below = plan.rule.arrived_below;
+  return run;
+}
+
+/// A run with everything that it writes on its way. The objects it is made with must outlive it.
+class Run {
+ public:
+  Run(const RunPlan& plan, const RunOptions& options, const OutputOptions& output)
+      : plan_(plan),
+        options_(options),
+        output_(output),
+        begin_(plan.begin.checkpoint),
+        saved_(plan.begin.file),
+        simulation_(begin_.parameters, begin_.state, plan.work.threads, plan.files.crossings) {
+    simulation_.resume_from(so_far(plan));
+    if (plan.files.record) begin_record();
+  }
+
+  /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
+  Ending go();
+  /// Writes the last checkpoint, then completes the record.
+  void finish();
+  /// Saves everything that resuming needs; returns the checkpoint.
+  const fs::path& save_on_the_way();
+  /// True once there is anything that was not there before.
+  bool has_moved() const { return simulation_.state().step > begin_.state.step; }
+  /// What was done so far, once go() has ended.
+  const RunSummary& summary() const { return summary_; }
+
+ private:
+  void begin_record();
+  Ending observed();
+  void summarise(const Energies& before, steady_clock::time_point begin, Ending ending);
+  void take_last_samples();
+  void save(const fs::path& path);
+  /// That of the record, if the run ends at `step`.
+  std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const {
+    return recorded_until(plan_.begin.record_provenance, begin_.parameters,
+                          simulation_.state().clock, step, plan_.files);
+  }
+
+  const RunPlan& plan_;
+  const RunOptions& options_;
+  const OutputOptions& output_;
+  const Checkpoint& begin_;
+  fs::path saved_;  // the latest checkpoint
+  RunSummary summary_;
+  Simulation simulation_;
+  std::unique_ptr<RecordWriter> writer_;
+  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<FieldRecorder> field_recorder_;
+};
+
+void Run::begin_record() {
+  const RunFiles& files = plan_.files;
+  const RecordParts parts = {files.crossings, files.fields_every ? Fields::record : Fields::omit,
+                             recorded_run(begin_.run->id, files)};
+  const Content& rows = plan_.begin.rows;
+  const std::int64_t now = begin_.state.step, last = plan_.rule.last_step;
+  writer_ = std::make_unique<RecordWriter>(
+      *files.record, begin_.parameters, record_provenance(last),
+      if_record_exists(options_, output_), rows, RecordWriter::kFlushEvery, parts);
+  recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, now, last,
+                                         last_sample(rows, kSeriesGroup));
+  if (!files.fields_every) return;
+  field_recorder_ = std::make_unique<FieldRecorder>(*writer_, *files.fields_every, now, last,
+                                                    last_sample(rows, kFieldsGroup));
+}
+
+/// With all observers, in the order in which they see a step.
+Ending Run::observed() {
+  const std::string& tool = begin_.provenance.back().tool;
+  Alarms alarms(simulation_, plan_.rule.last_step, options_.on_alarm, output_, tool);
+  std::vector<Observer*> observers = {&alarms};
+  if (recorder_) observers.push_back(recorder_.get());  // checkpoints include its sample
+  if (field_recorder_) observers.push_back(field_recorder_.get());
+  CheckpointSchedule schedule(plan_.checkpoint_steps, [&](const Simulation& now) {
+    alarms.observe(now);
+    save_on_the_way();
+  });
+  observers.push_back(&schedule);
+  Progress progress(simulation_, plan_.rule, tool);
+  if (output_.verbosity == Verbosity::normal) observers.push_back(&progress);
+  StopRule rule = plan_.rule;
+  rule.interrupted = [] { return InterruptionNoted::signal() != 0; };
+  const Ending ending = run(simulation_, rule, observers);
+  alarms.observe(simulation_);
+  return ending;
+}
+
+Ending Run::go() {
+  const Energies before = simulation_.energies();
+  const auto begin = steady_clock::now();
+  try {
+    const Ending ending = observed();
+    clear_progress_line();
+    summarise(before, begin, ending);
+    if (output_.verbosity == Verbosity::normal) print_invariants(output_.text(), ending, summary_);
+    announce(output_, summary_.files);
+    return ending;
+  } catch (...) {
+    clear_progress_line();
+    announce(output_, summary_.files);
+    if (writer_) writer_->flush();
+    throw;
+  }
+}
+
+void Run::summarise(const Energies& before, steady_clock::time_point begin, Ending ending) {
+  summary_.ending = name_of(ending);
+  summary_.time = simulation_.time();
+  summary_.steps = simulation_.state().step - begin_.state.step;
+  summary_.simulated_time = summary_.time - time(begin_.parameters, begin_.state);
+  summary_.wall_time = std::chrono::duration<double>(steady_clock::now() - begin).count();
+  summary_.energy = energy_balance(before, simulation_.energies(), simulation_.work());
+  summary_.run = simulation_.run();
+}
+
+void Run::finish() {
+  std::exception_ptr failure;
+  try {
+    take_last_samples();
+  } catch (const Failure&) {
+    failure = std::current_exception();  // the checkpoint needs no record
+  }
+  if (plan_.files.output != saved_) {
+    save(plan_.files.output);
+    announce(output_, summary_.files.back());
+  }
+  if (failure) std::rethrow_exception(failure);
+  if (!recorder_) return;
+  const auto checksum = writer_->finish(record_provenance(simulation_.state().step), output_.sum,
+                                        simulation_.run().first_step);
+  summary_.files.push_back({*plan_.files.record, "record", checksum});
+  announce(output_, summary_.files.back());
+}
+
+void Run::take_last_samples() {
+  if (!recorder_) return;
+  recorder_->finish(simulation_);
+  if (field_recorder_) field_recorder_->finish(simulation_);
+  recorder_->sync(simulation_);
+}
+
+const fs::path& Run::save_on_the_way() {
+  const fs::path path = path_at(plan_.files.output, simulation_.time());
+  if (path == saved_) return saved_;
+  if (recorder_) recorder_->sync(simulation_);
+  save(path);
+  return saved_;
+}
+
+void Run::save(const fs::path& path) {
+  const Parameters& p = begin_.parameters;
+  const State& state = simulation_.state();
+  const Checkpoint now = {
+      p, state, run_until(begin_.provenance, p, state.clock, state.step), simulation_.run(), {}};
+  const auto checksum =
+      write_checkpoint(path, now, if_checkpoint_exists(plan_, options_, path), output_.sum);
+  summary_.files.push_back({path, "checkpoint", checksum});
+  saved_ = path;
+}
+
+/// Writes the .sum of each of these files that lacks it, if they are asked for: the part of the run
+/// that wrote them was killed, or not asked for them. One that is there is that of its file.
+void restore_sums(const std::vector<fs::path>& paths, const OutputOptions& output) {
+  if (output.sum == SumFile::omit) return;
+  for (const fs::path& path : paths) {
+    if (fs::exists(path) && !fs::exists(sum_path(path))) restore_sum(path);
+  }
+}
+
+/// The command that goes on with the run.
+std::string resuming_command(const RunOptions& options) {
+  auto arguments = options.arguments;
+  if (options.resume == Resume::no) arguments.insert(arguments.begin() + 1, "--resume");
+  return shell_line(arguments);
+}
+
+void say_where_it_begins(std::FILE* to, const RunPlan& plan) {
+  if (plan.is_complete) {
+    say_on(to, "{} is complete\n", in_one_line(plan.files.output.string()));
+  } else if (plan.is_resumed()) {
+    say_on(to, "resuming from {}\n", in_one_line(plan.begin.file.string()));
+  } else {
+    say_on(to, "nothing to resume from: the run begins anew\n");
+  }
+}
+
+/// Prints what the run needs.
+void print_forecast(const RunPlan& plan, DryRun how) {
+  const Forecast needs = forecast(plan.work, measure_speed(plan.work, plan.begin.checkpoint.state));
+  say("{}", how == DryRun::json ? json_text(needs) + "\n" : text_of(needs));
+}
+
+/// Runs and writes what the plan says.
+void carry_out(const RunPlan& plan, const RunOptions& options, const OutputOptions& output) {
+  const InterruptionNoted interruption;
+  Run run(plan, options, output);
+  const bool is_interrupted = run.go() == Ending::interrupted;
+  std::string where = " at its first step";
+  if (!is_interrupted) {
+    run.finish();
+  } else if (run.has_moved()) {
+    where = fmt::format(", and saved as {}", run.save_on_the_way().string());
+  }
+  print_if_asked(quantities_of(run.summary()), output);
+  if (is_interrupted) {
+    throw Interrupted{InterruptionNoted::signal(),
+                      fmt::format("interrupted{}; to go on: {}", where, resuming_command(options))};
+  }
+  if (const int signal = InterruptionNoted::signal()) {
+    throw Interrupted{signal, "interrupted when everything was done and written"};
+  }
+}
+
+}  // namespace
+
+void simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
+              const OutputOptions& output, const fs::path& input) {
+  const RunPlan plan = plan_run(std::move(start), rule, options, output, input);
+  const bool is_dry = options.dry_run != DryRun::no;
+  if (options.resume == Resume::yes && output.verbosity == Verbosity::normal &&
+      options.dry_run != DryRun::json && !(is_dry && plan.is_complete)) {
+    say_where_it_begins(output.text(), plan);
+  }
+  if (is_dry) return print_forecast(plan, options.dry_run);
+  restore_sums(plan.written_before, output);
+  if (!plan.is_complete) return carry_out(plan, options, output);
+  print_if_asked(quantities_of(summary_of_complete(read_checkpoint(plan.files.output))), output);
+}
+
+}  // namespace rupture::tools
