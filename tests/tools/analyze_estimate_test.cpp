@@ -16,19 +16,6 @@ using Cells = std::vector<std::vector<std::string>>;
 
 using Strength = ToolTest;
 
-TEST_F(Strength, of_a_shape_is_that_of_its_closed_form) {
-  const Json uniform = json_of("analyze strength --shape uniform --sigma-bar 0.2 --json");
-  EXPECT_EQ(uniform["shape"], "uniform");
-  EXPECT_EQ(uniform["sigma_bar"], 0.2);
-  const double mu_bar = 1.0 - 0.2 * std::sqrt(3.0);
-  EXPECT_NEAR(uniform["mu_bar_eff"], mu_bar, 1e-14);
-  EXPECT_NEAR(uniform["mu_eff"], 0.17 + 0.23 * mu_bar, 1e-14);
-  EXPECT_EQ(csv_of(output_of("analyze strength --shape bell --sigma-bar 0 --csv")),
-            (Cells{{"sigma_bar", "mu_bar_eff", "mu_eff"}, {"0", "1", "0.4"}}));
-  EXPECT_TRUE(output_of("analyze strength --shape bell --sigma-bar 0.2")
-                  .starts_with("bell phi, sigma-bar"));
-}
-
 TEST_F(Strength, of_a_checkpoint_follows_its_junctions) {
   output_of("load --config small.ini -o a.h5 -q");
   output_of("modify-phi a.h5 -o b.h5 --shape bell --sigma-bar 0.2 -q");
@@ -63,23 +50,6 @@ TEST_F(Strength, of_blocks_all_of_whose_junctions_slip_is_zero) {
   EXPECT_GT(sliding, 0);
 }
 
-TEST_F(Strength, refuses_what_makes_no_sense) {
-  constexpr const char* both =
-      "--shape and --sigma-bar belong together: give both, or name a checkpoint instead";
-  expect_refusal("analyze strength", kUsage,
-                 "no file was given: name a checkpoint, or give --shape");
-  expect_refusal("analyze strength --shape bell", kUsage, both);
-  expect_refusal("analyze strength --sigma-bar 0.1", kUsage, both);
-  expect_refusal("analyze strength --shape flat --sigma-bar 0.1", kUsage,
-                 "--shape flat is unknown: choose uniform or bell");
-  expect_refusal("analyze strength --shape bell --sigma-bar -1", kUsage,
-                 "--sigma-bar -1 makes no sense: give a number of at least 0");
-  expect_refusal("analyze strength a.h5 --shape bell --sigma-bar 0.1", kUsage,
-                 "a checkpoint has forces of its own: give it or --shape, not both");
-  expect_refusal("analyze strength --shape bell --sigma-bar 0.1 --json --csv", kUsage,
-                 "--json and --csv exclude each other: give one");
-}
-
 // --- estimate
 // -------------------------------------------------------------------------------------
 
@@ -105,16 +75,6 @@ TEST_F(Estimate, is_equation_S1_at_the_normal_forces) {
   }
 }
 
-TEST_F(Estimate, relaxes_one_block) {
-  const Json json = json_of("analyze estimate a.h5 --json");
-  EXPECT_NEAR(json["net_slip_over_f_slip_per_k_ij"], 8.737, 0.001);
-  EXPECT_NEAR(json["slip_after_two_t_R_over_f_slip_per_k_ij"], 8.07, 0.03);
-  EXPECT_NEAR(json["slip_at_return_over_f_slip_per_k_ij"], 7.94, 0.04);
-  EXPECT_NEAR(json["duration_over_t_R"], 1.75, 0.05);
-  EXPECT_NEAR(json["duration_over_t_R_deviation"], 0.13, 0.04);
-  EXPECT_NEAR(json["quiet_after_over_t_R"], 5.7, 0.2);
-}
-
 TEST_F(Estimate, follows_the_slip_of_one_block) {
   const Json json = json_of("analyze estimate a.h5 --json");
   const Values time = json["relaxation"]["time_over_t_R"];
@@ -132,29 +92,6 @@ TEST_F(Estimate, depends_on_the_seed_and_on_nothing_else) {
   EXPECT_EQ(output_of(command), output_of(command));
   EXPECT_EQ(output_of(command), output_of(command + " --seed 1")) << "the checkpoint's";
   EXPECT_NE(output_of(command), output_of(command + " --seed 2"));
-}
-
-TEST_F(Estimate, has_no_relaxation_that_never_ends) {
-  output_of("load --config small.ini --set junctions.mu_d=0.39 -o b.h5 -q");
-  const Json json = json_of("analyze estimate b.h5 --json");
-  EXPECT_TRUE(json["net_slip_over_f_slip_per_k_ij"].is_null());
-  EXPECT_TRUE(json["relaxation"].is_null());
-  EXPECT_GT(json["v_slow_slip"], 0.0);
-  EXPECT_NE(output_of("analyze estimate b.h5").find("goes on for ever"), std::string::npos);
-}
-
-TEST_F(Estimate, prints_blocks_as_a_table) {
-  const auto rows = csv_of(output_of("analyze estimate a.h5 --csv"));
-  ASSERT_EQ(rows.size(), 10U);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"x [m]", "p [N]", "v_slow_slip [m/s]"}));
-  EXPECT_EQ(lines_of(output_of("analyze estimate a.h5")).size(), 1U + 9U + 1U + 4U);
-}
-
-TEST_F(Estimate, refuses_what_makes_no_sense) {
-  expect_refusal("analyze estimate", kUsage, "no file was given: name a checkpoint");
-  expect_refusal("analyze estimate a.h5 --ensemble 1", kUsage,
-                 "--ensemble 1 makes no sense: give 2 to 100000");
-  expect_refusal_with("analyze estimate a.h5 --seed x", kUsage, "numerics.seed");
 }
 
 // --- steady-state
@@ -194,32 +131,6 @@ TEST_F(SteadyState, comes_closer_to_the_theory_with_shorter_steps) {
   };
   EXPECT_GT(off(""), 1e-5) << "a junction is pinned for two steps only";
   EXPECT_LT(off(" --steps-per-cycle 40000"), 5e-6);
-}
-
-TEST_F(SteadyState, prints_a_table) {
-  const auto rows = csv_of(output_of("analyze steady-state --points 2 --csv"));
-  ASSERT_EQ(rows.size(), 3U);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"v [m/s]", "mu", "mu_error", "mu_theory"}));
-  EXPECT_EQ(lines_of(output_of("analyze steady-state --points 2")).size(), 4U);
-}
-
-TEST_F(SteadyState, refuses_what_makes_no_sense) {
-  expect_refusal("analyze steady-state --v-from 0", kUsage,
-                 "--v-from 0 makes no sense: give a speed from 1e-09 to 1000 m/s");
-  expect_refusal("analyze steady-state --v-to inf", kUsage,
-                 "--v-to inf makes no sense: give a speed from 1e-09 to 1000 m/s");
-  expect_refusal_with("analyze steady-state --v-from nan", kUsage, "--v-from nan");
-  expect_refusal("analyze steady-state --v-from 2", kUsage,
-                 "the range of speeds is empty: --v-to is below --v-from");
-  expect_refusal("analyze steady-state --points 0", kUsage,
-                 "--points 0 makes no sense: give 1 to 10000");
-  expect_refusal("analyze steady-state --steps-per-cycle 99", kUsage,
-                 "--steps-per-cycle 99 makes no sense: give 100 to 10000000");
-  expect_refusal(
-      "analyze steady-state a.h5", kUsage,
-      "'a.h5' is not expected: analyze steady-state reads no checkpoint; see rupture analyze "
-      "steady-state --help");
-  expect_refusal_with("analyze steady-state --set junctions.mu_d=0.5", kUsage, "junctions.mu_d");
 }
 
 }  // namespace

@@ -120,13 +120,6 @@ INSTANTIATE_TEST_SUITE_P(Tools, EveryTool, ::testing::ValuesIn(kInterfaces), tes
 
 using Common = ToolTest;
 
-TEST_F(Common, help_of_tools_that_take_parameters_says_who_lists_them) {
-  for (const std::string tool : {"load", "prepare", "restart"}) {
-    EXPECT_NE(output_of(tool + " --help").find("\nParameters: rupture parameters lists "),
-              std::string::npos);
-  }
-}
-
 TEST_F(Common, analyze_help_names_every_command) {
   const std::string help = output_of("analyze --help");
   for (const auto& [command, options] : kInterfaces) {
@@ -134,7 +127,6 @@ TEST_F(Common, analyze_help_names_every_command) {
     if (space == std::string::npos) continue;
     EXPECT_NE(help.find("\n  " + command.substr(space + 1) + " "), std::string::npos) << command;
   }
-  EXPECT_NE(output_of("analyze --version").find("analyze (rupture "), std::string::npos);
 }
 
 TEST_F(Common, analyze_help_is_a_command_too) {
@@ -143,119 +135,6 @@ TEST_F(Common, analyze_help_is_a_command_too) {
   for (const std::string command : {"events", "slow-slip", "diff"}) {
     EXPECT_EQ(output_of("analyze help " + command), output_of("analyze " + command + " --help"));
   }
-  expect_refusal("analyze help stres", kUsage,
-                 "unknown command 'stres': did you mean 'stress'? See rupture analyze --help");
-  expect_refusal("analyze help front slip", kUsage,
-                 "'slip' is one word too many: name one command");
-}
-
-TEST_F(Common, analyze_suggests_a_command) {
-  expect_refusal("analyze stres a.h5", kUsage,
-                 "unknown command 'stres': did you mean 'stress'? See rupture analyze --help");
-  expect_refusal_with("analyze", kUsage, "no command was given: name one of ");
-}
-
-TEST_F(Common, quiet_tools_print_nothing) {
-  EXPECT_EQ(output_of("load --config small.ini -o a.h5 --until 1e-4 --record a-r.h5 "
-                      "--checkpoint-at 5e-5 --quiet"),
-            "");
-  EXPECT_EQ(output_of("restart a.h5 -o b.h5 --for 1e-5 --record b-r.h5 -q"), "");
-  EXPECT_EQ(output_of("prepare --tau-bar 0.1 -o d.h5 -q"), "");
-  EXPECT_EQ(output_of("modify-phi a.h5 -o c.h5 --sigma-bar 0.1 -q"), "");
-}
-
-TEST_F(Common, writing_tools_print_the_checksum_of_what_they_wrote) {
-  output_of("load --config small.ini -o a.h5 -q");
-  const std::string restarted = output_of("restart a.h5 -o b.h5 --for 1e-5");
-  EXPECT_NE(restarted.find("wrote b.h5  content-sha256 " + checksum_of("b.h5") + "\n"),
-            std::string::npos);
-  const std::string modified = output_of("modify-phi a.h5 -o c.h5");
-  EXPECT_NE(modified.find("wrote c.h5  content-sha256 " + checksum_of("c.h5") + "\n"),
-            std::string::npos);
-}
-
-TEST_F(Common, sums_are_written_on_request_only) {
-  const std::vector<std::string> commands = {
-      "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at 5e-5 --record r.h5",
-      "restart a.h5 -o b.h5 --for 2e-5 --checkpoint-at 1.1e-4 --record s.h5",
-      "prepare --tau-bar 0.1 -o c.h5", "modify-phi a.h5 -o d.h5"};
-  for (const auto& command : commands) output_of(command);
-  const Files without = files();
-  for (const auto& command : commands) output_of(command + " --sum --force");
-  for (const auto& [name, bytes] : without) {
-    EXPECT_FALSE(name.ends_with(".sum")) << name;
-    if (!name.ends_with(".h5")) continue;
-    EXPECT_EQ(read(name + ".sum"), sum_line(name));
-  }
-}
-
-TEST_F(Common, sums_of_files_that_are_replaced_are_never_those_of_others) {
-  output_of("load --config small.ini -o a.h5 --record r.h5 --sum");
-  const std::string sum = read("a.h5.sum");
-  output_of("load --config small.ini -o a.h5 --record r.h5 --force");
-  EXPECT_EQ(read("a.h5.sum"), sum) << "of the same content";
-  output_of("load --config small.ini -o a.h5 --record r.h5 --until 1e-5 --force");
-  EXPECT_FALSE(fs::exists(path("a.h5.sum")));
-  EXPECT_FALSE(fs::exists(path("r.h5.sum")));
-}
-
-TEST_F(Common, standard_output_is_no_file_to_write) {
-  output_of("load --config small.ini -o a.h5");
-  const auto sentence = [](const std::string& option) {
-    return "--" + option +
-           " - is no file: checkpoints and records do not go to standard output; give the path of "
-           "a file";
-  };
-  for (const char* command : {"load --config small.ini", "restart a.h5 --for 1e-5",
-                              "prepare --tau-bar 0.1", "modify-phi a.h5"}) {
-    expect_refusal(std::string(command) + " -o -", kUsage, sentence("output"));
-  }
-  for (const char* command : {"load --config small.ini", "restart a.h5 --for 1e-5"}) {
-    expect_refusal(std::string(command) + " -o b.h5 --record -", kUsage, sentence("record"));
-  }
-  expect_refusal("analyze lineage a.h5 --commands -o -", kUsage, sentence("output"));
-}
-
-TEST_F(Common, output_option_is_required) {
-  expect_refusal("load", kUsage,
-                 "the option '--output' is required but missing; see rupture load --help");
-  expect_refusal("load -o", kUsage,
-                 "the required argument for option '--output' is missing; see rupture load --help");
-}
-
-TEST_F(Common, existing_files_are_only_replaced_when_forced) {
-  output_of("load --config small.ini -o a.h5 -q");
-  output_of("load --config small.ini -o r.h5 --record rec.h5 -q");
-  constexpr const char* exists = "a.h5 exists; give --force to replace it";
-  expect_refusal("load --config small.ini -o a.h5", kFailed, exists);
-  expect_refusal("load --config small.ini -o b.h5 --record a.h5 --until 1e-5", kFailed, exists);
-  expect_refusal("prepare --tau-bar 0.1 -o a.h5", kFailed, exists);
-  expect_refusal("load --config small.ini -o b.h5 --record rec.h5", kFailed,
-                 "rec.h5 exists; give --force to replace it");
-
-  const std::string before = checksum_of("a.h5");
-  output_of("restart r.h5 -o a.h5 --for 1e-5 --force");
-  EXPECT_NE(checksum_of("a.h5"), before);
-  output_of("modify-phi r.h5 -o a.h5 -f");
-  output_of("load --config small.ini -o a.h5 --record rec.h5 -f");
-  EXPECT_EQ(checksum_of("a.h5"), before);
-}
-
-TEST_F(Common, the_input_is_never_replaced_not_even_by_force) {
-  output_of("load --config small.ini -o a.h5 -q");
-  constexpr const char* never = "a.h5 is the input, which is never changed: give another output";
-  for (const std::string force : {"", " --force"}) {
-    expect_refusal("restart a.h5 -o a.h5 --for 1e-5" + force, kUsage, never);
-    expect_refusal("modify-phi a.h5 -o a.h5" + force, kUsage, never);
-  }
-}
-
-TEST_F(Common, existing_intermediate_checkpoints_are_only_replaced_when_forced) {
-  write("a-t0.000050000.h5", "precious");
-  const std::string command = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-at 5e-5";
-  expect_refusal(command, kFailed, "a-t0.000050000.h5 exists; give --force to replace it");
-  output_of(command + " --force");
-  EXPECT_DOUBLE_EQ(json_of("analyze stress a-t0.000050000.h5 --json")["time"], 5e-5);
 }
 
 }  // namespace

@@ -59,29 +59,6 @@ TEST_F(ModifyPhi, without_width_is_as_wide_as_each_block_allows) {
   }
 }
 
-TEST_F(ModifyPhi, reports_blocks_that_cannot_take_it) {
-  const std::string out = output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.4");
-  EXPECT_NE(out.find("left as it is: block at x = "), std::string::npos) << out;
-  EXPECT_NE(out.find(" m, which can take sigma-bar <= "), std::string::npos) << out;
-  EXPECT_NE(checksum_of("b.h5"), checksum_of("a.h5"));
-}
-
-/// A copy would pass for the new distribution.
-TEST_F(ModifyPhi, refuses_what_changes_no_block) {
-  expect_refusal_with("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 3", kFailed,
-                      "no block between --x-from and --x-to can take this phi: the widest possible "
-                      "has --sigma-bar 0.");
-  for (const std::string region : {"--x-from 1", "--x-from 0.071 --x-to 0.072"}) {
-    expect_refusal("modify-phi a.h5 -o b.h5 " + region, kUsage,
-                   "there is no block between --x-from and --x-to: the blocks lie 0.0175 m apart "
-                   "from x = 0 to 0.14 m");
-  }
-  output_of("load --config small.ini -o sliding.h5 --until 6e-4");
-  expect_refusal("modify-phi sliding.h5 -o b.h5", kFailed,
-                 "all junctions between --x-from and --x-to slip: give --slipping pin");
-  output_of("modify-phi sliding.h5 -o b.h5 --slipping pin");
-}
-
 TEST_F(ModifyPhi, changes_only_the_region) {
   const std::string out =
       output_of("modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.2 --x-from 0.05 --x-to 0.09");
@@ -136,44 +113,6 @@ TEST_F(ModifyPhi, prints_the_histogram_of_the_changed_blocks_before_and_after) {
   const Histograms printed = printed_histograms(out);
   EXPECT_EQ(printed.before, counted("a.h5")) << out;
   EXPECT_EQ(printed.after, counted("b.h5")) << out;
-}
-
-TEST_F(ModifyPhi, slipping_junctions_are_kept_or_pinned) {
-  output_of("modify-phi a.h5 -o keep.h5");
-  output_of("modify-phi a.h5 -o pin.h5 --slipping pin");
-  EXPECT_EQ(phi("keep.h5", "slipping"), phi("a.h5", "slipping"));
-  for (const double fraction : phi("pin.h5", "slipping")) EXPECT_EQ(fraction, 0.0);
-}
-
-TEST_F(ModifyPhi, never_touches_its_input) {
-  const std::string before = read("a.h5");
-  output_of("modify-phi a.h5 -o b.h5 --slipping pin");
-  EXPECT_EQ(read("a.h5"), before);
-}
-
-TEST_F(ModifyPhi, its_checkpoint_can_be_continued) {
-  output_of("modify-phi a.h5 -o b.h5 --slipping pin");
-  output_of("restart b.h5 -o c.h5 --for 1e-4");
-  const Json chain = json_of("analyze show c.h5 --json")["provenance"];
-  ASSERT_EQ(chain.size(), 3U);
-  EXPECT_EQ(chain[1]["tool"], "modify-phi");
-  EXPECT_EQ(chain[1]["parent_checksum"], checksum_of("a.h5"));
-}
-
-TEST_F(ModifyPhi, refuses_what_makes_no_sense) {
-  expect_refusal("modify-phi a.h5 -o b.h5 --shape round", kUsage,
-                 "--shape round is unknown: choose uniform or bell");
-  expect_refusal("modify-phi a.h5 -o b.h5 --slipping maybe", kUsage,
-                 "--slipping maybe is unknown: choose keep or pin");
-  expect_refusal("modify-phi a.h5 -o b.h5 --sigma-bar -1", kUsage,
-                 "--sigma-bar -1 makes no sense: give a number of at least 0");
-  expect_refusal("modify-phi a.h5 -o b.h5 --x-from nan", kUsage,
-                 "--x-from nan makes no sense: give a number of at least 0");
-  expect_refusal("modify-phi a.h5 -o b.h5 --x-from 0.09 --x-to 0.05", kUsage,
-                 "the region is empty: --x-to is below --x-from");
-  expect_refusal("modify-phi -o b.h5", kUsage, "no file was given: name a checkpoint to modify");
-  expect_refusal("modify-phi a.h5 a.h5 -o b.h5", kUsage,
-                 "'a.h5' is one file too many: name only a checkpoint to modify");
 }
 
 }  // namespace

@@ -29,42 +29,6 @@ TEST_F(ParametersTool, lists_all_in_a_line_each) {
   }
 }
 
-TEST_F(ParametersTool, tells_of_a_number_and_of_a_choice_of_words) {
-  EXPECT_EQ(output_of("parameters junctions.t_R junctions.f_new slider.Nx"),
-            R"(junctions.t_R
-  mean slipping time
-  symbol   t_R
-  unit     s
-  default  0.002
-  value    above 0 and at most 1000
-  laws     reference, simplified, decaying
-
-junctions.f_new
-  force of a newly pinned junction; f_slip switches slow slip off
-  symbol   f_new
-  default  zero
-  value    zero or f_slip
-  laws     reference, distance
-
-slider.Nx
-  number of blocks along x
-  symbol   N_x
-  unit     1
-  default  57
-  value    of at least 3 and at most 65536
-  laws     reference, simplified, decaying, distance
-  restart  cannot change it
-)");
-}
-
-TEST_F(ParametersTool, a_group_is_all_its_parameters) {
-  const Json rows = json_of("parameters driving --json").at("parameters");
-  ASSERT_EQ(rows.size(), 3U);
-  EXPECT_EQ(rows[2].at("name"), "driving.V");
-  EXPECT_EQ(rows[2].at("minimum"), -10);
-  EXPECT_EQ(rows[2].at("minimum_excluded"), false);
-}
-
 TEST_F(ParametersTool, json_has_the_ranges_that_are_enforced) {
   for (const Json& row : json_of("parameters --json").at("parameters")) {
     const std::string name = row.at("name");
@@ -78,10 +42,20 @@ TEST_F(ParametersTool, json_has_the_ranges_that_are_enforced) {
   }
 }
 
-TEST_F(ParametersTool, refuses_other_names) {
-  expect_refusal("parameters t_r", kUsage,
-                 "unknown parameter 't_r': did you mean 'junctions.t_R'?");
-  expect_refusal_with("parameters sliders", kUsage, "unknown parameter 'sliders'");
+TEST_F(ParametersTool, restart_keeps_what_its_row_says) {
+  output_of("load --config small.ini -o a.h5");
+  const Json was = json_of("analyze show a.h5 --json")["parameters"];
+  for (const auto& info : parameter_table()) {
+    const bool whole = was[info.name].is_number_integer();
+    const std::string other =
+        choices(info).empty() ? (whole ? "7" : "0.7") : std::string(choices(info).back());
+    const std::string sentence =
+        fmt::format("{} cannot change in a restart: the state was made with ", info.name);
+    const Outcome outcome =
+        run(fmt::format("restart a.h5 -o b.h5 -f --for 0 --set {}={}", info.name, other));
+    const bool kept = outcome.err.find(sentence) != std::string::npos;
+    EXPECT_EQ(kept, info.restart == Restart::must_keep) << info.name << ": " << outcome.err;
+  }
 }
 
 }  // namespace

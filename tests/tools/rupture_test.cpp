@@ -77,14 +77,6 @@ TEST_F(Rupture, help_of_a_tool_is_the_tools_own) {
   EXPECT_EQ(output_of("rupture help analyze front"), output_of("analyze front --help"));
 }
 
-TEST_F(Rupture, refuses_what_is_no_tool) {
-  expect_refusal("rupture lod", kUsage,
-                 "unknown tool 'lod': did you mean 'load'? See rupture help");
-  expect_refusal("rupture ../bin/load", kUsage,
-                 "unknown tool '../bin/load': did you mean 'load'? See rupture help");
-  expect_refusal_with("rupture help prepear", kUsage, "did you mean 'prepare'?");
-}
-
 TEST_F(Rupture, says_where_it_misses_the_programs_if_it_was_copied) {
   write("libexec/rupture/restart", "not executable");
   for (const std::string folder : {"libexec/rupture", "bin"}) {
@@ -101,10 +93,6 @@ TEST_F(Rupture, shows_its_help_where_no_tool_is_given) {
   EXPECT_EQ(alone.exit_code, kUsage);
   EXPECT_EQ(alone.out, "");
   EXPECT_EQ(alone.err, output_of("rupture help"));
-}
-
-TEST_F(Rupture, has_a_version) {
-  EXPECT_TRUE(output_of("rupture --version").starts_with("rupture (rupture "));
 }
 
 }  // namespace

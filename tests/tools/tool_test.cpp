@@ -37,7 +37,8 @@ std::string tool_of(std::string_view command) {
   return std::string(command.substr(0, command.find(' ')));
 }
 
-/// Names of the files that came, went or changed.
+}  // namespace
+
 std::string names_of_changed(const Files& before, const Files& after) {
   std::string names;
   for (const auto& [name, bytes] : before) {
@@ -49,8 +50,6 @@ std::string names_of_changed(const Files& before, const Files& after) {
   }
   return names;
 }
-
-}  // namespace
 
 ToolTest::ToolTest() : folder_(fresh_folder()) {
   write("small.ini", kSmallSlider);
@@ -104,6 +103,32 @@ void ToolTest::expect_refusal_with(std::string_view command, ExitCode code, std:
   EXPECT_EQ(outcome.exit_code, code) << command;
   expect_one_sentence(outcome.err, tool_of(command), part);
   EXPECT_EQ(names_of_changed(before, files()), "") << command;
+}
+
+Outcome ToolTest::run_script(const std::string& script) const {
+  const fs::path folder = path("again");
+  fs::remove_all(folder);
+  fs::create_directory(folder);
+  const std::string search = std::string(RUPTURE_BIN_DIR) + ":" + std::getenv("PATH");
+  return run_program({"/bin/bash", "-c", script},
+                     {.folder = folder, .environment = {{"PATH", search}}});
+}
+
+std::string ToolTest::script_for(const std::string& file,
+                                 const std::vector<std::string>& more) const {
+  std::vector<std::string> words = {"analyze", "lineage", file, "--commands"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = run_words(words);
+  EXPECT_EQ(outcome.exit_code, kDone) << outcome.err;
+  return outcome.out;
+}
+
+void ToolTest::expect_rebuilt(const std::string& file) const {
+  const std::string script = script_for(file);
+  const Outcome outcome = run_script(script);
+  EXPECT_EQ(outcome.exit_code, kDone) << script;
+  EXPECT_EQ(outcome.err, "") << script;
+  EXPECT_EQ(checksum_in("again/rebuilt.h5"), checksum_in(file)) << script;
 }
 
 Files ToolTest::files() const {

@@ -44,6 +44,11 @@ class ToolTest : public ::testing::Test {
   /// The content checksum of a file.
   std::string checksum_of(const std::string& file) const;
 
+  /// The same of a file whose name can be any.
+  std::string checksum_in(const std::string& file) const {
+    return run_words({"analyze", "checksum", file}).out;
+  }
+
   /// The line of a .sum file or manifest for a file.
   std::string sum_line(const std::string& file) const {
     return "content-sha256 " + checksum_of(file) + "  " + file + "\n";
@@ -58,6 +63,15 @@ class ToolTest : public ::testing::Test {
   void expect_refusal_with(std::string_view command, ExitCode code, std::string_view part,
                            RunOptions options = {}) const;
 
+  /// Runs a script as a user would, in an empty folder, with the programs in the PATH.
+  Outcome run_script(const std::string& script) const;
+
+  /// What analyze lineage FILE --commands prints.
+  std::string script_for(const std::string& file, const std::vector<std::string>& more = {}) const;
+
+  /// Demands that these commands make the content of `file` from nothing.
+  void expect_rebuilt(const std::string& file) const;
+
   Files files() const;
   fs::path path(const std::string& file) const { return folder_ / file; }
   std::string read(const std::string& file) const;
@@ -66,6 +80,9 @@ class ToolTest : public ::testing::Test {
  private:
   fs::path folder_;
 };
+
+/// Names of the files that came, went or changed.
+std::string names_of_changed(const Files& before, const Files& after);
 
 /// Demands that a tool said one line, "<tool>: ...", on standard error, with `part` in it.
 void expect_one_sentence(const std::string& err, const std::string& tool, std::string_view part);
