@@ -1,17 +1,14 @@
 // Benchmarks of rare operations: equilibrium, checkpoints, records; at reference size.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "run/observers.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
-#include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/dynamics/run.hpp"
 #include "sliders.hpp"
 

@@ -1,46 +1,41 @@
-// The sliders and states that the benchmarks measure on.
+// The states that the benchmarks measure on.
 #pragma once
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <vector>
 
+#include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/dynamics/simulation.hpp"
-#include "rupture/model/state.hpp"
 
 namespace rupture::bench {
 
 /// Time steps in one call of Simulation::advance: the programs, too, take many at once.
 inline constexpr std::int64_t kSteps = 100;
 
-/// The reference slider driven at V [m/s].
-Parameters driven_at(double V);
-
-/// The reference slider under its normal load; solved once.
-const State& equilibrium();
+/// The reference slider some time after driving at `p.V` started from its equilibrium.
+inline State driven(const Parameters& p, std::int64_t steps) {
+  static const State equilibrium = normal_load_equilibrium(Parameters{});
+  Simulation simulation(p, continued(equilibrium, p));
+  simulation.advance(steps);
+  return simulation.state();
+}
 
 /// Loading at the reference speed: nothing breaks.
-const State& loading_state();
-
-/// Sliding at kSliding behind a rupture: all junctions slip, some break and are pinned again.
-inline constexpr double kSliding = 0.5;  // [m/s]
-const State& sliding_state();
-
-/// The reference slider `factor` times as long and high, with the same spacing of blocks, load per
-/// length, density and driving height: (56 factor + 1) x (30 factor + 1) blocks.
-Parameters enlarged(std::int64_t factor);
-
-/// A slider compressed evenly by its load and free to widen, its junctions attached where they
-/// carry no force. Only its edges are slightly out of balance. Solving for the equilibrium of the
-/// largest sliders would take longer than measuring them, and a step costs the same for this state.
-State evenly_compressed(const Parameters& parameters);
+inline const State& loading_state() {
+  static const State state = driven(Parameters{}, 1000);
+  return state;
+}
 
 /// Makes the benchmark fail if a junction has broken since the simulation began: steps in which
 /// that happens cost more.
-void expect_nothing_broke(benchmark::State& bench, const Simulation& simulation,
-                          std::int64_t first_step);
+inline void expect_nothing_broke(benchmark::State& bench, const Simulation& simulation,
+                                 std::int64_t first_step) {
+  if (simulation.run().last_break != first_step) bench.SkipWithError("a junction broke");
+}
 
 template <class Work>
 double seconds_for(const Work& work) {
@@ -50,6 +45,10 @@ double seconds_for(const Work& work) {
 }
 
 /// The middle one of an odd number of values, the mean of the middle two of an even one.
-double median(std::vector<double> values);
+inline double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+}
 
 }  // namespace rupture::bench
