@@ -1,22 +1,17 @@
-#!/usr/bin/env python3
-"""Fronts under choices that the paper leaves open, a result of our own:
+"""Fronts under choices that the paper leaves open, a result of our own."""
 
-    figure.py results/choices SWEEP.csv load-01-events.json ... damping-half-01-events.json ...
-"""
-
-import sys
-from pathlib import Path
+from itertools import chain
 
 import numpy as np
 
 from claims import paper
-from claims.claim import number, write_claims
+from claims.claim import number
 from claims.own_result import OwnResult, write_own
 from data.records import report
 from data.tables import read_rows, write_table
 from events.conventions import PRIMARY
 from events.event_claims import case_of_event
-from events.units import name_of
+from events.units import name_of, of_ensemble
 from maps.front_map import IMPOSSIBLE, band, place_of, type_on_map
 from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
 
@@ -42,6 +37,7 @@ SPEEDS = {  # quantity: of case_of_event()
 SPAN, FOUND = "spanning events", "fast-slow-fast events"  # in words
 SHARE, SLOW = "share fast-slow-fast", "fast-slow-fast below c_s/20"
 COUNTS = (SPAN, FOUND, SHARE, SLOW)
+SEEDS = 5  # of each choice
 SIGMAS = (0.0, 0.285)  # sigma_bar of the prepared interfaces
 PAPER = {
     "fast before [c_s]": paper.FAST,
@@ -223,17 +219,20 @@ def draw(events, bands, stem):
     save(fig, stem)
 
 
-def main(results, sweep, *paths):
-    results, rows = Path(results), read_rows(sweep)
+def paths_of(data):
+    """Loads that are as settled, as many as of each choice, and those of the choices."""
+    settled = (of_ensemble(data, name, "events")[:SEEDS] for name in ("load", "decaying"))
+    return [*chain(*settled), *sorted(data.glob("choices/*-events.json"))]
+
+
+def make(data, results):
+    rows = read_rows(data / "choices/choices.csv")
+    paths = paths_of(data)
     events = {choice: measured_events(pairs) for choice, pairs in by_choice(paths).items()}
     bands = {choice: slow_bands(rows, choice) for choice in LABELS}
     draw(events, bands, results / "choices")
     write_choices(results / "choices.csv", events, bands)
-    write_claims(results / "claims.json", [])
     write_own(results, [own_result(events, bands)])
     # The terminal shows the table instead of a line per number.
     (results / "summary.txt").write_text(summary(events, bands), encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return []

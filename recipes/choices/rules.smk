@@ -45,20 +45,11 @@ use rule events as choices_events with:
     message: "choices: find the rupture events of {wildcards.choice}-{wildcards.seed}"
 
 
-rule choices:
+use rule figure as choices with:
     input:
         settled=[loads_of_choice("ensemble", name) for name in ("load", "decaying")],
         changed=[loads_of_choice("choices", name) for name in CHOICES],
         prepared=f"{DATA}/choices/choices.csv",
-        **script("recipes/choices/figure.py"),
-    output:
-        claims=f"{RESULTS}/choices/claims.json",
-        own=f"{RESULTS}/choices/own.json",
-        summary=f"{RESULTS}/choices/summary.txt",
-        **picture(f"{RESULTS}/choices/choices"),
-        table=f"{RESULTS}/choices/choices.csv",
+        **scripts_of("choices"),
+    output: results_of("choices", pictures=["choices"], tables=["choices"], own=OWN_RESULTS)
     log: f"{LOGS}/choices.log"
-    message: "choices: measure the fronts of each choice, draw"
-    shell:
-        "{PYTHON} {input.script} {RESULTS}/choices {input.prepared}"
-        " {input.settled} {input.changed} 2> {log}"

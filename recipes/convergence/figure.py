@@ -1,16 +1,10 @@
-#!/usr/bin/env python3
-"""Fronts with smaller time steps and on finer lattices: figure.py results/data results/convergence
+"""Fronts with smaller time steps and on finer lattices. A case is a front at three levels, from the
+reference one to the finest."""
 
-A case is a front at three levels, from the reference one to the finest.
-"""
-
-import sys
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
-from claims.claim import write_claims
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import read_rows, write_table
@@ -311,16 +305,11 @@ NAMES = [
 ]
 
 
-def main(data, results):
-    data, results = Path(data), Path(results)
+def make(data, results):
     events, places = read_events(data), read_places(data)
     cases = cases_of(events, places)
     draw(events, places, results / "convergence")
     write_table(results / "convergence.csv", NAMES, rows(cases))
     lammps = report(data / "convergence/lammps.json")
     write_own(results, [own_result(cases, places, lammps)])
-    write_claims(results / "claims.json", [])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return []

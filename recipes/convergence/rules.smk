@@ -62,7 +62,7 @@ rule convergence_lammps:
         " > {output} 2> {log}"
 
 
-rule convergence:
+use rule figure as convergence with:
     input:
         lammps=f"{DATA}/convergence/lammps.json",
         tables=[
@@ -75,13 +75,9 @@ rule convergence:
             for event in CONVERGENCE_EVENTS
             for dt in CONVERGENCE_STEPS
         ],
-        **script("recipes/convergence/figure.py"),
+        **scripts_of("convergence"),
     output:
-        claims=f"{RESULTS}/convergence/claims.json",
-        own=f"{RESULTS}/convergence/own.json",
-        summary=f"{RESULTS}/convergence/summary.txt",
-        **picture(f"{RESULTS}/convergence/convergence"),
-        table=f"{RESULTS}/convergence/convergence.csv",
+        results_of(
+            "convergence", pictures=["convergence"], tables=["convergence"], own=OWN_RESULTS
+        ),
     log: f"{LOGS}/convergence.log"
-    message: "convergence: draw, list what changes with time step and lattice"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/convergence 2> {log}"

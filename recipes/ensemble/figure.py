@@ -1,16 +1,8 @@
-#!/usr/bin/env python3
-"""The events of independent loads, picture and table:
-
-    figure.py results/ensemble load-01-events.json ... load-01-product.json ...
-"""
-
-import sys
-from pathlib import Path
+"""The events of independent loads, picture and table."""
 
 import alternation
 import numpy as np
 
-from claims.claim import write_claims
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import write_table
@@ -19,6 +11,7 @@ from events.event_claims import is_fast_slow_fast
 from events.fronts import has_slow_stretch, is_fast_only
 from events.product import CLAIMS as PRODUCT_CLAIMS
 from events.product import range_of
+from events.units import name_of, of_ensemble
 from pictures.plotting import BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
 
 NAMES = {  # setting: title
@@ -54,10 +47,6 @@ def kind_of(event):
 def spanning_events(path):
     """(kind, event) of a load."""
     return [(kind_of(event), event) for event in read_events(path) if event["spanning"]]
-
-
-def load_of(path):
-    return Path(path).name.rpartition("-")[0]
 
 
 def setting_of(load):
@@ -141,19 +130,18 @@ def own_result_of_product(products):
     )
 
 
-def main(results, *paths):
-    results = Path(results)
-    events = [path for path in paths if path.endswith("-events.json")]
-    products = {load_of(path): report(path) for path in paths if path.endswith("-product.json")}
-    loads = {load_of(path): spanning_events(path) for path in events}
+def of_loads(data, kind, read):
+    paths = [path for setting in NAMES for path in of_ensemble(data, setting, kind)]
+    return {name_of(path): read(path) for path in paths}
+
+
+def make(data, results):
+    products = of_loads(data, "product", report)
+    loads = of_loads(data, "events", spanning_events)
     reference = {load: pairs for load, pairs in loads.items() if setting_of(load) == "load"}
     draw(loads, results / "ensemble")
     alternation.draw(reference, results / "alternation")
     write_events(results / "events.csv", loads)
     own = [alternation.own_result(reference), own_result_of_product(products)]
     write_own(results, own, summary(loads))
-    write_claims(results / "claims.json", [])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return []

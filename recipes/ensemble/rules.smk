@@ -1,6 +1,6 @@
 # Independent loads (runs/ensemble.smk), all their events, and each fast-slow-fast one continued in other
 # ways. The chain of commands is in README.md.
-rule ensemble:
+use rule figure as ensemble with:
     input:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
         continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
@@ -10,16 +10,9 @@ rule ensemble:
             for setting in ("load", "decaying", "exponential")
             for load in LOADS_OF[setting]
         ],
-        beside="recipes/ensemble/alternation.py",
-        **script("recipes/ensemble/figure.py"),
+        **scripts_of("ensemble"),
     output:
-        claims=f"{RESULTS}/ensemble/claims.json",
-        events=f"{RESULTS}/ensemble/events.csv",
-        **picture(f"{RESULTS}/ensemble/ensemble"),
-        alternation=f"{RESULTS}/ensemble/alternation.png",
-        alternation_pdf=f"{RESULTS}/ensemble/alternation.pdf",
-        own=f"{RESULTS}/ensemble/own.json",
-        summary=f"{RESULTS}/ensemble/summary.txt",
+        results_of(
+            "ensemble", pictures=["ensemble", "alternation"], tables=["events"], own=OWN_RESULTS
+        ),
     log: f"{LOGS}/ensemble.log"
-    message: "ensemble: draw, list the events of all loads"
-    shell: "{PYTHON} {input.script} {RESULTS}/ensemble {input.events} {input.products} 2> {log}"

@@ -1,14 +1,8 @@
-#!/usr/bin/env python3
-"""The SI's arithmetic of slow slip, its data and its claim:
-figure.py reference.json unbreakable.json results/estimate"""
-
-import sys
-from pathlib import Path
+"""The SI's arithmetic of slow slip, its data and its claim."""
 
 import numpy as np
 
 from claims import paper
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
@@ -102,8 +96,10 @@ def course_rows(**estimates):
             yield junctions, *row
 
 
-def main(reference, unbreakable, results):
-    reference, unbreakable, results = report(reference), report(unbreakable), Path(results)
+def make(data, results):
+    reference, unbreakable = (
+        report(data / f"estimate/{junctions}.json") for junctions in ("reference", "unbreakable")
+    )
     draw(reference, unbreakable, results / "estimate")
     write_table(
         results / "relaxation.csv",
@@ -116,8 +112,4 @@ def main(reference, unbreakable, results):
         ["x [m]", "p [N]", "v_slow_slip [m/s]"],
         zip(block["x"], block["p"], block["v_slow_slip"]),
     )
-    write_claims(results / "claims.json", claims_of(reference, unbreakable))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return claims_of(reference, unbreakable)

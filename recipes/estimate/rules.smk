@@ -25,15 +25,9 @@ use rule analyze as estimate_relaxation with:
     message: "estimate: relax one block ({wildcards.junctions})"
 
 
-rule estimate:
+use rule figure as estimate with:
     input:
         reports=[f"{DATA}/estimate/{junctions}.json" for junctions in ESTIMATES],
-        **script("recipes/estimate/figure.py"),
-    output:
-        claims=f"{RESULTS}/estimate/claims.json",
-        **picture(f"{RESULTS}/estimate/estimate"),
-        table=f"{RESULTS}/estimate/relaxation.csv",
-        blocks=f"{RESULTS}/estimate/blocks.csv",
+        **scripts_of("estimate"),
+    output: results_of("estimate", pictures=["estimate"], tables=["relaxation", "blocks"])
     log: f"{LOGS}/estimate.log"
-    message: "estimate: draw, compare with the paper's numbers"
-    shell: "{PYTHON} {input.script} {input.reports} {RESULTS}/estimate 2> {log}"

@@ -1,13 +1,8 @@
-#!/usr/bin/env python3
-"""Tables and claims of Figure 1 D and E: curves.py results/data results/fig1"""
-
-import sys
-from pathlib import Path
+"""Tables and claims of Figure 1 D and E."""
 
 import h5py
 import numpy as np
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report, values
 from data.tables import write_table
@@ -15,7 +10,7 @@ from events.choose_events import read_events
 from events.continuations import LEAD
 from events.conventions import PRIMARY
 from events.fronts import LOADING_ZONE
-from events.units import name_of
+from events.units import name_of, of_ensemble
 
 NEAR = 0.1e-3  # peak and rupture of a block [s]
 MIDDLE = 0.5  # of L; the block of panel E
@@ -195,23 +190,11 @@ def write_tables(results, loading, events, blocks, front):
     )
 
 
-def main(data, results, *paths):
-    """`paths`: of the ensemble, LOAD-events.json and LOAD-continued.json."""
-    data, results = Path(data), Path(results)
+def make(data, results):
     loading = report(data / "fig1/loading.json")
     events = read_events(data / "ensemble/load-01-events.json")
     front = report(data / "fig1/event-front.json")
     blocks = Blocks(data / "fig1/event-record.h5")
     write_tables(results, loading, events, blocks, front)
-    loads, continued = (
-        [path for path in paths if path.endswith(f"-{kind}.json")]
-        for kind in ("events", "continued")
-    )
-    write_claims(
-        data / "fig1/claims-curves.json",
-        [claim_1D(events, loads), claim_1E(blocks, front, continued)],
-    )
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    loads, continued = (of_ensemble(data, "load", kind) for kind in ("events", "continued"))
+    return [claim_1D(events, loads), claim_1E(blocks, front, continued)]

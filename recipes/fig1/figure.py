@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
-"""Figure 1 D-G from its tables: figure.py results/fig1"""
+"""Figure 1 D-G, drawn from its tables."""
 
-import sys
-from pathlib import Path
-
+import curves
+import junction
 import numpy as np
+import speeds
 
 from data.tables import read_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, ORANGE, VERMILION, figure, letter, save
@@ -64,8 +63,7 @@ def draw_speeds(axes, steady):
     axes.legend(loc="center right")
 
 
-def main(results):
-    results = Path(results)
+def draw(results):
     table = {
         name: read_table(results / f"{name}.csv")
         for name in ("loading", "events", "block", "junction", "steady-state")
@@ -80,5 +78,7 @@ def main(results):
     save(fig, results / "fig1")
 
 
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+def make(data, results):
+    claims = [claim for part in (curves, junction, speeds) for claim in part.make(data, results)]
+    draw(results)
+    return claims

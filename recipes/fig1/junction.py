@@ -1,8 +1,5 @@
-#!/usr/bin/env python3
-"""Table and claim of Figure 1 F: junction.py PREPARED RECORD SLIPPING... junction.csv claims.json
-
-PREPARED has one junction per block, RECORD a sample of each time step while they are pulled, and
-the checkpoints SLIPPING, taken while all of them slip, say until when. From the displacements alone
+"""Table and claim of Figure 1 F. Blocks of one junction each are pulled, with a sample in each time
+step; checkpoints that are taken while all of them slip say until when they do. From the displacements alone
 the law says what each junction's force should be; tau of the record is what it was.
 """
 
@@ -11,11 +8,9 @@ import sys
 import h5py
 import numpy as np
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.tables import write_table
 
-EXACT = 1e-12  # relative to the threshold mu_s f_N
 EVERY = 20  # of the steps that go into the table; where something changes, all
 SHOWN = 1  # block
 
@@ -137,15 +132,10 @@ def rows(junction):
         yield junction.time[n], junction.u[n] - junction.attachment, ratio, int(junction.pinned[n])
 
 
-def main(prepared, record, *rest):
-    *slipping, table, claims = rest
-    pulled = Pulled(prepared, record, slipping)
+def make(data, results):
+    slipping = sorted(data.glob("fig1/pulled-t*.h5"))
+    pulled = Pulled(data / "fig1/junctions.h5", data / "fig1/pulled-record.h5", slipping)
     junctions = [Junction(pulled, i) for i in range(pulled.u.shape[1])]
-    write_table(
-        table, ["time [s]", "displacement [m]", "f_T/f_N", "pinned"], rows(junctions[SHOWN])
-    )
-    write_claims(claims, [claim_1F(junctions)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    names = ["time [s]", "displacement [m]", "f_T/f_N", "pinned"]
+    write_table(results / "junction.csv", names, rows(junctions[SHOWN]))
+    return [claim_1F(junctions)]

@@ -73,78 +73,24 @@ rule fig1_steady:
         " > {output} 2> {log}"
 
 
-rule fig1_curves:
+use rule figure as fig1 with:
     input:
         loading=f"{FIG1}/loading.json",
         events=f"{SHOWN_LOAD}-events.json",
         front=f"{FIG1}/event-front.json",
-        **content_of(record=f"{FIG1}/event-record.h5"),
-        loads=of_ensemble(
-            f"{DATA}/ensemble/{load}-{kind}.json"
-            for load in REFERENCE_LOADS
-            for kind in ("events", "continued")
-        ),
-        **script("recipes/fig1/curves.py"),
-    output:
-        claims=f"{FIG1}/claims-curves.json",
-        loading=f"{RESULTS}/fig1/loading.csv",
-        events=f"{RESULTS}/fig1/events.csv",
-        block=f"{RESULTS}/fig1/block.csv",
-    log: f"{LOGS}/fig1/curves.log"
-    message: "fig1: the slider's loading (D) and one block's (E)"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig1 {input.loads} 2> {log}"
-
-
-rule fig1_junction:
-    input:
         prepared=ancient(f"{FIG1}/junctions.h5"),
         **content_of(
-            record=f"{FIG1}/pulled-record.h5",
+            record=f"{FIG1}/event-record.h5",
+            pulled=f"{FIG1}/pulled-record.h5",
             slipping=[f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING],
         ),
-        **script("recipes/fig1/junction.py"),
+        steady=[f"{FIG1}/steady-{speeds}.json" for speeds in FIG1_SPEEDS],
+        loads=of_ensemble("load", "events", "continued"),
+        **scripts_of("fig1"),
     output:
-        claims=f"{FIG1}/claims-junction.json",
-        table=f"{RESULTS}/fig1/junction.csv",
-    log: f"{LOGS}/fig1/junction.log"
-    message: "fig1: one junction through two cycles (F)"
-    shell:
-        "{PYTHON} {input.script} {input.prepared} {input.record} {input.slipping}"
-        " {output.table} {output.claims} 2> {log}"
-
-
-rule fig1_speeds:
-    input:
-        range=f"{FIG1}/steady-range.json",
-        limits=f"{FIG1}/steady-limits.json",
-        **script("recipes/fig1/speeds.py"),
-    output:
-        claims=f"{FIG1}/claims-speeds.json",
-        table=f"{RESULTS}/fig1/steady-state.csv",
-    log: f"{LOGS}/fig1/speeds.log"
-    message: "fig1: friction against sliding speed, beside renewal theory (G)"
-    shell:
-        "{PYTHON} {input.script} {input.range} {input.limits} {output.table} {output.claims} 2> {log}"
-
-
-rule fig1_picture:
-    input:
-        tables=[
-            f"{RESULTS}/fig1/{table}.csv"
-            for table in ("loading", "events", "block", "junction", "steady-state")
-        ],
-        **script("recipes/fig1/figure.py"),
-    output: **picture(f"{RESULTS}/fig1/fig1")
-    log: f"{LOGS}/fig1/picture.log"
-    message: "fig1: draw"
-    shell: "{PYTHON} {input.script} {RESULTS}/fig1 2> {log}"
-
-
-use rule join_claims as fig1 with:
-    input:
-        parts=[f"{FIG1}/claims-{part}.json" for part in ("curves", "junction", "speeds")],
-        picture=f"{RESULTS}/fig1/fig1.png",
-        **script("recipes/common/claims/merge_claims.py"),
-    output: claims=f"{RESULTS}/fig1/claims.json"
+        results_of(
+            "fig1",
+            pictures=["fig1"],
+            tables=["loading", "events", "block", "junction", "steady-state"],
+        ),
     log: f"{LOGS}/fig1.log"
-    message: "fig1: collect the claims"

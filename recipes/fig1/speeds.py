@@ -1,11 +1,7 @@
-#!/usr/bin/env python3
-"""Table and claim of Figure 1 G: speeds.py RANGE.json LIMITS.json table.csv claims.json"""
-
-import sys
+"""Table and claim of Figure 1 G."""
 
 import numpy as np
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
@@ -44,12 +40,8 @@ def rows(*reports):
         yield from zip(steady["v"], steady["mu"], steady["mu_error"], steady["mu_theory"])
 
 
-def main(steady, limits, table, claims):
-    steady, limits = report(steady), report(limits)
+def make(data, results):
+    steady, limits = (report(data / f"fig1/steady-{speeds}.json") for speeds in ("range", "limits"))
     names = ["v [m/s]", "tau/p", "standard error", "renewal theory"]
-    write_table(table, names, sorted(rows(steady, limits)))
-    write_claims(claims, [claim_1G(steady, limits)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    write_table(results / "steady-state.csv", names, sorted(rows(steady, limits)))
+    return [claim_1G(steady, limits)]

@@ -1,24 +1,15 @@
-#!/usr/bin/env python3
-"""Figure 2, its data and its claims:
-
-    figure.py results/data results/fig2 CHOICE load-01-events.json ...
-
-CHOICE, most_like.py's, is empty where there is none: the picture then lacks that event.
-"""
-
-import sys
-from pathlib import Path
+"""Figure 2, its data and its claims. Without the choice of most_like.py, the picture lacks that
+event."""
 
 import numpy as np
 import rupture
 
 from claims import paper
-from claims.claim import write_claims
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import write_fronts, write_table
 from events.event_claims import case_of_event, claims_of_fronts
-from events.units import in_words, of_loads
+from events.units import in_words, of_ensemble, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from pictures.plotting import (
     BLUE,
@@ -126,9 +117,9 @@ def write_choice(results, choice):
     write_table(results / "most-like.csv", rows[0].keys(), [row.values() for row in rows])
 
 
-def main(data, results, choice, *loads):
-    data, results = Path(data), Path(results)
-    choice = report(choice) if choice else None
+def make(data, results):
+    loads = of_ensemble(data, "load", "events")
+    choice = report(data / "most-like.json") if (data / "most-like.json").exists() else None
     names = [name for name in EVENTS if choice or name != MOST_LIKE]
     fronts = {name: report(data / f"{name}-front.json") for name in names}
     draw(data, fronts, results / "fig2")
@@ -139,8 +130,4 @@ def main(data, results, choice, *loads):
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
     again = report(data / "fast-slow-fast-front-in-words.json")
     units = of_loads(loads, case_of_event), in_words(loads)
-    write_claims(results / "claims.json", claims_of_fronts(slow, again, fast, *units))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return claims_of_fronts(slow, again, fast, *units)

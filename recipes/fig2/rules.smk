@@ -2,7 +2,7 @@
 # once there are all of them. The chain of commands is in README.md.
 import shutil
 
-FIG2_LOADS = of_ensemble(f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS)
+FIG2_LOADS = of_ensemble("load", "events")
 FIG2_OF_ALL = len(FIG2_LOADS) == len(REFERENCE_LOADS)
 # The film leads the report. With ffmpeg it can be stopped, and a browser shows a still until it is started.
 FIG2_FILM, FIG2_STILL = [f"{RESULTS}/movie.gif"], ""
@@ -71,7 +71,7 @@ rule fig2_film:
     shell: "({BIN}/movie {input.record} -o {output[0]} --event 0 --force " + FIG2_STILL + ") 2> {log}"
 
 
-rule fig2:
+use rule figure as fig2 with:
     input:
         film=FIG2_FILM,
         fronts=[f"{DATA}/{event}-front.json" for event in FIG2_EVENTS],
@@ -79,14 +79,12 @@ rule fig2:
         in_words=f"{DATA}/fast-slow-fast-front-in-words.json",
         choice=[f"{DATA}/most-like.json"] if FIG2_OF_ALL else [],
         loads=FIG2_LOADS,
-        **script("recipes/fig2/figure.py"),
+        **scripts_of("fig2"),
     output:
-        claims=f"{RESULTS}/fig2/claims.json",
-        own=f"{RESULTS}/fig2/own.json",
-        summary=f"{RESULTS}/fig2/summary.txt",
-        **picture(f"{RESULTS}/fig2/fig2"),
-        table=f"{RESULTS}/fig2/front-speed.csv",
-        candidates=[f"{RESULTS}/fig2/most-like.csv"] if FIG2_OF_ALL else [],
+        results_of(
+            "fig2",
+            pictures=["fig2"],
+            tables=["front-speed", *(["most-like"] if FIG2_OF_ALL else [])],
+            own=OWN_RESULTS,
+        ),
     log: f"{LOGS}/fig2.log"
-    message: "fig2: draw, compare with the paper's claims"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig2 '{input.choice}' {input.loads} 2> {log}"

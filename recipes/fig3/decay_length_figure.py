@@ -1,19 +1,9 @@
-#!/usr/bin/env python3
-"""Decay length of the shear force ahead of slow fronts: picture, data and claim l0.
-
-decay_length_figure.py FOLDER CLAIMS.json l0-seed-1.json [l0-seed-2.json ...]
-
-The first report is that of the seed that is shown; decay_length_seed.py says what is in it.
-"""
-
-import sys
-from pathlib import Path
+"""Decay length of the shear force ahead of slow fronts: picture, data and claim l0."""
 
 import numpy as np
 from decay_length import FITTED, METHODS
 
 from claims import paper
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
@@ -29,9 +19,9 @@ def case(l_0):
 def units_of(paths):
     """{seed: {convention: [case]}}; l0-seed-3.json is the report of seed 3."""
     return {
-        Path(path)
-        .stem.removeprefix("l0-")
-        .replace("-", " "): {name: [case(report(path)["l_0"][name])] for name in METHODS}
+        path.stem.removeprefix("l0-").replace("-", " "): {
+            name: [case(report(path)["l_0"][name])] for name in METHODS
+        }
         for path in paths
     }
 
@@ -111,13 +101,11 @@ def claim(paths):
     )
 
 
-def main(folder, claims_path, *paths):
+def make(data, results):
+    """The first report is that of the seed that is shown; decay_length_seed.py says what is in it."""
+    paths = sorted(data.glob("l0-seed-[0-9].json"))
     shown = report(paths[0])
-    draw(shown, Path(folder) / "fig3-l0")
+    draw(shown, results / "fig3-l0")
     names = ["tau_bar_0", "x - x_0 [m]", "excess over that at x_0"]
-    write_table(Path(folder) / "decay-length.csv", names, rows(shown))
-    write_claims(claims_path, [claim(paths)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    write_table(results / "decay-length.csv", names, rows(shown))
+    return [claim(paths)]

@@ -1,23 +1,21 @@
-#!/usr/bin/env python3
-"""Figure 3 A-C, its data and its claims:
+"""Figure 3: A-C, their data and claims here, the rest in the modules beside this one."""
 
-    figure.py results/data results/fig3 CLAIMS.json load-01-continued.json ...
-"""
-
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+import decay_length_figure
+import front_speed
+import no_slip_force
 import numpy as np
 import rupture
+import slow_slip
 
 from claims import paper
-from claims.claim import write_claims
 from data.records import report, values
 from data.tables import write_table
 from events.event_claims import claim_3A, claim_3B, claim_3C, claim_3Cv
 from events.slip import with_peak_speed
-from events.units import of_events
+from events.units import of_ensemble, of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, OF_PAPER, VERMILION, figure, letter, save
 
@@ -110,12 +108,11 @@ def claims_of(events, continued):
     ]
 
 
-def main(data, results, claims, *continued):
-    events = {Event(Path(data), name): title for name, title in EVENTS.items()}
-    draw(events, Path(results) / "fig3")
-    write_table(Path(results) / "slip.csv", ["event", "run", "time [s]", "slip [m]"], rows(events))
-    write_claims(claims, claims_of(events, continued))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+def make(data, results):
+    events = {Event(data, name): title for name, title in EVENTS.items()}
+    draw(events, results / "fig3")
+    write_table(results / "slip.csv", ["event", "run", "time [s]", "slip [m]"], rows(events))
+    claims = claims_of(events, of_ensemble(data, "load", "continued"))
+    for part in (decay_length_figure, front_speed, no_slip_force, slow_slip):
+        claims += part.make(data / "fig3", results)
+    return claims

@@ -1,7 +1,4 @@
-#!/usr/bin/env python3
-"""Figure 3 D, its data and its claim:
-
-    front_speed.py POINTS.csv PHI.csv L_0.json FOLDER CLAIMS.json [OTHER_SEEDS_AND_WIDTHS.csv...]
+"""Figure 3 D, its data and its claim.
 
 Front speed and slow slip belong to the same blocks (slow_fronts.py). A run counts if its front
 spans and slows down, and at least BLOCKS blocks could be measured; the same for both models. The
@@ -9,18 +6,13 @@ simplified law has one spring per block, hence no width of phi: where the conven
 width, it is that of the full model alone.
 """
 
-import csv
-import sys
-from pathlib import Path
-
 import numpy as np
 from decay_length import fitted_l_0
 
 from claims import paper
-from claims.claim import write_claims
 from claims.judge import judged
 from data.fits import fit_through_origin
-from data.tables import numbers
+from data.tables import numbers, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import BLUE, SINGLE, VERMILION, figure, save
 from slow_fronts import (
@@ -32,6 +24,7 @@ from slow_fronts import (
     fronts,
     of_seeds,
     speeds,
+    tables_of,
     too_short,
     without_near_arrest,
 )
@@ -112,15 +105,12 @@ def draw(rows, fits, stem):
     save(fig, stem)
 
 
-def write_table(path, rows):
+def write_points(path, rows):
     names = ["variant", "tau-bar", "sigma-bar", "junctions.t_R", "junctions.mu_d", "slider.E"]
     names += ["slider.F_N", "junctions.v_slow", "type", "blocks", "slow slip [m/s]"]
     names += ["scaled slow slip [m/s]", "front speed [m/s]", "point"]
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, names, extrasaction="ignore")
-        table.writeheader()
-        for row, scaled in zip(rows, scale(rows) * slip(rows)):
-            table.writerow(row | {"scaled slow slip [m/s]": scaled})
+    scaled = zip(rows, scale(rows) * slip(rows))
+    write_columns(path, names, (row | {"scaled slow slip [m/s]": x} for row, x in scaled))
 
 
 def fit_with_other_widths(rows, phi):
@@ -218,13 +208,10 @@ def claim(path, phi, l_0, others):
     )
 
 
-def main(path, phi_path, l_0_path, folder, claims_path, *others):
-    folder = Path(folder)
-    rows, phi = fronts(path), fronts(phi_path)
-    draw(rows, fits_of(rows), folder / "fig3D")
-    write_table(folder / "front-speed.csv", rows)
-    write_claims(claims_path, [claim(path, phi, fitted_l_0(l_0_path), others)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+def make(data, results):
+    path, *seeds = tables_of(data, "front_speed")
+    rows, phi = fronts(path), fronts(data / "front_speed_phi.csv")
+    draw(rows, fits_of(rows), results / "fig3D")
+    write_points(results / "front-speed.csv", rows)
+    others = [*seeds, *tables_of(data, "front_speed_widths")]
+    return [claim(path, phi, fitted_l_0(data / "l0-seed-1.json"), others)]

@@ -1,21 +1,12 @@
-#!/usr/bin/env python3
-"""Fronts where junctions that slip carry no force: data and claim 0slip.
+"""Fronts where junctions that slip carry no force: data and claim 0slip."""
 
-no_slip_force.py FOLDER CLAIMS.json TABLE.csv...
-
-The tables are those of the sweeps, the seed that is shown first.
-"""
-
-import sys
-from pathlib import Path
-
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import values
 from data.tables import points_of, write_table
 from events.conventions import PRIMARY
 from maps.front_map import IMPOSSIBLE, SKIP_BELOW_X, TYPES, front_type, read_map
 from maps.map_conventions import MEASURES
+from slow_fronts import tables_of
 
 
 def types_of(front):
@@ -71,8 +62,8 @@ def claim(seeds):
     )
 
 
-def main(folder, claims_path, *tables):
-    maps = [read_map(points_of(table)) for table in tables]
+def make(data, results):
+    maps = [read_map(points_of(table)) for table in tables_of(data, "no_slip_force")]
     fronts = [
         (seed, place, front)
         for of_table in maps
@@ -83,12 +74,8 @@ def main(folder, claims_path, *tables):
         [seed, *place, slowest(front), *types_of(front).values()] for seed, place, front in fronts
     )
     names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *MEASURES]
-    write_table(Path(folder) / "no-slip-force.csv", names, rows)
+    write_table(results / "no-slip-force.csv", names, rows)
     of_seed: dict[int, list] = {}
     for seed, _, front in fronts:
         of_seed.setdefault(seed, []).append(front)
-    write_claims(claims_path, [claim(of_seed)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [claim(of_seed)]

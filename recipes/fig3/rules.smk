@@ -1,15 +1,34 @@
-# Figure 3. A-C here: events I and II restarted under other conditions
-# (runs/continuations.smk). Each other part of Figure 3 has a file of its own beside this
-# one, which adds the claims it writes to FIG3_PARTS. See README.md.
+# Figure 3. A-C: events I and II restarted under other conditions (runs/continuations.smk). C inset
+# and D: slow slip and speed of slow fronts in sweeps. Beside them the decay length l_0 ahead of slow
+# fronts, and fronts without a slipping force. See README.md.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FIG3_EVENTS = [f"{DATA}/{event}" for event in ("fast-slow-fast", "second-slow")]  # I, II
-FIG3_PARTS = [f"{DATA}/fig3/claims-ABC.json"]
+FIG3_SWEEPS = ["slow_slip", "slow_slip_event", "front_speed", "front_speed_phi", "no_slip_force"]
+FIG3_OF_SEEDS = ["slow_slip", "front_speed", "front_speed_widths", "no_slip_force"]
+L0_SEEDS = range(1, 6)  # the first is shown
+L0_REPORTS = [f"{DATA}/fig3/l0-seed-{seed}.json" for seed in L0_SEEDS]
 
 
 STAGES["start"]["fig3"] = [f"{event}.compared" for event in FIG3_EVENTS]
 
 
-rule fig3_ABC:
+rule fig3_l0_seed:
+    input:
+        script="recipes/fig3/decay_length_seed.py",
+        shared=[
+            f"recipes/{name}.py"
+            for name in ("fig3/decay_length", "common/events/conventions", "common/maps/front_map")
+        ],
+    output: f"{DATA}/fig3/l0-seed-{{seed}}.json"
+    priority: 80  # long: before what is short
+    params: code=CODE, folder=f"{DATA}/fig3/l0-seed-{{seed}}-scratch"
+    wildcard_constraints: seed="|".join(map(str, L0_SEEDS))
+    log: f"{LOGS}/fig3-l0-seed-{{seed}}.log"
+    message: "fig3: run slow fronts with seed {wildcards.seed}, fit the decay length ahead of them"
+    shell: "{PYTHON} {input.script} {BIN} {wildcards.seed} {params.folder} > {output} 2> {log}"
+
+
+use rule figure as fig3 with:
     input:
         fronts=[f"{event}/{run}-front.json" for event in FIG3_EVENTS for run in FIG3_RUNS],
         **content_of(
@@ -17,25 +36,18 @@ rule fig3_ABC:
         ),
         slips=[f"{event}/{run}-slip.json" for event in FIG3_EVENTS for run in SLIPS],
         unmodified=[f"{event}-front.json" for event in FIG3_EVENTS],
-        continued=of_ensemble(f"{DATA}/ensemble/{load}-continued.json" for load in REFERENCE_LOADS),
-        **script("recipes/fig3/figure.py"),
+        continued=of_ensemble("load", "continued"),
+        sweeps=[f"{DATA}/fig3/{sweep}.csv" for sweep in FIG3_SWEEPS],
+        widths=repeated([f"{DATA}/fig3/front_speed_widths.csv"]),
+        seeds=repeated(
+            table for sweep in FIG3_OF_SEEDS for table in tables_of_seeds(f"fig3/{sweep}")
+        ),
+        l_0=[L0_REPORTS[0], *repeated(L0_REPORTS[1:])],
+        **scripts_of("fig3"),
     output:
-        claims=f"{DATA}/fig3/claims-ABC.json",
-        **picture(f"{RESULTS}/fig3/fig3"),
-        table=f"{RESULTS}/fig3/slip.csv",
+        results_of(
+            "fig3",
+            pictures=["fig3", "fig3-l0", "fig3C-inset", "fig3D"],
+            tables=["slip", "decay-length", "slow-slip-speed", "front-speed", "no-slip-force"],
+        ),
     log: f"{LOGS}/fig3.log"
-    message: "fig3: draw A-C, compare with the paper's claims"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig3 {output.claims} {input.continued} 2> {log}"
-
-
-for part in sorted(set(Path("recipes/fig3").glob("*.smk")) - {Path("recipes/fig3/rules.smk")}):
-    include: part.name
-
-
-use rule join_claims as fig3 with:
-    input:
-        parts=FIG3_PARTS,
-        **script("recipes/common/claims/merge_claims.py"),
-    output: f"{RESULTS}/fig3/claims.json"
-    log: f"{LOGS}/fig3-claims.log"
-    message: "fig3: join the claims"

@@ -71,6 +71,11 @@ def speeds(rows):
 # --- seeds ---------------------------------------------------------------------------------
 
 
+def tables_of(data, sweep):
+    """Those of a sweep that are there: of the seed that is shown, and of others."""
+    return [*data.glob(f"{sweep}.csv"), *sorted(data.glob(f"{sweep}-seed-*.csv"))]
+
+
 def name_and_seed(path):
     """("slow_slip", 2) of .../slow_slip-seed-2.csv; without seed it is 1."""
     sweep, _, seed = Path(path).stem.partition("-seed-")

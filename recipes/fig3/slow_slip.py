@@ -1,23 +1,15 @@
-#!/usr/bin/env python3
-"""Figure 3 C, inset, its data and the claims 3Ci and co:
-
-    slow_slip.py PREPARED.csv EVENT.csv FOLDER CLAIMS.json [OF_OTHER_SEEDS.csv...]
+"""Figure 3 C, inset, its data and the claims 3Ci and co.
 
 The measured slow slip of each run: the mean over its blocks and their extremes (slow_fronts.py). A
 run counts if its front spans and slows down, and at least BLOCKS blocks could be measured.
 """
 
-import csv
-import sys
-from pathlib import Path
-
 import numpy as np
 
 from claims import paper
-from claims.claim import write_claims
 from claims.judge import holds, judged
 from data.fits import fit_through_origin
-from data.tables import numbers, read_rows
+from data.tables import numbers, read_rows, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import BLACK, BLUE, GREEN, SINGLE, figure, save
 from slow_fronts import (
@@ -29,6 +21,7 @@ from slow_fronts import (
     fronts,
     of_seeds,
     speeds,
+    tables_of,
     too_short,
     without_near_arrest,
 )
@@ -149,15 +142,12 @@ def draw(prepared, event, prepared_fit, stem):
     save(fig, stem)
 
 
-def write_table(path, runs):
+def write_fronts(path, runs):
     """The measured columns of both sweeps, with what was varied."""
     names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]
     names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.DictWriter(file, names, restval="", extrasaction="ignore")
-        table.writeheader()
-        for interface, rows in runs.items():
-            table.writerows({"interface": interface} | row for row in rows)
+    rows = ({"interface": name} | row for name, of_run in runs.items() for row in of_run)
+    write_columns(path, names, rows)
 
 
 def beside_text(rows, variant):
@@ -216,14 +206,9 @@ def claim_co(path, others):
     )
 
 
-def main(prepared_path, event_path, folder, claims_path, *others):
-    folder = Path(folder)
-    prepared, event = fronts(prepared_path), event_fronts(event_path)
-    draw(varied(prepared), event, fit(varied(prepared)), folder / "fig3C-inset")
-    write_table(folder / "slow-slip-speed.csv", {"prepared": prepared, "event": event})
-    claims = [claim_3Ci(prepared_path, event, others), claim_co(prepared_path, others)]
-    write_claims(claims_path, claims)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+def make(data, results):
+    path, *others = tables_of(data, "slow_slip")
+    prepared, event = fronts(path), event_fronts(data / "slow_slip_event.csv")
+    draw(varied(prepared), event, fit(varied(prepared)), results / "fig3C-inset")
+    write_fronts(results / "slow-slip-speed.csv", {"prepared": prepared, "event": event})
+    return [claim_3Ci(path, event, others), claim_co(path, others)]

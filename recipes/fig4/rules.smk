@@ -1,9 +1,7 @@
-# Figure 4: A-B in wider.smk, C-D here. The chain of commands is in README.md.
-FIG4_PARTS = [f"{DATA}/fig4/claims-{part}.json" for part in ("AB", "4C", "4D")]
+# Figure 4. The chain of commands is in README.md.
 FIG4_SHOWN = ["fast-slow-fast", "second-slow"]
-
-
-include: "wider.smk"
+FIG4_WIDER = [f"{event}{run}" for event in FIG4_SHOWN for run in ("", "/wider")]
+FIG4_MAP = ["map", "map-between", "map-boundary"]
 
 
 # The map of front types: a grid with one seed, then places halfway between fast neighbours and
@@ -17,68 +15,40 @@ STAGES["start"]["fig4"] = [
 STAGES["refine"]["fig4"] = [f"{DATA}/fig4/boundary.csv"]
 
 
-rule fig4_between:
+use rule places as fig4_between with:
     input:
-        grid=f"{DATA}/fig4/map.csv",
-        **script("recipes/common/maps/map_points.py"),
+        tables=f"{DATA}/fig4/map.csv",
+        **places(),
     output: f"{DATA}/fig4/between.csv"
+    params: which="between"
     log: f"{LOGS}/fig4/between.log"
-    message: "fig4: find where the front type changes"
-    shell: "{PYTHON} {input.script} between {input.grid} {output} 2> {log}"
 
 
-rule fig4_boundary:
+use rule places as fig4_boundary with:
     input:
-        grid=f"{DATA}/fig4/map.csv",
-        between=f"{DATA}/fig4/map-between.csv",
-        **script("recipes/common/maps/map_points.py"),
+        tables=[f"{DATA}/fig4/{part}.csv" for part in ("map", "map-between")],
+        **places(),
     output: f"{DATA}/fig4/boundary.csv"
+    params: which="boundary"
     log: f"{LOGS}/fig4/boundary.log"
-    message: "fig4: find the places next to another front type"
-    shell: "{PYTHON} {input.script} boundary {input.grid} {input.between} {output} 2> {log}"
 
 
-rule fig4_map:
+# A-B: events I and II, and the same with a wider distribution of junction forces
+# (runs/continuations.smk). C: prepared interfaces of either shape, the strength of the shapes
+# themselves, and the blocks of events I and II and of the ensemble.
+use rule figure as fig4 with:
     input:
-        tables=[f"{DATA}/fig4/{part}.csv" for part in ("map", "map-between", "map-boundary")],
-        boundary=f"{DATA}/fig4/boundary.csv",
-        **script("recipes/fig4/map.py"),
+        fronts=[f"{DATA}/{run}-front.json" for run in FIG4_WIDER],
+        phi=[f"{DATA}/{event}{state}-phi.json" for event in FIG4_SHOWN for state in ("", "/wider-start")],
+        **content_of(records=[f"{DATA}/{run}-record.h5" for run in FIG4_WIDER]),
+        tables=[f"{DATA}/fig4/{part}.csv" for part in (*FIG4_MAP, "boundary", "strength", "strength-curves")],
+        strength=[f"{DATA}/{event}-strength.json" for event in FIG4_SHOWN],
+        continued=of_ensemble("load", "continued"),
+        **scripts_of("fig4"),
     output:
-        claims=f"{DATA}/fig4/claims-4D.json",
-        **picture(f"{RESULTS}/fig4/fig4D"),
-        table=f"{RESULTS}/fig4/front-types.csv",
-        thresholds=f"{RESULTS}/fig4/thresholds.csv",
-    log: f"{LOGS}/fig4/map.log"
-    message: "fig4: draw D, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 2> {log}"
-
-
-# Prepared interfaces of either shape, the strength of the shapes themselves, and the blocks of
-# events I and II and of the ensemble.
-
-
-rule fig4_strength:
-    input:
-        prepared=f"{DATA}/fig4/strength.csv",
-        curves=f"{DATA}/fig4/strength-curves.csv",
-        map=[f"{DATA}/fig4/{part}.csv" for part in ("map", "map-between", "map-boundary", "boundary")],
-        events=[f"{DATA}/{event}-strength.json" for event in FIG4_SHOWN],
-        fronts=[f"{DATA}/{event}-front.json" for event in FIG4_SHOWN],
-        repeated=of_ensemble(f"{DATA}/ensemble/{load}-continued.json" for load in REFERENCE_LOADS),
-        **script("recipes/fig4/strength.py"),
-    output:
-        claims=f"{DATA}/fig4/claims-4C.json",
-        **picture(f"{RESULTS}/fig4/fig4C"),
-        table=f"{RESULTS}/fig4/strength.csv",
-    log: f"{LOGS}/fig4/strength.log"
-    message: "fig4: draw C, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/fig4 {input.repeated} 2> {log}"
-
-
-use rule join_claims as fig4 with:
-    input:
-        parts=FIG4_PARTS,
-        **script("recipes/common/claims/merge_claims.py"),
-    output: f"{RESULTS}/fig4/claims.json"
+        results_of(
+            "fig4",
+            pictures=["fig4AB", "fig4C", "fig4D"],
+            tables=["strength", "front-types", "thresholds"],
+        ),
     log: f"{LOGS}/fig4.log"
-    message: "fig4: join the claims of its parts"

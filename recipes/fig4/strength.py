@@ -1,22 +1,16 @@
-#!/usr/bin/env python3
-"""Figure 4 C, its data and claim 4C:
+"""Figure 4 C, its data and claim 4C."""
 
-    strength.py results/data results/fig4 load-01-continued.json ...
-"""
-
-import sys
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.rank_test import permutation, share_of_lower, signed_rank, van_elteren
 from data.records import report, values
 from data.tables import read_rows, write_table
 from events.conventions import PRIMARY
 from events.fronts import LOADING_ZONE, SLOW_BELOW
+from events.units import of_ensemble
 from maps.front_map import load_map, map_of_seed, seeds_of, type_on_map, types_of
 from maps.map_conventions import ABOUT_UNITS, units_of_seeds
 from pictures.plotting import BLACK, GREEN, SINGLE, VERMILION, figure, letter, save
@@ -305,8 +299,7 @@ def claim_4C(maps, points, lines, shown, ensemble):
     )
 
 
-def main(data, results, *ensemble):
-    data, results = Path(data), Path(results)
+def make(data, results):
     shown = {
         event: blocks_of(*(report(data / f"{event}-{of}.json") for of in ("front", "strength")))
         for event in SHOWN
@@ -316,12 +309,7 @@ def main(data, results, *ensemble):
     write_table(results / "strength.csv", ["points", "kind", *QUANTITIES], rows(shown, points))
     repeated = {
         (path, number): blocks_of(event["unmodified"], event["strength"])
-        for path in ensemble
+        for path in of_ensemble(data, "load", "continued")
         for number, event in report(path).items()
     }
-    claim = claim_4C(types_by_seed(data), points, lines, shown, repeated)
-    write_claims(data / "fig4/claims-4C.json", [claim])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [claim_4C(types_by_seed(data), points, lines, shown, repeated)]

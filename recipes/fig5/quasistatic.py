@@ -1,16 +1,12 @@
-#!/usr/bin/env python3
-"""Figure 5 B, its data and its claim: quasistatic.py results/data/fig5 results/fig5"""
+"""Figure 5 B, its data and its claim."""
 
 import json
-import sys
-from pathlib import Path
 
 import h5py
 import numpy as np
 import rupture
 from quasistatic_stretch import MIDDLE, advances, measured, read_ruptures
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
@@ -87,7 +83,7 @@ def case_5B(c_s, speed, branch):
 
 def units_5B(paths):
     """The other seeds, by quasistatic_stretch.measured()."""
-    found = {Path(path).stem: report(path) for path in paths}
+    found = {path.stem: report(path) for path in paths}
     return {
         name: {PRIMARY: [case_5B(load["c_s"], load["speed"], load["branch"])]}
         for name, load in found.items()
@@ -124,8 +120,8 @@ def claim_5B(stretch, c_s, branches, others):
     )
 
 
-def main(data, results, *others):
-    data, results = Path(data), Path(results)
+def make(all_data, results):
+    data, ensemble = all_data / "fig5", all_data / "ensemble"
     stretch = report(data / "quasistatic-stretch.json")
     record = data / "quasistatic-load-record.h5"
     load = read_ruptures(record)
@@ -147,9 +143,6 @@ def main(data, results, *others):
     )
     c_s = rupture.open(record).c_s
     of_seed = json.dumps(measured(stretch, c_s, branches[MIDDLE]))
-    (data.parent / "ensemble/h0-01.json").write_text(of_seed, encoding="utf-8")
-    write_claims(data / "claims-quasistatic.json", [claim_5B(stretch, c_s, branches, others)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    (ensemble / "h0-01.json").write_text(of_seed, encoding="utf-8")
+    others = sorted(set(ensemble.glob("h0-[0-9][0-9].json")) - {ensemble / "h0-01.json"})
+    return [claim_5B(stretch, c_s, branches, others)]

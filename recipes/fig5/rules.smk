@@ -1,37 +1,106 @@
-# Figure 5. A here: the driving stopped during the slow front (runs/continuations.smk). Each other
-# part of Figure 5 has a file of its own beside this one, which adds the claims it writes to
-# FIG5_PARTS. See README.md.
-FIG5_PARTS = [f"{DATA}/fig5/claims-A.json"]
+# Figure 5. A: the driving stopped during the slow front (runs/continuations.smk). B: driven at h = 0,
+# fronts creep between two dynamic events, and stop with the driving. See README.md.
+#
+# By hand, with build/release/bin on the PATH (the middle branch; the others are at 0.52-0.62 s):
+#     load -o load.h5 --set driving.h=0 --until 0.65 --checkpoint-every 0.01 \
+#         --record load-record.h5 --record-every 1e-3
+#     restart load-t0.570000000.h5 -o stopped.h5 --set driving.V=0 --for 0.08 \
+#         --record stopped-record.h5 --record-every 1e-3
 FIG5_RUNS = ["fast-slow-fast", "fast-slow-fast/undriven"]
+QUASISTATIC_UNTIL = 0.65  # s; the second dynamic event is over by then
+QUASISTATIC_EVERY = 0.01  # s
+QUASISTATIC_LOADED = checkpoints_of(
+    f"{DATA}/fig5/quasistatic-load", until=QUASISTATIC_UNTIL, every=QUASISTATIC_EVERY
+)
+QUASISTATIC_BRANCHES = range(9)  # at each tenth of the stretch
+QUASISTATIC_MIDDLE = 4  # the one that decides, and that is shown until the next dynamic event
 
 
 STAGES["start"]["fig5"] = [f"{DATA}/fast-slow-fast.compared"]
 
 
-rule fig5_driving:
+use rule load_recorded as quasistatic_load with:
+    output: **recorded(f"{DATA}/fig5/quasistatic-load", checkpoints=QUASISTATIC_LOADED)
+    priority: 90  # long: first
+    params:
+        **run_with(
+            f"--until {QUASISTATIC_UNTIL} --checkpoint-every {QUASISTATIC_EVERY}",
+            changes="--set driving.h=0",
+            record_every="1e-3",
+        ),
+    log: f"{LOGS}/fig5/quasistatic-load.log"
+    message: f"fig5: drive the slider at h = 0 to t = {QUASISTATIC_UNTIL} s"
+
+
+rule quasistatic_stretch:
+    input:
+        **content_of(h5=f"{DATA}/fig5/quasistatic-load-record.h5"),
+        **script("recipes/fig5/quasistatic_stretch.py"),
+    output: f"{DATA}/fig5/quasistatic-stretch.json"
+    log: f"{LOGS}/fig5/quasistatic-stretch.log"
+    message: "fig5: find the quasi-static front"
+    shell: "{PYTHON} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
+
+
+rule quasistatic_stopped:
+    input:
+        stretch=f"{DATA}/fig5/quasistatic-stretch.json",
+        **content_of(checkpoints=QUASISTATIC_LOADED),
+    output: **recorded(f"{DATA}/fig5/quasistatic-stopped-{{n}}")
+    params:
+        code=CODE,
+        duration=lambda wildcards: 0.08 if int(wildcards.n) == QUASISTATIC_MIDDLE else 0.02,
+    wildcard_constraints: n=r"\d"
+    log: f"{LOGS}/fig5/quasistatic-stopped-{{n}}.log"
+    message: "fig5: stop the driving at branch {wildcards.n} of the quasi-static front"
+    shell:
+        "{BIN}/restart"
+        " {DATA}/fig5/quasistatic-load-t$({VALUE} {input.stretch} branches.{wildcards.n}).h5"
+        " -o {output.h5} --force --quiet --sum --set driving.V=0 --for {params.duration}"
+        " --record {output.record} --record-every 1e-3 2> {log}"
+
+
+# The same over seeds, each from t = 0. Their second dynamic event comes later.
+H0_SEEDS = [f"{seed:02d}" for seed in range(2, 21)]
+H0_UNTIL = 0.75  # s
+H0_LOADS = [f"{DATA}/ensemble/h0-{seed}.json" for seed in ["01", *H0_SEEDS]]  # 01: rule fig5
+
+
+rule quasistatic_seed:
+    input:
+        script="recipes/fig5/quasistatic_seed.py",
+        stretch_script="recipes/fig5/quasistatic_stretch.py",
+    output: f"{DATA}/ensemble/h0-{{seed}}.json"
+    params: code=CODE, folder=f"{DATA}/ensemble/h0-{{seed}}-scratch"
+    priority: 90  # long: first
+    wildcard_constraints: seed="|".join(H0_SEEDS)
+    log: f"{LOGS}/ensemble/h0-{{seed}}.log"
+    message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}, stop the driving"
+    shell:
+        "{PYTHON} {input.script} {BIN} {wildcards.seed} {H0_UNTIL} {QUASISTATIC_EVERY}"
+        " {params.folder} > {output} 2> {log}"
+
+
+use rule figure as fig5 with:
     input:
         fronts=[f"{DATA}/{run}-front.json" for run in FIG5_RUNS],
-        **content_of(records=[f"{DATA}/{run}-record.h5" for run in FIG5_RUNS]),
-        continued=of_ensemble(f"{DATA}/ensemble/{load}-continued.json" for load in REFERENCE_LOADS),
-        **script("recipes/fig5/driving.py"),
+        **content_of(
+            records=[f"{DATA}/{run}-record.h5" for run in FIG5_RUNS],
+            load=f"{DATA}/fig5/quasistatic-load-record.h5",
+            stopped=[
+                f"{DATA}/fig5/quasistatic-stopped-{n}-record.h5"
+                for n in QUASISTATIC_BRANCHES
+            ],
+        ),
+        continued=of_ensemble("load", "continued"),
+        stretch=f"{DATA}/fig5/quasistatic-stretch.json",
+        others=repeated(f"{DATA}/ensemble/h0-{seed}.json" for seed in H0_SEEDS),
+        **scripts_of("fig5"),
     output:
-        claims=f"{DATA}/fig5/claims-A.json",
-        **picture(f"{RESULTS}/fig5/fig5A"),
-        table=f"{RESULTS}/fig5/rupture-lines.csv",
-    log: f"{LOGS}/fig5-driving.log"
-    message: "fig5: draw A, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA} {RESULTS}/fig5 {output.claims} {input.continued} 2> {log}"
-
-
-for part in sorted(set(Path("recipes/fig5").glob("*.smk")) - {Path("recipes/fig5/rules.smk")}):
-    include: part.name
-
-
-use rule join_claims as fig5 with:
-    input:
-        parts=FIG5_PARTS,
-        **script("recipes/common/claims/merge_claims.py"),
-    output: f"{RESULTS}/fig5/claims.json"
-    log: f"{LOGS}/fig5-claims.log"
-    message: "fig5: join the claims"
+        results_of(
+            "fig5",
+            pictures=["fig5A", "fig5B"],
+            tables=["rupture-lines", "quasistatic-tip", "quasistatic-branches"],
+        ),
+        seed=f"{DATA}/ensemble/h0-01.json",
+    log: f"{LOGS}/fig5.log"

@@ -1,20 +1,12 @@
-#!/usr/bin/env python3
-"""Figure S1, its data and its claim:
-figure.py unloaded-stress.json before-event-stress.json BEFORE_EVENT_CHECKPOINT results/figS1"""
-
-import sys
-from pathlib import Path
+"""Figure S1, its data and its claim."""
 
 import h5py
 import numpy as np
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
-
-EXACT, CLOSE = 1e-9, 0.01
 
 
 class Stress:
@@ -113,9 +105,9 @@ def draw(unloaded, before, stem):
     save(fig, stem)
 
 
-def main(unloaded, before, checkpoint, results):
-    levers, results = Levers(checkpoint), Path(results)
-    unloaded, before = Stress(unloaded), Stress(before)
+def make(data, results):
+    levers = Levers(data / "fast-slow-fast.h5")
+    unloaded, before = (Stress(data / f"figS1/{state}-stress.json") for state in ("unloaded", "before-event"))
     draw(unloaded, before, results / "figS1")
     names = ["p [N]", "tau [N]"]
     write_table(
@@ -123,8 +115,4 @@ def main(unloaded, before, checkpoint, results):
         ["x [m]", *(f"{state} {n}" for state in ("unloaded", "before event") for n in names)],
         zip(unloaded.x, unloaded.p, unloaded.tau, before.p, before.tau),
     )
-    write_claims(results / "claims.json", [claim_S1(unloaded, before, levers)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [claim_S1(unloaded, before, levers)]

@@ -25,15 +25,10 @@ use rule analyze as figS1_stress with:
     message: "figS1: read the forces on the interface ({wildcards.state})"
 
 
-rule figS1:
+use rule figure as figS1 with:
     input:
         stress=[f"{DATA}/figS1/{state}-stress.json" for state in FIGS1_STATES],
         **content_of(checkpoint=f"{DATA}/fast-slow-fast.h5"),
-        **script("recipes/figS1/figure.py"),
-    output:
-        claims=f"{RESULTS}/figS1/claims.json",
-        **picture(f"{RESULTS}/figS1/figS1"),
-        table=f"{RESULTS}/figS1/stress.csv",
+        **scripts_of("figS1"),
+    output: results_of("figS1", pictures=["figS1"], tables=["stress"])
     log: f"{LOGS}/figS1.log"
-    message: "figS1: draw, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {input.stress} {input.checkpoint} {RESULTS}/figS1 2> {log}"

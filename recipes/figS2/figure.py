@@ -1,23 +1,15 @@
-#!/usr/bin/env python3
-"""Figure S2, its data and its claim:
-
-    figure.py results/data/figS2 results/figS2 simplified-01-continued.json ...
-"""
-
-import sys
-from pathlib import Path
+"""Figure S2, its data and its claim."""
 
 import h5py
 import numpy as np
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report, values
 from data.tables import write_fronts, write_table
 from events.conventions import PRIMARY
 from events.event_claims import case_S2
 from events.fronts import is_fast_slow
-from events.units import without_slow_slip
+from events.units import of_ensemble, without_slow_slip
 from pictures.panels import draw_front_speeds
 from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 
@@ -120,16 +112,11 @@ def fast_slow_pairs(path):
     return [(event, without) for event, without in pairs if is_fast_slow(event)]
 
 
-def main(data, results, *continued):
-    data, results = Path(data), Path(results)
-    fronts = {run: report(data / f"{run}-front.json") for run in SPEEDS}
+def make(data, results):
+    continued = of_ensemble(data, "simplified", "continued")
+    fronts = {run: report(data / f"figS2/{run}-front.json") for run in SPEEDS}
     pairs = fast_slow_pairs(continued[0])
-    draw(data, fronts, results / "figS2")
+    draw(data / "figS2", fronts, results / "figS2")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", pairs)
-    claim = claim_S2(fronts, pairs, without_slow_slip(continued))
-    write_claims(results / "claims.json", [claim])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [claim_S2(fronts, pairs, without_slow_slip(continued))]

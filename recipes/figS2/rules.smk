@@ -38,21 +38,12 @@ use rule restart_recorded as figS2_run with:
 
 # The other fast-slow events of the load, and those of the other loads, are run without slow slip by
 # ensemble/without_slow_slip.py.
-rule figS2:
+use rule figure as figS2 with:
     input:
         fronts=[f"{DATA}/figS2/{run}-front.json" for run in FIGS2_RUNS],
         **content_of(records=[f"{DATA}/figS2/{run}-record.h5" for run in FIGS2_RUNS]),
         load=f"{FIGS2_LOAD}-continued.json",
-        others=of_ensemble(
-            f"{DATA}/ensemble/{load}-continued.json" for load in LOADS_OF["simplified"][1:]
-        ),
-        **script("recipes/figS2/figure.py"),
-    output:
-        claims=f"{RESULTS}/figS2/claims.json",
-        **picture(f"{RESULTS}/figS2/figS2"),
-        table=f"{RESULTS}/figS2/front-speed.csv",
-        events=f"{RESULTS}/figS2/events.csv",
+        others=of_ensemble("simplified", "continued"),
+        **scripts_of("figS2"),
+    output: results_of("figS2", pictures=["figS2"], tables=["front-speed", "events"])
     log: f"{LOGS}/figS2.log"
-    message: "figS2: draw, compare with the paper's claim"
-    shell:
-        "{PYTHON} {input.script} {DATA}/figS2 {RESULTS}/figS2 {input.load} {input.others} 2> {log}"

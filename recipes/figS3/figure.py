@@ -1,12 +1,7 @@
-#!/usr/bin/env python3
-"""Figure S3, its data and its claims: figure.py results/data results/figS3"""
-
-import sys
-from pathlib import Path
+"""Figure S3, its data and its claims."""
 
 import numpy as np
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import values
 from data.tables import points_of, write_table
@@ -15,7 +10,6 @@ from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
 MU_S, MU_D = 0.4, 0.17  # Table S1
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
-TOLERANCE = 1e-9
 SHOWN_SIGMA_BAR = 0.0
 COLOURS = {0.2: BLACK, 0.3: BLUE}
 
@@ -122,8 +116,7 @@ def claim_S3t(points):
     )
 
 
-def main(data, results):
-    data, results = Path(data), Path(results)
+def make(data, results):
     points = {
         (float(row["tau-bar"]), float(row["sigma-bar"])): point
         for row, point in points_of(data / "figS3/profiles.csv")
@@ -131,8 +124,4 @@ def main(data, results):
     draw(points, results / "figS3")
     names = ["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"]
     write_table(results / "profiles.csv", names, rows(points))
-    write_claims(results / "claims.json", [claim_S3(points), claim_S3t(points)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [claim_S3(points), claim_S3t(points)]

@@ -1,12 +1,7 @@
 # Figure S3: the prestress of prepared interfaces. The chain of commands is in README.md.
-rule figS3:
+use rule figure as figS3 with:
     input:
-        table=f"{DATA}/figS3/profiles.csv",
-        **script("recipes/figS3/figure.py"),
-    output:
-        claims=f"{RESULTS}/figS3/claims.json",
-        **picture(f"{RESULTS}/figS3/figS3"),
-        table=f"{RESULTS}/figS3/profiles.csv",
+        profiles=f"{DATA}/figS3/profiles.csv",
+        **scripts_of("figS3"),
+    output: results_of("figS3", pictures=["figS3"], tables=["profiles"])
     log: f"{LOGS}/figS3.log"
-    message: "figS3: draw, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/figS3 2> {log}"

@@ -1,14 +1,9 @@
-#!/usr/bin/env python3
-"""Figure S4, its data and its claim: figure.py results/data results/figS4"""
-
-import sys
-from pathlib import Path
+"""Figure S4, its data and its claim."""
 
 import numpy as np
 import rupture
 from scipy import stats
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report, values
 from data.tables import write_table
@@ -137,15 +132,10 @@ def claim_S4(wider, phis):
     )
 
 
-def main(data, results):
-    data, results = Path(data), Path(results)
+def make(data, results):
     phis = [report(data / f"{state}-phi.json") for state in STATES]
     junctions = [Junctions(data / f"{state}.h5", phi) for state, phi in zip(STATES, phis)]
     fronts = [report(data / f"{run}-front.json") for run in STATES.values()]
     draw(data, junctions, fronts, results / "figS4")
     write_phi(results / "phi.csv", junctions, phis)
-    write_claims(results / "claims.json", [claim_S4(junctions[1], phis)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [claim_S4(junctions[1], phis)]

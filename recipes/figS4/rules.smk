@@ -6,7 +6,7 @@ FIGS4_RECORDS = ["second-slow", "second-slow/wider"]
 STAGES["start"]["figS4"] = [f"{DATA}/second-slow.compared"]
 
 
-rule figS4:
+use rule figure as figS4 with:
     input:
         **content_of(
             checkpoints=[f"{DATA}/{state}.h5" for state in FIGS4_STATES],
@@ -14,11 +14,6 @@ rule figS4:
         ),
         phi=[f"{DATA}/{state}-phi.json" for state in FIGS4_STATES],
         fronts=[f"{DATA}/{run}-front.json" for run in FIGS4_RECORDS],
-        **script("recipes/figS4/figure.py"),
-    output:
-        claims=f"{RESULTS}/figS4/claims.json",
-        **picture(f"{RESULTS}/figS4/figS4"),
-        table=f"{RESULTS}/figS4/phi.csv",
+        **scripts_of("figS4"),
+    output: results_of("figS4", pictures=["figS4"], tables=["phi"])
     log: f"{LOGS}/figS4.log"
-    message: "figS4: draw, compare with the paper's claim"
-    shell: "{PYTHON} {input.script} {DATA} {RESULTS}/figS4 2> {log}"

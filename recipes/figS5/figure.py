@@ -1,9 +1,6 @@
-#!/usr/bin/env python3
-"""Figure S5, its data and its claim: figure.py uniform.jsonl bell.jsonl results/figS5"""
+"""Figure S5, its data and its claim."""
 
 import json
-import sys
-from pathlib import Path
 
 import numpy as np
 from quadrature import (
@@ -14,12 +11,10 @@ from quadrature import (
     uniform_closed_form,
 )
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.tables import write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, figure, letter, save
 
-CLOSE = 1e-6
 MU_S, MU_D = 0.4, 0.17  # reference parameters, as the tool's defaults
 DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average
@@ -30,7 +25,7 @@ class Strength:
     """The tool's result for one shape, beside the formula or quadrature."""
 
     def __init__(self, path):
-        reports = [json.loads(line) for line in Path(path).read_text(encoding="utf-8").splitlines()]
+        reports = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
         self.shape = reports[0]["shape"]
         self.sigma_bar = np.array([r["sigma_bar"] for r in reports])
         self.mu_bar = np.array([r["mu_bar_eff"] for r in reports])
@@ -132,14 +127,9 @@ def write_tables(results, curves, strengths):
     )
 
 
-def main(uniform, bell, results):
-    results = Path(results)
-    strengths = [Strength(uniform), Strength(bell)]
+def make(data, results):
+    strengths = [Strength(data / f"figS5/{shape}.jsonl") for shape in LINES]
     curves = {(shape, sigma): curve(shape, sigma) for shape in LINES for sigma in DRAWN}
     draw(curves, strengths, results / "figS5")
     write_tables(results, curves, strengths)
-    write_claims(results / "claims.json", [claim_S5(*strengths)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [claim_S5(*strengths)]

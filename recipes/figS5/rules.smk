@@ -17,16 +17,9 @@ rule figS5_strength:
         " done > {output} 2> {log}"
 
 
-rule figS5:
+use rule figure as figS5 with:
     input:
         strength=[f"{DATA}/figS5/{shape}.jsonl" for shape in FIGS5_SHAPES],
-        **script("recipes/figS5/figure.py"),
-        quadrature="recipes/figS5/quadrature.py",
-    output:
-        claims=f"{RESULTS}/figS5/claims.json",
-        **picture(f"{RESULTS}/figS5/figS5"),
-        table=f"{RESULTS}/figS5/strength.csv",
-        curves=f"{RESULTS}/figS5/displacement.csv",
+        **scripts_of("figS5"),
+    output: results_of("figS5", pictures=["figS5"], tables=["strength", "displacement"])
     log: f"{LOGS}/figS5.log"
-    message: "figS5: draw, compare with quadrature"
-    shell: "{PYTHON} {input.script} {input.strength} {RESULTS}/figS5 2> {log}"

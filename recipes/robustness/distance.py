@@ -1,9 +1,4 @@
-#!/usr/bin/env python3
-"""Fronts under the distance law, a result of our own:
-distance.py results/data FRONT.json FRONT_WITH_DISTANCE_LAW.json results/robustness"""
-
-import sys
-from pathlib import Path
+"""Fronts under the distance law, a result of our own."""
 
 import numpy as np
 
@@ -83,14 +78,11 @@ def draw(maps, fronts, stem):
     save(fig, stem)
 
 
-def main(data, unmodified, continued, results):
-    data, results = Path(data), Path(results)
+def make(data, results):
+    """`data`: of an event, as it is and continued under the distance law."""
     maps = read_variants(points_of(data / "robustness/distance.csv"), TITLES)
-    fronts = {"by time": report(unmodified), "by distance": report(continued)}
+    runs = {"by time": "fast-slow-fast", "by distance": "fast-slow-fast/distance"}
+    fronts = {name: report(data / f"{run}-front.json") for name, run in runs.items()}
     draw(maps, fronts, results / "distance")
     write_variants(results / "distance.csv", maps)
     write_own(results, [own_result(maps, *fronts.values())])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,13 +1,5 @@
-#!/usr/bin/env python3
-"""Maps of front types for other lengths and nucleation energies, and claim Geo:
-geometry.py results/data results/robustness TABLE.csv...
+"""Maps of front types for other lengths and nucleation energies, and claim Geo."""
 
-Of the tables the first has the maps, others have more seeds."""
-
-import sys
-from pathlib import Path
-
-from claims.claim import write_claims
 from claims.judge import judged
 from data.tables import points_of
 from maps.front_map import (
@@ -116,14 +108,10 @@ def draw(maps, stem):
     save(fig, stem)
 
 
-def main(data, results, *tables):
-    data, results = Path(data), Path(results)
+def make(data, results):
+    tables = sorted(data.glob("geometry.csv")) + sorted(data.glob("geometry-seeds.csv"))
     points = [point for table in tables for point in points_of(table)]
     maps = read_variants(points, TITLES)
     draw(maps, results / "geometry")
     write_variants(results / "geometry.csv", maps)
-    write_claims(data / "robustness/claims-Geo.json", [claim_Geo(maps)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [claim_Geo(maps)]

@@ -19,6 +19,11 @@ def write_table(path, names, rows):
         table.writerows(rows)
 
 
+def write_columns(path, names, rows):
+    """These columns of rows by name; empty where a row has none."""
+    write_table(path, names, ([row.get(name) for name in names] for row in rows))
+
+
 def write_fronts(path, fronts):
     """Rupture line and speed of fronts: reports of `analyze front` by name."""
     rows = (

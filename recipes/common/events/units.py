@@ -26,6 +26,11 @@ FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
 FIRST_BLOCK, *OTHER_BLOCKS = SLIP_AT
 
 
+def of_ensemble(data, setting, kind):
+    """Paths of what there is of the loads of a kind."""
+    return sorted((data / "ensemble").glob(f"{setting}-[0-9][0-9]-{kind}.json"))
+
+
 def name_of(path):
     """load-03 of .../load-03-events.json"""
     return Path(path).name.rsplit("-", 1)[0]

@@ -1,9 +1,7 @@
-"""A map of front types, its data and its claim: Figures 4 D and S6 B (recipes/*/map.py)."""
+"""A map of front types, its data and its claim: Figures 4 D and S6 B."""
 
 from dataclasses import dataclass
-from pathlib import Path
 
-from claims.claim import write_claims
 from data.tables import write_table
 from maps.front_map import load_map, write_types
 from maps.map_claims import map_claim, thresholds_compared
@@ -17,17 +15,14 @@ class FrontTypes:
     tables: list  # of sweeps, beside map.csv
     slow_below: tuple  # slow is below c_s over this; the first is the default
     claim: str
-    claims_file: str
     note: str
 
 
 def make_map(m, data, results):
-    """Everything that the recipe writes about its map `m`."""
-    data, results = Path(data), Path(results)
+    """Everything that the recipe writes about its map `m`. Returns the claim."""
     fronts, grid, boundary = load_map(data, m.recipe, m.tables)
     thresholds = list(thresholds_compared(fronts, grid, m.slow_below))
     draw_map(fronts, grid, m.slow_below, m.panel, results / f"{m.recipe}{m.panel}")
     write_types(results / "front-types.csv", fronts)
     write_table(results / "thresholds.csv", list(thresholds[0]), map(dict.values, thresholds))
-    claim = map_claim(m.claim, fronts, grid, boundary, thresholds, m.note)
-    write_claims(data / m.recipe / m.claims_file, [claim])
+    return map_claim(m.claim, fronts, grid, boundary, thresholds, m.note)

@@ -40,8 +40,24 @@ def script(path):
     return {"script": path, "common": COMMON}
 
 
-def picture(path):
-    return {"png": f"{path}.png", "pdf": f"{path}.pdf"}
+def scripts_of(name):
+    """Inputs of rule `figure`: the scripts of a recipe, and what scripts share."""
+    scripts = sorted(map(str, Path("recipes", name).glob("*.py")))
+    return {"script": f"recipes/{name}/figure.py", "beside": scripts, "common": COMMON}
+
+
+def results_of(name, *, pictures=(), tables=(), own=()):
+    """Outputs of rule `figure`: claims, pictures, the tables behind them, and results of our own."""
+    files = [f"{picture}.{ending}" for picture in pictures for ending in ("png", "pdf")]
+    files += [*(f"{table}.csv" for table in tables), *own, "claims.json"]
+    return [f"{RESULTS}/{name}/{file}" for file in files]
+
+
+def places():
+    return script("recipes/common/maps/map_points.py")
+
+
+OWN_RESULTS = ("own.json", "summary.txt")
 
 
 def run_with(options, *, changes="", record_every="1e-5"):
@@ -94,5 +110,13 @@ rule analyze:
     shell: "{BIN}/analyze {params.analysis} {input.h5} --json > {output} 2> {log}"
 
 
-rule join_claims:
-    shell: "{PYTHON} {input.script} {input.parts} {output} 2> {log}"
+# Where a map of front types needs more points (map_points.py).
+rule places:
+    message: "{rule}: find the places of a map that need more points"
+    shell: "{PYTHON} {input.script} {params.which} {input.tables} {output} 2> {log}"
+
+
+# All that a recipe makes of what was run and measured.
+rule figure:
+    message: "{rule}: draw, compare with the claims"
+    shell: "{PYTHON} recipes/common/pictures/make.py {input.script} 2> {log}"

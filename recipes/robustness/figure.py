@@ -1,15 +1,10 @@
-#!/usr/bin/env python3
-"""Exponential slipping times, events, map of front types and claims:
+"""Exponential slipping times: events, map of front types and claims; other geometries and the
+distance law are in the modules beside this one."""
 
-    exponential.py DATA FRONT.json FRONT_WITH_EXPONENTIAL_TIMES.json FOLDER CLAIMS.json LOAD.json...
-"""
-
-import sys
-from pathlib import Path
-
+import distance
+import geometry
 import numpy as np
 
-from claims.claim import write_claims
 from claims.judge import judged, unmet
 from data.records import report, values
 from data.tables import points_of, write_table
@@ -18,7 +13,7 @@ from events.conventions import IN_WORDS, PRIMARY
 from events.event_claims import case_of_event, words_case, words_shown
 from events.fronts import has_slow_stretch, is_fast_only
 from events.units import in_words as units_in_words
-from events.units import of_loads
+from events.units import of_ensemble, of_loads
 from maps.front_map import TYPES, read_map, types_of, write_types
 from maps.map_conventions import ALONG_TAU, out_of_order
 from maps.map_panels import draw_regions, name_regions
@@ -138,11 +133,10 @@ def claim_strict(events, unmodified, continued, loads):
     )
 
 
-def main(data, unmodified, continued, results, claims, *loads):
-    data, results = Path(data), Path(results)
-    shown_load, *_ = loads
+def make(data, results):
+    loads = of_ensemble(data, "exponential", "events")
     spanning, in_words = (
-        [event for event in read_events(shown_load, convention) if event["spanning"]]
+        [event for event in read_events(loads[0], convention) if event["spanning"]]
         for convention in (PRIMARY, IN_WORDS)
     )
     draw(spanning, results / "exponential")
@@ -150,9 +144,9 @@ def main(data, unmodified, continued, results, claims, *loads):
     fronts = read_map(points_of(data / "robustness/exponential-map.csv"))
     draw_map(fronts, results / "exponential-map")
     write_types(results / "exponential-map.csv", fronts)
-    strict = claim_strict(spanning, report(unmodified), report(continued), loads)
-    write_claims(claims, [strict, claim_words(in_words, case_of_map(fronts), loads)])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    runs = ("fast-slow-fast", "fast-slow-fast/exponential")
+    fronts_of_event = (report(data / f"{run}-front.json") for run in runs)
+    strict = claim_strict(spanning, *fronts_of_event, loads)
+    words = claim_words(in_words, case_of_map(fronts), loads)
+    distance.make(data, results)
+    return [strict, words, *geometry.make(data / "robustness", results)]

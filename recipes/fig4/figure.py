@@ -1,24 +1,30 @@
-#!/usr/bin/env python3
-"""Figure 4 A-B and its claim:
-
-    wider.py results/data results/fig4 CLAIMS.json load-01-continued.json ...
-"""
-
-import sys
-from pathlib import Path
+"""Figure 4: A-B and their claim here, C in strength.py, D by common/maps."""
 
 import numpy as np
 import rupture
+import strength
 
-from claims.claim import write_claims
 from data.records import report, values
 from events.event_claims import claim_4AB
-from events.units import of_events
+from events.units import of_ensemble, of_events
+from maps.front_types import FrontTypes, make_map
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import DOUBLE, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
+MAP = FrontTypes(
+    recipe="fig4",
+    panel="D",
+    tables=["map-between", "map-boundary"],
+    slow_below=(20, 10, 30, 40, 60),
+    claim="4D",
+    note=(
+        "Below-left: neither tau_bar_0 nor sigma_bar larger, over all points and seeds. Boundary:"
+        " grid points and points halfway between them that are next to another type. Seeds act"
+        " through the slipping times only, so that fast fronts hardly depend on them."
+    ),
+)
 REGION = 0.25  # from here on phi was changed [L]
 
 
@@ -56,14 +62,10 @@ def phi_of(data, event):
     return [report(data / f"{run}-phi.json") for run in (event, f"{event}/wider-start")]
 
 
-def main(data, results, claims, *continued):
-    data, results = Path(data), Path(results)
+def make(data, results):
     draw(data, results / "fig4AB")
     events = {
         name: (*fronts_of(data, event), *phi_of(data, event)) for event, name in EVENTS.items()
     }
-    write_claims(claims, [claim_4AB(events, of_events(continued, "4AB"))])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    units = of_events(of_ensemble(data, "load", "continued"), "4AB")
+    return [claim_4AB(events, units), *strength.make(data, results), make_map(MAP, data, results)]

@@ -1,24 +1,17 @@
-#!/usr/bin/env python3
-"""Figure S6 A, its data and its claims:
-
-    event.py results/data/figS6 results/figS6 decaying-01-events.json ...
-"""
-
-import sys
-from pathlib import Path
+"""Figure S6, its data and its claims."""
 
 import numpy as np
 import rupture
 
-from claims.claim import write_claims
 from claims.judge import judged
 from data.records import report, values
 from data.tables import write_fronts, write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
 from events.event_claims import case_of_event, words_case, words_shown
-from events.units import below_c_s_over_8
+from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
+from maps.front_types import FrontTypes, make_map
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from pictures.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
 
@@ -27,6 +20,18 @@ RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", BLUE, "o"),
     "t_R-double": (r"$2\,\langle t_R\rangle$", ORANGE, "^"),
 }
+MAP = FrontTypes(
+    recipe="figS6",
+    panel="B",
+    tables=["map-boundary"],
+    slow_below=(20, 8, 10, 30, 40),
+    claim="S6B",
+    note=(
+        "As 4D, slow below c_s/20 as there; c_s/8 is what the acceptance of S6A allows a slow"
+        " stretch. tau_bar_0 counts from mu_d, the friction just after breaking; it falls to mu_new"
+        " < mu_d while junctions slip, so fronts cross at negative tau_bar_0, too."
+    ),
+)
 RATIOS = {"fast/slow before", "fast/slow after"}
 
 
@@ -98,17 +103,12 @@ def claims_of(fronts, events, in_words, loads):
     ]
 
 
-def main(data, results, *loads):
-    data, results = Path(data), Path(results)
-    shown_load, *_ = loads
-    events = report(data / "choice.json")["events"]
-    in_words = [event for event in read_events(shown_load, IN_WORDS) if event["spanning"]]
-    fronts = {run: report(data / f"{run}-front-c_s-8.json") for run in RUNS}
-    draw(data / "event-record.h5", fronts, results / "figS6A")
+def make(data, results):
+    loads = of_ensemble(data, "decaying", "events")
+    events = report(data / "figS6/choice.json")["events"]
+    in_words = [event for event in read_events(loads[0], IN_WORDS) if event["spanning"]]
+    fronts = {run: report(data / f"figS6/{run}-front-c_s-8.json") for run in RUNS}
+    draw(data / "figS6/event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", events)
-    write_claims(data / "claims-event.json", claims_of(fronts, events, in_words, loads))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return [*claims_of(fronts, events, in_words, loads), make_map(MAP, data, results)]

@@ -1,22 +1,14 @@
-#!/usr/bin/env python3
-"""Figure 5 A, its data and its claim:
+"""Figure 5: A, its data and its claim here, B in quasistatic.py."""
 
-    driving.py results/data results/fig5 CLAIMS.json load-01-continued.json ...
-"""
-
-import sys
-from pathlib import Path
-
-import h5py
 import numpy as np
+import quasistatic
 import rupture
 
-from claims.claim import write_claims
 from data.records import report, values
 from data.tables import write_table
 from events.event_claims import claim_5A
 from events.fronts import middle_of_slow_stretch
-from events.units import of_events
+from events.units import of_ensemble, of_events
 from pictures.panels import draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
 
@@ -25,17 +17,10 @@ MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured
 
 
-def loading_curve(path):
-    """Time [s] and F_T / F_N."""
-    with h5py.File(path) as file:
-        load = file["series/F_T"][()] / file["parameters/slider/F_N"][()]
-        return file["series/time"][()], load
-
-
 def draw_loading(axes, data, t_zero, t_stop):
-    time, load = loading_curve(data / f"{EVENT}-record.h5")
+    time, load = quasistatic.loading(data / f"{EVENT}-record.h5")
     axes.plot((time - t_zero) * 1e3, load, color="0.6", linewidth=2.5, label="driven")
-    time, load = loading_curve(data / f"{EVENT}/undriven-record.h5")
+    time, load = quasistatic.loading(data / f"{EVENT}/undriven-record.h5")
     axes.plot((time - t_zero) * 1e3, load, color=BLUE, label="driving stopped")
     axes.axvline((t_stop - t_zero) * 1e3, color=VERMILION, linestyle=":", linewidth=0.9)
     axes.set(xlabel="time [ms]", ylabel="$F_T/F_N$")
@@ -87,14 +72,10 @@ def write_ruptures(path, fronts):
     write_table(path, names, zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts)))
 
 
-def main(data, results, claims, *continued):
-    data, results = Path(data), Path(results)
+def make(data, results):
     fronts = [report(data / f"{run}-front.json") for run in (EVENT, f"{EVENT}/undriven")]
     t_stop = middle_of_slow_stretch(fronts[0])
     draw(data, fronts, t_stop, results / "fig5A")
     write_ruptures(results / "rupture-lines.csv", fronts)
-    write_claims(claims, [claim_5A({"event I": fronts}, of_events(continued, "5A"))])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    units = of_events(of_ensemble(data, "load", "continued"), "5A")
+    return [claim_5A({"event I": fronts}, units), *quasistatic.make(data, results)]
