@@ -29,13 +29,13 @@ TEST_F(Analyze, shows_every_parameter) {
   EXPECT_TRUE(json["parameters"]["slider.Nx"].is_number_integer());
 }
 
-class Law : public ToolTest, public ::testing::WithParamInterface<std::string> {};
+class EachLaw : public ToolTest, public ::testing::WithParamInterface<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(Tools, Law,
+INSTANTIATE_TEST_SUITE_P(Tools, EachLaw,
                          ::testing::Values("reference", "simplified", "decaying", "distance"),
                          [](const auto& law) { return law.param; });
 
-TEST_P(Law, has_the_stress_and_the_ruptures_that_were_recorded) {
+TEST_P(EachLaw, has_the_stress_and_the_ruptures_that_were_recorded) {
   output_of(
       "load --config small.ini -o a.h5 --until 4e-4 --checkpoint-at 2e-4 --record r.h5 --set "
       "junctions.law=" +
