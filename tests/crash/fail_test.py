@@ -14,7 +14,6 @@ from scenario import (
     faults_of_next_run,
     log_of,
     made,
-    main,
     new_state,
     run_with_fault,
     scenarios,
@@ -85,7 +84,3 @@ class Failure(unittest.TestCase):
                     outcome = run_with_fault(scenario.command, folder.path, "short", number)
                     self.assertEqual((outcome.returncode, outcome.stderr), (0, ""))
                     self.assertTrue(folder.files() == scenario.new)
-
-
-if __name__ == "__main__":
-    main(unittest.main)

@@ -8,7 +8,6 @@ from scenario import (
     faults_in_files,
     faults_of_next_run,
     log_of,
-    main,
     new_state,
     readable_rows,
     run_with_fault,
@@ -63,7 +62,3 @@ class Kill(unittest.TestCase):
                     self.assertGreaterEqual(len(rows), flushed, "samples were lost again")
                     flushed = len(rows)
             self.assertEqual(flushed, len(whole))
-
-
-if __name__ == "__main__":
-    main(unittest.main)

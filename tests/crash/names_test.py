@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from scenario import BIN, INPUTS, Folder, main, without_notes
+from scenario import BIN, INPUTS, Folder, without_notes
 
 NAMES = ("x --resume.h5", "a -- b.h5", "restart --until 1.h5", "it's.h5")
 SECONDS = 60  # until the first checkpoint must be there
@@ -81,7 +81,3 @@ class Names(unittest.TestCase):
                 self.assertEqual(again.stdout, f"{name} is complete\n")
                 checksum = run([BIN / "analyze", "checksum", name], folder).stdout
                 self.assertEqual(checksum, whole)
-
-
-if __name__ == "__main__":
-    main(unittest.main)

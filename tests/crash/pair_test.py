@@ -9,7 +9,6 @@ from scenario import (
     Folder,
     LONG,
     made,
-    main,
     sums,
     without_notes,
     without_temporaries,
@@ -66,7 +65,3 @@ class Pair(unittest.TestCase):
     def test_that_may_replace_files_leaves_those_of_one_run(self):
         for options in ("--force", "--resume"):  # the second may begin when the first is done
             self.check(LOAD, options, [[0, 1], [0, 0]])
-
-
-if __name__ == "__main__":
-    main(unittest.main)

@@ -9,7 +9,6 @@ from scenario import (
     faults_in_files,
     faults_of_next_run,
     log_of,
-    main,
     new_state,
     readable_rows,
     scenarios,
@@ -71,7 +70,3 @@ class PowerCut(unittest.TestCase):
                 last = float(rows[-1].split(",")[0]) if rows else 0.0
                 self.assertGreaterEqual(last + 6e-7, max(times, default=0.0), line[:60])
         self.assertGreater(len(seen), 20)
-
-
-if __name__ == "__main__":
-    main(unittest.main)

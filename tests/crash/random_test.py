@@ -15,7 +15,6 @@ from scenario import (
     Scenario,
     faults_in_files,
     made,
-    main,
     readable_rows,
     sums,
     without_temporaries,
@@ -122,7 +121,3 @@ class Random(unittest.TestCase):
                 self.check_end(folder)
         self.assertGreater(saved, 0, "every run was over before its signal")
         print(f"{TIMES} signals, {saved} saved")
-
-
-if __name__ == "__main__":
-    main(unittest.main)

@@ -8,7 +8,7 @@ import subprocess
 import unittest
 from functools import partial
 
-from scenario import Folder, TEMPORARY, faults_in_files, faults_of_failure, main, run, scenarios
+from scenario import Folder, TEMPORARY, faults_in_files, faults_of_failure, run, scenarios
 
 NOBODY = 65534
 PAGE = 4096
@@ -105,7 +105,3 @@ class Resources(unittest.TestCase):
                 subprocess.run(remount, check=True)
                 outcome = run(scenario.command, folder.path)
                 self.assertEqual(self.check(scenario, outcome, folder, errno.EROFS), 1)
-
-
-if __name__ == "__main__":
-    main(unittest.main)

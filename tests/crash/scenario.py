@@ -5,15 +5,16 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
-SKIPPED = 77
-BIN = Path(os.environ.get("RUPTURE_BIN", "build/release/bin")).resolve()
-FAULTS = Path(os.environ.get("RUPTURE_FAULTS", BIN.parent / "tests/crash/libfaults.so")).resolve()
+from conftest import BIN, BUILD, skip
+
+FAULTS = BUILD / "tests/libfaults.so"
 LONG = "RUPTURE_CRASH_LONG" in os.environ
+if not FAULTS.exists():
+    skip(f"{FAULTS} is not built")
 MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # quicker than a disk
 
 SLIDER = "[slider]\nNx = 9\nNz = 5\nH = 0.07\n[driving]\nh = 0.0175\n"
@@ -245,11 +246,3 @@ def faults_of_failure(outcome, reason, scenario):
     if not any(name.removesuffix(".sum") in outcome.stderr for name in scenario.new):
         faults.append(f"no file is named: {outcome.stderr!r}")
     return faults
-
-
-def main(test_program):
-    """Runs the tests of a file, or skips them all with one sentence where they cannot run."""
-    if not FAULTS.exists():
-        print(f"skipped: {FAULTS} is not built")
-        sys.exit(SKIPPED)
-    test_program(verbosity=2)

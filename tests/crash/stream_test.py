@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from scenario import BIN, INPUTS, Folder, made, main, sums
+from scenario import BIN, INPUTS, Folder, made, sums
 
 LOAD = (
     "load --config driven.ini --until 1e-3 --set driving.V=0.01 --record r.h5 --record-every 1e-6"
@@ -62,7 +62,3 @@ class Stream(unittest.TestCase):
         self.assertEqual((process.returncode, said), (0, b""))
         self.check_files()
         self.assertIn("moved", self.folder.files())
-
-
-if __name__ == "__main__":
-    main(unittest.main)

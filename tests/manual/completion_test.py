@@ -1,18 +1,15 @@
-"""Completion, asked for in a real bash, and in zsh where it is installed.
-
-completion_test.py BUILD
-"""
+"""Completion, asked for in a real bash, and in zsh where it is installed."""
 
 import json
 import os
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-BUILD = Path(sys.argv[1]).resolve()
+from conftest import BUILD
+
 SCRIPT = BUILD / "manual/rupture"
 FILES = ("a.h5", "b.h5.part", "my.ini", "note.txt", "folder/c.h5", "two words.h5")
 
@@ -147,7 +144,3 @@ class Zsh(Completion):
             ("reproduce sweep m", "my.ini"),
         ):
             self.assertIn(expected, self.shown(line), line)
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])

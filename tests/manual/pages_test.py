@@ -1,17 +1,13 @@
-"""The man pages: there is one per tool, man and lexgrog find no fault, all options are in them.
-
-pages_test.py BUILD
-"""
+"""The man pages: there is one per tool, man and lexgrog find no fault, all options are in them."""
 
 import json
 import os
-import shutil
 import subprocess
-import sys
 import unittest
-from pathlib import Path
 
-BUILD = Path(sys.argv[1])
+from conftest import BUILD, need
+
+need("lexgrog")
 PAGES = BUILD / "manual/man"
 PLAIN = os.environ | {
     "LC_ALL": "C.UTF-8",
@@ -70,10 +66,3 @@ class Pages(unittest.TestCase):
             " reference, simplified, decaying)",
             text,
         )
-
-
-if __name__ == "__main__":
-    if not shutil.which("lexgrog"):
-        print("Skipped: man-db is not installed.")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1])

@@ -1,30 +1,20 @@
 """The examples in the docstrings of the package give what they say."""
 
 import doctest
-import os
-import sys
+
+import pytest
 
 import rupture.files
 import rupture.programs
 import small
 
-try:
-    import pandas  # noqa: F401
-    import xarray  # noqa: F401
-except ImportError:
-    print("Skipped: the examples need pandas and xarray, of which one is not installed.")
-    sys.exit(1 if os.environ.get("CI") else 77)
 
-
-def failures(module, files):
-    names = {"rupture": rupture, **files}
-    return doctest.testmod(module, extraglobs=names, optionflags=doctest.ELLIPSIS).failed
-
-
-if __name__ == "__main__":
+@pytest.mark.parametrize("module", [rupture.files, rupture.programs])
+def test_the_examples_of(module):
+    pytest.importorskip("pandas")
+    pytest.importorskip("xarray")
     small.folder()
-    opened = {
-        "checkpoint": rupture.open("small.h5"),
-        "record": rupture.open("small-record.h5"),
-    }
-    sys.exit(sum(failures(module, opened) for module in (rupture.files, rupture.programs)))
+    names = {"rupture": rupture, "checkpoint": rupture.open("small.h5")}
+    names["record"] = rupture.open("small-record.h5")
+    found = doctest.testmod(module, extraglobs=names, optionflags=doctest.ELLIPSIS)
+    assert found.attempted and not found.failed

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from fixture import Project, demand_browser, png, spill
 
+BROWSER = demand_browser()
 WAYS = [(width, scheme) for width in (1400, 400) for scheme in ("light", "dark")]
 # What each must be noticed as.
 PLANTED = {
@@ -89,8 +90,3 @@ class InBrowser(unittest.TestCase):
         seen = BROWSER.look(self.page)
         self.assertEqual(seen.foreign_requests(), ["https://example.org/a.png"])
         self.assertIn('"x"', "; ".join(seen.errors))
-
-
-if __name__ == "__main__":
-    BROWSER = demand_browser()
-    unittest.main()

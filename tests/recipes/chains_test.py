@@ -4,7 +4,6 @@
 A command by hand has the program, the options and the values of one that Snakemake would run, or
 that a point of a sweep runs. It may leave out what only concerns files, and what is a default."""
 
-import importlib.util
 import json
 import os
 import re
@@ -15,12 +14,15 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from fixture import SOURCE, skip
+import pytest
+
+from fixture import SOURCE
 from project import read_readme
 
 sys.path.insert(0, str(SOURCE / "recipes/common"))
 from sweeps.sweep import is_sweep, read_sweep  # noqa: E402  (found through the line above)
 
+pytest.importorskip("snakemake")
 BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
@@ -94,6 +96,9 @@ def defaults():
     listed = json.loads(subprocess.run(command, capture_output=True, check=True).stdout)
     found = {row["name"]: str(row["default"]) for row in listed["parameters"]}
     return found | {"--sigma-bar": "0"}
+
+
+DEFAULTS = defaults()
 
 
 def without_defaults(program, options):
@@ -193,10 +198,3 @@ class Chains(unittest.TestCase):
         ):
             (words,) = calls_in(text)
             self.assertFalse(any(matches(parse(words), other) for other in self.calls), text)
-
-
-if __name__ == "__main__":
-    if not importlib.util.find_spec("snakemake"):
-        skip("snakemake is not installed.")
-    DEFAULTS = defaults()
-    unittest.main()

@@ -11,11 +11,8 @@ import zlib
 from importlib.util import find_spec
 from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[2]
-SKIPPED = 77
-
-sys.path.insert(0, str(SOURCE / "recipes/common/report"))
-from project import listed_claims  # noqa: E402  (found through the line above)
+from conftest import ROOT as SOURCE, skip
+from project import listed_claims
 
 NOT_RUN = ("5A", "5B")  # the fixture has no results of their recipe
 START = 1.7e9  # [s] since 1970
@@ -144,20 +141,12 @@ class Project:
         return self.root / "results/index.html"
 
 
-def skip(reason):
-    print(f"Skipped: {reason}")
-    sys.exit(SKIPPED)
-
-
 def demand_browser():
     """A running one. Without it the test is skipped; where CI is set, it fails."""
-    if (program := shutil.which("chromedriver")) and find_spec("selenium"):
-        from browser import Browser
+    if not ((program := shutil.which("chromedriver")) and find_spec("selenium")):
+        skip("chromium-driver and python3-selenium are not installed.")
+    from browser import Browser
 
-        browser = Browser(program)
-        atexit.register(browser.close)
-        return browser
-    missing = "chromium-driver and python3-selenium are not installed."
-    if os.environ.get("CI"):
-        sys.exit(f"Not checked, as it must be where CI is set: {missing}")
-    return skip(missing)
+    browser = Browser(program)
+    atexit.register(browser.close)
+    return browser

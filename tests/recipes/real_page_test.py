@@ -4,11 +4,15 @@
 import json
 import unittest
 
-from fixture import SOURCE, demand_browser, skip
+import pytest
+
+from fixture import SOURCE, demand_browser
 from links import Links
 
 PAGE = SOURCE / "results/index.html"
-
+if not PAGE.exists():
+    pytest.skip("./reproduce.sh report has written no results/index.html", allow_module_level=True)
+BROWSER = demand_browser()
 
 # Results may have changed since the page was written.
 OUTDATED = "./reproduce.sh report writes the page anew"
@@ -35,10 +39,3 @@ class RealPage(unittest.TestCase):
             for scheme in ("light", "dark"):
                 with self.subTest(width=width, scheme=scheme):
                     self.assertEqual(BROWSER.look(PAGE, width, scheme).faults, [])
-
-
-if __name__ == "__main__":
-    if not PAGE.exists():
-        skip("there is no results/index.html; ./reproduce.sh report writes it.")
-    BROWSER = demand_browser()
-    unittest.main()

@@ -1,17 +1,13 @@
-"""The Debian package that cpack makes: its contents, its dependencies, and lintian's opinion.
+"""The Debian package that cpack makes: its contents, its dependencies, and lintian's opinion."""
 
-debian_test.py BUILD
-"""
-
-import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-BUILD = Path(sys.argv[1])
-NEEDED = ("dpkg-shlibdeps", "lintian")
+from conftest import BUILD, need
+
+need("dpkg-shlibdeps", "lintian")
 
 
 def output_of(*command):
@@ -55,10 +51,3 @@ class DebianPackage(unittest.TestCase):
             "rupture/benchmarks/lammps/bulk.in",
         ):
             self.assertTrue((self.unpacked / "usr/share" / path).exists(), path)
-
-
-if __name__ == "__main__":
-    if missing := [program for program in NEEDED if not shutil.which(program)]:
-        print(f"Skipped: {' and '.join(missing)} cannot be found.")
-        sys.exit(77)
-    unittest.main(argv=sys.argv[:1])

@@ -1,15 +1,12 @@
-"""The program `rupture golden` by itself, with the built tools.
-
-golden_test.py SOURCE TOOLS
-"""
+"""The program `rupture golden` by itself, with the built tools."""
 
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-SOURCE, TOOLS = Path(sys.argv[1]), Path(sys.argv[2])
+from conftest import BIN as TOOLS, ROOT as SOURCE
+
 INI = SOURCE / "tests/regression/project/my_slider.ini"
 PREPARE = f"prepare -q --config {INI} --tau-bar 0.5 --sigma-bar 0.15 "
 TWO = PREPARE + "-o a.h5\n" + PREPARE + "--seed 2 -o b.h5\n"
@@ -197,7 +194,3 @@ class Refusing(Golden):
             run = self.golden(*arguments)
             self.assertEqual((run.returncode, run.stdout), (2, ""))
             self.assertIn("see rupture golden --help", run.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])

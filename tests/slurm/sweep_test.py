@@ -1,7 +1,5 @@
 """Sweeps and figures in allocations of a real SLURM, undisturbed and with everything killed.
 
-    sweep_test.py FOLDER_OF_PROGRAMS
-
 Each run has a copy of the project's recipes, so that no result is found twice.
 """
 
@@ -11,15 +9,16 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
 from cluster import Cluster, missing_programs
+from conftest import BIN as PROGRAMS, ROOT, skip
 
-ROOT = Path(__file__).resolve().parents[2]
+if missing_programs():
+    skip(f"SLURM cannot be started without {', '.join(missing_programs())}.")
 COPIED = ("reproduce.sh", "packages.txt", "codemeta.json", "recipes", "python", "checkpoints")
 CORES = 2
 SWEEP = """\
@@ -264,15 +263,3 @@ class OnSlurm(unittest.TestCase):
         times = f"local {local_seconds:.1f} s, SLURM {seconds:.1f} s, {ratio:.2f} times"
         print(f"{' '.join(figures)}: {times}")
         print(f"{len(local)} files of checksums and all tables of claims are equal")
-
-
-def demand_slurm():
-    if missing := missing_programs():
-        print(f"Skipped: SLURM cannot be started without {', '.join(missing)}.")
-        sys.exit(1 if os.environ.get("CI") else 77)
-
-
-if __name__ == "__main__":
-    demand_slurm()
-    PROGRAMS = os.path.abspath(sys.argv.pop(1))
-    unittest.main(verbosity=2)

@@ -1,19 +1,15 @@
-"""The installed CMake package, as the project of a user (project/) uses it.
-
-package_test.py BUILD COMPILER
-"""
+"""The installed CMake package, as the project of a user (project/) uses it."""
 
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-BUILD, COMPILER = sys.argv[1:3]
-PROJECT = Path(__file__).resolve().parent / "project"
-ROOT = PROJECT.parents[2]
+from conftest import BUILD, ROOT
+
+PROJECT = ROOT / "tests/regression/project"
 
 
 def run(*command):
@@ -38,7 +34,7 @@ class Package(unittest.TestCase):
     def configure(self, *options):
         return run(
             *("cmake", "-S", self.source, "-B", self.build, "-G", "Ninja"),
-            *(f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_CXX_COMPILER={COMPILER}"),
+            f"-DCMAKE_PREFIX_PATH={self.prefix}",
             *options,
         )
 
@@ -117,7 +113,7 @@ class Package(unittest.TestCase):
 
     def test_any_version_of_eigen_is_taken(self):
         """By ours and by our users' projects: a version asked for excludes the next major one."""
-        cache = (Path(BUILD) / "CMakeCache.txt").read_text(encoding="utf-8")
+        cache = (BUILD / "CMakeCache.txt").read_text(encoding="utf-8")
         [installed] = re.findall("^Eigen3_DIR:PATH=(.*)$", cache, re.MULTILINE)
         config = self.prefix.parent / "Eigen3Config.cmake"
         config.write_text(f'include("{installed}/Eigen3Config.cmake")\n')
@@ -155,7 +151,3 @@ class Package(unittest.TestCase):
             result = self.configure()
             self.assertNotEqual(result.returncode, 0)
             self.assertIn(sentence, " ".join(result.stderr.split()))
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
