@@ -152,10 +152,6 @@ class RecordWriter::Buffers {
   Content rows_;
 };
 
-class RecordWriter::Part : public PartFile {
-  using PartFile::PartFile;
-};
-
 std::filesystem::path part_path(const std::filesystem::path& path) {
   return path.string() + ".part";
 }
@@ -182,7 +178,7 @@ RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& paramet
   }
   rows_before.merge(recorded_run_content(parts.run));
   rows_before.merge(Content(buffers_->content()));  // all datasets are there, even if without rows
-  part_ = std::make_unique<Part>(
+  part_ = std::make_unique<PartFile>(
       part_path(path_), first_piece(parameters, provenance, std::move(rows_before)), if_exists);
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "rupture/checkpoint/record.hpp"
-#include "rupture/model/run_so_far.hpp"
+#include "rupture/model/rupture.hpp"
 
 namespace rupture {
 

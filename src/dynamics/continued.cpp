@@ -19,11 +19,10 @@ void refuse_other_springs(const Parameters& before, const Parameters& after) {
 }
 
 void refuse_changes_of_kept(const Parameters& before, const Parameters& after) {
-  for (const auto& info : parameter_table()) {
-    if (info.restart == Restart::may_change) continue;
-    if (parameter_text(before, info) == parameter_text(after, info)) continue;
+  for (const ParameterInfo* info : differing(before, after)) {
+    if (info->restart == Restart::may_change) continue;
     throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}",
-                                 info.name, parameter_text(before, info)));
+                                 info->name, parameter_text(before, *info)));
   }
 }
 

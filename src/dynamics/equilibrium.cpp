@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/normal_contact.hpp"
 #include "statics.hpp"
 
 namespace rupture {
@@ -26,14 +29,122 @@ void check_strength(const Parameters& p, const State& state) {
   }
 }
 
-}  // namespace
-
-double static_residual(const Parameters& p, const State& state) {
-  Bulk bulk(p);
-  Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
-  static_forces(p, {}, bulk, state, f_x, f_z);
-  return largest(f_x, f_z);
+bool in_trigger_region(const Parameters& p, const Prestress& prestress, Eigen::Index i) {
+  return block_position(p, i) < prestress.x_trigger;
 }
+
+bool is_depinned(const Parameters& p, const Prestress& prestress, Eigen::Index i) {
+  return prestress.trigger == Trigger::depinned && in_trigger_region(p, prestress, i);
+}
+
+/// f_thres - f_slip [N].
+double strength_range(const Parameters& p) {
+  return (p.mu_s - p.mu_d) * mean_normal_force(p) / static_cast<double>(p.N_s);
+}
+
+void check_parameters(const Parameters& p) {
+  validate(p);
+  if (!NormalContact(p).has_constant_p()) {
+    throw UsageError("a prepared interface needs slider.support = ceiling");
+  }
+  if (!(p.K > 0.0)) {
+    throw UsageError(
+        "driving.K = 0 cannot balance the prestress: give the driving spring a modulus above 0");
+  }
+  if (!(p.mu_d < p.mu_s)) {
+    throw UsageError(fmt::format(
+        "junctions.mu_d = junctions.mu_s = {:g} leaves no range for the prestress: lower mu_d",
+        p.mu_d));
+  }
+}
+
+void check_region(const Parameters& p, const Prestress& prestress) {
+  const double last = block_position(p, p.Nx - 1);
+  if (prestress.x_trigger >= 0.0 && prestress.x_trigger <= last) return;
+  throw UsageError(fmt::format(
+      "x-trigger = {:g} m makes no sense: give 0 to {:g} m, so that a block lies beyond it",
+      prestress.x_trigger, last));
+}
+
+void check_tau_bar(const Parameters& p, const char* name, double tau_bar) {
+  const double least = -(p.mu_s + p.mu_d) / (p.mu_s - p.mu_d);  // tau_0 = -mu_s p
+  if (tau_bar >= least && tau_bar <= 1.0) return;
+  throw UsageError(fmt::format(
+      "{} = {:g} would put junctions beyond f_thres: the largest possible value is 1, the smallest "
+      "{:.4g}",
+      name, tau_bar, least));
+}
+
+void check_sigma_bar(const Parameters& p, const Prestress& prestress) {
+  const double largest = largest_sigma_bar(p, prestress);
+  if (prestress.sigma_bar >= 0.0 && prestress.sigma_bar <= largest) return;
+  if (!(prestress.sigma_bar >= 0.0)) {
+    throw UsageError(fmt::format("sigma-bar = {:g} makes no sense: give a number of at least 0",
+                                 prestress.sigma_bar));
+  }
+  throw UsageError(fmt::format(
+      "sigma-bar = {:g} would put junctions beyond f_thres: the largest possible value is {:.4f}",
+      prestress.sigma_bar, std::floor(largest * 1e4) * 1e-4));
+}
+
+void check(const Parameters& p, const Prestress& prestress) {
+  check_parameters(p);
+  check_region(p, prestress);
+  check_tau_bar(p, "tau-bar", prestress.tau_bar);
+  check_tau_bar(p, "tau-bar-trigger", prestress.tau_bar_trigger);
+  check_sigma_bar(p, prestress);
+}
+
+/// True if the slider has turned so far that blocks rose or sank by the spacing between them: as p
+/// is constant, the static equations have such solutions, in which the ceiling touches a corner.
+bool has_tipped_over(const Parameters& p, const State& state) {
+  return state.u_z.blocks().abs().maxCoeff() >= block_spacing(p);
+}
+
+/// Attaches the junctions of block i where their forces add up to tau_i and follow phi. The single
+/// spring of the simplified law is stretched like each of the N_s junctions that it stands for.
+void attach(const Parameters& p, const Prestress& prestress, double tau_i, Eigen::Index i,
+            State& state) {
+  const double k_ij = junction_stiffness(p, mean_normal_force(p));
+  const double half_width = prestress.sigma_bar * strength_range(p) / unit_sigma(prestress.shape);
+  const auto quantiles = unit_quantiles(prestress.shape, springs_per_block(p));
+  const double mean = tau_i / static_cast<double>(p.N_s);
+  for (Eigen::Index j = 0; j < state.junctions.attachment.cols(); ++j) {
+    const double f = mean + half_width * quantiles[static_cast<std::size_t>(j)];
+    state.junctions.attachment(i, j) = state.u_x(i, 0) - f / k_ij;
+  }
+}
+
+/// Depins all junctions of block i, which carried tau_i together. The block is no longer at rest.
+void depin(const Parameters& p, double tau_i, Eigen::Index i, State& state) {
+  const double normal = mean_normal_force(p), u_x = state.u_x(i, 0);
+  const double w = friction_stretch(p, normal);
+  const double k_ij = junction_stiffness(p, normal);
+  const Eigen::Index springs = state.junctions.attachment.cols();
+  double friction = 0.0;
+  for (Eigen::Index j = 0; j < springs; ++j) {
+    state.junctions.attachment(i, j) = u_x - tau_i / static_cast<double>(p.N_s) / k_ij;
+    break_by_law(p, state.junctions, i, j, u_x, w, 0.0);
+    friction += k_ij * (u_x - state.junctions.attachment(i, j));
+  }
+  const double junctions_in_each = static_cast<double>(p.N_s) / static_cast<double>(springs);
+  state.f_x(i, 0) = tau_i - junctions_in_each * friction;
+}
+
+/// Adds the junctions to a slider that rests under `tau`.
+void add_interface(const Parameters& p, const Prestress& prestress, const std::vector<double>& tau,
+                   State& state) {
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const double tau_i = tau[static_cast<std::size_t>(i)];
+    if (is_depinned(p, prestress, i)) {
+      depin(p, tau_i, i, state);
+    } else {
+      attach(p, prestress, tau_i, i, state);
+    }
+  }
+}
+
+}  // namespace
 
 State normal_load_equilibrium(const Parameters& p) {
   validate(p);
@@ -49,11 +160,42 @@ State normal_load_equilibrium(const Parameters& p) {
   return *std::move(state);
 }
 
-State relaxed_equilibrium(const Parameters& p, double duration) {
-  validate(p);
-  State state = relax(p, {}, duration);
-  place_driving_point(p, state);
-  return state;
+std::vector<double> prescribed_friction(const Parameters& p, const Prestress& prestress) {
+  std::vector<double> tau;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const double tau_bar =
+        in_trigger_region(p, prestress, i) ? prestress.tau_bar_trigger : prestress.tau_bar;
+    tau.push_back(mean_normal_force(p) * (p.mu_d + tau_bar * (p.mu_s - p.mu_d)));
+  }
+  return tau;
+}
+
+double largest_sigma_bar(const Parameters& p, const Prestress& prestress) {
+  const double outermost = unit_quantiles(prestress.shape, springs_per_block(p)).back();
+  if (outermost == 0.0) return 0.0;  // one junction per block has no width
+  const auto N_s = static_cast<double>(p.N_s);
+  const double f_thres = p.mu_s * mean_normal_force(p) / N_s;
+  const auto tau = prescribed_friction(p, prestress);
+  double room = f_thres;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    if (is_depinned(p, prestress, i)) continue;
+    room = std::min(room, f_thres - std::abs(tau[static_cast<std::size_t>(i)]) / N_s);
+  }
+  return std::max(room, 0.0) / outermost * unit_sigma(prestress.shape) / strength_range(p);
+}
+
+State prepared_state(const Parameters& p, const Prestress& prestress) {
+  check(p, prestress);
+  const auto tau = prescribed_friction(p, prestress);
+  auto state = solve_statics(p, {tau, p.K});
+  if (!state || has_tipped_over(p, *state)) {
+    throw Failure(
+        fmt::format("no equilibrium under this prestress was found: slider.F_N = {:g} N is too "
+                    "large for slider.E = {:g} Pa or the slider tips over",
+                    p.F_N, p.E));
+  }
+  add_interface(p, prestress, tau, *state);
+  return *std::move(state);
 }
 
 }  // namespace rupture

@@ -6,7 +6,7 @@ namespace rupture {
 namespace {
 
 /// Columns i_0 to i_1 and rows j_0 to j_1, the ends excluded.
-struct Part {
+struct Rectangle {
   Eigen::Index i_0, i_1, j_0, j_1;
 
   Eigen::Index width() const { return i_1 - i_0; }
@@ -24,9 +24,9 @@ class Dissection {
 
  private:
   /// Cuts across the longer side. Springs reach the next column and row, so one line separates.
-  void order(const Part& part) {
+  void order(const Rectangle& part) {
     if (part.width() <= 2 && part.height() <= 2) return append(part);
-    Part before = part, line = part, after = part;
+    Rectangle before = part, line = part, after = part;
     if (part.width() >= part.height()) {
       before.i_1 = line.i_0 = (part.i_0 + part.i_1) / 2;
       after.i_0 = line.i_1 = line.i_0 + 1;
@@ -39,7 +39,7 @@ class Dissection {
     append(line);
   }
 
-  void append(const Part& part) {
+  void append(const Rectangle& part) {
     for (Eigen::Index j = part.j_0; j < part.j_1; ++j) {
       for (Eigen::Index i = part.i_0; i < part.i_1; ++i) {
         places_[static_cast<std::size_t>(j * Nx_ + i)] = next_++;

@@ -230,23 +230,4 @@ std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_cas
                                                          : Elimination::column_minimum_degree);
 }
 
-State relax(const Parameters& p, const LoadCase& load_case, double duration) {
-  Bulk bulk(p);
-  State state = compressed(p);
-  Field damping_x(p.Nx, p.Nz), damping_z(p.Nx, p.Nz);
-  const double alpha = damping_coefficient(p) / 40.0;
-  const double half_kick = p.dt / (2.0 * block_mass(p));
-  const auto steps = static_cast<std::int64_t>(std::llround(duration / p.dt));
-  for (std::int64_t n = 0; n < steps; ++n) {
-    bulk.kick_drift(0, state);
-    static_forces(p, load_case, bulk, state, state.f_x, state.f_z);
-    bulk.damping(state.v_x, state.v_z, damping_x, damping_z);
-    state.f_x.blocks() += damping_x.blocks() - alpha * state.v_x.blocks();
-    state.f_z.blocks() += damping_z.blocks() - alpha * state.v_z.blocks();
-    state.v_x.blocks() += half_kick * state.f_x.blocks();
-    state.v_z.blocks() += half_kick * state.f_z.blocks();
-  }
-  return state;
-}
-
 }  // namespace rupture

@@ -1,9 +1,10 @@
-// The slider at rest: the forces on it, and two ways to find the equilibrium that must agree.
+// The slider at rest: the forces on it, and how it is found.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/forces/bulk.hpp"
 #include "rupture/model/state.hpp"
 
@@ -55,9 +56,5 @@ enum class Elimination { column_minimum_degree, nested_dissection };
 /// The same in the given order.
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
                                    Elimination elimination);
-
-/// The same by damped relaxation: velocity Verlet with an extra force -alpha v, alpha = eta/40, on
-/// every block for `duration` [s].
-State relax(const Parameters& p, const LoadCase& load_case, double duration);
 
 }  // namespace rupture

@@ -11,8 +11,7 @@
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
-#include "rupture/model/nearest.hpp"
-#include "rupture/model/number_text.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace rupture {
 namespace {
@@ -288,6 +287,16 @@ std::string parameter_text(const Parameters& parameters, const ParameterInfo& in
         }
       },
       info.member);
+}
+
+std::vector<const ParameterInfo*> differing(const Parameters& a, const Parameters& b) {
+  std::vector<const ParameterInfo*> found;
+  for (const auto& info : parameter_table()) {
+    if (std::visit([&](auto member) { return a.*member != b.*member; }, info.member)) {
+      found.push_back(&info);
+    }
+  }
+  return found;
 }
 
 namespace {

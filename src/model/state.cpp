@@ -26,14 +26,12 @@ State::State(const Parameters& p)
 }
 
 void refuse_other_parameters(const State& state, const Parameters& parameters) {
-  for (const auto& info : parameter_table()) {
-    const std::string made = parameter_text(state.made_with, info);
-    const std::string given = parameter_text(parameters, info);
-    if (made == given) continue;
-    throw UsageError(fmt::format(
-        "{} = {}, but the state was made with {}: give the state to continued() to change it",
-        info.name, given, made));
-  }
+  const auto others = differing(state.made_with, parameters);
+  if (others.empty()) return;
+  const ParameterInfo& info = *others.front();
+  throw UsageError(fmt::format(
+      "{} = {}, but the state was made with {}: give the state to continued() to change it",
+      info.name, parameter_text(parameters, info), parameter_text(state.made_with, info)));
 }
 
 double time_at(const Parameters& p, const Clock& clock, std::int64_t step) {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "bytes.hpp"
-#include "rupture/analysis/events.hpp"
+#include "rupture/analysis/front.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/record.hpp"

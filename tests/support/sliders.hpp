@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rupture/dynamics/prepared.hpp"
+#include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"

@@ -1,12 +1,11 @@
 // Claim 1G: friction of one block that slides at constant speed v, against renewal theory, both as
 // in analysis/steady_sliding.hpp, where the theory is derived.
-#include "rupture/analysis/steady_sliding.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture {

@@ -10,7 +10,7 @@
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/checkpoint/provenance.hpp"
 #include "rupture/model/parameters.hpp"
-#include "rupture/model/run_so_far.hpp"
+#include "rupture/model/rupture.hpp"
 #include "rupture/model/state.hpp"
 
 namespace rupture {

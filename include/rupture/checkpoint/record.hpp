@@ -23,6 +23,8 @@
 
 namespace rupture {
 
+class PartFile;
+
 /// One line of the series; the vectors have one value per interface block, Nx in all.
 struct Sample {
   double time = 0;  ///< [s]
@@ -135,11 +137,10 @@ class RecordWriter {
 
  private:
   class Buffers;
-  class Part;
   std::filesystem::path path_;
   IfExists if_exists_;
   std::unique_ptr<Buffers> buffers_;
-  std::unique_ptr<Part> part_;
+  std::unique_ptr<PartFile> part_;
 };
 
 /// Reads a finished record or a .part. Throws Failure.

@@ -23,7 +23,6 @@
 #include "rupture/forces/bulk.hpp"
 #include "rupture/forces/interface_law.hpp"
 #include "rupture/model/normal_contact.hpp"
-#include "rupture/model/run_so_far.hpp"
 #include "rupture/model/rupture.hpp"
 #include "rupture/model/state.hpp"
 

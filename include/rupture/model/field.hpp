@@ -6,10 +6,29 @@
 #pragma once
 
 #include <Eigen/Core>
-
-#include "rupture/model/aligned.hpp"
+#include <cstddef>
+#include <new>
+#include <vector>
 
 namespace rupture {
+
+// Memory that starts on a cache line, so that no vector of eight doubles straddles two.
+
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t alignment{64};
+
+  CacheLineAllocator() = default;
+  template <class U>
+  explicit(false) CacheLineAllocator(const CacheLineAllocator<U>&) {}
+
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+  void deallocate(T* memory, std::size_t) { ::operator delete(memory, alignment); }
+  bool operator==(const CacheLineAllocator&) const = default;
+};
+
+using AlignedVector = std::vector<double, CacheLineAllocator<double>>;
 
 using RowMajorArray = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

@@ -146,6 +146,9 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
 /// The value as text that set_parameter reads back to the same bits.
 std::string parameter_text(const Parameters& parameters, const ParameterInfo& info);
 
+/// The rows of the parameters in which two sets differ.
+std::vector<const ParameterInfo*> differing(const Parameters& a, const Parameters& b);
+
 /// Throws UsageError unless the parameters make physical sense together: equal lattice spacing in x
 /// and z, driving height on a row of blocks, mu_d <= mu_s, f_new and mu_new as the interface law
 /// allows them, time step below the stability limit.

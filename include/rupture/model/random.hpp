@@ -8,6 +8,18 @@
 
 namespace rupture {
 
+// Elementary functions made of +, -, *, / and sqrt only.
+//
+// IEEE 754 fixes the result of those five to the last bit; it does not fix log or the normal
+// quantile, whose library versions differ between systems and even between processors.
+
+/// Natural logarithm of x, for finite normal x > 0; within 1e-15 relative or 1e-16 absolute.
+double exact_log(double x);
+
+/// Quantile of the standard normal distribution for p in (0, 1), relative accuracy about 1e-15.
+/// Rational approximations of Wichura, Appl. Stat. 37, 477 (1988), algorithm AS 241.
+double normal_quantile(double p);
+
 /// Use of a random number; different purposes never share a counter.
 enum class Purpose : std::uint32_t { slipping = 1, force_distribution = 2 };
 

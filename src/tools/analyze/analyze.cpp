@@ -9,7 +9,7 @@
 
 #include "cli/report.hpp"
 #include "rupture/model/error.hpp"
-#include "rupture/model/nearest.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "analyze/common_quantities.hpp"
 #include "analyze/front_report.hpp"
 #include "analyze/record_command.hpp"
-#include "rupture/analysis/events.hpp"
+#include "rupture/analysis/front.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {

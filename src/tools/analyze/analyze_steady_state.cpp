@@ -3,7 +3,7 @@
 
 #include "analyze/analyze.hpp"
 #include "cli/option_values.hpp"
-#include "rupture/analysis/steady_sliding.hpp"
+#include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 

@@ -7,10 +7,10 @@
 
 #include "analyze/front_report.hpp"
 #include "cli/option_values.hpp"
-#include "rupture/analysis/events.hpp"
+#include "rupture/analysis/front.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/normal_contact.hpp"
-#include "rupture/model/spanning.hpp"
+#include "rupture/model/rupture.hpp"
 
 namespace rupture::tools {
 namespace {

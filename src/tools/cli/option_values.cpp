@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "rupture/model/error.hpp"
-#include "rupture/model/number_text.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace rupture::tools {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "rupture/model/laws.hpp"
-#include "rupture/model/nearest.hpp"
 #include "rupture/model/parameters.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace rupture::tools {
 namespace {

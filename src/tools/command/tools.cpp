@@ -10,7 +10,7 @@
 
 #include "rupture/checkpoint/provenance.hpp"
 #include "rupture/model/error.hpp"
-#include "rupture/model/nearest.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace rupture::tools {
 namespace {

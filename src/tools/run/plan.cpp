@@ -217,11 +217,11 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
   plan.checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options);
   plan.start = std::move(start);
   plan.work = nothing_of(plan, options, input);
-  Remains remains =
-      options.resume == Resume::yes ? find_remains(plan.start, plan.rule, plan.files) : Remains{};
-  plan.replaceable = std::move(remains.replaceable);
-  plan.is_complete = remains.is_complete;
-  plan.begin = beginning(plan, std::move(remains.newest));
+  Found found =
+      options.resume == Resume::yes ? find_run(plan.start, plan.rule, plan.files) : Found{};
+  plan.replaceable = std::move(found.replaceable);
+  plan.is_complete = found.is_complete;
+  plan.begin = beginning(plan, std::move(found.newest));
   if (plan.is_resumed()) leave_out_what_was_written(plan);
   if (plan.is_complete) {
     if (plan.files.record) plan.written_before.push_back(*plan.files.record);

@@ -11,7 +11,7 @@
 #include "run/summary.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/dynamics/prepared.hpp"
+#include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 

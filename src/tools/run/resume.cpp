@@ -162,29 +162,29 @@ bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const Sto
 
 }  // namespace
 
-Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
+Found find_run(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
   const Recorded record = recorded_so_far(start, rule, files);
   bool too_new = false;
-  Remains remains;
+  Found found;
   for (const fs::path& path : checkpoints_of(files.output)) {
     auto checkpoint = read_if_intact(path);
     if (checkpoint ? !is_of_run(*checkpoint, start) : !is_checkpoint(path)) continue;
     const bool is_usable = checkpoint && is_on_the_way(*checkpoint, path, rule, files);
-    if (is_usable || path != files.output) remains.replaceable.insert(path);
+    if (is_usable || path != files.output) found.replaceable.insert(path);
     if (!is_usable) continue;
     Content rows =
         record.rows.empty() ? Content{} : rows_until(record.rows, checkpoint->state.step);
     if (!files.record || reach(rows, *checkpoint, path, rule, files)) {
-      remains.newest = {std::move(*checkpoint), path, std::move(rows), {}};
-      remains.is_complete = path == files.output && record.is_finished;
-      return remains;
+      found.newest = {std::move(*checkpoint), path, std::move(rows), {}};
+      found.is_complete = path == files.output && record.is_finished;
+      return found;
     }
     if (!std::exchange(too_new, true)) {
       say_on(stderr, "not used to resume: {}, which the record does not reach\n",
              in_one_line(path.string()));
     }
   }
-  return remains;
+  return found;
 }
 
 bool may_write(const fs::path& path, const Checkpoint& start) {

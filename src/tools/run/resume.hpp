@@ -22,7 +22,7 @@ struct Resumption {
 };
 
 /// Files of an interrupted run.
-struct Remains {
+struct Found {
   /// The run at its newest checkpoint that is intact, not beyond its end, and that its record
   /// reaches; none if there is no such checkpoint. It may be that of the run's end.
   std::optional<Resumption> newest;
@@ -33,7 +33,7 @@ struct Remains {
 };
 
 /// Reads each file once. Throws Failure if there is a record that is not this run's.
-Remains find_remains(const Checkpoint& start, const StopRule& rule, const RunFiles& files);
+Found find_run(const Checkpoint& start, const StopRule& rule, const RunFiles& files);
 
 /// True if `path`, a checkpoint, may be written by the run that begins with `start` when
 /// it is resumed, as things are now: there is nothing, or a checkpoint of this run, or a damaged

@@ -1,7 +1,7 @@
 // Splitting a made-up record into events.
-#include "rupture/analysis/events.hpp"
-
 #include <gtest/gtest.h>
+
+#include "rupture/analysis/front.hpp"
 
 namespace rupture {
 namespace {

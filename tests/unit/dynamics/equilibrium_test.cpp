@@ -7,12 +7,14 @@
 #include <numeric>
 
 #include "rupture/analysis/phi.hpp"
+#include "support/relaxation.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
 namespace {
 
 using testing::message_of;
+using testing::static_residual;
 
 class Equilibrium : public ::testing::Test {
  protected:
@@ -68,13 +70,13 @@ TEST_F(Equilibrium, stays_at_rest_when_it_is_not_driven) {
   EXPECT_LT(moved, 1e-12 * state_.u_x.blocks().abs().maxCoeff());
 }
 
-TEST_F(Equilibrium, is_where_damped_relaxation_ends) {
-  const State relaxed = relaxed_equilibrium(p_, 20e-3);
+TEST_F(Equilibrium, SLOW_is_where_damped_relaxation_ends) {
+  const State relaxed = testing::relaxed(p_, {}, 20e-3);
   EXPECT_LE(static_residual(p_, relaxed), 1e-9 * p_.F_N);
   const double largest = state_.u_z.blocks().abs().maxCoeff();
   EXPECT_LT((relaxed.u_x.blocks() - state_.u_x.blocks()).abs().maxCoeff(), 1e-10 * largest);
   EXPECT_LT((relaxed.u_z.blocks() - state_.u_z.blocks()).abs().maxCoeff(), 1e-10 * largest);
-  EXPECT_NEAR(relaxed.drive.origin_position, state_.drive.origin_position, 1e-10 * largest);
+  EXPECT_EQ(state_.drive.origin_position, state_.u_x(0, driving_row(p_)));
 }
 
 TEST(EquilibriumFailure, names_the_block_whose_junctions_are_too_weak) {
@@ -106,7 +108,6 @@ TEST(EquilibriumFailure, refuses_parameters_that_make_no_sense) {
   Parameters p;
   p.H = 0.08;
   EXPECT_THROW(normal_load_equilibrium(p), UsageError);
-  EXPECT_THROW(relaxed_equilibrium(p, 1e-6), UsageError);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include "rupture/analysis/phi.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/dynamics/prepared.hpp"
 #include "rupture/forces/interface_law.hpp"
 #include "support/sliders.hpp"
 

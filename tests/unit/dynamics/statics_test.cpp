@@ -1,6 +1,4 @@
 // The slider at rest in both orders of elimination.
-#include "dynamics/statics.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,13 +7,14 @@
 #include <vector>
 
 #include "dynamics/nested_dissection.hpp"
-#include "rupture/dynamics/equilibrium.hpp"
+#include "support/relaxation.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
 namespace {
 
 using testing::small_slider;
+using testing::static_residual;
 
 TEST(NestedDissection, gives_each_block_a_place_of_its_own) {
   for (const auto& [Nx, Nz] : {std::pair{3, 3}, {2, 40}, {41, 5}, {57, 31}}) {

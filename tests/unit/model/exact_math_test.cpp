@@ -1,7 +1,5 @@
 // Logarithm and normal quantile made of exact operations, against the C library and a table of 40
 // digits computed with mpmath.
-#include "rupture/model/exact_math.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "rupture/model/random.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {

@@ -1,11 +1,11 @@
-#include "rupture/model/number_text.hpp"
-
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <charconv>
 #include <map>
 #include <random>
+
+#include "rupture/model/user_text.hpp"
 
 namespace rupture {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rupture/model/nearest.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace rupture {
 namespace {

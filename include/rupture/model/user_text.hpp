@@ -1,9 +1,10 @@
-// Numbers as people type them, with or without a unit: 10ms, 0.8 s, 3GPa, 1e-5.
+// What users write: numbers with units, and names that they mistype.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rupture {
 
@@ -15,5 +16,9 @@ std::optional<std::string> in_unit(std::string_view text, std::string_view unit)
 
 /// What may stand behind a number of this unit, such as "s, ms, us or ns"; "1" where nothing may.
 std::string units_taken(std::string_view unit);
+
+/// The candidate that needs the fewest single-character edits to become `word`; of a candidate
+/// "group.name" the part behind the dot counts too. `candidates` must not be empty.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace rupture
