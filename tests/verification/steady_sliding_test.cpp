@@ -1,5 +1,5 @@
 // Claim 1G: friction of one block that slides at constant speed v, against renewal theory, both as
-// in analysis/steady_sliding.hpp, where the theory is derived.
+// in analysis/slow_slip.hpp, where the theory is derived.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -26,7 +26,7 @@ class Observer {
 struct StopRule {
   std::int64_t last_step = 0;  ///< latest step, always in force
   /// Also stop once no junction has broken for this many steps, or an event has spanned
-  /// (model/spanning.hpp), both counted from the start of this run. Looked at every kQuietCheck
+  /// (model/rupture.hpp), both counted from the start of this run. Looked at every kQuietCheck
   /// steps from step 0, so that the answer does not depend on what else pauses the run.
   std::optional<std::int64_t> quiet_steps;
   /// Then, if this is given, a run whose event has spanned still waits until a smaller fraction
