@@ -14,10 +14,6 @@
 
 namespace rupture::testing {
 
-inline constexpr double kBreakStretch = 0.2;   // mu_s w [m]
-inline constexpr double kSlipStretch = 0.085;  // mu_d w [m]
-inline constexpr double kSlipForce = 0.17;     // mu_d f_N [N]
-inline constexpr double kSlippingTime = 2e-3;  // t_R [s]
 inline constexpr double kRounding = 1e-15;
 
 inline Parameters hand_made(std::int64_t N_s) {
@@ -69,23 +65,6 @@ class Interface {
   Junctions junctions_;
   std::unique_ptr<InterfaceLaw> law_;
   double p_i_ = 0, k_ij_ = 0, w_ = 0, u_ = 0;
-};
-
-inline constexpr int kHistory = 20000;  // steps of what follows
-
-/// A block that wanders about 0.2 m, the reach of its junctions, under a normal force that comes
-/// and goes; time advances by a fiftieth of the mean slipping time.
-class Wandering {
- public:
-  void step() {
-    u = 0.98 * u + 0.06 * noise_();
-    t += 0.04e-3;
-    f_N = std::max(0.0, 0.9 * f_N + 0.1 + 0.3 * noise_());
-  }
-  double u = 0, t = 0, f_N = 1;
-
- private:
-  testing::Noise noise_{1.0};
 };
 
 }  // namespace rupture::testing

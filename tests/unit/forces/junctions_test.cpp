@@ -1,0 +1,200 @@
+// What several junctions or blocks do under the interface laws, and what a change of parameters or
+// of the law does to them. Each branch of a law is in law_histories.hpp.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hand_made_interface.hpp"
+#include "rupture/forces/decaying_law.hpp"
+#include "rupture/forces/reference_law.hpp"
+#include "rupture/model/random.hpp"
+
+namespace rupture {
+namespace {
+
+using testing::hand_made;
+using testing::Interface;
+using testing::kRounding;
+
+constexpr double kSlipForce = 0.17, kSlippingTime = 2e-3;  // mu_d f_N [N], t_R [s]
+constexpr double kBrokenAt = 0.21, kDistance = 0.3;        // [m]
+
+Parameters with_law(Law law, std::int64_t N_s) {
+  Parameters p = hand_made(N_s);
+  p.law = law;
+  if (law == Law::decaying) p.mu_d = 0.2;
+  p.mu_new = 0.12;
+  p.dt = 1e-4;
+  p.v_slow = 10.0;
+  p.d_R = kDistance;
+  p.delta_d_R = 0.0;
+  return p;
+}
+
+TEST(SlippingTimes, each_break_draws_the_next_number_of_its_junction) {
+  Parameters p = hand_made(3);
+  p.delta_t_R = 0.6e-3;
+  Interface block(p);
+  double t = 0.0;
+  for (std::uint32_t n = 0; n < 4; ++n) {
+    block.move(block.u() + 0.21, t);
+    for (std::uint32_t j = 0; j < 3; ++j) {
+      EXPECT_EQ(block.junctions().draws(0, j), n + 1);
+      EXPECT_EQ(block.junctions().repin_time(0, j), t + slipping_time(p, 0, j, n));
+    }
+    t += 1.0;  // all are pinned again
+    block.move(block.u(), t);
+    EXPECT_EQ(block.pinned(), 3);
+  }
+}
+
+TEST(Claim1F, one_junction_rises_to_mu_s_drops_to_mu_d_and_is_zero_after_t_R) {
+  Parameters p;  // the reference junction
+  p.Nx = 1;
+  p.N_s = 1;
+  Interface block(p);
+  const double f_N = mean_normal_force(Parameters{}) / 100.0;
+  block.press(f_N);
+  const double to_break = p.mu_s * f_N / block.k_ij();
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0 - 1e-13}) {
+    block.move(part * to_break, 0.0);
+    EXPECT_NEAR(block.friction() / f_N, 0.4 * part, 1e-12 * 0.4);
+  }
+  block.move(to_break * (1.0 + 1e-13), 0.0);
+  EXPECT_NEAR(block.friction() / f_N, 0.17, 1e-12 * 0.17);
+  const double t_R = slipping_time(p, 0, 0, 0);
+  block.move(3.0 * to_break, 0.999 * t_R);
+  EXPECT_NEAR(block.friction() / f_N, 0.17, 1e-12 * 0.17);
+  block.move(3.0 * to_break, t_R);
+  EXPECT_EQ(block.friction(), 0.0);
+}
+
+TEST(SeveralBlocks, draw_and_rub_independently) {
+  Parameters p = hand_made(2);
+  p.Nx = 3;
+  p.delta_t_R = 0.6e-3;
+  Junctions junctions = State(p).junctions;
+  ReferenceLaw law(p, junctions);
+  std::vector<double> u = {0.1, 0.21, 0.21}, p_i = {2.0, 2.0, 0.0}, k_ij = {2.0, 2.0, 0.0},
+                      w = {0.5, 0.5, 0.0}, v(3), tau(3);
+  const ContactView contact = {p_i.data(), k_ij.data(), w.data()};
+  EXPECT_EQ(law.update(u.data(), v.data(), contact, 0.0).broken, 2);
+  law.friction(u.data(), contact, tau.data());
+  EXPECT_NEAR(tau[0], 2 * 0.2, kRounding);
+  EXPECT_NEAR(tau[1], 2 * kSlipForce, kRounding);
+  EXPECT_EQ(tau[2], 0.0);
+  EXPECT_EQ(law.pinned(), (std::vector<std::int32_t>{2, 0, 2}));
+  for (std::uint32_t j = 0; j < 2; ++j) {
+    EXPECT_EQ(junctions.repin_time(1, j), slipping_time(p, 1, j, 0));
+  }
+}
+
+TEST(DecayingLaw, lets_each_junction_decay_in_its_own_slipping_time) {
+  Parameters p = with_law(Law::decaying, 9);
+  p.delta_t_R = 0.2e-3;
+  Interface block(p);
+  block.move(kBrokenAt, 0.0);
+  const double t = 0.7e-3;  // all still slip
+  block.move(0.4, t);
+  double expected = 0.0;
+  for (std::uint32_t j = 0; j < 9; ++j) expected += 0.2 - 0.08 * t / slipping_time(p, 0, j, 0);
+  EXPECT_EQ(block.pinned(), 0);
+  EXPECT_NEAR(block.friction(), expected, 20 * kRounding);
+}
+
+TEST(DecayingLaw, stays_between_mu_d_and_mu_new_when_t_R_has_changed) {
+  Parameters p = with_law(Law::decaying, 1);
+  Interface block(p);
+  block.move(kBrokenAt, 0.0);
+  for (const double t_R : {1e-3, 8e-3}) {  // instead of 2 ms, of which 1 ms is left
+    p.t_R = t_R;
+    Junctions junctions = block.junctions();
+    DecayingLaw law(p, junctions);
+    double u = 0.5, v = 0.0, p_i = 1.0, k_ij = 2.0, w = 0.5, tau = 0.0;
+    law.update(&u, &v, {&p_i, &k_ij, &w}, 1e-3 - 1e-6);
+    law.friction(&u, {&p_i, &k_ij, &w}, &tau);
+    EXPECT_NEAR(tau, t_R == 1e-3 ? 0.2 : 0.12 + 0.08 * 1.001 / 8.0, kRounding);
+  }
+}
+
+TEST(SimplifiedLaw, has_the_stiffness_and_strength_of_all_junctions_together) {
+  Interface block(with_law(Law::simplified, 50));  // f_N = 1 N on each of 50
+  EXPECT_EQ(block.junctions().attachment.cols(), 1);
+  block.move(0.1, 0.0);
+  EXPECT_NEAR(block.friction(), 50 * 0.2, 1e-13);
+  EXPECT_EQ(block.move(0.21, 0.0).broken, 1);
+  EXPECT_NEAR(block.friction(), 50 * kSlipForce, 1e-13);
+}
+
+TEST(SimplifiedLaw, pulls_a_sliding_block_forwards_no_harder_than_mu_d_p) {
+  for (const double sign : {1.0, -1.0}) {
+    Interface block(with_law(Law::simplified, 1));
+    double u = kBrokenAt;
+    block.move(sign * u, 0.0);
+    for (int n = 1; n < 400; ++n) block.move(sign * (u += 1e-6), 1e-4);  // 0.4 m if nothing stopped
+    EXPECT_NEAR(block.friction(), -sign * kSlipForce, kRounding);
+    EXPECT_EQ(block.pinned(), 0);
+  }
+}
+
+TEST(DistanceLaw, breaks_again_with_the_next_distance) {
+  Parameters p = with_law(Law::distance, 1);
+  p.delta_d_R = 0.1;
+  Interface block(p);
+  for (const std::uint32_t n : {0U, 1U}) {
+    block.move(block.u() + kBrokenAt, 0.0);
+    EXPECT_EQ(block.junctions().slip_left(0, 0),
+              folded_gaussian(p.d_R, p.delta_d_R, p.seed, 0, 0, n));
+    block.move(block.u() + 5.0, 1e-3);
+  }
+}
+
+TEST(DistanceLaw, pins_each_junction_after_its_own_distance) {
+  Parameters p = with_law(Law::distance, 9);
+  p.delta_d_R = 0.1;
+  Interface block(p);
+  block.move(kBrokenAt, 0.0);
+  block.move(kBrokenAt + kDistance, 1e-3);
+  std::int32_t expected = 0;
+  for (std::uint32_t j = 0; j < 9; ++j) {
+    expected += folded_gaussian(p.d_R, p.delta_d_R, p.seed, 0, j, 0) <= kDistance ? 1 : 0;
+  }
+  EXPECT_GT(expected, 0);
+  EXPECT_LT(expected, 9);
+  EXPECT_EQ(block.pinned(), expected);
+}
+
+/// Of two junctions that have broken, the first is pinned again.
+TEST(ChangeOfLaw, lets_slipping_junctions_begin_anew) {
+  const Parameters by_time = hand_made(2), by_distance = with_law(Law::distance, 2);
+  Interface block(by_time);
+  block.move(kBrokenAt, 0.0);
+  Junctions junctions = block.junctions();
+  junctions.repin_time(0, 0) = Junctions::never;
+
+  change_law(by_time, by_distance, 1.0, junctions);
+  EXPECT_EQ(junctions.slip_left(0, 0), 0.0);
+  EXPECT_EQ(junctions.repin_time(0, 0), Junctions::never);
+  EXPECT_EQ(junctions.slip_left(0, 1), kDistance);
+  EXPECT_EQ(junctions.repin_time(0, 1), Junctions::unknown);
+  EXPECT_EQ(junctions.draws(0, 1), 2U);
+
+  change_law(by_distance, by_time, 1.5, junctions);
+  EXPECT_EQ(junctions.slip_left.size(), 0);
+  EXPECT_EQ(junctions.repin_time(0, 0), Junctions::never);
+  EXPECT_EQ(junctions.repin_time(0, 1), 1.5 + kSlippingTime);
+  EXPECT_TRUE((junctions.attachment == block.junctions().attachment).all());
+}
+
+TEST(ChangeOfLaw, leaves_the_junctions_as_they_are_where_both_laws_know_the_time) {
+  const Parameters before = hand_made(1), after = with_law(Law::decaying, 1);
+  Interface block(before);
+  block.move(kBrokenAt, 0.0);
+  Junctions junctions = block.junctions();
+  change_law(before, after, 1e-3, junctions);
+  EXPECT_EQ(junctions.repin_time(0, 0), kSlippingTime);
+  EXPECT_EQ(junctions.draws(0, 0), 1U);
+}
+
+}  // namespace
+}  // namespace rupture
