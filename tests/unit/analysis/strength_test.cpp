@@ -16,13 +16,9 @@ namespace {
 
 const std::vector<double> kSigmaBars = {0.01, 0.1, 0.2, 0.28, 0.3, 0.4, 0.6, 0.8, 1.0};
 
-TEST(Strength, of_equal_forces_is_that_of_one_junction) {
-  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
-    EXPECT_DOUBLE_EQ(effective_strength(shape, 0.0), 1.0);
-  }
-}
-
 TEST(Strength, of_a_uniform_phi_has_a_closed_form) {
+  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.0), 1.0) << "as of one junction";
+  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::bell, 0.0), 1.0);
   // half-widths a = 1/4, 1/2 (where the maximum leaves the first break), 5/8 and 1
   const double unit = 1.0 / std::sqrt(3.0);
   EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.25 * unit), 0.75);
@@ -64,61 +60,39 @@ TEST(Strength, agrees_with_quadrature) {
   }
 }
 
-TEST(Strength, does_not_need_a_normalised_density) {
-  const auto three = [](double) { return 3.0; };
-  EXPECT_NEAR(effective_strength(ForceDensity{three, 0.5, 2.5}), 0.25, 1e-7);
-}
-
-TEST(Strength, does_not_depend_on_the_mean_force) {
+TEST(Strength, depends_neither_on_the_mean_force_nor_on_the_norm) {
+  EXPECT_NEAR(effective_strength(ForceDensity{[](double) { return 3.0; }, 0.5, 2.5}), 0.25, 1e-7);
   for (const double centre : {-0.7, 0.2}) {
     EXPECT_NEAR(effective_strength(density(PhiShape::bell, 0.3, centre)),
                 effective_strength(PhiShape::bell, 0.3), 1e-7);
   }
 }
 
-TEST(Strength, falls_with_sigma) {
-  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
-    double before = 1.0;
-    for (const double sigma_bar : kSigmaBars) {
-      EXPECT_LT(effective_strength(shape, sigma_bar), before) << sigma_bar;
-      before = effective_strength(shape, sigma_bar);
-    }
+/// Junctions with f_thres = 4 N and f_slip = 1 N.
+struct Forces {
+  std::vector<double> pinned, slipping;
+  double largest;
+  const char* why;
+};
+
+TEST(LargestFriction, is_met_before_the_right_break) {
+  const std::vector<Forces> all = {
+      {{-3.0}, {}, 4.0, "one junction"},
+      {{2.0, 1.5, 1.0}, {}, 4.0 + 3.5 + 3.0, "before the first break"},
+      // breaks at stretches 0, 5 and 6: 4 - 1 - 2 = 1, then 1 + 4 + 3 = 8, then 1 + 1 + 4 = 6
+      {{-1.0, 4.0, -2.0}, {}, 8.0, "before a later break"},
+      {{2.0}, {1.0, 1.0}, 4.0 + 2.0, "slipping junctions bear f_slip"},
+      {{}, {1.0, 1.0}, 2.0, "slipping junctions alone"},
+      // after a reversal they carry less; at the break, stretch 1, they carry -0.5 + 1, 1 and -1 +
+      // 1
+      {{3.0}, {-0.5, 0.8, -1.0}, 4.0 + 0.5 + 1.0 + 0.0, "they are stretched to f_slip at most"},
+      {{}, {-0.5, 0.8, -1.0}, 3.0, "all slip at last"},
+      {{4.5, 3.0}, {}, 4.0 + 3.0, "one beyond f_thres is about to break"},
+  };
+  for (const Forces& forces : all) {
+    const JunctionForces junctions = {forces.pinned, forces.slipping, 4.0, 1.0};
+    EXPECT_DOUBLE_EQ(largest_friction(junctions), forces.largest) << forces.why;
   }
-}
-
-// --- single junctions, f_thres = 4 N, f_slip = 1 N
-// ------------------------------------------------
-
-double largest(std::vector<double> pinned, std::vector<double> slipping) {
-  return largest_friction({std::move(pinned), std::move(slipping), 4.0, 1.0});
-}
-
-TEST(LargestFriction, of_one_junction_is_f_thres) {
-  EXPECT_DOUBLE_EQ(largest({-3.0}, {}), 4.0);
-}
-
-TEST(LargestFriction, is_met_before_the_first_break_if_forces_are_alike) {
-  EXPECT_DOUBLE_EQ(largest({2.0, 1.5, 1.0}, {}), 4.0 + 3.5 + 3.0);
-}
-
-TEST(LargestFriction, is_met_before_a_later_break_if_they_are_not) {
-  // breaks at stretches 0, 5 and 6: 4 - 1 - 2 = 1, then 1 + 4 + 3 = 8, then 1 + 1 + 4 = 6
-  EXPECT_DOUBLE_EQ(largest({-1.0, 4.0, -2.0}, {}), 8.0);
-}
-
-TEST(LargestFriction, counts_slipping_junctions_with_f_slip) {
-  EXPECT_DOUBLE_EQ(largest({2.0}, {1.0, 1.0}), 4.0 + 2.0);
-  EXPECT_DOUBLE_EQ(largest({}, {1.0, 1.0}), 2.0);
-}
-
-TEST(LargestFriction, stretches_slipping_junctions_no_further_than_f_slip) {
-  // after a reversal they carry less; at the break, stretch 1, they carry -0.5 + 1, 1 and -1 + 1
-  EXPECT_DOUBLE_EQ(largest({3.0}, {-0.5, 0.8, -1.0}), 4.0 + 0.5 + 1.0 + 0.0);
-  EXPECT_DOUBLE_EQ(largest({}, {-0.5, 0.8, -1.0}), 3.0) << "all slip at last";
-}
-
-TEST(LargestFriction, takes_a_junction_beyond_f_thres_as_about_to_break) {
-  EXPECT_DOUBLE_EQ(largest({4.5, 3.0}, {}), 4.0 + 3.0);
 }
 
 // --- blocks
@@ -208,20 +182,17 @@ double simulated_strength(PhiShape shape, double sigma_bar, double mean) {
   return (tau_max / p_i - p.mu_d) / range;
 }
 
-TEST(Strength, is_what_the_reference_law_bears) {
+TEST(Strength, is_what_the_reference_law_bears_whatever_the_mean_force) {
   // 10,000 junctions and moves of 2/4000 of f_N/k_ij, 0.22 % of the range from f_slip to f_thres
   for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
     for (const double sigma_bar : {0.1, 0.25, 0.5}) {
-      EXPECT_NEAR(simulated_strength(shape, sigma_bar, -0.2), effective_strength(shape, sigma_bar),
-                  0.0025)
-          << sigma_bar;
+      for (const double mean : {-0.5, -0.2}) {
+        EXPECT_NEAR(simulated_strength(shape, sigma_bar, mean),
+                    effective_strength(shape, sigma_bar), 0.0025)
+            << sigma_bar;
+      }
     }
   }
-}
-
-TEST(Strength, of_the_reference_law_does_not_depend_on_the_mean_force) {
-  const double low = simulated_strength(PhiShape::bell, 0.2, -0.5);
-  EXPECT_NEAR(simulated_strength(PhiShape::bell, 0.2, 0.2), low, 0.0025);
 }
 
 }  // namespace
