@@ -11,26 +11,25 @@ from pathlib import Path
 from stand_ins import SWEEP, WITHIN, Project, write_program
 
 
-def described(name, kind, *options):
+def described(name, *options):
     """As a program says it of itself; the options take numbers."""
     numbers = [{"name": word, "short": None, "kind": "number", "unit": "1"} for word in options]
-    return {"name": name, "input": kind, "one_needed": [], "options": numbers}
+    return {"name": name, "one_needed": [], "options": numbers}
 
 
 # Knows enough of analyze for a sweep to be planned.
-COMMANDS = {"commands": [described("analyze stress", "checkpoint", "json")]}
 QUANTITIES = {"parameters": [], "quantities": [{"name": "stress.F_T", "unit": "N"}]}
 ANALYZE = f"""#!/bin/sh
 case "$*" in
   *quantities*) echo '{json.dumps(QUANTITIES)}';;
-  *--describe*) echo '{json.dumps(COMMANDS)}';;
+  *--describe*) echo '{json.dumps(described("analyze stress"))}';;
   *) echo '{{"F_T": 1}}';;
 esac
 """
 # Waits for long, unless there is a file `go` in the project's folder.
 PREPARE = f"""#!/bin/sh
 case "$*" in
-  *--describe*) echo '{json.dumps(described("prepare", None, "tau-bar", "o", "quiet"))}'; exit;;
+  *--describe*) echo '{json.dumps(described("prepare", "tau-bar"))}'; exit;;
 esac
 echo $$ >> ROOT/running
 [ -e ROOT/go ] || exec sleep 300

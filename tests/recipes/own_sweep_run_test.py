@@ -17,9 +17,13 @@ BIN = Path(os.environ.get("RUPTURE_BIN", ROOT / "build/release/bin"))
 # Small and fast. A prestress of 2 is more than junctions can carry.
 SMALL = "--set slider.Nx=15 --set slider.Nz=9 --set slider.H=0.08 --set driving.h=0.01"
 SWEEP = f"""[sweep]
-title   = Prestress
-prepare = --sigma-bar 0.1 --set numerics.dt=1e-6 {SMALL}
-restart = --for 1e-4 {{threads}}
+title = Prestress
+{{threads}}
+
+[commands]
+prepare = prepare --sigma-bar 0.1 --set numerics.dt=1e-6 {SMALL} {{{{values}}}} -o start.h5 --quiet
+restart = restart start.h5 --for 1e-4 -o end.h5 --record record.h5 --quiet
+front   = analyze front record.h5 --json
 
 [values]
 tau-bar = {{values}}
@@ -106,7 +110,7 @@ class Running(unittest.TestCase):
         said = self.call("--dry-run")
         self.assertEqual(said.stdout, "Prestress: 1 point, 1 there, 0 to compute.\n")
 
-        last = self.sweep("0.2", threads="\nthreads = 2\nmemory = 2 GB")
+        last = self.sweep("0.2", threads="threads = 2\nmemory = 2 GB")
         self.assertEqual(self.computed, 0, "a point less, and other needs")
         self.assertEqual([row["tau-bar"] for row in self.rows()], ["0.2"])
         self.assertIn("Computed now: 0; there before: 1.", last.stdout)

@@ -10,7 +10,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 WITHIN = 60  # [s]
 SWEEP = """[sweep]
-prepare =
+[commands]
+prepare = prepare {values} -o start.h5 --quiet
+stress = analyze stress start.h5 --json
 [values]
 tau-bar = 0.1, 0.2
 [quantities]

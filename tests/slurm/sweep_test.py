@@ -23,10 +23,13 @@ COPIED = ("reproduce.sh", "packages.txt", "codemeta.json", "recipes", "python", 
 CORES = 2
 SWEEP = """\
 [sweep]
-title   = Fronts on prepared interfaces
-prepare = --sigma-bar 0.1
-restart = --for 0.025 --record-every 1e-3
-memory  = 400 MB
+title  = Fronts on prepared interfaces
+memory = 400 MB
+
+[commands]
+prepare = prepare --sigma-bar 0.1 {values} -o start.h5 --quiet
+restart = restart start.h5 --for 0.025 -o end.h5 --record record.h5 --record-every 1ms --quiet
+front   = analyze front record.h5 --json
 
 [values]
 tau-bar = 0.1, 0.2, 0.3, 5

@@ -18,7 +18,7 @@ from pathlib import Path
 import h5py
 
 PROJECT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PROJECT / "recipes"))
+sys.path[:0] = [str(PROJECT / "recipes/common"), str(PROJECT / "python")]
 from sweeps.sweep import read_sweep  # noqa: E402
 
 POINTS = 20

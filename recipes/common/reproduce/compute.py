@@ -106,7 +106,7 @@ def write_crate(processes):
 
 def run_sweep(request, processes):
     """The table is written even if points could not be computed: it says which, and why."""
-    from sweeps import plan, preview, report
+    from sweeps import plan, report
 
     place = prepare(request, processes)
     tools = request.programs or PROGRAMS
@@ -116,7 +116,7 @@ def run_sweep(request, processes):
         raise UsageError(error) from None
     code = fingerprint_of_programs(request.programs)
     if request.dry_run:
-        preview.preview(path, tools, RESULTS, code)
+        report.preview(path, tools, RESULTS, code)
         return 0
     started = time.time()
     run_pipeline(processes, ["sweep"], options_of_snakemake(request, place, sweep=path, code=code))

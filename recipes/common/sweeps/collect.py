@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Collects the points of a sweep in one table: collect.py SWEEP.ini POINTS_FOLDER TABLE.csv
 
-One row per point: its values, its status (and the tool's sentence, if it failed), the columns that
-the sweep's [table] names, and a digest of all that was measured: who reads more than the columns
-(points_of() in data/tables.py) can go by the table. Fails if every point failed.
+One row per point: its values, its status (and the tool's sentence, if it failed), the columns of
+[quantities], and a digest of all that was measured: who reads more than the columns (points_of() in
+data/tables.py) can go by the table. Fails if every point failed.
 """
 
 import json

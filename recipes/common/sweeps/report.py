@@ -1,7 +1,7 @@
-"""Collects the points of a user's sweep that there are.
+"""Says what a user's sweep would compute, and what came out.
 
-Writes NAME.csv, NAME.hdf5 and, for one or two varied values, NAME.png and NAME.pdf beside the plan,
-and prints what came out. A point that is not there is `unfinished`.
+Collects the points that there are: writes NAME.csv, NAME.hdf5 and, for one or two varied values,
+NAME.png and NAME.pdf beside the plan. A point that is not there is `unfinished`.
 """
 
 import os
@@ -15,11 +15,23 @@ from sweeps.plural import plural
 from sweeps.point_store import PointStore
 from sweeps.sweep import names_of_values, read_sweep
 from sweeps.table import Column, write_csv, write_hdf5
+from sweeps.values import without_unit
 
 SHOWN = 5  # sentences of failed points
-
-
 NOT_REACHED = "it was not reached, or its process was ended"
+
+
+def preview(plan, folder_of_tools, results, code):
+    """`code`: fingerprint of the sources or programs."""
+    sweep, store = read_sweep(plan), PointStore(results / "data/points", code)
+    to_compute = [point for point in sweep.points if store.result(point) is None]
+    there = len(sweep.points) - len(to_compute)
+    count = plural(len(sweep.points), "point")
+    print(f"{sweep.title}: {count}, {there} there, {len(to_compute)} to compute.")
+    if to_compute:
+        print("The first of these (its files are deleted afterwards):")
+        for command in to_compute[0].commands.values():
+            print(f"  {folder_of_tools}/{command}")
 
 
 def result_of(point, store):
@@ -31,7 +43,11 @@ def result_of(point, store):
 
 
 def columns_of(sweep, table):
-    names = [*names_of_values(sweep.points), *sweep.columns, "status", "sentence", "point"]
+    """Numbers are in the unit of their column, whatever unit they were written with."""
+    values = names_of_values(sweep.points)
+    names = [*values, *sweep.columns, "status", "sentence", "point"]
+    for row in table:
+        row |= {n: without_unit(row[n]) for n in values if n in row and sweep.units.get(n)}
     return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
 
 

@@ -1,57 +1,53 @@
-"""Sweeps: one chain of commands for many values of some parameters, described by an INI file.
+"""Sweeps: one chain of commands for many values. docs/sweeps.md describes their files, those of the
+recipes and those of users. Two things are for recipes only:
 
-    [sweep]
-    title = Front type of prepared interfaces
+`seeds = 2 to 5` in [sweep]: the same sweep again with each of these seeds, in tables of its own,
+results/data/NAME/SWEEP-seed-2.csv. Its name as a file is SWEEP.ini#2.
 
-    [commands]                      # as typed by hand; {values} are the options of the point
-    prepare = prepare {values} -o start.h5
-    restart = restart start.h5 -o end.h5 --until-quiet --record record.h5
-    front   = analyze front record.h5 --json
-
-    [values]                        # every combination is a point
-    tau-bar       = 0 to 0.4 by 0.02
-    sigma-bar     = 0, 0.05, 0.1
-    numerics.seed = 1 to 5 by 1
-
-    [table]                         # columns beside the values: where to find them
-    type            = front.type
-    slow speed [m/s] = front.slow.speed
-
-A name without a dot is an option (--tau-bar 0.1), one with a dot a parameter (--set
-numerics.seed=1). Values are a list, a range (`a to b`: in ones, `a to b by step`, `a to b in n`:
-n values, both ends included), or an arithmetic expression of other values: `0.3 * {junctions.t_R}`.
-Sections [variant NAME] add to or replace those of [values]; each is a product of its own, and its
-name becomes the column `variant`. `points = FILE.csv` in [sweep] takes the points from a table
-instead, whose columns are names; columns in [values] are combined with each of its rows. `base =
-FILE` in [sweep] names a checkpoint that the commands use as {base}; `memory` and `threads` say what
-the computer is to provide for a point (needs.py). A comment begins with # or ;.
-
-`seeds = 2 to 5` in [sweep] of a recipe: the same sweep again with each of these seeds, in tables of
-its own, results/data/NAME/SWEEP-seed-2.csv. Its name as a file is SWEEP.ini#2.
+A table of `points` may still be to come, from a rule: there are no points then.
 
 Each point is one file, results/data/points/ID.json, where ID follows from its commands: what is
 there already is not computed again, whichever sweep it belonged to, and adding values adds points.
-
-A user's own file (docs/sweeps.md) may be shorter: this folder expands it to one like this.
 """
 
 import configparser
 import csv
+import difflib
 import hashlib
 import itertools
 import math
+import os
 import re
+import shlex
 import string
 from dataclasses import dataclass
 from pathlib import Path
 
-from sweeps.needs import Needs, needs_of
-from sweeps.sweep_values import LIMIT, SweepError, calculate, references, values_of
+from sweeps.values import LIMIT, SweepError, calculate, references, values_of
 
 BATCHES_OF_ONE = 64  # of a large sweep, so that many cores have work until its end
 BATCHES_OF_MANY = 12  # of each if there are many sweeps: planning takes 1.5 ms for a job
 LARGEST_BATCH = 60  # points
 SEED = "numerics.seed"
+KEYS = ("title", "like", "base", "points", "seeds", "memory", "threads")
+SECTIONS = ("sweep", "commands", "values", "quantities", "units")
+FORMER = {  # sections and keys of [sweep] until version 0.5, and what is written instead
+    "prepare": "write a command in [commands], as prepare = prepare {values} -o start.h5 --quiet",
+    "load": "write a command in [commands], as load = load --until 0.5 {values} -o end.h5 --quiet",
+    "restart": "write a command in [commands], as restart = restart {base} --for 0.01 {values}"
+    " -o end.h5 --record record.h5 --quiet",
+    "analyze": "write commands in [commands], as front = analyze front record.h5 --json",
+    "table": "call this section [quantities]",
+}
+MEGABYTES = {"MB": 1, "GB": 1000}
+
+
+@dataclass(frozen=True)
+class Needs:
+    """Memory and threads of each point."""
+
+    megabytes: int
+    threads: int
 
 
 @dataclass(frozen=True)
@@ -70,7 +66,7 @@ class Sweep:
     title: str
     points: list
     columns: dict  # heading: path inside the point's file
-    needs: Needs  # of each point
+    needs: Needs
     varied: list  # names of the values that differ between points, without those that follow others
     units: dict  # of values and columns, where the file has them
 
@@ -100,7 +96,9 @@ def product(lists):
 def options(values):
     """The values as options of a tool."""
     return " ".join(
-        f"--set {name}={value}" if "." in name else f"--{name} {value}"
+        f"--set {shlex.quote(f'{name}={value}')}"
+        if "." in name
+        else f"--{name} {shlex.quote(value)}"
         for name, value in values.items()
         if name != "variant"
     )
@@ -119,32 +117,23 @@ def make_point(commands, values, base):
     return Point(values, {name: fill(line, fields) for name, line in commands.items()}, base)
 
 
-def lines_of(path):
-    """(number, cells) of each line of a CSV file."""
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            table = csv.reader(file)
-            return [(table.line_num, cells) for cells in table if cells]
-    except OSError as error:
-        raise SweepError(f"{path} cannot be read ({error.strerror})") from None
-    except (UnicodeDecodeError, csv.Error):
-        raise SweepError(f"{path} is no table of CSV in UTF-8") from None
-
-
 def rows_of(path):
     """The points of a table, each as lists of one value; none while the table is still to come."""
     if not Path(path).exists():
         return []
-    (_, names), *lines = lines_of(path) or [(0, [])]
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            table = csv.DictReader(file, restkey="")
+            rows = [(table.line_num, row) for row in table]
+    except (UnicodeDecodeError, csv.Error):
+        raise SweepError(f"{path} is no table of CSV in UTF-8") from None
+    names = table.fieldnames or []
     if len({*names}) < len(names) or "" in names:
         raise SweepError(f"{path}: each column needs a heading of its own")
-    for number, cells in lines:
-        if len(cells) != len(names):
-            raise SweepError(
-                f"{path}, line {number}: the number of cells is {len(cells)},"
-                f" in the first line {len(names)}"
-            )
-    return [{name: [cell] for name, cell in zip(names, cells)} for _, cells in lines]
+    for number, row in rows:
+        if "" in row or None in row.values():
+            raise SweepError(f"{path}, line {number}: it needs as many cells as the first line")
+    return [{name: [cell] for name, cell in row.items()} for _, row in rows]
 
 
 def lists_of(section):
@@ -195,30 +184,82 @@ def varied_in(products, points):
     ]
 
 
+# --- files ---------------------------------------------------------------------------------
+
+
+def suggestion(name, known):
+    """Rather a name that differs in capitals only than a similar one."""
+    same = [other for other in known if other.lower() == name.lower()]
+    near = [*same, *difflib.get_close_matches(name, known, n=1)]
+    return f"; did you mean '{near[0]}'?" if near else ""
+
+
+def check_known(name, known, what):
+    if name in FORMER:
+        raise SweepError(f"'{name}' belongs to an older form of sweeps: {FORMER[name]}")
+    if name not in known:
+        raise SweepError(f"there is no {what} '{name}'{suggestion(name, known)}")
+
+
+def check_form(ini):
+    for key in ini["sweep"] if "sweep" in ini else ():
+        check_known(key, KEYS, "key in [sweep]")
+    for section in ini.sections():
+        if not is_values(section):
+            check_known(section, SECTIONS, "section")
+        for name, text in ini[section].items():
+            if not text and section != "units":
+                raise SweepError(f"'{name}' in [{section}] has no value")
+    for section in ("sweep", "commands"):
+        if section not in ini:
+            raise SweepError(f"it has no section [{section}]")
+
+
+def needs_of(section):
+    memory = re.fullmatch(r"(\d*\.?\d+)\s*(MB|GB)", section.get("memory", "1 GB"))
+    megabytes = math.ceil(float(memory[1]) * MEGABYTES[memory[2]]) if memory else 0
+    threads = section.get("threads", "1")
+    if megabytes < 1:
+        raise SweepError(
+            f"'memory = {section['memory']}' is not understood: give a number and MB or GB, as in"
+            " memory = 2 GB"
+        )
+    if not re.fullmatch("[1-9][0-9]{0,3}", threads):
+        raise SweepError(f"'threads = {threads}' is not understood: give a whole number from 1")
+    return Needs(megabytes, int(threads))
+
+
 def empty_ini():
     """Names in it are case-sensitive."""
     ini = configparser.ConfigParser(
-        interpolation=None, delimiters=("=",), inline_comment_prefixes=("#", ";")
+        default_section="",
+        interpolation=None,
+        delimiters=("=",),
+        inline_comment_prefixes=("#", ";"),
     )
     ini.optionxform = str  # type: ignore  # it is a method, replaced as configparser's manual says
     return ini
 
 
 def parse_ini(path):
+    """Sections that it lacks are those of the file `like`, variants only if it has none. Paths in
+    [sweep], which are relative to the file's folder, become relative to the working directory."""
     ini = empty_ini()
-    try:
-        with open(path, encoding="utf-8-sig") as file:
-            ini.read_file(file)
-    except OSError as error:
-        raise SweepError(f"it cannot be read ({error.strerror})") from None
+    with open(path, encoding="utf-8-sig") as file:
+        ini.read_file(file)
+    section = ini["sweep"] if "sweep" in ini else {}
+    for key in {"base", "points", "like"} & {*section}:
+        section[key] = os.path.normpath(Path(path).parent / section[key])
+    if "like" in section:
+        other = parse_ini(section.pop("like"))
+        present = {name.partition(" ")[0] for name in ini.sections()}
+        ini.read_dict({n: other[n] for n in other.sections() if n.partition(" ")[0] not in present})
     return ini
 
 
 def sweep_of(ini, name):
     """The sweep that a parsed file of this name describes."""
-    for section in ("sweep", "commands"):
-        if section not in ini:
-            raise SweepError(f"it has no section [{section}]")
+    check_form(ini)
     base = ini["sweep"].get("base", "")
     commands = dict(ini["commands"])
     products = combinations(ini)
@@ -227,7 +268,7 @@ def sweep_of(ini, name):
         raise SweepError(f"there are {count:,} points; at most {LIMIT:,} are possible")
     points = [make_point(commands, values, base) for lists in products for values in product(lists)]
     title = ini["sweep"].get("title", name)
-    columns, units = (dict(ini[name]) if name in ini else {} for name in ("table", "units"))
+    columns, units = (dict(ini[name]) if name in ini else {} for name in ("quantities", "units"))
     return Sweep(title, points, columns, needs_of(ini["sweep"]), varied_in(products, points), units)
 
 
@@ -235,6 +276,13 @@ def file_and_seed(name):
     """("SWEEP.ini", "2") of SWEEP.ini#2; ("SWEEP.ini", "") of SWEEP.ini."""
     match = re.fullmatch(r"(.*\.ini)#(\d+)", str(name), re.DOTALL)
     return match.groups() if match else (str(name), "")
+
+
+def files_of(name):
+    """The file of a sweep, and those that it is like."""
+    path = Path(file_and_seed(name)[0])
+    match = re.search(r"(?m)^like *= *(\S+)", path.read_text(encoding="utf-8"))
+    return [str(path), *(files_of(os.path.normpath(path.parent / match[1])) if match else [])]
 
 
 def seeds_of(path):
@@ -265,17 +313,4 @@ def sentence_of(error):
         return f"{error.filename} cannot be read ({error.strerror})"
     if isinstance(error, UnicodeDecodeError):
         return "it is no text in UTF-8"
-    if isinstance(error, configparser.MissingSectionHeaderError):
-        return f"line {error.lineno} comes before the first section, which begins with [sweep]"
-    if isinstance(error, configparser.DuplicateSectionError):
-        return f"section [{error.section}] is there twice (line {error.lineno})"
-    if isinstance(error, configparser.DuplicateOptionError):
-        return f"'{error.option}' is in [{error.section}] twice (line {error.lineno})"
-    if isinstance(error, configparser.ParsingError):
-        number, line = error.errors[0]
-        return f"line {number} is neither [SECTION] nor NAME = VALUE: {line}"
-    return str(error)
-
-
-def is_sweep(path):
-    return "[commands]" in Path(path).read_text(encoding="utf-8").splitlines()
+    return " ".join(str(error).split())  # of configparser, several lines

@@ -10,8 +10,7 @@ from sweeps.sweep import (
     BATCHES_OF_MANY,
     BATCHES_OF_ONE,
     batches_of,
-    file_and_seed,
-    is_sweep,
+    files_of,
     read_sweep,
     seeds_of,
 )
@@ -20,7 +19,7 @@ from sweeps.sweep import (
 SWEEP_FILES = {
     f"{path.parent.name}/{path.stem}": path
     for path in sorted(Path("recipes").glob("*/*.ini"))
-    if (not ASKED or path.parent.name in ASKED) and is_sweep(path) and "sweep" not in config
+    if (not ASKED or path.parent.name in ASKED) and "sweep" not in config
 }
 SWEEP_FILES |= {
     f"{name}-seed-{seed}": f"{path}#{seed}"
@@ -108,7 +107,7 @@ rule batch:
 rule table:
     input:
         points=lambda wildcards: batches_of_sweep(wildcards.sweep),
-        sweep=lambda wildcards: file_and_seed(SWEEP_FILES[wildcards.sweep])[0],
+        sweep=lambda wildcards: files_of(SWEEP_FILES[wildcards.sweep]),
         **script("recipes/common/sweeps/collect.py"),
     output: f"{DATA}/{{sweep}}.csv"
     params: sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[wildcards.sweep]))

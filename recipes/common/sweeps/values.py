@@ -1,4 +1,4 @@
-"""Values in sweep files (sweep.py): lists, ranges, and expressions of other values."""
+"""Values in sweep files: lists, ranges, expressions of other values; numbers may have a unit."""
 
 import ast
 import functools
@@ -6,8 +6,12 @@ import math
 import operator
 import re
 from collections.abc import Callable
+from decimal import Decimal
 
-RANGE = re.compile(r"(?P<first>\S+)\s+to\s+(?P<last>\S+)(\s+(?P<how>by|in)\s+(?P<number>\S+))?")
+AMOUNT = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S*)")
+RANGE = re.compile(r"(?P<first>.+?)\s+to\s+(?P<last>.+?)(\s+(?P<how>by|in)\s+(?P<number>.+))?")
+MULTIPLES = {"": 0, "G": 9, "M": 6, "k": 3, "m": -3, "u": -6, "µ": -6, "μ": -6, "n": -9}
+UNITS = ("m", "s", "m/s", "kg", "N", "N/m", "N/m^2", "Pa")  # of the parameters
 OPERATORS: dict[type, Callable] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -28,6 +32,42 @@ class SweepError(ValueError):
 def text_of(number):
     """12 digits: 0.1 + 0.2 is 0.3."""
     return f"{number:.12g}"
+
+
+# --- numbers with units -----------------------------------------------------------------------
+
+
+def amount(text):
+    """The number as it is written and the word behind it."""
+    match = AMOUNT.fullmatch(text.strip())
+    if not match:
+        raise ValueError(f"'{text}' is not a number")
+    return match.groups()
+
+
+def number_in(text, unit):
+    """The number in this unit, such as 0.01 of 10ms in s; None if it is none."""
+    try:
+        number, word = amount(text)
+    except ValueError:
+        return None
+    symbol = unit.removeprefix("k") if unit == "kg" else unit
+    prefix = word.removesuffix(symbol) if word.endswith(symbol) else None
+    if not word:
+        return float(number)
+    if prefix not in MULTIPLES:
+        return None
+    return float(Decimal(number).scaleb(MULTIPLES[prefix] - (3 if unit == "kg" else 0)))
+
+
+def without_unit(text):
+    """10ms as 0.01. What has no unit stays as it is."""
+    match = AMOUNT.fullmatch(text)
+    known = (number_in(text, unit) for unit in UNITS if match and match[2])
+    return next((repr(number) for number in known if number is not None), text)
+
+
+# --- expressions ------------------------------------------------------------------------------
 
 
 def evaluate(node):
@@ -59,7 +99,7 @@ def calculate(expression, values):
     for name in references(expression):
         if name not in values:
             raise SweepError(f"'{expression}' refers to {{{name}}}, which has no value")
-        filled = filled.replace(f"{{{name}}}", f"({values[name]})")
+        filled = filled.replace(f"{{{name}}}", f"({without_unit(values[name])})")
     try:
         number = number_of(filled)
     except (ArithmeticError, MemoryError, RecursionError, SyntaxError, ValueError) as error:
@@ -75,24 +115,37 @@ def references(text):
     return re.findall(r"\{([^{}]+)\}", text)
 
 
-def span(first, last, how, number):
-    """Values from first to last, so many of them or so far apart."""
-    if not all(math.isfinite(end) for end in (first, last, last - first, number)):
+# --- lists and ranges -------------------------------------------------------------------------
+
+
+def numbers_between(first, last, how, step):
+    """Numbers from first to last, so many of them or so far apart."""
+    if not all(math.isfinite(end) for end in (first, last, last - first, step)):
         raise SweepError("its numbers must be finite")
     if how == "in":
-        if number != int(number):
+        if step != int(step):
             raise SweepError("the number of values must be whole")
-        count = int(number)
+        count = int(step)
         step = (last - first) / (count - 1) if count > 1 else 0.0
     else:
-        step = number
         steps = (last - first) / step * (1 + 1e-12) if step else -1
         count = math.floor(max(-1, min(steps, LIMIT))) + 1
-    if count > LIMIT:
-        raise SweepError(f"there are more than {LIMIT:,} values in it")
-    if count < 1:
-        raise SweepError("there is no value in it")
-    return [text_of(first + i * step) for i in range(count)]
+    if not 1 <= count <= LIMIT:
+        raise SweepError(f"it must have from 1 to {LIMIT:,} values")
+    return [first + i * step for i in range(count)]
+
+
+def span(match):
+    """The values of a range, in the unit in which they are written."""
+    numbers, words = zip(*(amount(match[part] or "1") for part in ("first", "last", "number")))
+    units = {word for word in words if word}
+    if len(units) > 1 or (match["how"] == "in" and words[2]):
+        raise SweepError("all its numbers need the same unit")
+    first, last, step = map(float, numbers)
+    return [
+        text_of(number) + "".join(units)
+        for number in numbers_between(first, last, match["how"], step)
+    ]
 
 
 def values_of(text):
@@ -100,8 +153,7 @@ def values_of(text):
     match = RANGE.fullmatch(text.strip())
     try:
         if match:
-            first, last = float(match["first"]), float(match["last"])
-            return span(first, last, match["how"] or "by", float(match["number"] or 1))
+            return span(match)
     except ValueError as error:
         raise SweepError(f"'{text}' is no range ({error})") from None
     listed = [part.strip() for part in text.split(",")]

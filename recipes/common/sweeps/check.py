@@ -1,0 +1,200 @@
+"""Checks a user's sweep against what the programs say of themselves, before it runs."""
+
+import json
+import math
+import re
+import shlex
+import subprocess
+from functools import cache
+from pathlib import Path
+
+from sweeps.sweep import SweepError, names_of_values, options, suggestion
+from sweeps.values import number_in
+
+TOOLS = ("load", "prepare", "restart", "modify-phi", "analyze")
+VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
+STATE = ("status", "sentence", "point")  # columns of every table
+KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # point_store.py
+HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")
+NOTHING_COMPUTED = "it computes nothing then"
+NO_FILES_OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"
+REFUSED = {
+    "config": "points would not follow what is in that file;"
+    " give the parameters with --set or in [values]",
+    **dict.fromkeys(("f", "force", "resume"), NO_FILES_OUTSIDE),
+    **dict.fromkeys(("h", "help", "describe", "version", "dry-run"), NOTHING_COMPUTED),
+}
+
+
+class Programs:
+    """Those in a folder, and the names that they know."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        listed = self.answer("analyze", "quantities", "--json")
+        self.parameters, self.quantities = (
+            {row["name"]: row["unit"] for row in listed[kind]}
+            for kind in ("parameters", "quantities")
+        )
+
+    @cache
+    def answer(self, tool, *words):
+        done = subprocess.run(
+            [self.folder / tool, *words], capture_output=True, text=True, check=False
+        )
+        if done.returncode:
+            raise SweepError(done.stderr.strip() or f"{tool} ended with {done.returncode}")
+        return json.loads(done.stdout)
+
+    def described(self, line):
+        """What the program of this command says of itself. It refuses wrong options then, too."""
+        tool, *words = words_in(line)
+        if tool not in TOOLS:
+            raise SweepError(f"there is no program '{tool}'{suggestion(tool, TOOLS)}")
+        return self.answer(tool, *words, "--describe")
+
+    def unit_of(self, quantity, of_file):
+        """`analyze strength` reports numbers of a shape, but lists of a file."""
+        keys = ["*" if re.fullmatch(r"-?\d+", key) else key for key in quantity.split(".")]
+        pattern = ".".join(keys)
+        is_list = f"{pattern}.*" in self.quantities
+        if pattern in self.quantities and not (is_list and of_file):
+            return self.quantities[pattern]
+        if is_list:
+            raise SweepError(f"'{quantity}' is a list: name one of its elements, as {quantity}.0")
+        raise SweepError(
+            f"analyze reports no '{quantity}'{suggestion(pattern, self.quantities)}"
+            " (`analyze quantities` lists what there is)"
+        )
+
+
+# --- commands ---------------------------------------------------------------------------------
+
+
+def words_in(line):
+    try:
+        return shlex.split(line)
+    except ValueError as error:
+        raise SweepError(f"'{line}' cannot be split into words ({error})") from None
+
+
+def options_in(line):
+    """Names of the options, such as --until and -o."""
+    found = (re.match(r"-(?:-([a-z][a-z-]*)|([a-z]))", word) for word in words_in(line))
+    return [match[1] or match[2] for match in found if match]
+
+
+def settings_in(line):
+    """Names of the parameters that it sets; --seed is short for one."""
+    settings = re.findall(r"(?:^| )--set[ =](\S+?)=", " ".join(words_in(line)))
+    return settings + ["numerics.seed" for name in options_in(line) if name == "seed"]
+
+
+def check_command(line, program):
+    given = options_in(line)
+    long_names = {option["short"]: option["name"] for option in program["options"]}
+    for group in program["one_needed"]:
+        if not {long_names.get(name, name) for name in given}.intersection(group):
+            needed = " or ".join(f"--{name}" for name in group)
+            raise SweepError(f"{program['name']} needs {needed}, which '{line}' does not have")
+    settings = settings_in(line)
+    for name in settings:
+        if settings.count(name) > 1:
+            raise SweepError(f"'{line}' sets {name} twice; remove it from [values] or [commands]")
+
+
+def check_options(name, line):
+    """Those that no command of a sweep may have."""
+    if name in KEYS_OF_A_POINT:
+        raise SweepError(f"a command cannot be called '{name}'; take another name")
+    for option in options_in(line):
+        if option in REFUSED:
+            dashes = "-" if len(option) == 1 else "--"
+            raise SweepError(f"'{line}' must not have {dashes}{option}: {REFUSED[option]}")
+
+
+# --- values -----------------------------------------------------------------------------------
+
+
+def check_value(name, text, option):
+    unit = option["unit"]
+    number = number_in(text, unit) if unit else None
+    if unit and (number is None or not math.isfinite(number)):
+        kind = "number" if unit == "1" else f"number in {unit}"
+        raise SweepError(f"{name} is a finite {kind}, which '{text}' is not")
+    if text not in option.get("words", [text]):
+        raise SweepError(f"{name} is one of {', '.join(option['words'])}, but not '{text}'")
+    return text if number is None else number
+
+
+def option_of(name, point, programs):
+    """How the programs describe what this value sets."""
+    if name == "variant":
+        return {"unit": ""}
+    if "." in name and name not in programs.parameters:
+        raise SweepError(f"there is no parameter '{name}'{suggestion(name, programs.parameters)}")
+    lines = [line for line in point.commands.values() if options(point.values) in line]
+    if not lines:
+        raise SweepError("no command has {values}")
+    if "." in name:
+        return {"unit": programs.parameters[name]}
+    for option in programs.described(lines[0])["options"]:
+        if option["name"] == name and option["kind"] in VARIABLE:
+            return option
+    raise SweepError(f"the option '{name}' cannot vary")
+
+
+def check_points(points, programs):
+    """{name: unit} of what the points set."""
+    described: dict[str, dict] = {}
+    if not any(point.values for point in points):
+        raise SweepError("there are no points: [values] or a table says for which values to run")
+    for point in {tuple(point.values): point for point in points}.values():
+        for name, line in point.commands.items():
+            check_options(name, line)
+            check_command(line, programs.described(line))
+        described |= {name: option_of(name, point, programs) for name in point.values}
+    settings = {
+        tuple(
+            (name, check_value(name, text, described[name])) for name, text in point.values.items()
+        )
+        for point in points
+    }
+    if len(settings) < len(points):
+        raise SweepError("a point is there twice; remove the value that is repeated")
+    return {name: option["unit"] for name, option in described.items()}
+
+
+# --- quantities -------------------------------------------------------------------------------
+
+
+def unit_of_column(path, commands, programs):
+    """`path` is the name of a command, then a place in what it reports."""
+    command, _, rest = path.partition(".")
+    if command not in commands:
+        like = f"; write one like {command} = analyze {command} record.h5 --json"
+        near = suggestion(command, commands) or like
+        raise SweepError(f"'{path}': [commands] has no '{command}'{near}")
+    words = words_in(commands[command])
+    if words[0] != "analyze" or "--json" not in words:
+        raise SweepError(f"'{path}': the command '{command}' is no `analyze ... --json`")
+    of_file = any(word.endswith(".h5") for word in words)
+    return programs.unit_of(f"{words[1]}.{rest}", of_file)
+
+
+def check_columns(sweep, programs):
+    """{name: path} and {name: unit}. A heading may repeat the unit, as in `speed [m/s]`."""
+    columns: dict[str, str] = {}
+    units: dict[str, str] = {}
+    taken = [*STATE, *names_of_values(sweep.points)]
+    if not sweep.columns:
+        raise SweepError("it needs a section [quantities], as in type = front.type")
+    for heading, path in sweep.columns.items():
+        ((name, _, stated),) = HEADING.findall(heading)
+        unit = unit_of_column(path, sweep.points[0].commands, programs)
+        if stated not in ("", unit):
+            raise SweepError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
+        if "/" in name or name in ("", ".", *columns, *taken):
+            raise SweepError(f"'{heading}' cannot be the heading of a column; take another one")
+        columns[name], units[name] = path, unit
+    return columns, units

@@ -1,0 +1,456 @@
+"""A user's sweep: its plan, what is refused before anything is computed (check.py, plan.py); its
+table, picture and summary from made-up results (report.py, table.py, picture.py)."""
+
+import csv
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from unittest import mock
+
+import h5py
+import matplotlib.image
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+BIN = Path(os.environ.get("RUPTURE_BIN", ROOT / "build/release/bin"))
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes/common")]
+
+from sweeps.picture import axis_of, draw, edges, limits, middle  # noqa: E402
+from sweeps.plan import plan_sweep  # noqa: E402
+from sweeps.report import columns_of, picture, print_summary  # noqa: E402
+from sweeps.sweep import Needs, Point, Sweep, SweepError, read_sweep  # noqa: E402
+from sweeps.table import Column, write_csv, write_hdf5  # noqa: E402
+
+BASE = ROOT / "checkpoints/fast-only.h5"
+RECORD = ROOT / "tests/compatibility"
+CHAIN = """[sweep]
+[commands]
+start   = prepare {values} -o s.h5 --quiet
+restart = restart s.h5 --until-quiet -o e.h5 --record r.h5 --quiet
+front   = analyze front r.h5 --json
+stress  = analyze stress s.h5 --json
+[values]
+tau-bar = 0.1, 0.2
+[quantities]
+type = front.type
+"""
+VALUES = "tau-bar = 0.1, 0.2"
+BASED = """[sweep]
+base = base.h5
+[commands]
+restart = restart {base} {values} --for 0.01 -o e.h5 --record r.h5
+front   = analyze front r.h5 --json
+[values]
+driving.V = 0.1mm/s
+seed = 1, 2
+[quantities]
+type = front.type
+"""
+
+
+@pytest.fixture
+def plan(tmp_path, monkeypatch):
+    """Plans and reads a sweep with this text."""
+    monkeypatch.chdir(tmp_path)
+    shutil.copyfile(BASE, "base.h5")
+
+    def plan(text, name="sweep"):
+        Path(f"{name}.ini").write_text(text, encoding="utf-8")
+        return read_sweep(plan_sweep(Path(f"{name}.ini"), BIN, Path("results")))
+
+    return plan
+
+
+# --- plans ------------------------------------------------------------------------------------
+
+
+def test_units_and_headings_are_settled(plan):
+    text = CHAIN.replace(VALUES, f"{VALUES}\njunctions.t_R = 1 to 2 ms\njunctions.law = reference")
+    text += "speed [m/s] = front.v_c.3\nF_T = stress.F_T\n"
+    sweep = plan(text)
+    expected = {"tau-bar": "1", "junctions.t_R": "s", "junctions.law": "", "type": ""}
+    assert sweep.units == expected | {"speed": "m/s", "F_T": "N"}
+    assert sweep.columns == {"type": "front.type", "speed": "front.v_c.3", "F_T": "stress.F_T"}
+    command = "prepare --tau-bar 0.2 --set junctions.t_R=2ms --set junctions.law=reference -o s.h5"
+    assert sweep.points[-1].commands["start"] == f"{command} --quiet"
+
+
+@pytest.mark.parametrize("path", ["fig4/strength-curves.ini", "figS6/map.ini"])
+def test_sweeps_of_recipes_are_in_the_same_form(plan, path):
+    recipe = ROOT / "recipes" / path
+    sweep = plan(re.sub("(?<=like  = )", f"{recipe.parent}/", recipe.read_text()))
+    assert [p.id for p in sweep.points] == [p.id for p in read_sweep(recipe).points]
+
+
+def test_points_follow_the_content_of_the_base_and_not_its_name(plan):
+    first = [point.id for point in plan(BASED).points]
+    shutil.move("base.h5", "b.h5")
+    assert [point.id for point in plan(BASED.replace("base.h5", "b.h5")).points] == first
+    shutil.copyfile(ROOT / "checkpoints/second-slow.h5", "base.h5")
+    assert not {*first} & {point.id for point in plan(BASED).points}
+
+
+def test_the_base_is_a_copy_with_its_checksum(plan):
+    command = plan(BASED).points[0].commands["restart"]
+    (copy,) = Path("results/data/bases").glob("*.h5")
+    assert command.startswith(f"restart {copy} --set driving.V=0.1mm/s --seed 1 --for 0.01")
+    done = subprocess.run([BIN / "analyze", "checksum", copy], capture_output=True, text=True)
+    assert Path(f"{copy}.sum").read_text() == f"content-sha256 {done.stdout.strip()}  {copy.name}\n"
+    assert done.stdout.startswith(copy.stem)
+
+
+@pytest.mark.parametrize("folder", ["tables", "a #b", "a ;b"])
+def test_the_plan_has_its_own_table_of_points(plan, folder):
+    Path(folder).mkdir()
+    table = Path(folder) / "points.csv"
+    table.write_text("tau-bar\n0.1\n0.2\n")
+    text = CHAIN.replace("[sweep]", "\ufeff[sweep]\npoints = points.csv").replace(VALUES, "")
+    sweep = plan(text.replace("\n", "\r\n"), f"{folder}/sweep")
+    table.write_text("tau-bar\n0.3\n")
+    again = read_sweep("results/sweeps/sweep/sweep.ini")
+    assert [point.values["tau-bar"] for point in again.points] == ["0.1", "0.2"]
+    assert [point.id for point in again.points] == [point.id for point in sweep.points]
+
+
+def test_a_later_command_may_set_again_what_varies(plan):
+    text = CHAIN.replace("--until-quiet", "--until-quiet --set driving.V=0")
+    assert len(plan(text.replace(VALUES, f"{VALUES}\ndriving.V = 1, 2")).points) == 4
+
+
+def test_each_command_is_asked_once(plan):
+    with mock.patch("sweeps.check.subprocess.run", side_effect=subprocess.run) as run:
+        plan(CHAIN)
+    asked = [call.args[0] for call in run.call_args_list]
+    assert len(asked) == 5 and len({tuple(words) for words in asked}) == 5
+
+
+# --- refusals ---------------------------------------------------------------------------------
+
+REFUSED = [
+    # what of CHAIN, is replaced by what, sentence
+    ("type = front.type", "", "needs a section .quantities."),
+    ("[sweep]", "[sweep]\nseeds = 1, 2", "'seeds' is for recipes"),
+    ("[sweep]", "[sweep]\npoints = p.csv", "no table of points .*p.csv"),
+    ("[sweep]", "[sweep]\nbase = no.h5", "no.h5 does not exist"),
+    ("[sweep]", "[sweep]\nbase = bad.h5", "the base cannot be used: .*bad.h5"),
+    ("[sweep]", "[sweep]\nbase = record.h5", "is a record; runs go on from checkpoints"),
+    ("--until-quiet", "--fro 1", "unknown option '--fro': did you mean '--for'"),
+    ("--until-quiet", "--record-every 1", "restart needs --until or --for or --until-quiet, which"),
+    ("front r.h5", "front r.h5 --slowbelow 0.1", "unknown option '--slowbelow'.*'--slow-below'"),
+    ("-o s.h5", "", "prepare needs --output, which"),
+    (VALUES, "seed = 1", "prepare needs --tau-bar, which"),
+    ("front r.h5", "slip r.h5", "analyze slip needs --x, which"),
+    ("front r.h5", "frnt r.h5", "unknown command 'frnt': did you mean 'front'"),
+    ("= prepare", "= prepar", "no program 'prepar'; did you mean 'prepare'"),
+    ("= prepare", "= sh", "no program 'sh'"),
+    ("-o s.h5", "-o 's.h5", "cannot be split into words"),
+    ("stress ", "status ", "cannot be called 'status'"),
+    ("{values}", "--tau-bar 1", "no command has {values}"),
+    ("-o s.h5", "-o s.h5 --config x", "must not have --config: points would not follow"),
+    *(
+        ("-o s.h5", f"-o s.h5 {option}", f"must not have {option}: a point starts in an empty")
+        for option in ("-f", "--force", "--resume")
+    ),
+    *(
+        ("-o s.h5", f"-o s.h5 {option}", f"must not have {option}: it computes nothing")
+        for option in ("--dry-run", "--help", "-h", "--version", "--describe")
+    ),
+    ("{values}", "{values} --tau-bar=0.1", "'--tau-bar' cannot be specified more than once"),
+    (VALUES, f"{VALUES}\nseed = 2\nnumerics.seed = 1", "sets numerics.seed twice"),
+    # values
+    (VALUES, "", "there are no points"),
+    (VALUES, f"{VALUES}\ndriving.v = 1", "no parameter 'driving.v'; did you mean 'driving.V'"),
+    (VALUES, f"{VALUES}\ntaubar = 1", "unknown option '--taubar': did you mean '--tau-bar'"),
+    (VALUES, f"{VALUES}\nuntil = 1", "unknown option '--until'"),
+    (VALUES, f"{VALUES}\noutput = x", "'--output' cannot be specified more than once"),
+    (VALUES, "tau-bar = 0.1, high, 0.2", "tau-bar is a finite number, which 'high' is not"),
+    (VALUES, "tau-bar = high", "--tau-bar high is not a number"),
+    (VALUES, "tau-bar = 0.1, 1ms, 0.2", "tau-bar is a finite number, which '1ms' is not"),
+    *(
+        (VALUES, f"{VALUES}\njunctions.t_R = 1ms, {text}", "is a finite number in s, which '")
+        for text in ("1mm", "nan", "inf", "-inf", "1e999", "1 2")
+    ),
+    *(
+        (VALUES, f"{VALUES}\n{name} = {texts}", "a point is there twice")
+        for name, texts in (
+            ("seed", "1, 1"),
+            ("seed", "1, 1.0"),
+            ("sigma-bar", "1e-4, 0.0001"),
+            ("driving.V", "1mm/s, 1e-3"),
+        )
+    ),
+    (VALUES, f"{VALUES}\nshape = uniform, bel", "shape is one of uniform, bell, but not 'bel'"),
+    (VALUES, f"{VALUES}\nshape = uniform bell", "shape is one of uniform, bell, but not 'unif"),
+    # quantities
+    ("front.type", "front.slow.sped", "no 'front.slow.sped'; did you mean 'front.slow.speed'"),
+    ("front.type", "frnt.type", "no 'frnt'; did you mean 'front'"),
+    ("front.type", "loading.F_T.0", "write one like loading = analyze loading record.h5"),
+    ("front.type", "start.F_T", "no `analyze ... --json`"),
+    ("front r.h5 --json", "front r.h5", "no `analyze ... --json`"),
+    ("front.type", "front.v_c", "is a list: name one of its elements, as front.v_c.0"),
+    ("type = front.type", "v [km/s] = front.c_s", "says .km/s., but front.c_s has the unit 'm/s'"),
+    ("type = ", "v/c_s = ", "cannot be the heading"),
+    ("type = ", "status = ", "cannot be the heading"),
+    ("type = ", "tau-bar = ", "cannot be the heading"),
+]
+
+
+@pytest.mark.parametrize("part, new, sentence", REFUSED)
+def test_mistakes_are_refused_in_a_sentence_and_nothing_is_written(plan, part, new, sentence):
+    Path("bad.h5").write_bytes(BASE.read_bytes()[:-1])
+    records = (p for p in sorted(RECORD.rglob("*.h5")) if p.read_bytes().startswith(b"rupture-rec"))
+    shutil.copyfile(next(records), "record.h5")
+    assert part in CHAIN
+    with pytest.raises(SweepError, match=f"^sweep.ini: .*{sentence}"):
+        plan(CHAIN.replace(part, new, 1))
+    assert not list(Path("results").glob("sweeps/*/*"))
+
+
+@pytest.mark.parametrize(
+    "option, values",
+    [
+        ("--set driving.V=1", "driving.V = 1, 2"),
+        ("--set=driving.V=1", "driving.V = 1, 2"),
+        ("--seed 1", "numerics.seed = 1, 2"),
+        ("--set numerics.seed=1", "seed = 1, 2"),
+    ],
+)
+def test_a_value_is_given_once(plan, option, values):
+    text = CHAIN.replace("{values}", f"{{values}} {option}").replace(VALUES, f"{VALUES}\n{values}")
+    with pytest.raises(SweepError, match="sets .* twice; remove it from .values. or .commands."):
+        plan(text)
+
+
+def test_parameters_need_a_command_that_gets_them(plan):
+    with pytest.raises(SweepError, match="no command has {values}"):
+        plan(BASED.replace("{values} ", ""))
+
+
+def test_a_list_of_a_file_is_a_number_of_a_shape(plan):
+    text = "[sweep]\n[commands]\nstrength = analyze strength {values} --json\n"
+    rest = "[values]\nsigma-bar = 0, 0.1\n[quantities]\nm = strength.mu_bar_eff\n"
+    assert plan(text + rest).units["m"] == "1"
+    with pytest.raises(SweepError, match="'strength.mu_bar_eff' is a list"):
+        plan(CHAIN.replace("stress s.h5", "strength s.h5") + "m = stress.mu_bar_eff")
+
+
+def test_the_name_of_the_file_is_that_of_the_results(plan):
+    with pytest.raises(SweepError, match="the results get the name"):
+        plan(CHAIN, "my sweep")
+
+
+def test_what_cannot_be_read_or_written_is_said_with_the_file(plan, tmp_path):
+    with pytest.raises(SweepError, match=r"^none.ini: none.ini cannot be read \(No such file"):
+        plan_sweep(Path("none.ini"), BIN, tmp_path)
+    Path("file").touch()
+    Path("own.ini").write_text(CHAIN)
+    with pytest.raises(SweepError, match="^own.ini: file.* cannot be (written|read)|File exists"):
+        plan_sweep(Path("own.ini"), BIN, Path("file"))
+
+
+# --- tables -----------------------------------------------------------------------------------
+
+COLUMNS = [
+    Column("driving.V", "m/s", ["1e-4", "4e-4", "4e-4"]),
+    Column("seed", "1", ["1", "1", "2"]),
+    Column("speed of σ", "m/s", [0.1 + 0.2, None, 12]),
+    Column("spanning", "", [True, None, False]),
+    Column("sentence", "", ["", "restart: übel", ""]),
+]
+
+
+def test_csv(tmp_path):
+    write_csv(tmp_path / "t.csv", COLUMNS)
+    with open(tmp_path / "t.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    assert rows[0] == ["driving.V [m/s]", "seed", "speed of σ [m/s]", "spanning", "sentence"]
+    assert rows[1] == ["1e-4", "1", "0.30000000000000004", "true", ""]
+    assert rows[2] == ["4e-4", "1", "", "", "restart: übel"]
+
+
+def test_hdf5_has_what_the_csv_has(tmp_path):
+    write_hdf5(tmp_path / "t.h5", "Title", COLUMNS)
+    with h5py.File(tmp_path / "t.h5") as file:
+        assert {*file} == {column.name for column in COLUMNS}
+        assert file.attrs["title"] == b"Title"
+        for column in COLUMNS:
+            dataset = file[column.name]
+            assert dataset.attrs["unit"] == (column.unit or "1").encode()
+            if column.unit:
+                numbers = [float(text) if text else np.nan for text in column.texts]
+                np.testing.assert_array_equal(dataset[()], numbers)
+            else:
+                assert dataset.dtype.kind == "S"
+                assert [text.decode() for text in dataset[()]] == column.texts
+
+
+def test_equal_tables_are_equal_bytes(tmp_path):
+    for name in ("a", "b"):
+        write_hdf5(tmp_path / f"{name}.h5", "Title", COLUMNS)
+        time.sleep(1.1)  # times in HDF5 are in seconds
+    assert (tmp_path / "a.h5").read_bytes() == (tmp_path / "b.h5").read_bytes()
+
+
+def test_a_table_is_written_whole_or_not_at_all(tmp_path):
+    write_hdf5(tmp_path / "t.h5", "Title", COLUMNS)
+    before = (tmp_path / "t.h5").read_bytes()
+    with pytest.raises(ValueError):
+        write_hdf5(tmp_path / "t.h5", "Other", [*COLUMNS, Column("n", "m", ["text"])])
+    assert (tmp_path / "t.h5").read_bytes() == before
+    assert [path.name for path in tmp_path.iterdir()] == ["t.h5"]
+
+
+def test_numbers_are_in_the_unit_of_their_column():
+    values = [{"V": text, "law": "1mm"} for text in ("1mm/s", "2e-3")]
+    points = [Point(each, {}, "") for each in values]
+    sweep = Sweep("A", points, {}, Needs(1, 1), [], {"V": "m/s", "law": ""})
+    V, law, *_ = columns_of(sweep, [dict(each) for each in values])
+    assert (V.texts, V.heading, law.texts) == (["0.001", "2e-3"], "V [m/s]", ["1mm", "1mm"])
+
+
+# --- what is said ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "rows, computed, sentence",
+    [
+        (
+            [("done", "", None), ("failed", "x", None)],
+            0,
+            "No point has a value of front.v_c.9 (v).",
+        ),
+        ([("done", "", 1.0), ("done", "", None)], 0, None),
+        ([("failed", "x", None)], 0, None),
+        ([("failed", "x", None)] * 2, 0, "A: 2 points: 2 failed."),
+        ([("done", "", 1)] * 3 + [("unfinished", "", 1)], 1, "now: 1; there before: 2."),
+        ([("failed", f"{n}", 1) for n in range(7)], 0, "and 2 other sentences; the table has"),
+    ],
+)
+def test_summary(capsys, rows, computed, sentence):
+    table = [dict(zip(("status", "sentence", "v"), row)) for row in rows]
+    sweep = Sweep("A", [], {"v": "front.v_c.9"}, Needs(1, 1), [], {})
+    unfinished = print_summary(sweep, table, computed)
+    said = capsys.readouterr().out
+    assert sentence in said if sentence else "No point has" not in said
+    assert unfinished == sum(row[0] == "unfinished" for row in rows)
+
+
+# --- pictures ---------------------------------------------------------------------------------
+
+SPEED, TYPE, V, W = ("speed", "m/s"), ("type", ""), ("V", "m/s"), ("W", "1")
+MEASURED = {SPEED: [1.0, 2.0, 3.0, None], TYPE: ["slow", "fast", "slow", None]}
+THREE_DONE = ["done", "done", "done", "failed"]
+
+
+def sweep_of(values, results, status):
+    """{(name, unit): cells} of values and quantities."""
+    measured = values | results
+    columns = [Column(name, unit, cells) for (name, unit), cells in measured.items()]
+    columns.append(Column("status", "", status))
+    varied = [name for (name, _), cells in values.items() if len(set(cells)) > 1]
+    names = {name: name for name, _ in results}
+    return Sweep("A sweep", [], names, Needs(1, 1), varied, {}), columns
+
+
+@pytest.fixture
+def drawn(tmp_path):
+    """Draws; returns what was said, and the share of pixels of a colour."""
+
+    def share(*rgb):
+        pixels = matplotlib.image.imread(tmp_path / "picture.png")[:, :, :3]
+        return np.mean(np.all(np.abs(pixels - np.array(rgb) / 255) < 0.02, axis=2))
+
+    return lambda *sweep: (draw(tmp_path / "picture", *sweep_of(*sweep)), share)
+
+
+def test_one_value_with_seeds(drawn, tmp_path):
+    values = {V: ["1", "1", "2", "2"], ("seed", "1"): ["1", "2", "1", "2"]}
+    said, share = drawn(values, MEASURED, THREE_DONE)
+    assert said == "" and (tmp_path / "picture.pdf").exists()
+    assert share(0, 114, 178) > 0.001, "line and dots"
+    assert share(213, 94, 0) > 0.00002, "crosses of failed points"
+
+
+def test_two_values(drawn):
+    values = {V: ["1", "1", "2", "2"], ("law", ""): ["a", "b", "a", "b"]}
+    said, share = drawn(values, MEASURED, THREE_DONE)
+    assert said == ""
+    assert share(245, 215, 110) > 0.05, "slow"
+    assert share(232, 153, 122) > 0.03, "fast"
+    assert share(217, 217, 217) > 0.03, "failed"
+
+
+@pytest.mark.parametrize("values", [{V: ["1", "2"]}, {V: ["1", "2"], W: ["3", "4"]}])
+def test_nothing_but_failures_is_drawn_too(drawn, tmp_path, values):
+    said, _ = drawn(values, {SPEED: [None, None], TYPE: [None, None]}, ["failed", "failed"])
+    assert said == "" and (tmp_path / "picture.png").exists()
+
+
+def test_a_dollar_sign_begins_no_formula(tmp_path):
+    values, results = {("V $_{$", "m/s"): ["1", "2"]}, {(r"$\frac{$", "1"): [1.0, 2.0]}
+    sweep, columns = sweep_of(values, results, ["done"] * 2)
+    assert draw(tmp_path / "picture", replace(sweep, title="$^$"), columns) == ""
+
+
+@pytest.mark.parametrize(
+    "error, why", [(ValueError("no\nmore"), "no"), (MemoryError(), "MemoryError")]
+)
+def test_what_cannot_be_drawn_is_one_line_and_leaves_no_file(tmp_path, error, why):
+    stem = tmp_path / "picture"
+    Path(f"{stem}.png").write_text("half")
+    with mock.patch("sweeps.report.draw", side_effect=error):
+        said = picture(stem, *sweep_of({V: ["1", "2"]}, {SPEED: [1.0, 2.0]}, ["done"] * 2))
+    assert (said, [*tmp_path.iterdir()]) == (f"No picture: {why}", [])
+
+
+def test_other_numbers_of_values_have_no_picture_and_a_former_one_goes(drawn, tmp_path):
+    values = {V: ["1", "2"], W: ["1", "2"]}
+    drawn(values, {SPEED: [1.0, 2.0]}, ["done", "done"])
+    said, _ = drawn(values | {("c", "1"): ["1", "2"]}, {SPEED: [1.0, 2.0]}, ["done"] * 2)
+    assert said == "No picture: 3 values vary; pictures are drawn of one or two."
+    assert not (tmp_path / "picture.png").exists()
+
+
+@pytest.mark.parametrize(
+    "cells, unit, scale",
+    [
+        (["1", "99"], "1", "linear"),
+        (["1", "100"], "1", "log"),
+        ([None, 1, 200], "1", "log"),
+        (["0", "100"], "1", "linear"),
+        (["-1", "-100"], "1", "linear"),
+        (["1", "100"], "", "linear"),
+    ],
+)
+def test_a_logarithmic_axis_where_positive_numbers_span_two_decades(cells, unit, scale):
+    assert axis_of(Column("a", unit, cells)).scale == scale
+
+
+def test_medians_and_most_frequent_texts():
+    numbers = axis_of(Column("a", "1", [1.0, None, 2.0, 9.0]))
+    assert middle(numbers, numbers.positions) == 2.0
+    texts = axis_of(Column("a", "", ["x", "y", "y", None]))
+    assert texts.categories[int(middle(texts, texts.positions))] == "y"
+
+
+def test_types_of_fronts_are_in_order():
+    texts = axis_of(Column("a", "", ["fast", "b", "arrested", "a", None]))
+    assert texts.categories == ["arrested", "fast", "b", "a"]
+
+
+def test_cells_meet_halfway_as_the_axis_shows_it():
+    linear = axis_of(Column("a", "1", [1, 2, 4]))
+    np.testing.assert_allclose(edges(linear, linear.positions), [0.5, 1.5, 3, 5])
+    log = axis_of(Column("a", "1", [1, 10, 100]))
+    np.testing.assert_allclose(edges(log, log.positions), np.sqrt([0.1, 10, 1000, 1e5]))
+    np.testing.assert_allclose(limits(log), [10**-0.1, 10**2.1])
+
+
+if __name__ == "__main__":
+    sys.exit(pytest.main([__file__]))
