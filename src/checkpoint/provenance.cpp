@@ -85,24 +85,6 @@ std::string shell_line(const std::vector<std::string>& arguments) {
   return line;
 }
 
-std::vector<std::string> shell_words(const std::string& line) {
-  std::vector<std::string> words;
-  bool quoted = false, in_word = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool ends = line[i] == ' ' && !quoted;
-    if (!ends && !in_word) words.emplace_back();
-    in_word = !ends;
-    if (ends) continue;
-    const bool escape = line[i] == '\\' && !quoted && i + 1 < line.size();
-    if (line[i] == '\'') {
-      quoted = !quoted;
-    } else {
-      words.back() += line[escape ? ++i : i];
-    }
-  }
-  return words;
-}
-
 Content provenance_content(const std::vector<ProvenanceEntry>& chain) {
   Content content;
   for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -32,23 +32,6 @@ TEST_F(Alarms, stop_a_bounded_instability_and_keep_what_was_written_before) {
   EXPECT_NEAR(time.back(), 9e-4, 1.1e-4);
 }
 
-TEST_F(Alarms, are_looked_for_at_the_end_of_a_run_too) {
-  for (const char* end : {"--for 7e-4", "--for 1e-2 --until-quiet 7e-4"}) {
-    const Outcome outcome = restart_unstable(end);
-    EXPECT_EQ(outcome.exit_code, kFailed) << end;
-    expect_one_sentence(outcome.err, "restart",
-                        "restart: the energy account from t = 0.0001 s to ");
-    EXPECT_FALSE(fs::exists(path("b.h5")));
-  }
-}
-
-TEST_F(Alarms, are_looked_for_before_a_checkpoint_is_written) {
-  const Outcome outcome = restart_unstable("--for 2e-3 --checkpoint-at 8e-4");
-  EXPECT_EQ(outcome.exit_code, kFailed);
-  expect_one_sentence(outcome.err, "restart", "from t = 0.0001 s to 0.0008 s");
-  EXPECT_FALSE(fs::exists(path("b-t0.000800000.h5")));
-}
-
 TEST_F(Alarms, are_reported_once_where_the_user_goes_on) {
   for (const std::string quiet : {"", "--quiet "}) {
     const Outcome outcome = restart_unstable(quiet + "--force --for 3e-3 --on-alarm report");
@@ -56,12 +39,6 @@ TEST_F(Alarms, are_reported_once_where_the_user_goes_on) {
     expect_one_sentence(outcome.err, "restart", "alarm: the energy account from ");
     output_of("analyze verify b.h5");
   }
-}
-
-TEST_F(Alarms, do_not_change_the_result) {
-  output_of("restart a.h5 -o b.h5 --for 2e-3");
-  output_of("restart a.h5 -o c.h5 --for 2e-3 --on-alarm report");
-  EXPECT_EQ(checksum_of("b.h5"), checksum_of("c.h5"));
 }
 
 TEST_F(Alarms, warn_of_lowered_strength_unless_quiet) {
@@ -73,19 +50,6 @@ TEST_F(Alarms, warn_of_lowered_strength_unless_quiet) {
       outcome.err, "restart",
       "junctions that bear more than they can at t = 0.0001 s: 200, the first in block 1");
   output_of(command + " --quiet");
-}
-
-TEST_F(Alarms, stop_a_run_that_load_starts_too) {
-  const Outcome outcome =
-      run("load --config small.ini -o b.h5 --until 2e-3" + std::string(kUnstable));
-  EXPECT_EQ(outcome.exit_code, kFailed);
-  expect_one_sentence(outcome.err, "load", "the energy account from t = 0 s to 0.001 s is off by ");
-  EXPECT_FALSE(fs::exists(path("b.h5")));
-}
-
-TEST_F(Alarms, refuse_another_word) {
-  expect_refusal("restart a.h5 -o b.h5 --for 1e-3 --on-alarm ignore", kUsage,
-                 "--on-alarm ignore is unknown: choose stop or report");
 }
 
 }  // namespace

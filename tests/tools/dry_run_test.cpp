@@ -93,16 +93,6 @@ TEST_F(DryRun, counts_the_samples_of_the_record) {
       << text;
 }
 
-TEST_F(DryRun, of_a_run_until_quiet_is_an_upper_limit) {
-  output_of("load --config small.ini -o a.h5");
-  const Json json = forecast("restart a.h5 -o b.h5 --until-quiet");
-  EXPECT_EQ(json["at_most"], true);
-  EXPECT_EQ(json["simulated_time"], 10.0);
-  EXPECT_EQ(forecast("restart a.h5 -o b.h5 --until-quiet --for 1e-3")["steps"], 5000);
-  const std::string text = output_of("restart a.h5 -o b.h5 --until-quiet --dry-run");
-  EXPECT_TRUE(text.starts_with("steps    at most 50,000,000, 10 s simulated; when ")) << text;
-}
-
 TEST_F(DryRun, of_a_resumed_run_is_what_is_left) {
   const std::string half = "load --config small.ini -o a.h5 --until 1e-4 --checkpoint-every 5e-5";
   const std::string whole = "load --config small.ini -o a.h5 --until 3e-4 --checkpoint-every 5e-5";
@@ -113,28 +103,6 @@ TEST_F(DryRun, of_a_resumed_run_is_what_is_left) {
   const Json json = forecast(whole + " --resume");
   EXPECT_EQ(json["steps"], 1000);
   EXPECT_EQ(json["checkpoints"], 5);
-}
-
-TEST_F(DryRun, refuses_what_the_run_refuses) {
-  output_of("load --config small.ini -o a.h5");
-  write("r.h5.part", "precious");
-  for (const std::string dry : {"", " --dry-run", " --dry-run --json"}) {
-    expect_refusal("load --config small.ini -o a.h5" + dry, kFailed,
-                   "a.h5 exists; give --force to replace it");
-    expect_refusal("load --config small.ini -o b.h5 --record r.h5" + dry, kFailed,
-                   "r.h5.part exists; give --force to replace it");
-    expect_refusal("load --config small.ini -o b.h5 --record q.h5 --set junctions.N_s=70000" + dry,
-                   kUsage,
-                   "junctions.N_s = 70000 is too large for a record, which counts up to 65535 "
-                   "junctions per block");
-    expect_refusal("load --config small.ini -o b.h5 --until 1e-3 --checkpoint-at 1" + dry, kUsage,
-                   "--checkpoint-at 1 is outside the run, 0 s to 0.001 s");
-    expect_refusal("restart a.h5 -o b.h5 --for 1 --set slider.Nx=11" + dry, kUsage,
-                   "slider.Nx cannot change in a restart: the state was made with 9");
-    expect_refusal("restart a.h5 -o a.h5 --for 1" + dry, kUsage,
-                   "a.h5 is the input, which is never changed: give another output");
-  }
-  forecast("load --config small.ini -o a.h5 --force");
 }
 
 TEST_F(DryRun, text_is_for_people) {

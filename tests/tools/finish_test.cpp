@@ -37,14 +37,6 @@ TEST_F(Finish, gives_the_record_of_a_run_that_was_to_end_there) {
   }
 }
 
-TEST_F(Finish, names_the_record_of_a_run_that_has_just_ended) {
-  output_of("load --config small.ini -o a.h5 --until 1e-6 --record r.h5");
-  const Outcome outcome = run("finish r.h5.part -o new.h5");
-  EXPECT_EQ(outcome.exit_code, kFailed);
-  EXPECT_EQ(outcome.err,
-            "finish: r.h5.part is no more: its run has ended, and its record is r.h5\n");
-}
-
 TEST_F(Finish, says_what_it_did_as_JSON) {
   interrupt("--record-every 1e-6");
   const Outcome outcome = run("finish r.h5.part -o new.h5 --json");
@@ -110,18 +102,6 @@ class JustStarted : public Running {
 TEST_F(JustStarted, record_has_nothing_to_finish) {
   expect_refusal("finish r.h5.part -o now.h5", kFailed,
                  "r.h5.part holds no sample yet: its run has to go on, or begin again");
-}
-
-TEST_F(Finish, refuses_other_files) {
-  output_of("load --config small.ini -o a.h5 --record r.h5 -q");
-  expect_refusal("finish a.h5 -o b.h5", kFailed,
-                 "a.h5 is a checkpoint; expected an unfinished record (RECORD.h5.part)");
-  expect_refusal("finish r.h5 -o b.h5", kFailed,
-                 "r.h5 is a record; expected an unfinished record (RECORD.h5.part)");
-  expect_refusal("finish -o b.h5", kUsage,
-                 "no file was given: name an unfinished record (RECORD.h5.part)");
-  expect_refusal("finish none.h5.part -o b.h5", kFailed,
-                 "none.h5.part does not exist; give the path of a checkpoint or record");
 }
 
 }  // namespace

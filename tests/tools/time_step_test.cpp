@@ -1,7 +1,4 @@
 // restart with another time step: the time of the state goes on, whatever dt it had before.
-#include <algorithm>
-#include <cmath>
-
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "tool_test.hpp"
 
@@ -13,65 +10,9 @@ class TimeStep : public ToolTest {
  protected:
   TimeStep() { output_of("load --config small.ini -o a.h5 --until 1e-4"); }
   State state_of(const std::string& file) const { return read_checkpoint(path(file)).state; }
-  double time_of(const std::string& file) const {
-    return json_of("analyze stress " + file + " --json")["time"];
-  }
 };
 
 constexpr const char* kHalved = " --set numerics.dt=1e-7";
-
-TEST_F(TimeStep, halved_takes_twice_as_many_steps_from_where_the_state_is) {
-  output_of(std::string("restart a.h5 -o b.h5 --for 2e-5") + kHalved);
-  const State before = state_of("a.h5"), after = state_of("b.h5");
-  EXPECT_EQ(before.clock, Clock{});
-  EXPECT_EQ(after.clock, (Clock{500, 500 * 2e-7}));
-  EXPECT_EQ(after.step, 700);
-  EXPECT_EQ(time_of("b.h5"), 500 * 2e-7 + 200 * 1e-7);
-  const Json needs =
-      json_of(std::string("restart a.h5 -o c.h5 --for 2e-5 --dry-run --json") + kHalved);
-  EXPECT_EQ(needs["steps"], 200);
-  EXPECT_NEAR(needs["simulated_time"].get<double>(), 2e-5, 1e-18);
-}
-
-TEST_F(TimeStep, for_and_until_mean_the_same_end) {
-  output_of(std::string("restart a.h5 -o for.h5 --for 2e-4") + kHalved);
-  output_of(std::string("restart a.h5 -o until.h5 --until 3e-4") + kHalved);
-  EXPECT_EQ(checksum_of("for.h5"), checksum_of("until.h5"));
-  expect_refusal(std::string("restart a.h5 -o b.h5 --until 9e-5") + kHalved, kUsage,
-                 "--until 9e-05 is before the checkpoint's time 0.0001 s");
-  expect_refusal("restart for.h5 -o b.h5 --until 5e-4 --checkpoint-at 2e-4", kUsage,
-                 "--checkpoint-at 0.0002 is outside the run, 0.0003 s to 0.0005 s");
-}
-
-TEST_F(TimeStep, changed_and_changed_back_goes_on_in_time) {
-  output_of(std::string("restart a.h5 -o b.h5 --for 5e-5") + kHalved);
-  output_of("restart b.h5 -o c.h5 --for 5e-5 --set numerics.dt=2e-7 --checkpoint-at 1.6e-4");
-  EXPECT_EQ(state_of("c.h5").clock, (Clock{1000, 500 * 2e-7 + 500 * 1e-7}));
-  EXPECT_EQ(state_of("c.h5").step, 1250);
-  EXPECT_NEAR(time_of("c.h5"), 2e-4, 1e-18);
-  EXPECT_NEAR(time_of("c-t0.000160000.h5"), 1.6e-4, 1e-18);
-}
-
-TEST_F(TimeStep, changed_at_time_zero_is_as_if_it_had_always_been) {
-  output_of("load --config small.ini -o zero.h5");
-  output_of(std::string("restart zero.h5 -o b.h5 --until 2e-4") + kHalved);
-  output_of(std::string("load --config small.ini -o c.h5 --until 2e-4") + kHalved);
-  EXPECT_EQ(checksum_of("b.h5"), checksum_of("c.h5"));
-}
-
-TEST_F(TimeStep, unchanged_leaves_the_clock_alone) {
-  output_of("restart a.h5 -o b.h5 --for 1e-5 --set numerics.dt=2e-7");
-  output_of("restart a.h5 -o c.h5 --for 1e-5");
-  EXPECT_EQ(checksum_of("b.h5"), checksum_of("c.h5"));
-}
-
-TEST_F(TimeStep, halves_of_a_run_with_a_changed_one_equal_the_whole) {
-  for (const char* folder : {"whole", "halves"}) fs::create_directory(path(folder));
-  output_of(std::string("restart a.h5 -o whole/end.h5 --until 3e-4") + kHalved);
-  output_of(std::string("restart a.h5 -o half.h5 --until 1.903e-4") + kHalved);
-  output_of("restart half.h5 -o halves/end.h5 --until 3e-4");
-  EXPECT_EQ(output_of("analyze diff halves/end.h5 whole/end.h5"), "equal\n");
-}
 
 TEST_F(TimeStep, changed_moves_the_driving_point_on_at_its_speed) {
   output_of(std::string("restart a.h5 -o b.h5 --for 2e-5 --record r.h5 --record-every 1e-7") +
@@ -117,11 +58,6 @@ TEST_F(TimeStep, changed_is_resumed_to_the_bits_of_the_uninterrupted_run) {
   EXPECT_EQ(checksum_of("x.h5"), whole);
   EXPECT_EQ(checksum_of("r.h5"), record);
   EXPECT_EQ(output_of(run + " --resume"), "x.h5 is complete\n");
-}
-
-TEST_F(TimeStep, beyond_the_stability_limit_is_refused) {
-  expect_refusal("restart a.h5 -o b.h5 --for 1e-4 --set numerics.dt=1e-5", kUsage,
-                 "numerics.dt = 1e-05 s is unstable: the limit for this lattice is 4.066e-06 s");
 }
 
 }  // namespace

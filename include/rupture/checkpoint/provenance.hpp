@@ -35,9 +35,6 @@ ProvenanceEntry make_provenance(const std::string& tool, const std::vector<std::
 /// The arguments as one line that a POSIX shell splits into the same arguments.
 std::string shell_line(const std::vector<std::string>& arguments);
 
-/// The arguments of which shell_line() made the line.
-std::vector<std::string> shell_words(const std::string& line);
-
 /// /provenance/0000/tool and so on.
 Content provenance_content(const std::vector<ProvenanceEntry>& chain);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <boost/any.hpp>
-#include <iterator>
 
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
@@ -109,11 +108,11 @@ std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
 std::vector<ProvenanceEntry> cut_at(std::vector<ProvenanceEntry> chain,
                                     const Parameters& parameters, double t, std::int64_t step) {
   if (chain.empty()) return chain;
-  auto words = shell_words(chain.back().rebuild);
-  const auto until = std::find(words.begin(), words.end(), "--until");
-  if (std::distance(until, words.end()) < 2) return chain;
-  *std::next(until) = shortest_text(parameters, {step, t}, step);
-  chain.back().rebuild = shell_line(words);
+  std::string& command = chain.back().rebuild;  // without spaces in its words
+  constexpr std::string_view option = " --until ";
+  const std::size_t found = command.find(option), from = found + option.size();
+  if (found == std::string::npos) return chain;
+  command.replace(from, command.find(' ', from) - from, shortest_text(parameters, {step, t}, step));
   return chain;
 }
 

@@ -12,16 +12,8 @@ using testing::failure_of;
 TEST(Provenance, quotes_arguments_as_a_shell_needs_them) {
   EXPECT_EQ(shell_line({"load", "-o", "a/b.h5", "--set=driving.V=0"}),
             "load -o a/b.h5 --set=driving.V=0");
-  EXPECT_EQ(shell_line({"x", "", "a b", "it's", "$HOME", "*", "a\nb", "~"}),
-            "x '' 'a b' 'it'\\''s' '$HOME' '*' 'a\nb' '~'");
-}
-
-TEST(Provenance, reads_arguments_back_as_a_shell_does) {
-  const std::vector<std::vector<std::string>> all = {
-      {},
-      {"load", "-o", "a/b.h5"},
-      {"x", "", "a b", "it's", "$HOME", "*", "a\nb", "~", "'", "\\", " -- ", "a --resume b"}};
-  for (const auto& arguments : all) EXPECT_EQ(shell_words(shell_line(arguments)), arguments);
+  EXPECT_EQ(shell_line({"x", "", "a b", "it's", "$HOME", "*", "a\nb", "~", "\\"}),
+            "x '' 'a b' 'it'\\''s' '$HOME' '*' 'a\nb' '~' '\\'");
 }
 
 TEST(Provenance, of_this_build_names_tool_version_commit_and_compiler) {
