@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 
@@ -11,41 +11,8 @@
 #include "rupture/model/error.hpp"
 #include "rupture/model/user_text.hpp"
 
+namespace rupture::tools {
 namespace {
-
-using namespace rupture;
-using namespace rupture::tools;
-
-int analyze_help(int argc, const char* const* argv);
-
-const std::vector<Command> kCommands = {
-    {"help", "this list, or what analyze COMMAND --help says", analyze_help},
-    {"events", "rupture events in a record", analyze_events, events_quantities},
-    {"front", "rupture line, speed and type of the front in a record", analyze_front,
-     front_quantities},
-    {"classify", "the front's type alone: none, arrested, slow or fast", analyze_classify,
-     classify_quantities},
-    {"slip", "fast and slow slip of one block in a record", analyze_slip, slip_quantities},
-    {"slow-slip", "slip speed of the blocks behind the slow front in a record", analyze_slow_slip,
-     slow_slip_quantities},
-    {"loading", "driving force against time in a record", analyze_loading, loading_quantities},
-    {"stress", "normal and friction forces along the interface of a checkpoint", analyze_stress,
-     stress_quantities},
-    {"phi", "distribution of junction forces in a checkpoint", analyze_phi, phi_quantities},
-    {"strength", "effective static friction of a shape of phi or of a checkpoint's blocks",
-     analyze_strength, strength_quantities},
-    {"estimate", "slow slip to expect from a checkpoint's parameters", analyze_estimate,
-     estimate_quantities},
-    {"steady-state", "friction of a block that slides at constant speed", analyze_steady_state,
-     steady_state_quantities},
-    {"quantities", "names and units of all parameters and of what these commands measure",
-     analyze_quantities},
-    {"checksum", "content checksum of a file", analyze_checksum},
-    {"verify", "check that files and folders are intact, also against a manifest", analyze_verify},
-    {"diff", "where and by how much two files differ", analyze_diff},
-    {"show", "parameters, time and provenance of a file", analyze_show},
-    {"lineage", "the steps that led to a file, also as a script", analyze_lineage},
-};
 
 const ToolText kText = {
     "analyze",
@@ -56,25 +23,34 @@ const ToolText kText = {
 
 std::string help() {
   std::string text = fmt::format(
-      "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND tells more):\n",
+      "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND tells more):\n"
+      "  help         this list, or what analyze COMMAND --help says\n",
       kText.synopsis, kText.purpose);
-  for (const auto& command : kCommands) {
-    text += fmt::format("  {:<12} {}\n", command.name, command.purpose);
+  for (const Command* command : commands()) {
+    text += fmt::format("  {:<12} {}\n", command->name(), command->summary);
   }
   return text;
 }
 
-/// A command's own description, with the line of help() as its summary.
-Json description_of(const Command& command) {
-  const std::array<const char*, 2> asked = {command.name.c_str(), "--describe"};
-  try {
-    command.run(asked.size(), asked.data());
-  } catch (const HelpRequested& answer) {
-    Json json = Json::parse(answer.text);
-    json["summary"] = command.purpose;
-    return json;
+Parsed parse(const Command& command, int argc, const char* const* argv) {
+  po::options_description options("Options");
+  for (const AddOptions add : command.options) {
+    if (add != nullptr) add(options);
   }
-  throw std::logic_error(command.name + " does not describe itself");
+  return parse(argc, argv,
+               {"analyze " + command.name(),
+                fmt::format("analyze {} [options]", command.call),
+                command.purpose,
+                {},
+                command.summary},
+               options, command.input, command.uses_parameters);
+}
+
+[[noreturn]] void answer(const Command& command, const char* question) {
+  const std::string name = command.name();
+  const std::array<const char*, 2> asked = {name.c_str(), question};
+  parse(command, asked.size(), asked.data());
+  throw std::logic_error(fmt::format("{} does not answer {}", name, question));
 }
 
 std::string describe() {
@@ -83,27 +59,27 @@ std::string describe() {
                {"synopsis", kText.synopsis},
                {"purpose", kText.purpose},
                {"commands", Json::array()}};
-  for (const auto& command : kCommands) {
-    if (command.run != analyze_help) json["commands"].push_back(description_of(command));
+  for (const Command* command : commands()) {
+    try {
+      answer(*command, "--describe");
+    } catch (const HelpRequested& said) {
+      json["commands"].push_back(Json::parse(said.text));
+    }
   }
   return json_text(json) + "\n";
 }
 
 std::vector<std::string_view> names_of_commands() {
-  std::vector<std::string_view> names;
-  names.reserve(kCommands.size());
-  for (const auto& command : kCommands) names.emplace_back(command.name);
+  std::vector<std::string_view> names = {"help"};
+  for (const Command* command : commands()) {
+    names.push_back(command->call.substr(0, command->name().size()));
+  }
   return names;
 }
 
-std::string no_command_text() {
-  return fmt::format("no command was given: name one of {}; analyze help says what they do",
-                     fmt::join(names_of_commands(), ", "));
-}
-
 const Command& find(std::string_view name) {
-  for (const auto& command : kCommands) {
-    if (command.name == name) return command;
+  for (const Command* command : commands()) {
+    if (command->name() == name) return *command;
   }
   throw UsageError(
       fmt::format("unknown command '{}': did you mean '{}'? See rupture analyze --help", name,
@@ -114,29 +90,44 @@ bool asks_for_help(std::string_view word) {
   return word == "help" || word == "--help" || word == "-h";
 }
 
-int analyze_help(int argc, const char* const* argv) {
-  if (argc > 2)
-    throw UsageError(fmt::format("'{}' is one word too many: name one command", argv[2]));
-  if (argc < 2 || asks_for_help(argv[1])) throw HelpRequested{help()};
-  const std::array<const char*, 2> asked = {argv[1], "--help"};
-  return find(argv[1]).run(asked.size(), asked.data());
+/// analyze help [COMMAND]
+[[noreturn]] void answer_help(const std::vector<std::string>& words) {
+  if (words.size() > 1) {
+    throw UsageError(fmt::format("'{}' is one word too many: name one command", words[1]));
+  }
+  if (words.empty() || asks_for_help(words.front())) throw HelpRequested{help()};
+  answer(find(words.front()), "--help");
 }
 
 int run(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
-  if (first.empty()) throw UsageError(no_command_text());
-  if (first == "--help" || first == "-h") throw HelpRequested{help()};
+  if (first.empty()) {
+    throw UsageError(
+        fmt::format("no command was given: name one of {}; analyze help says what they do",
+                    fmt::join(names_of_commands(), ", ")));
+  }
+  if (first == "help") answer_help({argv + 2, argv + argc});
+  if (asks_for_help(first)) throw HelpRequested{help()};
   if (first == "--describe") throw HelpRequested{describe()};
   if (first == "--version") throw HelpRequested{version_text("analyze")};
-  return find(first).run(argc - 1, argv + 1);
+  const Command& command = find(first);
+  return command.run(parse(command, argc - 1, argv + 1));
 }
 
 }  // namespace
 
-const std::vector<Command>& rupture::tools::commands() {
-  return kCommands;
+const std::vector<const Command*>& commands() {
+  static const std::vector<const Command*> all = {
+      &events_command,    &front_command,    &classify_command,     &slip_command,
+      &slow_slip_command, &loading_command,  &stress_command,       &phi_command,
+      &strength_command,  &estimate_command, &steady_state_command, &quantities_command,
+      &checksum_command,  &verify_command,   &diff_command,         &show_command,
+      &lineage_command};
+  return all;
 }
 
+}  // namespace rupture::tools
+
 int main(int argc, char** argv) {
-  return run_tool("analyze", [&] { return run(argc, argv); });
+  return rupture::tools::run_tool("analyze", [&] { return rupture::tools::run(argc, argv); });
 }

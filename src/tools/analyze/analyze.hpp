@@ -1,7 +1,9 @@
-// The commands of the analyze tool. Each parses its own arguments.
+// The commands of the analyze tool.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command_line.hpp"
@@ -9,53 +11,33 @@
 
 namespace rupture::tools {
 
-/// One command: `run` gets argv from the command's name on.
+using AddOptions = void (*)(po::options_description&);
+
+/// Everything about one command; --help, --describe and `analyze quantities` come from it.
 struct Command {
-  std::string name;
-  std::string purpose;
-  int (*run)(int argc, const char* const* argv);
+  std::string_view call;  ///< its name, and its arguments in the synopsis
+  const char* input;      ///< kind of the positional arguments; empty: none are taken
+  const char* summary;    ///< a line for lists of commands
+  const char* purpose;
+  std::array<AddOptions, 4> options;  ///< in the order of --help
+  int (*run)(const Parsed&);
   Quantities (*quantities)() = nullptr;  ///< rows of what it measures, whatever their values
+  UsesParameters uses_parameters = UsesParameters::no;
+
+  std::string name() const { return std::string(call.substr(0, call.find(' '))); }
 };
 
-/// All commands, in the order of the help.
-const std::vector<Command>& commands();
-
 // of records
-int analyze_events(int argc, const char* const* argv);
-Quantities events_quantities();
-int analyze_front(int argc, const char* const* argv);
-Quantities front_quantities();
-int analyze_classify(int argc, const char* const* argv);
-Quantities classify_quantities();
-int analyze_slow_slip(int argc, const char* const* argv);
-Quantities slow_slip_quantities();
-int analyze_slip(int argc, const char* const* argv);
-Quantities slip_quantities();
-int analyze_loading(int argc, const char* const* argv);
-Quantities loading_quantities();
-
-// of checkpoints
-int analyze_stress(int argc, const char* const* argv);
-Quantities stress_quantities();
-int analyze_phi(int argc, const char* const* argv);
-Quantities phi_quantities();
-int analyze_strength(int argc, const char* const* argv);  // or of a shape of phi
-Quantities strength_quantities();
-int analyze_estimate(int argc, const char* const* argv);
-Quantities estimate_quantities();
-
-// of parameters
-int analyze_steady_state(int argc, const char* const* argv);
-Quantities steady_state_quantities();
-
-// of nothing: what all these measure
-int analyze_quantities(int argc, const char* const* argv);
-
+extern const Command events_command, front_command, classify_command, slip_command,
+    slow_slip_command, loading_command;
+// of checkpoints, strength also of a shape of phi
+extern const Command stress_command, phi_command, strength_command, estimate_command;
+// of parameters, and of nothing: what all these measure
+extern const Command steady_state_command, quantities_command;
 // of any file
-int analyze_checksum(int argc, const char* const* argv);
-int analyze_verify(int argc, const char* const* argv);
-int analyze_diff(int argc, const char* const* argv);
-int analyze_show(int argc, const char* const* argv);
-int analyze_lineage(int argc, const char* const* argv);
+extern const Command checksum_command, verify_command, diff_command, show_command, lineage_command;
+
+/// All of them, in the order of the help.
+const std::vector<const Command*>& commands();
 
 }  // namespace rupture::tools

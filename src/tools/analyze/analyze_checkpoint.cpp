@@ -4,12 +4,11 @@
 #include <numeric>
 
 #include "analyze/analyze.hpp"
-#include "analyze/checkpoint_command.hpp"
 #include "analyze/common_quantities.hpp"
+#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -100,45 +99,40 @@ Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {
 
 }  // namespace
 
-Quantities stress_quantities() {
-  return quantities_of(Stress{});
-}
-Quantities phi_quantities() {
-  return quantities_of(std::vector<BlockForces>{}, 0);
-}
+constinit const Command stress_command = {
+    "stress CHECKPOINT",
+    "checkpoint",
+    "normal and friction forces along the interface of a checkpoint",
+    "Normal force p and friction force tau on each interface block; tau > 0 where friction\n"
+    "pushes the block towards -x.",
+    {add_format_options},
+    [](const Parsed& parsed) {
+      const Stress stress = stress_of(checkpoint_of(parsed));
+      const std::string text = fmt::format(
+          "t = {:.7g} s, F_T = {:.6g} N, sum p = {:.9g} N, sum tau = {:.6g} N, centroid of p "
+          "at {:.4g} mm from the middle\n",
+          stress.time, stress.F_T, sum(stress.p), sum(stress.tau), stress.p_centroid * 1e3);
+      return print(quantities_of(stress), text, parsed.values);
+    },
+    [] { return quantities_of(Stress{}); }};
 
-int analyze_stress(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  const auto [parsed, checkpoint] = read_checkpoint_command(
-      argc, argv, "stress",
-      "Normal force p and friction force tau on each interface block; tau > 0 where friction\n"
-      "pushes the block towards -x.",
-      options);
-  const Stress stress = stress_of(checkpoint);
-  const std::string text = fmt::format(
-      "t = {:.7g} s, F_T = {:.6g} N, sum p = {:.9g} N, sum tau = {:.6g} N, centroid of p at {:.4g} "
-      "mm from the middle\n",
-      stress.time, stress.F_T, sum(stress.p), sum(stress.tau), stress.p_centroid * 1e3);
-  print(quantities_of(stress), text, parsed.values);
-  return kDone;
-}
-
-int analyze_phi(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  options.add_options()("bins", integer("N")->default_value(40),
-                        "bins of the histograms, from -f_thres to f_thres");
-  const auto [parsed, checkpoint] = read_checkpoint_command(
-      argc, argv, "phi",
-      "Forces in the junctions of each block: mean, standard deviation, histogram.", options);
-  const int bins = parsed.values["bins"].as<int>();
-  constexpr int most_bins = 100000;
-  if (bins < 1 || bins > most_bins) {
-    throw UsageError(fmt::format("--bins {} makes no sense: give 1 to {}", bins, most_bins));
-  }
-  refuse_single_springs(checkpoint.parameters);
-  const auto blocks = block_forces(checkpoint.parameters, checkpoint.state);
-  print(quantities_of(blocks, bins), "", parsed.values);
-  return kDone;
-}
+constinit const Command phi_command = {
+    "phi CHECKPOINT",
+    "checkpoint",
+    "distribution of junction forces in a checkpoint",
+    "Forces in the junctions of each block: mean, standard deviation, histogram.",
+    {[](po::options_description& options) {
+       options.add_options()("bins", integer("N")->default_value(40),
+                             "bins of the histograms, from -f_thres to f_thres");
+     },
+     add_format_options},
+    [](const Parsed& parsed) {
+      const Checkpoint checkpoint = checkpoint_of(parsed);
+      const int bins = int_between(parsed.values, "bins", 1, 100000);
+      refuse_single_springs(checkpoint.parameters);
+      const auto blocks = block_forces(checkpoint.parameters, checkpoint.state);
+      return print(quantities_of(blocks, bins), "", parsed.values);
+    },
+    [] { return quantities_of(std::vector<BlockForces>{}, 0); }};
 
 }  // namespace rupture::tools

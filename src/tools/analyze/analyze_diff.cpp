@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "analyze/analyze.hpp"
-#include "analyze/file_command.hpp"
+#include "analyze/inputs.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/compare.hpp"
@@ -154,22 +154,7 @@ std::string report_text(const Pair& pair, const std::vector<Difference>& differe
                             dataset_count(pair, differences));
 }
 
-}  // namespace
-
-int analyze_diff(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  auto add = options.add_options();
-  add("common", "compare only the rows that both have, where one record is longer");
-  add("json", "print one JSON object");
-  const Parsed parsed = parse_file_command(
-      argc, argv, "diff", "A B",
-      "Compares parameters and state, or series, dataset by dataset, as they count in the content\n"
-      "checksum (not parameters that the interface law does not use): how many values differ, the\n"
-      "first one, the largest absolute and relative difference, and that in units in the last "
-      "place\n"
-      "(ULP): each with its place, [row][column], and the values of A and B.\n"
-      "Exit code 0: equal, 1: different.",
-      options);
+int compare(const Parsed& parsed) {
   const auto files = files_of(parsed);
   if (files.size() != 2) {
     throw UsageError(fmt::format("{} files were given: name the two to compare", files.size()));
@@ -189,5 +174,26 @@ int analyze_diff(int argc, const char* const* argv) {
   }
   return differences.empty() ? kDone : kFailed;
 }
+
+}  // namespace
+
+constinit const Command diff_command = {
+    "diff A B",
+    "file",
+    "where and by how much two files differ",
+    "Compares parameters and state, or series, dataset by dataset, as they count in the "
+    "content\n"
+    "checksum (not parameters that the interface law does not use): how many values differ, "
+    "the\n"
+    "first one, the largest absolute and relative difference, and that in units in the last "
+    "place\n"
+    "(ULP): each with its place, [row][column], and the values of A and B.\n"
+    "Exit code 0: equal, 1: different.",
+    {[](po::options_description& options) {
+       options.add_options()("common",
+                             "compare only the rows that both have, where one record is longer");
+     },
+     add_json_option},
+    compare};
 
 }  // namespace rupture::tools

@@ -4,18 +4,15 @@
 #include <numeric>
 
 #include "analyze/analyze.hpp"
-#include "analyze/checkpoint_command.hpp"
 #include "analyze/common_quantities.hpp"
+#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
-
-constexpr int kMostBlocks = 100000;
 
 /// The parameters with the seed of the random numbers that was asked for.
 Parameters seeded(Parameters p, const po::variables_map& values) {
@@ -23,15 +20,6 @@ Parameters seeded(Parameters p, const po::variables_map& values) {
     set_parameter(p, "numerics.seed", values["seed"].as<std::string>());
   }
   return p;
-}
-
-std::optional<RelaxationEnsemble> ensemble(const Parameters& p, const po::variables_map& values) {
-  const int blocks = values["ensemble"].as<int>();
-  if (blocks < 2 || blocks > kMostBlocks) {
-    throw UsageError(
-        fmt::format("--ensemble {} makes no sense: give 2 to {}", blocks, kMostBlocks));
-  }
-  return relax_ensemble(p, blocks);
 }
 
 /// Slow slip to expect, of the mean and of each block.
@@ -53,7 +41,7 @@ Estimate estimate_of(const Checkpoint& checkpoint, const po::variables_map& valu
                static_cast<double>(estimate.p_i.size());
   estimate.v_slow_slip = slow_slip_estimate(p, estimate.p);
   const Parameters with_seed = seeded(p, values);
-  estimate.ensemble = ensemble(with_seed, values);
+  estimate.ensemble = relax_ensemble(with_seed, int_between(values, "ensemble", 2, 100000));
   estimate.first = relax(with_seed, 0);
   return estimate;
 }
@@ -133,29 +121,30 @@ std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation)
 
 }  // namespace
 
-Quantities estimate_quantities() {
-  return quantities_of(Estimate{});
-}
-
-int analyze_estimate(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  auto add = options.add_options();
-  add("ensemble", integer("N")->default_value(100),
-      "blocks to relax, each with slipping times of its own");
-  add("seed", seed(), "key of their random numbers; default: the checkpoint's");
-  const auto [parsed, checkpoint] =
-      read_checkpoint_command(argc, argv, "estimate",
-                              "Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), of the mean "
-                              "and of each block; and the\n"
-                              "relaxation of one block from which its coefficient comes.",
-                              options);
-  refuse_other_laws(checkpoint.parameters);
-  const Estimate estimate = estimate_of(checkpoint, parsed.values);
-  const std::string text =
-      fmt::format("Eq. S1 at the mean normal force {:.5g} N, <t_R> = {:.5g} ms: {:.4f} mm/s\n",
-                  estimate.p, estimate.t_R * 1e3, estimate.v_slow_slip * 1e3);
-  print(quantities_of(estimate), text + relaxation_text(estimate.ensemble), parsed.values);
-  return kDone;
-}
+constinit const Command estimate_command = {
+    "estimate CHECKPOINT",
+    "checkpoint",
+    "slow slip to expect from a checkpoint's parameters",
+    "Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), of the mean and of each block; and "
+    "the\n"
+    "relaxation of one block from which its coefficient comes.",
+    {[](po::options_description& options) {
+       auto add = options.add_options();
+       add("ensemble", integer("N")->default_value(100),
+           "blocks to relax, each with slipping times of its own");
+       add("seed", seed(), "key of their random numbers; default: the checkpoint's");
+     },
+     add_format_options},
+    [](const Parsed& parsed) {
+      const Checkpoint checkpoint = checkpoint_of(parsed);
+      refuse_other_laws(checkpoint.parameters);
+      const Estimate estimate = estimate_of(checkpoint, parsed.values);
+      const std::string text =
+          fmt::format("Eq. S1 at the mean normal force {:.5g} N, <t_R> = {:.5g} ms: {:.4f} mm/s\n",
+                      estimate.p, estimate.t_R * 1e3, estimate.v_slow_slip * 1e3);
+      return print(quantities_of(estimate), text + relaxation_text(estimate.ensemble),
+                   parsed.values);
+    },
+    [] { return quantities_of(Estimate{}); }};
 
 }  // namespace rupture::tools

@@ -1,6 +1,6 @@
 // analyze lineage: the steps that led to a file, and a script that takes them anew.
 #include "analyze/analyze.hpp"
-#include "analyze/file_command.hpp"
+#include "analyze/inputs.hpp"
 #include "analyze/lineage.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
@@ -29,33 +29,36 @@ void check_combination(const po::variables_map& values) {
 
 }  // namespace
 
-int analyze_lineage(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  auto add = options.add_options();
-  add("commands", "print a shell script that makes a file of the same content");
-  add("output,o", text("FILE")->default_value("rebuilt.h5"),
-      "what the script is to call that file");
-  add("from", input_file("checkpoint or record"), "let the script begin with this ancestor");
-  add("json", "print one JSON object");
-  const Parsed parsed = parse_file_command(
-      argc, argv, "lineage", "FILE",
-      "Prints the steps from the first tool to FILE, one line each: the content checksum of the\n"
-      "file that it wrote, the build, and the command that makes that file from the one before.\n"
-      "With --commands a script of these commands, which also checks each file that it makes.",
-      options);
-  check_combination(parsed.values);
-  const auto path = file_of(parsed);
-  const ContentFile file = read_file(path);
-  const Lineage lineage = {path, file.kind, file.checksum, read_provenance(file.content)};
-  if (parsed.values.count("commands") > 0) {
-    say("{}", rebuild_script(lineage, file_to_write(parsed.values, "output").string(),
-                             start_of(parsed.values)));
-  } else if (parsed.values.count("json") > 0) {
-    say("{}\n", json_text(lineage_json(lineage)));
-  } else {
-    say("{}", lineage_text(lineage));
-  }
-  return kDone;
-}
+constinit const Command lineage_command = {
+    "lineage FILE",
+    "file",
+    "the steps that led to a file, also as a script",
+    "Prints the steps from the first tool to FILE, one line each: the content checksum of the\n"
+    "file that it wrote, the build, and the command that makes that file from the one before.\n"
+    "With --commands a script of these commands, which also checks each file that it makes.",
+    {[](po::options_description& options) {
+       auto add = options.add_options();
+       add("commands", "print a shell script that makes a file of the same content");
+       add("output,o", text("FILE")->default_value("rebuilt.h5"),
+           "what the script is to call that file");
+       add("from", input_file("checkpoint or record"), "let the script begin with this ancestor");
+     },
+     add_json_option},
+    [](const Parsed& parsed) {
+      const po::variables_map& values = parsed.values;
+      check_combination(values);
+      const auto path = file_of(parsed);
+      const ContentFile file = read_file(path);
+      const Lineage lineage = {path, file.kind, file.checksum, read_provenance(file.content)};
+      if (values.count("commands") > 0) {
+        const auto output = file_to_write(values, "output");
+        say("{}", rebuild_script(lineage, output.string(), start_of(values)));
+      } else if (values.count("json") > 0) {
+        say("{}\n", json_text(lineage_json(lineage)));
+      } else {
+        say("{}", lineage_text(lineage));
+      }
+      return int{kDone};
+    }};
 
 }  // namespace rupture::tools

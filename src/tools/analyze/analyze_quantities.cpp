@@ -11,27 +11,11 @@
 namespace rupture::tools {
 namespace {
 
-/// As for quantities: texts have no unit.
-std::string_view unit_of(const ParameterInfo& info) {
-  return choices(info).empty() ? info.unit : "";
-}
-
-Json parameters_json() {
-  Json list = Json::array();
-  for (const auto& info : parameter_table()) {
-    list.push_back({{"name", info.name},
-                    {"unit", unit_of(info)},
-                    {"default", json_of(Parameters{}, info)},
-                    {"help", info.help}});
-  }
-  return list;
-}
-
 std::vector<NamedQuantity> all_quantities() {
   std::vector<NamedQuantity> all;
-  for (const Command& command : commands()) {
-    if (command.quantities == nullptr) continue;
-    const auto measured = named(command.name, command.quantities());
+  for (const Command* command : commands()) {
+    if (command->quantities == nullptr) continue;
+    const auto measured = named(command->name(), command->quantities());
     all.insert(all.end(), measured.begin(), measured.end());
   }
   return all;
@@ -72,24 +56,22 @@ void print_text() {
 
 }  // namespace
 
-int analyze_quantities(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  options.add_options()("json", "print one JSON object");
-  const Parsed parsed =
-      parse(argc, argv,
-            {"analyze quantities", "analyze quantities [options]",
-             "Lists all parameters, and everything that the commands which measure, and the "
-             "programs\nthat write files, report with --json."},
-            options, "", UsesParameters::no);
-  if (parsed.values.count("json") > 0) {
-    const Json json = {{"parameters", parameters_json()},
-                       {"quantities", json_of(all_quantities())},
-                       {"summaries", json_of(all_of_summaries())}};
-    say("{}\n", json_text(json));
-  } else {
-    print_text();
-  }
-  return kDone;
-}
+constinit const Command quantities_command = {
+    "quantities",
+    "",
+    "names and units of all parameters and of what these commands measure",
+    "Lists all parameters, and everything that the commands which measure, and the "
+    "programs\nthat write files, report with --json.",
+    {add_json_option},
+    [](const Parsed& parsed) {
+      if (parsed.values.count("json") > 0) {
+        say("{}\n", json_text({{"parameters", tools::json_of(parameter_table())},
+                               {"quantities", json_of(all_quantities())},
+                               {"summaries", json_of(all_of_summaries())}}));
+      } else {
+        print_text();
+      }
+      return int{kDone};
+    }};
 
 }  // namespace rupture::tools

@@ -6,7 +6,7 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/common_quantities.hpp"
-#include "analyze/record_command.hpp"
+#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/front.hpp"
 #include "rupture/analysis/slip.hpp"
@@ -105,6 +105,17 @@ Quantities quantities_of(const Record& record) {
   };
 }
 
+std::string text_of(const Record& record) {
+  const double F_N = record.parameters.F_N;
+  const auto peak = std::max_element(record.F_T.begin(), record.F_T.end());
+  return fmt::format(
+      "{} samples from t = {:.7g} s to {:.7g} s\nF_T/F_N: {:.4f} at the start, {:.4f} at the end, "
+      "peak {:.4f} at t = {:.7g} s\n",
+      record.time.size(), record.time.front(), record.time.back(), record.F_T.front() / F_N,
+      record.F_T.back() / F_N, *peak / F_N,
+      record.time[static_cast<std::size_t>(peak - record.F_T.begin())]);
+}
+
 /// Forces and displacement of one block.
 struct BlockSeries {
   std::vector<double> p, tau, u_x;  ///< [N], [N], [m]
@@ -120,57 +131,49 @@ Quantities quantities_of(const BlockSeries& block) {
 
 }  // namespace
 
-Quantities slip_quantities() {
-  return quantities_of(Slip{});
-}
-Quantities loading_quantities() {
-  return join({quantities_of(Record{}), quantities_of(BlockSeries{})});
-}
+constinit const Command slip_command = {
+    "slip RECORD",
+    "record",
+    "fast and slow slip of one block in a record",
+    "Slip of one block: displacement since the start of the window, split into the fast\n"
+    "slip until the block first stops and the slow slip that follows.",
+    {add_format_options,
+     [](po::options_description& options) {
+       options.add_options()("x", number("X", "m")->required(),
+                             "position of the block, the nearest one is taken");
+     },
+     add_window_options},
+    [](const Parsed& parsed) {
+      const RecordCommand command = record_of(parsed);
+      const double x = non_negative(parsed.values, "x");
+      const Slip slip = slip_of(command, block_at(command.record.parameters, x));
+      return print(quantities_of(slip), text_of(slip), parsed.values);
+    },
+    [] { return quantities_of(Slip{}); }};
 
-int analyze_slip(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  add_format_options(options);
-  options.add_options()("x", number("X", "m")->required(),
-                        "position of the block, the nearest one is taken");
-  add_window_options(options);
-  const auto command =
-      read_record_command(argc, argv, "slip",
-                          "Slip of one block: displacement since the start of the window, split "
-                          "into the fast\nslip until the block first stops and the slow slip that "
-                          "follows.",
-                          options);
-  const Slip slip = slip_of(
-      command, block_at(command.record.parameters, non_negative(command.parsed.values, "x")));
-  print(quantities_of(slip), text_of(slip), command.parsed.values);
-  return kDone;
-}
-
-int analyze_loading(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  add_format_options(options);
-  options.add_options()("x", number("X", "m"),
-                        "also p, tau and u_x of the block nearest to this position");
-  const auto command =
-      read_record_command(argc, argv, "loading",
-                          "Driving force against time; with --x also one block's forces.", options);
-  const Record& record = command.record;
-  const Parameters& p = record.parameters;
-  Quantities rows = quantities_of(record);
-  if (const auto x = optional_non_negative(command.parsed.values, "x")) {
-    const Eigen::Index block = block_at(p, *x);
-    rows = join(
-        {rows, quantities_of(BlockSeries{series_of(record.p, block), series_of(record.tau, block),
-                                         series_of(record.u_x, block)})});
-  }
-  const auto peak = std::max_element(record.F_T.begin(), record.F_T.end());
-  const std::string text = fmt::format(
-      "{} samples from t = {:.7g} s to {:.7g} s\nF_T/F_N: {:.4f} at the start, {:.4f} at the end, "
-      "peak {:.4f} at t = {:.7g} s\n",
-      record.time.size(), record.time.front(), record.time.back(), record.F_T.front() / p.F_N,
-      record.F_T.back() / p.F_N, *peak / p.F_N,
-      record.time[static_cast<std::size_t>(peak - record.F_T.begin())]);
-  print(rows, text, command.parsed.values);
-  return kDone;
-}
+constinit const Command loading_command = {
+    "loading RECORD",
+    "record",
+    "driving force against time in a record",
+    "Driving force against time; with --x also one block's forces.",
+    {add_format_options,
+     [](po::options_description& options) {
+       options.add_options()("x", number("X", "m"),
+                             "also p, tau and u_x of the block nearest to this position");
+     }},
+    [](const Parsed& parsed) {
+      const Record record = record_of(parsed).record;
+      Quantities rows = quantities_of(record);
+      if (const auto x = optional_non_negative(parsed.values, "x")) {
+        const Eigen::Index block = block_at(record.parameters, *x);
+        rows = join({rows, quantities_of(BlockSeries{series_of(record.p, block),
+                                                     series_of(record.tau, block),
+                                                     series_of(record.u_x, block)})});
+      }
+      return print(rows, text_of(record), parsed.values);
+    },
+    [] {
+      return join({quantities_of(Record{}), quantities_of(BlockSeries{})});
+    }};
 
 }  // namespace rupture::tools

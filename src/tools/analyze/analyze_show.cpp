@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "analyze/analyze.hpp"
-#include "analyze/file_command.hpp"
+#include "analyze/inputs.hpp"
 #include "analyze/lineage.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
@@ -26,14 +26,7 @@ std::string kind_summary(const ContentFile& file) {
                      record.time.back(), record.ruptures.size());
 }
 
-}  // namespace
-
-int analyze_show(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  options.add_options()("json", "print one JSON object");
-  const Parsed parsed =
-      parse_file_command(argc, argv, "show", "FILE",
-                         "Prints what a file is, its parameters and its provenance.", options);
+int show(const Parsed& parsed) {
   const auto path = file_of(parsed);
   const ContentFile file = read_file(path);
   const Parameters parameters = read_parameters(file.content);
@@ -41,7 +34,7 @@ int analyze_show(int argc, const char* const* argv) {
   if (parsed.values.count("json") > 0) {
     Json json = {{"kind", kind_text(file.kind)}, {"checksum", file.checksum}};
     for (const auto& info : parameter_table()) {
-      json["parameters"][std::string(info.name)] = json_of(parameters, info);
+      json["parameters"][std::string(info.name)] = tools::json_of(parameters, info);
     }
     json["provenance"] = Json::array();
     for (const auto& entry : chain) json["provenance"].push_back(entry_json(entry));
@@ -70,5 +63,14 @@ int analyze_show(int argc, const char* const* argv) {
   }
   return kDone;
 }
+
+}  // namespace
+
+constinit const Command show_command = {"show FILE",
+                                        "file",
+                                        "parameters, time and provenance of a file",
+                                        "Prints what a file is, its parameters and its provenance.",
+                                        {add_json_option},
+                                        show};
 
 }  // namespace rupture::tools

@@ -9,7 +9,7 @@
 #include "analyze/common_quantities.hpp"
 #include "analyze/event_choice.hpp"
 #include "analyze/front_report.hpp"
-#include "analyze/record_command.hpp"
+#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/analysis/slip.hpp"
@@ -133,17 +133,14 @@ Quantities quantities_of(const Front& front, const SlowSlips& slips) {
   };
 }
 
-}  // namespace
-
-Quantities slow_slip_quantities() {
-  return quantities_of(Front{}, SlowSlips{});
+std::string text_of(const SlowSlips& slips) {
+  return fmt::format("{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n",
+                     slips.x.size(), tools::text_of(average(slips.speed), 1e-3),
+                     tools::text_of(average(slips.estimate), 1e-3),
+                     tools::text_of(median_speed(slips.v_c)));
 }
 
-int analyze_slow_slip(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  add_format_options(options);
-  add_event_options(options);
-  add_criteria_options(options);
+void add_slow_slip_options(po::options_description& options) {
   auto add = options.add_options();
   add("x-from", number("X", "m"), "blocks from here on, instead of those of the slow stretch");
   add("x-to", number("X", "m"), "blocks up to here");
@@ -154,27 +151,32 @@ int analyze_slow_slip(int argc, const char* const* argv) {
   add("to-last-stencil",
       "slip is followed until the front ruptures the block in the centre of the last slow stencil, "
       "rather than the last block of the slow stretch");
-  const auto command = read_record_command(
-      argc, argv, "slow-slip",
-      "Slip speed of blocks while the front ahead of them is slow. Their slow slip begins H/c_s\n"
-      "after their rupture, or after the front became slow, and is followed until the front "
-      "leaves\n"
-      "its slow stretch. The speed is that between 20 % and 80 % of this slip.",
-      options);
-  const ChosenEvent event = choose_event(command);
-  const Front front = front_of(command, event);
-  const SlowSlips slips =
-      measure_slow_slips(command.record, front, chosen_blocks(front, command.parsed.values),
-                         slow_slip_criteria(command.parsed.values));
-  std::string text =
-      fmt::format("{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n",
-                  slips.x.size(), text_of(average(slips.speed), 1e-3),
-                  text_of(average(slips.estimate), 1e-3), text_of(median_speed(slips.v_c)));
-  if (front.type == FrontType::none || event.in_window > 1) {
-    text += front_text(front, shear_wave_speed(command.record.parameters), event);
-  }
-  print(quantities_of(front, slips), text, command.parsed.values);
-  return kDone;
 }
+
+}  // namespace
+
+constinit const Command slow_slip_command = {
+    "slow-slip RECORD",
+    "record",
+    "slip speed of the blocks behind the slow front in a record",
+    "Slip speed of blocks while the front ahead of them is slow. Their slow slip begins H/c_s\n"
+    "after their rupture, or after the front became slow, and is followed until the front "
+    "leaves\n"
+    "its slow stretch. The speed is that between 20 % and 80 % of this slip.",
+    {add_format_options, add_event_options, add_criteria_options, add_slow_slip_options},
+    [](const Parsed& parsed) {
+      const RecordCommand command = record_of(parsed);
+      const ChosenEvent event = choose_event(command);
+      const Front front = front_of(command, event);
+      const SlowSlips slips =
+          measure_slow_slips(command.record, front, chosen_blocks(front, parsed.values),
+                             slow_slip_criteria(parsed.values));
+      std::string text = text_of(slips);
+      if (front.type == FrontType::none || event.in_window > 1) {
+        text += front_text(front, shear_wave_speed(command.record.parameters), event);
+      }
+      return print(quantities_of(front, slips), text, parsed.values);
+    },
+    [] { return quantities_of(Front{}, SlowSlips{}); }};
 
 }  // namespace rupture::tools

@@ -10,9 +10,6 @@
 namespace rupture::tools {
 namespace {
 
-constexpr int kMostPoints = 10000;
-constexpr int kFewestSteps = 100, kMostSteps = 10000000;
-
 // From slower than any fault creeps to about the speed of sound.
 constexpr double kSlowest = 1e-9, kFastest = 1e3;  // [m/s]
 
@@ -25,22 +22,8 @@ double speed(const po::variables_map& values, const std::string& option) {
 
 std::vector<double> speeds(const po::variables_map& values) {
   const double from = speed(values, "v-from"), to = speed(values, "v-to");
-  const int points = values["points"].as<int>();
   if (to < from) throw UsageError("the range of speeds is empty: --v-to is below --v-from");
-  if (points < 1 || points > kMostPoints) {
-    throw UsageError(fmt::format("--points {} makes no sense: give 1 to {}", points, kMostPoints));
-  }
-  return speeds_between(from, to, points);
-}
-
-SteadyRun steady_run(const po::variables_map& values) {
-  SteadyRun run;
-  run.steps_per_cycle = values["steps-per-cycle"].as<int>();
-  if (run.steps_per_cycle < kFewestSteps || run.steps_per_cycle > kMostSteps) {
-    throw UsageError(fmt::format("--steps-per-cycle {} makes no sense: give {} to {}",
-                                 run.steps_per_cycle, kFewestSteps, kMostSteps));
-  }
-  return run;
+  return speeds_between(from, to, int_between(values, "points", 1, 10000));
 }
 
 /// tau/p at one speed.
@@ -67,38 +50,15 @@ Quantities quantities_of(const std::vector<SteadyPoint>& points, double p) {
   };
 }
 
-Parsed parse_steady_state(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  auto add = options.add_options();
-  add("v-from", number("V", "m/s")->default_value(1e-4, "1e-4"), "lowest speed");
-  add("v-to", number("V", "m/s")->default_value(1.0, "1"), "highest speed");
-  add("points", integer("N")->default_value(9), "speeds, at equal ratios");
-  add("steps-per-cycle", integer("N")->default_value(SteadyRun{}.steps_per_cycle),
-      "time steps while a junction is pinned and slips once; it breaks up to a step late");
-  add_format_options(options);
-  return parse(argc, argv,
-               {"analyze steady-state", "analyze steady-state [options]",
-                "Friction coefficient of a block under the mean normal force F_N/Nx that slides at "
-                "constant\nspeed: as the interface law gives it, with its standard error, and by "
-                "renewal theory."},
-               options, "", UsesParameters::yes);
-}
-
-}  // namespace
-
-Quantities steady_state_quantities() {
-  return quantities_of(std::vector<SteadyPoint>{}, 0.0);
-}
-
-int analyze_steady_state(int argc, const char* const* argv) {
-  const Parsed parsed = parse_steady_state(argc, argv);
+int measure(const Parsed& parsed) {
   Parameters p;
   apply(parsed.parameters, p);
   validate(p);
   refuse_other_laws(p);
   const SteadySliding block{p, mean_normal_force(p)};
   const auto speed_list = speeds(parsed.values);
-  const SteadyRun run = steady_run(parsed.values);
+  SteadyRun run;
+  run.steps_per_cycle = int_between(parsed.values, "steps-per-cycle", 100, 10000000);
   std::vector<SteadyPoint> points;
   for (const double v : speed_list) {
     points.push_back({v, measured_friction(block, v, run), renewal_friction(block, v)});
@@ -106,8 +66,30 @@ int analyze_steady_state(int argc, const char* const* argv) {
   const std::string text = fmt::format(
       "Not in the standard error: events come up to a step late, which is 1/{} of a cycle.\n",
       run.steps_per_cycle);
-  print(quantities_of(points, block.p), text, parsed.values);
-  return kDone;
+  return print(quantities_of(points, block.p), text, parsed.values);
 }
+
+void add_steady_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("v-from", number("V", "m/s")->default_value(1e-4, "1e-4"), "lowest speed");
+  add("v-to", number("V", "m/s")->default_value(1.0, "1"), "highest speed");
+  add("points", integer("N")->default_value(9), "speeds, at equal ratios");
+  add("steps-per-cycle", integer("N")->default_value(SteadyRun{}.steps_per_cycle),
+      "time steps while a junction is pinned and slips once; it breaks up to a step late");
+}
+
+}  // namespace
+
+constinit const Command steady_state_command = {
+    "steady-state",
+    "",
+    "friction of a block that slides at constant speed",
+    "Friction coefficient of a block under the mean normal force F_N/Nx that slides at "
+    "constant\nspeed: as the interface law gives it, with its standard error, and by renewal "
+    "theory.",
+    {add_steady_options, add_format_options},
+    measure,
+    [] { return quantities_of(std::vector<SteadyPoint>{}, 0.0); },
+    UsesParameters::yes};
 
 }  // namespace rupture::tools

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include "analyze/analyze.hpp"
+#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/strength.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -32,7 +33,7 @@ Quantities quantities_of(const ShapeStrength& s) {
   };
 }
 
-void report_on_shape(const po::variables_map& values) {
+int report_on_shape(const po::variables_map& values) {
   if (values.count("shape") == 0 || values.count("sigma-bar") == 0) {
     throw UsageError(
         "--shape and --sigma-bar belong together: give both, or name a checkpoint instead");
@@ -45,7 +46,7 @@ void report_on_shape(const po::variables_map& values) {
       "{} phi, sigma-bar = {:g}: effective static friction mu-bar = {:.7f}, {:.7f} at mu_s = {:g} "
       "and mu_d = {:g}\n",
       shape, sigma_bar, mu_bar, mu, Parameters{}.mu_s, Parameters{}.mu_d);
-  print(quantities_of(ShapeStrength{shape, sigma_bar, mu_bar, mu}), text, values);
+  return print(quantities_of(ShapeStrength{shape, sigma_bar, mu_bar, mu}), text, values);
 }
 
 Quantities quantities_of(const std::vector<BlockStrength>& blocks) {
@@ -70,44 +71,38 @@ Quantities quantities_of(const std::vector<BlockStrength>& blocks) {
   };
 }
 
-Parsed parse_strength(int argc, const char* const* argv) {
-  po::options_description options("Options");
+void add_shape_options(po::options_description& options) {
   auto add = options.add_options();
   add("shape", one_of("uniform|bell"), "shape of phi, instead of a checkpoint");
   add("sigma-bar", number("S"), "its standard deviation over f_thres - f_slip");
-  add_format_options(options);
-  return parse(
-      argc, argv,
-      {"analyze strength",
-       "analyze strength CHECKPOINT | --shape uniform|bell --sigma-bar S [options]",
-       "Effective static friction, mu-bar = (tau_max/p - mu_d) / (mu_s - mu_d): tau_max is the "
-       "largest\nfriction force while the block is moved forwards slowly and no junction is pinned "
-       "again."},
-      options, "checkpoint", UsesParameters::no);
 }
 
-}  // namespace
-
-Quantities strength_quantities() {
-  return join({quantities_of(ShapeStrength{}), quantities_of(std::vector<BlockStrength>{})});
-}
-
-int analyze_strength(int argc, const char* const* argv) {
-  const Parsed parsed = parse_strength(argc, argv);
+int report(const Parsed& parsed) {
   const auto& values = parsed.values;
   const bool of_shape = values.count("shape") > 0 || values.count("sigma-bar") > 0;
   if (of_shape && values.count("checkpoint") > 0) {
     throw UsageError("a checkpoint has forces of its own: give it or --shape, not both");
   }
-  if (of_shape) {
-    report_on_shape(values);
-  } else {
-    const auto path = single_input(values, "checkpoint", "a checkpoint, or give --shape");
-    const Checkpoint checkpoint = read_checkpoint(path);
-    refuse_single_springs(checkpoint.parameters);
-    print(quantities_of(block_strengths(checkpoint.parameters, checkpoint.state)), "", values);
-  }
-  return kDone;
+  if (of_shape) return report_on_shape(values);
+  const Checkpoint checkpoint = checkpoint_of(parsed, "a checkpoint, or give --shape");
+  refuse_single_springs(checkpoint.parameters);
+  const auto blocks = block_strengths(checkpoint.parameters, checkpoint.state);
+  return print(quantities_of(blocks), "", values);
 }
+
+}  // namespace
+
+constinit const Command strength_command = {
+    "strength CHECKPOINT | --shape uniform|bell --sigma-bar S",
+    "checkpoint",
+    "effective static friction of a shape of phi or of a checkpoint's blocks",
+    "Effective static friction, mu-bar = (tau_max/p - mu_d) / (mu_s - mu_d): tau_max is the "
+    "largest\nfriction force while the block is moved forwards slowly and no junction is "
+    "pinned again.",
+    {add_shape_options, add_format_options},
+    report,
+    [] {
+      return join({quantities_of(ShapeStrength{}), quantities_of(std::vector<BlockStrength>{})});
+    }};
 
 }  // namespace rupture::tools

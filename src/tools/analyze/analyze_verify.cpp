@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "analyze/analyze.hpp"
-#include "analyze/file_command.hpp"
+#include "analyze/inputs.hpp"
 #include "analyze/inspection.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
@@ -58,42 +58,7 @@ std::vector<ManifestLine> manifest_of(const po::variables_map& values) {
   return read_manifest(values["manifest"].as<std::string>());
 }
 
-}  // namespace
-
-int analyze_checksum(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  options.add_options()("as-schema-2",
-                        "the one that it would have in a file of schema 2, to compare it with one "
-                        "that was noted before schema 3");
-  const Parsed parsed =
-      parse_file_command(argc, argv, "checksum", "FILE",
-                         "Prints the content checksum, verified: 64 hex digits.", options);
-  const ContentFile file = verify_file(file_of(parsed));
-  const bool as_schema_2 = parsed.values.count("as-schema-2") > 0;
-  say("{}\n", as_schema_2 ? content_checksum_of_schema_2(file.content) : file.checksum);
-  return kDone;
-}
-
-int analyze_verify(int argc, const char* const* argv) {
-  po::options_description options("Options");
-  options.add_options()(
-      "manifest", input_file("manifest"),
-      "file of lines 'content-sha256 <64 hex digits>  <file>', names relative to its own "
-      "folder; the first word may be missing, as in older ones");
-  const Parsed parsed = parse_file_command(
-      argc, argv, "verify", "FILE|FOLDER...",
-      "Checks that files are intact, and of folders all files *.h5 in them and below; links to\n"
-      "folders are not followed, and unfinished records (*.h5.part) are only named. A manifest "
-      "must\n"
-      "also give the content checksums of the files that it lists, and list all files *.h5 in the\n"
-      "folders given. A .sum file is a manifest; so are the lines of intact files printed here,\n"
-      "without their first word.\n"
-      "Every file is looked at, whatever is wrong with others. Exit code 0: all is well, 1: a "
-      "file\n"
-      "is changed, damaged, missing, unfinished, not what the manifest says or not listed, or a "
-      "folder is\n"
-      "unreadable or holds no file *.h5.",
-      options);
+int verify(const Parsed& parsed) {
   const auto files = files_of(parsed);
   const auto manifest = manifest_of(parsed.values);
   if (files.empty() && manifest.empty()) {
@@ -113,5 +78,50 @@ int analyze_verify(int argc, const char* const* argv) {
   account.demand_all_good();
   return kDone;
 }
+
+}  // namespace
+
+constinit const Command checksum_command = {
+    "checksum FILE",
+    "file",
+    "content checksum of a file",
+    "Prints the content checksum, verified: 64 hex digits.",
+    {[](po::options_description& options) {
+      options.add_options()(
+          "as-schema-2",
+          "the one that it would have in a file of schema 2, to compare it with one "
+          "that was noted before schema 3");
+    }},
+    [](const Parsed& parsed) {
+      const ContentFile file = verify_file(file_of(parsed));
+      const bool as_schema_2 = parsed.values.count("as-schema-2") > 0;
+      say("{}\n", as_schema_2 ? content_checksum_of_schema_2(file.content) : file.checksum);
+      return int{kDone};
+    }};
+
+constinit const Command verify_command = {
+    "verify FILE|FOLDER...",
+    "file",
+    "check that files and folders are intact, also against a manifest",
+    "Checks that files are intact, and of folders all files *.h5 in them and below; links to\n"
+    "folders are not followed, and unfinished records (*.h5.part) are only named. A manifest "
+    "must\n"
+    "also give the content checksums of the files that it lists, and list all files *.h5 in "
+    "the\n"
+    "folders given. A .sum file is a manifest; so are the lines of intact files printed "
+    "here,\n"
+    "without their first word.\n"
+    "Every file is looked at, whatever is wrong with others. Exit code 0: all is well, 1: a "
+    "file\n"
+    "is changed, damaged, missing, unfinished, not what the manifest says or not listed, or a "
+    "folder is\n"
+    "unreadable or holds no file *.h5.",
+    {[](po::options_description& options) {
+      options.add_options()(
+          "manifest", input_file("manifest"),
+          "file of lines 'content-sha256 <64 hex digits>  <file>', names relative to its own "
+          "folder; the first word may be missing, as in older ones");
+    }},
+    verify};
 
 }  // namespace rupture::tools

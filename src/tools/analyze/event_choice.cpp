@@ -119,12 +119,12 @@ void add_event_options(po::options_description& options) {
 }
 
 double quiet_time(const RecordCommand& command) {
-  return optional_non_negative(command.parsed.values, "quiet-time")
+  return optional_non_negative(command.values, "quiet-time")
       .value_or(pause_between_events(command.record.parameters));
 }
 
 ChosenEvent choose_event(const RecordCommand& command) {
-  const auto& values = command.parsed.values;
+  const auto& values = command.values;
   const Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
   if (values.count("event") == 0) return event_in_window(command, bursts);
   return named_event(command, bursts, values["event"].as<std::string>());

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "analyze/record_command.hpp"
+#include "analyze/inputs.hpp"
 #include "rupture/model/rupture.hpp"
 
 namespace rupture::tools {

@@ -58,7 +58,7 @@ void add_criteria_options(po::options_description& options) {
 }
 
 FrontCriteria criteria(const RecordCommand& command) {
-  const po::variables_map& values = command.parsed.values;
+  const po::variables_map& values = command.values;
   const Parameters& p = command.record.parameters;
   return {.slow_below = non_negative(values, "slow-below"),
           .skip_below_x = skip_below_x(values, p),

@@ -9,7 +9,7 @@
 namespace rupture::tools {
 
 /// --slow-below, --skip-below-x, --stencil, --stencils-at-ends and --ruptured-below, by which
-/// read_record_command() goes.
+/// record_of() goes.
 void add_criteria_options(po::options_description& options);
 
 /// Throws UsageError for a criterion that makes no sense for this record.

@@ -140,6 +140,13 @@ std::optional<double> optional_non_negative(const po::variables_map& values,
   return non_negative(values, option);
 }
 
+int int_between(const po::variables_map& values, const std::string& option, int least, int most) {
+  const int value = values[option].as<int>();
+  if (value >= least && value <= most) return value;
+  throw UsageError(
+      fmt::format("--{} {} makes no sense: give {} to {}", option, value, least, most));
+}
+
 double fraction(const po::variables_map& values, const std::string& option) {
   const auto value = values[option].as<double>();
   return pinned_fraction(value, value, option);

@@ -42,6 +42,9 @@ double non_negative(double value, const std::string& option);
 std::optional<double> optional_non_negative(const po::variables_map& values,
                                             const std::string& option);
 
+/// A whole number. Throws UsageError beyond these limits.
+int int_between(const po::variables_map& values, const std::string& option, int least, int most);
+
 /// A pinned fraction, or several with commas between them. Throw UsageError unless they are > 0 and
 /// <= 1.
 double fraction(const po::variables_map& values, const std::string& option);

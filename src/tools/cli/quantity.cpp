@@ -191,11 +191,16 @@ std::vector<NamedQuantity> named(const std::string& prefix, const Quantities& ro
   return all;
 }
 
-void add_format_options(po::options_description& options) {
-  options.add_options()("json", "print one JSON object")("csv", "print the series as CSV");
+void add_json_option(po::options_description& options) {
+  options.add_options()("json", "print one JSON object");
 }
 
-void print(const Quantities& rows, const std::string& closing, const po::variables_map& values) {
+void add_format_options(po::options_description& options) {
+  add_json_option(options);
+  options.add_options()("csv", "print the series as CSV");
+}
+
+int print(const Quantities& rows, const std::string& closing, const po::variables_map& values) {
   const bool json = values.count("json") > 0, csv = values.count("csv") > 0;
   if (json && csv) throw UsageError("--json and --csv exclude each other: give one");
   if (json) {
@@ -205,6 +210,7 @@ void print(const Quantities& rows, const std::string& closing, const po::variabl
   } else {
     say("{}{}", table(rows, Form::text), closing);
   }
+  return kDone;
 }
 
 void print_json(const Quantities& rows) {

@@ -80,12 +80,13 @@ struct NamedQuantity {
 /// All that JSON has of these rows.
 std::vector<NamedQuantity> named(const std::string& prefix, const Quantities& rows);
 
-/// Adds --json and --csv.
+/// Adds --json, or --json and --csv.
+void add_json_option(po::options_description& options);
 void add_format_options(po::options_description& options);
 
 /// Prints the form that was asked for to standard output: one JSON object, CSV, or text, in which
-/// `closing` follows the table. Throws UsageError for two forms at once.
-void print(const Quantities& rows, const std::string& closing, const po::variables_map& values);
+/// `closing` follows the table; kDone. Throws UsageError for two forms at once.
+int print(const Quantities& rows, const std::string& closing, const po::variables_map& values);
 
 /// Prints one JSON object to standard output.
 void print_json(const Quantities& rows);

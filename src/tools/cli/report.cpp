@@ -1,8 +1,102 @@
 #include "cli/report.hpp"
 
+#include <algorithm>
+#include <boost/any.hpp>
+#include <sstream>
+#include <stdexcept>
 #include <variant>
 
+#include "cli/option_values.hpp"
+#include "rupture/model/laws.hpp"
+
 namespace rupture::tools {
+namespace {
+
+Json json_row(const ParameterInfo& info) {
+  const auto words = choices(info);
+  const bool is_number = words.empty();
+  Json row = {{"name", info.name},
+              {"symbol", info.symbol},
+              {"unit", is_number ? info.unit : ""},
+              {"default", tools::json_of(Parameters{}, info)},
+              {"help", info.help},
+              {"laws", info.laws.empty() ? law_names() : law_names(info.laws)},
+              {"restart_may_change", info.restart == Restart::may_change}};
+  if (!is_number) {
+    row["words"] = words;
+  } else {
+    row["minimum"] = info.minimum;
+    row["minimum_excluded"] = info.minimum_excluded;
+    row["maximum"] = info.maximum;
+  }
+  return row;
+}
+
+const ValueKind kFlag = {"flag", ""};
+
+const ValueKind& kind_or_flag(const po::option_description& option) {
+  if (const ValueKind* kind = kind_of(option)) return *kind;
+  if (option.semantic()->max_tokens() == 0) return kFlag;
+  throw std::logic_error("the value of --" + option.long_name() + " has no kind");
+}
+
+Json default_of(const po::option_description& option) {
+  boost::any value;
+  if (!option.semantic()->apply_default(value)) return nullptr;
+  if (const auto* real = boost::any_cast<double>(&value)) return *real;
+  if (const auto* whole = boost::any_cast<int>(&value)) return *whole;
+  return boost::any_cast<std::string>(value);
+}
+
+Json short_name_of(const po::option_description& option) {
+  const auto name = option.canonical_display_name(po::command_line_style::allow_dash_for_short);
+  return name.starts_with("-") ? Json(name.substr(1)) : Json();
+}
+
+std::vector<std::string> split(std::string text, char separator) {
+  std::vector<std::string> words;
+  std::istringstream stream(std::move(text));
+  for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
+  return words;
+}
+
+Json option_json(const po::option_description& option) {
+  const ValueKind& kind = kind_or_flag(option);
+  Json json = {{"name", option.long_name()},  {"short", short_name_of(option)},
+               {"kind", kind.kind},           {"value", kind.name},
+               {"unit", kind.unit},           {"default", default_of(option)},
+               {"help", option.description()}};
+  if (kind.kind == "choice") json["words"] = split(kind.name, '|');
+  if (!kind.holds.empty()) json["holds"] = kind.holds;
+  return json;
+}
+
+/// Groups of options: one of each group must be given.
+Json needed_json(const ToolText& text, const po::options_description& options) {
+  Json groups = Json::array();
+  if (!text.one_needed.empty()) groups.push_back(text.one_needed);
+  for (const auto& option : options.options()) {
+    if (option->semantic()->is_required()) groups.push_back(Json::array({option->long_name()}));
+  }
+  return groups;
+}
+
+/// A program that writes no file prints a report.
+Json outputs_json(const po::options_description& options) {
+  Json outputs = Json::array();
+  for (const auto& option : options.options()) {
+    const ValueKind& kind = kind_or_flag(*option);
+    if (kind.kind == "output file") outputs.push_back(kind.holds);
+  }
+  return outputs.empty() ? Json::array({"report"}) : outputs;
+}
+
+std::string without_line_breaks(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+}  // namespace
 
 std::string json_text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -11,6 +105,27 @@ std::string json_text(const Json& json) {
 Json json_of(const Parameters& parameters, const ParameterInfo& info) {
   if (!choices(info).empty()) return parameter_text(parameters, info);
   return std::visit([&](auto member) { return Json(parameters.*member); }, info.member);
+}
+
+Json json_of(const std::vector<ParameterInfo>& rows) {
+  Json list = Json::array();
+  for (const auto& info : rows) list.push_back(json_row(info));
+  return list;
+}
+
+Json description(const ToolText& text, const po::options_description& options,
+                 const std::string& positional, UsesParameters uses_parameters) {
+  Json json = {{"name", text.name},
+               {"synopsis", text.synopsis},
+               {"purpose", without_line_breaks(text.purpose)},
+               {"input", positional.empty() ? Json() : Json(positional)},
+               {"outputs", outputs_json(options)},
+               {"parameters", uses_parameters == UsesParameters::yes},
+               {"one_needed", needed_json(text, options)},
+               {"options", Json::array()}};
+  if (!text.summary.empty()) json["summary"] = text.summary;
+  for (const auto& option : options.options()) json["options"].push_back(option_json(*option));
+  return json;
 }
 
 }  // namespace rupture::tools

@@ -1,8 +1,9 @@
-// JSON as the programs print it.
+// JSON as the programs print it: values of parameters, and what a program says of itself.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/command_line.hpp"
 #include "rupture/model/parameters.hpp"
@@ -16,5 +17,13 @@ std::string json_text(const Json& json);
 
 /// The value of a parameter: a number, or the word that was chosen.
 Json json_of(const Parameters& parameters, const ParameterInfo& info);
+
+/// Everything about these parameters (docs/schema.md).
+Json json_of(const std::vector<ParameterInfo>& rows);
+
+/// Name, purpose, input, outputs and options of a program or command, for --describe
+/// (docs/schema.md). `options` are all that it takes, with values of cli/option_values.hpp.
+Json description(const ToolText& text, const po::options_description& options,
+                 const std::string& positional, UsesParameters uses_parameters);
 
 }  // namespace rupture::tools

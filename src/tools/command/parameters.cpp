@@ -81,32 +81,6 @@ std::string text_of(const ParameterInfo& info) {
   return text;
 }
 
-Json json_row(const ParameterInfo& info) {
-  const auto words = choices(info);
-  const bool is_number = words.empty();
-  Json row = {{"name", info.name},
-              {"symbol", info.symbol},
-              {"unit", is_number ? info.unit : ""},
-              {"default", json_of(Parameters{}, info)},
-              {"help", info.help},
-              {"laws", laws_of(info)},
-              {"restart_may_change", info.restart == Restart::may_change}};
-  if (!is_number) {
-    row["words"] = words;
-  } else {
-    row["minimum"] = info.minimum;
-    row["minimum_excluded"] = info.minimum_excluded;
-    row["maximum"] = info.maximum;
-  }
-  return row;
-}
-
-void print_json(const Rows& rows) {
-  Json list = Json::array();
-  for (const auto& info : rows) list.push_back(json_row(info));
-  say("{}\n", json_text({{"parameters", list}}));
-}
-
 void print_text(const Rows& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     say("{}{}", i > 0 ? "\n" : "", text_of(rows[i]));
@@ -115,7 +89,7 @@ void print_text(const Rows& rows) {
 
 int run(const Options& options) {
   if (options.json) {
-    print_json(options.rows);
+    say("{}\n", json_text({{"parameters", json_of(options.rows)}}));
   } else if (options.in_full) {
     print_text(options.rows);
   } else {

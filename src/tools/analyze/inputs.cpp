@@ -1,4 +1,4 @@
-#include "analyze/record_command.hpp"
+#include "analyze/inputs.hpp"
 
 #include <fmt/core.h>
 
@@ -18,6 +18,8 @@ void check_overlap(const RecordCommand& command) {
   };
   if (command.from > last) refuse("--from", command.from);
   if (command.to < first) refuse("--to", command.to);
+  if (command.to < command.from)
+    throw UsageError("the time window is empty: --to is before --from");
 }
 
 }  // namespace
@@ -28,30 +30,35 @@ void add_window_options(po::options_description& options) {
   add("to", seconds(), "end of the time window");
 }
 
-RecordCommand read_record_command(int argc, const char* const* argv, const std::string& name,
-                                  const std::string& purpose, po::options_description& options) {
-  RecordCommand command;
-  command.parsed =
-      parse(argc, argv, {"analyze " + name, "analyze " + name + " RECORD [options]", purpose},
-            options, "record", UsesParameters::no);
-  const auto& values = command.parsed.values;
+RecordCommand record_of(const Parsed& parsed) {
+  const auto& values = parsed.values;
   if (values.count("event") > 0 && values.count("from") + values.count("to") > 0) {
     throw UsageError("--event and --from or --to exclude each other: give one of them");
   }
-  command.record = read_record(single_input(values, "record", "a record"));
+  RecordCommand command = {values, read_record(single_input(values, "record", "a record"))};
   if (command.record.time.empty()) throw Failure("the record holds no samples yet");
-  const bool windowed = options.find_nothrow("from", false) != nullptr;
-  command.from = command.record.time.front();
-  command.to = command.record.time.back();
-  if (windowed && values.count("from") > 0) command.from = non_negative(values, "from");
-  if (windowed && values.count("to") > 0) command.to = non_negative(values, "to");
-  if (options.find_nothrow("ruptured-below", false) != nullptr) {
+  command.from = optional_non_negative(values, "from").value_or(command.record.time.front());
+  command.to = optional_non_negative(values, "to").value_or(command.record.time.back());
+  if (values.count("ruptured-below") > 0) {
     command.record.ruptures = ruptures_below(command.record, fraction(values, "ruptured-below"));
   }
   check_overlap(command);
-  if (command.to < command.from)
-    throw UsageError("the time window is empty: --to is before --from");
   return command;
+}
+
+Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted) {
+  return read_checkpoint(single_input(parsed.values, "checkpoint", wanted));
+}
+
+std::vector<std::string> files_of(const Parsed& parsed) {
+  if (parsed.values.count("file") == 0) return {};
+  auto files = parsed.values["file"].as<std::vector<std::string>>();
+  refuse_empty_names(files);
+  return files;
+}
+
+std::string file_of(const Parsed& parsed) {
+  return single_input(parsed.values, "file", "a file");
 }
 
 }  // namespace rupture::tools
