@@ -1,6 +1,6 @@
 """Table and claim of Figure 1 F. Blocks of one junction each are pulled, with a sample in each time
-step; checkpoints that are taken while all of them slip say until when they do. From the displacements alone
-the law says what each junction's force should be; tau of the record is what it was.
+step; checkpoints taken while all of them slip say until when. From the displacements alone the law
+says what each junction's force should be; tau of the record is what it was.
 """
 
 import sys

@@ -107,7 +107,9 @@ def draw(unloaded, before, stem):
 
 def make(data, results):
     levers = Levers(data / "fast-slow-fast.h5")
-    unloaded, before = (Stress(data / f"figS1/{state}-stress.json") for state in ("unloaded", "before-event"))
+    unloaded, before = (
+        Stress(data / f"figS1/{state}-stress.json") for state in ("unloaded", "before-event")
+    )
     draw(unloaded, before, results / "figS1")
     names = ["p [N]", "tau [N]"]
     write_table(

@@ -145,8 +145,8 @@ def make(data, results):
     draw_map(fronts, results / "exponential-map")
     write_types(results / "exponential-map.csv", fronts)
     runs = ("fast-slow-fast", "fast-slow-fast/exponential")
-    fronts_of_event = (report(data / f"{run}-front.json") for run in runs)
-    strict = claim_strict(spanning, *fronts_of_event, loads)
+    unmodified, continued = (report(data / f"{run}-front.json") for run in runs)
+    strict = claim_strict(spanning, unmodified, continued, loads)
     words = claim_words(in_words, case_of_map(fronts), loads)
     distance.make(data, results)
     return [strict, words, *geometry.make(data / "robustness", results)]
