@@ -13,7 +13,7 @@ import slow_slip
 from claims import paper
 from data.records import report, values
 from data.tables import write_table
-from events.event_claims import claim_3A, claim_3B, claim_3C, claim_3Cv
+from events.event_claims import judged_event
 from events.slip import with_peak_speed
 from events.units import of_ensemble, of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
@@ -99,13 +99,9 @@ def claims_of(events, continued):
     def fronts(run):
         return {name: (event.front(), event.front(run)) for event, name in events.items()}
 
-    slips = {name: event.slips() for event, name in events.items()}
-    return [
-        claim_3A(fronts("stopped"), of_events(continued, "3A")),
-        claim_3B(fronts("no-slow-slip"), of_events(continued, "3B")),
-        claim_3C(slips, of_events(continued, "3C")),
-        claim_3Cv(slips, of_events(continued, "3Cv")),
-    ]
+    slips = {name: (event.slips(),) for event, name in events.items()}
+    measured = {"3A": fronts("stopped"), "3B": fronts("no-slow-slip"), "3C": slips, "3Cv": slips}
+    return [judged_event(claim, m, of_events(continued, claim)) for claim, m in measured.items()]
 
 
 def make(data, results):

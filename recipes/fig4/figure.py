@@ -5,7 +5,7 @@ import rupture
 import strength
 
 from data.records import report, values
-from events.event_claims import claim_4AB
+from events.event_claims import judged_event
 from events.units import of_ensemble, of_events
 from maps.front_types import FrontTypes, make_map
 from pictures.panels import draw_pinned, draw_pinned_scale
@@ -68,4 +68,8 @@ def make(data, results):
         name: (*fronts_of(data, event), *phi_of(data, event)) for event, name in EVENTS.items()
     }
     units = of_events(of_ensemble(data, "load", "continued"), "4AB")
-    return [claim_4AB(events, units), *strength.make(data, results), make_map(MAP, data, results)]
+    return [
+        judged_event("4AB", events, units),
+        *strength.make(data, results),
+        make_map(MAP, data, results),
+    ]

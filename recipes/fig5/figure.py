@@ -6,7 +6,7 @@ import rupture
 
 from data.records import report, values
 from data.tables import write_table
-from events.event_claims import claim_5A
+from events.event_claims import judged_event
 from events.fronts import middle_of_slow_stretch
 from events.units import of_ensemble, of_events
 from pictures.panels import draw_pinned_scale
@@ -78,4 +78,4 @@ def make(data, results):
     draw(data, fronts, t_stop, results / "fig5A")
     write_ruptures(results / "rupture-lines.csv", fronts)
     units = of_events(of_ensemble(data, "load", "continued"), "5A")
-    return [claim_5A({"event I": fronts}, units), *quasistatic.make(data, results)]
+    return [judged_event("5A", {"event I": fronts}, units), *quasistatic.make(data, results)]

@@ -4,14 +4,11 @@ from events.continuations import WITHOUT_SLOW_SLIP
 FIGS2_LOAD = f"{DATA}/ensemble/simplified-01"
 
 
-rule figS2_choice:
-    input:
-        events=f"{FIGS2_LOAD}-events.json",
-        **script("recipes/figS2/choose.py"),
+use rule choose as figS2_choice with:
+    input: **events_of(FIGS2_LOAD)
     output: f"{DATA}/figS2/choice.json"
+    params: by="fast-slow"
     log: f"{LOGS}/figS2/choice.log"
-    message: "figS2: choose the first fast-slow event"
-    shell: "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
 
 use rule restart_before_event as figS2_before with:

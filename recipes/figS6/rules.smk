@@ -1,9 +1,6 @@
 # Figure S6: the decaying law. A: a fast-slow-fast event that arises while the slider is driven. B: the map
 # of front types, of which a grid with one seed decides where five are needed.
 FIGS6_LOAD = f"{DATA}/ensemble/decaying-01"
-# The slow stretch of an event is where v_c is below this part of c_s: a speed of c_s/8 passes as
-# slow here, and with the tools' default it would not.
-FIGS6_SLOW_BELOW = 1 / 8
 
 
 STAGES["start"]["figS6"] = [f"{DATA}/figS6/boundary.csv"]
@@ -18,14 +15,11 @@ use rule places as figS6_boundary with:
     log: f"{LOGS}/figS6/boundary.log"
 
 
-rule figS6_choice:
-    input:
-        events=f"{FIGS6_LOAD}-events.json",
-        **script("recipes/figS6/event_choice.py"),
+use rule choose as figS6_choice with:
+    input: **events_of(FIGS6_LOAD)
     output: f"{DATA}/figS6/choice.json"
+    params: by="decaying"
     log: f"{LOGS}/figS6/choice.log"
-    message: "figS6: judge the events"
-    shell: "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
 
 use rule restart_before_event as figS6_before with:
@@ -57,7 +51,7 @@ use rule restart_recorded as figS6_run with:
 use rule analyze as figS6_front with:
     input: **content_of(h5=f"{DATA}/figS6/{{run}}-record.h5")
     output: f"{DATA}/figS6/{{run}}-front-c_s-8.json"
-    params: **analysis(f"front --event 0 --slow-below {FIGS6_SLOW_BELOW}")
+    params: **analysis(f"front --event 0 {' '.join(words_of(OWN_WAYS[DECAYING]))}")
     wildcard_constraints: run="|".join(FIGS6_RUNS)
     log: f"{LOGS}/figS6/{{run}}-front.log"
     message: "figS6: measure the front ({wildcards.run})"

@@ -1,27 +1,21 @@
-#!/usr/bin/env python3
 """Kinds of events, and which of a load are shown (recipes/common/events)."""
 
-import sys
-import unittest
-from pathlib import Path
+from pytest import approx
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "recipes/common"))
-
-from events.choose_events import choose  # noqa: E402
-from claims.judge import holds  # noqa: E402
-from events.conventions import CONVENTIONS, PRIMARY  # noqa: E402
-from events.event_claims import case_3Cv, claim_3Cv, slow_speeds, speeds_compared  # noqa: E402
-from events.product import combinations, range_of  # noqa: E402
-from events.slip import peak_speed, with_peak_speed  # noqa: E402
-from events.units import slips_3C  # noqa: E402
+from claims.judge import holds
+from events.choose_events import choose
+from events.conventions import CONVENTIONS, PRIMARY
+from events.event_claims import case_3Cv, judged_event, slow_speeds, speeds_compared
+from events.product import combinations, range_of
+from events.slip import peak_speed, with_peak_speed
+from events.units import slips_3C
 
 
 def event(t_start, *, kind="slow", fast_slow_fast=True):
     return {"t_start": t_start, "type": kind, "fast_slow_fast": fast_slow_fast}
 
 
-class Choice(unittest.TestCase):
+class TestChoice:
     def test_the_fast_event_comes_after_the_first_slow_one(self):
         events = [
             event(0.1, kind="fast", fast_slow_fast=False),
@@ -31,32 +25,32 @@ class Choice(unittest.TestCase):
             event(0.5),
         ]
         chosen = {name: found["t_start"] for name, found in choose(events).items()}
-        self.assertEqual(chosen, {"fast-slow-fast": 0.2, "fast-only": 0.3, "second-slow": 0.5})
+        assert chosen == {"fast-slow-fast": 0.2, "fast-only": 0.3, "second-slow": 0.5}
 
     def test_a_load_with_one_slow_event_has_no_second(self):
         chosen = choose([event(0.1)])
-        self.assertIsNone(chosen["second-slow"])
-        self.assertIsNone(chosen["fast-only"])
+        assert chosen["second-slow"] is None
+        assert chosen["fast-only"] is None
 
 
-class Conventions(unittest.TestCase):
+class TestConventions:
     def test_each_differs_from_the_primary_one_in_one_way(self):
-        self.assertEqual(CONVENTIONS[PRIMARY], {})
+        assert CONVENTIONS[PRIMARY] == {}
         others = [options for name, options in CONVENTIONS.items() if name != PRIMARY]
-        self.assertEqual({len(options) for options in others}, {1})
+        assert {len(options) for options in others} == {1}
 
 
-class FullProduct(unittest.TestCase):
+class TestFullProduct:
     def test_each_way_to_measure_is_combined_with_each_other(self):
         found = combinations()
-        self.assertEqual(len(found), 3 * 3 * 4 * 3)  # stencil, pinned fraction, slow below, ends
-        self.assertEqual(found[PRIMARY], {})
+        assert len(found) == 3 * 3 * 4 * 3  # stencil, pinned fraction, slow below, ends
+        assert found[PRIMARY] == {}
         both = found["stencil 3, 20 % pinned"]
-        self.assertEqual(both, {"--stencil": 3, "--ruptured-below": 0.2})
+        assert both == {"--stencil": 3, "--ruptured-below": 0.2}
 
     def test_conventions_one_at_a_time_are_among_the_combinations(self):
         found = combinations()
-        self.assertEqual({name: found[name] for name in CONVENTIONS}, CONVENTIONS)
+        assert {name: found[name] for name in CONVENTIONS} == CONVENTIONS
 
     def test_the_range_goes_over_combinations_not_over_loads(self):
         loads = [
@@ -64,7 +58,7 @@ class FullProduct(unittest.TestCase):
             {"a": {"2A": True}, "b": {"2A": True}},
             {"a": {"2A": False}, "b": {"2A": False}},
         ]
-        self.assertEqual(range_of(loads, "2A"), (1, 2))
+        assert range_of(loads, "2A") == (1, 2)
 
 
 # Slip of a block: 1 um, then 5 um in 0.05 ms (0.1 m/s), then 1 um; after its arrest, faster still.
@@ -78,36 +72,36 @@ SLIP = {
 }
 
 
-class Slip(unittest.TestCase):
+class TestSlip:
     def test_the_peak_speed_is_that_before_the_arrest(self):
-        self.assertAlmostEqual(peak_speed(SLIP), 0.1)
+        assert peak_speed(SLIP) == approx(0.1)
 
     def test_a_block_that_does_not_stop_has_none(self):
-        self.assertIsNone(peak_speed(SLIP | {"t_arrest": None}))
+        assert peak_speed(SLIP | {"t_arrest": None}) is None
 
     def test_both_ratios_are_reported(self):
-        claim = claim_3Cv({"event II": {"stopped": with_peak_speed(SLIP)}}, {})
-        self.assertTrue(claim.shown)
+        claim = judged_event("3Cv", {"event II": ({"stopped": with_peak_speed(SLIP)},)}, {})
+        assert claim.shown
         for name, expected in (
             ("peak slip speed [mm/s]", 100.0),
             ("peak/slow speed", 50.0),
             ("fast/slow slip distance", 3.5),
             ("peak speed over the paper's", 1.0),
         ):
-            self.assertAlmostEqual(claim.measured[name], expected, msg=name)
+            assert claim.measured[name] == approx(expected), name
 
     def test_a_block_that_never_stops_counts_against_the_claim(self):
         unstopped = with_peak_speed(
             SLIP | dict.fromkeys(("t_arrest", "fast_slip", "slow_slip", "slow_speed"))
         )
-        claim = claim_3Cv({"event II": {"stopped": unstopped}}, {})
-        self.assertFalse(claim.shown)
-        self.assertIsNone(claim.measured["peak/slow speed"])
+        claim = judged_event("3Cv", {"event II": ({"stopped": unstopped},)}, {})
+        assert not claim.shown
+        assert claim.measured["peak/slow speed"] is None
 
     def test_within_a_factor_of_two(self):
         for speed, expected in ((0.0499, False), (0.05, True), (0.2, True), (0.201, False)):
             case = case_3Cv({"stopped": {"peak_speed": speed}})
-            self.assertEqual(holds("3Cv", [case]), expected, speed)
+            assert holds("3Cv", [case]) == expected, speed
 
     def test_units_are_measured_at_each_branch_and_of_each_block(self):
         def slips(speed):
@@ -116,27 +110,23 @@ class Slip(unittest.TestCase):
         branches = {"0.14": slips(0.1), "0.2": slips(0.3), "0.25": None}
         cases = slips_3C({"branches": branches}, case_3Cv)
         speed = "peak slip speed [mm/s]"
-        self.assertEqual(cases[PRIMARY], [{speed: 100.0}])
-        self.assertEqual(cases["branch at 0.2 L"], [{speed: 300.0}])
-        self.assertEqual(cases["branch at 0.25 L"], [])
-        self.assertEqual(cases["block at 0.30 L"], [{speed: 100.0}])
-        self.assertEqual(cases["block at 0.38 L"], [])
+        assert cases[PRIMARY] == [{speed: 100.0}]
+        assert cases["branch at 0.2 L"] == [{speed: 300.0}]
+        assert cases["branch at 0.25 L"] == []
+        assert cases["block at 0.30 L"] == [{speed: 100.0}]
+        assert cases["block at 0.38 L"] == []
 
 
-class SlowSpeeds(unittest.TestCase):
+class TestSlowSpeeds:
     def test_median_mean_and_slowest_are_all_there(self):
         speeds = slow_speeds({"speed": 12.0, "mean": 15.0, "slowest": 9.0})
-        self.assertEqual(list(speeds.values()), [12.0, 15.0, 9.0])
-        self.assertEqual([name.split()[0] for name in speeds], ["median", "mean", "slowest"])
+        assert list(speeds.values()) == [12.0, 15.0, 9.0]
+        assert [name.split()[0] for name in speeds] == ["median", "mean", "slowest"]
 
     def test_compared_with_the_papers(self):
         slow = {"speed": 12.0, "mean": 15.0, "slowest": 20.0, "fast_before": 600.0}
         case = {"fast before/c_s": 2 / 3, "slowest/c_s": 1 / 50, "fast/slowest": 30.0}
         compared = speeds_compared({"slow": slow}, case)
-        self.assertAlmostEqual(compared["over the paper's c_s/3"], 2)
-        self.assertAlmostEqual(compared["slowest over the paper's c_s/100"], 2)
-        self.assertAlmostEqual(compared["over the paper's 33"], 0.9)
-
-
-if __name__ == "__main__":
-    unittest.main()
+        assert compared["over the paper's c_s/3"] == approx(2)
+        assert compared["slowest over the paper's c_s/100"] == approx(2)
+        assert compared["over the paper's 33"] == approx(0.9)

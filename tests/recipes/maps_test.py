@@ -1,17 +1,14 @@
 """Maps of front types (common/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
-import sys
-import unittest
-from pathlib import Path
-
 import numpy as np
+from pytest import approx, raises
 from scipy.stats import mannwhitneyu
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "recipes/common"))
-
-from data.rank_test import permutation, share_of_lower, van_elteren  # noqa: E402
-from maps.front_map import (  # noqa: E402
+from claims.judge import holds
+from data.rank_test import permutation, share_of_lower, van_elteren
+from events.conventions import PRIMARY
+from made_up_front import front
+from maps.front_map import (
     boundary,
     changes,
     fast_below_left_of_arrested,
@@ -24,15 +21,12 @@ from maps.front_map import (  # noqa: E402
     steps_back,
     to_refine,
 )
-from claims.judge import holds  # noqa: E402
-from events.conventions import PRIMARY  # noqa: E402
-from maps.map_claims import case_of_map, fewest_seeds, map_claim  # noqa: E402
-from maps.map_conventions import WAYS, out_of_order  # noqa: E402
-from maps.map_points import boundary_of_variants  # noqa: E402
-from made_up_front import front  # noqa: E402
+from maps.map_claims import case_of_map, fewest_seeds, map_claim
+from maps.map_conventions import WAYS, out_of_order
+from maps.map_points import boundary_of_variants
 
 
-class ReadMap(unittest.TestCase):
+class TestReadMap:
     ROW = {"point": "p", "tau-bar": "0.1", "sigma-bar": "0", "numerics.seed": "1"}
 
     def read(self, result):
@@ -40,10 +34,10 @@ class ReadMap(unittest.TestCase):
 
     def test_an_interface_that_cannot_be_prepared_has_no_front(self):
         refused = {"status": "failed", "sentence": "no such phi", "checksums": {}}
-        self.assertEqual(self.read(refused), {(0.1, 0.0): {1: None}})
+        assert self.read(refused) == {(0.1, 0.0): {1: None}}
 
     def test_one_that_could_be_prepared_and_not_run_is_an_error(self):
-        with self.assertRaisesRegex(ValueError, "time step is too long"):
+        with raises(ValueError, match="time step is too long"):
             self.read(
                 {
                     "status": "failed",
@@ -55,85 +49,85 @@ class ReadMap(unittest.TestCase):
     def test_a_front_has_what_was_measured_with_other_pinned_fractions(self):
         fast, slow = front(), front({12: 1.0})
         (seeds,) = self.read({"front": fast, "pinned_20": slow, "pinned_50": fast}).values()
-        self.assertEqual(front_type(seeds[1]), "fast")
-        self.assertEqual(front_type(seeds[1], ruptured_below=0.2), "slow")
-        self.assertEqual(front_type(seeds[1], ruptured_below=0.5), "fast")
+        assert front_type(seeds[1]) == "fast"
+        assert front_type(seeds[1], ruptured_below=0.2) == "slow"
+        assert front_type(seeds[1], ruptured_below=0.5) == "fast"
 
 
-class Speeds(unittest.TestCase):
+class TestSpeeds:
     def test_are_the_inverse_slope_between_the_ends_of_the_stencil(self):
         line = front({12: 50.0})
-        self.assertAlmostEqual(speeds(line, 3)[12], 2 / (1 / 300 + 1 / 50))
-        self.assertAlmostEqual(speeds(line, 5)[12], 4 / (3 / 300 + 1 / 50))
-        self.assertAlmostEqual(speeds(line, 7)[12], 6 / (5 / 300 + 1 / 50))
-        self.assertAlmostEqual(speeds(line, 3)[11], 300)
+        assert speeds(line, 3)[12] == approx(2 / (1 / 300 + 1 / 50))
+        assert speeds(line, 5)[12] == approx(4 / (3 / 300 + 1 / 50))
+        assert speeds(line, 7)[12] == approx(6 / (5 / 300 + 1 / 50))
+        assert speeds(line, 3)[11] == approx(300)
 
     def test_there_are_none_at_the_edges_and_next_to_holes(self):
         line = front()
         line["t_rupture"][10] = None
         line["t_rupture"][16] = line["t_rupture"][14]
         missing = {*(0, 19), *(9, 10, 11), 15}
-        self.assertEqual(set(np.flatnonzero(np.isnan(speeds(line, 3)))), missing)
+        assert set(np.flatnonzero(np.isnan(speeds(line, 3)))) == missing
 
 
-class Types(unittest.TestCase):
+class TestTypes:
     def test_a_stencil_below_the_threshold_makes_a_front_slow(self):
         line = front({14: 20.0})  # 67 m/s over five blocks, 38 m/s over three, 90 m/s over seven
-        self.assertEqual(front_type(line), "fast")
-        self.assertEqual(front_type(line, slow_below=1 / 10), "slow")
-        self.assertEqual(front_type(line, stencil=3), "slow")
-        self.assertEqual(front_type(line, slow_below=0.08, stencil=7), "fast")
+        assert front_type(line) == "fast"
+        assert front_type(line, slow_below=1 / 10) == "slow"
+        assert front_type(line, stencil=3) == "slow"
+        assert front_type(line, slow_below=0.08, stencil=7) == "fast"
 
     def test_what_touches_the_trigger_region_does_not_count(self):
         for stencil in (3, 5, 7):
-            self.assertEqual(front_type(front({9: 1.0}), stencil=stencil), "fast", stencil)
-            self.assertEqual(front_type(front({10: 1.0}), stencil=stencil), "slow", stencil)
+            assert front_type(front({9: 1.0}), stencil=stencil) == "fast", stencil
+            assert front_type(front({10: 1.0}), stencil=stencil) == "slow", stencil
 
     def test_what_runs_backwards_counts_by_the_magnitude_of_its_speed(self):
         line = front()
         line["t_rupture"][10:15] = [t - 1.0 for t in line["t_rupture"][10:15]]
         line["t_rupture"][15:] = [t - 2.0 for t in line["t_rupture"][15:]]
-        self.assertEqual(front_type(line, stencil=5), "slow")
+        assert front_type(line, stencil=5) == "slow"
 
     def test_what_does_not_arrive_is_arrested(self):
-        self.assertEqual(front_type(front(arrives=False)), "arrested")
+        assert front_type(front(arrives=False)) == "arrested"
         edge = front() | {"t_rupture": [None] * 19 + [1.0]}
-        self.assertEqual(front_type(edge), "arrested", "one block")
+        assert front_type(edge) == "arrested", "one block"
         backwards = front() | {"t_rupture": front()["t_rupture"][::-1]}
-        self.assertEqual(front_type(backwards), "arrested", "from the edge")
+        assert front_type(backwards) == "arrested", "from the edge"
 
     def test_what_cannot_be_prepared_has_no_type(self):
-        self.assertEqual(front_type(None), "impossible")
+        assert front_type(None) == "impossible"
 
 
-class Boundary(unittest.TestCase):
+class TestBoundary:
     # tau_bar_0 upwards, sigma_bar to the right:  slow     fast
     #                                             arrested slow
     GRID = {(0.0, 0.0): "arrested", (0.0, 0.2): "slow", (0.1, 0.0): "slow", (0.1, 0.2): "fast"}
 
     def test_neighbours_are_along_both_axes(self):
-        self.assertEqual(len(list(neighbours(self.GRID))), 4)
+        assert len(list(neighbours(self.GRID))) == 4
 
     def test_halfway_places_are_free_of_rounding_noise(self):
-        self.assertEqual(middle(((0.1, 0.2), (0.2, 0.2))), (0.15, 0.2))
+        assert middle(((0.1, 0.2), (0.2, 0.2))) == (0.15, 0.2)
 
     def test_all_neighbours_of_other_type_are_changes(self):
-        self.assertEqual(len(changes(self.GRID)), 4)
+        assert len(changes(self.GRID)) == 4
 
     def test_only_the_edge_of_the_fast_region_is_refined(self):
-        self.assertEqual(to_refine(self.GRID), [(0.05, 0.2), (0.1, 0.1)])
+        assert to_refine(self.GRID) == [(0.05, 0.2), (0.1, 0.1)]
 
     def test_nothing_changes_towards_what_cannot_be_prepared(self):
-        self.assertEqual(changes({(0.0, 0.0): "fast", (0.1, 0.0): "impossible"}), [])
+        assert changes({(0.0, 0.0): "fast", (0.1, 0.0): "impossible"}) == []
 
     def test_the_place_halfway_decides_which_neighbour_is_at_the_boundary(self):
         pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "slow"}
-        self.assertEqual(boundary(pair, {}), [(0.0, 0.0), (0.1, 0.0)])
-        self.assertEqual(boundary(pair, {(0.05, 0.0): "slow"}), [(0.0, 0.0), (0.05, 0.0)])
+        assert boundary(pair, {}) == [(0.0, 0.0), (0.1, 0.0)]
+        assert boundary(pair, {(0.05, 0.0): "slow"}) == [(0.0, 0.0), (0.05, 0.0)]
 
     def test_a_third_type_halfway_makes_two_boundaries(self):
         pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast"}
-        self.assertEqual(len(boundary(pair, {(0.05, 0.0): "slow"})), 3)
+        assert len(boundary(pair, {(0.05, 0.0): "slow"})) == 3
 
     def test_a_place_at_the_boundary_of_one_variant_is_enough(self):
         kinds = {"longer": ["slow", "fast", "fast"], "shorter": ["fast", "fast", "fast"]}
@@ -142,51 +136,51 @@ class Boundary(unittest.TestCase):
             for name, types in kinds.items()
             for tau, kind in zip(("0.1", "0.2", "0.3"), types)
         ]
-        self.assertEqual(boundary_of_variants(rows), [(0.1, 0.0), (0.2, 0.0)])
+        assert boundary_of_variants(rows) == [(0.1, 0.0), (0.2, 0.0)]
 
 
-class Order(unittest.TestCase):
+class TestOrder:
     def test_a_fast_seed_below_left_of_an_arrested_one_is_found(self):
         seeds = {(0.0, 0.1): {1: "slow", 2: "fast"}, (0.1, 0.1): {1: "arrested"}}
-        self.assertEqual(fast_below_left_of_arrested(seeds), [((0.0, 0.1), (0.1, 0.1))])
+        assert fast_below_left_of_arrested(seeds) == [((0.0, 0.1), (0.1, 0.1))]
 
     def test_seeds_of_one_place_count(self):
-        self.assertTrue(fast_below_left_of_arrested({(0.0, 0.0): {1: "fast", 2: "arrested"}}))
+        assert fast_below_left_of_arrested({(0.0, 0.0): {1: "fast", 2: "arrested"}})
 
     def test_a_fast_point_at_wider_phi_is_in_order(self):
         seeds = {(0.0, 0.2): {1: "fast"}, (0.1, 0.1): {1: "arrested"}}
-        self.assertEqual(fast_below_left_of_arrested(seeds), [])
+        assert fast_below_left_of_arrested(seeds) == []
 
     def test_a_step_back_is_seen_along_its_axis_only(self):
         types = {
             **{(0.0, 0.0): "arrested", (0.1, 0.0): "slow", (0.2, 0.0): "slow"},
             **{(0.0, 0.1): "slow", (0.1, 0.1): "impossible", (0.2, 0.1): "arrested"},
         }
-        self.assertEqual(steps_back(types, 0), {(0.2, 0.1)})
-        self.assertEqual(steps_back(types, 1), {(0.2, 0.1)})
+        assert steps_back(types, 0) == {(0.2, 0.1)}
+        assert steps_back(types, 1) == {(0.2, 0.1)}
         types[0.2, 0.0] = "arrested"
-        self.assertEqual(steps_back(types, 0), {(0.2, 0.0), (0.2, 0.1)})
-        self.assertEqual(steps_back(types, 1), set())
+        assert steps_back(types, 0) == {(0.2, 0.0), (0.2, 0.1)}
+        assert steps_back(types, 1) == set()
 
 
 ARRESTED, SLOW, FAST = front(arrives=False), front({12: 1.0}), front()
 
 
-class Seeds(unittest.TestCase):
+class TestSeeds:
     def test_a_map_has_its_own_fronts_or_those_of_the_first_seed(self):
         fronts = {(0.0, 0.0): {1: SLOW}, (0.1, 0.0): {1: SLOW, 2: FAST}}
-        self.assertEqual(map_of_seed(fronts, 2), {(0.0, 0.0): {2: SLOW}, (0.1, 0.0): {2: FAST}})
+        assert map_of_seed(fronts, 2) == {(0.0, 0.0): {2: SLOW}, (0.1, 0.0): {2: FAST}}
 
     def test_a_seed_without_a_front_is_missing(self):
-        self.assertEqual(fewest_seeds({(0.0, 0.0): {1: SLOW, 2: None}}, [(0.0, 0.0)]), 1)
+        assert fewest_seeds({(0.0, 0.0): {1: SLOW, 2: None}}, [(0.0, 0.0)]) == 1
 
     def test_no_fast_place_below_left_of_an_arrested_one_is_required_along_each_axis(self):
         fronts = {(0.0, 0.0): {1: FAST}, (0.1, 0.1): {1: ARRESTED}}
         for axis in (0, 1):
-            self.assertEqual(out_of_order(fronts, fronts, axis), {(0.0, 0.0)})
+            assert out_of_order(fronts, fronts, axis) == {(0.0, 0.0)}
 
 
-class Claims(unittest.TestCase):
+class TestClaims:
     BOUNDARY = [(0.2, 0.0), (0.25, 0.0)]
 
     def fronts(self, seeds):
@@ -201,25 +195,25 @@ class Claims(unittest.TestCase):
         return holds("4D", [case_of_map(fronts, grid, fewest_seeds(fronts, self.BOUNDARY))])
 
     def test_five_seeds_at_the_boundary_are_enough_and_four_are_not(self):
-        self.assertTrue(self.judge(range(1, 6)))
-        self.assertFalse(self.judge(range(1, 5)))
+        assert self.judge(range(1, 6))
+        assert not self.judge(range(1, 5))
 
     def test_each_seed_is_judged_under_each_convention(self):
         grid, fronts = self.fronts([1]), self.fronts(range(1, 6))
         fronts[0.25, 0.95][3] = FAST  # next to slow places at larger tau_bar_0
         claim = map_claim("4D", fronts, grid, self.BOUNDARY, [], "")
         held = {share.convention: share.holds for share in claim.shares}
-        self.assertEqual(set(held), set(WAYS))
+        assert set(held) == set(WAYS)
         along_sigma = "order along sigma_bar"
-        self.assertEqual(held, dict.fromkeys(WAYS, 4) | {along_sigma: 5})
-        self.assertEqual((claim.shares[0].convention, claim.verdict), (PRIMARY, "reproduced"))
+        assert held == dict.fromkeys(WAYS, 4) | {along_sigma: 5}
+        assert (claim.shares[0].convention, claim.verdict) == (PRIMARY, "reproduced")
 
 
-class RankTests(unittest.TestCase):
+class TestRankTests:
     def test_the_share_counts_pairs_of_equal_strata_only(self):
-        self.assertEqual(share_of_lower([([1.0], [2.0]), ([5.0], [6.0])]), 1.0)
-        self.assertEqual(share_of_lower([([1.0, 2.0], [1.5, 2.0])]), 0.625)
-        self.assertIsNone(share_of_lower([([1.0], [])]))
+        assert share_of_lower([([1.0], [2.0]), ([5.0], [6.0])]) == 1.0
+        assert share_of_lower([([1.0, 2.0], [1.5, 2.0])]) == 0.625
+        assert share_of_lower([([1.0], [])]) is None
 
     def test_one_stratum_is_the_mann_whitney_test(self):
         random = np.random.default_rng(1)
@@ -227,31 +221,27 @@ class RankTests(unittest.TestCase):
         expected = mannwhitneyu(
             first, second, alternative="less", method="asymptotic", use_continuity=False
         )
-        self.assertAlmostEqual(van_elteren([(first, second)])["p"], expected.pvalue, places=12)
+        assert van_elteren([(first, second)])["p"] == approx(expected.pvalue, abs=10**-12)
 
     def test_a_permutation_test_counts_all_ways_to_hand_out_the_groups(self):
         # 2 of 4 values in 6 ways, of which 1 is as low; beside it, 1 of 2 in 2 ways, of which 1 is
-        self.assertAlmostEqual(permutation([([1.0, 2.0], [3.0, 4.0])]), 1 / 6)
-        self.assertAlmostEqual(permutation([([1.0, 2.0], [3.0, 4.0]), ([1.0], [9.0])]), 1 / 12)
+        assert permutation([([1.0, 2.0], [3.0, 4.0])]) == approx(1 / 6)
+        assert permutation([([1.0, 2.0], [3.0, 4.0]), ([1.0], [9.0])]) == approx(1 / 12)
         # rank sums of 2 of 4: 3, 4, 5, 5, 6, 7
-        self.assertAlmostEqual(permutation([([1.0, 4.0], [2.0, 3.0])]), 4 / 6)
+        assert permutation([([1.0, 4.0], [2.0, 3.0])]) == approx(4 / 6)
         # 3 + 0 of 4 + 1 pairs are lower; 4 + 1, 3 + 1, 2 + 1 (two ways), 4 + 0 and 3 + 0 are, too
-        self.assertAlmostEqual(permutation([([1.0, 3.0], [2.0, 4.0]), ([9.0], [1.0])]), 6 / 12)
+        assert permutation([([1.0, 3.0], [2.0, 4.0]), ([9.0], [1.0])]) == approx(6 / 12)
 
     def test_a_permutation_test_counts_ties_half(self):
-        self.assertAlmostEqual(permutation([([1.0], [1.0, 2.0])]), 2 / 3)
-        self.assertEqual(permutation([([1.0], [1.0])]), 1.0)
-        self.assertIsNone(permutation([([1.0], [])]))
+        assert permutation([([1.0], [1.0, 2.0])]) == approx(2 / 3)
+        assert permutation([([1.0], [1.0])]) == 1.0
+        assert permutation([([1.0], [])]) is None
 
     def test_a_permutation_test_of_one_stratum_is_the_exact_mann_whitney_test(self):
         random = np.random.default_rng(2)
         first, second = random.normal(size=8), random.normal(0.7, size=11)
         expected = mannwhitneyu(first, second, alternative="less", method="exact")
-        self.assertAlmostEqual(permutation([(first, second)]), expected.pvalue, places=12)
+        assert permutation([(first, second)]) == approx(expected.pvalue, abs=10**-12)
 
     def test_equal_groups_show_nothing(self):
-        self.assertAlmostEqual(van_elteren([([1.0, 2.0], [1.0, 2.0])])["p"], 0.5)
-
-
-if __name__ == "__main__":
-    unittest.main()
+        assert van_elteren([([1.0, 2.0], [1.0, 2.0])])["p"] == approx(0.5)

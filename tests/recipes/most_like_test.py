@@ -1,13 +1,10 @@
 """The event most like the paper's of independent loads: made-up events worked out by hand."""
 
 import math
-import sys
-import unittest
-from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(SOURCE / "recipes/common"), str(SOURCE / "recipes/fig2")]
-from most_like import candidates, choice_of, ratios_of, unlikeness  # noqa: E402
+from pytest import approx, raises
+
+from most_like import candidates, choice_of, ratios_of, unlikeness
 
 C_S, L = 900.0, 0.14
 
@@ -22,30 +19,29 @@ def event(t_start=0.3, kind="slow", **changed):
 FAST_EVENT = event(kind="fast") | {"slow": None}
 
 
-class MostLike(unittest.TestCase):
+class TestMostLike:
     def test_the_papers_own_numbers_are_one(self):
         for name, ratio in ratios_of(event()).items():
-            self.assertAlmostEqual(ratio, 1, msg=name)
-        self.assertAlmostEqual(unlikeness(ratios_of(event())), 0)
+            assert ratio == approx(1), name
+        assert unlikeness(ratios_of(event())) == approx(0)
 
     def test_each_of_the_five_counts_by_its_logarithm(self):
         for changed in (
             *({"fast_before": C_S / 6}, {"slowest": C_S / 50}, {"duration": 2e-3}),
             *({"x_from": 0.2 * L}, {"x_to": 1.2 * L}),
         ):
-            with self.subTest(changed):
-                self.assertAlmostEqual(unlikeness(ratios_of(event(**changed))), math.log(2) ** 2)
+            assert unlikeness(ratios_of(event(**changed))) == approx(math.log(2) ** 2)
 
     def test_median_and_mean_do_not_count(self):
         changed = event(speed=24.0, mean=30.0, fast_after=800.0)
-        self.assertAlmostEqual(unlikeness(ratios_of(changed)), 0)
+        assert unlikeness(ratios_of(changed)) == approx(0)
 
     def test_an_event_that_lacks_one_is_no_candidate(self):
         for name in ("fast_before", "slowest", "x_from", "x_to", "duration", "fast_after"):
-            self.assertIsNone(ratios_of(event(**{name: None})), name)
-        self.assertIsNone(ratios_of(FAST_EVENT))
-        self.assertIsNone(ratios_of(event(kind="arrested")))
-        self.assertIsNone(ratios_of(event(duration=0.0)))
+            assert ratios_of(event(**{name: None})) is None, name
+        assert ratios_of(FAST_EVENT) is None
+        assert ratios_of(event(kind="arrested")) is None
+        assert ratios_of(event(duration=0.0)) is None
 
     def test_half_the_duration_is_nearer_than_three_times(self):
         loads = {
@@ -53,16 +49,12 @@ class MostLike(unittest.TestCase):
             "load-02": [event(0.2, slowest=C_S / 25), event(0.3123456, duration=0.5e-3)],
         }
         rows = [row for _, row in candidates(loads)]
-        self.assertEqual([row["t_start [s]"] for row in rows], [0.3123456, 0.1, 0.2])
+        assert [row["t_start [s]"] for row in rows] == [0.3123456, 0.1, 0.2]
         chosen = choice_of(loads, 0.05)
-        self.assertEqual((chosen["load"], chosen["loads"]), ("load-02", 2))
-        self.assertEqual((chosen["from"], chosen["until"]), ("0.300000000", "0.3118456"))
-        self.assertEqual(chosen["candidates"], rows)
+        assert (chosen["load"], chosen["loads"]) == ("load-02", 2)
+        assert (chosen["from"], chosen["until"]) == ("0.300000000", "0.3118456")
+        assert chosen["candidates"] == rows
 
     def test_no_candidate_is_an_error_that_says_so(self):
-        with self.assertRaisesRegex(SystemExit, "load for longer"):
+        with raises(SystemExit, match="load for longer"):
             choice_of({"load-01": [FAST_EVENT]}, 0.05)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,21 +1,17 @@
 """Claims 1E and SI: friction of blocks around their rupture, slip of one block; made up."""
 
 import runpy
-import sys
-import unittest
 from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [
-    str(SOURCE / "python"),
-    str(SOURCE / "recipes/common"),
-    str(SOURCE / "recipes/fig1"),
-]
-import numpy as np  # noqa: E402
-from curves import Blocks, cases_1E  # noqa: E402
+import numpy as np
+from pytest import approx
 
-from claims.judge import holds  # noqa: E402
-from events.conventions import PRIMARY  # noqa: E402
+from claims.judge import holds
+from curves import Blocks, cases_1E
+from events.conventions import PRIMARY
+
+SOURCE = Path(__file__).resolve().parents[2]
+
 
 MIDDLE = "the middle block"
 # Five blocks, two of them in the loading zone; the third is in the middle of 0.12 m.
@@ -35,32 +31,32 @@ def verdicts(of_peaks, front=FRONT):
     return {name: holds("1E", cases) for name, cases in cases_1E(of_peaks, front).items()}
 
 
-class BlockFriction(unittest.TestCase):
+class TestBlockFriction:
     def test_all_blocks_beyond_the_loading_zone_count(self):
         near = [5.0, 5.0, 2e-3, 3.09e-3, 3.91e-3]
-        self.assertEqual(verdicts(peaks(near)), {PRIMARY: True, MIDDLE: True})
+        assert verdicts(peaks(near)) == {PRIMARY: True, MIDDLE: True}
         one_off = [*near[:4], 4.2e-3]
-        self.assertEqual(verdicts(peaks(one_off)), {PRIMARY: False, MIDDLE: True})
+        assert verdicts(peaks(one_off)) == {PRIMARY: False, MIDDLE: True}
         case = cases_1E(peaks(one_off), FRONT)[PRIMARY][0]
-        self.assertAlmostEqual(case["peak minus rupture [ms]"], 0.2)
+        assert case["peak minus rupture [ms]"] == approx(0.2)
 
     def test_a_block_that_does_not_rupture_counts_against_it(self):
         front = FRONT | {"t_rupture": [*FRONT["t_rupture"][:4], None]}
-        self.assertEqual(verdicts(peaks(FRONT["t_rupture"]), front), {PRIMARY: False, MIDDLE: True})
+        assert verdicts(peaks(FRONT["t_rupture"]), front) == {PRIMARY: False, MIDDLE: True}
 
     def test_friction_must_fall_again(self):
         level = peaks(FRONT["t_rupture"], after=0.3)
-        self.assertEqual(verdicts(level), {PRIMARY: False, MIDDLE: False})
+        assert verdicts(level) == {PRIMARY: False, MIDDLE: False}
 
     def test_what_comes_later_does_not_count(self):
         blocks = Blocks.__new__(Blocks)
         blocks.time = np.array([0.0, 1.0, 2.0, 3.0])
         blocks.ratio = np.array([[0.1], [0.3], [0.2], [0.9]])
         found = blocks.peaks(2.0)
-        self.assertEqual([found[n][0] for n in ("t_peak", "at_peak", "after")], [1.0, 0.3, 0.2])
+        assert [found[n][0] for n in ("t_peak", "at_peak", "after")] == [1.0, 0.3, 0.2]
 
 
-class SlowSlip(unittest.TestCase):
+class TestSlowSlip:
     def test_slip_counts_until_two_t_R_or_until_nothing_slips(self):
         reference, unbreakable = (
             {
@@ -72,8 +68,4 @@ class SlowSlip(unittest.TestCase):
         script = runpy.run_path(str(SOURCE / "recipes/estimate/figure.py"))
         cases = script["cases_SI"](reference, unbreakable)
         held = {until: holds("SI", [case]) for until, case in cases.items()}
-        self.assertEqual(held, {"until 2 <t_R>": False, "until nothing slips": True})
-
-
-if __name__ == "__main__":
-    unittest.main()
+        assert held == {"until 2 <t_R>": False, "until nothing slips": True}

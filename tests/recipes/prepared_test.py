@@ -2,48 +2,43 @@
 (recipes/fig3/decay_length.py), and fronts without a slipping force (no_slip_force.py)."""
 
 import math
-import sys
-import unittest
-from pathlib import Path
 
 import numpy as np
+from pytest import approx
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "recipes/common"), str(ROOT / "recipes/fig3")]
-
-import decay_length  # noqa: E402
-import no_slip_force  # noqa: E402
-from claims.judge import holds  # noqa: E402
-from events.conventions import PRIMARY  # noqa: E402
-from made_up_front import LAST, front  # noqa: E402
+import decay_length
+import no_slip_force
+from claims.judge import holds
+from events.conventions import PRIMARY
+from made_up_front import LAST, front
 
 DX = 2.5e-3  # [m]
 BLOCKS = 16
 TAU_0 = 3.0
 
 
-class OneProfile(unittest.TestCase):
+class TestOneProfile:
     def test_an_exponential_has_its_own_decay_length_by_each_method(self):
         excess = 5 * np.exp(-np.arange(9) / 2.0)
         for name in (PRIMARY, "5 blocks ahead", "without the block at the tip"):
-            self.assertAlmostEqual(decay_length.METHODS[name](excess), 2.0)
-        self.assertAlmostEqual(decay_length.METHODS["fall to 1/e"](excess), 2.0)
+            assert decay_length.METHODS[name](excess) == approx(2.0)
+        assert decay_length.METHODS["fall to 1/e"](excess) == approx(2.0)
 
     def test_1_over_e_lies_on_a_straight_line_between_blocks(self):
         # 1, 0.5, 0: falls to 1/e at 1 + (0.5 - 1/e)/0.5
         found = decay_length.distance_to_1_over_e(np.array([2.0, 1.0, 0.0]))
-        self.assertAlmostEqual(found, 2 - 2 / math.e)
+        assert found == approx(2 - 2 / math.e)
 
     def test_each_fit_uses_its_own_blocks(self):
         excess = np.exp(-np.array([0, 1, 2, 4, 14, 24.0]))
         # slope: (1.5 * 0 + 0.5 * 1 - 0.5 * 2 - 1.5 * 4)/(2 * 1.5^2 + 2 * 0.5^2) = -1.3
-        self.assertAlmostEqual(decay_length.exponential(0, 3)(excess), 1 / 1.3)
-        self.assertAlmostEqual(decay_length.exponential(3, 5)(excess), 0.1)
+        assert decay_length.exponential(0, 3)(excess) == approx(1 / 1.3)
+        assert decay_length.exponential(3, 5)(excess) == approx(0.1)
 
     def test_what_does_not_decay_has_no_length(self):
-        self.assertIsNone(decay_length.exponential(0, 3)(np.array([1.0, 0.5, 0.0, 0.1])))
-        self.assertIsNone(decay_length.exponential(0, 3)(np.array([1.0, 2, 3, 4])))
-        self.assertIsNone(decay_length.distance_to_1_over_e(np.array([1.0, 0.9, 0.8])))
+        assert decay_length.exponential(0, 3)(np.array([1.0, 0.5, 0.0, 0.1])) is None
+        assert decay_length.exponential(0, 3)(np.array([1.0, 2, 3, 4])) is None
+        assert decay_length.distance_to_1_over_e(np.array([1.0, 0.9, 0.8])) is None
 
 
 def record(rupture_of):
@@ -61,12 +56,12 @@ def record(rupture_of):
     return {"type": "slow", "x": x, "t_rupture": rupture_of, "slow": slow}, time, tau
 
 
-class OneFront(unittest.TestCase):
+class TestOneFront:
     RUPTURES: list = [float(n) for n in range(BLOCKS)]
 
     def test_tips_are_in_the_slow_stretch_with_all_blocks_of_the_profile_ahead(self):
         front, *_ = record(self.RUPTURES)
-        self.assertEqual(decay_length.tips(front), [3, 4, 5, 6, 7])  # 7 + 8 is the last block
+        assert decay_length.tips(front) == [3, 4, 5, 6, 7]  # 7 + 8 is the last block
 
     def test_a_profile_is_that_of_the_largest_force_before_the_rupture(self):
         _, time, tau = record(self.RUPTURES)
@@ -76,31 +71,31 @@ class OneFront(unittest.TestCase):
     def test_a_block_that_ruptures_before_the_one_behind_has_no_profile(self):
         _, time, tau = record(self.RUPTURES)
         ruptures = [*self.RUPTURES[:4], 2.0, *self.RUPTURES[5:]]
-        self.assertIsNone(decay_length.profile(4, ruptures, time, tau))
+        assert decay_length.profile(4, ruptures, time, tau) is None
         ruptures = [*self.RUPTURES[:3], None, *self.RUPTURES[4:]]
-        self.assertIsNone(decay_length.profile(4, ruptures, time, tau))
+        assert decay_length.profile(4, ruptures, time, tau) is None
 
     def test_lengths_are_in_metres(self):
         found = decay_length.of_front(*record(self.RUPTURES))
-        self.assertEqual(found["profiles"], 5)
-        self.assertAlmostEqual(found["l_0"][PRIMARY], DX)
-        self.assertAlmostEqual(found["excess"][1], 1 / math.e)
+        assert found["profiles"] == 5
+        assert found["l_0"][PRIMARY] == approx(DX)
+        assert found["excess"][1] == approx(1 / math.e)
 
     def test_a_front_that_is_not_slow_has_none(self):
         front, time, tau = record(self.RUPTURES)
         for other in ({"type": "arrested"}, {"slow": None}):
             found = decay_length.of_front(front | other, time, tau)
-            self.assertEqual((found["profiles"], found["l_0"][PRIMARY]), (0, None))
+            assert (found["profiles"], found["l_0"][PRIMARY]) == (0, None)
 
 
-class OneSeed(unittest.TestCase):
+class TestOneSeed:
     def test_fronts_count_equally_and_those_without_a_length_not(self):
         fronts = [{"l_0": dict.fromkeys(decay_length.METHODS, l_0)} for l_0 in (1, None, 2, 9)]
-        self.assertEqual(decay_length.of_seed(fronts)[PRIMARY], 2)
+        assert decay_length.of_seed(fronts)[PRIMARY] == 2
 
     def test_none_where_no_front_is_slow(self):
-        self.assertIsNone(decay_length.of_seed([])[PRIMARY])
-        self.assertFalse(holds("l0", [{"l_0 [mm]": None}]))
+        assert decay_length.of_seed([])[PRIMARY] is None
+        assert not holds("l0", [{"l_0 [mm]": None}])
 
 
 def front_of(speed, **others):
@@ -108,28 +103,24 @@ def front_of(speed, **others):
     return front(dict.fromkeys(range(14, LAST), speed), **others)
 
 
-class NoSlipForce(unittest.TestCase):
+class TestNoSlipForce:
     SEEDS = {1: [front_of(90.0), front_of(300.0), front_of(1.0, arrives=False), None]}
 
     def test_counts_types_under_each_convention(self):
         units = no_slip_force.units_of(self.SEEDS)["seed 1"]
         kinds = {"arrested fronts": 1, "slow fronts": 0, "fast fronts": 2}
-        self.assertEqual(units[PRIMARY], [kinds])
+        assert units[PRIMARY] == [kinds]
         one_slow = kinds | {"slow fronts": 1, "fast fronts": 1}
-        self.assertEqual(units["slow below c_s/10"], [one_slow])
-        self.assertTrue(holds("0slip", units["stencil 7"]))
-        self.assertFalse(holds("0slip", units["slow below c_s/10"]))
+        assert units["slow below c_s/10"] == [one_slow]
+        assert holds("0slip", units["stencil 7"])
+        assert not holds("0slip", units["slow below c_s/10"])
 
     def test_what_cannot_be_prepared_is_impossible(self):
-        self.assertEqual(set(no_slip_force.types_of(None).values()), {"impossible"})
+        assert set(no_slip_force.types_of(None).values()) == {"impossible"}
         measured = no_slip_force.claim(self.SEEDS).measured
-        self.assertEqual(measured["interfaces that cannot be prepared"], 1)
+        assert measured["interfaces that cannot be prepared"] == 1
 
     def test_the_lowest_speed_is_of_fronts_that_span_beyond_the_trigger_region(self):
         measured = no_slip_force.claim(self.SEEDS).measured
-        self.assertAlmostEqual(measured["lowest speed of fronts that span [m/s]"], 90.0)
-        self.assertEqual(measured["fronts that are slow under any convention"], 1)
-
-
-if __name__ == "__main__":
-    unittest.main()
+        assert measured["lowest speed of fronts that span [m/s]"] == approx(90.0)
+        assert measured["fronts that are slow under any convention"] == 1

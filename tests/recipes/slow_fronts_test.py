@@ -1,23 +1,20 @@
-#!/usr/bin/env python3
 """Slow slip behind slow fronts on prepared interfaces: windows, seeds, claims 3Ci, 3D and co
 (recipes/fig3)."""
 
 import csv
 import json
-import sys
-import tempfile
-import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes/common"), str(ROOT / "recipes/fig3")]
+from pytest import approx, fixture
 
-import front_speed  # noqa: E402
-import slow_fronts  # noqa: E402
-import slow_slip  # noqa: E402
-from claims import paper  # noqa: E402
-from data.fits import fit_through_origin  # noqa: E402
-from sweeps.sweep import read_sweep  # noqa: E402
+import front_speed
+import slow_fronts
+import slow_slip
+from claims import paper
+from data.fits import fit_through_origin
+from sweeps.sweep import read_sweep
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def slips(blocks=5):
@@ -31,23 +28,22 @@ def slips(blocks=5):
     }
 
 
-class Fit(unittest.TestCase):
+class TestFit:
     def test_through_the_origin_is_compared_with_the_mean(self):
-        self.assertEqual(fit_through_origin([1, -2], [3, -6]).slope, 3)
+        assert fit_through_origin([1, -2], [3, -6]).slope == 3
         # slope (1*3 + 2*3 + 3*6)/14; residuals (15, -12, 3)/14, sum of squares 27/14, of 6 about 4
         fit = fit_through_origin([1, 2, 3], [3, 3, 6])
-        self.assertAlmostEqual(fit.slope, 27 / 14)
-        self.assertAlmostEqual(fit.r_squared, 1 - 27 / 14 / 6)
-        self.assertLess(fit_through_origin([1, 2, 3], [3, 2, 1]).r_squared, 0)
-        self.assertIsNone(fit_through_origin([1], [1]))
+        assert fit.slope == approx(27 / 14)
+        assert fit.r_squared == approx(1 - 27 / 14 / 6)
+        assert fit_through_origin([1, 2, 3], [3, 2, 1]).r_squared < 0
+        assert fit_through_origin([1], [1]) is None
 
 
-class Fronts(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.table = Path(folder.name) / "fig3" / "slow_slip.csv"
-        self.points = Path(folder.name) / "points"
+class TestFronts:
+    @fixture(autouse=True)
+    def folders(self, tmp_path):
+        self.table = tmp_path / "fig3/slow_slip.csv"
+        self.points = tmp_path / "points"
         for path in (self.table.parent, self.points):
             path.mkdir()
 
@@ -68,26 +64,26 @@ class Fronts(unittest.TestCase):
             ("fast", {"slow_slip": slips()}),
         )
         (front,) = slow_fronts.fronts(self.table)
-        self.assertEqual(front["slow slip [m/s]"], 1e-3)
-        self.assertEqual(slow_fronts.fronts(self.table, slow_fronts.NARROW), [])
-        self.assertEqual(slow_fronts.too_short(self.table), 1)
+        assert front["slow slip [m/s]"] == 1e-3
+        assert slow_fronts.fronts(self.table, slow_fronts.NARROW) == []
+        assert slow_fronts.too_short(self.table) == 1
 
     def test_windows_are_commands_of_the_sweeps(self):
         for name in ("slow_slip", "front_speed"):
             commands = read_sweep(ROOT / f"recipes/fig3/{name}.ini").points[0].commands
             for command in slow_fronts.WINDOWS.values():
-                self.assertTrue(commands[command].startswith("analyze slow-slip "))
+                assert commands[command].startswith("analyze slow-slip ")
 
     def test_near_arrest_is_below_3_m_s(self):
         rows = [{"front speed [m/s]": v} for v in (2.9, 3.0, 10.0)]
-        self.assertEqual(slow_fronts.without_near_arrest(rows), rows[1:])
+        assert slow_fronts.without_near_arrest(rows) == rows[1:]
 
     def test_a_seed_needs_the_tables_of_all_sweeps(self):
         paths = ["a.csv", "b.csv", "x/a-seed-12.csv"]
         units = slow_fronts.of_seeds(paths, lambda a, b: (a, b), ["a", "b"])
-        self.assertEqual(units, {"seed 1": ("a.csv", "b.csv")})
+        assert units == {"seed 1": ("a.csv", "b.csv")}
         units = slow_fronts.of_seeds(paths, str, ["a"])
-        self.assertEqual(list(units), ["seed 1", "seed 12"])
+        assert list(units) == ["seed 1", "seed 12"]
 
 
 def run(variant, estimate, speed):
@@ -98,25 +94,25 @@ def run(variant, estimate, speed):
 SET = [run(name, x, 0.9 * x) for name in ("t_R", "tau_slip", "k_i alone") for x in (1e-3, 2e-3)]
 
 
-class SlowSlip(unittest.TestCase):
+class TestSlowSlip:
     def test_a_line_through_the_origin(self):
         case = slow_slip.case_3Ci(slow_slip.varied(SET))
-        self.assertAlmostEqual(case["slope"], 0.9)
-        self.assertAlmostEqual(case["R^2"], 1)
+        assert case["slope"] == approx(0.9)
+        assert case["R^2"] == approx(1)
 
     def test_each_quantity_has_to_vary(self):
         missing = {"slope": None, "R^2": None}
-        self.assertEqual(slow_slip.case_3Ci(slow_slip.varied(SET[1:])), missing)
-        self.assertEqual(slow_slip.case_3Ci(slow_slip.varied(SET, "k_i and K")), missing)
+        assert slow_slip.case_3Ci(slow_slip.varied(SET[1:])) == missing
+        assert slow_slip.case_3Ci(slow_slip.varied(SET, "k_i and K")) == missing
 
     def test_neighbours(self):
         blocks = [10, 11, 13, 14]  # 11 and 13 are no neighbours
         x = [slow_slip.WIDTH * block for block in blocks]
         row = {"per_block": {"x": x, "speed": [1.0, 1.1, 3.0, 2.4]}}
-        self.assertAlmostEqual(slow_slip.largest_ratio(row), 1.25)
+        assert slow_slip.largest_ratio(row) == approx(1.25)
         row["per_block"]["speed"][0] = -1.0
-        self.assertIsNone(slow_slip.largest_ratio(row))
-        self.assertIsNone(slow_slip.case_co([])["largest ratio of neighbours"])
+        assert slow_slip.largest_ratio(row) is None
+        assert slow_slip.case_co([])["largest ratio of neighbours"] is None
 
 
 def front(model, *, factor, mu_d, sigma_bar="0.1"):
@@ -136,27 +132,23 @@ def front(model, *, factor, mu_d, sigma_bar="0.1"):
     }
 
 
-class FrontSpeed(unittest.TestCase):
+class TestFrontSpeed:
     full = [front("full", factor=0.8, mu_d=mu_d) for mu_d in (0.1, 0.2)]
     simplified = [front("simplified", factor=1.0, mu_d=mu_d) for mu_d in (0.1, 0.2)]
     wide = [front("full", factor=0.9, mu_d=mu_d, sigma_bar="0.2") for mu_d in (0.1, 0.2)]
 
     def test_one_factor_for_each_model(self):
         case = front_speed.case_3D(self.full + self.simplified)
-        self.assertAlmostEqual(case["R^2, full"], 1)
-        self.assertAlmostEqual(case["difference of the slopes"], 0.2)
+        assert case["R^2, full"] == approx(1)
+        assert case["difference of the slopes"] == approx(0.2)
 
     def test_a_model_without_fronts_counts_as_not_measured(self):
         case = front_speed.case_3D(self.full)
-        self.assertIsNone(case["R^2, simplified"])
-        self.assertIsNone(case["difference of the slopes"])
+        assert case["R^2, simplified"] is None
+        assert case["difference of the slopes"] is None
 
     def test_another_width_is_that_of_the_full_model_alone(self):
         rows = front_speed.with_width(self.full + self.simplified, self.wide, 0.2)
-        self.assertEqual(rows, self.simplified + self.wide)
+        assert rows == self.simplified + self.wide
         difference = front_speed.case_3D(rows)["difference of the slopes"]
-        self.assertAlmostEqual(difference, 0.1)
-
-
-if __name__ == "__main__":
-    unittest.main()
+        assert difference == approx(0.1)

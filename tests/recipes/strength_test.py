@@ -1,16 +1,6 @@
 """Claim 4C: slow points gather at low sigma_bar (recipes/fig4/strength.py); all made up."""
 
-import sys
-import unittest
-from pathlib import Path
-
-SOURCE = Path(__file__).resolve().parents[2]
-sys.path[:0] = [
-    str(SOURCE / "python"),
-    str(SOURCE / "recipes/common"),
-    str(SOURCE / "recipes/fig4"),
-]
-from strength import WAYS, Block, claim_4C, map_strata  # noqa: E402
+from strength import WAYS, Block, claim_4C, map_strata
 
 LINES = {"uniform": {0.0: 1.0, 1.0: 0.0}, "bell": {0.0: 1.0, 1.0: 0.5}}
 POINT = {"shape": "uniform", "sigma_bar": 0.5, "mu_bar_eff": 0.5}  # on its curve
@@ -36,27 +26,23 @@ def judged(maps, events):
     return claim_4C(maps, [POINT], LINES, shown, dict(enumerate(events)))
 
 
-class Gathering(unittest.TestCase):
+class TestGathering:
     def test_strata_are_grid_points_of_equal_tau_bar_0(self):
         types = {(0.1, 0.0): "slow", (0.1, 0.1): "fast", (0.2, 0.0): "arrested"}
-        self.assertEqual(map_strata(types), [([0.0], [0.1]), ([], [])])
+        assert map_strata(types) == [([0.0], [0.1]), ([], [])]
 
     def test_each_seed_has_its_own_map(self):
         maps = dict.fromkeys(range(1, 5), GATHERED) | {5: MIXED}
         claim = judged(maps, [EVENT] * 8)
         held = {share.convention: share.holds for share in claim.shares}
-        self.assertEqual(set(held), set(WAYS))
-        self.assertEqual((held["primary"], held["permutation test"]), (4, 4))
+        assert set(held) == set(WAYS)
+        assert (held["primary"], held["permutation test"]) == (4, 4)
 
     def test_the_width_of_bins_acts_on_events(self):
         claim = judged(dict.fromkeys(range(1, 6), GATHERED), [EVENT] * 8)
         held = {share.convention: share.holds for share in claim.shares}
-        self.assertEqual([held[f"bins of {width}"] for width in (0.05, 0.2)], [5, 0])
-        self.assertEqual(claim.verdict, "depends")
+        assert [held[f"bins of {width}"] for width in (0.05, 0.2)] == [5, 0]
+        assert claim.verdict == "depends"
 
     def test_without_other_events_it_cannot_be_judged(self):
-        self.assertEqual(judged({1: GATHERED}, []).verdict, "not comparable")
-
-
-if __name__ == "__main__":
-    unittest.main()
+        assert judged({1: GATHERED}, []).verdict == "not comparable"

@@ -13,6 +13,7 @@ DEPENDS = "depends"
 DIFFERS = "differs"
 NOT_COMPARABLE = "not comparable"
 VERDICTS = (REPRODUCED, DEPENDS, DIFFERS, NOT_COMPARABLE)
+PRIMARY = "primary"  # the convention by which the shown case is measured
 SHOWN_ONLY = "shown case only"  # begins the reason of a verdict without units
 
 

@@ -5,11 +5,10 @@ to measure that the paper leaves open). The shares over the conventions are what
 multiverse (Steegen et al. 2016). docs/claims.md has the rules.
 """
 
-import re
 import tomllib
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from operator import ge, gt, le, lt
 from pathlib import Path
 
 from scipy.stats import beta
@@ -18,27 +17,19 @@ from claims.claim import (
     DEPENDS,
     DIFFERS,
     NOT_COMPARABLE,
+    PRIMARY,
     REPRODUCED,
     SHOWN_ONLY,
     Claim,
     Share,
     number,
 )
-from events.conventions import PRIMARY
 
 TABLE = Path(__file__).with_name("claims.toml")
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing
-CONDITION = re.compile(
-    r"(?:(?P<low>\S+) <= )?(?P<of>.+?)(?: (?P<relation><=|>=|<|>|is) (?P<bound>\S+))?"
-)
-RELATIONS = {
-    "<=": lambda value, bound: value <= bound,
-    ">=": lambda value, bound: value >= bound,
-    "<": lambda value, bound: value < bound,
-    ">": lambda value, bound: value > bound,
-}
+RELATIONS = {"at_least": ge, "at_most": le, "above": gt, "below": lt}
 
 
 @cache
@@ -49,56 +40,47 @@ def table():
 # --- one case ------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Condition:
-    """`low <= of <= bound`, `of > bound`, or `of is word`."""
-
-    text: str
-    of: str
-    low: float | None
-    relation: str
-    bound: str
-
-    def holds(self, case):
-        """A quantity that could not be measured (None) meets no condition."""
-        if self.of not in case:
-            raise KeyError(f"a condition asks for '{self.of}', which was not measured")
-        value = case[self.of]
-        if value is None:
-            return False
-        if self.relation == "is":
-            return str(value) == self.bound
-        above = self.low is None or value >= self.low
-        return bool(above and RELATIONS[self.relation](value, float(Fraction(self.bound))))
-
-
-def parse(text):
-    match = CONDITION.fullmatch(text)
-    if match is None or match["relation"] is None:
-        raise ValueError(f"{TABLE.name}: '{text}' is no condition")
-    low = float(Fraction(match["low"])) if match["low"] else None
-    return Condition(text, match["of"], low, match["relation"], match["bound"])
-
-
 def conditions_of(claim_id):
-    return [parse(text) for text in table()[claim_id]["conditions"]]
+    """{quantity: {relation: bound, ...}, or what it has to be}"""
+    conditions = table()[claim_id]["conditions"]
+    return conditions_of(conditions) if isinstance(conditions, str) else conditions
+
+
+def as_number(bound):
+    """Of 0.5 or "1/200"."""
+    return float(Fraction(str(bound)))
+
+
+def met(condition, value):
+    """A quantity that could not be measured (None) meets no condition."""
+    if value is None or not isinstance(condition, dict):
+        return value is not None and str(value) == str(condition)
+    return all(RELATIONS[name](value, as_number(bound)) for name, bound in condition.items())
+
+
+def wanted(condition):
+    if not isinstance(condition, dict):
+        return str(condition)
+    return " and ".join(f"{name.replace('_', ' ')} {bound}" for name, bound in condition.items())
 
 
 def holds(claim_id, cases):
     """Whether one of the cases of a unit meets all conditions."""
-    conditions = conditions_of(claim_id)
-    return any(all(c.holds(case) for c in conditions) for case in cases)
+    return any(not unmet(claim_id, case) for case in cases)
 
 
 def unmet(claim_id, case):
-    """The quantities of the conditions that a case does not meet."""
-    return [c.of for c in conditions_of(claim_id) if not c.holds(case)]
+    """The quantities of the conditions that a case does not meet; all have to be measured."""
+    return [name for name, c in conditions_of(claim_id).items() if not met(c, case[name])]
 
 
 def unmet_text(claim_id, case):
     """The same for readers: what was wanted, and what there is."""
-    conditions = [c for c in conditions_of(claim_id) if not c.holds(case)]
-    return "; ".join(f"wanted {c.text}: it is {number(case[c.of])}" for c in conditions)
+    conditions = conditions_of(claim_id)
+    return "; ".join(
+        f"wanted {name} {wanted(conditions[name])}: it is {number(case[name])}"
+        for name in unmet(claim_id, case)
+    )
 
 
 # --- all units -----------------------------------------------------------------------------
@@ -127,8 +109,8 @@ def needed(claim_id):
 
 def verdict_of(claim_id, shown, shares):
     """The verdict, and its reason in one line."""
-    unit = table()[claim_id]["unit"]
-    if not table()[claim_id]["conditions"]:
+    unit = table()[claim_id].get("unit")
+    if not conditions_of(claim_id):
         return NOT_COMPARABLE, "the paper states nothing to compare with; ours is reported"
     if shown is None:
         return NOT_COMPARABLE, "it could not be measured"

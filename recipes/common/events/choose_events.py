@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
-"""Chooses the events that figures show by rule: choose_events.py events.json CHECKPOINT_EVERY
+"""Chooses the events that figures show: choose_events.py RULE events.json CHECKPOINT_EVERY
 
-fast-slow-fast, event I, is the first of the load that is so in words, second-slow, event II, the
-second; fast-only, event III, is the first after event I that spans the interface and is fast
-everywhere (claim 2B; events/fronts.py). Each is to be continued from 0.5 ms before its first
-rupture. Prints, per event, that time and the last checkpoint before it.
+RULE is one of RULES below. Each event is to be continued from 0.5 ms before its first rupture:
+prints that time and the last checkpoint before it.
 """
 
 import json
 import math
 import sys
 
+from claims.judge import unmet
 from data.records import report
 from events.continuations import LEAD
-from events.conventions import PRIMARY
-from events.fronts import is_fast_only
+from events.conventions import DECAYING, PRIMARY
+from events.event_claims import case_of_event
+from events.fronts import is_fast_only, is_fast_slow
 
 
 def start(event, checkpoint_every):
@@ -39,12 +39,42 @@ def choose(events):
     }
 
 
-def main(path, checkpoint_every):
+def shown(path, checkpoint_every):
+    """fast-slow-fast, event I, is the first of the load that is so in words, second-slow, event II,
+    the second; fast-only, event III, is the first after event I that spans the interface and is
+    fast everywhere (claim 2B)."""
     chosen = choose(read_events(path))
     if missing := [name for name, event in chosen.items() if event is None]:
         sys.exit(f"{path} has no event {' and no '.join(missing)}: load for longer")
-    starts = {name: start(event, float(checkpoint_every)) for name, event in chosen.items()}
-    print(json.dumps(starts, indent=2))
+    return {name: start(event, checkpoint_every) for name, event in chosen.items()}
+
+
+def fast_slow(path, checkpoint_every):
+    """The first whose front crosses the interface and becomes slow after it was fast (claim S2)."""
+    events = read_events(path)
+    chosen = next(filter(is_fast_slow, events), None)
+    if chosen is None:
+        sys.exit(f"none of the {len(events)} events of this load is fast-slow: load for longer")
+    return start(chosen, checkpoint_every)
+
+
+def decaying(path, checkpoint_every):
+    """The first of those that span the interface and meet most conditions of S6A; all that span,
+    with the conditions that they do not meet."""
+    spanning = [event for event in read_events(path, DECAYING) if event["spanning"]]
+    if not spanning:
+        sys.exit("no event of this load spans the interface: load for longer")
+    for event in spanning:
+        event["unmet"] = unmet("S6A", case_of_event(event))
+    taken = min(spanning, key=lambda event: len(event["unmet"]))  # the first of equals
+    return start(taken, checkpoint_every) | {"events": spanning}
+
+
+RULES = {"shown": shown, "fast-slow": fast_slow, "decaying": decaying}
+
+
+def main(rule, path, checkpoint_every):
+    print(json.dumps(RULES[rule](path, float(checkpoint_every))))
 
 
 if __name__ == "__main__":

@@ -5,9 +5,10 @@ import json
 import subprocess
 from pathlib import Path
 
-SLOW_BELOW = 1 / 20  # of c_s; the default of the programs
+from claims.claim import PRIMARY
+from events.fronts import SLOW_BELOW
+
 C_S, C_S_OF_LATTICE = 968, 993  # [m/s]
-PRIMARY = "primary"
 IN_WORDS = "in words"  # "at least 1 order of magnitude slower than the material's wave speeds"
 DECAYING = "slow below c_s/8"  # claim S6A allows a slow speed up to this
 

@@ -127,9 +127,10 @@ def speeds_compared(front, case):
 # --- an event and its continuations --------------------------------------------------------
 
 
-def judged_event(claim_id, events, case, details, units, note=""):
-    """`events`: {name: fronts or slips}; the first one is judged as the one that is shown, the
-    others are reported beside it. `case` and `details` measure such fronts."""
+def judged_event(claim_id, events, units):
+    """`events`: {name: (front or slip, ...)}; the first one is judged as the one that is shown, the
+    others are reported beside it."""
+    case, details, note = EVENT_CLAIMS[claim_id]
     (name, first), *others = events.items()
     measured = {"event": name} | details(*first)
     for other, fronts in others:
@@ -156,10 +157,6 @@ def details_3A(unmodified, stopped):
     }
 
 
-def claim_3A(events, units):
-    return judged_event("3A", events, case_3A, details_3A, units)
-
-
 def case_3B(unmodified, no_slow_slip):
     arrest, slow = no_slow_slip["x_arrest"], unmodified["slow"]
     apart = None if arrest is None or slow is None else arrest - slow["x_from"]
@@ -174,10 +171,6 @@ def details_3B(unmodified, no_slow_slip):
         "transition of the unmodified event [L]": unmodified["slow"]["x_from"] / L,
         **case_3B(unmodified, no_slow_slip),
     }
-
-
-def claim_3B(events, units):
-    return judged_event("3B", events, case_3B, details_3B, units)
 
 
 def case_3C(slips):
@@ -199,14 +192,6 @@ def details_3C(slips):
     return measured | case_3C(slips)
 
 
-def claim_3C(events, units):
-    return judged_event("3C", in_tuples(events), case_3C, details_3C, units)
-
-
-def in_tuples(slips):
-    return {name: (of_event,) for name, of_event in slips.items()}
-
-
 def case_3Cv(slips):
     peak = slips["stopped"]["peak_speed"]
     return {"peak slip speed [mm/s]": peak and peak * 1e3}
@@ -224,10 +209,6 @@ def details_3Cv(slips):
         "fast/slow slip distance": ratio(fast, slow),
         "peak speed over the paper's": ratio(slip["peak_speed"], paper.FAST_SLIP_SPEED),
     }
-
-
-def claim_3Cv(events, units):
-    return judged_event("3Cv", in_tuples(events), case_3Cv, details_3Cv, units)
 
 
 def largest_change_of_mean(before, after):
@@ -257,14 +238,6 @@ def details_4AB(unmodified, wider, phi_before, phi_after):
         "slow stretch with the wider phi [ms]": (wider["slow"] or {"duration": 0})["duration"]
         * 1e3,
     }
-
-
-def claim_4AB(events, units):
-    note = (
-        "Both start 0.5 ms before the first rupture, those of the ensemble when the front is at the"
-        " branch. Widened: the blocks from 0.25 L on, which is itself the position of one."
-    )
-    return judged_event("4AB", events, case_4AB, details_4AB, units, note)
 
 
 def case_S2(event, without):
@@ -298,9 +271,21 @@ def details_5A(unmodified, undriven):
     }
 
 
-def claim_5A(events, units):
-    note = (
+EVENT_CLAIMS = {  # what measures the case, what readers see of it, a note
+    "3A": (case_3A, details_3A, ""),
+    "3B": (case_3B, details_3B, ""),
+    "3C": (case_3C, details_3C, ""),
+    "3Cv": (case_3Cv, details_3Cv, ""),
+    "4AB": (
+        case_4AB,
+        details_4AB,
+        "Both start 0.5 ms before the first rupture, those of the ensemble when the front is at the"
+        " branch. Widened: the blocks from 0.25 L on, which is itself the position of one.",
+    ),
+    "5A": (
+        case_5A,
+        details_5A,
         "The driving stops in the middle of the slow stretch; the difference is the largest of all"
-        " blocks that rupture later."
-    )
-    return judged_event("5A", events, case_5A, details_5A, units, note)
+        " blocks that rupture later.",
+    ),
+}

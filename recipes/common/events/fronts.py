@@ -3,7 +3,7 @@
 `front` is what `analyze front --json` prints, or one entry of `analyze events --json`.
 """
 
-SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of `analyze front`
+SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of the programs
 FAST_OVER_SLOW = 10  # claim S2
 SLOW_FOR = 0.5e-3  # [s], at least (claim S2)
 LOADING_ZONE = 0.02  # [m]; speeds within it do not count

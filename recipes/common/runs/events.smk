@@ -2,7 +2,7 @@
 # and as a record of it; choose_events.py says by which rule they are chosen. The paper's event I is
 # fast-slow-fast, its event II second-slow, its event III fast-only.
 from events.continuations import DURATION
-from events.conventions import IN_WORDS, OWN_WAYS, words_of
+from events.conventions import DECAYING, IN_WORDS, OWN_WAYS, words_of
 
 EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
 
@@ -13,14 +13,11 @@ wildcard_constraints:
 
 if FROM_SCRATCH:
 
-    rule choice:
-        input:
-            events=f"{SHOWN_LOAD}-events.json",
-            **script("recipes/common/events/choose_events.py"),
+    use rule choose as choice with:
+        input: **events_of(SHOWN_LOAD)
         output: f"{DATA}/choice.json"
+        params: by="shown"
         log: f"{LOGS}/choice.log"
-        message: "choice: choose the events to be shown"
-        shell: "{PYTHON} {input.script} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
     use rule restart_before_event as event_start with:
         input:

@@ -53,6 +53,10 @@ def results_of(name, *, pictures=(), tables=(), own=()):
     return [f"{RESULTS}/{name}/{file}" for file in files]
 
 
+def events_of(run):
+    return {"events": f"{run}-events.json"} | script("recipes/common/events/choose_events.py")
+
+
 def places():
     return script("recipes/common/maps/map_points.py")
 
@@ -108,6 +112,11 @@ rule restart_before_event:
 
 rule analyze:
     shell: "{BIN}/analyze {params.analysis} {input.h5} --json > {output} 2> {log}"
+
+
+rule choose:
+    message: "{rule}: choose the events to be shown"
+    shell: "{PYTHON} {input.script} {params.by} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
 
 # Where a map of front types needs more points (map_points.py).
