@@ -10,6 +10,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 BUILD = Path(os.environ.get("RUPTURE_BUILD", ROOT / "build/release"))
 BIN = BUILD / "bin"
+SMALL = ROOT / "tests/golden/small.ini"
 SKIPPED = 77  # as ctest knows it
 
 os.environ |= {
@@ -43,6 +44,24 @@ def folder(tmp_path, monkeypatch):
     """A new folder, which is the current one."""
     monkeypatch.chdir(tmp_path)
     return tmp_path
+
+
+@pytest.fixture(scope="session")
+def run_of_small(tmp_path_factory):
+    """small.h5 and small-record.h5 of a small slider, through which a rupture passes."""
+    import rupture
+
+    folder = tmp_path_factory.mktemp("small")
+    files = {"output": folder / "small.h5", "record": folder / "small-record.h5"}
+    times = {"until": 0.002, "record_every": 2e-6, "checkpoint_every": 5e-4}
+    return rupture.run("load", **files, **times, config=SMALL)
+
+
+@pytest.fixture
+def small(run_of_small, folder):
+    """The same, copied to the current folder."""
+    shutil.copytree(run_of_small.output.parent, folder, dirs_exist_ok=True)
+    return type(run_of_small)(folder / "small.h5", folder / "small-record.h5")
 
 
 @pytest.hookimpl(trylast=True)

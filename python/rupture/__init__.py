@@ -9,8 +9,8 @@ All numbers are in SI units. What goes wrong raises `rupture.Failure`, one sente
 """
 
 from rupture.errors import Failure
-from rupture.files import Checkpoint, File, Record, open_file as open, verify
-from rupture.programs import Result, analyze, output_of, run
+from rupture.files import Checkpoint, File, Record, open_file as open
+from rupture.programs import Result, analyze, output_of, run, verify
 
 __all__ = ["Checkpoint", "Failure", "File", "Record", "Result", "analyze", "open", "run", "verify"]
 

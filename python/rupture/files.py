@@ -15,11 +15,10 @@ import h5py
 import numpy as np
 
 from rupture import tables
-from rupture.checksum import content_checksum, datasets
 from rupture.elasticity import POISSON
 from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, mapped
 from rupture.errors import Failure, NoSuchName
-from rupture.pieces import joined
+from rupture.pieces import datasets, joined
 
 Ruptures = namedtuple("Ruptures", "time step block x")
 
@@ -278,20 +277,3 @@ def open_file(path):
         if kind == PART:
             return Record(path, joined(data))
     return (Checkpoint if kind == CHECKPOINT else Record)(path, opened(path))
-
-
-def verify(path):
-    """The content checksum of a file, recomputed, after a check of the SHA-256 over its bytes;
-    a Failure if one of them is not that which the file states.
-
-    >>> rupture.verify("small.h5") == rupture.open("small.h5").checksum
-    True
-    """
-    with open_file(path) as file:
-        computed = content_checksum(file.file)
-        if file.checksum not in ("", computed):
-            raise Failure(
-                f"{path} is damaged: its content has the checksum {computed}, and the file states"
-                f" {file.checksum}; write it anew"
-            )
-    return computed

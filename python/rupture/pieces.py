@@ -6,8 +6,19 @@ from collections import defaultdict
 import h5py
 import numpy as np
 
-from rupture.checksum import datasets
 from rupture.envelope import PART, pieces
+
+
+def datasets(group):
+    """All datasets in a file or group, by path."""
+    found = {}
+
+    def keep(path, item):
+        if isinstance(item, h5py.Dataset):
+            found[path] = item
+
+    group.visititems(keep)
+    return found
 
 
 def copy_first(piece, whole, rows):

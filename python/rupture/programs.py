@@ -119,3 +119,15 @@ def analyze(command, *inputs, **options):
     'fast'
     """
     return json.loads(output_of("analyze", command, *inputs, "--json", *options_of(options)))
+
+
+def verify(path):
+    """The content checksum of a file, after a check of its bytes and its content by `analyze
+    verify`; a Failure if one of them is not that which the file states, or if its run goes on.
+
+    >>> rupture.verify("small.h5") == rupture.open("small.h5").checksum
+    True
+    """
+    output_of("analyze", "verify", path)
+    with open_file(path) as file:
+        return file.checksum

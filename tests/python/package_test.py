@@ -1,28 +1,28 @@
 """`import rupture`: files, `.part` files, checksums and programs."""
 
-import os
 import shutil
 import subprocess
 import time
-import unittest
 from pathlib import Path
 from unittest import mock
 
+import h5py
 import numpy as np
-import rupture
-import small
+import pytest
 
-RECORDS = Path(__file__).resolve().parents[1] / "compatibility"
+import rupture
+from conftest import BIN, ROOT, SMALL
+from rupture.envelope import sealed_header
+
+ORACLE = ROOT / "tests/support/checksum.py"
 
 
 def killed(name, pieces):
     """The `.part` of a run of the small slider that was killed when its record had so many."""
-    settings = [f"--set={key}={value}" for key, value in small.SMALL.items()]
     part = Path(f"{name}-record.h5.part")
-    load = os.environ["RUPTURE_BIN"] + "/load"
-    command = [load, "-o", f"{name}.h5", "--until", "0.2"]
+    command = [BIN / "load", "--config", SMALL, "-q", "-o", f"{name}.h5", "--until", "0.2"]
     record = ["--record", f"{name}-record.h5", "--record-every", "2e-6"]
-    run = subprocess.Popen([*command, *record, "--checkpoint-every", "1e-4", "-q", *settings])
+    run = subprocess.Popen([*command, *record, "--checkpoint-every", "1e-4"])
     while not part.exists() or part.read_bytes().count(b"rupture-record-part\n") < pieces:
         time.sleep(0.01)
     run.kill()
@@ -30,155 +30,140 @@ def killed(name, pieces):
     return part
 
 
-class Files(unittest.TestCase):
-    def setUp(self):
-        self.folder, self.result, _ = small.folder()
-
-    def fails(self, sentence, call, *arguments):
-        with self.assertRaisesRegex(rupture.Failure, sentence):
-            call(*arguments)
-
-    def test_a_part_is_the_beginning_of_the_record(self):
-        name = killed("part", 4)
-        part, again, whole = rupture.open(name), rupture.open(name), self.result.record
-        self.assertTrue(np.array_equal(part["tau"], again["tau"]))
-        shared = min(len(part.time), len(whole.time))
-        self.assertGreater(shared, 100)
-        self.assertFalse(part.finished)
-        self.assertTrue(whole.finished)
-        for name in ("time", "tau", "pinned", "u_x"):
-            self.assertTrue(np.array_equal(part[name][:shared], whole[name][:shared]), name)
-        self.assertEqual(part.units("tau"), "N")
-        self.assertEqual(part.parameters, whole.parameters)
-
-    def test_a_part_ends_where_a_piece_is_not_whole(self):
-        part = killed("torn", 4)
-        data = part.read_bytes()
-        start = data.rindex(b"rupture-record-part\n")
-        cut, torn = Path("cut.h5.part"), Path("torn.h5.part")
-        cut.write_bytes(data[:start])
-        torn.write_bytes(data[:-1])
-        self.assertTrue(np.array_equal(rupture.open(cut)["tau"], rupture.open(torn)["tau"]))
-        torn.write_bytes(data[:600])
-        self.fails("damaged", rupture.open, torn)
-
-    def test_damage_and_other_files_are_refused(self):
-        whole = Path("small.h5").read_bytes()
-        bad = Path("bad.h5")
-        for where in (3, 30, 60, 300, 511, 600, len(whole) - 1):
-            bad.write_bytes(whole[:where] + bytes([whole[where] ^ 1]) + whole[where + 1 :])
-            self.fails("is damaged|is not a rupture file", rupture.open, bad)
-        bad.write_bytes(whole[:-1])
-        self.fails("is damaged", rupture.open, bad)
-        bad.write_bytes(b"")
-        self.fails("is empty", rupture.open, bad)
-        self.fails("does not exist", rupture.open, "none.h5")
-
-    def test_contains_what_iteration_gives_and_nothing_else(self):
-        record = self.result.record
-        for file in (record, self.result.checkpoint, rupture.open(killed("in", 2))):
-            listed = list(file)
-            paths = [f"{file.home}/{name}" for name in listed]
-            there = [path for path in paths if path in file.file]  # also with its group
-            parameters = [f"parameters/{name.replace('.', '/')}" for name in file.parameters]
-            odd = [
-                "",
-                ".",
-                "junctions",
-                "ruptures",
-                "series",
-                "state",
-                "provenance/0/tool",
-                3,
-                None,
-            ]
-            odd += [f"/{name}" for name in listed] + [f"./{name}" for name in listed]
-            odd += [f"{name}/" for name in listed] + [f"{name}/x" for name in listed]
-            for name in [*listed, *paths, *parameters, *file.parameters, *odd]:
-                self.assertEqual(name in file, name in {*listed, *there}, name)
-        with mock.patch("rupture.files.datasets", side_effect=AssertionError("lists all")):
-            self.assertIn("tau", record)
-            self.assertNotIn("fields/u_x", record)
-            self.assertIn("series/tau", record)
-        self.assertEqual(record.get("nix", 5), 5)
-        self.fails("has no ", record.dataset, "")
-
-    def test_verifies_files_of_every_schema(self):
-        for path in sorted(RECORDS.glob("schema-*/*.h5")):
-            with rupture.open(path) as file:
-                self.assertEqual(rupture.verify(path), file.checksum, path)
-
-    def test_a_content_that_is_not_as_stated_is_damaged(self):
-        def reseal(path):
-            data = bytearray(path.read_bytes())
-            data[:512] = rupture.envelope.sealed_header("rupture-checkpoint", memoryview(data))
-            path.write_bytes(data)
-
-        import h5py
-
-        path = Path("changed.h5")
-        shutil.copy("small.h5", path)
-        with h5py.File(path, "r+") as file:
-            file["state/u_x"][0, 0] += 1
-        reseal(path)
-        self.fails("its content has the checksum", rupture.verify, path)
-
-    def test_names_that_a_file_lacks(self):
-        checkpoint = rupture.open("small.h5")
-        self.fails("has no u_y; did you mean u_[xz]?", checkpoint.units, "u_y")
-        self.assertNotIn("u_y", checkpoint)
-        self.assertIn("u_x", checkpoint)
-
-    def test_xarray_and_pandas_hold_the_arrays(self):
-        try:
-            import pandas  # noqa: F401
-            import xarray  # noqa: F401
-        except ImportError:
-            self.skipTest("pandas or xarray is not installed")
-        record, checkpoint = self.result.record, self.result.checkpoint
-        table, labelled = record.to_dataframe(), record.to_xarray()
-        place = (record.time[5], record.x[3])
-        self.assertEqual(table.loc[place, "tau"], record["tau"][5, 3])
-        self.assertEqual(table.loc[place, "F_T"], record["F_T"][5])
-        self.assertEqual(float(labelled["tau"].sel(time=place[0], x=place[1])), record["tau"][5, 3])
-        self.assertEqual(labelled["tau"].attrs["units"], "N")
-        state = checkpoint.to_xarray()
-        self.assertEqual(state["u_x"].dims, ("z", "x"))
-        self.assertEqual(state["junctions_attachment"].dims, ("x", "junction"))
-        where = (checkpoint.z[2], checkpoint.x[4])
-        self.assertEqual(checkpoint.to_dataframe().loc[where, "u_z"], checkpoint["u_z"][2, 4])
+def fails(sentence, call, *arguments, **options):
+    with pytest.raises(rupture.Failure, match=sentence):
+        call(*arguments, **options)
 
 
-class Programs(unittest.TestCase):
-    def setUp(self):
-        self.folder, self.result, _ = small.folder()
-
-    def test_that_draw_give_the_path_of_the_picture(self):
-        path = rupture.run("map", "small-record.h5", output="map.png")
-        self.assertEqual((path, path.read_bytes()[1:4]), (Path("map.png"), b"PNG"))
-
-    def test_have_the_version_of_the_package(self):
-        self.assertRegex(rupture.__version__, r"^\d+\.\d+\.\d+$")
-
-    def test_a_result_has_the_files_of_its_run(self):
-        names = [path.name for path in self.result.checkpoints]
-        self.assertEqual(names[0], "small-t0.000500000.h5")
-        self.assertEqual(len(names), 4)
-        self.assertEqual(self.result.checksum, rupture.verify("small.h5"))
-
-    def test_a_refusal_is_its_sentence(self):
-        with self.assertRaisesRegex(rupture.Failure, "^load: small.h5 exists"):
-            rupture.run("load", output="small.h5", until=0.001)
-        os.environ["RUPTURE_BIN"], kept = "/nowhere", os.environ["RUPTURE_BIN"]
-        with self.assertRaisesRegex(rupture.Failure, "RUPTURE_BIN=/nowhere"):
-            rupture.run("load", output="other.h5")
-        os.environ["RUPTURE_BIN"] = kept
-
-    def test_files_that_are_open_are_inputs(self):
-        made = rupture.run("modify-phi", self.result.checkpoint, output="phi.h5", shape="uniform")
-        self.assertEqual(made.checkpoint.provenance[-1]["tool"], "modify-phi")
-        self.assertEqual(made.checkpoints, [])
+def test_a_part_is_the_beginning_of_the_record(small):
+    name = killed("part", 4)
+    part, again, whole = rupture.open(name), rupture.open(name), small.record
+    assert np.array_equal(part["tau"], again["tau"])
+    shared = min(len(part.time), len(whole.time))
+    assert shared > 100 and not part.finished and whole.finished
+    for array in ("time", "tau", "pinned", "u_x"):
+        assert np.array_equal(part[array][:shared], whole[array][:shared]), array
+    assert part.units("tau") == "N"
+    assert part.parameters == whole.parameters
+    fails("cannot be verified: its run has not ended", rupture.verify, name)
 
 
-if __name__ == "__main__":
-    unittest.main()
+def test_a_part_ends_where_a_piece_is_not_whole(folder):
+    data = bytearray(killed("torn", 4).read_bytes())
+    start = data.rindex(b"rupture-record-part\n")
+    cut, torn = Path("cut.h5.part"), Path("torn.h5.part")
+    cut.write_bytes(data[:start])
+    torn.write_bytes(data[:-1])
+    assert np.array_equal(rupture.open(cut)["tau"], rupture.open(torn)["tau"])
+    data[-1] ^= 1  # all of its bytes are there, one is wrong
+    torn.write_bytes(data)
+    assert np.array_equal(rupture.open(cut)["tau"], rupture.open(torn)["tau"])
+    torn.write_bytes(data[:600])
+    fails("damaged", rupture.open, torn)
+
+
+def test_damage_and_other_files_are_refused(small):
+    whole = Path("small.h5").read_bytes()
+    bad = Path("bad.h5")
+    for where in (3, 30, 60, 300, 511, 600, len(whole) - 1):
+        bad.write_bytes(whole[:where] + bytes([whole[where] ^ 1]) + whole[where + 1 :])
+        fails("is damaged|is not a rupture file", rupture.open, bad)
+    bad.write_bytes(whole[:-1])
+    fails("is damaged", rupture.open, bad)
+    bad.write_bytes(b"")
+    fails("is empty", rupture.open, bad)
+    fails("does not exist", rupture.open, "none.h5")
+
+
+@pytest.mark.parametrize("kind", ["record", "checkpoint", "part"])
+def test_contains_what_iteration_gives_and_nothing_else(small, kind):
+    file = rupture.open(killed("in", 2)) if kind == "part" else getattr(small, kind)
+    listed = list(file)
+    paths = [f"{file.home}/{name}" for name in listed]
+    there = [path for path in paths if path in file.file]  # also with its group
+    parameters = [f"parameters/{name.replace('.', '/')}" for name in file.parameters]
+    odd = ["", ".", "junctions", "ruptures", "series", "state", "provenance/0/tool", 3, None]
+    for spelling in ("/{}", "./{}", "{}/", "{}/x"):
+        odd += [spelling.format(name) for name in listed]
+    for name in [*listed, *paths, *parameters, *file.parameters, *odd]:
+        assert (name in file) == (name in {*listed, *there}), name
+
+
+def test_contains_without_listing_all(small):
+    record = small.record
+    with mock.patch("rupture.files.datasets", side_effect=AssertionError("lists all")):
+        assert "tau" in record and "series/tau" in record and "fields/u_x" not in record
+    assert record.get("nix", 5) == 5
+    fails("has no ", record.dataset, "")
+
+
+@pytest.mark.parametrize("path", sorted(ROOT.glob("tests/compatibility/schema-*/*.h5")), ids=str)
+def test_verifies_files_of_every_schema(path):
+    with rupture.open(path) as file:
+        stated = file.checksum
+    oracle = subprocess.check_output(["/usr/bin/python3", ORACLE, path], text=True)
+    assert rupture.verify(path) == stated == oracle.strip()
+
+
+def test_a_content_that_is_not_as_stated_is_damaged(small):
+    path = Path("changed.h5")
+    shutil.copy("small.h5", path)
+    with h5py.File(path, "r+") as file:
+        file["state/u_x"][0, 0] += 1
+    data = bytearray(path.read_bytes())
+    data[:512] = sealed_header("rupture-checkpoint", memoryview(data))
+    path.write_bytes(data)
+    assert rupture.open(path).checksum == small.checksum
+    fails("changed.h5: its content has the checksum", rupture.verify, path)
+
+
+def test_names_that_a_file_lacks(small):
+    checkpoint = rupture.open("small.h5")
+    fails("has no u_y; did you mean u_[xz]?", checkpoint.units, "u_y")
+    assert "u_y" not in checkpoint and "u_x" in checkpoint
+
+
+def test_xarray_and_pandas_hold_the_arrays(small):
+    pytest.importorskip("pandas")
+    pytest.importorskip("xarray")
+    record, checkpoint = small.record, small.checkpoint
+    table, labelled = record.to_dataframe(), record.to_xarray()
+    place = (record.time[5], record.x[3])
+    assert table.loc[place, "tau"] == record["tau"][5, 3]
+    assert table.loc[place, "F_T"] == record["F_T"][5]
+    assert float(labelled["tau"].sel(time=place[0], x=place[1])) == record["tau"][5, 3]
+    assert labelled["tau"].attrs["units"] == "N"
+    state = checkpoint.to_xarray()
+    assert state["u_x"].dims == ("z", "x")
+    assert state["junctions_attachment"].dims == ("x", "junction")
+    where = (checkpoint.z[2], checkpoint.x[4])
+    assert checkpoint.to_dataframe().loc[where, "u_z"] == checkpoint["u_z"][2, 4]
+
+
+def test_programs_that_draw_give_the_path_of_the_picture(small):
+    path = rupture.run("map", "small-record.h5", output="map.png")
+    assert (path, path.read_bytes()[1:4]) == (Path("map.png"), b"PNG")
+
+
+def test_programs_have_the_version_of_the_package():
+    assert [part.isdigit() for part in rupture.__version__.split(".")] == 3 * [True]
+
+
+def test_a_result_has_the_files_of_its_run(small):
+    rupture.run("load", output="small-t1.h5", config=SMALL, seed=2)  # another one's
+    names = [path.name for path in small.checkpoints]
+    assert names[0] == "small-t0.000500000.h5"
+    assert len(names) == 4
+    assert small.checksum == rupture.verify("small.h5")
+
+
+def test_a_refusal_is_its_sentence(small, monkeypatch):
+    fails("^load: .*small.h5 exists", rupture.run, "load", output="small.h5", until=0.001)
+    monkeypatch.setenv("RUPTURE_BIN", "/nowhere")
+    fails("RUPTURE_BIN=/nowhere", rupture.run, "load", output="other.h5")
+
+
+def test_files_that_are_open_are_inputs(small):
+    made = rupture.run("modify-phi", small.checkpoint, output="phi.h5", shape="uniform")
+    assert made.checkpoint.provenance[-1]["tool"] == "modify-phi"
+    assert made.checkpoints == []

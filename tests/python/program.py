@@ -1,35 +1,32 @@
 """Programs of the package as a user runs them."""
 
 import json
-import os
-import subprocess
 from pathlib import Path
 
-
-def ran(name, *arguments, **options):
-    """Exit code, standard output, standard error."""
-    words = [Path(os.environ["RUPTURE_BIN"]) / name, *map(str, arguments)]
-    done = subprocess.run(words, capture_output=True, text=True, check=False, **options)
-    return done.returncode, done.stdout, done.stderr
+from conftest import run
 
 
-def check_refusals(test, name, cases, **options):
-    """`cases`: arguments, exit code and a part of the sentence, which is the only one. Nothing is
-    left behind."""
+def draws(name, *arguments, **options):
+    """Whether it succeeds and says nothing."""
+    done = run(name, *arguments, **options)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def refuses(name, arguments, code, part, **options):
+    """With this exit code and this part of the sentence, which is the only one. Nothing is left
+    behind."""
     before = sorted(Path().rglob("*"))
-    for arguments, code, part in cases:
-        found, said, sentence = ran(name, *arguments, **options)
-        test.assertEqual(sorted(Path().rglob("*")), before)
-        test.assertEqual((found, said, sentence.count("\n")), (code, "", 1), sentence)
-        test.assertTrue(sentence.startswith(f"rupture {name}: "), sentence)
-        test.assertIn(part, sentence)
+    done = run(name, *arguments, **options)
+    assert sorted(Path().rglob("*")) == before
+    found = (done.returncode, done.stdout, done.stderr.count("\n"))
+    assert found == (code, "", 1), done.stderr
+    assert done.stderr.startswith(f"rupture {name}: ") and part in done.stderr
 
 
-def check_description(test, name):
+def describes_itself(name):
     """--help and --describe name the same options."""
-    described = json.loads(ran(name, "--describe")[1])
-    test.assertEqual(described["name"], name)
-    text = ran(name, "--help")[1]
-    for option in described["options"]:
-        test.assertIn("--" + option["name"], text)
-    test.assertIn("rupture", ran(name, "--version")[1])
+    described = json.loads(run(name, "--describe").stdout)
+    assert described["name"] == name
+    text = run(name, "--help").stdout
+    assert all("--" + option["name"] in text for option in described["options"])
+    assert "rupture" in run(name, "--version").stdout

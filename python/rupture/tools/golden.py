@@ -12,7 +12,7 @@ from pathlib import Path
 
 from rupture.errors import Failure
 from rupture.replacing import write_whole
-from rupture.tools.command_line import Parser, run_tool
+from rupture.tools.command_line import Parser
 
 SKIPPED = 77
 LINE = re.compile(r"(?:content-sha256 +)?([0-9a-f]{64}) +(.*\.h5)")  # without the word in old files
@@ -184,7 +184,3 @@ def run():
             check(wanted, found, work, tools)
         else:
             regenerate(golden, found, work)
-
-
-def main():
-    return run_tool("golden", run)

@@ -7,7 +7,7 @@ import numpy as np
 from rupture import plotting
 from rupture.programs import analyze
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, run_tool
+from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete
 from rupture.tools.window import add_window, events_in, open_record, window_of
 
@@ -120,7 +120,3 @@ def run():
     figure = figure_of(record, options.record, shown, (begin, end))
     with complete(options.output, options.force) as path:
         figure.savefig(path, dpi=200)
-
-
-def main():
-    return run_tool("map", run)

@@ -14,7 +14,7 @@ from rupture.elasticity import stress_of
 from rupture.errors import Failure
 from rupture.programs import analyze
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, WholeNumber, run_tool
+from rupture.tools.command_line import Parser, WholeNumber
 from rupture.tools.output import check_output, complete
 from rupture.tools.window import add_window, open_record, window_of
 
@@ -167,7 +167,3 @@ def run():
     window = window_of(options, record, events)
     with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output):
         draw_frames(record, window, options, path)
-
-
-def main():
-    return run_tool("movie", run)

@@ -13,7 +13,7 @@ from rupture import plotting
 from rupture.errors import Failure
 from rupture.files import Record, open_file
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, Seconds, run_tool
+from rupture.tools.command_line import Parser, Seconds
 
 LEVELS = " ▁▂▃▄▅▆▇█"
 SAMPLES = 1000  # the last ones, shown in a window
@@ -157,7 +157,3 @@ def run():
             return shown.finish()
         shown.pause(options.every)
         record = latest(options.record)
-
-
-def main():
-    return run_tool("watch", run)

@@ -12,7 +12,7 @@ from rupture.elasticity import STRESSES, stress_of
 from rupture.errors import Failure
 from rupture.files import Checkpoint, open_file
 from rupture.programs import analyze
-from rupture.tools.command_line import Parser, run_tool
+from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete
 
 STATE = ("u_x", "u_z", "v_x", "v_z")
@@ -152,7 +152,3 @@ def run():
     check_output(derived, options.force, inputs=options.checkpoints)
     checkpoints = [open_checkpoint(path) for path in options.checkpoints]
     write_all(in_time(checkpoints), output, derived, options.force)
-
-
-def main():
-    return run_tool("xdmf", run)

@@ -26,7 +26,8 @@ if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
 name = os.path.basename(sys.argv[0])
 try:
     tool = import_module(f"rupture.tools.{name}")
+    from rupture.tools.command_line import run_tool
 except ModuleNotFoundError as error:
     hint = f"install it, on Debian with apt-get install python3-{error.name}"
     sys.exit(f"rupture {name}: {error.name} is not installed; {hint}")
-sys.exit(tool.main())
+sys.exit(run_tool(name, tool.run))

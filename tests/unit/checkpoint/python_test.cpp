@@ -51,7 +51,7 @@ class Python : public testing::InFolder {
   }
   std::string output(const char* script, const char* name) { return said(file(script), name); }
   std::string recomputed(const char* name) {
-    return said(kSources / "python/rupture/checksum.py", name);
+    return said(kSources / "tests/support/checksum.py", name);
   }
 };
 
