@@ -2,11 +2,9 @@
 table, picture and summary from made-up results (report.py, table.py, picture.py)."""
 
 import csv
-import os
 import re
 import shutil
 import subprocess
-import sys
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -17,15 +15,12 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-BIN = Path(os.environ.get("RUPTURE_BIN", ROOT / "build/release/bin"))
-sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes/common")]
-
-from sweeps.picture import axis_of, draw, edges, limits, middle  # noqa: E402
-from sweeps.plan import plan_sweep  # noqa: E402
-from sweeps.report import columns_of, picture, print_summary  # noqa: E402
-from sweeps.sweep import Needs, Point, Sweep, SweepError, read_sweep  # noqa: E402
-from sweeps.table import Column, write_csv, write_hdf5  # noqa: E402
+from conftest import BIN, ROOT
+from sweeps.picture import axis_of, draw, edges, limits, middle
+from sweeps.plan import plan_sweep
+from sweeps.report import columns_of, picture, print_summary
+from sweeps.sweep import Needs, Point, Sweep, SweepError, read_sweep
+from sweeps.table import Column, write_csv, write_hdf5
 
 BASE = ROOT / "checkpoints/fast-only.h5"
 RECORD = ROOT / "tests/compatibility"
@@ -450,7 +445,3 @@ def test_cells_meet_halfway_as_the_axis_shows_it():
     log = axis_of(Column("a", "1", [1, 10, 100]))
     np.testing.assert_allclose(edges(log, log.positions), np.sqrt([0.1, 10, 1000, 1e5]))
     np.testing.assert_allclose(limits(log), [10**-0.1, 10**2.1])
-
-
-if __name__ == "__main__":
-    sys.exit(pytest.main([__file__]))

@@ -6,24 +6,13 @@ import os
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "python"), str(ROOT / "recipes/common")]
-
-from sweeps.point_store import PointStore  # noqa: E402  (found through the line above)
-from sweeps.sweep import (  # noqa: E402
-    Needs,
-    Point,
-    SweepError,
-    batches_of,
-    files_of,
-    read_sweep,
-    seeds_of,
-)
-from sweeps.values import number_in, values_of  # noqa: E402
+from conftest import ROOT
+from sweeps.point_store import PointStore
+from sweeps.sweep import Needs, Point, SweepError, batches_of, files_of, read_sweep, seeds_of
+from sweeps.values import number_in, values_of
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
 
@@ -435,7 +424,3 @@ def test_the_first_point_of_all_may_crash(tmp_path):
     assert store.crash(point) == "why"
     store.save(point, {})
     assert store.crash(point) == ""
-
-
-if __name__ == "__main__":
-    sys.exit(pytest.main([__file__]))
