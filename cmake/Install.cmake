@@ -24,4 +24,4 @@ install(PROGRAMS reproduce.sh DESTINATION ${_share})
 install(DIRECTORY recipes checkpoints docs DESTINATION ${_share} USE_SOURCE_PERMISSIONS
         PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY benchmarks/lammps DESTINATION ${_share}/benchmarks FILES_MATCHING PATTERN *.in)
-install(FILES codemeta.json DESTINATION ${_share})
+install(FILES CITATION.cff DESTINATION ${_share})

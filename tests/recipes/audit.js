@@ -1,5 +1,5 @@
-// What bars readers from the page that is shown, one sentence each: a script for Selenium, which
-// returns the list. It opens all that can be unfolded first.
+// What bars readers from the page, one sentence each, and what the page holds: the body of a function.
+// It opens all that can be unfolded first.
 const faults = [];
 const all = (selector) => Array.from(document.querySelectorAll(selector));
 const brief = (element) => element.outerHTML.replace(/\s+/g, " ").slice(0, 90);
@@ -8,6 +8,13 @@ const each = (selector, holds, what) =>
   all(selector).forEach((element) => demand(holds(element), `${what}: ${brief(element)}`));
 
 for (const folded of all("details")) folded.open = true;
+
+// --- completeness ---
+const local = (address) => /^(file|data):/.test(address);
+each("img", (image) => image.naturalWidth, "picture is missing");
+each("[src], link", (element) => local(element.src || element.href), "is not here");
+for (const one of performance.getEntriesByType("resource")) demand(local(one.name), `request to ${one.name}`);
+each("a[href^='#']", (link) => document.getElementById(link.hash.slice(1)), "link leads nowhere");
 
 // --- structure ---
 demand(document.documentElement.lang, "no language");
@@ -69,4 +76,9 @@ while (texts.nextNode()) {
   if (!texts.currentNode.data.trim() || !element.checkVisibility()) continue;
   demand(contrast(element) >= 4.5, `contrast of ${contrast(element).toFixed(1)}: ${brief(element)}`);
 }
-return faults;
+return {
+  faults,
+  images: Array.from(document.images, (image) => image.src),
+  files: all("[href], [src], [poster]").map((element) => element.href || element.src || element.poster),
+  ground: ground(document.documentElement),
+};

@@ -1,82 +1,68 @@
-"""Opens a page in headless Chromium, without any network, and says what happened."""
+"""Opens a page in headless Chromium, without any network, and says what audit.js finds in it. The
+page is in a frame that is as wide as a window would be: windows themselves have a least width."""
 
+import html
+import json
 import os
 import re
-from dataclasses import dataclass
+import subprocess
 from pathlib import Path
+from urllib.parse import unquote
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
+from conftest import need
 
 TIMEOUT = 240  # [s], of a busy machine
-HEIGHT = 900  # of the window [pixels]
 ARGUMENTS = (
-    "--headless=new",
+    *("chromium", "--headless", "--window-size=1500,900"),
     "--no-sandbox",  # needs no user namespaces: containers run this as root
-    "--disable-gpu",
-    "--disable-dev-shm-usage",
-    "--disable-background-networking",
+    *("--disable-gpu", "--disable-dev-shm-usage", "--disable-background-networking"),
     "--host-resolver-rules=MAP * ~NOTFOUND",
+    "--allow-file-access-from-files",  # the outer page looks into the frame
+    *("--enable-logging=stderr", "--virtual-time-budget=60000", "--dump-dom"),
 )
-AUDIT = (Path(__file__).parent / "audit.js").read_text(encoding="utf-8")
-SEEN = """return {
-  images: Array.from(document.images, (image) => [image.src, image.naturalWidth]),
-  ids: Array.from(document.querySelectorAll("[id]"), (element) => element.id),
-  requests: performance.getEntriesByType("resource").map((entry) => entry.name),
-  text: document.body.innerText,
-};"""
-AXE = """const done = arguments[0];
-axe.run().then((found) => done(found.violations.map((rule) => `axe: ${rule.id}: ${rule.help}`)));"""
+FRAME = """<!DOCTYPE html>
+<meta name="color-scheme" content="light dark">
+<iframe src="%s" width="%d" height="900" style="border: 0"></iframe>
+<pre></pre>
+<script>
+addEventListener("load", async () => {
+  const Own = document.querySelector("iframe").contentWindow.Function;
+  const found = Own(%s)();
+  Own(%s)();
+  const axe = await Own("return window.axe?.run()")();
+  for (const rule of axe?.violations ?? []) found.faults.push(`axe: ${rule.id}: ${rule.help}`);
+  document.querySelector("pre").textContent = JSON.stringify(found);
+});
+</script>
+"""
 
 
-@dataclass(frozen=True)
-class Seen:
-    images: list  # [address, natural width in pixels]
-    ids: list
-    requests: list
-    text: str
-    errors: list  # of the console
-    faults: list  # that audit.js finds, and axe-core if RUPTURE_AXE names its axe.min.js
-
-    def missing_images(self):
-        return [address for address, width in self.images if width == 0]
-
-    def foreign_requests(self):
-        """Whatever does not come from this page or the file system."""
-        return [address for address in self.requests if not re.match(r"(file|data):", address)]
+def script(path):
+    return json.dumps(Path(path).read_text(encoding="utf-8")).replace("</", "<\\/")
 
 
-class Browser:
-    def __init__(self, program):
-        options = webdriver.ChromeOptions()
-        for argument in ARGUMENTS:
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(service=Service(program), options=options)
-        self.driver.set_page_load_timeout(TIMEOUT)
+def strays(page, addresses):
+    """Files that do not exist, or are left behind when the folder of the page is copied alone."""
+    here = page.parent.resolve()
+    names = [one.partition("#")[0] for one in addresses if one.startswith("file:")]
+    paths = [Path(unquote(name.removeprefix("file://"))).resolve() for name in names]
+    return [path for path in paths if not (path.exists() and path.is_relative_to(here))]
 
-    def close(self):
-        self.driver.quit()
 
-    def show_as(self, width, scheme):
-        """The width of the window [pixels], and the scheme that its user prefers."""
-        size = {"width": width, "height": HEIGHT, "deviceScaleFactor": 1, "mobile": False}
-        preference = {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
-        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
-        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", preference)
-
-    def axe(self):
-        """Of axe-core, which Debian has no package of."""
-        path = os.environ.get("RUPTURE_AXE")
-        if not path:
-            return []
-        self.driver.execute_script(Path(path).read_text(encoding="utf-8"))
-        return self.driver.execute_async_script(AXE)
-
-    def look(self, page, width=1400, scheme="light"):
-        self.show_as(width, scheme)
-        self.driver.get(page.as_uri())
-        seen = self.driver.execute_script(SEEN)
-        errors = [entry["message"] for entry in self.driver.get_log("browser")]
-        faults = self.driver.execute_script(AUDIT) + self.axe()
-        return Seen(**seen, errors=errors, faults=faults)
+def look(folder, page, width=1400, scheme="light"):
+    """{faults, images, files, ground: the colour of the page}. All rules of axe-core, which Debian
+    has no package of, are among the faults if RUPTURE_AXE names its axe.min.js."""
+    need("chromium")
+    scripts = [
+        script(Path(__file__).with_name("audit.js")),
+        script(os.environ.get("RUPTURE_AXE", os.devnull)),
+    ]
+    outer = folder / "frame.html"
+    outer.write_text(FRAME % (page.as_uri(), width, *scripts), encoding="utf-8")
+    dark = f"--blink-settings=preferredColorScheme={0 if scheme == 'dark' else 1}"
+    words = [*ARGUMENTS, f"--user-data-dir={folder}/profile", dark, outer.as_uri()]
+    done = subprocess.run(words, capture_output=True, text=True, check=True, timeout=TIMEOUT)
+    found = json.loads(html.unescape(re.findall("<pre>(.*)</pre>", done.stdout, re.S)[0]))
+    found["faults"] += [f"stray file: {path}" for path in strays(page, found["files"])]
+    found["faults"] += re.findall(r"CONSOLE.*", done.stderr)
+    return found

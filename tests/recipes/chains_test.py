@@ -16,11 +16,9 @@ from pathlib import Path
 
 import pytest
 
-from fixture import SOURCE
-from project import read_readme
-
-sys.path.insert(0, str(SOURCE / "recipes/common"))
-from sweeps.sweep import read_sweep  # noqa: E402  (found through the line above)
+from conftest import ROOT as SOURCE
+from runs.recipes import read_readme
+from sweeps.sweep import read_sweep
 
 pytest.importorskip("snakemake")
 BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))

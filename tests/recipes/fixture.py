@@ -1,18 +1,15 @@
-"""A small project with made-up results, and what the tests of the report have in common."""
+"""A small project with made-up results, for the tests of the report."""
 
-import atexit
 import json
 import os
-import shutil
 import struct
 import subprocess
 import sys
 import zlib
-from importlib.util import find_spec
 from pathlib import Path
 
-from conftest import ROOT as SOURCE, skip
-from project import listed_claims
+from conftest import ROOT
+from runs.recipes import listed_claims
 
 NOT_RUN = ("5A", "5B")  # the fixture has no results of their recipe
 START = 1.7e9  # [s] since 1970
@@ -75,9 +72,11 @@ class Project:
 
     def __init__(self, root):
         self.root = Path(root)
+        self.results = self.root / "results"
+        self.page = self.results / "index.html"
         table = "recipes/common/claims/claims.toml"
         for path in (table, "docs/claims.md"):
-            spill(self.root / path, (SOURCE / path).read_bytes())
+            spill(self.root / path, (ROOT / path).read_bytes())
         self.listed = listed_claims(self.root)
 
     def judged(self):
@@ -93,7 +92,7 @@ class Project:
         spill(self.root / f"recipes/{name}/README.md", README.format(name=name))
         claims = [result(c) for c in self.listed if c.recipe == name and c.id not in NOT_RUN]
         if claims:
-            results = self.root / "results" / name
+            results = self.results / name
             spill(results / "claims.json", json.dumps(claims))
             spill(results / f"{name}.png", png(210, 80))
             spill(results / f"{name}.pdf", "%PDF")
@@ -104,7 +103,7 @@ class Project:
         made = outputs[0].removesuffix(".sum")
         job = {"rule": rule, "input": inputs, "output": outputs, "started": START + started}
         job["command"] = f"tool --rule {rule} {' '.join(inputs)} && echo <{made}>"
-        with open(self.root / "results/jobs.jsonl", "a", encoding="utf-8") as file:
+        with open(self.results / "jobs.jsonl", "a", encoding="utf-8") as file:
             print(json.dumps(job | {"seconds": seconds}), file=file)
 
     def make_accounts(self):
@@ -120,33 +119,14 @@ class Project:
         for point in points:
             self.account([point], "point", [], 70, 0.5)
         self.account(["results/fig4/claims.json"], "fig4", points, 80, 2)
-        with open(self.root / "results/jobs.jsonl", "a", encoding="utf-8") as file:
+        with open(self.results / "jobs.jsonl", "a", encoding="utf-8") as file:
             file.write('{"rule": "fig5", "outp')  # the run was killed
 
     def report(self):
         """Runs report.py: exit code, standard output and standard error."""
         return subprocess.run(
-            [sys.executable, SOURCE / "recipes/common/report/report.py", self.root],
-            env=os.environ
-            | {
-                "PYTHONPATH": f"{SOURCE / 'recipes/common'}:{SOURCE / 'python'}",
-                "PYTHONDONTWRITEBYTECODE": "1",
-            },
+            [sys.executable, ROOT / "recipes/common/report/report.py", self.root],
+            env=os.environ | {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/python"},
             capture_output=True,
             text=True,
         )
-
-    @property
-    def page(self):
-        return self.root / "results/index.html"
-
-
-def demand_browser():
-    """A running one. Without it the test is skipped; where CI is set, it fails."""
-    if not ((program := shutil.which("chromedriver")) and find_spec("selenium")):
-        skip("chromium-driver and python3-selenium are not installed.")
-    from browser import Browser
-
-    browser = Browser(program)
-    atexit.register(browser.close)
-    return browser

@@ -36,7 +36,7 @@ class Project(unittest.TestCase):
         self.bin.mkdir()
         for name in ("recipes", "python"):
             shutil.copytree(ROOT / name, self.root / name)
-        for name in ("reproduce.sh", "packages.txt", "codemeta.json"):
+        for name in ("reproduce.sh", "packages.txt", "CITATION.cff"):
             shutil.copy2(ROOT / name, self.root / name)
 
     def environment(self):

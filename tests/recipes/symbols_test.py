@@ -1,17 +1,14 @@
-#!/usr/bin/env python3
 """Symbols of plain texts as MathML, and what pictures show in words."""
 
 import re
-import sys
-import unittest
 import xml.etree.ElementTree as ET
 
-from fixture import SOURCE
+import pytest
 
-sys.path[:0] = [str(SOURCE / "recipes/common"), str(SOURCE / "recipes/common/report")]
-from alt_text import seen  # noqa: E402  (found through the line above)
-from project import listed_claims, read_readme, recipe_names  # noqa: E402
-from symbols import typeset, typeset_html  # noqa: E402
+from alt_text import seen
+from conftest import ROOT
+from runs.recipes import listed_claims, read_readme, recipe_names
+from symbols import typeset, typeset_html
 
 C_S = "<msub><mi>c</mi><mi>s</mi></msub>"
 TAU_BAR = '<mover><mi>τ</mi><mo stretchy="false">¯</mo></mover>'
@@ -41,6 +38,11 @@ TIDY = {
     "the slider's": "the slider’s",
     "fig-2": "fig-2",
     "<b>": "&lt;b&gt;",
+    **{text: text for text in AS_THEY_ARE},
+}
+READ = {  # as it is read aloud
+    "x = 3 x 0.5, L x 2, 10 x slow": "x = 3 × 0.5, L × 2, 10 × slow",
+    "v_c>=c_s/20": "vc≥cs/20",
 }
 
 
@@ -48,38 +50,32 @@ def words(page):
     return "".join(ET.fromstring(f"<p>{page}</p>").itertext())
 
 
-class Symbols(unittest.TestCase):
-    def test_symbols_become_mathml(self):
-        for text, mathml in MATHML.items():
-            with self.subTest(text):
-                self.assertEqual(typeset(f"at {text}, so"), f"at <math>{mathml}</math>, so")
+@pytest.mark.parametrize("text", MATHML)
+def test_symbols_become_mathml(text):
+    assert typeset(f"at {text}, so") == f"at <math>{MATHML[text]}</math>, so"
 
-    def test_neighbours_are_left(self):
-        self.assertEqual(typeset("2<c_s>/3"), f"2<math><mo>⟨</mo>{C_S}<mo>⟩</mo></math>/3")
-        self.assertEqual(
-            words(typeset("x = 3 x 0.5, L x 2, 10 x slow")), "x = 3 × 0.5, L × 2, 10 × slow"
-        )
-        self.assertEqual(words(typeset("v_c>=c_s/20")), "vc≥cs/20")
 
-    def test_other_words_are_left(self):
-        for text in AS_THEY_ARE:
-            self.assertEqual(typeset(text), text)
+@pytest.mark.parametrize("text", TIDY)
+def test_signs_are_tidied_and_other_words_left(text):
+    assert typeset(text) == TIDY[text]
 
-    def test_signs_are_tidied(self):
-        for text, tidy in TIDY.items():
-            self.assertEqual(typeset(text), tidy)
 
-    def test_code_and_tags_are_left(self):
-        page = '<a href="x_0">a</a> <code>tau_bar_0 x 3</code>'
-        self.assertEqual(typeset_html(page), page)
+@pytest.mark.parametrize("text", READ)
+def test_neighbours_are_left(text):
+    assert words(typeset(text)) == READ[text]
 
-    def test_every_claim_is_well_formed_and_has_no_raw_symbol(self):
-        for claim in listed_claims(SOURCE):
-            for text in (claim.claim, claim.acceptance):
-                with self.subTest(text):
-                    page = typeset(text)
-                    self.assertTrue(words(page))
-                    self.assertNotRegex(re.sub(r"<math>.*?</math>", "", page), r"\w_\w|<\w_")
+
+def test_factors_code_and_tags_are_left():
+    assert typeset("2<c_s>/3") == f"2<math><mo>⟨</mo>{C_S}<mo>⟩</mo></math>/3"
+    page = '<a href="x_0">a</a> <code>tau_bar_0 x 3</code>'
+    assert typeset_html(page) == page
+
+
+@pytest.mark.parametrize("claim", listed_claims(ROOT), ids=lambda claim: claim.id)
+def test_every_claim_is_well_formed_and_has_no_raw_symbol(claim):
+    for page in map(typeset, (claim.claim, claim.acceptance)):
+        assert words(page)
+        assert not re.search(r"\w_\w|<\w_", re.sub(r"<math>.*?</math>", "", page))
 
 
 CAPTION = """Above <t_R>.
@@ -93,28 +89,21 @@ CAPTION = """Above <t_R>.
 
 - **left**: of D; `d.csv`: numbers.
 """
+ALT_TEXTS = {
+    "fig1.png": "T. A, B: what is slow, against Eq. S1; red: fast. left: of D.",
+    "fig1B.png": "T. A, B: what is slow, against Eq. S1; red: fast.",
+    "fig1D.png": "T. left: of D.",
+    "fig1-extra.png": "T. C: the tau 0 of all.",
+}
 
 
-class AltTexts(unittest.TestCase):
-    def test_say_what_the_caption_says_of_the_picture(self):
-        expected = {
-            "fig1.png": "T. A, B: what is slow, against Eq. S1; red: fast. left: of D.",
-            "fig1B.png": "T. A, B: what is slow, against Eq. S1; red: fast.",
-            "fig1D.png": "T. left: of D.",
-            "fig1-extra.png": "T. C: the tau 0 of all.",
-        }
-        for picture, text in expected.items():
-            self.assertEqual(seen(picture, "T", CAPTION), text)
-
-    def test_every_recipe_describes_its_pictures(self):
-        for name in recipe_names(SOURCE):
-            readme = read_readme(SOURCE / "recipes" / name / "README.md")
-            named = re.findall(r"`([\w-]+\.png)`", readme.caption) or [f"{name}.png"]
-            for picture in named:
-                with self.subTest(picture):
-                    text = seen(picture, readme.title, readme.caption)
-                    self.assertGreater(len(text), len(readme.title) + 25)
+@pytest.mark.parametrize("picture", ALT_TEXTS)
+def test_alternative_texts_say_what_the_caption_says_of_the_picture(picture):
+    assert seen(picture, "T", CAPTION) == ALT_TEXTS[picture]
 
 
-if __name__ == "__main__":
-    unittest.main()
+@pytest.mark.parametrize("name", recipe_names(ROOT))
+def test_every_recipe_describes_its_pictures(name):
+    readme = read_readme(ROOT / "recipes" / name / "README.md")
+    for picture in re.findall(r"`([\w-]+\.png)`", readme.caption) or [f"{name}.png"]:
+        assert len(seen(picture, readme.title, readme.caption)) > len(readme.title) + 25

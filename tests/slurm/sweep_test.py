@@ -19,7 +19,7 @@ from conftest import BIN as PROGRAMS, ROOT, skip
 
 if missing_programs():
     skip(f"SLURM cannot be started without {', '.join(missing_programs())}.")
-COPIED = ("reproduce.sh", "packages.txt", "codemeta.json", "recipes", "python", "checkpoints")
+COPIED = ("reproduce.sh", "packages.txt", "CITATION.cff", "recipes", "python", "checkpoints")
 CORES = 2
 SWEEP = """\
 [sweep]

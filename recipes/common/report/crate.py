@@ -15,14 +15,16 @@ from datetime import datetime, timezone
 from pathlib import Path
 from urllib.parse import quote
 
+import yaml
+
 from runs.written import take_names
 from rupture.replacing import write_whole
 from jobs import Accounts
 from origin import builds, checksums
 from picture import ANIMATION, VIDEOS
-from project import read_readme, recipe_names
+from runs.recipes import read_readme, recipe_names
 
-CODEMETA = Path(__file__).resolve().parents[3] / "codemeta.json"
+CITATION = Path(__file__).resolve().parents[3] / "CITATION.cff"
 CRATE = "ro-crate-metadata.json"
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 CONTEXT = [f"{SPECIFICATION}/context", {"sha256": "http://schema.org/sha256"}]
@@ -67,30 +69,51 @@ def moment(seconds):
 # --- the programs and the paper ------------------------------------------------------------
 
 
-def flat(thing, graph):
-    """Adds an entity and those nested in it to the graph, where they refer to each other."""
-    if isinstance(thing, list):
-        return [flat(each, graph) for each in thing]
-    if not isinstance(thing, dict):
-        return thing
-    name = thing.get("name") or f"{thing['givenName']} {thing['familyName']}"
-    identity = thing.get("@id") or f"#{quote(name.replace(' ', '-'), safe='')}"
-    own: dict = {"@id": identity, "name": name}
-    graph.append(own)
-    own.update({key: flat(value, graph) for key, value in thing.items()})
-    return {"@id": identity}
+def named(kind, name, **properties):
+    return entity(f"#{quote(name.replace(' ', '-'), safe='')}", kind, name=name, **properties)
+
+
+def paper_entities(paper):
+    """The paper of CITATION.cff, its journal and its authors."""
+    names = [f"{one['given-names']} {one['family-names']}" for one in paper["authors"]]
+    people = [named("Person", name) for name in names]
+    journal = named("Periodical", paper["journal"])
+    article = entity(
+        paper["url"],
+        "ScholarlyArticle",
+        name=paper["title"],
+        author=references(people),
+        isPartOf={"@id": journal["@id"]},
+        datePublished=str(paper["year"]),
+    )
+    return [article, journal, *people]
 
 
 def origin_of_results():
-    """Entities of the programs, their authors, their licence and the paper."""
-    software = json.loads(CODEMETA.read_text(encoding="utf-8"))
-    del software["@context"]
-    licence = {"@id": software["license"], "@type": "CreativeWork", "name": "MIT License"}
-    licence["description"] = "Free to use, change and pass on, with the notice of the licence"
-    paper = software.pop("referencePublication")
-    graph: list[dict] = []
-    flat(software | {"@id": SOFTWARE, "license": licence, "citation": paper}, graph)
-    return graph
+    """Entities of the programs, the licence, the paper and the authors, from CITATION.cff."""
+    cited = yaml.safe_load(CITATION.read_text(encoding="utf-8"))
+    paper = paper_entities(cited["references"][0])
+    authors = [named("Organization", author["name"]) for author in cited["authors"]]
+    licence = entity(
+        f"https://spdx.org/licenses/{cited['license']}",
+        "CreativeWork",
+        name=f"{cited['license']} License",
+        description="Free to use, change and pass on, with the notice of the licence",
+    )
+    software = entity(
+        SOFTWARE,
+        "SoftwareSourceCode",
+        name=cited["title"],
+        version=cited["version"],
+        description=cited["abstract"],
+        keywords=cited["keywords"],
+        programmingLanguage=["C++", "Python"],
+        operatingSystem="Linux",
+        author=references(authors),
+        license={"@id": licence["@id"]},
+        citation={"@id": paper[0]["@id"]},
+    )
+    return [software, licence, *paper, *authors]
 
 
 def build(number, text):
@@ -191,8 +214,7 @@ class Recipe:
 def crate(root, now):
     """The JSON-LD: a flat list of entities."""
     results = root / "results"
-    origin = origin_of_results()
-    software = next(each for each in origin if each["@id"] == SOFTWARE)
+    software, *origin = origin_of_results()
     accounts = Accounts(root)
     of_build: dict[str, dict] = {}
     names = [name for name in recipe_names(root) if (results / name).is_dir()]
@@ -221,7 +243,7 @@ def crate(root, now):
     )
     files = [each for recipe in recipes for each in recipe.files]
     entities = [descriptor, top, *folders, *of_run, *files, *checkpoints.values(), *actions]
-    return {"@context": CONTEXT, "@graph": [*entities, *of_build.values(), *origin]}
+    return {"@context": CONTEXT, "@graph": [*entities, *of_build.values(), software, *origin]}
 
 
 def write_crate(root):

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import h5py
 
-from project import natural
+from runs.recipes import natural
 
 
 def text(dataset):

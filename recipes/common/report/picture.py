@@ -3,7 +3,7 @@
 import struct
 from dataclasses import dataclass
 
-from project import Problem
+from reproduce.project import Failure
 
 VIDEOS = {"movie.webm": "video/webm", "movie.mp4": "video/mp4"}
 ANIMATION = "movie.gif"
@@ -31,7 +31,7 @@ def picture(path, alt):
     with open(path, "rb") as file:
         head = file.read(24)
     if len(head) < 24 or head[12:16] != b"IHDR":
-        raise Problem(f"{path} is no PNG: delete it and run ./reproduce.sh {path.parent.name}.")
+        raise Failure(f"{path} is no PNG: delete it and run ./reproduce.sh {path.parent.name}.")
     width, height = struct.unpack(">II", head[16:24])
     pdf = path.with_suffix(".pdf")
     return Picture(path.name, pdf.name if pdf.exists() else None, width, height, alt)

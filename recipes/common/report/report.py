@@ -26,7 +26,8 @@ from glance_picture import glance_picture
 from jobs import Accounts, Job, steps, total
 from origin import builds, checksums, last_run, present_build, processor
 from picture import Picture, find_movie, picture
-from project import Problem, label, listed_claims, natural, read_readme, recipe_names
+from runs.recipes import label, listed_claims, natural, read_readme, recipe_names
+from reproduce.project import Failure
 from runs.written import take_names
 from symbols import typeset
 
@@ -64,7 +65,7 @@ def claims_of(root, name):
     try:
         return read_claims(path)
     except (OSError, ValueError, TypeError) as error:
-        raise Problem(
+        raise Failure(
             f"{path} holds no table of claims ({error}): delete it and run ./reproduce.sh {name}."
         ) from error
 
@@ -106,9 +107,9 @@ def results_by_id(recipes, listed):
         for claim in recipe.claims:
             path = f"results/{recipe.name}/claims.json"
             if claim.id not in known:
-                raise Problem(f"{path} has a claim '{claim.id}' that claims.toml does not list.")
+                raise Failure(f"{path} has a claim '{claim.id}' that claims.toml does not list.")
             if claim.id in found:
-                raise Problem(f"Claim '{claim.id}' is in {path} although it was found before.")
+                raise Failure(f"Claim '{claim.id}' is in {path} although it was found before.")
             found[claim.id] = recipe, claim
     return found
 
@@ -201,7 +202,7 @@ def main(folder="."):
         write_whole(path, render(contents(root)))
         write_crate(root)
         print(f"Report: {path}", flush=True)
-    except (Problem, FileExistsError) as problem:
+    except (Failure, FileExistsError) as problem:
         sys.exit(f"report.py: {problem}")
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more

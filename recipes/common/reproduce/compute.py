@@ -90,7 +90,7 @@ def is_current(path):
     """Whether what describes the results is newer than every job that made one, and than all texts
     and scripts that it comes from: it would say the same again."""
     scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
-    texts = [ROOT / "codemeta.json", *(ROOT / "docs").glob("*.md"), PROGRAMS / "load"]
+    texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md"), PROGRAMS / "load"]
     shown = [RESULTS / "jobs.jsonl", *RESULTS.glob("movie.*"), *RESULTS.glob("*/*.json")]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
     return path.exists() and path.stat().st_mtime > max(one.stat().st_mtime for one in sources)

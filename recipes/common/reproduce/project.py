@@ -12,7 +12,7 @@ ROOT = WORK / ".rupture" if WORK else SHARE
 LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/common/profiles")
-READ = ("recipes", "checkpoints", "docs", "benchmarks", "codemeta.json")
+READ = ("recipes", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 # Recipes that `all` leaves out: they judge no claim and take longer than ten minutes each.
 BESIDE_ALL = ("choices", "convergence")
 

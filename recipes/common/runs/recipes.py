@@ -1,12 +1,10 @@
-"""Parts of the report about the project itself: its recipes, their READMEs, the list of claims."""
+"""The recipes, their READMEs, and the list of claims."""
 
 import re
 import tomllib
 from dataclasses import dataclass
 
-
-class Problem(Exception):
-    """A reason why no report is written, in one sentence for the user."""
+from reproduce.project import Failure
 
 
 def natural(name):
@@ -89,4 +87,4 @@ def listed_claims(root):
             for claim_id, row in rows.items()
         ]
     except (OSError, ValueError, KeyError) as error:
-        raise Problem(f"The claims in {path} cannot be read ({error}).") from error
+        raise Failure(f"The claims in {path} cannot be read ({error}).") from error
