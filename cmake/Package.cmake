@@ -16,8 +16,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 
-file(STRINGS packages.txt _rows REGEX "^run +(python3|snakemake)")
-list(TRANSFORM _rows REPLACE "^run +([^ ]+).*" "\\1")
+file(STRINGS packages.txt _rows REGEX "^run ")
+list(TRANSFORM _rows REPLACE "^run +| *#.*" "")
 list(JOIN _rows ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
 
 # What Debian's policy asks of every package: copyright, and a changelog in a form of its own.

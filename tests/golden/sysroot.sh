@@ -37,7 +37,7 @@ unpack() {
 mkdir -p "$2"
 exec 9>"$sysroot.lock" # two builds may want it at the same time
 flock 9
-mapfile -t packages < <(awk '$1 == "build" && $2 ~ /-dev$/ { print $2 }' "$here/../../packages.txt")
+mapfile -t packages < <(sed -n 's/#.*//; s/^build//p' "$here/../../packages.txt" | grep -oE '[a-z0-9-]+-dev')
 if [[ $(cat "$sysroot/packages" 2>/dev/null) == "${packages[*]}" ]]; then exit 0; fi
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-deb >/dev/null; then

@@ -3,11 +3,10 @@
 import os
 import shutil
 import subprocess
-import tempfile
-import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from conftest import ROOT
+
 WITHIN = 60  # [s]
 SWEEP = """[sweep]
 [commands]
@@ -20,40 +19,48 @@ F_T = stress.F_T
 """
 
 
-def write_program(path, text):
-    path.write_text(text, encoding="utf-8")
-    path.chmod(0o755)
+class Project:
+    """The stand-ins are in bin/, first on the PATH."""
 
-
-class Project(unittest.TestCase):
-    """A copy of the command, with stand-ins for programs in bin/."""
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = Path(folder.name)
-        self.bin = self.root / "bin"
-        self.bin.mkdir()
+    def __init__(self, root):
+        self.root, self.bin = root, root / "bin"
+        self.program("apt-get", "")  # nothing is missing
         for name in ("recipes", "python"):
-            shutil.copytree(ROOT / name, self.root / name)
+            shutil.copytree(ROOT / name, root / name)
         for name in ("reproduce.sh", "packages.txt", "CITATION.cff"):
-            shutil.copy2(ROOT / name, self.root / name)
+            shutil.copy2(ROOT / name, root / name)
 
-    def environment(self):
-        return os.environ | {"PATH": f"{self.bin}{os.pathsep}{os.environ['PATH']}"}
+    def program(self, name, text):
+        """In bash; `name` may lead to another folder."""
+        self.write(self.bin / name, f"#!/bin/bash\n{text}\n").chmod(0o755)
 
-    def start(self, *arguments):
+    def start(self, *words, command="reproduce.sh", **options):
         return subprocess.Popen(
-            [self.root / "reproduce.sh", *arguments],
+            [self.root / command, *words],
             cwd=self.root,
-            env=self.environment(),
+            env=os.environ | {"PATH": f"{self.bin}:{os.environ['PATH']}"},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
+            **options,
         )
 
-    def call(self, *arguments):
-        process = self.start(*arguments)
+    def call(self, *words, **options):
+        process = self.start(*words, **options)
         output, errors = process.communicate(timeout=WITHIN)
-        return subprocess.CompletedProcess(arguments, process.returncode, output, errors)
+        return subprocess.CompletedProcess(words, process.returncode, output, errors)
+
+    def write(self, name, text=""):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return path
+
+    def append(self, name):
+        with open(self.root / name, "a", encoding="utf-8") as file:
+            file.write("# 2\n")
+
+    def calls(self):
+        """What stand-ins have written of themselves."""
+        return Path(self.root / "calls").read_text()

@@ -5,29 +5,12 @@ import os
 import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 from reproduce import checks, compute
 from reproduce.clean import clean
-from reproduce.command_line import (
-    description,
-    help_text,
-    listing,
-    natural,
-    read_words,
-    request_of,
-)
+from reproduce.command_line import description, figures, listing, make_parser, read
 from reproduce.processes import Processes
-from reproduce.project import (
-    BESIDE_ALL,
-    SHARE,
-    Failure,
-    UsageError,
-    complain,
-    enter_root,
-    recipe_names,
-    say,
-)
+from reproduce.project import BESIDE_ALL, Failure, UsageError, complain, enter_root, say
 from reproduce.set_up import ensure_packages
 
 
@@ -38,14 +21,14 @@ def duration(seconds):
 
 def recipes(request, processes):
     started = time.monotonic()
-    compute.reproduce(request, request.recipes, processes)
+    compute.reproduce(request, request.words, processes)
     compute.write_crate(processes)
     say(f"\nDone in {duration(time.monotonic() - started)}.")
 
 
 def everything(request, processes):
     started = time.monotonic()
-    names = sorted(set(recipe_names()).difference(BESIDE_ALL), key=natural)
+    names = [name for name in figures() if name not in BESIDE_ALL]
     compute.reproduce(request, names, processes)
     say()
     code = compute.write_report_if_needed(processes)
@@ -71,20 +54,21 @@ RUN: dict[str, Callable] = {
 }
 
 
+ANSWERS: dict[str, Callable] = {
+    "help": lambda: make_parser().format_help(),
+    "describe": lambda: json.dumps(description()) + "\n",
+    "list": lambda: listing() + "\n",
+}
+
+
 def main(*words):
-    caller = Path.cwd()
-    os.chdir(SHARE)
-    options = read_words(words)
-    if options.help:
-        print(help_text(), end="")
+    request = read(words)
+    if request.command in ANSWERS:
+        print(ANSWERS[request.command](), end="")
         return 0
-    if options.describe:
-        print(json.dumps(description()))
-        return 0
-    request = request_of(options, caller)
-    if request.command == "list":
-        print(listing())
-        return 0
+    if not request.command:
+        print(make_parser().format_help(), end="", file=sys.stderr)
+        return 2
     enter_root()
     return RUN[request.command](request, Processes())
 
@@ -101,10 +85,7 @@ def main_or_sentence(*words):
         sys.stdout.flush()
         return code
     except UsageError as error:
-        if str(error):
-            complain(error)
-        else:
-            print(help_text(), end="", file=sys.stderr)
+        complain(error)
         return 2
     except Failure as failure:
         complain(failure)

@@ -30,9 +30,9 @@ def own_folders():
 
 
 def own_links():
-    """With which `rupture reproduce` shows the recipes their folder; and the lock, at the end."""
+    """With which `rupture reproduce` shows the recipes their folder; and the locks, at the end."""
     links = [OWN / name for name in ("results", *READ)] if WORK else []
-    return [*filter(os.path.islink, links), *BUILD.glob(".lock")]
+    return [*filter(os.path.islink, links), *BUILD.glob(".lock*")]
 
 
 def left_in(path):

@@ -25,11 +25,6 @@ class UsageError(Exception):
     """The command line makes no sense; the text says why."""
 
 
-def recipe_names():
-    """The figures, and recipes that belong to none."""
-    return [path.parent.name for path in Path("recipes").glob("*/rules.smk")]
-
-
 def link(path, target):
     if not path.is_symlink() or path.readlink() != target:
         path.unlink(missing_ok=True)

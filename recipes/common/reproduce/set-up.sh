@@ -28,14 +28,21 @@ quietly() {
 
 # --- packages ------------------------------------------------------------------------------
 
-packages_for() { awk -v purposes=" $* " 'index(purposes, " " $1 " ") { print $2 }' packages.txt; }
+packages_for() {
+  awk -v purposes=" $* " 'index(purposes, " " $1 " ") {
+    gsub(/^[a-z]+ +| *#.*/, ""); printf "%s%s", comma, $0; comma = ", " }' packages.txt
+}
 
-# Those of the packages that are not installed, nor provided by one that is: on arm64, g++ provides
-# g++-aarch64-linux-gnu.
-missing_of() {
-  comm -23 <(printf '%s\n' "$@" | sort -u) \
-    <(dpkg-query -W -f='${db:Status-Status} ${Package} ${Provides}\n' "$@" 2>/dev/null |
-      sed -n 's/^installed //p' | tr -s ' ,' '\n' | sort -u)
+satisfy() {
+  apt-get -o DPkg::Lock::Timeout="$patience" satisfy --no-remove --no-install-recommends "$@"
+}
+
+# A simulation installs nothing only if nothing is missing. Until dpkg does something, that stays so.
+is_satisfied() {
+  local said known=$logs/satisfied
+  [[ $known -nt /var/lib/dpkg/status ]] || : >"$known"
+  grep -qxF "$1" "$known" && return
+  said=$(satisfy --simulate "$1" 2>/dev/null) && ! grep -q ^Inst <<<"$said" && echo "$1" >>"$known"
 }
 
 # apt-get waits for dpkg's lock when asked to, but not for that of the package lists.
@@ -48,30 +55,24 @@ update_lists() {
   done
 }
 
-install_packages() {
-  update_lists &&
-    apt-get -o DPkg::Lock::Timeout="$patience" install -y --no-remove --no-install-recommends "$@"
-}
-
-is_debian() { command -v dpkg-query && command -v apt-get; } >/dev/null
+install_packages() { update_lists && satisfy -y "$1"; }
 
 ensure_packages() {
-  local wanted missing
+  local wanted
   (($# > 0)) || return 0
-  if ! is_debian; then
+  if ! command -v apt-get >/dev/null; then
     echo "This is not a Debian system: what packages.txt names has to be installed already."
     return
   fi
-  mapfile -t wanted < <(packages_for "$@")
-  mapfile -t missing < <(missing_of "${wanted[@]}")
-  ((${#missing[@]} > 0)) || return 0
+  wanted=$(packages_for "$@")
+  is_satisfied "$wanted" && return
   if ((EUID == 0)); then
-    echo "Installing ${#missing[@]} Debian packages (log: $logs/packages.log) ..."
+    echo "Installing Debian packages (log: $logs/packages.log) ..."
     export DEBIAN_FRONTEND=noninteractive
-    quietly packages "Installing packages" install_packages "${missing[@]}"
+    quietly packages "Installing packages" install_packages "$wanted"
   else
     echo "Some Debian packages are missing. Install them with this command, then start again:" >&2
-    echo "sudo apt-get install --no-remove --no-install-recommends ${missing[*]}" >&2
+    echo "sudo apt-get satisfy --no-remove --no-install-recommends '$wanted'" >&2
     exit 1
   fi
 }
@@ -134,7 +135,7 @@ build() {
 build_while_installing() {
   local cores=$1 target=$2 installation='' status=0
   shift 2
-  if is_debian && ((EUID == 0)); then
+  if ((EUID == 0)); then
     ensure_packages build
     ensure_packages "$@" &
     installation=$!
