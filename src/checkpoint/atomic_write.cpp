@@ -13,15 +13,15 @@
 #include <string>
 #include <utility>
 
-#include "rupture/model/error.hpp"
+#include "context.hpp"
 
 namespace rupture {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path) {
-  throw Failure(fmt::format("could not write {}: {}", path.string(), std::strerror(errno)));
+[[noreturn]] void fail_writing(const fs::path& path) {
+  fail("could not write {}: {}", path.string(), std::strerror(errno));
 }
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
@@ -39,13 +39,12 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
 void sync_folder_of(const fs::path& path) {
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() < 0 && errno == EACCES) return;
-  if (folder.get() < 0 || (::fsync(folder.get()) != 0 && errno != EINVAL)) fail(path);
+  if (folder.get() < 0 || (::fsync(folder.get()) != 0 && errno != EINVAL)) fail_writing(path);
 }
 
 [[noreturn]] void fail_locked(const fs::path& path) {
-  throw Failure(
-      fmt::format("another run is writing {}; wait until it has ended, or give another --record",
-                  path.string()));
+  fail("another run is writing {}; wait until it has ended, or give another --record",
+       path.string());
 }
 
 struct flock whole_file_for_writing() {
@@ -76,7 +75,7 @@ bool rename_to_new(const fs::path& from, const fs::path& to) {
   if (errno == EINVAL || errno == ENOSYS) {
     if (::link(from.c_str(), to.c_str()) == 0) return ::unlink(from.c_str()) == 0;
   }
-  if (errno != EEXIST) fail(to);
+  if (errno != EEXIST) fail_writing(to);
   return false;
 }
 
@@ -124,7 +123,7 @@ fs::path folder_of(const fs::path& path) {
 
 fs::path temporary_path(const fs::path& path) {
   std::uint32_t number = 0;
-  if (::getrandom(&number, sizeof number, 0) < 0) fail(path);
+  if (::getrandom(&number, sizeof number, 0) < 0) fail_writing(path);
   return folder_of(path) / fmt::format(".{}.tmp.{:08x}", path.filename().string(), number);
 }
 
@@ -144,12 +143,12 @@ PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes) : path
     temporary_ = temporary_path(path_);
     file = Descriptor(::open(temporary_.c_str(), flags, 0666));
   } while (file.get() < 0 && errno == EEXIST);
-  if (file.get() < 0) fail(path_);
+  if (file.get() < 0) fail_writing(path_);
   if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0) return;
   const int reason = errno;
   ::unlink(temporary_.c_str());
   errno = reason;
-  fail(path_);
+  fail_writing(path_);
 }
 
 PendingFile::~PendingFile() {
@@ -160,7 +159,7 @@ bool PendingFile::commit(IfExists if_exists) {
   if (if_exists == IfExists::refuse) {
     if (!rename_to_new(temporary_, path_)) return false;
   } else if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    fail(path_);
+    fail_writing(path_);
   }
   temporary_.clear();
   sync_folder_of(path_);
@@ -168,14 +167,14 @@ bool PendingFile::commit(IfExists if_exists) {
 }
 
 void fail_existing(const fs::path& path) {
-  throw Failure(fmt::format("{} exists; give --force to replace it", path.string()));
+  fail("{} exists; give --force to replace it", path.string());
 }
 
 void remove_durably(const fs::path& path) {
   if (::unlink(path.c_str()) == 0) {
     sync_folder_of(path);
   } else if (errno != ENOENT) {
-    throw Failure(fmt::format("could not remove {}: {}", path.string(), std::strerror(errno)));
+    fail("could not remove {}: {}", path.string(), std::strerror(errno));
   }
 }
 
@@ -195,7 +194,7 @@ std::optional<std::vector<std::byte>> read_start(const Descriptor& file, std::si
 bool is_locked(const fs::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0 && errno == ENOENT) return false;  // its run has just ended
-  if (file.get() < 0) fail(path);
+  if (file.get() < 0) fail_writing(path);
   struct flock lock = whole_file_for_writing();
   return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
@@ -206,7 +205,7 @@ GrowingFile::GrowingFile(fs::path path, std::span<const std::byte> bytes, IfExis
   lock(pending.file);  // before others can find it
   for (bool is_there = false; !is_there;) {
     const Descriptor old(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
-    if (old.get() < 0 && errno != ENOENT && errno != ELOOP) fail(path_);
+    if (old.get() < 0 && errno != ENOENT && errno != ELOOP) fail_writing(path_);
     if (old.get() >= 0 && !lock(old)) fail_locked(path_);
     if (old.get() >= 0 && !is_at(old, path_)) continue;
     const bool may_replace = old.get() >= 0 || errno == ELOOP;
@@ -219,24 +218,24 @@ GrowingFile::GrowingFile(fs::path path, std::span<const std::byte> bytes, IfExis
 void GrowingFile::append(std::span<const std::byte> bytes) const {
   const FileSizeSignalBlocked guard;
   const off_t before = ::lseek(file_.get(), 0, SEEK_END);
-  if (before < 0) fail(path_);
+  if (before < 0) fail_writing(path_);
   if (write_all(file_.get(), bytes)) return;
   const int reason = errno;
   // If the file cannot be cut back either, its reader sees that what was begun is not whole.
   [[maybe_unused]] const int ignored = ::ftruncate(file_.get(), before);
   errno = reason;
-  fail(path_);
+  fail_writing(path_);
 }
 
 void GrowingFile::sync() const {
-  if (::fsync(file_.get()) != 0) fail(path_);
+  if (::fsync(file_.get()) != 0) fail_writing(path_);
 }
 
 std::vector<std::byte> GrowingFile::bytes() const {
   const off_t size = ::lseek(file_.get(), 0, SEEK_END);
-  if (size < 0 || ::lseek(file_.get(), 0, SEEK_SET) != 0) fail(path_);
+  if (size < 0 || ::lseek(file_.get(), 0, SEEK_SET) != 0) fail_writing(path_);
   auto all = read_start(file_, static_cast<std::size_t>(size));
-  if (!all) fail(path_);
+  if (!all) fail_writing(path_);
   return *std::move(all);
 }
 

@@ -1,11 +1,7 @@
 #include "rupture/checkpoint/checkpoint.hpp"
 
-#include <fmt/format.h>
-
 #include "context.hpp"
-#include "run_content.hpp"
 #include "rupture/checkpoint/checksum.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {
@@ -21,10 +17,10 @@ Content parameters_and_state(const Parameters& parameters, const State& state) {
 void refuse_leftovers(const Content& content, const Content& known) {
   for (const auto& [path, dataset] : content) {
     if (!known.contains(path)) {
-      throw Failure(
-          fmt::format("{} is not part of a checkpoint: use a newer rupture, or remove it if "
-                      "another program added it",
-                      path));
+      fail(
+          "{} is not part of a checkpoint: use a newer rupture, or remove it if "
+          "another program added it",
+          path);
     }
   }
 }
@@ -60,7 +56,7 @@ Checkpoint checkpoint_from(const Content& content) {
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
   const FileKind kind = identify(path);
   if (kind != FileKind::checkpoint) {
-    throw Failure(fmt::format("{} is {}; expected a checkpoint", path.string(), kind_text(kind)));
+    fail("{} is {}; expected a checkpoint", path.string(), kind_text(kind));
   }
   const ContentFile file = read_file(path);
   Checkpoint checkpoint = naming(path, [&] { return checkpoint_from(file.content); });

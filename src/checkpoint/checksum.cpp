@@ -7,7 +7,7 @@
 #include <array>
 #include <map>
 
-#include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {

@@ -1,7 +1,4 @@
-#include "child_process.hpp"
-
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,7 +8,8 @@
 #include <cstring>
 #include <exception>
 
-#include "rupture/model/error.hpp"
+#include "context.hpp"
+#include "seal.hpp"
 
 namespace rupture {
 namespace {
@@ -55,7 +53,7 @@ void let_signals_end_it() {
 ChildEnd in_child_process(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child < 0) {
-    throw Failure(fmt::format("could not start a process: {}", std::strerror(errno)));
+    fail("could not start a process: {}", std::strerror(errno));
   }
   if (child == 0) be_the_child(work);
   int status = 0;

@@ -1,15 +1,17 @@
 #include "rupture/checkpoint/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
-#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
+#include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
@@ -61,22 +63,8 @@ void compare_text(Difference& difference, const Dataset& a, const Dataset& b) {
 }
 
 void compare_values(Difference& difference, const Dataset& a, const Dataset& b) {
-  switch (a.type) {
-    case DataType::float64:
-      return compare_elements<double>(difference, a, b);
-    case DataType::float32:
-      return compare_elements<float>(difference, a, b);
-    case DataType::int64:
-      return compare_elements<std::int64_t>(difference, a, b);
-    case DataType::uint32:
-      return compare_elements<std::uint32_t>(difference, a, b);
-    case DataType::uint16:
-      return compare_elements<std::uint16_t>(difference, a, b);
-    case DataType::uint8:
-      return compare_elements<std::uint8_t>(difference, a, b);
-    case DataType::text:
-      return compare_text(difference, a, b);
-  }
+  if (a.type == DataType::text) return compare_text(difference, a, b);
+  with_number_of(a.type, [&]<class T>(T) { compare_elements<T>(difference, a, b); });
 }
 
 std::optional<Change> change_between(const Dataset& a, const Dataset& b) {
@@ -100,19 +88,9 @@ void keep_rows(Dataset& dataset, std::uint64_t rows) {
 }  // namespace
 
 std::string_view name_of(Change change) {
-  switch (change) {
-    case Change::values:
-      return "values";
-    case Change::type:
-      return "type";
-    case Change::shape:
-      return "shape";
-    case Change::only_in_a:
-      return "only_in_a";
-    case Change::only_in_b:
-      break;
-  }
-  return "only_in_b";
+  constexpr std::array<std::string_view, 5> names = {"values", "type", "shape", "only_in_a",
+                                                     "only_in_b"};
+  return names.at(static_cast<std::size_t>(change));
 }
 
 std::vector<Difference> diff(const Content& a, const Content& b) {
@@ -169,23 +147,10 @@ std::uint64_t ulp_distance(double a, double b) {
 }
 
 Number number_at(const Dataset& dataset, std::uint64_t index) {
-  switch (dataset.type) {
-    case DataType::float64:
-      return element<double>(dataset, index);
-    case DataType::float32:
-      return double{element<float>(dataset, index)};
-    case DataType::int64:
-      return element<std::int64_t>(dataset, index);
-    case DataType::uint32:
-      return std::int64_t{element<std::uint32_t>(dataset, index)};
-    case DataType::uint16:
-      return std::int64_t{element<std::uint16_t>(dataset, index)};
-    case DataType::uint8:
-      return std::int64_t{element<std::uint8_t>(dataset, index)};
-    case DataType::text:
-      break;
-  }
-  throw Failure("a text has no numbers");
+  return with_number_of(dataset.type, [&]<class T>(T) -> Number {
+    using Wide = std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>;
+    return static_cast<Wide>(element<T>(dataset, index));
+  });
 }
 
 std::vector<std::uint64_t> indices_at(const Shape& shape, std::uint64_t index) {

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
+#include "context.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
@@ -13,6 +15,22 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little,
               "datasets are kept in memory as they are stored: little-endian");
+
+struct TypeRow {
+  std::string_view name;
+  std::size_t size;  // of an element [bytes]
+};
+constexpr std::array<TypeRow, 7> kTypes = {{{"float64", 8},
+                                            {"float32", 4},
+                                            {"int64", 8},
+                                            {"uint32", 4},
+                                            {"uint16", 2},
+                                            {"uint8", 1},
+                                            {"text", 1}}};
+
+const TypeRow& row_of(DataType type) {
+  return kTypes.at(static_cast<std::size_t>(type));
+}
 
 std::string describe(DataType type, const Shape& shape) {
   if (type == DataType::text) return "text";
@@ -44,47 +62,18 @@ void check_all_finite(const std::string& path, const Dataset& dataset) {
   if (others == 0) return;
   std::size_t i = 0;
   while (std::isfinite(value(i))) ++i;
-  throw Failure(fmt::format("{} holds {} at index {} of {}; only finite numbers are stored", path,
-                            value(i), i, shape_text(dataset.shape)));
+  fail("{} holds {} at index {} of {}; only finite numbers are stored", path, value(i), i,
+       shape_text(dataset.shape));
 }
 
 }  // namespace
 
 std::string_view type_name(DataType type) {
-  switch (type) {
-    case DataType::float64:
-      return "float64";
-    case DataType::float32:
-      return "float32";
-    case DataType::int64:
-      return "int64";
-    case DataType::uint32:
-      return "uint32";
-    case DataType::uint16:
-      return "uint16";
-    case DataType::uint8:
-      return "uint8";
-    case DataType::text:
-      return "text";
-  }
-  throw Failure("a dataset has an element type unknown to this build");
+  return row_of(type).name;
 }
 
 std::size_t element_size(DataType type) {
-  switch (type) {
-    case DataType::float64:
-    case DataType::int64:
-      return 8;
-    case DataType::float32:
-    case DataType::uint32:
-      return 4;
-    case DataType::uint16:
-      return 2;
-    case DataType::uint8:
-    case DataType::text:
-      return 1;
-  }
-  throw Failure("a dataset has an element type unknown to this build");
+  return row_of(type).size;
 }
 
 std::uint64_t element_count(const Shape& shape) {
@@ -114,16 +103,15 @@ const Dataset& expect(const Content& content, const std::string& path, DataType 
                       const Shape& shape) {
   const auto found = content.find(path);
   if (found == content.end()) {
-    throw Failure(fmt::format("{} is missing; expected {}", path, describe(type, shape)));
+    fail("{} is missing; expected {}", path, describe(type, shape));
   }
   const Dataset& dataset = found->second;
   if (dataset.type != type || dataset.shape != shape) {
-    throw Failure(fmt::format("{} holds {}; expected {}", path,
-                              describe(dataset.type, dataset.shape), describe(type, shape)));
+    fail("{} holds {}; expected {}", path, describe(dataset.type, dataset.shape),
+         describe(type, shape));
   }
   if (!fills_its_shape(dataset)) {
-    throw Failure(fmt::format("{} holds {} bytes, which is not {}", path, dataset.bytes.size(),
-                              describe(type, shape)));
+    fail("{} holds {} bytes, which is not {}", path, dataset.bytes.size(), describe(type, shape));
   }
   return dataset;
 }
@@ -133,10 +121,9 @@ void expect_as_written(const Content& content, const Content& written) {
     const auto found = content.find(path);
     if (found == content.end() || found->second == dataset) continue;
     if (found->second.unit != dataset.unit) {
-      throw Failure(
-          fmt::format("{} is in {}; expected {}", path, found->second.unit, dataset.unit));
+      fail("{} is in {}; expected {}", path, found->second.unit, dataset.unit);
     }
-    throw Failure(fmt::format("{} holds its value in a form that rupture never writes", path));
+    fail("{} holds its value in a form that rupture never writes", path);
   }
 }
 
@@ -144,8 +131,7 @@ void read_array_bytes(const Content& content, const std::string& path, DataType 
                       const Shape& shape, std::span<std::byte> out) {
   const Dataset& dataset = expect(content, path, type, shape);
   if (dataset.bytes.size() != out.size()) {
-    throw Failure(
-        fmt::format("{} holds {} bytes; expected {}", path, dataset.bytes.size(), out.size()));
+    fail("{} holds {} bytes; expected {}", path, dataset.bytes.size(), out.size());
   }
   if (!out.empty()) std::memcpy(out.data(), dataset.bytes.data(), out.size());
 }

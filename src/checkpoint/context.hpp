@@ -1,20 +1,28 @@
-// Puts the name of the file in front of what went wrong inside it.
+// Failures: what went wrong, and in which file.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "rupture/model/error.hpp"
 
 namespace rupture {
 
+/// Throws Failure with a message in the words of fmt::format().
+template <class... Args>
+[[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... values) {
+  throw Failure(fmt::format(format, std::forward<Args>(values)...));
+}
+
+/// Puts the name of the file in front of what goes wrong in `work`.
 template <class Work>
 auto naming(const std::filesystem::path& path, const Work& work) {
   try {
     return work();
   } catch (const Failure& failure) {
-    throw Failure(fmt::format("{}: {}", path.string(), failure.what()));
+    fail("{}: {}", path.string(), failure.what());
   }
 }
 

@@ -17,7 +17,6 @@
 #include "context.hpp"
 #include "part_file.hpp"
 #include "rupture/checkpoint/checksum.hpp"
-#include "rupture/model/error.hpp"
 #include "seal.hpp"
 
 namespace rupture {
@@ -26,9 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_reading(const fs::path& path) {
-  throw Failure(
-      fmt::format("could not read {}: {}; check the permissions of the file and its folder",
-                  path.string(), std::strerror(errno)));
+  fail("could not read {}: {}; check the permissions of the file and its folder", path.string(),
+       std::strerror(errno));
 }
 
 // Throws unless a regular file is there; returns its size [bytes].
@@ -36,16 +34,13 @@ std::size_t readable_size(const fs::path& path) {
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) {
     if (errno != ENOENT && errno != ENOTDIR) fail_reading(path);
-    throw Failure(
-        fmt::format("{} does not exist; give the path of a checkpoint or record", path.string()));
+    fail("{} does not exist; give the path of a checkpoint or record", path.string());
   }
   if (S_ISDIR(info.st_mode)) {
-    throw Failure(
-        fmt::format("{} is a folder; give the path of a checkpoint or record", path.string()));
+    fail("{} is a folder; give the path of a checkpoint or record", path.string());
   }
   if (!S_ISREG(info.st_mode)) {
-    throw Failure(fmt::format("{} is not a regular file; give the path of a checkpoint or record",
-                              path.string()));
+    fail("{} is not a regular file; give the path of a checkpoint or record", path.string());
   }
   return static_cast<std::size_t>(info.st_size);
 }
@@ -56,6 +51,11 @@ std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
   auto bytes = file.get() < 0 ? std::nullopt : read_start(file, size);
   if (!bytes) fail_reading(path);
   return *std::move(bytes);
+}
+
+std::vector<std::byte> bytes_of_file(const fs::path& path) {
+  const std::size_t size = readable_size(path);
+  return read_start(path, size);
 }
 
 std::string sum_line(const std::string& checksum, const fs::path& path) {
@@ -101,17 +101,13 @@ void refuse_if_readable(std::span<const std::byte> file, const std::string& name
   }
 }
 
-// Looks at all bytes: a wrong size in the header made the reader stop too early.
-[[noreturn]] void fail_with_broken_seal(const fs::path& path) {
-  const auto file = bytes_of_file(path);
+EditedFile opened(std::span<const std::byte> bytes) {
   try {
-    check_envelope(file, path.string());
-  } catch (const BrokenSeal&) {
-    refuse_if_readable(file, path.string());
-    throw;
+    demand_survival(bytes, hdf5::Accept::edited);
+    return open_edited(bytes);
+  } catch (const hdf5::LibraryFailure& failure) {
+    fail("{}; it is no HDF5 file, or damaged: copy it again or write it anew", failure.what());
   }
-  throw Failure(
-      fmt::format("{} changes while it is read; wait until it is written", path.string()));
 }
 
 }  // namespace
@@ -122,27 +118,25 @@ void check_output(const fs::path& path, IfExists if_exists) {
   struct stat info {};
   const bool exists = ::lstat(path.c_str(), &info) == 0;
   if (exists && S_ISDIR(info.st_mode)) {
-    throw Failure(fmt::format("{} is a folder; give the path of a file to write", path.string()));
+    fail("{} is a folder; give the path of a file to write", path.string());
   }
   if (exists && if_exists == IfExists::refuse) fail_existing(path);
   if (exists && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode)) {
-    throw Failure(fmt::format("{} is not a regular file; give another path", path.string()));
+    fail("{} is not a regular file; give another path", path.string());
   }
   const std::string sum = sum_path(path);
   if (::lstat(sum.c_str(), &info) == 0 && S_ISDIR(info.st_mode)) {
-    throw Failure(fmt::format("{} is a folder where the checksum of {} belongs; give another path",
-                              sum, path.string()));
+    fail("{} is a folder where the checksum of {} belongs; give another path", sum, path.string());
   }
   const fs::path folder = folder_of(path);
   if (::access((folder / ".").c_str(), F_OK) != 0 ||
       ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
-    throw Failure(fmt::format("could not write {}: its folder {}: {}; give another path",
-                              path.string(), folder.string(), std::strerror(errno)));
+    fail("could not write {}: its folder {}: {}; give another path", path.string(), folder.string(),
+         std::strerror(errno));
   }
   // The longest name that will be written: with another, a run would be lost at its end.
   if (::lstat(temporary_path(sum).c_str(), &info) != 0 && errno != ENOENT) {
-    throw Failure(fmt::format("could not write {}: {}; give another path", path.string(),
-                              std::strerror(errno)));
+    fail("could not write {}: {}; give another path", path.string(), std::strerror(errno));
   }
 }
 
@@ -159,21 +153,15 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
   return sealed.checksum;
 }
 
-std::vector<std::byte> bytes_of_file(const fs::path& path) {
-  const std::size_t size = readable_size(path);
-  return read_start(path, size);
-}
-
-ContentFile read_file(const fs::path& path, Opening opening) try {
-  std::uint64_t size = readable_size(path);
-  const auto header = read_start(path, kHeaderSize);
-  // One byte more than there should be is enough to notice that there is too much.
-  if (header_kind(header, path.string()) != FileKind::open_record) {
-    size = std::min(size, stated_size(header) + 1);
+ContentFile read_file(const fs::path& path, Opening opening) {
+  identify(path);  // of a file that is not ours the start is enough
+  const auto bytes = bytes_of_file(path);
+  try {
+    return read_bytes(bytes, path.string(), opening);
+  } catch (const BrokenSeal&) {
+    refuse_if_readable(bytes, path.string());
+    throw;
   }
-  return read_bytes(read_start(path, size), path.string(), opening);
-} catch (const BrokenSeal&) {
-  fail_with_broken_seal(path);
 }
 
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name, Opening opening) {
@@ -190,6 +178,16 @@ ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name
 
 Content read_content(const fs::path& path) {
   return read_file(path).content;
+}
+
+EditedFile read_edited(const fs::path& path) {
+  const auto bytes = bytes_of_file(path);
+  if (bytes.empty()) {
+    fail("{} is empty; expected a checkpoint or record", path.string());
+  }
+  EditedFile file = naming(path, [&] { return opened(bytes); });
+  file.name = path.string();
+  return file;
 }
 
 fs::path sum_path(const fs::path& path) {

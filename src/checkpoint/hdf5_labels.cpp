@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "hdf5_objects.hpp"
+#include "hdf5.hpp"
 
 namespace rupture::hdf5 {
 namespace {
@@ -23,7 +23,7 @@ struct User {
 constexpr std::size_t kUserSize = sizeof(hobj_ref_t) + sizeof(std::int32_t);  // without padding
 
 Handle open(Id file, const std::string& path) {
-  return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, kDoing};
+  return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), kDoing};
 }
 
 hobj_ref_t reference_to(Id file, const std::string& path) {
@@ -33,35 +33,34 @@ hobj_ref_t reference_to(Id file, const std::string& path) {
 }
 
 void write_attribute(Id object, const char* name, Id type, Id space, const void* value) {
-  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                         kDoing);
+  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), kDoing);
   check(H5Awrite(attribute, type, value), kDoing);
 }
 
 // With a null at the end: h5netcdf takes texts of length 1 for bytes.
 void write_text(Id object, const char* name, const std::string& text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, kDoing);
+  const Handle type(H5Tcopy(H5T_C_S1), kDoing);
   check(H5Tset_size(type, text.size() + 1), kDoing);
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, kDoing);
+  const Handle space(H5Screate(H5S_SCALAR), kDoing);
   write_attribute(object, name, type, space, text.c_str());
 }
 
 Handle create_list(std::size_t length) {
   const hsize_t size = length;
-  return {H5Screate_simple(1, &size, nullptr), H5Sclose, kDoing};
+  return {H5Screate_simple(1, &size, nullptr), kDoing};
 }
 
 // In the dataset: for each dimension a list of the one scale that belongs to it.
 void write_dimension_list(Id dataset, std::vector<hobj_ref_t> scales) {
   std::vector<hvl_t> lists;
   for (hobj_ref_t& scale : scales) lists.push_back({1, &scale});
-  const Handle type(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose, kDoing);
+  const Handle type(H5Tvlen_create(H5T_STD_REF_OBJ), kDoing);
   write_attribute(dataset, "DIMENSION_LIST", type, create_list(lists.size()), lists.data());
 }
 
 // In the scale: who goes along it.
 void write_reference_list(Id scale, const std::vector<User>& users) {
-  const Handle type(H5Tcreate(H5T_COMPOUND, kUserSize), H5Tclose, kDoing);
+  const Handle type(H5Tcreate(H5T_COMPOUND, kUserSize), kDoing);
   check(H5Tinsert(type, "dataset", 0, H5T_STD_REF_OBJ), kDoing);
   check(H5Tinsert(type, "dimension", sizeof(hobj_ref_t), H5T_STD_I32LE), kDoing);
   std::vector<std::byte> bytes(users.size() * kUserSize);

@@ -5,8 +5,8 @@
 #include <functional>
 #include <utility>
 
-#include "hdf5_objects.hpp"
-#include "rupture/model/error.hpp"
+#include "context.hpp"
+#include "hdf5.hpp"
 
 namespace rupture::hdf5 {
 namespace {
@@ -23,16 +23,15 @@ DataType data_type(Id type, const std::string& path) {
   for (const DataType candidate : types) {
     if (H5Tequal(type, stored_type(candidate, H5Tget_size(type))) > 0) return candidate;
   }
-  throw Failure(
-      fmt::format("{} has an element type that rupture never writes; it writes texts and "
-                  "little-endian float64, int64, uint32, uint16 and uint8",
-                  path));
+  fail(
+      "{} has an element type that rupture never writes; it writes texts and "
+      "little-endian float64, int64, uint32, uint16 and uint8",
+      path);
 }
 
 Shape shape_of(Id space, const std::string& path) {
   if (H5Sget_simple_extent_type(space) == H5S_NULL) {
-    throw Failure(
-        fmt::format("{} is empty, without even a shape, which rupture never writes", path));
+    fail("{} is empty, without even a shape, which rupture never writes", path);
   }
   const int rank = H5Sget_simple_extent_ndims(space);
   check(rank, fmt::format("read the shape of {}", path));
@@ -52,15 +51,15 @@ std::size_t byte_count(const Shape& shape, std::size_t element_size, std::size_t
     bytes *= length;
   }
   if (fits) return bytes;
-  throw Failure(fmt::format("{} claims {} elements of {} bytes, more than the file can hold", path,
-                            shape.empty() ? "[1]" : shape_text(shape), element_size));
+  fail("{} claims {} elements of {} bytes, more than the file can hold", path,
+       shape.empty() ? "[1]" : shape_text(shape), element_size);
 }
 
 // Type, shape and memory for the bytes, at most `room`, of a dataset or attribute.
 Dataset described(Id type, Id space, std::size_t room, const std::string& path) {
   Dataset data{"", data_type(type, path), shape_of(space, path), {}};
   if (data.type == DataType::text && !data.shape.empty()) {
-    throw Failure(fmt::format("{} is an array of texts, which rupture never writes", path));
+    fail("{} is an array of texts, which rupture never writes", path);
   }
   data.bytes.resize(byte_count(data.shape, H5Tget_size(type), room, path));
   return data;
@@ -92,7 +91,7 @@ std::string text_of_fixed_length(Id type, const Read& read, std::size_t room,
 Dataset edited_text(Id type, Id space, const Read& read, std::size_t room,
                     const std::string& path) {
   if (H5Sget_simple_extent_npoints(space) != 1) {
-    throw Failure(fmt::format("{} is not one text", path));
+    fail("{} is not one text", path);
   }
   return make_text(H5Tis_variable_str(type) > 0 ? text_of_any_length(type, read, path)
                                                 : text_of_fixed_length(type, read, room, path));
@@ -106,9 +105,9 @@ Dataset read_attribute(Id object, const std::string& name, const std::string& wh
                        Accept accept) {
   const std::string full_name = fmt::format("the attribute {} of {}", name, where);
   const std::string doing = "read " + full_name;
-  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, doing);
-  const Handle type(H5Aget_type(attribute), H5Tclose, doing);
-  const Handle space(H5Aget_space(attribute), H5Sclose, doing);
+  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), doing);
+  const Handle type(H5Aget_type(attribute), doing);
+  const Handle space(H5Aget_space(attribute), doing);
   constexpr std::size_t largest_attribute = 65536;  // HDF5's own limit [bytes]
   const Read read = [&](Id as, void* elements) { return H5Aread(attribute, as, elements); };
   if (accept == Accept::edited && is_text(type)) {
@@ -127,27 +126,27 @@ std::string read_unit(Id dataset, const std::string& path, Accept accept) {
 
 // Nothing is ever kept outside the file, nor, by us, chunked or compressed.
 void check_storage(Id dataset, const std::string& path, Accept accept) {
-  const Handle properties(H5Dget_create_plist(dataset), H5Pclose, "read " + path);
+  const Handle properties(H5Dget_create_plist(dataset), "read " + path);
   const H5D_layout_t layout = H5Pget_layout(properties);
   const bool in_one_piece = layout == H5D_COMPACT || layout == H5D_CONTIGUOUS;
   const bool in_file = layout != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
   if (in_file && (in_one_piece || accept == Accept::edited)) return;
-  throw Failure(fmt::format("{} is not stored as rupture does, in one piece in this file", path));
+  fail("{} is not stored as rupture does, in one piece in this file", path);
 }
 
 // An array of which nothing was ever written would be read as zeros.
 void check_stored_size(Id dataset, const std::string& path, const Dataset& data) {
   const hsize_t stored = H5Dget_storage_size(dataset);
   if (stored == data.bytes.size()) return;
-  throw Failure(fmt::format("{} holds {} bytes, but its shape {} needs {}", path, stored,
-                            shape_text(data.shape), data.bytes.size()));
+  fail("{} holds {} bytes, but its shape {} needs {}", path, stored, shape_text(data.shape),
+       data.bytes.size());
 }
 
 // Without its unit.
 Dataset read_values(Id dataset, const std::string& path, std::size_t room, Accept accept) {
   const std::string doing = fmt::format("read {}", path);
-  const Handle type(H5Dget_type(dataset), H5Tclose, doing);
-  const Handle space(H5Dget_space(dataset), H5Sclose, doing);
+  const Handle type(H5Dget_type(dataset), doing);
+  const Handle space(H5Dget_space(dataset), doing);
   const Read read = [&](Id as, void* elements) {
     return H5Dread(dataset, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, elements);
   };
@@ -180,7 +179,7 @@ std::vector<std::string> names_in(Id group, const std::string& where) {
   };
   check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep, &links), "list " + where);
   if (links.followed_by_name) {
-    throw Failure(fmt::format("{} holds a symbolic link, which rupture never writes", where));
+    fail("{} holds a symbolic link, which rupture never writes", where);
   }
   return links.names;
 }
@@ -193,7 +192,7 @@ class Collector {
 
   void collect(Id group, const std::string& prefix, int depth) {
     const std::string where = prefix + "/";
-    if (depth > kDeepest) throw Failure(fmt::format("{} is too deep a group", where));
+    if (depth > kDeepest) fail("{} is too deep a group", where);
     for (const std::string& name : names_in(group, where)) add(group, name, where + name, depth);
   }
 
@@ -201,7 +200,7 @@ class Collector {
 
  private:
   void add(Id group, const std::string& name, const std::string& path, int depth) {
-    const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "open " + path);
+    const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), "open " + path);
     take(kSmallestObject, path);
     const H5I_type_t type = H5Iget_type(object);
     if (type == H5I_GROUP) {
@@ -211,13 +210,13 @@ class Collector {
       take(dataset.bytes.size(), path);
       content.emplace(path, std::move(dataset));
     } else {
-      throw Failure(fmt::format("{} is neither a group nor a dataset", path));
+      fail("{} is neither a group nor a dataset", path);
     }
   }
 
   void take(std::size_t bytes, const std::string& path) {
     if (bytes > room_) {
-      throw Failure(fmt::format("{} and what comes before it need more than the file holds", path));
+      fail("{} and what comes before it need more than the file holds", path);
     }
     room_ -= bytes;
   }
@@ -226,14 +225,51 @@ class Collector {
   Accept accept_;
 };
 
+// HDF5 asks these for memory to copy the image into: once for the properties, once for the file.
+// As it only reads, `image`, which is our own memory, serves for all of them.
+H5FD_file_image_callbacks_t share(void* image) {
+  H5FD_file_image_callbacks_t callbacks{};
+  callbacks.image_malloc = [](std::size_t, H5FD_file_image_op_t, void* shared) { return shared; };
+  callbacks.image_memcpy = [](void* target, const void*, std::size_t, H5FD_file_image_op_t, void*) {
+    return target;
+  };
+  callbacks.image_realloc = [](void*, std::size_t, H5FD_file_image_op_t, void*) -> void* {
+    return nullptr;  // would make the image larger
+  };
+  callbacks.image_free = [](void*, H5FD_file_image_op_t, void*) { return herr_t{0}; };
+  callbacks.udata_copy = [](void* shared) { return shared; };
+  callbacks.udata_free = [](void*) { return herr_t{0}; };
+  callbacks.udata = image;
+  return callbacks;
+}
+
+Handle open_in_place(std::span<const std::byte> file) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), "prepare to read");
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): HDF5 has no pointer for reading only
+  void* image = const_cast<std::byte*>(file.data());
+  H5FD_file_image_callbacks_t callbacks = share(image);
+  check(H5Pset_fapl_core(access, kGrowth, false), "read from memory");
+  check(H5Pset_file_image_callbacks(access, &callbacks), "read from memory");
+  check(H5Pset_file_image(access, image, file.size()), "read from memory");
+  // HDF5 takes files in memory for the same if they have the same name.
+  const std::string name = fmt::format("{}-{}", kNoFile, fmt::ptr(image));
+  return {H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), "open the HDF5 part of the file"};
+}
+
 }  // namespace
 
-RootAttributes read_root_attributes(Id file, Accept accept) {
+Reader::Reader(std::span<const std::byte> file, Accept accept)
+    : size_(file.size()), accept_(accept) {
+  prepare();
+  file_ = open_in_place(file);
+}
+
+RootAttributes Reader::attributes() const {
   Content attributes;
   for (const char* name : {"format", "schema_version", "content_checksum"}) {
-    const auto exists = H5Aexists(file, name);
+    const auto exists = H5Aexists(file_, name);
     check(exists, "read the root attributes");
-    if (exists > 0) attributes.emplace(name, read_attribute(file, name, "/", accept));
+    if (exists > 0) attributes.emplace(name, read_attribute(file_, name, "/", accept_));
   }
   if (!attributes.contains("format")) {
     throw Failure(
@@ -247,19 +283,19 @@ RootAttributes read_root_attributes(Id file, Accept accept) {
   return root;
 }
 
-std::string read_writer_version(Id file) {
+std::string Reader::writer_version() const {
   const std::string chain = "/provenance";
-  const Handle group(H5Gopen2(file, chain.c_str(), H5P_DEFAULT), H5Gclose, "open " + chain);
+  const Handle group(H5Gopen2(file_, chain.c_str(), H5P_DEFAULT), "open " + chain);
   const std::vector<std::string> entries = names_in(group, chain);
   if (entries.empty()) throw Failure("there is no provenance");
   const std::string path = fmt::format("{}/{}/version", chain, entries.back());
-  const Handle version(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
+  const Handle version(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), "open " + path);
   return read_text({{path, read_dataset(version, path, kLongestVersion, Accept::own)}}, path);
 }
 
-Content read_datasets(Id file, std::size_t file_size, Accept accept) {
-  Collector collector(accept == Accept::own ? file_size : kCompression * file_size, accept);
-  collector.collect(file, "", 0);
+Content Reader::content() const {
+  Collector collector(accept_ == Accept::own ? size_ : kCompression * size_, accept_);
+  collector.collect(file_, "", 0);
   return collector.content;
 }
 

@@ -1,14 +1,24 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <array>
 #include <map>
+#include <type_traits>
 
-#include "hdf5_objects.hpp"
-#include "rupture/checkpoint/envelope.hpp"
-#include "rupture/model/error.hpp"
+#include "context.hpp"
+#include "hdf5.hpp"
+#include "rupture/checkpoint/file.hpp"
 
 namespace rupture::hdf5 {
 namespace {
+
+static_assert(std::is_same_v<Id, hid_t> && std::is_same_v<int, herr_t>);
+
+// Walking up starts at the innermost error; the first line is the reason.
+herr_t keep_innermost(unsigned n, const H5E_error2_t* error, void* reason) {
+  if (n == 0 && error->desc != nullptr) *static_cast<std::string*>(reason) = error->desc;
+  return 0;
+}
 
 constexpr std::size_t kCompactLimit = 1024;  // [bytes] smaller datasets live in their header
 constexpr const char* kProvenance = "/provenance/";
@@ -16,7 +26,7 @@ constexpr std::size_t kLongestLinked = 40;  // [bytes] a link takes that much it
 
 // Provenance grows for ever, group by group: in the form that needs least room.
 Handle group_creation_properties(const std::string& path) {
-  Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "prepare a group");
+  Handle properties(H5Pcreate(H5P_GROUP_CREATE), "prepare a group");
   check(H5Pset_obj_track_times(properties, false), "switch off times");
   if (path.starts_with(kProvenance)) {
     check(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED), "choose a compact group");
@@ -25,9 +35,9 @@ Handle group_creation_properties(const std::string& path) {
 }
 
 Handle create_space(const Shape& shape) {
-  if (shape.empty()) return {H5Screate(H5S_SCALAR), H5Sclose, "create a scalar"};
+  if (shape.empty()) return {H5Screate(H5S_SCALAR), "create a scalar"};
   const std::vector<hsize_t> lengths(shape.begin(), shape.end());
-  return {H5Screate_simple(static_cast<int>(lengths.size()), lengths.data(), nullptr), H5Sclose,
+  return {H5Screate_simple(static_cast<int>(lengths.size()), lengths.data(), nullptr),
           "create an array"};
 }
 
@@ -35,7 +45,7 @@ void write_attribute(Id object, const std::string& name, const Dataset& value) {
   const Handle type = stored_type(value.type, value.bytes.size());
   const Handle space = create_space(value.shape);
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose, fmt::format("create the attribute {}", name));
+                         fmt::format("create the attribute {}", name));
   check(H5Awrite(attribute, type, value.bytes.data()), fmt::format("write {}", name));
 }
 
@@ -49,12 +59,12 @@ void create_groups(Id file, const std::string& path) {
     if (exists > 0) continue;
     const Handle properties = group_creation_properties(group);
     const Handle created(H5Gcreate2(file, group.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT),
-                         H5Gclose, doing);
+                         doing);
   }
 }
 
 Handle dataset_creation_properties() {
-  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "prepare a dataset");
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), "prepare a dataset");
   check(H5Pset_obj_track_times(properties, false), "switch off times");
   check(H5Pset_dset_no_attrs_hint(properties, true), "leave no gaps");
   return properties;
@@ -66,53 +76,17 @@ void write_dataset(Id file, const std::string& path, const Dataset& data) {
   const Handle space = create_space(data.shape);
   const std::size_t expected = element_count(data.shape) * H5Tget_size(type);
   if (data.bytes.size() != expected) {
-    throw Failure(fmt::format("{} has {} bytes, but its shape {} needs {}", path, data.bytes.size(),
-                              shape_text(data.shape), expected));
+    fail("{} has {} bytes, but its shape {} needs {}", path, data.bytes.size(),
+         shape_text(data.shape), expected);
   }
   const Handle properties = dataset_creation_properties();
   if (data.bytes.size() <= kCompactLimit) check(H5Pset_layout(properties, H5D_COMPACT), doing);
   const Handle dataset(
-      H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose,
-      doing);
+      H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), doing);
   write_attribute(dataset, "unit", make_text(data.unit));
   if (!data.bytes.empty()) {
     check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.bytes.data()), doing);
   }
-}
-
-}  // namespace
-
-Handle file_creation_properties() {
-  Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "prepare a file");
-  check(H5Pset_obj_track_times(properties, false), "switch off times");
-  check(H5Pset_userblock(properties, kHeaderSize), "leave room for the header");
-  return properties;
-}
-
-Handle stored_type(DataType type, std::size_t text_length) {
-  const auto copy = [](Id id) { return Handle(H5Tcopy(id), H5Tclose, "choose a type"); };
-  switch (type) {
-    case DataType::float64:
-      return copy(H5T_IEEE_F64LE);
-    case DataType::float32:
-      return copy(H5T_IEEE_F32LE);
-    case DataType::int64:
-      return copy(H5T_STD_I64LE);
-    case DataType::uint32:
-      return copy(H5T_STD_U32LE);
-    case DataType::uint16:
-      return copy(H5T_STD_U16LE);
-    case DataType::uint8:
-      return copy(H5T_STD_U8LE);
-    case DataType::text: {
-      Handle text = copy(H5T_C_S1);
-      check(H5Tset_size(text, text_length), "set the length of a text");
-      check(H5Tset_strpad(text, H5T_STR_NULLPAD), "set the padding of a text");
-      check(H5Tset_cset(text, H5T_CSET_UTF8), "set the encoding of a text");
-      return text;
-    }
-  }
-  throw Failure("a dataset has an element type unknown to this build");
 }
 
 void write_root_attributes(Id file, const RootAttributes& attributes) {
@@ -138,6 +112,72 @@ void write_content(Id file, const Content& content) {
             "write " + path);
     }
   }
+}
+
+Handle file_creation_properties() {
+  Handle properties(H5Pcreate(H5P_FILE_CREATE), "prepare a file");
+  check(H5Pset_obj_track_times(properties, false), "switch off times");
+  check(H5Pset_userblock(properties, kHeaderSize), "leave room for the header");
+  return properties;
+}
+
+// HDF5's oldest format, its default: newer ones have a checksum in their first block, which
+// H5Fget_file_image leaves wrong up to HDF5 1.14.5 (HDFGroup/hdf5 pull request 5489).
+Handle create_file_in_memory() {
+  const Handle creation = file_creation_properties();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), "prepare a file");
+  check(H5Pset_fapl_core(access, kGrowth, false), "create a file in memory");
+  return {H5Fcreate(kNoFile, H5F_ACC_TRUNC, creation, access), "create a file in memory"};
+}
+
+// HDF5 hands out its part of the file without the user block in front.
+std::vector<std::byte> image_of(Id file) {
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "complete the file in memory");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  check(size, "measure the file in memory");
+  std::vector<std::byte> bytes(kHeaderSize + static_cast<std::size_t>(size));
+  check(H5Fget_file_image(file, bytes.data() + kHeaderSize, static_cast<std::size_t>(size)),
+        "copy the file from memory");
+  return bytes;
+}
+
+}  // namespace
+
+void check(std::int64_t result, std::string_view doing) {
+  if (result >= 0) return;
+  std::string reason = "unknown reason";
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
+  throw LibraryFailure(fmt::format("could not {}: {}", doing, reason));
+}
+
+Handle::~Handle() {
+  if (id_ > kNone) H5Idec_ref(id_);
+}
+
+void prepare() {
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+Handle stored_type(DataType type, std::size_t text_length) {
+  const std::array<Id, 7> types = {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_STD_I64LE, H5T_STD_U32LE,
+                                   H5T_STD_U16LE,  H5T_STD_U8LE,   H5T_C_S1};
+  Handle copy(H5Tcopy(types.at(static_cast<std::size_t>(type))), "choose a type");
+  if (type != DataType::text) return copy;
+  check(H5Tset_size(copy, text_length), "set the length of a text");
+  check(H5Tset_strpad(copy, H5T_STR_NULLPAD), "set the padding of a text");
+  check(H5Tset_cset(copy, H5T_CSET_UTF8), "set the encoding of a text");
+  return copy;
+}
+
+std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content,
+                                  const Labels& labels) {
+  prepare();
+  const Handle file = create_file_in_memory();
+  write_root_attributes(file, attributes);
+  write_content(file, content);
+  write_labels(file, content, labels);
+  return image_of(file);
 }
 
 }  // namespace rupture::hdf5

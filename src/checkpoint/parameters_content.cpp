@@ -1,10 +1,10 @@
-#include <fmt/format.h>
+#include "rupture/checkpoint/parameters_content.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <set>
 
-#include "rupture/checkpoint/checkpoint.hpp"
+#include "context.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
@@ -102,7 +102,7 @@ void refuse_unknown_parameters(const Content& content) {
   for (const ParameterInfo& info : parameter_table()) known.insert(dataset_path(info));
   for (const auto& [path, dataset] : content) {
     if (path.starts_with(kParametersGroup) && !known.contains(path)) {
-      throw Failure(fmt::format("{} is no parameter of this build: use a newer rupture", path));
+      fail("{} is no parameter of this build: use a newer rupture", path);
     }
   }
 }

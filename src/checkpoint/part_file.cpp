@@ -1,11 +1,8 @@
 #include "part_file.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "context.hpp"
-#include "rupture/checkpoint/envelope.hpp"
 #include "rupture/model/error.hpp"
 #include "seal.hpp"
 
@@ -18,7 +15,7 @@ void append_rows(const std::string& path, Dataset& whole, const Dataset& rows) {
   };
   if (whole.shape.empty() || rows.shape.empty() || whole.type != rows.type ||
       row_shape(whole) != row_shape(rows)) {
-    throw Failure(fmt::format("rows of {} do not continue those of the pieces before", path));
+    fail("rows of {} do not continue those of the pieces before", path);
   }
   whole.shape[0] += rows.shape[0];
   whole.bytes.insert(whole.bytes.end(), rows.bytes.begin(), rows.bytes.end());
@@ -28,7 +25,7 @@ void append_piece(Content& whole, const Content& piece) {
   for (const auto& [path, rows] : piece) {
     const auto found = whole.find(path);
     if (found == whole.end()) {
-      throw Failure(fmt::format("{} is missing in the first piece of the record", path));
+      fail("{} is missing in the first piece of the record", path);
     }
     append_rows(path, found->second, rows);
   }

@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include "rupture/model/error.hpp"
+#include "context.hpp"
 #include "rupture/version.hpp"
 
 namespace rupture {
@@ -64,7 +64,7 @@ std::size_t count_entries(const Content& content) {
 void refuse_unknown(const Content& content, const Content& known) {
   for (const auto& [path, dataset] : content) {
     if (path.starts_with(kProvenanceGroup) && !known.contains(path)) {
-      throw Failure(fmt::format("{} is not part of a provenance: use a newer rupture", path));
+      fail("{} is not part of a provenance: use a newer rupture", path);
     }
   }
 }

@@ -1,5 +1,3 @@
-#include "record_labels.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>

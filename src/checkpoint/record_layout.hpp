@@ -1,8 +1,10 @@
-// One row per dataset of a record; its writer and its reader go by these rows.
+// One row per dataset of a record, by which its writer and its reader go; and what it holds
+// besides.
 #pragma once
 
 #include <tuple>
 
+#include "hdf5.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/derived.hpp"
 
@@ -77,11 +79,11 @@ inline constexpr std::tuple kFields = {
 /// Type of the elements of such a dataset.
 template <class T>
 DataType type_of(const T&) {
-  return DataTypeOf<T>::value;
+  return kDataTypeOf<T>;
 }
 template <class T>
 DataType type_of(const std::vector<T>&) {
-  return DataTypeOf<T>::value;
+  return kDataTypeOf<T>;
 }
 
 /// Shape of so many rows of such a dataset: a value per row,
@@ -135,3 +137,18 @@ void for_each_dataset(const Use& use) {
 }
 
 }  // namespace rupture::record_layout
+
+namespace rupture {
+
+/// Where the blocks are: datasets for the groups of `record` that need them.
+Content record_positions(const Parameters& parameters, const Content& record);
+
+/// Labels of all datasets of a record that have any.
+hdf5::Labels record_labels(const Content& record);
+
+/// What a record holds of its run, as datasets under /run. Empty if there is none, as in files of
+/// earlier builds.
+Content recorded_run_content(const RecordedRun& run);
+RecordedRun read_recorded_run(const Content& content);
+
+}  // namespace rupture

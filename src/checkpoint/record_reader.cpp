@@ -11,12 +11,9 @@
 #include <utility>
 
 #include "context.hpp"
-#include "record_labels.hpp"
 #include "record_layout.hpp"
-#include "run_content.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {
@@ -61,7 +58,7 @@ void read(const Content& content, const char* path, std::uint64_t rows, std::int
 template <class Array>
 void read(const Content& content, const char* path, std::uint64_t rows, std::int64_t Nx,
           Array& values) {
-  constexpr DataType type = DataTypeOf<typename Array::Scalar>::value;
+  constexpr DataType type = kDataTypeOf<typename Array::Scalar>;
   const Shape shape = {rows, static_cast<std::uint64_t>(Nx)};
   expect(content, path, type, shape);
   values.resize(static_cast<Eigen::Index>(rows), Nx);
@@ -88,8 +85,7 @@ std::vector<Rupture> read_ruptures(const Content& content, const std::string& gr
   });
   for (std::size_t i = 0; i < ruptures.size(); ++i) {
     if (const std::int64_t block = ruptures[i].block; block < 0 || block >= Nx) {
-      throw Failure(fmt::format("{}block holds {} at index {}; expected a block from 0 to {}",
-                                group, block, i, Nx - 1));
+      fail("{}block holds {} at index {}; expected a block from 0 to {}", group, block, i, Nx - 1);
     }
   }
   return ruptures;
@@ -126,22 +122,20 @@ void refuse_foreign(const Content& content, const RecordedRun& run) {
     if (path.starts_with("/parameters/") || path.starts_with("/provenance/")) continue;
     const auto known = units.find(path);
     if (known == units.end()) {
-      throw Failure(
-          fmt::format("{} is not part of a record: use a newer rupture, or remove it if another "
-                      "program added it",
-                      path));
+      fail(
+          "{} is not part of a record: use a newer rupture, or remove it if another "
+          "program added it",
+          path);
     }
     if (dataset.unit == known->second) continue;
-    throw Failure(
-        fmt::format("{} has the unit '{}'; expected '{}'", path, dataset.unit, known->second));
+    fail("{} has the unit '{}'; expected '{}'", path, dataset.unit, known->second);
   }
 }
 
 void check_ascending(const char* group, const std::vector<std::int64_t>& step) {
   const auto misplaced = std::adjacent_find(step.begin(), step.end(), std::greater_equal());
   if (misplaced == step.end()) return;
-  throw Failure(fmt::format("{}step holds {} and then {}; expected ascending steps", group,
-                            misplaced[0], misplaced[1]));
+  fail("{}step holds {} and then {}; expected ascending steps", group, misplaced[0], misplaced[1]);
 }
 
 // Restarts may have moved the origins of time and driving point, so that only what was gained since
@@ -158,8 +152,8 @@ void check_pace(const Content& content, const std::string& group, const std::str
     const double expected = first + steps * per_step;
     const double rounding = 1e-15 * std::max(std::abs(first), std::abs(expected));
     if (std::abs(value[i] - expected) <= 1e-3 * std::abs(per_step) + rounding) continue;
-    throw Failure(fmt::format("{}{} holds {} at step {}; by the parameters it is {} there", group,
-                              name, value[i], step[i], expected));
+    fail("{}{} holds {} at step {}; by the parameters it is {} there", group, name, value[i],
+         step[i], expected);
   }
 }
 
@@ -169,10 +163,10 @@ void check_order(const char* group, const std::vector<Rupture>& ruptures, const 
   auto last = std::tuple(record.step.empty() ? 0 : record.step[0], 0.0, std::int64_t{-1});
   for (const Rupture& rupture : ruptures) {
     if (last >= place(rupture)) {
-      throw Failure(
-          fmt::format("{}step holds {} after {}, for block {}; expected ascending steps, "
-                      "not before the first sample, and ascending blocks in each",
-                      group, rupture.step, std::get<0>(last), rupture.block));
+      fail(
+          "{}step holds {} after {}, for block {}; expected ascending steps, "
+          "not before the first sample, and ascending blocks in each",
+          group, rupture.step, std::get<0>(last), rupture.block);
     }
     last = place(rupture);
   }
@@ -192,9 +186,8 @@ void check_falls(const Record& record, const char* group, const std::vector<Rupt
     for (Eigen::Index i = 0; n > 0 && i < fell.size(); ++i) {
       const bool falls = record.pinned(n - 1, i) >= limit && record.pinned(n, i) < limit;
       if (!falls || fell(i) == n) continue;
-      throw Failure(
-          fmt::format("{} lacks block {}, whose pinned fraction falls below {} by step {}", group,
-                      i, fraction, step));
+      fail("{} lacks block {}, whose pinned fraction falls below {} by step {}", group, i, fraction,
+           step);
     }
   }
 }
@@ -204,13 +197,13 @@ void check_levels(const Record& record) {
   const auto strange = [](double f) { return f <= 0.0 || f > 1.0 || f == kRupturedFraction; };
   if (std::any_of(levels.begin(), levels.end(), strange) ||
       std::adjacent_find(levels.begin(), levels.end(), std::greater_equal()) != levels.end()) {
-    throw Failure(fmt::format("{} holds {}; expected ascending fractions up to 1, without {}",
-                              layout::kCrossingLevels, fmt::join(levels, ", "), kRupturedFraction));
+    fail("{} holds {}; expected ascending fractions up to 1, without {}", layout::kCrossingLevels,
+         fmt::join(levels, ", "), kRupturedFraction);
   }
   for (const Rupture& crossing : record.crossings) {
     if (std::binary_search(levels.begin(), levels.end(), crossing.pinned_below)) continue;
-    throw Failure(fmt::format("/crossings/pinned_below holds {}; expected one of the levels {}",
-                              crossing.pinned_below, fmt::join(levels, ", ")));
+    fail("/crossings/pinned_below holds {}; expected one of the levels {}", crossing.pinned_below,
+         fmt::join(levels, ", "));
   }
 }
 
@@ -219,8 +212,7 @@ void check_consistent(const Content& content, const Record& record) {
   const Parameters& p = record.parameters;
   const auto most = springs_per_block(p);
   if (record.pinned.size() > 0 && record.pinned.maxCoeff() > most) {
-    throw Failure(fmt::format("/series/pinned holds {}; expected {} at most",
-                              record.pinned.maxCoeff(), most));
+    fail("/series/pinned holds {}; expected {} at most", record.pinned.maxCoeff(), most);
   }
   check_ascending(layout::kSeriesGroup, record.step);
   check_ascending(layout::kFieldsGroup, record.field_step);
@@ -284,10 +276,10 @@ std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
   if (std::find(levels.begin(), levels.end(), fraction) == levels.end()) {
     std::vector<double> held = levels;
     held.push_back(kRupturedFraction);
-    throw Failure(fmt::format(
+    fail(
         "the record does not tell when blocks fell below a pinned fraction of {}, only of {}: "
         "record it with --crossings {}",
-        fraction, fmt::join(held, ", "), fraction));
+        fraction, fmt::join(held, ", "), fraction);
   }
   std::vector<Rupture> ruptures;
   std::copy_if(record.crossings.begin(), record.crossings.end(), std::back_inserter(ruptures),
@@ -301,7 +293,7 @@ Record read_record(const std::filesystem::path& path) {
 
 RecordFile read_record_file(const std::filesystem::path& path) {
   if (identify(path) == FileKind::checkpoint) {
-    throw Failure(fmt::format("{} is a checkpoint; expected a record", path.string()));
+    fail("{} is a checkpoint; expected a record", path.string());
   }
   ContentFile file = read_file(path);
   Record record = naming(path, [&] { return record_from(file); });

@@ -7,9 +7,7 @@
 #include "atomic_write.hpp"
 #include "context.hpp"
 #include "part_file.hpp"
-#include "record_labels.hpp"
 #include "record_layout.hpp"
-#include "run_content.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/derived.hpp"
@@ -49,7 +47,7 @@ void check_count_range(const Parameters& parameters) {
 void check_complete(const Content& content, std::optional<std::int64_t> first_step) {
   const auto step = record_from({FileKind::record, "", "", content}).step;
   if (!first_step || (!step.empty() && step.front() == *first_step)) return;
-  throw Failure(fmt::format("it does not begin at step {}, as its run did", *first_step));
+  fail("it does not begin at step {}, as its run did", *first_step);
 }
 
 // Everything a record holds: its rows so far and what stays as it is.
@@ -136,9 +134,8 @@ class RecordWriter::Buffers {
     const Shape& shape = rows_.at(path).shape;
     const std::uint64_t expected = element_count({shape.begin() + 1, shape.end()});
     if (size == expected) return;
-    throw Failure(fmt::format("a sample has {} values of {}; expected {} = {}", size,
-                              path.substr(path.rfind('/') + 1), shape.size() > 2 ? "Nx Nz" : "Nx",
-                              expected));
+    fail("a sample has {} values of {}; expected {} = {}", size, path.substr(path.rfind('/') + 1),
+         shape.size() > 2 ? "Nx Nz" : "Nx", expected);
   }
 
   void append(const char* path, std::span<const std::byte> row) {

@@ -1,11 +1,9 @@
-#include "run_content.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
-#include "rupture/model/error.hpp"
+#include "context.hpp"
+#include "record_layout.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
 
 namespace rupture {
 namespace {
@@ -30,7 +28,7 @@ std::int64_t read_between(const Content& content, const char* path, std::int64_t
                           std::int64_t most) {
   const auto value = read_scalar<std::int64_t>(content, path);
   if (value >= least && value <= most) return value;
-  throw Failure(fmt::format("{} = {}; expected {} to {}", path, value, least, most));
+  fail("{} = {}; expected {} to {}", path, value, least, most);
 }
 
 Dataset make_truth(bool value) {
@@ -39,7 +37,7 @@ Dataset make_truth(bool value) {
 
 bool read_truth(const Content& content, const char* path) {
   const auto value = read_scalar<std::uint8_t>(content, path);
-  if (value > 1) throw Failure(fmt::format("{} = {}; expected 0 or 1", path, value));
+  if (value > 1) fail("{} = {}; expected 0 or 1", path, value);
   return value == 1;
 }
 
@@ -56,8 +54,8 @@ void read_event(const Content& content, const Parameters& p, RunSoFar& run) {
   run.spanned = read_truth(content, kSpanned);
   for (const double t : read_array<double>(content, kEvent, {static_cast<std::uint64_t>(p.Nx)})) {
     if (t != kNoRupture && !(t >= 0.0 && t <= run.last_rupture)) {
-      throw Failure(fmt::format("{} holds {}; expected 0 to {} = {}, or {} for no rupture", kEvent,
-                                t, kLastRupture, run.last_rupture, kNoRupture));
+      fail("{} holds {}; expected 0 to {} = {}, or {} for no rupture", kEvent, t, kLastRupture,
+           run.last_rupture, kNoRupture);
     }
     run.event.push_back(t == kNoRupture ? std::nullopt : std::optional(t));
   }

@@ -1,16 +1,12 @@
 #include "seal.hpp"
 
-#include <fmt/format.h>
-
 #include <cstring>
 #include <utility>
 
-#include "child_process.hpp"
-#include "hdf5_image.hpp"
-#include "record_labels.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
+#include "context.hpp"
+#include "record_layout.hpp"
 #include "rupture/checkpoint/checksum.hpp"
-#include "rupture/model/error.hpp"
+#include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/version.hpp"
 
 namespace rupture {
@@ -19,9 +15,8 @@ namespace {
 constexpr const char* kUnknown = "a newer rupture";  // that wrote a file
 
 [[noreturn]] void refuse_newer(std::int64_t schema_version, const std::string& writer) {
-  throw Failure(fmt::format(
-      "written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}", writer,
-      schema_version, version, kSchemaVersion, writer + (writer == kUnknown ? "" : " or newer")));
+  fail("written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}", writer,
+       schema_version, version, kSchemaVersion, writer + (writer == kUnknown ? "" : " or newer"));
 }
 
 // Other programs see the first piece of a .part alone, which has no rows.
@@ -51,8 +46,8 @@ FileKind kind_called(const std::string& format) {
   for (const FileKind kind : {FileKind::checkpoint, FileKind::record}) {
     if (format == format_name(kind)) return kind;
   }
-  throw Failure(fmt::format("its attribute format is '{}'; expected {} or {}", format,
-                            format_name(FileKind::checkpoint), format_name(FileKind::record)));
+  fail("its attribute format is '{}'; expected {} or {}", format, format_name(FileKind::checkpoint),
+       format_name(FileKind::record));
 }
 
 // What an editor may have left of a checksum.
@@ -65,10 +60,10 @@ std::string checksum_or_none(const std::string& text) {
 
 void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
   if (attributes.schema_version < 1 || attributes.format != format_name(kind)) {
-    throw Failure(
-        fmt::format("its header says {}, but its attributes say {}, schema version {}; "
-                    "write it anew",
-                    format_name(kind), attributes.format, attributes.schema_version));
+    fail(
+        "its header says {}, but its attributes say {}, schema version {}; "
+        "write it anew",
+        format_name(kind), attributes.format, attributes.schema_version);
   }
 }
 
@@ -88,9 +83,8 @@ void check_content(FileKind kind, const Content& content, const hdf5::RootAttrib
   const std::string& stored = attributes.content_checksum;
   const std::string computed = checksum_by_schema(attributes.schema_version, content);
   if (stored != computed) {
-    throw Failure(
-        fmt::format("its content has the checksum {}, but {} is stored in it; write it anew",
-                    computed, stored));
+    fail("its content has the checksum {}, but {} is stored in it; write it anew", computed,
+         stored);
   }
 }
 
@@ -159,10 +153,10 @@ void demand_survival(std::span<const std::byte> file, hdf5::Accept accept) {
     return 0;
   });
   if (end.signal == 0) return;
-  throw Failure(
-      fmt::format("the HDF5 library does not survive reading it ({}), so it is damaged or made to "
-                  "do harm; copy it again or write it anew",
-                  ::strsignal(end.signal)));
+  fail(
+      "the HDF5 library does not survive reading it ({}), so it is damaged or made to "
+      "do harm; copy it again or write it anew",
+      ::strsignal(end.signal));
 }
 
 }  // namespace rupture

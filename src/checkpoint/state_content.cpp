@@ -3,9 +3,9 @@
 #include <array>
 #include <cstring>
 
+#include "context.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 
 namespace rupture {
@@ -55,7 +55,7 @@ Dataset field_dataset(const Field& field, std::string_view unit) {
 template <class T>
 void read_junctions(const Content& content, const char* path, JunctionArray<T>& array) {
   read_array_bytes(
-      content, path, DataTypeOf<T>::value, shape_of(array.rows(), array.cols()),
+      content, path, kDataTypeOf<T>, shape_of(array.rows(), array.cols()),
       std::as_writable_bytes(std::span(array.data(), static_cast<std::size_t>(array.size()))));
 }
 
@@ -75,10 +75,10 @@ double repin_time_from(std::uint8_t slipping, double stored, Eigen::Index block,
   const bool pinned_as_written = slipping == 0 && stored == 0.0;
   const bool slipping_as_written = slipping == 1 && stored >= 0.0 && is_slipping(stored);
   if (!pinned_as_written && !slipping_as_written) {
-    throw Failure(fmt::format(
+    fail(
         "junction {} of block {} has {} = {} and {} = {} s; expected 0 and 0 s if it is pinned, 1 "
         "and a time if it is slipping",
-        junction, block, kSlipping, slipping, kRepinTime, stored));
+        junction, block, kSlipping, slipping, kRepinTime, stored);
   }
   return pinned_as_written ? Junctions::never : stored;
 }
@@ -102,11 +102,11 @@ void check_memory(const SpringMemory& memory, double repin_time, double remember
                   Eigen::Index block, Eigen::Index junction) {
   const bool slips_as_written = repin_time == Junctions::unknown && remembered != 0.0;
   if (remembered >= memory.minimum && (!is_slipping(repin_time) || slips_as_written)) return;
-  throw Failure(fmt::format(
+  fail(
       "junction {} of block {} has {} = {} s and {} = {} {}; expected 0 s and{} another value than "
       "0 if it is slipping",
       junction, block, kRepinTime, stored_repin_time(repin_time), path_of(memory), remembered,
-      memory.unit, memory.minimum == 0.0 ? ", never below 0," : ""));
+      memory.unit, memory.minimum == 0.0 ? ", never below 0," : "");
 }
 
 void read_memory(const Content& content, const LawInfo& law, Junctions& junctions) {
@@ -123,7 +123,7 @@ void read_memory(const Content& content, const LawInfo& law, Junctions& junction
 std::int64_t read_step(const Content& content, const char* path, std::int64_t last) {
   const auto step = read_scalar<std::int64_t>(content, path);
   if (step < 0 || step > last) {
-    throw Failure(fmt::format("{} = {}; expected 0 or more and at most {}", path, step, last));
+    fail("{} = {}; expected 0 or more and at most {}", path, step, last);
   }
   return step;
 }
@@ -134,7 +134,7 @@ Clock read_clock(const Content& content, std::int64_t step) {
   const Clock clock = {read_step(content, kClockStep, step),
                        read_scalar<double>(content, kClockTime)};
   if (clock.origin_time > 0.0) return clock;
-  throw Failure(fmt::format("{} = {} s; expected a time above 0", kClockTime, clock.origin_time));
+  fail("{} = {} s; expected a time above 0", kClockTime, clock.origin_time);
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 // Interruptions are imitated here by deleting the files that the run wrote later; tests/crash
 // interrupts real processes.
 #include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/checkpoint/edited.hpp"
 #include "rupture/checkpoint/record.hpp"
+#include "rupture/checkpoint/verify.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::testing {

@@ -87,6 +87,7 @@ TEST_F(Seal, takes_records) {
   edit(comment, "record.h5");
   output_of("seal e.h5 -o new.h5 -q");
   EXPECT_EQ(checksum_of("new.h5"), checksum_of("record.h5"));
+  EXPECT_EQ(json_of("analyze show new.h5 --json").at("provenance").back().at("tool"), "seal");
   output_of("analyze events new.h5");
 }
 

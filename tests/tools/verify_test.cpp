@@ -1,7 +1,7 @@
 // analyze verify: files, folders and manifests.
 #include <unistd.h>
 
-#include "rupture/checkpoint/envelope.hpp"
+#include "rupture/checkpoint/file.hpp"
 #include "tool_test.hpp"
 
 namespace rupture::testing {

@@ -10,7 +10,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
+
+#include "rupture/model/error.hpp"
 
 namespace rupture {
 
@@ -45,38 +48,45 @@ struct Dataset {
 /// All datasets of a file by absolute path, e.g. "/state/u_x".
 using Content = std::map<std::string, Dataset>;
 
+/// The element type that holds a T.
 template <class T>
-struct DataTypeOf;
-template <>
-struct DataTypeOf<double> {
-  static constexpr DataType value = DataType::float64;
-};
-template <>
-struct DataTypeOf<float> {
-  static constexpr DataType value = DataType::float32;
-};
-template <>
-struct DataTypeOf<std::int64_t> {
-  static constexpr DataType value = DataType::int64;
-};
-template <>
-struct DataTypeOf<std::uint32_t> {
-  static constexpr DataType value = DataType::uint32;
-};
-template <>
-struct DataTypeOf<std::uint16_t> {
-  static constexpr DataType value = DataType::uint16;
-};
-template <>
-struct DataTypeOf<std::uint8_t> {
-  static constexpr DataType value = DataType::uint8;
-};
+inline constexpr DataType kDataTypeOf = [] {
+  if (std::is_same_v<T, double>) return DataType::float64;
+  if (std::is_same_v<T, float>) return DataType::float32;
+  if (std::is_same_v<T, std::int64_t>) return DataType::int64;
+  if (std::is_same_v<T, std::uint32_t>) return DataType::uint32;
+  if (std::is_same_v<T, std::uint16_t>) return DataType::uint16;
+  static_assert(sizeof(T) > 1 || std::is_same_v<T, std::uint8_t>);
+  return DataType::uint8;
+}();
+
+/// Calls `work` with an element, zero, of a type of numbers. Throws Failure for a text.
+template <class Work>
+auto with_number_of(DataType type, const Work& work) {
+  switch (type) {
+    case DataType::float64:
+      return work(double{});
+    case DataType::float32:
+      return work(float{});
+    case DataType::int64:
+      return work(std::int64_t{});
+    case DataType::uint32:
+      return work(std::uint32_t{});
+    case DataType::uint16:
+      return work(std::uint16_t{});
+    case DataType::uint8:
+      return work(std::uint8_t{});
+    case DataType::text:
+      break;
+  }
+  throw Failure("a text has no numbers");
+}
 
 /// A dataset that copies `values`. The number of values must be that of the shape.
 template <class T>
 Dataset make_array(std::span<const T> values, Shape shape, std::string_view unit) {
   const std::span<const std::byte> bytes = std::as_bytes(values);
-  return {std::string(unit), DataTypeOf<T>::value, std::move(shape), {bytes.begin(), bytes.end()}};
+  return {std::string(unit), kDataTypeOf<T>, std::move(shape), {bytes.begin(), bytes.end()}};
 }
 
 template <class T>
@@ -98,18 +108,16 @@ void read_array_bytes(const Content& content, const std::string& path, DataType 
 
 template <class T>
 std::vector<T> read_array(const Content& content, const std::string& path, const Shape& shape) {
-  expect(content, path, DataTypeOf<T>::value, shape);
+  expect(content, path, kDataTypeOf<T>, shape);
   std::vector<T> values(element_count(shape));
-  read_array_bytes(content, path, DataTypeOf<T>::value, shape,
-                   std::as_writable_bytes(std::span(values)));
+  read_array_bytes(content, path, kDataTypeOf<T>, shape, std::as_writable_bytes(std::span(values)));
   return values;
 }
 
 template <class T>
 T read_scalar(const Content& content, const std::string& path) {
   T value{};
-  read_array_bytes(content, path, DataTypeOf<T>::value, {},
-                   std::as_writable_bytes(std::span(&value, 1)));
+  read_array_bytes(content, path, kDataTypeOf<T>, {}, std::as_writable_bytes(std::span(&value, 1)));
   return value;
 }
 

@@ -7,14 +7,40 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rupture/checkpoint/content.hpp"
-#include "rupture/checkpoint/envelope.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture {
 
 inline constexpr std::int64_t kSchemaVersion = 3;  ///< newest schema that this build knows
+
+/// `open_record` is a record that is still being written or whose run was interrupted: pieces that
+/// follow each other, each with a header of its own.
+enum class FileKind { checkpoint, record, open_record };
+
+/// The header in front of every file [bytes] (HDF5's user block): readable text with the kind of
+/// file, its size, and the SHA-256 of all bytes that follow. It lets damage be seen before libhdf5
+/// looks at anything, and has exactly one valid form for a given body, so that no bit of the file,
+/// its own included, can change unnoticed.
+inline constexpr std::size_t kHeaderSize = 512;
+
+/// "rupture-checkpoint", "rupture-record" or "rupture-record-part": first line of the header and
+/// root attribute `format`.
+std::string_view format_name(FileKind kind);
+
+/// "a checkpoint", "a record" or "an unfinished record".
+std::string_view kind_text(FileKind kind);
+
+/// The header, kHeaderSize bytes, that belongs in front of `body`.
+std::string header_text(FileKind kind, std::span<const std::byte> body);
+
+/// The kind that the first line of the header states, without any verification. `file` may hold the
+/// whole file or its start. Throws Failure if it is empty, too short or not ours; `name` is the
+/// file name for the message.
+FileKind header_kind(std::span<const std::byte> file, const std::string& name);
 
 /// Whether a file that is already there may be written over.
 enum class IfExists { refuse, replace };
@@ -63,20 +89,28 @@ enum class Opening { here, in_child_first };
 /// Changed where that can be told.
 ContentFile read_file(const std::filesystem::path& path, Opening opening = Opening::here);
 
-/// The same for a file in memory; `name` is what messages call it. Throws Failure, and BrokenSeal
-/// instead of Changed.
+/// The same for a file in memory; `name` is what messages call it. Throws Failure, never Changed.
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name,
                        Opening opening = Opening::here);
-
-/// All bytes of a file. Throws Failure.
-std::vector<std::byte> bytes_of_file(const std::filesystem::path& path);
 
 /// The datasets of any of our files, verified.
 Content read_content(const std::filesystem::path& path);
 
-/// Reads and verifies a checkpoint or record as read_checkpoint() and read_record() do. Throws
-/// Failure if it is damaged, or an unfinished record, which cannot be verified.
-ContentFile verify_file(const std::filesystem::path& path, Opening opening = Opening::here);
+/// What a file holds that another program may have changed since rupture sealed it. How it is
+/// stored does not matter: it may be cut into chunks and compressed, its texts may have any form,
+/// units may be missing.
+struct EditedFile {
+  std::string name;  ///< for messages
+  FileKind kind = FileKind::checkpoint;
+  std::string sealed_checksum;  ///< content checksum that rupture stored; empty if it is gone
+  std::string checksum;         ///< that of what it holds now, by the present rule
+  bool content_is_as_sealed = false;
+  Content content;
+};
+
+/// Reads it, first in a child process, which takes the harm if the file makes libhdf5 crash. Throws
+/// Failure in one sentence that names the file, also if it holds no checkpoint or record.
+EditedFile read_edited(const std::filesystem::path& path);
 
 /// `<path>.sum`.
 std::filesystem::path sum_path(const std::filesystem::path& path);

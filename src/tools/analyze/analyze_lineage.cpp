@@ -4,7 +4,7 @@
 #include "analyze/lineage.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
-#include "rupture/checkpoint/file.hpp"
+#include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {

@@ -11,7 +11,7 @@
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checksum.hpp"
-#include "rupture/checkpoint/file.hpp"
+#include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "rupture/checkpoint/checksum.hpp"
-#include "rupture/checkpoint/file.hpp"
+#include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/report.hpp"
-#include "rupture/checkpoint/envelope.hpp"
+#include "rupture/checkpoint/file.hpp"
 #include "rupture/checkpoint/provenance.hpp"
 
 namespace rupture::tools {

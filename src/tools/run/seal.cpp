@@ -1,12 +1,14 @@
 // seal: a checkpoint or record that another program edited, checked and sealed again.
 #include <fmt/core.h>
 
+#include <array>
+
 #include "cli/command_line.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "run/summary.hpp"
 #include "rupture/checkpoint/compare.hpp"
-#include "rupture/checkpoint/edited.hpp"
+#include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
 
 namespace {
@@ -68,20 +70,10 @@ ContentFile read_original(const std::string& path, const EditedFile& edited,
                             sealed.empty() ? "known" : sealed));
 }
 
-std::string words_about(Change change) {
-  switch (change) {
-    case Change::type:
-      return "another type";
-    case Change::shape:
-      return "another shape";
-    case Change::only_in_a:
-      return "removed";
-    case Change::only_in_b:
-      return "added";
-    case Change::values:
-      break;
-  }
-  return "other values";
+std::string_view words_about(Change change) {
+  constexpr std::array<std::string_view, 5> words = {"other values", "another type",
+                                                     "another shape", "removed", "added"};
+  return words.at(static_cast<std::size_t>(change));
 }
 
 std::string line_about(const Difference& difference, const Content& edited) {

@@ -1,6 +1,4 @@
 // Work in a child process: how it ended is told apart, and nothing of it reaches this process.
-#include "../../../src/checkpoint/child_process.hpp"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -8,6 +6,7 @@
 #include <csignal>
 #include <string_view>
 
+#include "../../../src/checkpoint/seal.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {

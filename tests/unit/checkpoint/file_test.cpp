@@ -1,7 +1,7 @@
 // Files on disk: what stands in them and beside them. tests/tools/files_test.cpp has refusals.
 #include "rupture/checkpoint/file.hpp"
 
-#include "../../../src/checkpoint/hdf5_image.hpp"
+#include "../../../src/checkpoint/hdf5.hpp"
 #include "fixtures.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 

@@ -11,6 +11,7 @@
 
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
+#include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
 #include "support/files.hpp"
 
@@ -118,7 +119,7 @@ inline Checkpoint single_springs() {
   Checkpoint checkpoint;
   Parameters& p = checkpoint.parameters;
   p = small_parameters();
-  p.law = Law::simplified;
+  p.law = rupture::Law::simplified;
   p.f_new = NewForce::zero;
   checkpoint.state = small_state(p);
   Junctions& junctions = checkpoint.state.junctions;

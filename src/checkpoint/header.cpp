@@ -1,13 +1,12 @@
-#include "rupture/checkpoint/envelope.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 
+#include "context.hpp"
 #include "rupture/checkpoint/checksum.hpp"
-#include "rupture/model/error.hpp"
+#include "seal.hpp"
 
 namespace rupture {
 namespace {
@@ -51,42 +50,30 @@ bool starts_as(std::string_view start, FileKind kind) {
 
 [[noreturn]] void refuse_foreign(std::string_view start, const std::string& name) {
   if (start.starts_with("\x89HDF\r\n")) {
-    throw Failure(fmt::format(
+    fail(
         "{} is an HDF5 file without rupture's 512-byte header: it was not written by rupture, or "
         "was rewritten by another program; give the original file, or try rupture seal {} -o "
         "NEW.h5",
-        name, name));
+        name, name);
   }
-  throw Failure(fmt::format(
+  fail(
       "{} is not a rupture file: expected the 512-byte header of a checkpoint or record; give a "
       "file that one of rupture's tools wrote",
-      name));
+      name);
 }
 
 }  // namespace
 
 std::string_view format_name(FileKind kind) {
-  switch (kind) {
-    case FileKind::checkpoint:
-      return "rupture-checkpoint";
-    case FileKind::record:
-      return "rupture-record";
-    case FileKind::open_record:
-      return "rupture-record-part";
-  }
-  throw Failure("a file is of a kind unknown to this build");
+  constexpr std::array<std::string_view, 3> names = {"rupture-checkpoint", "rupture-record",
+                                                     "rupture-record-part"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 std::string_view kind_text(FileKind kind) {
-  switch (kind) {
-    case FileKind::checkpoint:
-      return "a checkpoint";
-    case FileKind::record:
-      return "a record";
-    case FileKind::open_record:
-      return "an unfinished record";
-  }
-  throw Failure("a file is of a kind unknown to this build");
+  constexpr std::array<std::string_view, 3> texts = {"a checkpoint", "a record",
+                                                     "an unfinished record"};
+  return texts.at(static_cast<std::size_t>(kind));
 }
 
 std::string header_text(FileKind kind, std::span<const std::byte> body) {
@@ -96,16 +83,16 @@ std::string header_text(FileKind kind, std::span<const std::byte> body) {
 FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   const std::string_view start = as_text(file.first(std::min(file.size(), kHeaderSize)));
   if (start.empty()) {
-    throw Failure(fmt::format("{} is empty; expected a checkpoint or record", name));
+    fail("{} is empty; expected a checkpoint or record", name);
   }
   const auto kind =
       std::find_if(kKinds.begin(), kKinds.end(), [&](FileKind k) { return starts_as(start, k); });
   if (kind == kKinds.end()) refuse_foreign(start, name);
   if (start.size() < kHeaderSize) {
-    throw Failure(
-        fmt::format("{} is truncated: it ends within its 512-byte header, after {} bytes; copy it "
-                    "again or write it anew",
-                    name, start.size()));
+    fail(
+        "{} is truncated: it ends within its 512-byte header, after {} bytes; copy it "
+        "again or write it anew",
+        name, start.size());
   }
   return *kind;
 }
