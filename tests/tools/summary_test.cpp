@@ -94,5 +94,12 @@ TEST_F(Summary, changes_no_file_but_the_command_line) {
   EXPECT_EQ(checksum_of("r.h5"), record);
 }
 
+TEST_F(Summary, that_cannot_be_printed_is_said) {
+  const Outcome outcome = run(kLoad + " --json --quiet", {.standard_output = "/dev/full"});
+  EXPECT_EQ(outcome.exit_code, kFailed);
+  EXPECT_EQ(outcome.err, "load: cannot write to standard output\n");
+  output_of("analyze verify a.h5");
+}
+
 }  // namespace
 }  // namespace rupture::testing
