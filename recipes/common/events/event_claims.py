@@ -271,7 +271,7 @@ def details_5A(unmodified, undriven):
     }
 
 
-EVENT_CLAIMS = {  # what measures the case, what readers see of it, a note
+EVENT_CLAIMS: dict[str, tuple] = {  # what measures the case, what readers see of it, a note
     "3A": (case_3A, details_3A, ""),
     "3B": (case_3B, details_3B, ""),
     "3C": (case_3C, details_3C, ""),
