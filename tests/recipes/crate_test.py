@@ -142,8 +142,10 @@ def test_the_paper_and_the_software_are_those_of_the_citation(project):
     assert (paper["@type"], paper["name"]) == ("ScholarlyArticle", listed["title"])
     assert (paper["@id"], paper["datePublished"]) == (listed["url"], str(listed["year"]))
     assert found[paper["isPartOf"]["@id"]]["name"] == listed["journal"]
-    people = [found[each["@id"]]["name"] for each in paper["author"]]
-    assert people == [f"{one['given-names']} {one['family-names']}" for one in listed["authors"]]
+    for each, one in zip(paper["author"], listed["authors"], strict=True):
+        person, given, family = found[each["@id"]], one["given-names"], one["family-names"]
+        assert (person["givenName"], person["familyName"]) == (given, family)
+        assert person["name"] == f"{given} {family}"
 
 
 def test_equal_results_of_another_time_and_place_differ_in_dates_only(project, tmp_path):

@@ -75,8 +75,11 @@ def named(kind, name, **properties):
 
 def paper_entities(paper):
     """The paper of CITATION.cff, its journal and its authors."""
-    names = [f"{one['given-names']} {one['family-names']}" for one in paper["authors"]]
-    people = [named("Person", name) for name in names]
+    names = [(one["given-names"], one["family-names"]) for one in paper["authors"]]
+    people = [
+        named("Person", f"{given} {family}", givenName=given, familyName=family)
+        for given, family in names
+    ]
     journal = named("Periodical", paper["journal"])
     article = entity(
         paper["url"],
