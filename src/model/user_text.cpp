@@ -1,11 +1,12 @@
 #include "rupture/model/user_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <numeric>
 #include <utility>
 #include <vector>

@@ -34,7 +34,7 @@ def test_writes_a_video(small):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_interrupted_ends_by_the_signal_and_leaves_nothing(small, number):
     before = sorted(Path().iterdir())
-    command = [BIN / "movie", "small-record.h5", "-o", "z.gif"]
+    command = [str(BIN / "movie"), "small-record.h5", "-o", "z.gif"]
     with subprocess.Popen(command, stderr=subprocess.PIPE) as it:
         while not list(Path().glob(".z.tmp.*")):
             assert it.poll() is None

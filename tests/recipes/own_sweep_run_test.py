@@ -6,8 +6,10 @@ import os
 import re
 import subprocess
 
+import pytest
+
 from conftest import BIN
-from stand_ins import Project, write_program
+from stand_ins import Project
 
 # Small and fast. A prestress of 2 is more than junctions can carry.
 SMALL = "--set slider.Nx=15 --set slider.Nz=9 --set slider.H=0.08 --set driving.h=0.01"
@@ -29,18 +31,19 @@ type = front.type
 """
 
 # Stands in for restart: dies like a process without memory where the test says so.
-RESTART = """#!/bin/sh
-case "$RUPTURE_CRASH $*" in *--describe) ;; die*) kill -9 $$;; esac
-exec {restart} "$@"
+RESTART = f"""case "$RUPTURE_CRASH $*" in *--describe) ;; die*) kill -9 $$;; esac
+exec {BIN}/restart "$@"
 """
 
 
-class TestRunning(Project):
-    def setUp(self):
-        super().setUp()
+class TestRunning:
+    @pytest.fixture(autouse=True)
+    def _project(self, tmp_path):
+        project = Project(tmp_path)
+        self.root = project.root
         for tool in ("analyze", "load", "modify-phi", "prepare"):
-            (self.bin / tool).symlink_to(BIN / tool)
-        write_program(self.bin / "restart", RESTART.format(restart=BIN / "restart"))
+            (project.bin / tool).symlink_to(BIN / tool)
+        project.program("restart", RESTART)
 
     def run_sweep(self, *arguments, crash=""):
         return subprocess.run(
