@@ -107,7 +107,7 @@ def test_watch_says_that_a_run_was_killed(folder):
     with start("k", "100") as it:
         it.kill()
     sentence = "no run writes k-record.h5.part any more, and it is not finished; rupture finish"
-    refuses("watch", ("k-record.h5.part",), 1, sentence)
+    refuses("watch", ("k-record.h5.part",), 1, sentence, timeout=60)
 
 
 @pytest.mark.parametrize(

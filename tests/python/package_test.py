@@ -20,16 +20,7 @@ ORACLE = ROOT / "tests/support/checksum.py"
 def killed(name, pieces):
     """The `.part` of a run of the small slider that was killed when its record had so many."""
     part = Path(f"{name}-record.h5.part")
-    command = [
-        str(BIN / "load"),
-        "--config",
-        str(SMALL),
-        "-q",
-        "-o",
-        f"{name}.h5",
-        "--until",
-        "0.2",
-    ]
+    command = [str(BIN / "load"), f"--config={SMALL}", "-q", "-o", f"{name}.h5", "--until", "0.2"]
     record = ["--record", f"{name}-record.h5", "--record-every", "2e-6"]
     run = subprocess.Popen([*command, *record, "--checkpoint-every", "1e-4"])
     while not part.exists() or part.read_bytes().count(b"rupture-record-part\n") < pieces:
