@@ -1,5 +1,6 @@
 """What all tests in Python share: the folders, calls of programs, and what is skipped."""
 
+import importlib.util
 import os
 import shutil
 import subprocess
@@ -32,6 +33,12 @@ def skip(reason):
     if os.environ.get("CI"):
         pytest.fail(f"Not checked, as it must be where CI is set: {reason}", pytrace=False)
     pytest.skip(reason, allow_module_level=True)
+
+
+def need_modules(*names):
+    for name in names:
+        if not importlib.util.find_spec(name):
+            skip(f"Python has no module {name}.")
 
 
 def need(*programs):

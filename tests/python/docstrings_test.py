@@ -6,12 +6,12 @@ import pytest
 
 import rupture.files
 import rupture.programs
+from conftest import need_modules
 
 
 @pytest.mark.parametrize("module", [rupture.files, rupture.programs])
 def test_the_examples_of(module, small):
-    for package in ("pandas", "xarray"):
-        pytest.importorskip(package)
+    need_modules("pandas", "xarray")
     names = {"rupture": rupture, "checkpoint": rupture.open("small.h5")}
     names["record"] = rupture.open("small-record.h5")
     found = doctest.testmod(module, extraglobs=names, optionflags=doctest.ELLIPSIS)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import rupture
-from conftest import BIN, ROOT, SMALL
+from conftest import BIN, ROOT, SMALL, need_modules
 from rupture.envelope import sealed_header
 
 ORACLE = ROOT / "tests/support/checksum.py"
@@ -124,8 +124,7 @@ def test_names_that_a_file_lacks(small):
 
 
 def test_xarray_and_pandas_hold_the_arrays(small):
-    pytest.importorskip("pandas")
-    pytest.importorskip("xarray")
+    need_modules("pandas", "xarray")
     record, checkpoint = small.record, small.checkpoint
     table, labelled = record.to_dataframe(), record.to_xarray()
     place = (record.time[5], record.x[3])

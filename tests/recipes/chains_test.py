@@ -14,13 +14,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import pytest
-
 from conftest import ROOT as SOURCE
+from conftest import need_modules
 from runs.recipes import read_readme
 from sweeps.sweep import read_sweep
 
-pytest.importorskip("snakemake")
+need_modules("snakemake")
 BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
