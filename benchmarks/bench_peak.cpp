@@ -18,7 +18,7 @@ constexpr int kChains = 7;
 #define PEAK_LOOP(isa, lanes, target)                                              \
   target double peak_##isa(std::ptrdiff_t rounds, double summand, double factor) { \
     typedef double Lanes __attribute__((vector_size((lanes) * sizeof(double))));   \
-    Lanes sum[kChains], product[kChains];                                          \
+    Lanes sum[kChains] = {}, product[kChains] = {};                                \
     for (int c = 0; c < kChains; ++c) {                                            \
       sum[c] = Lanes{} + (1.0 + c);                                                \
       product[c] = Lanes{} + (1.5 + c);                                            \

@@ -43,7 +43,7 @@ TEST_P(EachLaw, has_the_stress_and_the_ruptures_that_were_recorded) {
   const Json front = json_of("analyze front r.h5 --json");
   for (const Json& t : front["t_rupture"]) EXPECT_FALSE(t.is_null());
   const Json loading = json_of("analyze loading r.h5 --x 0.07 --json");
-  for (const auto& [file, n] : {std::pair{"a-t0.000200000.h5", 2}, {"a.h5", 4}}) {
+  for (const auto& [file, n] : {std::pair{"a-t0.000200000.h5", 2U}, {"a.h5", 4U}}) {
     const Json stress = json_of(std::string("analyze stress ") + file + " --json");
     EXPECT_EQ(loading["F_T"][n], stress["F_T"]);
     EXPECT_EQ(loading["p"][n], stress["p"][4]);

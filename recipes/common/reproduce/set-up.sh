@@ -40,7 +40,7 @@ satisfy() {
 # A simulation installs nothing only if nothing is missing. Until dpkg does something, that stays so.
 is_satisfied() {
   local said known=$logs/satisfied
-  [[ $known -nt /var/lib/dpkg/status ]] || : >"$known"
+  [[ $known -nt /var/log/dpkg.log ]] || : >"$known"
   grep -qxF "$1" "$known" && return
   said=$(satisfy --simulate "$1" 2>/dev/null) && ! grep -q ^Inst <<<"$said" && echo "$1" >>"$known"
 }
