@@ -98,7 +98,7 @@ def sweep_of_two_points(tmp_path):
     yield sweep
     for process in sweep.begun:
         process.kill()
-        process.communicate()
+        process.wait()  # what it has left behind may hold its output
 
 
 @pytest.mark.parametrize("name, code", [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
