@@ -181,14 +181,11 @@ constinit const Command diff_command = {
     "diff A B",
     "file",
     "where and by how much two files differ",
-    "Compares parameters and state, or series, dataset by dataset, as they count in the "
-    "content\n"
-    "checksum (not parameters that the interface law does not use): how many values differ, "
-    "the\n"
-    "first one, the largest absolute and relative difference, and that in units in the last "
-    "place\n"
-    "(ULP): each with its place, [row][column], and the values of A and B.\n"
-    "Exit code 0: equal, 1: different.",
+    R"(Compares parameters and state, or series, dataset by dataset, as they count in the content
+checksum (not parameters that the interface law does not use): how many values differ, the
+first one, the largest absolute and relative difference, and that in units in the last place
+(ULP): each with its place, [row][column], and the values of A and B.
+Exit code 0: equal, 1: different.)",
     {[](po::options_description& options) {
        options.add_options()("common",
                              "compare only the rows that both have, where one record is longer");

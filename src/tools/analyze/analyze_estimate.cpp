@@ -125,9 +125,8 @@ constinit const Command estimate_command = {
     "estimate CHECKPOINT",
     "checkpoint",
     "slow slip to expect from a checkpoint's parameters",
-    "Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), of the mean and of each block; and "
-    "the\n"
-    "relaxation of one block from which its coefficient comes.",
+    R"(Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), of the mean and of each block; and the
+relaxation of one block from which its coefficient comes.)",
     {[](po::options_description& options) {
        auto add = options.add_options();
        add("ensemble", integer("N")->default_value(100),

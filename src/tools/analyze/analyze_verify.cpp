@@ -103,19 +103,14 @@ constinit const Command verify_command = {
     "verify FILE|FOLDER...",
     "file",
     "check that files and folders are intact, also against a manifest",
-    "Checks that files are intact, and of folders all files *.h5 in them and below; links to\n"
-    "folders are not followed, and unfinished records (*.h5.part) are only named. A manifest "
-    "must\n"
-    "also give the content checksums of the files that it lists, and list all files *.h5 in "
-    "the\n"
-    "folders given. A .sum file is a manifest; so are the lines of intact files printed "
-    "here,\n"
-    "without their first word.\n"
-    "Every file is looked at, whatever is wrong with others. Exit code 0: all is well, 1: a "
-    "file\n"
-    "is changed, damaged, missing, unfinished, not what the manifest says or not listed, or a "
-    "folder is\n"
-    "unreadable or holds no file *.h5.",
+    R"(Checks that files are intact, and of folders all files *.h5 in them and below; links to
+folders are not followed, and unfinished records (*.h5.part) are only named. A manifest must
+also give the content checksums of the files that it lists, and list all files *.h5 in the
+folders given. A .sum file is a manifest; so are the lines of intact files printed here,
+without their first word.
+Every file is looked at, whatever is wrong with others. Exit code 0: all is well, 1: a file
+is changed, damaged, missing, unfinished, not what the manifest says or not listed, or a folder is
+unreadable or holds no file *.h5.)",
     {[](po::options_description& options) {
       options.add_options()(
           "manifest", input_file("manifest"),
