@@ -5,11 +5,7 @@ use rule figure as ensemble with:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
         continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
         quasistatic=[f"{DATA}/ensemble/h0-{seed:02d}.json" for seed in range(1, 21)],
-        products=[
-            f"{DATA}/ensemble/{load}-product.json"
-            for setting in ("load", "decaying", "exponential")
-            for load in LOADS_OF[setting]
-        ],
+        products=[of_ensemble(setting, "product") for setting in ("load", "decaying", "exponential")],
         **scripts_of("ensemble"),
     output:
         results_of(

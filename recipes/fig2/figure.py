@@ -10,7 +10,7 @@ from data.records import report, values
 from data.tables import write_fronts, write_table
 from events.event_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_ensemble, of_loads
-from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
+from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
 from pictures.plotting import (
     BLUE,
     DOUBLE,
@@ -29,7 +29,6 @@ EVENTS = {  # label, colour, marker
     MOST_LIKE: ("most like the paper's", GREEN, "s"),
 }
 PAPER_SPEEDS = {paper.FAST: "$c_s/3$", paper.SLOW: "$c_s/100$"}  # [c_s]
-MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 
 
 def first_rupture(front):
@@ -51,9 +50,7 @@ def draw_slow_of_paper(axes, front):
 
 
 def draw_map(axes, front, pinned):
-    t_zero = first_rupture(front)
-    last = (np.nanmax(values(front["t_rupture"])) - t_zero) * 1e3
-    image = draw_pinned(axes, pinned, t_zero, (-MARGIN, last + MARGIN))
+    image = draw_pinned(axes, pinned, *window_of(front))
     if front["slow"]:
         draw_slow_of_paper(axes, front)
     return image

@@ -1,20 +1,17 @@
 """Figure 4: A-B and their claim here, C in strength.py, D by common/maps."""
 
-import numpy as np
 import rupture
 import strength
 
-from data.records import report, values
+from data.records import report
 from events.event_claims import judged_event
 from events.units import of_ensemble, of_events
-from maps.front_types import FrontTypes, make_map
-from pictures.panels import draw_pinned, draw_pinned_scale
+from maps.front_types import make_map
+from pictures.panels import draw_pinned, draw_pinned_scale, window_of
 from pictures.plotting import DOUBLE, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
-MARGIN = 0.5  # shown before the first and after the last rupture [ms]
-MAP = FrontTypes(
-    recipe="fig4",
+MAP = dict(
     panel="D",
     tables=["map-between", "map-boundary"],
     slow_below=(20, 10, 30, 40, 60),
@@ -34,9 +31,7 @@ def fronts_of(data, event):
 
 def draw_event(axes, data, event):
     """The pinned fraction as it is and with the wider phi, with the same time axis."""
-    ruptures = [values(front["t_rupture"]) for front in fronts_of(data, event)]
-    t_zero = np.nanmin(ruptures)
-    window = (-MARGIN, (np.nanmax(ruptures) - t_zero) * 1e3 + MARGIN)
+    t_zero, window = window_of(*fronts_of(data, event))
     for axis, run in zip(axes, (event, f"{event}/wider")):
         image = draw_pinned(axis, rupture.open(data / f"{run}-record.h5"), t_zero, window)
     axes[1].set_ylabel("")
@@ -71,5 +66,5 @@ def make(data, results):
     return [
         judged_event("4AB", events, units),
         *strength.make(data, results),
-        make_map(MAP, data, results),
+        make_map(data, results, **MAP),
     ]

@@ -9,11 +9,10 @@ from data.tables import write_table
 from events.event_claims import judged_event
 from events.fronts import middle_of_slow_stretch
 from events.units import of_ensemble, of_events
-from pictures.panels import draw_pinned_scale
+from pictures.panels import draw_image, draw_pinned_scale, window_of
 from pictures.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
 
 EVENT = "fast-slow-fast"
-MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured
 
 
@@ -28,16 +27,8 @@ def draw_loading(axes, data, t_zero, t_stop):
 
 
 def draw_map(axes, pinned, t_zero, colours, shown):
-    return axes.pcolormesh(
-        pinned.x / pinned.x[-1],
-        (pinned.time - t_zero) * 1e3,
-        np.where(shown, pinned.pinned_fraction, np.nan),
-        cmap=colours,
-        vmin=0,
-        vmax=1,
-        shading="nearest",
-        rasterized=True,
-    )
+    fraction = np.where(shown, pinned.pinned_fraction, np.nan)
+    return draw_image(axes, pinned, fraction, slice(None), t_zero, cmap=colours, vmin=0, vmax=1)
 
 
 def draw_lines(axes, fronts, t_zero, t_stop):
@@ -51,8 +42,7 @@ def draw_lines(axes, fronts, t_zero, t_stop):
 
 
 def draw(data, fronts, t_stop, stem):
-    t_zero = np.nanmin(values(fronts[0]["t_rupture"]))
-    last = (np.nanmax(values(fronts[0]["t_rupture"])) - t_zero) * 1e3
+    t_zero, window = window_of(fronts[0])
     fig, axes = figure(0.8 * DOUBLE, 0.36 * DOUBLE, ncols=2)
     draw_loading(axes[0], data, t_zero, t_stop)
     driven, undriven = (
@@ -62,7 +52,7 @@ def draw(data, fronts, t_stop, stem):
     image = draw_map(axes[1], undriven, t_zero, MAP, undriven.pinned_fraction < STILL)
     draw_lines(axes[1], fronts, t_zero, t_stop)
     axes[1].axhline((t_stop - t_zero) * 1e3, color=VERMILION, linestyle=":", linewidth=0.9)
-    axes[1].set(xlabel="$x/L$", ylabel="time [ms]", xlim=(0, 1), ylim=(-MARGIN, last + MARGIN))
+    axes[1].set(xlim=(0, 1), ylim=window)
     draw_pinned_scale(fig, image, axes[1])
     save(fig, stem)
 

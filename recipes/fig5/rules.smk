@@ -63,7 +63,6 @@ rule quasistatic_stopped:
 # The same over seeds, each from t = 0. Their second dynamic event comes later.
 H0_SEEDS = [f"{seed:02d}" for seed in range(2, 21)]
 H0_UNTIL = 0.75  # s
-H0_LOADS = [f"{DATA}/ensemble/h0-{seed}.json" for seed in ["01", *H0_SEEDS]]  # 01: rule fig5
 
 
 rule quasistatic_seed:

@@ -10,10 +10,9 @@ from events.conventions import PRIMARY
 from events.event_claims import case_S2
 from events.fronts import is_fast_slow
 from events.units import of_ensemble, without_slow_slip
-from pictures.panels import draw_front_speeds
+from pictures.panels import draw_front_speeds, window_of
 from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 
-MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 SPEEDS = {  # label, colour, marker
     "event": ("slow slip", BLUE, "o"),
     "no-slow-slip": ("no slow slip", VERMILION, "^"),
@@ -48,9 +47,7 @@ def draw_speeds(axes, fronts):
 
 
 def draw(data, fronts, stem):
-    ruptures = values(fronts["event"]["t_rupture"])
-    t_zero, last = np.nanmin(ruptures), np.nanmax(ruptures)
-    window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
+    t_zero, window = window_of(fronts["event"])
     fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=3)
     for axis, name in zip(axes[::2], SPEEDS):
         image = draw_map(axis, data / f"{name}-record.h5", fronts[name], t_zero, window)

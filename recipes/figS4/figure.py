@@ -5,18 +5,17 @@ import rupture
 from scipy import stats
 
 from claims.judge import judged
-from data.records import report, values
+from data.records import report
 from data.tables import write_table
 from events.event_claims import largest_change_of_mean
 from events.junctions import Junctions
-from pictures.panels import draw_pinned, draw_pinned_scale
+from pictures.panels import draw_pinned, draw_pinned_scale, window_of
 from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
 
 EVENT = "second-slow"
 STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows
 TITLES = ("as it is", r"wider $\varphi$ beyond $0.25\,L$")
 REGION = 0.25  # phi was changed from here on, this block included [L]
-MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 BINS = 30
 
 
@@ -83,9 +82,7 @@ def draw(data, junctions, fronts, stem):
         sharey="row",
         gridspec_kw={"height_ratios": (5, 5, 1)},
     )
-    t_zero = min(np.nanmin(values(front["t_rupture"])) for front in fronts)
-    last = max(np.nanmax(values(front["t_rupture"])) for front in fronts)
-    window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
+    t_zero, window = window_of(*fronts)
     for column, (run, title) in enumerate(zip(STATES.values(), TITLES)):
         pinned = draw_pinned(
             axes[0, column], rupture.open(data / f"{run}-record.h5"), t_zero, window

@@ -1,27 +1,24 @@
 """Figure S6, its data and its claims."""
 
-import numpy as np
 import rupture
 
 from claims.judge import judged
-from data.records import report, values
+from data.records import report
 from data.tables import write_fronts, write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
 from events.event_claims import case_of_event, words_case, words_shown
 from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
-from maps.front_types import FrontTypes, make_map
-from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
+from maps.front_types import make_map
+from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
 from pictures.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
 
-MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", BLUE, "o"),
     "t_R-double": (r"$2\,\langle t_R\rangle$", ORANGE, "^"),
 }
-MAP = FrontTypes(
-    recipe="figS6",
+MAP = dict(
     panel="B",
     tables=["map-boundary"],
     slow_below=(20, 8, 10, 30, 40),
@@ -45,9 +42,7 @@ def draw_speeds(axes, fronts):
 
 
 def draw(record, fronts, stem):
-    ruptures = values(fronts["event"]["t_rupture"])
-    t_zero, last = np.nanmin(ruptures), np.nanmax(ruptures)
-    window = (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
+    t_zero, window = window_of(fronts["event"])
     fig, axes = figure(DOUBLE, 0.42 * DOUBLE, ncols=2)
     image = draw_pinned(axes[0], rupture.open(record), t_zero, window)
     draw_pinned_scale(fig, image, axes[0])
@@ -111,4 +106,4 @@ def make(data, results):
     draw(data / "figS6/event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", events)
-    return [*claims_of(fronts, events, in_words, loads), make_map(MAP, data, results)]
+    return [*claims_of(fronts, events, in_words, loads), make_map(data, results, **MAP)]

@@ -155,8 +155,8 @@ class Refusing(Golden):
         self.assert_fails(run, "absent cannot be run: give a program")
 
     def test_no_golden_file(self):
-        run = self.check()
-        self.assert_fails(run, "there is no golden file ")
+        self.assert_fails(self.check(), "there is no golden file ")
+        run = self.golden("--work", "mine", "check", "golden.sums", "./pipeline")
         again = run.stderr.split("write it with: ")[1]
         subprocess.run(again, shell=True, cwd=self.folder, check=True, capture_output=True)
         self.assertEqual(self.check().returncode, 0)

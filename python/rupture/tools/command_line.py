@@ -10,6 +10,7 @@ import signal
 import sys
 import textwrap
 from contextlib import suppress
+from functools import partial
 
 from rupture.errors import Failure
 from rupture.programs import output_of
@@ -133,16 +134,11 @@ class Parser(argparse.ArgumentParser):
         option.unit = "s"  # type: ignore[attr-defined]
 
     def add_common(self):
-        for names, answer, text in (
-            (("-h", "--help"), help_text, "show this help and stop"),
-            (
-                ("--describe",),
-                lambda parser: json.dumps(parser.description_json()),
-                "print name, options and input as one JSON object and stop",
-            ),
-            (("--version",), version_text, "show version and stop"),
-        ):
-            self.add_argument(*names, action=Answer, nargs=0, const=answer, help=text)
+        add = partial(self.add_argument, action=Answer, nargs=0)
+        add("-h", "--help", const=help_text, help="show this help and stop")
+        text = "print name, options and input as one JSON object and stop"
+        add("--describe", const=lambda parser: json.dumps(parser.description_json()), help=text)
+        add("--version", const=version_text, help="show version and stop")
 
     def add_output(self, text, needed=True):
         self.add_argument("-o", "--output", metavar="FILE", required=needed, help=text)

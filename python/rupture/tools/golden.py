@@ -46,7 +46,8 @@ def parser():
 
 
 def regenerate_command():
-    return shlex.join([sys.argv[0], "regenerate", *sys.argv[2:]])
+    at = sys.argv.index("check")  # options may stand before it
+    return shlex.join([*sys.argv[:at], "regenerate", *sys.argv[at + 1 :]])
 
 
 def take(work):

@@ -1,13 +1,25 @@
 """Panels that several figures draw in the same way; more are in the Python package."""
 
+import numpy as np
 from rupture import plotting
 from rupture.plotting import (  # noqa: F401  (for the recipes)
+    draw_image,
     draw_pinned,
     draw_pinned_scale,
     name_line,
 )
 
+from data.records import values
 from events.fronts import LOADING_ZONE
+
+MARGIN = 0.5  # shown before the first and after the last rupture [ms]
+
+
+def window_of(*fronts):
+    """The first rupture of these fronts [s], and the times to show [ms after it]."""
+    ruptures = [values(front["t_rupture"]) for front in fronts]
+    t_zero, last = np.nanmin(ruptures), np.nanmax(ruptures)
+    return t_zero, (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
 
 
 def draw_front_speeds(axes, fronts, looks):

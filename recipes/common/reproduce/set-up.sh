@@ -135,7 +135,7 @@ build() {
 build_while_installing() {
   local cores=$1 target=$2 installation='' status=0
   shift 2
-  if ((EUID == 0)); then
+  if ((EUID == 0)) && command -v apt-get >/dev/null; then
     ensure_packages build
     ensure_packages "$@" &
     installation=$!

@@ -8,10 +8,10 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
+from runs.fingerprint import PROGRAMS
 from sweeps.sweep import SweepError, names_of_values, options, suggestion
 from sweeps.values import number_in
 
-TOOLS = ("load", "prepare", "restart", "modify-phi", "analyze")
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table
 KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # point_store.py
@@ -49,8 +49,8 @@ class Programs:
     def described(self, line):
         """What the program of this command says of itself. It refuses wrong options then, too."""
         tool, *words = words_in(line)
-        if tool not in TOOLS:
-            raise SweepError(f"there is no program '{tool}'{suggestion(tool, TOOLS)}")
+        if tool not in PROGRAMS:
+            raise SweepError(f"there is no program '{tool}'{suggestion(tool, PROGRAMS)}")
         return self.answer(tool, *words, "--describe")
 
     def unit_of(self, quantity, of_file):

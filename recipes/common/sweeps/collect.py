@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from data.records import report
-from data.tables import write_table
+from data.tables import write_columns
 from data.value import find
 from sweeps.point_store import digest
 from sweeps.sweep import names_of_values, read_sweep
@@ -46,7 +46,7 @@ def main(sweep_file, folder, path):
         "point",
         "digest",
     ]
-    write_table(path, names, ([row.get(name) for name in names] for row in table))
+    write_columns(path, names, table)
 
 
 if __name__ == "__main__":

@@ -51,10 +51,10 @@ def columns_of(sweep, table):
     return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
 
 
-def count_computed(sweep, store, started):
+def count_computed(sweep, table, store, started):
     """How many results are younger than `started` [s]."""
-    paths = [store.path(point) for point in sweep.points if store.result(point)]
-    return sum(path.stat().st_mtime >= started for path in paths)
+    finished = (p for p, row in zip(sweep.points, table) if row["status"] != "unfinished")
+    return sum(store.path(point).stat().st_mtime >= started for point in finished)
 
 
 def print_sentences(table, status):
@@ -106,7 +106,7 @@ def report_sweep(plan, results, code, started):
     columns = columns_of(sweep, table)
     write_csv(plan.with_suffix(".csv"), columns)
     write_hdf5(plan.with_suffix(".hdf5"), sweep.title, columns)
-    unfinished = print_summary(sweep, table, count_computed(sweep, store, started))
+    unfinished = print_summary(sweep, table, count_computed(sweep, table, store, started))
     stem = plan.resolve().with_suffix("")
     print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
     print(picture(stem, sweep, columns), flush=True)
