@@ -7,6 +7,7 @@
 #include <string>
 
 #include "run/observers.hpp"
+#include "rupture/analysis/statistics.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/dynamics/run.hpp"
@@ -106,8 +107,8 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
   const double finish_per_stretch = finish / stretches;
   bench.counters["us_without"] = 1e6 / steps * *std::min_element(without.begin(), without.end());
   bench.counters["us_with"] = 1e6 / steps * *std::min_element(with.begin(), with.end());
-  bench.counters["cost_running"] = median(ratio) - 1.0;
-  bench.counters["cost"] = median(ratio) - 1.0 + finish_per_stretch / median(without);
+  bench.counters["cost_running"] = *median(ratio) - 1.0;
+  bench.counters["cost"] = *median(ratio) - 1.0 + finish_per_stretch / *median(without);
 }
 
 BENCHMARK(equilibrium_solve)->Name("once/equilibrium_solve");

@@ -9,6 +9,7 @@ import argparse
 import json
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -216,6 +217,8 @@ def sizes_table(rows, isa, cache):
 
 def main():
     options = arguments()
+    # bench is aborted where RUPTURE_ISA names what this processor lacks.
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     bench = (options.bin or built()).resolve() / "bench"
     options.o.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=options.o.parent) as scratch:

@@ -3,10 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <vector>
 
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/dynamics/simulation.hpp"
@@ -42,13 +40,6 @@ double seconds_for(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// The middle one of an odd number of values, the mean of the middle two of an even one.
-inline double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
 }  // namespace rupture::bench

@@ -54,8 +54,7 @@ std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
 }
 
 std::vector<std::byte> bytes_of_file(const fs::path& path) {
-  const std::size_t size = readable_size(path);
-  return read_start(path, size);
+  return read_start(path, readable_size(path));
 }
 
 std::string sum_line(const std::string& checksum, const fs::path& path) {

@@ -30,6 +30,7 @@ const std::vector<std::string_view>& law_names() {
 }
 
 std::vector<std::string_view> law_names(const std::vector<Law>& laws) {
+  if (laws.empty()) return law_names();
   std::vector<std::string_view> names;
   for (const Law law : laws) names.push_back(law_info(law).name);
   return names;

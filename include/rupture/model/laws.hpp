@@ -48,7 +48,7 @@ const LawInfo& law_info(Law law);
 /// The names of all laws in the order of Law.
 const std::vector<std::string_view>& law_names();
 
-/// The names of some laws.
+/// The names of these laws; of all if the list is empty, as in ParameterInfo::laws.
 std::vector<std::string_view> law_names(const std::vector<Law>& laws);
 
 }  // namespace rupture

@@ -12,24 +12,17 @@
 namespace rupture::tools {
 namespace {
 
-std::pair<std::string, std::string> split_assignment(const std::string& assignment,
-                                                     const std::string& where) {
-  const auto equals = assignment.find('=');
-  if (equals == std::string::npos) {
-    throw UsageError(
-        fmt::format("{}--set {} has no '=': write --set NAME=VALUE", where, assignment));
-  }
-  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
-}
-
 /// The parameter that an option sets: --set, --seed, or in an INI file a name of no option.
 std::optional<ParameterChange> change_by(const po::option& option, const std::string& where) {
   const std::string value = option.value.empty() ? "" : option.value.front();
   if (option.string_key == "seed") return ParameterChange{"numerics.seed", value, where};
   if (option.unregistered) return ParameterChange{option.string_key, value, where};
   if (option.string_key != "set") return std::nullopt;
-  const auto [name, text] = split_assignment(value, where);
-  return ParameterChange{name, text, where};
+  const auto equals = value.find('=');
+  if (equals == std::string::npos) {
+    throw UsageError(fmt::format("{}--set {} has no '=': write --set NAME=VALUE", where, value));
+  }
+  return ParameterChange{value.substr(0, equals), value.substr(equals + 1), where};
 }
 
 void add_once(ParameterChange change, ParameterChanges& changes) {

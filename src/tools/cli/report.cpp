@@ -20,7 +20,7 @@ Json json_row(const ParameterInfo& info) {
               {"unit", is_number ? info.unit : ""},
               {"default", tools::json_of(Parameters{}, info)},
               {"help", info.help},
-              {"laws", info.laws.empty() ? law_names() : law_names(info.laws)},
+              {"laws", law_names(info.laws)},
               {"restart_may_change", info.restart == Restart::may_change}};
   if (!is_number) {
     row["words"] = words;

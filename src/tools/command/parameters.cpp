@@ -61,10 +61,6 @@ Options setup(int argc, char** argv) {
   return result;
 }
 
-std::vector<std::string_view> laws_of(const ParameterInfo& info) {
-  return info.laws.empty() ? law_names() : law_names(info.laws);
-}
-
 std::string text_of(const ParameterInfo& info) {
   const auto words = choices(info);
   const bool is_number = words.empty();
@@ -76,7 +72,7 @@ std::string text_of(const ParameterInfo& info) {
   if (is_number) add("unit", info.unit);
   add("default", parameter_text(Parameters{}, info));
   add("value", is_number ? range_text(info) : fmt::format("{}", fmt::join(words, " or ")));
-  add("laws", fmt::format("{}", fmt::join(laws_of(info), ", ")));
+  add("laws", fmt::format("{}", fmt::join(law_names(info.laws), ", ")));
   if (info.restart == Restart::must_keep) add("restart", "cannot change it");
   return text;
 }

@@ -9,7 +9,6 @@
 #include <span>
 #include <utility>
 
-#include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/model/error.hpp"
 
@@ -170,20 +169,6 @@ std::int64_t CheckpointSchedule::next_step() const {
 void CheckpointSchedule::observe(const Simulation& simulation) {
   write_(simulation);
   ++next_;
-}
-
-void add_alarm_option(po::options_description& options) {
-  options.add_options()(
-      "on-alarm", one_of("stop|report")->default_value("stop"),
-      "what to do when the result becomes meaningless (docs/guard.md): stop with exit code 1, or "
-      "report it and go on. Warnings are only reported, and not at all with --quiet");
-}
-
-OnAlarm on_alarm(const po::variables_map& values) {
-  const auto word = values["on-alarm"].as<std::string>();
-  if (word == "stop") return OnAlarm::stop;
-  if (word == "report") return OnAlarm::report;
-  throw UsageError(fmt::format("--on-alarm {} is unknown: choose stop or report", word));
 }
 
 Alarms::Alarms(const Simulation& simulation, std::int64_t last_step, OnAlarm on_alarm,

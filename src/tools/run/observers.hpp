@@ -78,11 +78,6 @@ class CheckpointSchedule : public Observer {
 
 enum class OnAlarm { stop, report };
 
-void add_alarm_option(po::options_description& options);
-
-/// The choice of --on-alarm. Throws UsageError if it is no such word.
-OnAlarm on_alarm(const po::variables_map& values);
-
 /// Looks at the first and last step of a run and every 5000 steps. Warnings and, with
 /// OnAlarm::report, alarms are printed on standard error; Verbosity::quiet silences warnings.
 class Alarms : public Observer {

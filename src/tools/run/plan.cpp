@@ -42,6 +42,13 @@ std::vector<double> crossing_levels(const po::variables_map& values) {
   return levels;
 }
 
+OnAlarm on_alarm(const po::variables_map& values) {
+  const auto word = values["on-alarm"].as<std::string>();
+  if (word == "stop") return OnAlarm::stop;
+  if (word == "report") return OnAlarm::report;
+  throw UsageError(fmt::format("--on-alarm {} is unknown: choose stop or report", word));
+}
+
 DryRun dry_run(const po::variables_map& values) {
   if (values.count("dry-run") == 0) return DryRun::no;
   return values.count("json") > 0 ? DryRun::json : DryRun::text;
@@ -79,13 +86,11 @@ std::vector<std::int64_t> checkpoint_steps(const Parameters& p, const State& fir
 
 /// Where the run goes on, if it was interrupted; else its start.
 Resumption beginning(const RunPlan& plan, std::optional<Resumption> found) {
-  const auto& chain = plan.start.provenance;
-  if (!found) return {plan.start, {}, {}, chain};
-  ProvenanceEntry entry = chain.back();
+  if (!found) return {plan.start, {}, {}};
+  ProvenanceEntry entry = plan.start.provenance.back();
   entry.parent_checksum = found->checkpoint.checksum;
   entry.rebuild = "restart";
   found->checkpoint.provenance.push_back(std::move(entry));
-  found->record_provenance = chain;
   return std::move(*found);
 }
 
@@ -169,7 +174,9 @@ void add_run_options(po::options_description& options) {
   add("threads", integer("N"),
       "threads that share the work; default: as many as pay for this size of slider. Results do "
       "not depend on it");
-  add_alarm_option(options);
+  add("on-alarm", one_of("stop|report")->default_value("stop"),
+      "what to do when the result becomes meaningless (docs/guard.md): stop with exit code 1, or "
+      "report it and go on. Warnings are only reported, and not at all with --quiet");
   add("resume",
       "if the same run was interrupted, go on from its newest checkpoint OUT-tT.h5 and with its "
       "record; the result is that of an uninterrupted run");
@@ -222,6 +229,8 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
   plan.replaceable = std::move(found.replaceable);
   plan.is_complete = found.is_complete;
   plan.begin = beginning(plan, std::move(found.newest));
+  plan.begin.checkpoint.run->quiet_steps = rule.quiet_steps;
+  plan.begin.checkpoint.run->arrived_below = rule.arrived_below;
   if (plan.is_resumed()) leave_out_what_was_written(plan);
   if (plan.is_complete) {
     if (plan.files.record) plan.written_before.push_back(*plan.files.record);

@@ -175,7 +175,7 @@ Found find_run(const Checkpoint& start, const StopRule& rule, const RunFiles& fi
     Content rows =
         record.rows.empty() ? Content{} : rows_until(record.rows, checkpoint->state.step);
     if (!files.record || reach(rows, *checkpoint, path, rule, files)) {
-      found.newest = {std::move(*checkpoint), path, std::move(rows), {}};
+      found.newest = {std::move(*checkpoint), path, std::move(rows)};
       found.is_complete = path == files.output && record.is_finished;
       return found;
     }

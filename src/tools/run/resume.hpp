@@ -16,9 +16,8 @@ namespace rupture::tools {
 /// A run as it was at one of its checkpoints.
 struct Resumption {
   Checkpoint checkpoint;
-  std::filesystem::path file;                           ///< that it was read from
-  Content rows;                                         ///< of its record up to there
-  std::vector<ProvenanceEntry> record_provenance = {};  ///< the record begins where the run did
+  std::filesystem::path file;  ///< that it was read from
+  Content rows;                ///< of its record up to there
 };
 
 /// Files of an interrupted run.

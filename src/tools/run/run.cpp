@@ -66,14 +66,6 @@ void announce(const OutputOptions& output, const std::vector<WrittenFile>& on_th
   }
 }
 
-/// Where the plan's run begins, with what /run says of its end.
-RunSoFar so_far(const RunPlan& plan) {
-  RunSoFar run = *plan.begin.checkpoint.run;
-  run.quiet_steps = plan.rule.quiet_steps;
-  run.arrived_below = plan.rule.arrived_below;
-  return run;
-}
-
 /// A run with everything that it writes on its way. The objects it is made with must outlive it.
 class Run {
  public:
@@ -84,7 +76,7 @@ class Run {
         begin_(plan.begin.checkpoint),
         saved_(plan.begin.file),
         simulation_(begin_.parameters, begin_.state, plan.work.threads, plan.files.crossings) {
-    simulation_.resume_from(so_far(plan));
+    simulation_.resume_from(*begin_.run);
     if (plan.files.record) begin_record();
   }
 
@@ -107,8 +99,8 @@ class Run {
   void save(const fs::path& path);
   /// That of the record, if the run ends at `step`.
   std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const {
-    return recorded_until(plan_.begin.record_provenance, begin_.parameters,
-                          simulation_.state().clock, step, plan_.files);
+    return recorded_until(plan_.start.provenance, begin_.parameters, simulation_.state().clock,
+                          step, plan_.files);
   }
 
   const RunPlan& plan_;
@@ -299,7 +291,7 @@ void simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
   if (is_dry) return print_forecast(plan, options.dry_run);
   restore_sums(plan.written_before, output);
   if (!plan.is_complete) return carry_out(plan, options, output);
-  print_if_asked(quantities_of(summary_of_complete(read_checkpoint(plan.files.output))), output);
+  print_if_asked(quantities_of(summary_of_complete(plan.begin.checkpoint)), output);
 }
 
 }  // namespace rupture::tools
