@@ -15,7 +15,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from conftest import BIN, ROOT
+from conftest import BIN, ROOT, run
 from sweeps.picture import axis_of, draw, edges, limits, middle
 from sweeps.plan import plan_sweep
 from sweeps.report import columns_of, picture, print_summary
@@ -95,7 +95,7 @@ def test_the_base_is_a_copy_with_its_checksum(plan):
     command = plan(BASED).points[0].commands["restart"]
     (copy,) = Path("results/data/bases").glob("*.h5")
     assert command.startswith(f"restart {copy} --set driving.V=0.1mm/s --seed 1 --for 0.01")
-    done = subprocess.run([BIN / "analyze", "checksum", copy], capture_output=True, text=True)
+    done = run("analyze", "checksum", copy)
     assert Path(f"{copy}.sum").read_text() == f"content-sha256 {done.stdout.strip()}  {copy.name}\n"
     assert done.stdout.startswith(copy.stem)
 
@@ -132,6 +132,8 @@ REFUSED = [
     ("type = front.type", "", "needs a section .quantities."),
     ("[sweep]", "[sweep]\nseeds = 1, 2", "'seeds' is for recipes"),
     ("[sweep]", "[sweep]\npoints = p.csv", "no table of points .*p.csv"),
+    ("[sweep]", "[sweep]\npoints = empty.csv", "there are no points"),
+    ("[sweep]", "[sweep]\npoints = heading.csv", "there are no points"),
     ("[sweep]", "[sweep]\nbase = no.h5", "no.h5 does not exist"),
     ("[sweep]", "[sweep]\nbase = bad.h5", "the base cannot be used: .*bad.h5"),
     ("[sweep]", "[sweep]\nbase = record.h5", "is a record; runs go on from checkpoints"),
@@ -157,7 +159,6 @@ REFUSED = [
         for option in ("--dry-run", "--help", "-h", "--version", "--describe")
     ),
     ("{values}", "{values} --tau-bar=0.1", "'--tau-bar' cannot be specified more than once"),
-    (VALUES, f"{VALUES}\nseed = 2\nnumerics.seed = 1", "sets numerics.seed twice"),
     # values
     (VALUES, "", "there are no points"),
     (VALUES, f"{VALUES}\ndriving.v = 1", "no parameter 'driving.v'; did you mean 'driving.V'"),
@@ -166,7 +167,6 @@ REFUSED = [
     (VALUES, f"{VALUES}\noutput = x", "'--output' cannot be specified more than once"),
     (VALUES, "tau-bar = 0.1, high, 0.2", "tau-bar is a finite number, which 'high' is not"),
     (VALUES, "tau-bar = high", "--tau-bar high is not a number"),
-    (VALUES, "tau-bar = 0.1, 1ms, 0.2", "tau-bar is a finite number, which '1ms' is not"),
     *(
         (VALUES, f"{VALUES}\njunctions.t_R = 1ms, {text}", "is a finite number in s, which '")
         for text in ("1mm", "nan", "inf", "-inf", "1e999", "1 2")
@@ -174,7 +174,6 @@ REFUSED = [
     *(
         (VALUES, f"{VALUES}\n{name} = {texts}", "a point is there twice")
         for name, texts in (
-            ("seed", "1, 1"),
             ("seed", "1, 1.0"),
             ("sigma-bar", "1e-4, 0.0001"),
             ("driving.V", "1mm/s, 1e-3"),
@@ -199,6 +198,8 @@ REFUSED = [
 @pytest.mark.parametrize("part, new, sentence", REFUSED)
 def test_mistakes_are_refused_in_a_sentence_and_nothing_is_written(plan, part, new, sentence):
     Path("bad.h5").write_bytes(BASE.read_bytes()[:-1])
+    Path("empty.csv").touch()
+    Path("heading.csv").write_text("tau-bar\n")
     records = (p for p in sorted(RECORD.rglob("*.h5")) if p.read_bytes().startswith(b"rupture-rec"))
     shutil.copyfile(next(records), "record.h5")
     assert part in CHAIN
@@ -222,11 +223,6 @@ def test_a_value_is_given_once(plan, option, values):
         plan(text)
 
 
-def test_parameters_need_a_command_that_gets_them(plan):
-    with pytest.raises(SweepError, match="no command has {values}"):
-        plan(BASED.replace("{values} ", ""))
-
-
 def test_a_list_of_a_file_is_a_number_of_a_shape(plan):
     text = "[sweep]\n[commands]\nstrength = analyze strength {values} --json\n"
     rest = "[values]\nsigma-bar = 0, 0.1\n[quantities]\nm = strength.mu_bar_eff\n"
@@ -245,7 +241,8 @@ def test_what_cannot_be_read_or_written_is_said_with_the_file(plan, tmp_path):
         plan_sweep(Path("none.ini"), BIN, tmp_path)
     Path("file").touch()
     Path("own.ini").write_text(CHAIN)
-    with pytest.raises(SweepError, match="^own.ini: file.* cannot be (written|read)|File exists"):
+    sentence = "own.ini: file/sweeps/own/own.ini cannot be written .File exists."
+    with pytest.raises(SweepError, match=f"^{sentence}$"):
         plan_sweep(Path("own.ini"), BIN, Path("file"))
 
 

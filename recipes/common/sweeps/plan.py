@@ -18,11 +18,13 @@ from runs.written import note
 from sweeps.check import Programs, check_columns, check_points
 from sweeps.sweep import SweepError, check_form, parse_ini, sentence_of, sweep_of
 
-ENDINGS = (".ini", "-points.csv", ".csv", ".hdf5", ".png", ".pdf")
+ENDINGS = (".csv", ".hdf5", ".png", ".pdf")
 
 
-def write(path, content):
+def write(results, path, content, *others):
+    """Notes the others, which are to come, too."""
     try:
+        note(results, path, *others)
         with replacing(path) as part:
             part.write_bytes(content)
     except OSError as error:
@@ -42,9 +44,8 @@ def keep_base(path, tools, results):
         raise SweepError(f"the base {path} is a record; runs go on from checkpoints")
     checksum = done.stdout.strip()
     copy = Path(results) / "data/bases" / f"{checksum[:16]}.h5"
-    note(results, copy, f"{copy}.sum")
-    write(copy, content)
-    write(Path(f"{copy}.sum"), f"content-sha256 {checksum}  {copy.name}\n".encode())
+    write(results, copy, content)
+    write(results, Path(f"{copy}.sum"), f"content-sha256 {checksum}  {copy.name}\n".encode())
     return str(copy)
 
 
@@ -73,16 +74,16 @@ def make_plan(path, tools, results):
 def write_plan(ini, output, results):
     """Its own table of points: a change that a user makes during a run is for the next one."""
     section = ini["sweep"]
-    note(results, *(output.with_name(f"{output.stem}{ending}") for ending in ENDINGS))
     if "base" in section:
         section["base"] = os.path.relpath(section["base"], output.parent)
     if "points" in section:
         copy = output.with_name(f"{output.stem}-points.csv")
-        write(copy, Path(section["points"]).read_bytes())
+        write(results, copy, Path(section["points"]).read_bytes())
         section["points"] = copy.name
     text = io.StringIO()
     ini.write(text)
-    write(output, text.getvalue().encode())
+    others = (output.with_name(f"{output.stem}{ending}") for ending in ENDINGS)
+    write(results, output, text.getvalue().encode(), *others)
     return output
 
 

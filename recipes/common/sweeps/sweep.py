@@ -125,9 +125,9 @@ def rows_of(path):
         with open(path, newline="", encoding="utf-8-sig") as file:
             table = csv.DictReader(file, restkey="")
             rows = [(table.line_num, row) for row in table]
+            names = table.fieldnames or []
     except (UnicodeDecodeError, csv.Error):
         raise SweepError(f"{path} is no table of CSV in UTF-8") from None
-    names = table.fieldnames or []
     if len({*names}) < len(names) or "" in names:
         raise SweepError(f"{path}: each column needs a heading of its own")
     for number, row in rows:
