@@ -1,5 +1,6 @@
 """What all tests in Python share: the folders, calls of programs, and what is skipped."""
 
+import functools
 import importlib.util
 import os
 import shutil
@@ -13,6 +14,7 @@ BUILD = Path(os.environ.get("RUPTURE_BUILD", ROOT / "build/release"))
 BIN = BUILD / "bin"
 SMALL = ROOT / "tests/golden/small.ini"
 SKIPPED = 77  # as ctest knows it
+approx = functools.partial(pytest.approx, rel=0, abs=5e-8)
 
 os.environ |= {
     "RUPTURE_BIN": str(BIN),

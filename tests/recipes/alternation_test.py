@@ -1,9 +1,9 @@
 """Alternation of events in loads: made-up sequences with known answers."""
 
 import numpy as np
-from pytest import approx
 
 from alternation import SLOW, alternates, changes, own_result, p_of_changes
+from conftest import approx
 
 
 def kinds(text):

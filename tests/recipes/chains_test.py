@@ -14,13 +14,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from conftest import ROOT as SOURCE
-from conftest import need_modules
+from conftest import BIN, ROOT, need_modules
 from runs.recipes import read_readme
 from sweeps.sweep import read_sweep
 
 need_modules("snakemake")
-BIN = Path(os.environ.get("RUPTURE_BIN", SOURCE / "build/release/bin"))
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
 # A rule may also ask for checkpoints and crossings for later steps, and name the only event of a
@@ -32,7 +30,7 @@ ONLY_BY_HAND = (
     "analyze events",
     "analyze events --slow-below",
 )
-RECIPES = sorted(path.parent.name for path in (SOURCE / "recipes").glob("*/rules.smk"))
+RECIPES = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/rules.smk"))
 
 HANDLER = """
 import json
@@ -46,7 +44,7 @@ def log_handler(message):
 def planned(folder):
     """All commands of all recipes from scratch, in which events have been found."""
     for name in ("recipes", "python", "checkpoints", "docs", "benchmarks"):
-        (folder / name).symlink_to(SOURCE / name)
+        (folder / name).symlink_to(ROOT / name)
     (folder / "handler.py").write_text(HANDLER)
     done = subprocess.run(
         [
@@ -58,7 +56,7 @@ def planned(folder):
             *("--config", "bin=bin", "code=none", "from_scratch=1"),
         ],
         cwd=folder,
-        env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1", "XDG_CACHE_HOME": str(folder)},
+        env=os.environ | {"XDG_CACHE_HOME": str(folder)},
         capture_output=True,
         text=True,
     )
@@ -70,7 +68,7 @@ def planned(folder):
 
 def of_sweeps():
     """Without those whose table of points is made by rules, which are like the other ones."""
-    for path in sorted((SOURCE / "recipes").glob("*/*.ini")):
+    for path in sorted((ROOT / "recipes").glob("*/*.ini")):
         if "\npoints" not in path.read_text():
             for point in read_sweep(path).points:
                 yield from point.commands.values()
@@ -176,7 +174,7 @@ class Chains(unittest.TestCase):
 
     def test_each_command_by_hand_is_one_of_the_rules(self):
         for name in RECIPES:
-            pages = (SOURCE / "recipes" / name).glob("*.md")
+            pages = (ROOT / "recipes" / name).glob("*.md")
             chain = [words for page in pages for words in calls_in(read_readme(page).commands)]
             self.assertGreater(len(chain), 1, name)
             for words in chain:

@@ -1,8 +1,7 @@
 """Kinds of events, and which of a load are shown (recipes/common/events)."""
 
-from pytest import approx
-
 from claims.judge import holds
+from conftest import approx
 from events.choose_events import choose
 from events.conventions import CONVENTIONS, PRIMARY
 from events.event_claims import case_3Cv, judged_event, slow_speeds, speeds_compared

@@ -1,10 +1,9 @@
 """The judge of claims: conditions, shares and the four verdicts, and the table of claims itself."""
 
 from math import isfinite
-from pathlib import Path
 from unittest import mock
 
-from pytest import approx, raises
+from pytest import raises
 
 from claims import judge
 from claims.claim import VERDICTS
@@ -20,8 +19,7 @@ from claims.judge import (
     table,
     unmet,
 )
-
-SOURCE = Path(__file__).resolve().parents[2]
+from conftest import ROOT, approx
 
 ROW = {"recipe": "fig0", "says": "something", "accepted": "if it is", "unit": "load"}
 MADE_UP = {
@@ -139,7 +137,7 @@ class TestTable:
     def test_every_row_is_complete(self):
         for claim_id, row in table().items():
             assert {"recipe", "says", "accepted", "conditions"} <= set(row)
-            assert (SOURCE / f"recipes/{row['recipe']}/rules.smk").exists()
+            assert (ROOT / f"recipes/{row['recipe']}/rules.smk").exists()
             for condition in conditions_of(claim_id).values():
                 if isinstance(condition, dict):
                     assert condition and set(condition) <= set(RELATIONS)

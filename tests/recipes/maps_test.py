@@ -1,10 +1,11 @@
 """Maps of front types (common/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
 import numpy as np
-from pytest import approx, raises
+from pytest import raises
 from scipy.stats import mannwhitneyu
 
 from claims.judge import holds
+from conftest import approx
 from data.rank_test import permutation, share_of_lower, van_elteren
 from events.conventions import PRIMARY
 from made_up_front import front

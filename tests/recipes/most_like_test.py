@@ -2,8 +2,9 @@
 
 import math
 
-from pytest import approx, raises
+from pytest import raises
 
+from conftest import approx
 from most_like import candidates, choice_of, ratios_of, unlikeness
 
 C_S, L = 900.0, 0.14

@@ -1,17 +1,13 @@
 """Claims 1E and SI: friction of blocks around their rupture, slip of one block; made up."""
 
 import runpy
-from pathlib import Path
 
 import numpy as np
-from pytest import approx
 
 from claims.judge import holds
+from conftest import ROOT, approx
 from curves import Blocks, cases_1E
 from events.conventions import PRIMARY
-
-SOURCE = Path(__file__).resolve().parents[2]
-
 
 MIDDLE = "the middle block"
 # Five blocks, two of them in the loading zone; the third is in the middle of 0.12 m.
@@ -65,7 +61,7 @@ class TestSlowSlip:
             }
             for early, all_of_it in ((7.0, 8.5), (5.0, 5.187))
         )
-        script = runpy.run_path(str(SOURCE / "recipes/estimate/figure.py"))
+        script = runpy.run_path(str(ROOT / "recipes/estimate/figure.py"))
         cases = script["cases_SI"](reference, unbreakable)
         held = {until: holds("SI", [case]) for until, case in cases.items()}
         assert held == {"until 2 <t_R>": False, "until nothing slips": True}

@@ -4,11 +4,11 @@
 import math
 
 import numpy as np
-from pytest import approx
 
 import decay_length
 import no_slip_force
 from claims.judge import holds
+from conftest import approx
 from events.conventions import PRIMARY
 from made_up_front import LAST, front
 

@@ -3,18 +3,16 @@
 
 import csv
 import json
-from pathlib import Path
 
-from pytest import approx, fixture
+from pytest import fixture
 
 import front_speed
 import slow_fronts
 import slow_slip
 from claims import paper
+from conftest import ROOT, approx
 from data.fits import fit_through_origin
 from sweeps.sweep import read_sweep
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 def slips(blocks=5):

@@ -2,18 +2,13 @@
 
 import re
 import shutil
-import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from conftest import BUILD, ROOT
+from conftest import BUILD, ROOT, run
 
 PROJECT = ROOT / "tests/regression/project"
-
-
-def run(*command):
-    return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 class Package(unittest.TestCase):
@@ -83,9 +78,7 @@ class Package(unittest.TestCase):
         self.assertIn("  fig3 ", self.done(rupture, "reproduce", "list"))
         self.assertNotIn("tidy", self.done(rupture, "reproduce", "--help"))
         before = sorted(self.prefix.rglob("*"))
-        done = subprocess.run(
-            [rupture, "reproduce", "figS1"], cwd=folder, capture_output=True, text=True, check=False
-        )
+        done = run(rupture, "reproduce", "figS1", cwd=folder)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertTrue((folder / "results/figS1/claims.json").exists())
         self.assertEqual(sorted(self.prefix.rglob("*")), before)

@@ -13,7 +13,8 @@ import time
 import unittest
 from pathlib import Path
 
-BIN = Path(os.environ["RUPTURE_BIN"])
+from conftest import BIN
+
 SMALL = "--set slider.Nx=9 --set slider.Nz=5 --set slider.H=0.07 --set driving.h=0.0175"
 DONE = r" *(\d+) %"
 TIME = r"t = 0\.\d{4} s of 0\.3000 s"
