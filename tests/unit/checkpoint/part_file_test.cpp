@@ -43,6 +43,8 @@ TEST_F(RecordFile, interrupted_stays_behind_as_a_part_that_cannot_be_verified) {
   expect_samples(read_record(file("r.h5.part")), 16);
   expect_contains(failure_of([&] { verify_file(file("r.h5.part")); }),
                   "r.h5.part: an unfinished record cannot be verified");
+  EXPECT_EQ(failure_of([&] { read_checkpoint(file("r.h5.part")); }),
+            file("r.h5.part").string() + " is an unfinished record; expected a checkpoint");
 }
 
 TEST_F(RecordFile, of_a_run_killed_at_any_moment_is_readable) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <ostream>
+#include <set>
 #include <sstream>
 
 #include "hand_made_interface.hpp"
@@ -67,6 +68,9 @@ std::vector<History> histories() {
   return all;
 }
 
+const std::set<std::string> kWords = {"p",        "t",      "u",     "f",    "a",   "broken",
+                                      "repinned", "pinned", "draws", "left", "slow"};
+
 class ByHand : public ::testing::TestWithParam<History> {
  protected:
   void expect(const Step& step, const char* name, double value) const {
@@ -90,6 +94,7 @@ TEST_P(ByHand, goes_as_worked_out_by_hand) {
       SCOPED_TRACE("step " + std::to_string(++n) + ", sign " + std::to_string(sign));
       if (step.contains("p")) block.press(step["p"]);
       if (step.contains("t")) t = step["t"];
+      for (const auto& [name, value] : step) EXPECT_TRUE(kWords.contains(name)) << name;
       const auto changes = block.move(sign * step["u"], t);
       const Junctions& junctions = block.junctions();
       EXPECT_EQ(changes.broken, step["broken"]);
@@ -98,6 +103,10 @@ TEST_P(ByHand, goes_as_worked_out_by_hand) {
       expect(step, "a", sign * block.attachment());
       expect(step, "pinned", block.pinned());
       expect(step, "draws", junctions.draws(0, 0));
+      if (GetParam().parameters.law == Law::distance) {
+        EXPECT_EQ(junctions.repin_time(0, 0),
+                  block.pinned() == 1 ? Junctions::never : Junctions::unknown);
+      }
       if (step.contains("left")) expect(step, "left", junctions.slip_left(0, 0));
       if (step.contains("slow")) expect(step, "slow", sign * junctions.slow_until(0, 0));
     }
