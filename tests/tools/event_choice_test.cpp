@@ -14,7 +14,7 @@ class EventChoice : public ToolTest {
   }
 };
 
-TEST_F(EventChoice, an_event_is_named_by_its_number_or_its_time) {
+TEST_F(EventChoice, an_event_is_named_by_its_number) {
   const Json events = json_of("analyze events r.h5 --json")["events"];
   for (std::size_t n = 0; n < events.size(); ++n) {
     EXPECT_EQ(events[n]["number"], n);
@@ -22,19 +22,6 @@ TEST_F(EventChoice, an_event_is_named_by_its_number_or_its_time) {
     EXPECT_EQ(front["t_rupture"], events[n]["t_rupture"]) << n;
     EXPECT_EQ(front["type"], events[n]["type"]) << n;
   }
-  const Json second = json_of("analyze front r.h5 --event 1 --json");
-  EXPECT_EQ(json_of("analyze front r.h5 --from 1.8e-3 --to 3e-3 --json"), second);
-  EXPECT_EQ(json_of("analyze front r.h5 --event first-spanning --json"), second);
-}
-
-/// Events after the trigger's on a prepared interface are no reason to refuse it.
-TEST_F(EventChoice, on_a_prepared_interface_the_triggers_event_is_meant) {
-  output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.8 -o p.h5 -q");
-  output_of("restart p.h5 -o q.h5 --for 6e-5 --record early.h5 -q");
-  const std::string quiet = " --quiet-time 5e-6";
-  ASSERT_GT(json_of("analyze events early.h5 --json" + quiet)["events"].size(), 1U);
-  EXPECT_EQ(json_of("analyze front early.h5 --json" + quiet),
-            json_of("analyze front early.h5 --event 0 --json" + quiet));
 }
 
 TEST_F(EventChoice, events_as_csv_have_what_the_json_has) {

@@ -28,16 +28,6 @@ struct Row {
 };
 using Rows = std::vector<Row>;
 
-inline bool matches(std::string_view text, std::string_view pattern) {
-  const std::size_t gap = pattern.find("...");
-  if (gap == std::string_view::npos) return text == pattern;
-  if (!text.starts_with(pattern.substr(0, gap))) return false;
-  for (text.remove_prefix(gap); !text.empty(); text.remove_prefix(1)) {
-    if (matches(text, pattern.substr(gap + 3))) return true;
-  }
-  return pattern.size() == gap + 3;
-}
-
 /// Closes what HDF5 has opened, whatever it is.
 class Opened {
  public:
@@ -221,7 +211,6 @@ class AnyFile : public ToolTest {
     EXPECT_EQ(outcome.exit_code, kFailed) << command << ": " << outcome.out;
     const std::string tool = command.substr(0, command.find(' '));
     EXPECT_PRED2(matches, outcome.err, tool + ": x.h5" + sentence + "\n");
-    EXPECT_EQ(lines_of(outcome.err).size(), 1U);
     EXPECT_TRUE(files() == before) << command;
     if (command != "analyze verify x.h5") return;
     const bool is_changed = sentence.starts_with(" was changed"),

@@ -29,6 +29,34 @@ TEST_F(ParametersTool, lists_all_in_a_line_each) {
   }
 }
 
+TEST_F(ParametersTool, tells_of_a_number_and_of_a_choice_of_words) {
+  EXPECT_EQ(output_of("parameters junctions.t_R junctions.f_new slider.Nx"),
+            R"(junctions.t_R
+  mean slipping time
+  symbol   t_R
+  unit     s
+  default  0.002
+  value    above 0 and at most 1000
+  laws     reference, simplified, decaying
+
+junctions.f_new
+  force of a newly pinned junction; f_slip switches slow slip off
+  symbol   f_new
+  default  zero
+  value    zero or f_slip
+  laws     reference, distance
+
+slider.Nx
+  number of blocks along x
+  symbol   N_x
+  unit     1
+  default  57
+  value    of at least 3 and at most 65536
+  laws     reference, simplified, decaying, distance
+  restart  cannot change it
+)");
+}
+
 TEST_F(ParametersTool, json_has_the_ranges_that_are_enforced) {
   for (const Json& row : json_of("parameters --json").at("parameters")) {
     const std::string name = row.at("name");

@@ -162,6 +162,17 @@ void expect_one_sentence(const std::string& err, const std::string& tool, std::s
   EXPECT_NE(err.find(part), std::string::npos) << err << "lacks '" << part << "'";
 }
 
+bool matches(std::string_view text, std::string_view pattern) {
+  const std::size_t gap = pattern.find("...");
+  if (gap == std::string_view::npos) return text == pattern;
+  if (!text.starts_with(pattern.substr(0, gap))) return false;
+  text.remove_prefix(gap);
+  for (; !matches(text, pattern.substr(gap + 3)); text.remove_prefix(1)) {
+    if (text.empty() || text[0] == '\n') return false;
+  }
+  return true;
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines = split(text, '\n');
   if (lines.back().empty()) lines.pop_back();  // what follows the last line's end

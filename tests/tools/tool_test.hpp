@@ -87,6 +87,9 @@ std::string names_of_changed(const Files& before, const Files& after);
 /// Demands that a tool said one line, "<tool>: ...", on standard error, with `part` in it.
 void expect_one_sentence(const std::string& err, const std::string& tool, std::string_view part);
 
+/// Whether the text is the pattern, in which "..." stands for any text within a line.
+bool matches(std::string_view text, std::string_view pattern);
+
 /// Lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 
