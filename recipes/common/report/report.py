@@ -19,7 +19,7 @@ from markupsafe import Markup
 from alt_text import seen
 from caption import as_html, filled
 from claims.claim import VERDICTS, Claim, measured_parts, read_claims
-from claims.own_result import read_own
+from claims.own_result import OwnResult, read_own
 from rupture.replacing import write_whole
 from crate import CRATE, write_crate
 from glance_picture import glance_picture
@@ -46,6 +46,7 @@ class Recipe:
     commands: str
     caption: Markup
     claims: list[Claim]
+    own: list[OwnResult]
     pictures: list[Picture]
     tables: list[str]
     jobs: list[Job]
@@ -79,7 +80,8 @@ def files_of(root, name, pattern):
 def read_recipe(root, name, shown, accounts):
     readme = read_readme(root / "recipes" / name / "README.md")
     claims = claims_of(root, name)
-    caption = filled(readme.caption, claims + read_own(root / "results" / name))
+    own = read_own(root / "results" / name)
+    caption = filled(readme.caption, claims + own)
     files = accounts.files_behind(name)
     pictures = files_of(root, name, "*.png")
     return Recipe(
@@ -89,6 +91,7 @@ def read_recipe(root, name, shown, accounts):
         commands=readme.commands,
         caption=as_html(caption, shown),
         claims=claims,
+        own=own,
         pictures=[picture(path, seen(path.name, readme.title, caption)) for path in pictures],
         tables=[path.name for path in files_of(root, name, "*.csv")],
         jobs=accounts.jobs(files),
