@@ -1,7 +1,5 @@
 """Fronts with smaller time steps and on finer lattices. A case is a front at three levels, from the
-reference one to the finest."""
-
-from dataclasses import dataclass
+reference one to the finest: a list of fronts, each with its values by the headings of COLUMNS."""
 
 import numpy as np
 
@@ -23,45 +21,20 @@ VARIANTS = {  # of the sweeps: series
 }
 LEVELS = {TIME_STEP: STEPS, **dict.fromkeys(VARIANTS.values(), LATTICES)}
 SIGMAS = (0.0, 0.285)  # of the prepared interfaces
-COLUMNS = (
-    *("type", "speed", "duration", "x_from", "x_to", "arrest"),
-    *("whole speed", "whole duration"),  # not of events
-)
+SPEED, DURATION = "slow speed [m/s]", "duration [s]"
+SLOW = {SPEED: "speed", DURATION: "duration", "slow from [m]": "x_from", "slow to [m]": "x_to"}
+IN_SWEEPS = {"slow from [m]": "slow stretch from [m]", "slow to [m]": "slow stretch to [m]"}
+COLUMNS = ["type", *SLOW, "arrested at [m]", "speed with ends [m/s]", "duration with ends [s]"]
 
 
-@dataclass(frozen=True)
-class Case:
-    """Lists have one element per level. Speeds [m/s], times [s] and places [m] are None without a
-    slow stretch."""
-
-    series: str  # one of LEVELS
-    name: str
-    types: list
-    speeds: list
-    durations: list
-    starts: list  # of the slow stretch
-    ends: list
-    arrests: list  # where the front stopped [m]
-    whole_speeds: list  # with the stencils at the ends of the slow stretch
-    whole_durations: list
-
-    def changes_type(self):
-        """Between the two finest levels."""
-        return self.types[-2] != self.types[-1]
-
-
-def case_of(series, name, fronts):
-    """`fronts`: for each level its values by name, as in COLUMNS."""
-    return Case(series, name, *([front.get(column) for front in fronts] for column in COLUMNS))
-
-
-# --- events --------------------------------------------------------------------------------
+# --- reading -------------------------------------------------------------------------------
 
 
 def event_front(front):
-    slow = front["slow"] or dict.fromkeys(("x_from", "x_to", "speed", "duration"))
-    kept = {key: slow[key] for key in ("x_from", "x_to", "speed", "duration")}
-    return kept | {"type": front["type"], "arrest": front["x_arrest"]}
+    """As `analyze front` reports it."""
+    slow = front["slow"] or {}
+    kept = {"type": front["type"], "arrested at [m]": front["x_arrest"]}
+    return kept | {name: slow.get(key) for name, key in SLOW.items()}
 
 
 def read_events(data):
@@ -75,108 +48,87 @@ def read_events(data):
     }
 
 
-# --- prepared interfaces -------------------------------------------------------------------
-
-
-def number_of(text):
-    return float(text) if text else None
-
-
 def row_front(row):
-    return {
-        "type": type_on_map(row["type"]) if row["status"] == "done" else IMPOSSIBLE,
-        "arrest": number_of(row["arrested at [m]"]),
-        "x_from": number_of(row["slow stretch from [m]"]),
-        "x_to": number_of(row["slow stretch to [m]"]),
-        "speed": number_of(row["slow speed [m/s]"]),
-        "duration": number_of(row["duration [s]"]),
-        "whole speed": number_of(row["speed with ends [m/s]"]),
-        "whole duration": number_of(row["duration with ends [s]"]),
-    }
+    cells = {name: row[IN_SWEEPS.get(name, name)] for name in COLUMNS[1:]}
+    kind = type_on_map(row["type"]) if row["status"] == "done" else IMPOSSIBLE
+    return {"type": kind} | {name: float(text) if text else None for name, text in cells.items()}
 
 
 def read_places(data):
     """{series: {(tau_bar_0, sigma_bar): fronts per level}}, of places that all levels have."""
-    rows = read_rows(data / "convergence/time-step.csv")
-    steps = [[row for row in rows if row["numerics.dt"] == dt] for dt in STEPS]
-    finer = [read_rows(data / f"convergence/lattice-{n}.csv") for n in ("113", "225")]
-    series_of_levels: dict = {TIME_STEP: steps}
-    for variant, series in VARIANTS.items():
-        of_variant = [[row for row in rows if row["variant"] == variant] for rows in finer]
-        series_of_levels[series] = [steps[0], *of_variant]
-    found: dict = {}
-    for series, levels in series_of_levels.items():
-        fronts = [{place_of(row): row_front(row) for row in level} for level in levels]
-        shared = [place for place in fronts[0] if all(place in level for level in fronts)]
-        places = sorted(shared, key=lambda place: place[::-1])
-        found[series] = {place: [of_level[place] for of_level in fronts] for place in places}
-    return found
+
+    def fronts(table, column, value):
+        rows = read_rows(data / f"convergence/{table}.csv")
+        return {place_of(row): row_front(row) for row in rows if row[column] == value}
+
+    steps = [fronts("time-step", "numerics.dt", dt) for dt in STEPS]
+    series = {TIME_STEP: steps}
+    for variant, name in VARIANTS.items():
+        finer = (fronts(f"lattice-{n}", "variant", variant) for n in ("113", "225"))
+        series[name] = [steps[0], *finer]
+    return {
+        name: {
+            place: [level[place] for level in levels]
+            for place in sorted(set.intersection(*map(set, levels)), key=lambda place: place[::-1])
+        }
+        for name, levels in series.items()
+    }
 
 
 # --- what they say -------------------------------------------------------------------------
 
 
-def name_of(place):
-    return "tau_bar_0 {:g}, sigma_bar {:g}".format(*place)
-
-
 def cases_of(events, places):
-    shown = [
-        case_of(TIME_STEP, f"event {number}", [event_front(front) for front in fronts])
+    """{(series, name): case}, the events first"""
+    shown = {
+        (TIME_STEP, f"event {number}"): [event_front(front) for front in fronts]
         for number, fronts in events.items()
-    ]
-    prepared = [
-        case_of(series, name_of(place), fronts)
+    }
+    return shown | {
+        (series, "tau_bar_0 {:g}, sigma_bar {:g}".format(*place)): case
         for series, of_series in places.items()
-        for place, fronts in of_series.items()
-    ]
-    return shown + prepared
-
-
-def in_milliseconds(times):
-    return [time and time * 1e3 for time in times]
-
-
-def types_text(types):
-    return f"{types[0]} with each step" if len(set(types)) == 1 else ", ".join(types)
-
-
-def event_measured(case):
-    return {
-        f"{case.name}: types": types_text(case.types),
-        f"{case.name}: slow speed [m/s]": case.speeds,
-        f"{case.name}: duration [ms]": in_milliseconds(case.durations),
-        f"{case.name}: slow from [m]": case.starts,
-        f"{case.name}: slow to [m]": case.ends,
+        for place, case in of_series.items()
     }
 
 
-def is_slow(case):
-    """At the two finest levels."""
-    return case.types[-2:] == ["slow", "slow"]
+def column(case, name):
+    """One element per level; None without a slow stretch."""
+    return [front.get(name) for front in case]
 
 
-def relative_changes(cases):
-    """Of the slow speed, between the two finest levels. A slow stretch may be too short for one."""
-    pairs = [case.speeds[-2:] for case in cases if is_slow(case)]
-    return [abs(b / a - 1) for a, b in pairs if a and b]
+def changes_type(case):
+    """Between the two finest levels."""
+    return case[-2]["type"] != case[-1]["type"]
 
 
-def type_changes(case):
-    return f"{case.name} ({', '.join(case.types)})"
+def event_measured(name, case):
+    types = column(case, "type")
+    same = len(set(types)) == 1
+    return {
+        f"{name}: types": f"{types[0]} with each step" if same else ", ".join(types),
+        f"{name}: {SPEED}": column(case, SPEED),
+        f"{name}: duration [ms]": [time and time * 1e3 for time in column(case, DURATION)],
+        f"{name}: slow from [m]": column(case, "slow from [m]"),
+        f"{name}: slow to [m]": column(case, "slow to [m]"),
+    }
 
 
 def series_measured(series, cases):
-    changed = [case for case in cases if case.changes_type()]
-    changes = relative_changes(cases)
+    """`cases`: {name: case}. A slow stretch may be too short for a speed."""
+    types = {name: column(case, "type") for name, case in cases.items()}
+    changed = [name for name, case in cases.items() if changes_type(case)]
+    slow = [case for name, case in cases.items() if types[name][-2:] == ["slow", "slow"]]
+    pairs = [column(case, SPEED)[-2:] for case in slow]
+    changes = [abs(b / a - 1) for a, b in pairs if a and b]
+    listed = "; ".join(f"{name} ({', '.join(types[name])})" for name in changed)
     return {
         f"{series}: cases": len(cases),
         f"{series}: type changes between the two finest": len(changed),
-        f"{series}: these are": "; ".join(map(type_changes, changed)) or "none",
+        f"{series}: these are": listed or "none",
         f"{series}: type is not the same at all levels": sum(
-            len(set(case.types)) > 1 for case in cases
+            len(set(kinds)) > 1 for kinds in types.values()
         ),
-        f"{series}: slow at the two finest levels": sum(map(is_slow, cases)),
+        f"{series}: slow at the two finest levels": len(slow),
         f"{series}: of these with a slow speed at both": len(changes),
         f"{series}: slow speed changes by at most [%]": max(changes) * 100 if changes else None,
     }
@@ -221,10 +173,11 @@ def order_measured(series, places):
 
 def own_result(cases, places, lammps):
     measured = lammps_measured(lammps)
-    for case in cases[: len(EVENTS)]:
-        measured |= event_measured(case)
+    for (_, name), case in [*cases.items()][: len(EVENTS)]:
+        measured |= event_measured(name, case)
     for series in LEVELS:
-        measured |= series_measured(series, [case for case in cases if case.series == series])
+        of_series = {name: case for (of, name), case in cases.items() if of == series}
+        measured |= series_measured(series, of_series)
         measured |= slow_measured(series, places[series])
         measured |= order_measured(series, places[series])
     return OwnResult(
@@ -257,13 +210,9 @@ def draw_places(axes, series, places):
             for level, front in enumerate(fronts)
             if front["type"] == kind
         ]
-        style = {
-            "color": COLOURS[kind],
-            "markersize": 4,
-            "markeredgewidth": 0.5,
-            "markeredgecolor": BLACK,
-        }
-        axes.plot(*zip(*points, strict=True) if points else ([], []), "s", label=kind, **style)
+        look = {"color": COLOURS[kind], "markeredgecolor": BLACK, "markeredgewidth": 0.5}
+        x_y = zip(*points, strict=True) if points else ([], [])
+        axes.plot(*x_y, "s", label=kind, markersize=4, **look)
     axes.axvline(len(columns) / 2 - 0.5, ymax=0.58, color=BLACK, linewidth=0.6)
     labels = [LEVELS[series][level] for _, level in columns]
     axes.set_xticks(range(len(columns)), labels, rotation=90)
@@ -288,28 +237,18 @@ def draw(events, places, stem):
 
 
 def rows(cases):
-    for case in cases:
-        columns = [
-            *(case.types, case.speeds, case.durations, case.starts, case.ends, case.arrests),
-            *(case.whole_speeds, case.whole_durations),
-        ]
-        mark = "yes" if case.changes_type() else "no"
-        for level, *cells in zip(LEVELS[case.series], *columns):
-            yield [case.series, case.name, level, *cells, mark]
-
-
-NAMES = [
-    *("varied", "case", "level", "type", "slow speed [m/s]", "duration [s]", "slow from [m]"),
-    *("slow to [m]", "arrested at [m]", "speed with ends [m/s]", "duration with ends [s]"),
-    "type changes between the two finest",
-]
+    for (series, name), case in cases.items():
+        mark = yes(changes_type(case))
+        for level, front in zip(LEVELS[series], case):
+            yield [series, name, level, *map(front.get, COLUMNS), mark]
 
 
 def make(data, results):
     events, places = read_events(data), read_places(data)
     cases = cases_of(events, places)
     draw(events, places, results / "convergence")
-    write_table(results / "convergence.csv", NAMES, rows(cases))
+    names = ["varied", "case", "level", *COLUMNS, "type changes between the two finest"]
+    write_table(results / "convergence.csv", names, rows(cases))
     lammps = report(data / "convergence/lammps.json")
     write_own(results, [own_result(cases, places, lammps)])
     return []

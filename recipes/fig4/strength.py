@@ -7,7 +7,7 @@ import numpy as np
 from claims.judge import judged
 from data.rank_test import permutation, share_of_lower, signed_rank, van_elteren
 from data.records import report, values
-from data.tables import read_rows, write_table
+from data.tables import read_rows, read_table, write_table
 from events.conventions import PRIMARY
 from events.fronts import LOADING_ZONE, SLOW_BELOW
 from events.units import of_ensemble
@@ -26,15 +26,17 @@ MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}
 CURVES = {"uniform": "-", "bell": "--"}
 FEWEST_EVENTS = 5  # for a test over events
 KINDS = ("slow", "fast")
-QUANTITIES = ("tau_bar_0", "sigma_bar", "mu_bar_eff")
 
 
 @dataclass(frozen=True)
 class Block:
-    kind: str  # slow, fast, or loading zone
+    """Of an event, or in the middle of a prepared interface."""
+
+    kind: str  # one of MARKERS
     sigma_bar: float
     tau_bar_0: float
     mu_bar_eff: float
+    shape: str = ""  # of phi, where it was prepared
 
 
 # --- data ----------------------------------------------------------------------------------
@@ -53,47 +55,32 @@ def blocks_of(front, strength):
     """The blocks of one event: what they could bear before it, how fast the front passed them."""
     kinds = [kind_of(x, v, front["c_s"]) for x, v in zip(front["x"], values(front["v_c"]))]
     quantities = zip(*(values(strength[q]) for q in ("sigma_bar", "tau_bar_0", "mu_bar_eff")))
-    return [Block(kind, *numbers) for kind, numbers in zip(kinds, quantities) if kind]
+    return [Block(kind, *of_block) for kind, of_block in zip(kinds, quantities) if kind]
 
 
 def prepared_points(data):
-    """Prepared interfaces: rows with numbers, without those that cannot be prepared."""
-    for row in read_rows(data / "fig4/strength.csv"):
-        if row["status"] == "done":
-            yield {
-                "shape": row["shape"],
-                "type": type_on_map(row["type"]),
-                "tau_bar_0": float(row["tau-bar"]),
-                "sigma_bar": float(row["sigma_bar in the middle"]),
-                "mu_bar_eff": float(row["mu_bar_eff in the middle"]),
-            }
+    """Prepared interfaces, without those that cannot be prepared."""
+    names = ("sigma_bar in the middle", "tau-bar", "mu_bar_eff in the middle")
+    return [
+        Block(type_on_map(row["type"]), *(float(row[name]) for name in names), row["shape"])
+        for row in read_rows(data / "fig4/strength.csv")
+        if row["status"] == "done"
+    ]
 
 
 def curves(data):
-    """{shape: {sigma_bar: mu_bar_eff}}"""
-    lines: dict[str, dict] = {shape: {} for shape in CURVES}
-    for row in read_rows(data / "fig4/strength-curves.csv"):
-        lines[row["shape"]][float(row["sigma-bar"])] = float(row["mu_bar_eff"])
-    return lines
+    """{shape: (sigma_bar, mu_bar_eff)}"""
+    table = read_table(data / "fig4/strength-curves.csv")
+    of_shape = {shape: table["shape"] == shape for shape in CURVES}
+    return {s: (table["sigma-bar"][of], table["mu_bar_eff"][of]) for s, of in of_shape.items()}
 
 
 # --- tests ---------------------------------------------------------------------------------
 
 
-def strength_of(line, sigma_bar):
-    return np.interp(sigma_bar, *np.array(sorted(line.items())).T)
-
-
-def deviations(points, lines):
+def deviation(block, line):
     """Relative, from the curve at the sigma_bar that the finite number of junctions has."""
-    for point in points:
-        yield point["mu_bar_eff"] / strength_of(lines[point["shape"]], point["sigma_bar"]) - 1
-
-
-def from_nearest_curve(block, lines):
-    """Relative deviation of one block from the nearer of the two curves."""
-    strengths = [strength_of(line, block.sigma_bar) for line in lines.values()]
-    return min(abs(block.mu_bar_eff / strength - 1) for strength in strengths)
+    return block.mu_bar_eff / np.interp(block.sigma_bar, *line) - 1
 
 
 def types_by_seed(data):
@@ -111,11 +98,10 @@ def map_strata(types):
     ]
 
 
-def p_of_van_elteren(strata):
-    return (van_elteren(strata) or {"p": None})["p"]
-
-
-TESTS = {"van Elteren": p_of_van_elteren, "permutation": permutation}
+TESTS = {
+    "van Elteren": lambda strata: (van_elteren(strata) or {"p": None})["p"],
+    "permutation": permutation,
+}
 
 
 def block_strata(blocks, width):
@@ -138,54 +124,28 @@ def shares_of(events, width=BINS[0]):
 # --- picture -------------------------------------------------------------------------------
 
 
-def draw_markers(axes, kind, colour, points):
-    x, y = zip(*points)
-    hollow = {"markerfacecolor": "none"} if kind == "loading zone" else {}
-    axes.plot(
-        x,
-        y,
-        MARKERS[kind],
-        color=colour,
-        markersize=3.2,
-        linestyle="none",
-        markeredgewidth=0.7,
-        **hollow,
-    )
+def draw_kind(axes, kind, colour, blocks=(), **look):
+    """Without blocks, for the legend."""
+    x, y = ([getattr(b, q) for b in blocks if b.kind == kind] for q in ("sigma_bar", "mu_bar_eff"))
+    face = "none" if kind == "loading zone" else colour
+    axes.plot(x, y, MARKERS[kind], color=colour, markerfacecolor=face, markersize=3.2, **look)
 
 
-def draw_events(axes, events):
-    for event, blocks in events.items():
-        for kind in ("loading zone", "fast", "slow"):
-            points = [(b.sigma_bar, b.mu_bar_eff) for b in blocks if b.kind == kind]
-            if points:
-                draw_markers(axes, kind, SHOWN[event][1], points)
-
-
-def draw_prepared(axes, points):
-    for kind in ("arrested", "fast", "slow"):
-        chosen = [(p["sigma_bar"], p["mu_bar_eff"]) for p in points if p["type"] == kind]
-        if chosen:
-            draw_markers(axes, kind, BLACK, chosen)
+def draw_blocks(axes, blocks, colour):
+    for kind in ("loading zone", "arrested", "fast", "slow"):
+        draw_kind(axes, kind, colour, blocks, markeredgewidth=0.7)
 
 
 def draw_curves(axes, lines):
     for shape, style in CURVES.items():
-        axes.plot(*zip(*sorted(lines[shape].items())), color=BLACK, linestyle=style, linewidth=0.8)
+        axes.plot(*lines[shape], color=BLACK, linestyle=style, linewidth=0.8)
 
 
 def draw_legend(axes, events):
     for shape, style in CURVES.items():
         axes.plot([], [], color=BLACK, linestyle=style, linewidth=0.8, label=shape)
-    for kind, marker in MARKERS.items():
-        axes.plot(
-            [],
-            [],
-            marker,
-            color="grey",
-            markersize=3.2,
-            markerfacecolor=("none" if kind == "loading zone" else "grey"),
-            label=kind,
-        )
+    for kind in MARKERS:
+        draw_kind(axes, kind, "grey", label=kind)
     for event in events:
         name, colour = SHOWN[event]
         axes.plot([], [], "s", color=colour, label=f"event {name}")
@@ -196,8 +156,9 @@ def draw_legend(axes, events):
 def draw(events, points, lines, stem):
     fig, axes = figure(SINGLE, 0.85 * SINGLE)
     draw_curves(axes, lines)
-    draw_events(axes, events)
-    draw_prepared(axes, points)
+    for event, blocks in events.items():
+        draw_blocks(axes, blocks, SHOWN[event][1])
+    draw_blocks(axes, points, BLACK)
     draw_legend(axes, events)
     axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\mu_s^\mathrm{eff}$")
     axes.set(xlim=(-0.02, 0.6), ylim=(0, 1.05))
@@ -209,11 +170,10 @@ def draw(events, points, lines, stem):
 
 
 def rows(events, points):
-    for point in points:
-        yield [f"prepared, {point['shape']}", point["type"], *(point[q] for q in QUANTITIES)]
-    for event, blocks in events.items():
-        for block in blocks:
-            yield [event, block.kind, *(getattr(block, q) for q in QUANTITIES)]
+    named = [(f"prepared, {point.shape}", point) for point in points]
+    named += [(event, block) for event, blocks in events.items() for block in blocks]
+    for name, block in named:
+        yield [name, block.kind, block.tau_bar_0, block.sigma_bar, block.mu_bar_eff]
 
 
 def measure_map(types):
@@ -228,56 +188,43 @@ def measure_map(types):
     }
 
 
-def p_over_events(events, width):
-    """None with too few events."""
-    shares = list(shares_of(events, width).values())
-    return signed_rank(shares) if len(shares) >= FEWEST_EVENTS else None
+def p_over_events(events):
+    """{width of the bins: p}; None with too few events."""
+    shares = {width: list(shares_of(events, width).values()) for width in BINS}
+    return {w: signed_rank(s) if len(s) >= FEWEST_EVENTS else None for w, s in shares.items()}
 
 
 def measure_events(shown, ensemble, lines):
     shares = list(shares_of(ensemble).values())
     beyond = [b for blocks in shown.values() for b in blocks if b.kind != "loading zone"]
+    nearest = [min(abs(deviation(b, line)) for line in lines.values()) for b in beyond]
+    these = "share of such pairs of blocks"
     return {
         "blocks beyond the loading zone": len(beyond),
-        "their median deviation from the nearer curve": float(
-            np.median([from_nearest_curve(block, lines) for block in beyond])
-        ),
-        **{
-            f"share of such pairs of blocks, event {SHOWN[event][0]}": share
-            for event, share in shares_of(shown).items()
-        },
+        "their median deviation from the nearer curve": float(np.median(nearest)),
+        **{f"{these}, event {SHOWN[name][0]}": s for name, s in shares_of(shown).items()},
         "ensemble events with slow and fast blocks": len(shares),
-        "share of such pairs of blocks, median of the ensemble": float(np.median(shares))
-        if shares
-        else None,
-        "share of such pairs of blocks, 5-95 % of the ensemble": (
-            np.percentile(shares, [5, 95]).tolist() if shares else None
-        ),
+        f"{these}, median of the ensemble": float(np.median(shares)) if shares else None,
+        f"{these}, 5-95 % of the ensemble": np.percentile(shares, [5, 95]) if shares else None,
         **{
-            f"signed-rank p over the ensemble's events, bins of {width:g}": p_over_events(
-                ensemble, width
-            )
-            for width in BINS
+            f"signed-rank p over the ensemble's events, bins of {width:g}": p
+            for width, p in p_over_events(ensemble).items()
         },
-    }
-
-
-def case_4C(types, deviation, p_events, *, test, width):
-    """Of the map of one seed; the prepared points and the events are the same for all of them."""
-    return {
-        "largest deviation of prepared points from the curves": deviation,
-        "p over the points of the map": TESTS[test](map_strata(types)),
-        "p over the ensemble's events": p_events[width],
     }
 
 
 def claim_4C(maps, points, lines, shown, ensemble):
     """`maps`: {seed: {grid point: type}}; shown is that of the first seed."""
-    deviation = max(abs(each) for each in deviations(points, lines))
-    p_events = {width: p_over_events(ensemble, width) for width in BINS}
+    largest = max(abs(deviation(point, lines[point.shape])) for point in points)
+    p_events = p_over_events(ensemble)
 
-    def case(seed, **way):
-        return case_4C(maps[seed], deviation, p_events, **way)
+    def case(seed, test, width):
+        """Prepared points and events are the same for all seeds."""
+        return {
+            "largest deviation of prepared points from the curves": largest,
+            "p over the points of the map": TESTS[test](map_strata(maps[seed])),
+            "p over the ensemble's events": p_events[width],
+        }
 
     first = min(maps)
     return judged(
@@ -286,7 +233,7 @@ def claim_4C(maps, points, lines, shown, ensemble):
         units=units_of_seeds(maps, WAYS, case) if ensemble else None,
         measured={
             "prepared points": len(points),
-            "largest deviation of prepared points from the curves": deviation,
+            "largest deviation of prepared points from the curves": largest,
             **measure_map(maps[first]),
             **measure_events(shown, ensemble, lines),
         },
@@ -304,9 +251,10 @@ def make(data, results):
         event: blocks_of(*(report(data / f"{event}-{of}.json") for of in ("front", "strength")))
         for event in SHOWN
     }
-    points, lines = list(prepared_points(data)), curves(data)
+    points, lines = prepared_points(data), curves(data)
     draw(shown, points, lines, results / "fig4C")
-    write_table(results / "strength.csv", ["points", "kind", *QUANTITIES], rows(shown, points))
+    names = ["points", "kind", "tau_bar_0", "sigma_bar", "mu_bar_eff"]
+    write_table(results / "strength.csv", names, rows(shown, points))
     repeated = {
         (path, number): blocks_of(event["unmodified"], event["strength"])
         for path in of_ensemble(data, "load", "continued")

@@ -2,8 +2,8 @@
 
 from strength import WAYS, Block, claim_4C, map_strata
 
-LINES = {"uniform": {0.0: 1.0, 1.0: 0.0}, "bell": {0.0: 1.0, 1.0: 0.5}}
-POINT = {"shape": "uniform", "sigma_bar": 0.5, "mu_bar_eff": 0.5}  # on its curve
+LINES = {"uniform": ([0.0, 1.0], [1.0, 0.0]), "bell": ([0.0, 1.0], [1.0, 0.5])}
+POINT = Block("slow", 0.5, 0.1, 0.5, "uniform")  # on its curve
 GATHERED = {(tau, s / 10): "slow" if s < 5 else "fast" for tau in (0.1, 0.2) for s in range(10)}
 MIXED = {(tau, s / 10): "slow" if s % 2 else "fast" for tau in (0.1, 0.2) for s in range(10)}
 
