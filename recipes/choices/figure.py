@@ -7,9 +7,8 @@ import numpy as np
 from claims import paper
 from claims.claim import number
 from claims.own_result import OwnResult, write_own
-from data.records import report
 from data.tables import read_rows, write_table
-from events.conventions import PRIMARY
+from events.choose_events import read_events
 from events.event_claims import case_of_event
 from events.units import name_of, of_ensemble
 from maps.front_map import IMPOSSIBLE, band, place_of, type_on_map
@@ -50,31 +49,29 @@ RANGE = (5, 95)  # [%]
 # --- measuring -----------------------------------------------------------------------------
 
 
-def spanning_events(path):
-    """Pairs of an event of a load and whether it is fast-slow-fast in words."""
-    events = report(path)[PRIMARY]
-    return [(event, event["fast_slow_fast"]) for event in events if event["spanning"]]
-
-
 def by_choice(paths):
-    """{choice: its spanning events}, of all its loads."""
+    """{choice: the spanning events of all its loads}"""
     found: dict[str, list] = {}
     for path in paths:
         name = name_of(path).rpartition("-")[0]
-        found.setdefault(OF_LOADS.get(name, name), []).extend(spanning_events(path))
+        events = [event for event in read_events(path) if event["spanning"]]
+        found.setdefault(OF_LOADS.get(name, name), []).extend(events)
     return found
 
 
-def measured_events(pairs):
-    """Numbers, and per quantity of SPEEDS the values of the fast-slow-fast events. An event that is
-    slow in words but nowhere below c_s/20 has no slow stretch to be measured."""
-    cases = [case_of_event(event) for event, is_slow in pairs if is_slow]
+def measured_events(events):
+    """COUNTS, and per quantity of SPEEDS its median and RANGE over the fast-slow-fast events. An
+    event that is slow in words but nowhere below c_s/20 has no slow stretch to be measured."""
+    cases = [case_of_event(event) for event in events if event["fast_slow_fast"]]
     values = {
         name: [case[key] for case in cases if case[key] is not None] for name, key in SPEEDS.items()
     }
-    share = len(cases) / len(pairs) if pairs else None
-    counts = len(pairs), len(cases), share, len(values["transition [L]"])
-    return dict(zip(COUNTS, counts)) | values
+    share = len(cases) / len(events) if events else None
+    counts = len(events), len(cases), share, len(values["transition [L]"])
+    return dict(zip(COUNTS, counts)) | {
+        name: [np.median(found), *np.percentile(found, RANGE)] if found else [None] * 3
+        for name, found in values.items()
+    }
 
 
 def slow_bands(rows, choice):
@@ -97,36 +94,26 @@ def band_text(bands, sigma):
     return f"{limits[0]:g} to {limits[1]:g}" if limits else "none"
 
 
-def median(values):
-    return float(np.median(values)) if values else None
-
-
-def measured_choice(events, bands):
-    """As OwnResult has it, without the name of the choice."""
-    numbers = {name: events[name] for name in COUNTS} if events else {}
-    medians = {name: median(events[name]) for name in SPEEDS} if events else {}
-    slow = {f"slow tau_bar_0 at sigma_bar {s:g}": band_text(bands, s) for s in SIGMAS}
-    return numbers | medians | slow
+def medians(found):
+    """Counts and medians by name; none of a choice without loads."""
+    counts = {name: found[name] for name in COUNTS if found}
+    return counts | {name: found[name][0] for name in SPEEDS if found}
 
 
 def own_result(events, bands):
-    measured = {
-        f"{choice}: {name}": value
-        for choice in LABELS
-        for name, value in measured_choice(events.get(choice), bands[choice]).items()
-    }
+    measured = {}
+    for choice in LABELS:
+        slow = {f"slow tau_bar_0 at sigma_bar {s:g}": band_text(bands[choice], s) for s in SIGMAS}
+        numbers = medians(events.get(choice)) | slow
+        measured |= {f"{choice}: {name}": value for name, value in numbers.items()}
     question = "which choices that the paper leaves open move the fronts?"
     return OwnResult(id="choices", question=question, measured=measured)
 
 
-def row_of(choice, events, bands):
-    row = [choice, *([events[name] for name in COUNTS] if events else [None] * len(COUNTS))]
-    for name in SPEEDS:
-        values = events[name] if events else []
-        row += [median(values), *(np.percentile(values, RANGE) if values else (None, None))]
-    for sigma in SIGMAS:
-        row += bands.get(sigma) or (None, None)
-    return row
+def row_of(choice, found, bands):
+    counts = [found[name] for name in COUNTS] if found else [None] * len(COUNTS)
+    speeds = [found[name] if found else [None] * 3 for name in SPEEDS]
+    return [choice, *counts, *chain(*speeds, *(bands.get(s) or (None, None) for s in SIGMAS))]
 
 
 def write_choices(path, events, bands):
@@ -145,9 +132,8 @@ def summary(events, bands):
     heads = ("", "span", "share", "fast/c_s", "slowest", "mean", "from/L", "slow at 0", "at 0.285")
     lines: list[tuple] = [heads]
     for choice in LABELS:
-        found = events.get(choice)
-        medians = [median(found[name]) for name in SPEEDS] if found else []
-        numbers = [found[SPAN], found[SHARE], *medians] if found else [""] * 6
+        found = medians(events.get(choice))
+        numbers = [found.get(name, "") for name in (SPAN, SHARE, *SPEEDS)]
         cells = [f"{value:.3g}" if isinstance(value, float) else number(value) for value in numbers]
         lines.append((choice, *cells, *(band_text(bands[choice], sigma) for sigma in SIGMAS)))
     form = "{:18}{:>5}{:>7}{:>10}{:>9}{:>9}{:>8}  {:14}{}"
@@ -159,15 +145,14 @@ def summary(events, bands):
 
 def draw_medians(axes, events, name, colour, shift=0.0):
     """A dot per choice, with a line over the range of its events. Grey: as settled."""
-    if "reference" in events and events["reference"][name]:
-        axes.axvline(median(events["reference"][name]), color="0.85", linewidth=0.8, zorder=0)
     for place, choice in enumerate(LABELS):
-        values = events[choice][name] if choice in events else []
-        if values:
-            axes.plot(
-                np.percentile(values, RANGE), [place + shift] * 2, color=colour, linewidth=0.8
-            )
-            axes.plot(median(values), place + shift, "o", color=colour)
+        median, *ends = events[choice][name] if choice in events else [None]
+        if median is None:
+            continue
+        if choice == "reference":
+            axes.axvline(median, color="0.85", linewidth=0.8, zorder=0)
+        axes.plot(ends, [place + shift] * 2, color=colour, linewidth=0.8)
+        axes.plot(median, place + shift, "o", color=colour)
 
 
 def draw_paper(axes, value, text):
@@ -228,7 +213,7 @@ def paths_of(data):
 def make(data, results):
     rows = read_rows(data / "choices/choices.csv")
     paths = paths_of(data)
-    events = {choice: measured_events(pairs) for choice, pairs in by_choice(paths).items()}
+    events = {choice: measured_events(found) for choice, found in by_choice(paths).items()}
     bands = {choice: slow_bands(rows, choice) for choice in LABELS}
     draw(events, bands, results / "choices")
     write_choices(results / "choices.csv", events, bands)

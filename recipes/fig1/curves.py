@@ -155,38 +155,19 @@ def middle(front):
     return int(np.argmin(np.abs(np.array(front["x"]) - MIDDLE * front["L"])))
 
 
-def block_rows(blocks, front):
-    i = middle(front)
-    since_rupture = blocks.time - front["t_rupture"][i]
-    return zip(blocks.time, since_rupture, blocks.p[:, i], blocks.tau[:, i], blocks.ratio[:, i])
-
-
 def write_tables(results, loading, events, blocks, front):
-    write_table(
-        results / "loading.csv",
-        ["time [s]", "F_T/F_N"],
-        zip(loading["time"], np.array(loading["F_T"]) / loading["F_N"]),
-    )
-    fields = [
-        "t_start",
-        "t_end",
-        "x_first",
-        "x_last",
-        "spanning",
-        "type",
-        "F_T_before",
-        "F_T_after",
-    ]
-    units = [" [s]", " [s]", " [m]", " [m]", "", "", " [N]", " [N]"]
-    write_table(
-        results / "events.csv",
-        [field + unit for field, unit in zip(fields, units)],
-        ([event[field] for field in fields] for event in events),
-    )
+    load = np.array(loading["F_T"]) / loading["F_N"]
+    write_table(results / "loading.csv", ["time [s]", "F_T/F_N"], zip(loading["time"], load))
+    names = ["t_start [s]", "t_end [s]", "x_first [m]", "x_last [m]", "spanning", "type"]
+    names += ["F_T_before [N]", "F_T_after [N]"]
+    rows = ([event[name.split()[0]] for name in names] for event in events)
+    write_table(results / "events.csv", names, rows)
+    i = middle(front)
+    columns = blocks.time, blocks.time - front["t_rupture"][i]
     write_table(
         results / "block.csv",
         ["time [s]", "time since the rupture [s]", "p [N]", "tau [N]", "tau/p"],
-        block_rows(blocks, front),
+        zip(*columns, *(column[:, i] for column in (blocks.p, blocks.tau, blocks.ratio))),
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from claims.judge import judged
 from data.tables import write_table
+from events.event_claims import yes
 
 EVERY = 20  # of the steps that go into the table; where something changes, all
 SHOWN = 1  # block
@@ -19,19 +20,46 @@ class Pulled:
     """Blocks of one junction: [step][block]."""
 
     def __init__(self, prepared, record, slipping):
+        names = ("step", "time", "u_x", "tau", "p", "pinned")  # [1, s, m, N, N, 1]
         with h5py.File(record) as file:
-            self.step = file["series/step"][()]
-            self.time = file["series/time"][()]  # [s]
-            self.u = file["series/u_x"][()]  # [m]
-            self.f = file["series/tau"][()]  # [N]
-            self.pinned = file["series/pinned"][()] == 1
-            self.f_N = file["series/p"][()]  # [N]
-            self.law = {name: d[()] for name, d in file["parameters/junctions"].items()}
+            step, self.time, self.u, self.f, self.f_N, pinned = (
+                file[f"series/{name}"][()] for name in names
+            )
+            law = {name: d[()] for name, d in file["parameters/junctions"].items()}
+        if not np.all(np.diff(step) == 1):
+            sys.exit(f"{record} does not have a sample of each step")
         with h5py.File(prepared) as file:
             self.attachment = file["state/junctions/attachment"][()][:, 0]  # [m]
+        self.mu_s = law["mu_s"]
+        self.k = np.sqrt(law["kappa"] * self.f_N)
+        self.f_thres, self.f_slip = law["mu_s"] * self.f_N, law["mu_d"] * self.f_N
+        self.pinned = pinned == 1
+        change = np.diff(self.pinned.astype(int), axis=0, prepend=self.pinned[:1])
+        self.breaks, self.repins = change < 0, change > 0
         self.repin_times = np.array([repin_times(path) for path in slipping])  # [s]
-        if not np.all(np.diff(self.step) == 1):
-            sys.exit(f"{record} does not have a sample of each step")
+
+    def stretched(self):
+        """The force of a pinned junction that never breaks: k_ij (x - x_ij), with x_ij the position
+        at which it was pinned last."""
+        steps = np.arange(len(self.time))[:, None]
+        last = np.maximum.accumulate(np.where(self.repins, steps, 0))
+        attached = np.where(last, np.take_along_axis(self.u, last, 0), self.attachment)
+        return self.k * (self.u - attached)
+
+    def deviation(self, expected, where):
+        """The largest one, in units of mu_s f_N."""
+        return np.max((np.abs(self.f - expected) / self.f_thres)[where])
+
+    def late(self):
+        """Steps by which each repinning came later than the first with t >= t_break + t_R."""
+        due = (np.searchsorted(self.time, times) for times in self.repin_times.T)
+        repins = map(np.flatnonzero, self.repins.T)
+        return [int(n - d) for steps in zip(repins, due) for n, d in zip(*steps)]
+
+    def is_forward(self):
+        """All blocks, from their first break on."""
+        broken = np.maximum.accumulate(self.breaks)[:-1]
+        return bool(np.all(np.diff(self.u, axis=0)[broken] >= 0))
 
 
 def repin_times(checkpoint):
@@ -42,78 +70,31 @@ def repin_times(checkpoint):
         return file["state/junctions/repin_time"][()][:, 0]
 
 
-class Junction:
-    """One of them. Deviations are in units of mu_s f_N."""
-
-    def __init__(self, pulled, i):
-        law = pulled.law
-        self.time, self.u, self.f = pulled.time, pulled.u[:, i], pulled.f[:, i]
-        self.f_N = pulled.f_N[:, i]
-        self.k = np.sqrt(law["kappa"] * self.f_N)
-        self.f_thres, self.f_slip = law["mu_s"] * self.f_N, law["mu_d"] * self.f_N
-        self.pinned = pulled.pinned[:, i]
-        self.changes = np.flatnonzero(np.diff(self.pinned.astype(int))) + 1
-        self.breaks = [n for n in self.changes if not self.pinned[n]]
-        self.repins = [n for n in self.changes if self.pinned[n]]
-        self.attachment = pulled.attachment[i]
-        self.repin_times = pulled.repin_times[:, i]
-
-    def stretched(self):
-        """The force of a pinned junction that never breaks: k_ij (x - x_ij), with x_ij the position
-        at which it was pinned last."""
-        attached = np.full(self.u.shape, self.attachment)
-        for n in self.repins:
-            attached[n:] = self.u[n]
-        return self.k * (self.u - attached)
-
-    def linear(self):
-        return np.max(np.abs(self.f - self.stretched())[self.pinned] / self.f_thres[self.pinned])
-
-    def dropped(self):
-        slips = ~self.pinned
-        return np.max(np.abs(self.f - self.f_slip)[slips] / self.f_thres[slips])
-
-    def largest(self):
-        """f/f_N in the last step before each break, and what it would have been one step later."""
-        later = self.stretched()
-        return [(self.f[n - 1] / self.f_N[n - 1], (later / self.f_N)[n]) for n in self.breaks]
-
-    def after_repinning(self):
-        """f/f_N in the step of each repinning, and steps by which it came later than the first step
-        with t >= t_break + t_R."""
-        due = np.searchsorted(self.time, self.repin_times[: len(self.repins)])
-        return [(self.f[n] / self.f_N[n], int(n - d)) for n, d in zip(self.repins, due)]
-
-    def is_forward(self):
-        return bool(np.all(np.diff(self.u)[self.changes[0] :] >= 0))
-
-
-def claim_1F(junctions):
-    largest = np.array([pair for junction in junctions for pair in junction.largest()])
-    repinned = [pair for junction in junctions for pair in junction.after_repinning()]
-    mu_s = junctions[0].f_thres[0] / junctions[0].f_N[0]
-    linear = max(junction.linear() for junction in junctions)
-    dropped = max(junction.dropped() for junction in junctions)
-    zero = max(abs(f) for f, _ in repinned)
-    late = sorted({steps for _, steps in repinned})
-    bracketed = bool(np.all((largest[:, 0] <= mu_s) & (mu_s < largest[:, 1])))
-    forward = all(junction.is_forward() for junction in junctions)
+def claim_1F(pulled):
+    stretched, ratio = pulled.stretched(), pulled.f / pulled.f_N
+    step, block = np.nonzero(pulled.breaks)
+    before, later = ratio[step - 1, block], (stretched / pulled.f_N)[step, block]
+    linear = pulled.deviation(stretched, pulled.pinned)
+    dropped = pulled.deviation(pulled.f_slip, ~pulled.pinned)
+    zero = np.abs(ratio[pulled.repins]).max()
+    late = sorted(set(pulled.late()))
+    bracketed = bool(np.all((before <= pulled.mu_s) & (pulled.mu_s < later)))
     return judged(
         "1F",
         shown={
             "largest deviation": max(linear, dropped, zero),
-            "breaks in the first step beyond f_thres": "yes" if bracketed else "no",
+            "breaks in the first step beyond f_thres": yes(bracketed),
             "latest repinning after t_R [steps]": max(late),
         },
         measured={
-            "junctions, breaks, repinnings": [len(junctions), len(largest), len(repinned)],
+            "junctions, breaks, repinnings": [ratio.shape[1], len(step), int(pulled.repins.sum())],
             "pinned: |f - k_ij (x - x_ij)|/f_thres": linear,
-            "largest f/f_N before a break": largest[:, 0].max(),
-            "smallest that would have been reached a step later": largest[:, 1].min(),
+            "largest f/f_N before a break": before.max(),
+            "smallest that would have been reached a step later": later.min(),
             "slipping: |f - 0.17 f_N|/f_thres": dropped,
             "repinned: |f|/f_N": zero,
             "steps between t_R and the repinning": late,
-            "blocks moved forwards throughout": "yes" if forward else "no",
+            "blocks moved forwards throughout": yes(pulled.is_forward()),
         },
         note="Relative to f_thres, over every step of all junctions. Time is discrete: a junction"
         " breaks in the first step in which it would carry more than 0.4 f_N, so that the largest"
@@ -122,20 +103,18 @@ def claim_1F(junctions):
     )
 
 
-def rows(junction):
-    kept = np.zeros(junction.time.shape, dtype=bool)
-    kept[::EVERY] = True
-    for n in junction.changes:
-        kept[n - 1 : n + 1] = True
-    for n in np.flatnonzero(kept):
-        ratio = junction.f[n] / junction.f_N[n]
-        yield junction.time[n], junction.u[n] - junction.attachment, ratio, int(junction.pinned[n])
+def rows(pulled):
+    """Of the block that is shown."""
+    changes = np.flatnonzero((pulled.breaks | pulled.repins)[:, SHOWN])
+    for n in sorted({*range(0, len(pulled.time), EVERY), *changes, *(changes - 1)}):
+        moved = pulled.u[n, SHOWN] - pulled.attachment[SHOWN]
+        ratio = pulled.f[n, SHOWN] / pulled.f_N[n, SHOWN]
+        yield pulled.time[n], moved, ratio, int(pulled.pinned[n, SHOWN])
 
 
 def make(data, results):
     slipping = sorted(data.glob("fig1/pulled-t*.h5"))
     pulled = Pulled(data / "fig1/junctions.h5", data / "fig1/pulled-record.h5", slipping)
-    junctions = [Junction(pulled, i) for i in range(pulled.u.shape[1])]
     names = ["time [s]", "displacement [m]", "f_T/f_N", "pinned"]
-    write_table(results / "junction.csv", names, rows(junctions[SHOWN]))
-    return [claim_1F(junctions)]
+    write_table(results / "junction.csv", names, rows(pulled))
+    return [claim_1F(pulled)]
