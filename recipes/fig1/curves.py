@@ -1,7 +1,7 @@
 """Tables and claims of Figure 1 D and E."""
 
-import h5py
 import numpy as np
+import rupture
 
 from claims.judge import judged
 from data.records import report, values
@@ -20,10 +20,8 @@ class Blocks:
     """Friction of the interface blocks against time in a record: [samples][blocks]."""
 
     def __init__(self, path):
-        with h5py.File(path) as file:
-            self.time = file["series/time"][()]  # [s]
-            self.p = file["series/p"][()]  # [N]
-            self.tau = file["series/tau"][()]  # [N]
+        record = rupture.open(path)
+        self.time, self.p, self.tau = (record[name] for name in ("time", "p", "tau"))  # [s, N, N]
         self.ratio = self.tau / self.p
 
     def peaks(self, until):

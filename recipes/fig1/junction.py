@@ -5,8 +5,8 @@ says what each junction's force should be; tau of the record is what it was.
 
 import sys
 
-import h5py
 import numpy as np
+import rupture
 
 from claims.judge import judged
 from data.tables import write_table
@@ -21,18 +21,14 @@ class Pulled:
 
     def __init__(self, prepared, record, slipping):
         names = ("step", "time", "u_x", "tau", "p", "pinned")  # [1, s, m, N, N, 1]
-        with h5py.File(record) as file:
-            step, self.time, self.u, self.f, self.f_N, pinned = (
-                file[f"series/{name}"][()] for name in names
-            )
-            law = {name: d[()] for name, d in file["parameters/junctions"].items()}
+        series = rupture.open(record)
+        step, self.time, self.u, self.f, self.f_N, pinned = (series[name] for name in names)
+        kappa, self.mu_s, mu_d = (series[f"junctions.{n}"] for n in ("kappa", "mu_s", "mu_d"))
         if not np.all(np.diff(step) == 1):
             sys.exit(f"{record} does not have a sample of each step")
-        with h5py.File(prepared) as file:
-            self.attachment = file["state/junctions/attachment"][()][:, 0]  # [m]
-        self.mu_s = law["mu_s"]
-        self.k = np.sqrt(law["kappa"] * self.f_N)
-        self.f_thres, self.f_slip = law["mu_s"] * self.f_N, law["mu_d"] * self.f_N
+        self.attachment = rupture.open(prepared)["junctions/attachment"][:, 0]  # [m]
+        self.k = np.sqrt(kappa * self.f_N)
+        self.f_thres, self.f_slip = self.mu_s * self.f_N, mu_d * self.f_N
         self.pinned = pinned == 1
         change = np.diff(self.pinned.astype(int), axis=0, prepend=self.pinned[:1])
         self.breaks, self.repins = change < 0, change > 0
@@ -63,11 +59,10 @@ class Pulled:
 
 
 def repin_times(checkpoint):
-    with h5py.File(checkpoint) as file:
-        slipping = file["state/junctions/slipping"][()][:, 0]
-        if not slipping.all():
-            sys.exit(f"{checkpoint}: not all junctions slip")
-        return file["state/junctions/repin_time"][()][:, 0]
+    state = rupture.open(checkpoint)
+    if not state["junctions/slipping"].all():
+        sys.exit(f"{checkpoint}: not all junctions slip")
+    return state["junctions/repin_time"][:, 0]
 
 
 def claim_1F(pulled):

@@ -1,17 +1,36 @@
+#!/usr/bin/env python3
 """How far ahead of a slow front the shear force is raised: l_0 of Eq. S2,
 tau(x) = A f((x - x_0)/l_0) + tau_0.
 
 x_0 is a block at its threshold: the one that ruptures next, when it carries its largest force. Its
 profile is the excess tau - tau_0 on it and on the REACH blocks ahead. What f is the paper leaves
 open, and so which blocks count and how; METHODS are the ways to measure, each from one profile.
+
+    decay_length.py PROGRAMS SEED FOLDER
+
+runs fronts over prepared interfaces, those of Figure 3 D that have the reference parameters. Works
+in FOLDER, which is deleted at the end. Prints
+
+    "l_0"       {method: l_0 [m]}, the median of the fronts
+    "fronts"    {tau_bar_0: what of_front() says}
 """
 
+import json
 import math
+import os
+import sys
+from pathlib import Path
 
 import numpy as np
+import rupture
 
 from data.records import report
+from data.scratch import scratch
 from events.conventions import PRIMARY
+from maps.front_map import SKIP_BELOW_X
+
+SIGMA_BAR = 0.1
+TAU_BARS = [f"{0.005 * n:g}" for n in range(14, 25)]  # 0.07 to 0.12
 
 REACH = 8  # blocks ahead of the tip; the leading edge is farther away
 FITTED = (0, 3)  # blocks ahead of the tip, in the primary method
@@ -117,3 +136,25 @@ def of_seed(fronts):
 def fitted_l_0(path):
     """l_0 [m] as a seed's report has it (results/data/fig3/l0-seed-1.json)."""
     return report(path)["l_0"][PRIMARY]
+
+
+def measure(seed, tau_bar, folder):
+    """The front over one prepared interface."""
+    start, end, record = (folder / f"{tau_bar}-{name}.h5" for name in ("start", "end", "record"))
+    prestress = {"tau_bar": tau_bar, "sigma_bar": SIGMA_BAR}
+    rupture.run("prepare", output=start, set={"numerics.seed": seed}, **prestress)
+    recorded = {"record": record, "record_every": 2e-5}
+    run = rupture.run("restart", start, output=end, until_quiet=True, **recorded)
+    front = rupture.analyze("front", record, skip_below_x=SKIP_BELOW_X)
+    return of_front(front, run.record.time, run.record["tau"])
+
+
+def main(programs, seed, folder):
+    os.environ["RUPTURE_BIN"] = programs
+    with scratch(Path(folder)) as folder:
+        fronts = {tau_bar: measure(int(seed), tau_bar, folder) for tau_bar in TAU_BARS}
+    print(json.dumps({"l_0": of_seed(fronts.values()), "fronts": fronts}))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

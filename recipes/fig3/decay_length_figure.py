@@ -102,7 +102,7 @@ def claim(paths):
 
 
 def make(data, results):
-    """The first report is of the seed that is shown; decay_length_seed.py says what is in it."""
+    """The first report is of the seed that is shown; decay_length.py says what is in it."""
     paths = sorted(data.glob("l0-seed-[0-9].json"))
     shown = report(paths[0])
     draw(shown, results / "fig3-l0")

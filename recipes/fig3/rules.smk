@@ -14,11 +14,8 @@ STAGES["start"]["fig3"] = [f"{event}.compared" for event in FIG3_EVENTS]
 
 rule fig3_l0_seed:
     input:
-        script="recipes/fig3/decay_length_seed.py",
-        shared=[
-            f"recipes/{name}.py"
-            for name in ("fig3/decay_length", "common/events/conventions", "common/maps/front_map")
-        ],
+        script="recipes/fig3/decay_length.py",
+        shared=["recipes/common/events/conventions.py", "recipes/common/maps/front_map.py"],
     output: f"{DATA}/fig3/l0-seed-{{seed}}.json"
     priority: 80  # long: before what is short
     params: code=CODE, folder=f"{DATA}/fig3/l0-seed-{{seed}}-scratch"

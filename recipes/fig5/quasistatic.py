@@ -2,7 +2,6 @@
 
 import json
 
-import h5py
 import numpy as np
 import rupture
 from quasistatic_stretch import MIDDLE, advances, measured, read_ruptures
@@ -19,8 +18,8 @@ SHOWN_BEFORE, SHOWN_AFTER = 10e-3, 5e-3  # the dynamic events on either side [s]
 
 def loading(path):
     """Time [s] and F_T / F_N."""
-    with h5py.File(path) as file:
-        return file["series/time"][()], file["series/F_T"][()] / file["parameters/slider/F_N"][()]
+    record = rupture.open(path)
+    return record.time, record["F_T"] / record["slider.F_N"]
 
 
 def draw_loading(axes, load, stopped, window):

@@ -7,7 +7,7 @@ end. Prints what quasistatic_stretch.measured() says.
 """
 
 import json
-import subprocess
+import os
 import sys
 from pathlib import Path
 
@@ -24,35 +24,31 @@ from quasistatic_stretch import (
 
 from data.scratch import scratch
 
-RECORD_EVERY = "1e-3"  # [s]
 
-
-def run(tool, folder, name, *words):
+def run(program, *inputs, output, **options):
     """Returns the record."""
-    record = folder / f"{name}-record.h5"
-    options = ["-o", folder / f"{name}.h5", "--quiet", "--record", record]
-    command = [tool, *words, *options, "--record-every", RECORD_EVERY]
-    subprocess.run(list(map(str, command)), check=True)
+    record = output.with_stem(f"{output.stem}-record")
+    rupture.run(program, *inputs, output=output, record=record, record_every=1e-3, **options)
     return record
 
 
-def measure(programs, seed, until, every, folder):
-    drive = ["--set", "driving.h=0", "--set", f"numerics.seed={int(seed)}"]
-    lasting = ["--until", until, "--checkpoint-every", every]
-    load = run(programs / "load", folder, "load", *drive, *lasting)
+def measure(seed, until, every, folder):
+    drive = {"driving.h": 0, "numerics.seed": int(seed)}
+    output = folder / "load.h5"
+    load = run("load", output=output, set=drive, until=until, checkpoint_every=every)
     stretch = quasistatic_stretch(load, float(every))
     t = stretch["branches"][MIDDLE]
-    stop = ["--set", "driving.V=0", "--for", STOPPED_FOR]
-    stopped = run(programs / "restart", folder, "stopped", folder / f"load-t{t}.h5", *stop)
+    branch, output = folder / f"load-t{t}.h5", folder / "stopped.h5"
+    stopped = run("restart", branch, output=output, set={"driving.V": 0}, for_=STOPPED_FOR)
     driven, undriven = read_ruptures(load), read_ruptures(stopped)
     branch = advances(driven, undriven, stretch["interval_from"], float(t))
     return measured(stretch, rupture.open(load).c_s, branch)
 
 
 def main(programs, seed, until, every, folder):
+    os.environ["RUPTURE_BIN"] = programs
     with scratch(Path(folder)) as folder:
-        found = measure(Path(programs), seed, until, every, folder)
-    print(json.dumps(found))
+        print(json.dumps(measure(seed, until, every, folder)))
 
 
 if __name__ == "__main__":

@@ -11,8 +11,8 @@ with the driving stopped can branch off.
 import json
 import sys
 
-import h5py
 import numpy as np
+import rupture
 
 WINDOW = 1e-3  # [s]
 APART = 10e-3  # from a dynamic event [s]
@@ -23,10 +23,8 @@ STOPPED_FOR = 20e-3  # [s]
 
 def read_ruptures(path):
     """Time [s] and block of each rupture, and the positions of the blocks [m]."""
-    with h5py.File(path) as file:
-        time, block = (file[f"ruptures/{name}"][()] for name in ("time", "block"))
-        x = np.linspace(0, file["parameters/slider/L"][()], file["parameters/slider/Nx"][()])
-    return time, block, x
+    record = rupture.open(path)
+    return record.ruptures.time, record.ruptures.block, record.x
 
 
 def dynamic_events(time, block, blocks):

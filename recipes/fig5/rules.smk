@@ -1,11 +1,5 @@
 # Figure 5. A: the driving stopped during the slow front (runs/continuations.smk). B: driven at h = 0,
 # fronts creep between two dynamic events, and stop with the driving. See README.md.
-#
-# By hand, with build/release/bin on the PATH (the middle branch; the others are at 0.52-0.62 s):
-#     load -o load.h5 --set driving.h=0 --until 0.65 --checkpoint-every 0.01 \
-#         --record load-record.h5 --record-every 1e-3
-#     restart load-t0.570000000.h5 -o stopped.h5 --set driving.V=0 --for 0.08 \
-#         --record stopped-record.h5 --record-every 1e-3
 FIG5_RUNS = ["fast-slow-fast", "fast-slow-fast/undriven"]
 QUASISTATIC_UNTIL = 0.65  # s; the second dynamic event is over by then
 QUASISTATIC_EVERY = 0.01  # s

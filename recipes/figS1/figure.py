@@ -1,7 +1,7 @@
 """Figure S1, its data and its claim."""
 
-import h5py
 import numpy as np
+import rupture
 
 from claims.judge import judged
 from data.records import report
@@ -27,12 +27,10 @@ class Levers:
     """Where the forces of a checkpoint act, in its displaced state [m]."""
 
     def __init__(self, checkpoint):
-        with h5py.File(checkpoint) as file:
-            self.h = file["parameters/driving/h"][()]
-            spacing = file["parameters/slider/L"][()] / (file["parameters/slider/Nx"][()] - 1)
-            u_x, u_z, f_x, f_z = (
-                file[f"state/{name}"][()] for name in ("u_x", "u_z", "f_x", "f_z")
-            )
+        state = rupture.open(checkpoint)
+        self.h = state["driving.h"]
+        spacing = state.x[-1] / (len(state.x) - 1)
+        u_x, u_z, f_x, f_z = (state[name] for name in ("u_x", "u_z", "f_x", "f_z"))
         self.drive_height = self.h + u_z[round(self.h / spacing), 0]
         self.interface_x, self.interface_z = u_x[0], u_z[0]
         self.top_shift = u_x[-1].mean()

@@ -1,7 +1,7 @@
 """Figure S2, its data and its claim."""
 
-import h5py
 import numpy as np
+import rupture
 
 from claims.judge import judged
 from data.records import report, values
@@ -10,7 +10,7 @@ from events.conventions import PRIMARY
 from events.event_claims import case_S2
 from events.fronts import is_fast_slow
 from events.units import of_ensemble, without_slow_slip
-from pictures.panels import draw_front_speeds, window_of
+from pictures.panels import draw_front_speeds, draw_image, window_of
 from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
 
 SPEEDS = {  # label, colour, marker
@@ -19,24 +19,16 @@ SPEEDS = {  # label, colour, marker
 }
 
 
-def friction_ratio(path):
-    """Time [s] and tau / p [samples][blocks]; NaN where there is no contact."""
-    with h5py.File(path) as file:
-        time, tau, p = (file[f"series/{name}"][()] for name in ("time", "tau", "p"))
-    return time, np.divide(tau, p, out=np.full_like(tau, np.nan), where=p > 0)
-
-
-def draw_map(axes, record, front, t_zero, window):
-    time, ratio = friction_ratio(record)
-    time = (time - t_zero) * 1e3
+def draw_map(axes, path, front, t_zero, window):
+    record = rupture.open(path)
+    time = (record.time - t_zero) * 1e3
     shown = (time >= window[0]) & (time <= window[1])
-    x = np.array(front["x"]) / front["L"]
-    image = axes.pcolormesh(
-        x, time[shown], ratio[shown], vmin=-0.1, vmax=0.4, shading="nearest", rasterized=True
-    )
+    p = np.where(record["p"] > 0, record["p"], np.nan)  # where there is contact
+    ratio = (record["tau"] / p)[shown]
+    image = draw_image(axes, record, ratio, shown, t_zero, vmin=-0.1, vmax=0.4)
     line = (values(front["t_rupture"]) - t_zero) * 1e3
-    axes.plot(x, line, color="white", linewidth=1)
-    axes.set(xlabel="$x/L$", ylabel="time [ms]", xlim=(0, 1), ylim=window)
+    axes.plot(record.x / record.x[-1], line, color="white", linewidth=1)
+    axes.set(ylim=window)
     return image
 
 
