@@ -15,32 +15,18 @@ from data.fits import fit_through_origin
 from data.tables import numbers, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import BLUE, SINGLE, VERMILION, figure, save
-from slow_fronts import (
-    BLOCKS,
-    FOR_WHOLE_T_R,
-    OTHER_WINDOWS,
-    WHERE,
-    WITHOUT_NEAR_ARREST,
-    fronts,
-    of_seeds,
-    speeds,
-    tables_of,
-    too_short,
-    without_near_arrest,
-)
+import slow_fronts as slow
 
 NX = 57
 N_S = 100
 MODELS = {"simplified": VERMILION, "full": BLUE}
-MARKERS = {"v_slow and tau_0": "D", "t_R and tau_0": "o", "t_R": "^", "f_slip": "s", "k_i": "<"}
-MARKERS |= {"F_N": "v"}
-LABELS = {
-    "v_slow and tau_0": r"$v_\mathrm{slow}$, $\tau_0$",
-    "t_R and tau_0": r"$\langle t_R\rangle$, $\tau_0$",
-    "t_R": r"$\langle t_R\rangle$",
-    "f_slip": r"$f_\mathrm{slip}$",
-    "k_i": "$k_i$",
-    "F_N": "$F_N$",
+VARIED = {  # marker and label
+    "v_slow and tau_0": ("D", r"$v_\mathrm{slow}$, $\tau_0$"),
+    "t_R and tau_0": ("o", r"$\langle t_R\rangle$, $\tau_0$"),
+    "t_R": ("^", r"$\langle t_R\rangle$"),
+    "f_slip": ("s", r"$f_\mathrm{slip}$"),
+    "k_i": ("<", "$k_i$"),
+    "F_N": ("v", "$F_N$"),
 }
 
 
@@ -65,7 +51,7 @@ def slip(rows):
 
 
 def fit(rows):
-    return fit_through_origin(scale(rows) * slip(rows), speeds(rows))
+    return fit_through_origin(scale(rows) * slip(rows), slow.speeds(rows))
 
 
 def chosen(rows, model, variants):
@@ -74,12 +60,14 @@ def chosen(rows, model, variants):
 
 def draw_points(axes, rows, x, label):
     for model, colour in MODELS.items():
-        for variant, marker in MARKERS.items():
+        for variant, (marker, name) in VARIED.items():
             points = chosen(rows, model, [variant])
             if points:
-                text = f"{model}: {LABELS[variant]}" if label else None
+                text = f"{model}: {name}" if label else None
                 style = {"color": colour, "markerfacecolor": "none", "markeredgewidth": 0.7}
-                axes.plot(x(points), speeds(points), marker, label=text, markersize=3.5, **style)
+                axes.plot(
+                    x(points), slow.speeds(points), marker, label=text, markersize=3.5, **style
+                )
 
 
 def draw(rows, fits, stem):
@@ -88,12 +76,8 @@ def draw(rows, fits, stem):
     end = 1.08 * max(scale(rows) * slip(rows))
     for model, colour in MODELS.items():
         axes.plot([0, end], [0, fits[model].slope * end], color=colour, linewidth=0.8)
-    axes.set(
-        xlabel=r"$v_\mathrm{slow\,slip}\,k_i l_0/(\tau_\mathrm{thres}-\tau_0)$ [m/s]",
-        ylabel=r"$v_{c,\mathrm{slow}}$ [m/s]",
-        xlim=(0, end),
-        ylim=(0, None),
-    )
+    axes.set_xlabel(r"$v_\mathrm{slow\,slip}\,k_i l_0/(\tau_\mathrm{thres}-\tau_0)$ [m/s]")
+    axes.set(ylabel=r"$v_{c,\mathrm{slow}}$ [m/s]", xlim=(0, end), ylim=(0, None))
     axes.legend(loc="upper left", ncols=2, columnspacing=0.8, handletextpad=0.1)
     inset = axes.inset_axes([0.68, 0.13, 0.3, 0.3])
     draw_points(inset, rows, lambda points: slip(points) * 1e3, label=False)
@@ -115,9 +99,9 @@ def write_points(path, rows):
 
 def fit_with_other_widths(rows, phi):
     """The full model's fit if the points at other widths of phi count, too."""
-    parts = [chosen(rows, "full", MARKERS), [row for row in phi if float(row["sigma-bar"]) != 0.1]]
+    parts = [chosen(rows, "full", VARIED), [row for row in phi if float(row["sigma-bar"]) != 0.1]]
     x = np.concatenate([scale(part) * slip(part) for part in parts])
-    return fit_through_origin(x, np.concatenate([speeds(part) for part in parts]))
+    return fit_through_origin(x, np.concatenate([slow.speeds(part) for part in parts]))
 
 
 def threshold(rows):
@@ -133,13 +117,13 @@ def ratios(rows, strength):
     texts = []
     for width in sorted({row["sigma-bar"] for row in rows}):
         points = [row for row in rows if row["sigma-bar"] == width]
-        ratio = np.mean(speeds(points) / (scale(points, strength(points)) * slip(points)))
+        ratio = np.mean(slow.speeds(points) / (scale(points, strength(points)) * slip(points)))
         texts.append(f"{ratio:.2f} at sigma-bar {width}")
     return ", ".join(texts)
 
 
 def fits_of(rows):
-    return {model: fit(chosen(rows, model, MARKERS)) for model in ("full", "simplified")}
+    return {model: fit(chosen(rows, model, VARIED)) for model in ("full", "simplified")}
 
 
 def case_3D(rows):
@@ -160,12 +144,12 @@ def with_width(rows, widths, sigma_bar):
 
 
 def conventions(path, widths_path):
-    rows, widths = fronts(path), fronts(widths_path)
+    rows, widths = slow.fronts(path), slow.fronts(widths_path)
     cases = {PRIMARY: case_3D(rows)}
-    cases |= {window: case_3D(fronts(path, window)) for window in OTHER_WINDOWS}
+    cases |= {window: case_3D(slow.fronts(path, window)) for window in slow.OTHER_WINDOWS}
     for sigma_bar in (0, 0.2):
         cases[f"sigma-bar {sigma_bar}"] = case_3D(with_width(rows, widths, sigma_bar))
-    cases[WITHOUT_NEAR_ARREST] = case_3D(without_near_arrest(rows))
+    cases[slow.WITHOUT_NEAR_ARREST] = case_3D(slow.without_near_arrest(rows))
     return {name: [case] for name, case in cases.items()}
 
 
@@ -175,32 +159,32 @@ def with_l_0(fits, l_0):
 
 
 def claim(path, phi, l_0, others):
-    rows = fronts(path)
+    rows = slow.fronts(path)
     fits = fits_of(rows)
     full, simplified = fits.values()
-    whole = fits_of(fronts(path, FOR_WHOLE_T_R))
+    whole = fits_of(slow.fronts(path, slow.FOR_WHOLE_T_R))
     case = case_3D(rows)
     return judged(
         "3D",
         shown=case,
-        units=of_seeds([path, *others], conventions, ["front_speed", "front_speed_widths"]),
+        units=slow.of_seeds([path, *others], conventions, ["front_speed", "front_speed_widths"]),
         measured={
             "slope, full": full.slope,
             "slope, simplified": simplified.slope,
             **case,
             "slopes with l_0 as fitted (claim l0)": with_l_0(fits, l_0),
             "points": [full.points, simplified.points],
-            f"slow fronts left out, with fewer than {BLOCKS} blocks": too_short(path),
+            f"slow fronts left out, with fewer than {slow.BLOCKS} blocks": slow.too_short(path),
             "R^2, both on one line": fit(rows).r_squared,
-            "R^2, both, unscaled": fit_through_origin(slip(rows), speeds(rows)).r_squared,
+            "R^2, both, unscaled": fit_through_origin(slip(rows), slow.speeds(rows)).r_squared,
             "R^2, full, with other widths of phi too": fit_with_other_widths(rows, phi).r_squared,
             "slopes from blocks followed for <t_R>": [whole[m].slope for m in fits],
             "their R^2": [whole[m].r_squared for m in fits],
         },
-        note=f"Fronts that span, with at least {BLOCKS} measured blocks; v_slow slip (mean) and v_c"
-        f" (median) belong to the same blocks, in both models. {WHERE} l_0 is the paper's 7 mm; it"
-        " is a factor common to all points, so that with the fitted one R^2 and the difference of"
-        " the slopes are the same: no convention of its own. Full model at sigma-bar"
+        note=f"Fronts that span, with at least {slow.BLOCKS} measured blocks; v_slow slip (mean) and"
+        f" v_c (median) belong to the same blocks, in both models. {slow.WHERE} l_0 is the paper's"
+        " 7 mm; it is a factor common to all points, so that with the fitted one R^2 and the"
+        " difference of the slopes are the same: no convention of its own. Full model at sigma-bar"
         " = 0.1, simplified one without a width of phi, for it has one spring per block; at"
         " sigma-bar = 0 both have none. The scaling knows no width: v_c over the scaled slow"
         f" slip is {ratios(phi, threshold)}. With the strength that phi leaves in place of"
@@ -209,9 +193,9 @@ def claim(path, phi, l_0, others):
 
 
 def make(data, results):
-    path, *seeds = tables_of(data, "front_speed")
-    rows, phi = fronts(path), fronts(data / "front_speed_phi.csv")
+    path, *seeds = slow.tables_of(data, "front_speed")
+    rows, phi = slow.fronts(path), slow.fronts(data / "front_speed_phi.csv")
     draw(rows, fits_of(rows), results / "fig3D")
     write_points(results / "front-speed.csv", rows)
-    others = [*seeds, *tables_of(data, "front_speed_widths")]
+    others = [*seeds, *slow.tables_of(data, "front_speed_widths")]
     return [claim(path, phi, fitted_l_0(data / "l0-seed-1.json"), others)]

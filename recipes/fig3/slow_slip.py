@@ -12,19 +12,7 @@ from data.fits import fit_through_origin
 from data.tables import numbers, read_rows, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import BLACK, BLUE, GREEN, SINGLE, figure, save
-from slow_fronts import (
-    BLOCKS,
-    FOR_TWO_T_R,
-    OTHER_WINDOWS,
-    WHERE,
-    WITHOUT_NEAR_ARREST,
-    fronts,
-    of_seeds,
-    speeds,
-    tables_of,
-    too_short,
-    without_near_arrest,
-)
+import slow_fronts as slow
 
 MM = 1e3  # [mm/m]
 WIDTH = 0.14 / 56  # of a block [m]
@@ -33,19 +21,18 @@ K_I = {  # the variant in which k_i varies, by convention
     "trigger's prestress varied with k_i": "k_i",
     "K scaled with E": "k_i and K",
 }
-MARKERS = {"reference": "o", "t_R": "^", "tau_slip": "s", "k_i": "<"}
-LABELS = {
-    "reference": "reference",
-    "t_R": r"$\langle t_R\rangle$ varied",
-    "tau_slip": r"$\tau_\mathrm{slip}$ varied",
-    "k_i": "$k_i$ varied",
+VARIED = {  # marker and label
+    "reference": ("o", "reference"),
+    "t_R": ("^", r"$\langle t_R\rangle$ varied"),
+    "tau_slip": ("s", r"$\tau_\mathrm{slip}$ varied"),
+    "k_i": ("<", "$k_i$ varied"),
 }
 
 
 def event_fronts(path):
     """Those of the event, in which blocks at given places were measured."""
     rows = [row | {"blocks": int(row["blocks"] or 0)} for row in read_rows(path)]
-    return [row for row in rows if row["type"] == "slow" and row["blocks"] >= BLOCKS]
+    return [row for row in rows if row["type"] == "slow" and row["blocks"] >= slow.BLOCKS]
 
 
 def varied(rows, k_i=K_I[PRIMARY]):
@@ -74,10 +61,10 @@ def case_3Ci(rows):
 
 
 def conventions_3Ci(path):
-    rows = fronts(path)
+    rows = slow.fronts(path)
     cases = {name: case_3Ci(varied(rows, k_i)) for name, k_i in K_I.items()}
-    cases |= {window: case_3Ci(varied(fronts(path, window))) for window in OTHER_WINDOWS}
-    cases[WITHOUT_NEAR_ARREST] = case_3Ci(without_near_arrest(varied(rows)))
+    cases |= {window: case_3Ci(varied(slow.fronts(path, window))) for window in slow.OTHER_WINDOWS}
+    cases[slow.WITHOUT_NEAR_ARREST] = case_3Ci(slow.without_near_arrest(varied(rows)))
     return {name: [case] for name, case in cases.items()}
 
 
@@ -102,42 +89,29 @@ def case_co(rows):
 
 
 def conventions_co(path):
-    return {PRIMARY: [case_co(fronts(path))]}
+    return {PRIMARY: [case_co(slow.fronts(path))]}
 
 
 def draw_rows(axes, rows, marker, colour, label):
     x, y = estimate_and_measured(rows)
     low = y - numbers(rows, "slowest [m/s]") * MM
     high = numbers(rows, "fastest [m/s]") * MM - y
-    axes.errorbar(
-        x,
-        y,
-        yerr=[low, high],
-        fmt=marker,
-        color=colour,
-        markersize=4,
-        elinewidth=0.6,
-        capsize=1.5,
-        label=label,
-    )
+    look = {"fmt": marker, "color": colour, "markersize": 4, "elinewidth": 0.6, "capsize": 1.5}
+    axes.errorbar(x, y, yerr=[low, high], label=label, **look)
 
 
 def draw(prepared, event, prepared_fit, stem):
     fig, axes = figure(SINGLE, SINGLE)
-    for variant, label in LABELS.items():
+    for variant, (marker, label) in VARIED.items():
         rows = [row for row in prepared if row["varies"] == variant]
-        draw_rows(axes, rows, MARKERS[variant], GREEN, f"prepared, {label}")
-    draw_rows(axes, event, MARKERS["t_R"], BLUE, r"event, $\langle t_R\rangle$ varied")
+        draw_rows(axes, rows, marker, GREEN, f"prepared, {label}")
+    draw_rows(axes, event, "^", BLUE, r"event, $\langle t_R\rangle$ varied")
     end = 1.08 * max(estimate_and_measured(prepared + event)[0])
     axes.plot([0, end], [0, prepared_fit.slope * end], color=GREEN, linewidth=0.8)
     axes.plot([0, end], [0, end], color=BLACK, linestyle=":", linewidth=0.8, label="Eq. S1")
     estimate = rf"{paper.COEFFICIENT}\,\tau_\mathrm{{slip}}/(k_i\langle t_R\rangle)"
-    axes.set(
-        xlabel=rf"estimate ${estimate}$ [mm/s]",
-        ylabel=r"measured $v_\mathrm{slow\,slip}$ [mm/s]",
-        xlim=(0, end),
-        ylim=(0, None),
-    )
+    axes.set(xlabel=rf"estimate ${estimate}$ [mm/s]", xlim=(0, end), ylim=(0, None))
+    axes.set_ylabel(r"measured $v_\mathrm{slow\,slip}$ [mm/s]")
     axes.legend(loc="upper left")
     save(fig, stem)
 
@@ -154,17 +128,17 @@ def beside_text(rows, variant):
     """Measured over estimate in a variant that is reported beside the claim, by front speed."""
     rows = [row for row in rows if row["variant"] == variant]
     x, y = estimate_and_measured(rows)
-    return ", ".join(f"{r:.2f} at {v:.1f} m/s" for v, r in sorted(zip(speeds(rows), y / x)))
+    return ", ".join(f"{r:.2f} at {v:.1f} m/s" for v, r in sorted(zip(slow.speeds(rows), y / x)))
 
 
 def claim_3Ci(path, event, others):
-    rows = fronts(path)
+    rows = slow.fronts(path)
     prepared = varied(rows)
-    fitted = fit(prepared)
-    longer = fit(varied(fronts(path, FOR_TWO_T_R)))
+    fitted, speeds = fit(prepared), slow.speeds(prepared)
+    longer = fit(varied(slow.fronts(path, slow.FOR_TWO_T_R)))
     x, y = estimate_and_measured(event)
     case = case_3Ci(prepared)
-    units = of_seeds([path, *others], conventions_3Ci, ["slow_slip"])
+    units = slow.of_seeds([path, *others], conventions_3Ci, ["slow_slip"])
     return judged(
         "3Ci",
         shown=case,
@@ -172,14 +146,14 @@ def claim_3Ci(path, event, others):
         measured={
             **case,
             "prepared interfaces": fitted.points,
-            f"slow fronts left out, with fewer than {BLOCKS} blocks": too_short(path),
-            "slowest and fastest front [m/s]": [speeds(prepared).min(), speeds(prepared).max()],
+            f"slow fronts left out, with fewer than {slow.BLOCKS} blocks": slow.too_short(path),
+            "slowest and fastest front [m/s]": [speeds.min(), speeds.max()],
             "slope if followed for up to 2 <t_R>": longer.slope,
             "event, slope": fit(event).slope if event else None,
             "event, measured/estimate": [np.min(y / x), np.max(y / x)] if event else None,
         },
-        note=f"{WHERE} Event: blocks at x = 0.2-0.5 L, until the front leaves all that is slow. A"
-        " change of tau_slip alone is nearly a change of units (p and k_i do not depend on it)."
+        note=f"{slow.WHERE} Event: blocks at x = 0.2-0.5 L, until the front leaves all that is slow."
+        " A change of tau_slip alone is nearly a change of units (p and k_i do not depend on it)."
         " Where k_i varies, the trigger region's prestress stays as it is. Measured/estimate there:"
         f" {beside_text(rows, K_I[PRIMARY])}; with a prestress that makes up for the driving"
         f" spring: {beside_text(rows, 'k_i')}; with a driving spring as much stiffer as the slider"
@@ -189,13 +163,13 @@ def claim_3Ci(path, event, others):
 
 
 def claim_co(path, others):
-    rows = fronts(path)
+    rows = slow.fronts(path)
     shown = case_co(rows)
     cases = [{"largest ratio of neighbours": largest_ratio(row)} for row in rows]
     return judged(
         "co",
         shown=shown,
-        units=of_seeds([path, *others], conventions_co, ["slow_slip"]),
+        units=slow.of_seeds([path, *others], conventions_co, ["slow_slip"]),
         measured={
             **shown,
             "fronts of all variants": len(rows),
@@ -207,8 +181,8 @@ def claim_co(path, others):
 
 
 def make(data, results):
-    path, *others = tables_of(data, "slow_slip")
-    prepared, event = fronts(path), event_fronts(data / "slow_slip_event.csv")
+    path, *others = slow.tables_of(data, "slow_slip")
+    prepared, event = slow.fronts(path), event_fronts(data / "slow_slip_event.csv")
     draw(varied(prepared), event, fit(varied(prepared)), results / "fig3C-inset")
     write_fronts(results / "slow-slip-speed.csv", {"prepared": prepared, "event": event})
     return [claim_3Ci(path, event, others), claim_co(path, others)]

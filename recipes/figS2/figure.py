@@ -53,20 +53,19 @@ def draw(data, fronts, stem):
 
 def write_events(path, pairs):
     """`pairs`: each fast-slow event of the load, and its front without slow slip."""
-    names = [
-        "t_start [s]",
-        "slow from [m]",
-        "fast before [m/s]",
-        "slow speed [m/s]",
-        "duration [s]",
-    ]
-    keys = ("x_from", "fast_before", "speed", "duration")
+    keys = {  # of the slow stretch
+        "slow from [m]": "x_from",
+        "fast before [m/s]": "fast_before",
+        "slow speed [m/s]": "speed",
+        "duration [s]": "duration",
+    }
     rows = (
-        [event["t_start"], *(event["slow"][key] for key in keys), front["type"], front["x_arrest"]]
+        [event["t_start"], *map(event["slow"].get, keys.values()), front["type"], front["x_arrest"]]
         for event, without in pairs
         for front in [without or {"type": "none", "x_arrest": None}]
     )
-    write_table(path, [*names, "without slow slip", "arrest without slow slip [m]"], rows)
+    names = ["t_start [s]", *keys, "without slow slip", "arrest without slow slip [m]"]
+    write_table(path, names, rows)
 
 
 def claim_S2(fronts, pairs, units):

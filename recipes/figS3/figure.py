@@ -34,12 +34,11 @@ def deviations(tau_bar, point):
     wanted = prescribed(stress["x"], tau_bar)
     beyond = np.array(stress["x"]) > X_TRIGGER - 1e-9
     depinned = np.where(beyond, wanted, MU_D)  # slipping junctions carry f_slip
+    ratios = {name: ratio(point[name]) for name in ("before", "later", "depinned")}
     return {
-        "before depinning": deviation(ratio(stress), wanted),
-        "100 steps later, not depinned": deviation(ratio(point["later"]), wanted),
-        "just depinned, from mu_d in the trigger region": deviation(
-            ratio(point["depinned"]), depinned
-        ),
+        "before depinning": deviation(ratios["before"], wanted),
+        "100 steps later, not depinned": deviation(ratios["later"], wanted),
+        "just depinned, from mu_d in the trigger region": deviation(ratios["depinned"], depinned),
         "p from F_N/N_x": deviation(np.array(stress["p"]), stress["F_N"] / len(stress["p"])),
     }
 
@@ -53,29 +52,15 @@ def median_speed(front):
 def draw(points, stem):
     fig, axes = figure(SINGLE, 0.65 * SINGLE)
     for (tau_bar, sigma_bar), point in points.items():
-        if sigma_bar != SHOWN_SIGMA_BAR:
-            continue
-        x = np.array(point["before"]["x"]) * 1e3
-        axes.plot(
-            x,
-            ratio(point["before"]),
-            "o",
-            color=COLOURS[tau_bar],
-            markersize=2.5,
-            label=rf"$\bar\tau_0 = {tau_bar:g}$",
-        )
-        axes.plot(
-            x, prescribed(point["before"]["x"], tau_bar), color=COLOURS[tau_bar], linewidth=0.6
-        )
+        if sigma_bar == SHOWN_SIGMA_BAR:
+            stress, colour = point["before"], COLOURS[tau_bar]
+            x = np.array(stress["x"]) * 1e3
+            look = {"markersize": 2.5, "label": rf"$\bar\tau_0 = {tau_bar:g}$"}
+            axes.plot(x, ratio(stress), "o", color=colour, **look)
+            axes.plot(x, prescribed(stress["x"], tau_bar), color=colour, linewidth=0.6)
     axes.axhline(MU_D, color=BLACK, linewidth=0.6, linestyle=":")
-    axes.annotate(
-        r"$\mu_d$",
-        (1, MU_D),
-        xycoords=("axes fraction", "data"),
-        xytext=(-3, 2),
-        textcoords="offset points",
-        ha="right",
-    )
+    place = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "ha": "right"}
+    axes.annotate(r"$\mu_d$", (1, MU_D), xytext=(-3, 2), **place)
     axes.axvspan(-2, X_TRIGGER * 1e3 - 1.25, color=ORANGE, alpha=0.2, linewidth=0)
     axes.annotate("trigger\nregion", (9, 0.185), ha="center")
     axes.set(xlabel="$x$ [mm]", ylabel=r"$\tau_0/p$", xlim=(-2, 142), ylim=(0.15, 0.26))

@@ -73,20 +73,12 @@ def block_edges(junctions):
 
 
 def draw(data, junctions, fronts, stem):
-    fig, axes = figure(
-        0.75 * DOUBLE,
-        0.66 * DOUBLE,
-        nrows=3,
-        ncols=2,
-        sharex=True,
-        sharey="row",
-        gridspec_kw={"height_ratios": (5, 5, 1)},
-    )
+    shared = {"sharex": True, "sharey": "row", "height_ratios": (5, 5, 1)}
+    fig, axes = figure(0.75 * DOUBLE, 0.66 * DOUBLE, nrows=3, ncols=2, **shared)
     t_zero, window = window_of(*fronts)
     for column, (run, title) in enumerate(zip(STATES.values(), TITLES)):
-        pinned = draw_pinned(
-            axes[0, column], rupture.open(data / f"{run}-record.h5"), t_zero, window
-        )
+        record = rupture.open(data / f"{run}-record.h5")
+        pinned = draw_pinned(axes[0, column], record, t_zero, window)
         shares = draw_phi(axes[1, column], junctions[column], force_edges(junctions))
         draw_slipping(axes[2, column], junctions[column])
         axes[0, column].set(title=title, xlabel="")
@@ -108,21 +100,18 @@ def write_phi(path, junctions, phis):
 
 def claim_S4(wider, phis):
     changed = np.flatnonzero(wider.x_over_L > REGION - 1e-9)
-    change = largest_change_of_mean(*phis)
-    p_values = [kolmogorov_smirnov(wider, block) for block in changed]
     case = {
-        "largest relative change of a block's mean": change,
-        "smallest Kolmogorov-Smirnov p": min(p_values),
+        "largest relative change of a block's mean": largest_change_of_mean(*phis),
+        "smallest Kolmogorov-Smirnov p": min(kolmogorov_smirnov(wider, n) for n in changed),
     }
+    distance = max(distance_from_quantiles(wider, block) for block in changed)
     return judged(
         "S4",
         shown=case,
         measured={
             **case,
             "changed blocks": len(changed),
-            "largest distance from exact quantiles [f_thres]": max(
-                distance_from_quantiles(wider, block) for block in changed
-            ),
+            "largest distance from exact quantiles [f_thres]": distance,
         },
         note="Means over all junctions of a block; the slipping ones keep their force, the others"
         " get the quantiles of the widest uniform distribution that f_thres allows.",

@@ -3,13 +3,8 @@
 import json
 
 import numpy as np
-from quadrature import (
-    SHAPES,
-    largest_mean_force,
-    mean_force,
-    sigma_of_unit_width,
-    uniform_closed_form,
-)
+from quadrature import SHAPES, largest_mean_force, mean_force, sigma_of_unit_width
+from quadrature import uniform_closed_form
 
 from claims.judge import judged
 from data.tables import write_table
@@ -111,20 +106,13 @@ def claim_S5(uniform, bell):
 
 
 def write_tables(results, curves, strengths):
-    write_table(
-        results / "strength.csv",
-        ["shape", "sigma-bar", "mu-bar", "mu_eff", "mu-bar by quadrature"],
-        (
-            (s.shape, *row)
-            for s in strengths
-            for row in zip(s.sigma_bar, s.mu_bar, s.mu, s.quadrature)
-        ),
-    )
-    write_table(
-        results / "displacement.csv",
-        ["shape", "sigma-bar", "displacement [f_slip/k_ij]", "tau/p"],
-        ((*name, *row) for name, points in curves.items() for row in zip(*points)),
-    )
+    names = ["shape", "sigma-bar", "mu-bar", "mu_eff", "mu-bar by quadrature"]
+    numbers = ((s, zip(s.sigma_bar, s.mu_bar, s.mu, s.quadrature)) for s in strengths)
+    rows = ((strength.shape, *row) for strength, its_rows in numbers for row in its_rows)
+    write_table(results / "strength.csv", names, rows)
+    names = ["shape", "sigma-bar", "displacement [f_slip/k_ij]", "tau/p"]
+    rows = ((*name, *row) for name, points in curves.items() for row in zip(*points))
+    write_table(results / "displacement.csv", names, rows)
 
 
 def make(data, results):

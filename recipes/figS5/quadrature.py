@@ -39,13 +39,11 @@ def mean_force(shape, a, g_0, d):
     top = min(a, 1 - d - g_0)
     if top <= -a:
         return 0.0
-    return quad(
-        lambda xi: (g_0 + xi + d) * SHAPES[shape](xi, a),
-        -a,
-        top,
-        points=[min(0.0, top)],
-        epsabs=1e-13,
-    )[0]
+
+    def force(xi):
+        return (g_0 + xi + d) * SHAPES[shape](xi, a)
+
+    return quad(force, -a, top, points=[min(0.0, top)], epsabs=1e-13)[0]
 
 
 def largest_mean_force(shape, sigma_bar):
