@@ -20,14 +20,8 @@ def draw_loading(axes, loading, events):
         (~spans, BLUE, "o", "arrested event"),
         (spans, VERMILION, "v", "spans the interface"),
     ):
-        axes.plot(
-            events["t_start [s]"][chosen],
-            peak[chosen] + 0.012,
-            marker,
-            color=colour,
-            markersize=3,
-            label=label,
-        )
+        x, y = events["t_start [s]"][chosen], peak[chosen] + 0.012
+        axes.plot(x, y, marker, color=colour, markersize=3, label=label)
     axes.set(xlabel="$t$ [s]", ylabel="$F_T/F_N$", xlim=(0, 1.2), ylim=(0, 0.25))
     axes.legend(loc="lower right")
 

@@ -11,16 +11,7 @@ from data.tables import write_fronts, write_table
 from events.event_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_ensemble, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
-from pictures.plotting import (
-    BLUE,
-    DOUBLE,
-    GREEN,
-    OF_PAPER,
-    VERMILION,
-    figure,
-    letter,
-    save,
-)
+from pictures.plotting import BLUE, DOUBLE, GREEN, OF_PAPER, VERMILION, figure, letter, save
 
 MOST_LIKE = "most-like"
 EVENTS = {  # label, colour, marker

@@ -181,12 +181,12 @@ def claim(path, phi, l_0, others):
             "slopes from blocks followed for <t_R>": [whole[m].slope for m in fits],
             "their R^2": [whole[m].r_squared for m in fits],
         },
-        note=f"Fronts that span, with at least {slow.BLOCKS} measured blocks; v_slow slip (mean) and"
-        f" v_c (median) belong to the same blocks, in both models. {slow.WHERE} l_0 is the paper's"
-        " 7 mm; it is a factor common to all points, so that with the fitted one R^2 and the"
-        " difference of the slopes are the same: no convention of its own. Full model at sigma-bar"
-        " = 0.1, simplified one without a width of phi, for it has one spring per block; at"
-        " sigma-bar = 0 both have none. The scaling knows no width: v_c over the scaled slow"
+        note=f"Fronts that span, with at least {slow.BLOCKS} measured blocks; v_slow slip (mean)"
+        f" and v_c (median) belong to the same blocks, in both models. {slow.WHERE} l_0 is the"
+        " paper's 7 mm; it is a factor common to all points, so that with the fitted one R^2 and"
+        " the difference of the slopes are the same: no convention of its own. Full model at"
+        " sigma-bar = 0.1, simplified one without a width of phi, for it has one spring per block;"
+        " at sigma-bar = 0 both have none. The scaling knows no width: v_c over the scaled slow"
         f" slip is {ratios(phi, threshold)}. With the strength that phi leaves in place of"
         f" tau_thres the full model's is {ratios(phi, strength_of_phi)}.",
     )

@@ -152,13 +152,13 @@ def claim_3Ci(path, event, others):
             "event, slope": fit(event).slope if event else None,
             "event, measured/estimate": [np.min(y / x), np.max(y / x)] if event else None,
         },
-        note=f"{slow.WHERE} Event: blocks at x = 0.2-0.5 L, until the front leaves all that is slow."
-        " A change of tau_slip alone is nearly a change of units (p and k_i do not depend on it)."
-        " Where k_i varies, the trigger region's prestress stays as it is. Measured/estimate there:"
-        f" {beside_text(rows, K_I[PRIMARY])}; with a prestress that makes up for the driving"
-        f" spring: {beside_text(rows, 'k_i')}; with a driving spring as much stiffer as the slider"
-        f" instead: {beside_text(rows, 'k_i and K')}. At other prestresses of the interface:"
-        f" {beside_text(rows, 'prestress')}.",
+        note=f"{slow.WHERE} Event: blocks at x = 0.2-0.5 L, until the front leaves all that is"
+        " slow. A change of tau_slip alone is nearly a change of units (p and k_i do not depend on"
+        " it). Where k_i varies, the trigger region's prestress stays as it is. Measured/estimate"
+        f" there: {beside_text(rows, K_I[PRIMARY])}; with a prestress that makes up for the"
+        f" driving spring: {beside_text(rows, 'k_i')}; with a driving spring as much stiffer as"
+        f" the slider instead: {beside_text(rows, 'k_i and K')}. At other prestresses of the"
+        f" interface: {beside_text(rows, 'prestress')}.",
     )
 
 

@@ -32,16 +32,8 @@ def draw_loading(axes, load, stopped, window):
 
 def draw_image(axes, pinned, values, window, colours):
     shown = (pinned.time >= window[0]) & (pinned.time <= window[1])
-    return axes.pcolormesh(
-        pinned.x / pinned.x[-1],
-        pinned.time[shown],
-        values[shown],
-        cmap=colours,
-        vmin=0,
-        vmax=1,
-        shading="nearest",
-        rasterized=True,
-    )
+    x, look = pinned.x / pinned.x[-1], {"cmap": colours, "shading": "nearest", "rasterized": True}
+    return axes.pcolormesh(x, pinned.time[shown], values[shown], vmin=0, vmax=1, **look)
 
 
 def draw_maps(fig, axes, load, stopped, window, t_branch):
@@ -124,22 +116,17 @@ def make(all_data, results):
     stretch = report(data / "quasistatic-stretch.json")
     record = data / "quasistatic-load-record.h5"
     load = read_ruptures(record)
+    stopped = (data / f"quasistatic-stopped-{n}-record.h5" for n in range(len(stretch["branches"])))
     branches = [
-        advances(
-            load,
-            read_ruptures(data / f"quasistatic-stopped-{n}-record.h5"),
-            stretch["interval_from"],
-            float(t_branch),
-        )
-        for n, t_branch in enumerate(stretch["branches"])
+        advances(load, read_ruptures(path), stretch["interval_from"], float(t_branch))
+        for path, t_branch in zip(stopped, stretch["branches"])
     ]
     draw(data, stretch, load[2][-1], results / "fig5B")
     write_table(results / "quasistatic-tip.csv", ["time [s]", "tip [m]"], stretch["tip"])
-    write_table(
-        results / "quasistatic-branches.csv",
-        ["V = 0 from [s]", "tip [block]", "advance driven [blocks]", "advance with V = 0 [blocks]"],
-        [branch.values() for branch in branches],
-    )
+    names = ["V = 0 from [s]", "tip [block]", "advance driven [blocks]"]
+    names += ["advance with V = 0 [blocks]"]
+    branch_rows = [branch.values() for branch in branches]
+    write_table(results / "quasistatic-branches.csv", names, branch_rows)
     c_s = rupture.open(record).c_s
     of_seed = json.dumps(measured(stretch, c_s, branches[MIDDLE]))
     (ensemble / "h0-01.json").write_text(of_seed, encoding="utf-8")

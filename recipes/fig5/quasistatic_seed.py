@@ -13,14 +13,7 @@ from pathlib import Path
 
 import rupture
 
-from quasistatic_stretch import (
-    MIDDLE,
-    STOPPED_FOR,
-    advances,
-    measured,
-    quasistatic_stretch,
-    read_ruptures,
-)
+import quasistatic_stretch as stretches
 
 from data.scratch import scratch
 
@@ -36,13 +29,15 @@ def measure(seed, until, every, folder):
     drive = {"driving.h": 0, "numerics.seed": int(seed)}
     output = folder / "load.h5"
     load = run("load", output=output, set=drive, until=until, checkpoint_every=every)
-    stretch = quasistatic_stretch(load, float(every))
-    t = stretch["branches"][MIDDLE]
+    stretch = stretches.quasistatic_stretch(load, float(every))
+    t = stretch["branches"][stretches.MIDDLE]
     branch, output = folder / f"load-t{t}.h5", folder / "stopped.h5"
-    stopped = run("restart", branch, output=output, set={"driving.V": 0}, for_=STOPPED_FOR)
-    driven, undriven = read_ruptures(load), read_ruptures(stopped)
-    branch = advances(driven, undriven, stretch["interval_from"], float(t))
-    return measured(stretch, rupture.open(load).c_s, branch)
+    stopped = run(
+        "restart", branch, output=output, set={"driving.V": 0}, for_=stretches.STOPPED_FOR
+    )
+    driven, undriven = stretches.read_ruptures(load), stretches.read_ruptures(stopped)
+    branch = stretches.advances(driven, undriven, stretch["interval_from"], float(t))
+    return stretches.measured(stretch, rupture.open(load).c_s, branch)
 
 
 def main(programs, seed, until, every, folder):

@@ -2,28 +2,8 @@
 
 from claims.judge import judged
 from data.tables import points_of
-from maps.front_map import (
-    TYPES,
-    along,
-    axes_of,
-    band,
-    fast_below_left_of_arrested,
-    map_of_seed,
-    read_variants,
-    seeds_of,
-    steps_back,
-    types_of,
-    types_of_seeds,
-    write_variants,
-)
-from maps.map_conventions import (
-    ABOUT_UNITS,
-    ALONG_TAU,
-    WAYS,
-    out_of_order,
-    over_product,
-    units_of_seeds,
-)
+from maps import front_map, map_conventions
+from maps.front_map import TYPES, axes_of, steps_back, types_of
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import DOUBLE, figure, letter, save
 
@@ -39,7 +19,7 @@ def with_all_types(types):
     """The sigma_bar at which all three types are present."""
     return {
         sigma
-        for sigma, places in along(types, 0).items()
+        for sigma, places in front_map.along(types, 0).items()
         if {types[place] for place in places} == set(TYPES)
     }
 
@@ -47,51 +27,50 @@ def with_all_types(types):
 def measured(name, fronts):
     types = types_of(fronts)
     sigmas = axes_of(types)[1]
+    below_left = front_map.fast_below_left_of_arrested(front_map.types_of_seeds(fronts))
+    bands = {sigma: front_map.band(types, sigma) for sigma in sigmas}
     in_order = set(sigmas) - {sigma for _, sigma in steps_back(types, 0)}
     return {
         f"{name}: sigma_bar in order": f"{len(in_order)} of {len(sigmas)}",
         f"{name}: of these with all three types": len(in_order & with_all_types(types)),
         f"{name}: places that step back along sigma_bar": len(steps_back(types, 1)),
-        f"{name}: fast below-left of arrested": len(
-            fast_below_left_of_arrested(types_of_seeds(fronts))
-        ),
+        f"{name}: fast below-left of arrested": len(below_left),
         f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(
-            f"{sigma:g}: " + ("{:g} to {:g}".format(*limits) if limits else "none")
-            for sigma, limits in ((sigma, band(types, sigma)) for sigma in sigmas)
+            f"{sigma:g}: " + ("{:g} to {:g}".format(*band) if band else "none")
+            for sigma, band in bands.items()
         ),
     }
 
 
-def case_of(maps, axis=ALONG_TAU, **how):
+def case_of(maps, axis=map_conventions.ALONG_TAU, **how):
     """The order of regions in all maps, and how many sigma_bar show all three of them."""
+    maps = maps.values()
+    unordered = [map_conventions.out_of_order(fronts, fronts, axis, **how) for fronts in maps]
+    complete = [with_all_types(types_of(fronts, **how)) for fronts in maps]
     return {
-        "maps in order": sum(
-            not out_of_order(fronts, fronts, axis, **how) for fronts in maps.values()
-        ),
-        "fewest sigma_bar with all three types": min(
-            len(with_all_types(types_of(fronts, **how))) for fronts in maps.values()
-        ),
+        "maps in order": sum(not places for places in unordered),
+        "fewest sigma_bar with all three types": min(map(len, complete)),
     }
 
 
 def claim_Geo(maps):
     def case(seed, **way):
-        of_seed = {name: map_of_seed(fronts, seed) for name, fronts in maps.items()}
+        of_seed = {name: front_map.map_of_seed(fronts, seed) for name, fronts in maps.items()}
         return case_of(of_seed, **way)
 
     shown = case_of(maps)
-    seeds = sorted({seed for fronts in maps.values() for seed in seeds_of(fronts)})
+    seeds = sorted({seed for fronts in maps.values() for seed in front_map.seeds_of(fronts)})
     return judged(
         "Geo",
         shown=shown,
-        units=units_of_seeds(seeds, WAYS, case),
+        units=map_conventions.units_of_seeds(seeds, map_conventions.WAYS, case),
         measured=shown
         | {k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()}
-        | over_product("Geo", seeds, case),
+        | map_conventions.over_product("Geo", seeds, case),
         note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar,"
         " with all three at two or more, and no place fast below-left of an arrested one. Block"
         " spacing and mass, p per block, H, h and the trigger region's length are kept, so N_x = 43"
-        " and 85, M and F_N in proportion to N_x. " + ABOUT_UNITS,
+        " and 85, M and F_N in proportion to N_x. " + map_conventions.ABOUT_UNITS,
     )
 
 
@@ -111,7 +90,7 @@ def draw(maps, stem):
 def make(data, results):
     tables = sorted(data.glob("geometry.csv")) + sorted(data.glob("geometry-seeds.csv"))
     points = [point for table in tables for point in points_of(table)]
-    maps = read_variants(points, TITLES)
+    maps = front_map.read_variants(points, TITLES)
     draw(maps, results / "geometry")
-    write_variants(results / "geometry.csv", maps)
+    front_map.write_variants(results / "geometry.csv", maps)
     return [claim_Geo(maps)]
