@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The chains of commands in the recipes' READMEs are those that the rules run.
 
 A command by hand has the program, the options and the values of one that Snakemake would run, or
@@ -8,13 +7,12 @@ import json
 import os
 import re
 import shlex
-import subprocess
 import sys
-import tempfile
-import unittest
 from pathlib import Path
 
-from conftest import BIN, ROOT, need_modules
+from pytest import fixture, mark
+
+from conftest import ROOT, need_modules, run
 from runs.recipes import read_readme
 from sweeps.sweep import read_sweep
 
@@ -46,22 +44,15 @@ def planned(folder):
     for name in ("recipes", "python", "checkpoints", "docs", "benchmarks"):
         (folder / name).symlink_to(ROOT / name)
     (folder / "handler.py").write_text(HANDLER)
-    done = subprocess.run(
-        [
-            *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile"),
-            *RECIPES,
-            "--dryrun",
-            *("--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
-            *("--log-handler-script", "handler.py"),
-            *("--config", "bin=bin", "code=none", "from_scratch=1"),
-        ],
+    done = run(
+        *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile"),
+        *(*RECIPES, "--dryrun", "--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
+        *("--log-handler-script", "handler.py"),
+        *("--config", "bin=bin", "code=none", "from_scratch=1"),
         cwd=folder,
         env=os.environ | {"XDG_CACHE_HOME": str(folder)},
-        capture_output=True,
-        text=True,
     )
-    if done.returncode:
-        raise RuntimeError(done.stdout + done.stderr)
+    assert done.returncode == 0, done.stdout + done.stderr
     lines = (folder / "commands.jsonl").read_text().splitlines()
     return [json.loads(line) for line in lines]
 
@@ -87,8 +78,7 @@ def calls_in(text):
 
 def defaults():
     """{parameter: value} of what `load` and `prepare` start from."""
-    command = f"{BIN}/analyze quantities --json".split()
-    listed = json.loads(subprocess.run(command, capture_output=True, check=True).stdout)
+    listed = json.loads(run("analyze", "quantities", "--json").stdout)
     found = {row["name"]: str(row["default"]) for row in listed["parameters"]}
     return found | {"--sigma-bar": "0"}
 
@@ -128,18 +118,13 @@ def parse(words):
     return program, without_defaults(program, kept)
 
 
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return None
-
-
 def same(value, other):
     if "$" in other:
         return True
-    a, b = number(value), number(other)
-    return value == other if None in (a, b) else abs(a - b) <= 1e-9 * abs(b)
+    try:
+        return abs(float(value) - float(other)) <= 1e-9 * abs(float(other))
+    except ValueError:
+        return value == other
 
 
 def fits(program, name, values, others):
@@ -158,38 +143,38 @@ def matches(call, other):
     )
 
 
-def is_only_by_hand(call):
-    return " ".join([call[0], *call[1]]) in ONLY_BY_HAND
+@fixture(scope="module", name="calls")
+def all_calls(tmp_path_factory):
+    texts = [*planned(tmp_path_factory.mktemp("plan")), *of_sweeps()]
+    found = [parse(words) for text in texts for words in calls_in(text)]
+    return list({repr(call): call for call in found}.values())
 
 
-class Chains(unittest.TestCase):
-    calls: list
+def is_one_of(calls, call):
+    return any(matches(call, other) for other in calls)
 
-    @classmethod
-    def setUpClass(cls):
-        with tempfile.TemporaryDirectory() as folder:
-            texts = [*planned(Path(folder)), *of_sweeps()]
-        calls = {repr(parse(words)): parse(words) for text in texts for words in calls_in(text)}
-        cls.calls = list(calls.values())
 
-    def test_each_command_by_hand_is_one_of_the_rules(self):
-        for name in RECIPES:
-            pages = (ROOT / "recipes" / name).glob("*.md")
-            chain = [words for page in pages for words in calls_in(read_readme(page).commands)]
-            self.assertGreater(len(chain), 1, name)
-            for words in chain:
-                call = parse(words)
-                with self.subTest(recipe=name, command=" ".join(words)):
-                    found = any(matches(call, other) for other in self.calls)
-                    self.assertTrue(found or is_only_by_hand(call))
+@mark.parametrize("name", RECIPES)
+def test_each_command_by_hand_is_one_of_the_rules(name, calls):
+    pages = (ROOT / "recipes" / name).glob("*.md")
+    chain = [words for page in pages for words in calls_in(read_readme(page).commands)]
+    assert len(chain) > 1
+    for words in chain:
+        program, options = call = parse(words)
+        only_by_hand = " ".join([program, *options]) in ONLY_BY_HAND
+        assert only_by_hand or is_one_of(calls, call), " ".join(words)
 
-    def test_a_command_with_another_value_or_option_is_none(self):
-        for text in (
-            "restart a.h5 -o b.h5 --for 0.011 --record c.h5 --record-every 1e-5",
-            "restart a.h5 -o b.h5 --for 0.01 --set driving.V=1",
-            "analyze front a.h5 --stencil 7",
-            "load -o a.h5 --until 1.3",
-            "analyze slip a.h5",
-        ):
-            (words,) = calls_in(text)
-            self.assertFalse(any(matches(parse(words), other) for other in self.calls), text)
+
+@mark.parametrize(
+    "text",
+    [
+        "restart a.h5 -o b.h5 --for 0.011 --record c.h5 --record-every 1e-5",
+        "restart a.h5 -o b.h5 --for 0.01 --set driving.V=1",
+        "analyze front a.h5 --stencil 7",
+        "load -o a.h5 --until 1.3",
+        "analyze slip a.h5",
+    ],
+)
+def test_a_command_with_another_value_or_option_is_none(text, calls):
+    (words,) = calls_in(text)
+    assert not is_one_of(calls, parse(words))
