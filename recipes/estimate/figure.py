@@ -101,15 +101,10 @@ def make(data, results):
         report(data / f"estimate/{junctions}.json") for junctions in ("reference", "unbreakable")
     )
     draw(reference, unbreakable, results / "estimate")
-    write_table(
-        results / "relaxation.csv",
-        ["junctions", "time [<t_R>]", "slip [f_slip/k_ij]"],
-        course_rows(reference=reference, unbreakable=unbreakable),
-    )
+    names = ["junctions", "time [<t_R>]", "slip [f_slip/k_ij]"]
+    rows = course_rows(reference=reference, unbreakable=unbreakable)
+    write_table(results / "relaxation.csv", names, rows)
     block = reference["block"]
-    write_table(
-        results / "blocks.csv",
-        ["x [m]", "p [N]", "v_slow_slip [m/s]"],
-        zip(block["x"], block["p"], block["v_slow_slip"]),
-    )
+    columns = {"x [m]": "x", "p [N]": "p", "v_slow_slip [m/s]": "v_slow_slip"}
+    write_table(results / "blocks.csv", columns, zip(*map(block.get, columns.values())))
     return claims_of(reference, unbreakable)

@@ -52,31 +52,36 @@ def draw(record, fronts, stem):
 
 
 def write_events(path, events):
-    keys = ("x_from", "x_to", "duration", "speed", "fast_before", "fast_after")
-    names = ["t_start [s]", "slow from [m]", "to [m]", "duration [s]", "slow speed [m/s]"]
-    names += ["fast before [m/s]", "fast after [m/s]", "conditions of S6A not met"]
+    names = {  # of the slow stretch
+        "slow from [m]": "x_from",
+        "to [m]": "x_to",
+        "duration [s]": "duration",
+        "slow speed [m/s]": "speed",
+        "fast before [m/s]": "fast_before",
+        "fast after [m/s]": "fast_after",
+    }
     rows = (
-        [event["t_start"], *(slow[key] for key in keys), "; ".join(event["unmet"])]
+        [
+            event["t_start"],
+            *map((event["slow"] or {}).get, names.values()),
+            "; ".join(event["unmet"]),
+        ]
         for event in events
-        for slow in [event["slow"] or dict.fromkeys(keys)]
     )
-    write_table(path, names, rows)
+    write_table(path, ["t_start [s]", *names, "conditions of S6A not met"], rows)
 
 
 def measured(fronts, events):
-    front, longer = fronts["event"], fronts["t_R-double"]["slow"]
-    slow, L = front["slow"], front["L"]
+    slow, longer = fronts["event"]["slow"], fronts["t_R-double"]["slow"] or {}
+    case = case_of_event(fronts["event"])
+    as_judged = ("duration [ms]", "from [L]", "to [L]", "fast/slow before", "fast/slow after")
     return {
         "slow speed [m/s]": slow["speed"],
-        "c_s/slow speed": front["c_s"] / slow["speed"],
-        "duration [ms]": slow["duration"] * 1e3,
-        "from [L]": slow["x_from"] / L,
-        "to [L]": slow["x_to"] / L,
-        "fast/slow before": slow["fast_before"] and slow["fast_before"] / slow["speed"],
-        "fast/slow after": slow["fast_after"] and slow["fast_after"] / slow["speed"],
+        "c_s/slow speed": fronts["event"]["c_s"] / slow["speed"],
+        **{name: case[name] for name in as_judged},
         "fast after [m/s]": slow["fast_after"],
-        "slow with doubled t_R [m/s]": longer and longer["speed"],
-        "fast after with doubled t_R [m/s]": longer and longer["fast_after"],
+        "slow with doubled t_R [m/s]": longer.get("speed"),
+        "fast after with doubled t_R [m/s]": longer.get("fast_after"),
         "not met": ", ".join(min(events, key=lambda event: len(event["unmet"]))["unmet"]) or "none",
         "spanning events": len(events),
         "of them meet all but the ratios": sum(set(e["unmet"]) <= RATIOS for e in events),

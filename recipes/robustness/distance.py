@@ -34,13 +34,13 @@ def measured_event(unmodified, continued):
 def measured_map(name, fronts):
     types = types_of(fronts)
     kinds = list(types.values())
-    slow = {sigma: band(types, sigma) for sigma in axes_of(types)[1]}
+    bands = {sigma: band(types, sigma) for sigma in axes_of(types)[1]}
+    slow = [
+        "{:g}: {:g} to {:g}".format(sigma, *limits) for sigma, limits in bands.items() if limits
+    ]
     return {
         **{f"{name}: {kind}": kinds.count(kind) for kind in TYPES},
-        f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(
-            f"{sigma:g}: {limits[0]:g} to {limits[1]:g}" for sigma, limits in slow.items() if limits
-        )
-        or "none",
+        f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(slow) or "none",
     }
 
 

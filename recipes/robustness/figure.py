@@ -26,31 +26,23 @@ def draw(events, stem):
     """When each block ruptures: one small panel per spanning event."""
     fig, axes = figure(DOUBLE, 0.25 * DOUBLE, ncols=len(events), sharex=True, sharey=True)
     for event, axis in zip(events, axes):
-        t_rupture = values(event["t_rupture"])
-        time = (t_rupture - event["t_start"]) * 1e3
+        time = (values(event["t_rupture"]) - event["t_start"]) * 1e3
         colour = VERMILION if is_fast_only(event) else BLUE
         axis.plot(np.linspace(0, 1, len(time)), time, ".", color=colour)
-        axis.set(title=f"{event['t_start']:.3f} s", xlim=(0, 1), ylim=(0, None))
+        axis.set(title=f"{event['t_start']:.3f} s", xlabel="$x/L$", xlim=(0, 1), ylim=(0, None))
         axis.set_xticks([0, 0.5, 1], ["0", "½", "1"])
-        axis.set_xlabel("$x/L$")
     axes[0].set_ylabel("block ruptures after [ms]")
     save(fig, stem)
 
 
-def row_of(event):
-    slow = event["slow"]
-    numbers = [slow[column] if slow else None for column in COLUMNS]
-    return [
-        event["t_start"],
-        event["type"],
-        *numbers,
-        "; ".join(unmet("Exp", case_of_event(event))),
-    ]
-
-
 def write_events(path, events):
     names = ["t_start [s]", "type", *COLUMNS, "criteria of 2A not met"]
-    write_table(path, names, map(row_of, events))
+    rows = (
+        [event["t_start"], event["type"], *map(slow.get, COLUMNS), "; ".join(unmet("Exp", case))]
+        for event in events
+        for slow, case in [(event["slow"] or {}, case_of_event(event))]
+    )
+    write_table(path, names, rows)
 
 
 def closest(events):
@@ -106,24 +98,22 @@ def claim_words(in_words, of_map, loads):
 
 def claim_strict(events, unmodified, continued, loads):
     shown = closest(events)
-    slow, L = shown["slow"] or dict.fromkeys(COLUMNS), shown["L"]
+    slow, case = shown["slow"] or {}, case_of_event(shown)
     accepted = [event for event in events if not unmet("Exp", case_of_event(event))]
     return judged(
         "Exp",
-        shown=case_of_event(shown),
+        shown=case,
         units=of_loads(loads, case_of_event),
         measured={
             "spanning events": len(events),
             "with a slow stretch": sum(map(has_slow_stretch, events)),
             "meeting 2A": len(accepted),
             "first to meet most of 2A at [s]": shown["t_start"],
-            "slow speed [m/s]": slow["speed"],
-            "duration [ms]": slow["duration"] and slow["duration"] * 1e3,
-            "from [L]": slow["x_from"] and slow["x_from"] / L,
-            "to [L]": slow["x_to"] and slow["x_to"] / L,
-            "fast before [m/s]": slow["fast_before"],
-            "fast after [m/s]": slow["fast_after"],
-            "unmet criteria": ", ".join(unmet("Exp", case_of_event(shown))) or "none",
+            "slow speed [m/s]": slow.get("speed"),
+            **{name: case[name] for name in ("duration [ms]", "from [L]", "to [L]")},
+            "fast before [m/s]": slow.get("fast_before"),
+            "fast after [m/s]": slow.get("fast_after"),
+            "unmet criteria": ", ".join(unmet("Exp", case)) or "none",
             "slow stretch of the event of Figure 2": slow_stretch(unmodified),
             "the same, continued with exponential times": slow_stretch(continued),
         },
