@@ -184,7 +184,9 @@ def test_results_of_our_own_are_listed_below_the_claims(project):
     result = {"id": "near", "question": "how near?", "measured": {"off by [mm]": 1.5, "a": None}}
     spill(project.results / "fig2/own.json", json.dumps([result]))
     shown = section(page_of(project), "fig2").partition("</table>")[2]
-    assert "without verdict: how near?</summary> <ul> <li>off by = 1.5 mm</li> <li>a = none" in shown
+    assert (
+        "without verdict: how near?</summary> <ul> <li>off by = 1.5 mm</li> <li>a = none" in shown
+    )
 
 
 @pytest.mark.parametrize("recipe", sorted((ROOT / "recipes").glob("*/rules.smk")))
