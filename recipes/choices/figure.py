@@ -101,7 +101,7 @@ def medians(found):
 
 
 def own_result(events, bands):
-    measured = {}
+    measured: dict = {}
     for choice in LABELS:
         slow = {f"slow tau_bar_0 at sigma_bar {s:g}": band_text(bands[choice], s) for s in SIGMAS}
         numbers = medians(events.get(choice)) | slow

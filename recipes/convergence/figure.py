@@ -62,14 +62,15 @@ def read_places(data):
         return {place_of(row): row_front(row) for row in rows if row[column] == value}
 
     steps = [fronts("time-step", "numerics.dt", dt) for dt in STEPS]
-    series = {TIME_STEP: steps}
+    series: dict[str, list] = {TIME_STEP: steps}
     for variant, name in VARIANTS.items():
         finer = (fronts(f"lattice-{n}", "variant", variant) for n in ("113", "225"))
         series[name] = [steps[0], *finer]
     return {
         name: {
             place: [level[place] for level in levels]
-            for place in sorted(set.intersection(*map(set, levels)), key=lambda place: place[::-1])
+            for place in sorted(levels[0], key=lambda place: place[::-1])
+            if all(place in level for level in levels)
         }
         for name, levels in series.items()
     }

@@ -60,9 +60,14 @@ def blocks_of(front, strength):
 
 def prepared_points(data):
     """Prepared interfaces, without those that cannot be prepared."""
-    names = ("sigma_bar in the middle", "tau-bar", "mu_bar_eff in the middle")
     return [
-        Block(type_on_map(row["type"]), *(float(row[name]) for name in names), row["shape"])
+        Block(
+            type_on_map(row["type"]),
+            float(row["sigma_bar in the middle"]),
+            float(row["tau-bar"]),
+            float(row["mu_bar_eff in the middle"]),
+            row["shape"],
+        )
         for row in read_rows(data / "fig4/strength.csv")
         if row["status"] == "done"
     ]

@@ -111,8 +111,8 @@ def write_tables(results, curves, strengths):
     rows = ((strength.shape, *row) for strength, its_rows in numbers for row in its_rows)
     write_table(results / "strength.csv", names, rows)
     names = ["shape", "sigma-bar", "displacement [f_slip/k_ij]", "tau/p"]
-    rows = ((*name, *row) for name, points in curves.items() for row in zip(*points))
-    write_table(results / "displacement.csv", names, rows)
+    points = ((*name, *row) for name, curve in curves.items() for row in zip(*curve))
+    write_table(results / "displacement.csv", names, points)
 
 
 def make(data, results):
