@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rupture/forces/bulk.hpp"
-#include "rupture/forces/reference_law.hpp"
+#include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"
 #include "sliders.hpp"
 
@@ -105,15 +105,15 @@ void bulk_damping(benchmark::State& bench) {
 /// The junction law of all blocks, with the normal forces that it needs, at a state at rest.
 void junctions_of(benchmark::State& bench, State state) {
   const Parameters p;
-  ReferenceLaw law(p, state.junctions);
+  const auto law = make_law(p, state.junctions);
   const double t = time(p, state);
   std::vector<double> normal(static_cast<std::size_t>(p.Nx)), k_ij(normal), w(normal), tau(normal);
   const ContactView contact = {normal.data(), k_ij.data(), w.data()};
   for (auto _ : bench) {
     kernels().contact(p.Nx, state.u_z.row(0), foundation_stiffness(p), static_cast<double>(p.N_s),
                       p.kappa, contact);
-    benchmark::DoNotOptimize(law.update(state.u_x.row(0), state.v_x.row(0), contact, t));
-    law.friction(state.u_x.row(0), contact, tau.data());
+    benchmark::DoNotOptimize(law->update(state.u_x.row(0), state.v_x.row(0), contact, t));
+    law->friction(state.u_x.row(0), contact, tau.data());
     benchmark::ClobberMemory();
   }
   count_steps(bench, 1);

@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <memory>
 #include <queue>
 #include <vector>
 
-#include "rupture/forces/reference_law.hpp"
+#include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/random.hpp"
 
@@ -36,7 +37,7 @@ class Replicas {
   Replicas(const SteadySliding& block, int n)
       : parameters_(with_blocks(block.parameters, n)),
         junctions_(spread(parameters_, unit_stretch(block))),
-        law_(parameters_, junctions_),
+        law_(make_law(parameters_, junctions_)),
         u_(static_cast<std::size_t>(n)),
         p_(u_.size(), block.p),
         k_ij_(u_.size(), junction_stiffness(block.parameters, block.p)),
@@ -47,14 +48,15 @@ class Replicas {
   const std::vector<double>& friction_at(double u, double t) {
     u_.assign(u_.size(), u);
     const ContactView contact{p_.data(), k_ij_.data(), w_.data()};
-    law_.update(u_.data(), nullptr, contact, t);
-    law_.friction(u_.data(), contact, tau_.data());
+    law_->update(u_.data(), nullptr, contact, t);
+    law_->friction(u_.data(), contact, tau_.data());
     return tau_;
   }
 
  private:
   static Parameters with_blocks(Parameters p, int n) {
     p.Nx = n;
+    p.law = Law::reference;
     return p;
   }
   /// All attached at once, slow junctions would break at once for many cycles: they start evenly
@@ -70,7 +72,7 @@ class Replicas {
 
   const Parameters parameters_;
   Junctions junctions_;
-  ReferenceLaw law_;
+  const std::unique_ptr<InterfaceLaw> law_;
   std::vector<double> u_, p_, k_ij_, w_, tau_;
 };
 

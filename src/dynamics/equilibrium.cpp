@@ -116,7 +116,7 @@ void attach(const Parameters& p, const Prestress& prestress, double tau_i, Eigen
 }
 
 /// Depins all junctions of block i, which carried tau_i together. The block is no longer at rest.
-void depin(const Parameters& p, double tau_i, Eigen::Index i, State& state) {
+void depin(const Parameters& p, double tau_i, Eigen::Index i, InterfaceLaw& law, State& state) {
   const double normal = mean_normal_force(p), u_x = state.u_x(i, 0);
   const double w = friction_stretch(p, normal);
   const double k_ij = junction_stiffness(p, normal);
@@ -124,7 +124,7 @@ void depin(const Parameters& p, double tau_i, Eigen::Index i, State& state) {
   double friction = 0.0;
   for (Eigen::Index j = 0; j < springs; ++j) {
     state.junctions.attachment(i, j) = u_x - tau_i / static_cast<double>(p.N_s) / k_ij;
-    break_by_law(p, state.junctions, i, j, u_x, w, 0.0);
+    law.break_spring(i, j, u_x, w, 0.0);
     friction += k_ij * (u_x - state.junctions.attachment(i, j));
   }
   const double junctions_in_each = static_cast<double>(p.N_s) / static_cast<double>(springs);
@@ -134,10 +134,11 @@ void depin(const Parameters& p, double tau_i, Eigen::Index i, State& state) {
 /// Adds the junctions to a slider that rests under `tau`.
 void add_interface(const Parameters& p, const Prestress& prestress, const std::vector<double>& tau,
                    State& state) {
+  const auto law = make_law(p, state.junctions);
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const double tau_i = tau[static_cast<std::size_t>(i)];
     if (is_depinned(p, prestress, i)) {
-      depin(p, tau_i, i, state);
+      depin(p, tau_i, i, *law, state);
     } else {
       attach(p, prestress, tau_i, i, state);
     }

@@ -1,6 +1,6 @@
-#include "nested_dissection.hpp"
-
 #include <utility>
+
+#include "statics.hpp"
 
 namespace rupture {
 namespace {

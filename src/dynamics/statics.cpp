@@ -2,14 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
-#include "linear_solver.hpp"
-#include "nested_dissection.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
@@ -18,8 +16,8 @@
 namespace rupture {
 namespace {
 
-using Vector = LinearSolver::Vector;
-using Matrix = LinearSolver::Matrix;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Block2 = Eigen::Matrix2d;
 
@@ -130,9 +128,38 @@ void add_displacement(const Parameters& p, const Unknowns& unknown, const Vector
   }
 }
 
-std::unique_ptr<LinearSolver> solver_for(Elimination elimination) {
-  const bool in_order = elimination == Elimination::nested_dissection;  // as Unknowns numbers them
-  return in_order ? ordered_solver() : minimum_degree_solver();
+/// Newton's method; `Ordering` is Eigen's name for the order in which the factorisation takes the
+/// unknowns.
+template <class Ordering>
+std::optional<State> newton(const Parameters& p, const LoadCase& load_case,
+                            const Unknowns& unknown) {
+  State state = compressed(p);
+  constexpr int most_iterations = 50;
+  const double tolerance = 1e-11 * mean_normal_force(p);
+  Bulk bulk(p);
+  Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
+  std::optional<Eigen::SparseLU<Matrix, Ordering>> solver;
+  double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    static_forces(p, load_case, bulk, state, f_x, f_z);
+    const double residual = largest(f_x, f_z);
+    if (!std::isfinite(residual)) break;
+    if (residual <= tolerance) {
+      if (passed_block(p, state)) break;
+      return state;
+    }
+    if (residual > 0.1 * previous_residual) {
+      if (p.Nx * p.Nz > kBlocksOfDissection) solver.reset();  // the next matrix needs its memory
+      const Matrix matrix = stiffness(p, load_case, unknown, state);
+      if (!solver) solver.emplace().analyzePattern(matrix);
+      solver->factorize(matrix);
+      if (solver->info() != Eigen::Success) break;
+    }
+    previous_residual = residual;
+    const Vector change = solver->solve(gather(p, unknown, f_x, f_z));
+    add_displacement(p, unknown, change, state);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -196,32 +223,11 @@ double largest(const Field& f_x, const Field& f_z) {
 
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
                                    Elimination elimination) {
-  State state = compressed(p);
   const Unknowns unknown(p, elimination);
-  constexpr int most_iterations = 50;
-  const double tolerance = 1e-11 * mean_normal_force(p);
-  Bulk bulk(p);
-  Field f_x(p.Nx, p.Nz), f_z(p.Nx, p.Nz);
-  std::unique_ptr<LinearSolver> solver;
-  double previous_residual = 0.0;  // a factorisation serves as long as each step gains a digit
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    static_forces(p, load_case, bulk, state, f_x, f_z);
-    const double residual = largest(f_x, f_z);
-    if (!std::isfinite(residual)) break;
-    if (residual <= tolerance) {
-      if (passed_block(p, state)) break;
-      return state;
-    }
-    if (residual > 0.1 * previous_residual) {
-      if (p.Nx * p.Nz > kBlocksOfDissection) solver.reset();  // the next matrix needs its memory
-      const Matrix matrix = stiffness(p, load_case, unknown, state);
-      if (!solver) solver = solver_for(elimination);
-      if (!solver->factorize(matrix)) break;
-    }
-    previous_residual = residual;
-    add_displacement(p, unknown, solver->solve(gather(p, unknown, f_x, f_z)), state);
+  if (elimination == Elimination::column_minimum_degree) {
+    return newton<Eigen::COLAMDOrdering<int>>(p, load_case, unknown);
   }
-  return std::nullopt;
+  return newton<Eigen::NaturalOrdering<int>>(p, load_case, unknown);  // as Unknowns numbers them
 }
 
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case) {

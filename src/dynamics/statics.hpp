@@ -50,6 +50,11 @@ double largest(const Field& f_x, const Field& f_z);
 /// inside out.
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case);
 
+/// Order of elimination of a lattice of Nx x Nz blocks by nested dissection: a line of blocks
+/// cuts the lattice into halves, which are cut in turn, and comes after both. Returns the place of
+/// block (i, j) in that order at [j Nx + i]. Integers and coordinates only.
+std::vector<Eigen::Index> nested_dissection(Eigen::Index Nx, Eigen::Index Nz);
+
 /// The order in which the factorisation takes the blocks. It moves the last bits of the solution.
 enum class Elimination { column_minimum_degree, nested_dissection };
 

@@ -1,50 +1,25 @@
 #include "rupture/forces/interface_law.hpp"
 
-#include <type_traits>
-
-#include "rupture/forces/decaying_law.hpp"
-#include "rupture/forces/distance_law.hpp"
-#include "rupture/forces/reference_law.hpp"
-#include "rupture/forces/simplified_law.hpp"
+#include "decaying_law.hpp"
+#include "distance_law.hpp"
+#include "reference_law.hpp"
 #include "rupture/model/laws.hpp"
+#include "simplified_law.hpp"
 
 namespace rupture {
-namespace {
 
-template <class OfLaw>
-struct Type {
-  using type = OfLaw;
-};
-
-/// action(Type<...>) with the class of the law. No other function lists them.
-template <class Action>
-auto with_class_of(Law law, Action action) {
-  switch (law) {
+std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& junctions) {
+  switch (parameters.law) {
     case Law::reference:
       break;
     case Law::simplified:
-      return action(Type<SimplifiedLaw>{});
+      return std::make_unique<SimplifiedLaw>(parameters, junctions);
     case Law::decaying:
-      return action(Type<DecayingLaw>{});
+      return std::make_unique<DecayingLaw>(parameters, junctions);
     case Law::distance:
-      return action(Type<DistanceLaw>{});
+      return std::make_unique<DistanceLaw>(parameters, junctions);
   }
-  return action(Type<ReferenceLaw>{});
-}
-
-}  // namespace
-
-std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& junctions) {
-  return with_class_of(parameters.law, [&](auto chosen) -> std::unique_ptr<InterfaceLaw> {
-    return std::make_unique<typename decltype(chosen)::type>(parameters, junctions);
-  });
-}
-
-void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
-                  Eigen::Index j, double u, double w, double t) {
-  with_class_of(parameters.law, [&](auto chosen) {
-    decltype(chosen)::type::break_spring(parameters, junctions, i, j, u, w, t);
-  });
+  return std::make_unique<ReferenceLaw>(parameters, junctions);
 }
 
 void change_law(const Parameters& before, const Parameters& after, double t, Junctions& junctions) {
@@ -54,17 +29,12 @@ void change_law(const Parameters& before, const Parameters& after, double t, Jun
   if (before.law == after.law || both_at_a_drawn_time) return;
   if (old_law.memory) (junctions.*old_law.memory->array).resize(0, 0);
   if (new_law.memory) (junctions.*new_law.memory->array).setZero(after.Nx, junctions.draws.cols());
-  with_class_of(after.law, [&](auto chosen) {
-    using NewLaw = typename decltype(chosen)::type;
-    if constexpr (std::is_base_of_v<JunctionLaw<NewLaw>, NewLaw>) {
-      for (Eigen::Index i = 0; i < junctions.repin_time.rows(); ++i) {
-        for (Eigen::Index j = 0; j < junctions.repin_time.cols(); ++j) {
-          if (!is_slipping(junctions.repin_time(i, j))) continue;
-          NewLaw::start_slipping(after, junctions, i, j, t);
-        }
-      }
+  const auto law = make_law(after, junctions);
+  for (Eigen::Index i = 0; i < junctions.repin_time.rows(); ++i) {
+    for (Eigen::Index j = 0; j < junctions.repin_time.cols(); ++j) {
+      if (is_slipping(junctions.repin_time(i, j))) law->start_slipping(i, j, t);
     }
-  });
+  }
 }
 
 }  // namespace rupture

@@ -33,6 +33,11 @@ class InterfaceLaw {
   /// Friction force on each block, positive towards -x [N].
   virtual void friction(const double* u_x, const ContactView& contact, double* tau) const = 0;
 
+  /// Breaks spring j of block i, with the block at u and w = f_N / k_ij [m], at time t [s].
+  virtual void break_spring(Eigen::Index i, Eigen::Index j, double u, double w, double t) = 0;
+  /// It slips from time t on. For laws with N_s junctions per block, which can follow each other.
+  virtual void start_slipping(Eigen::Index /*i*/, Eigen::Index /*j*/, double /*t*/) {}
+
   /// Number of pinned junctions of each block, of springs_per_block().
   virtual const std::vector<std::int32_t>& pinned() const = 0;
 
@@ -42,11 +47,6 @@ class InterfaceLaw {
 
 /// The law that `parameters.law` names, working on `junctions`, which must outlive it.
 std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& junctions);
-
-/// Breaks junction j of block i as that law does, with the block at u and w = f_N / k_ij [m], at
-/// time t [s].
-void break_by_law(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
-                  Eigen::Index j, double u, double w, double t);
 
 /// Part of continued(): makes junctions of the law of `before` junctions of that of `after`, of
 /// which both have N_s per block, at time t [s]. Unless both draw the time at which a spring is

@@ -38,7 +38,11 @@ class Field {
   using ConstView = Eigen::Map<const RowMajorArray, 0, Eigen::OuterStride<>>;
 
   Field() = default;
-  Field(Eigen::Index Nx, Eigen::Index Nz);
+  Field(Eigen::Index Nx, Eigen::Index Nz)
+      : Nx_(Nx),
+        Nz_(Nz),
+        stride_((Nx + 8) / 8 * 8),
+        values_(static_cast<std::size_t>((Nz + 2) * stride_ + 2 * kMargin), 0.0) {}
 
   Eigen::Index Nx() const { return Nx_; }
   Eigen::Index Nz() const { return Nz_; }

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/forces/reference_law.hpp"
+#include "rupture/forces/interface_law.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -258,7 +258,7 @@ TEST_F(Interface, is_not_broken_by_the_widest_phi) {
   change.slipping = Slipping::pin;
   change_phi(p_, state_, change);
   Junctions junctions = state_.junctions;
-  ReferenceLaw law(p_, junctions);
+  const auto law = make_law(p_, junctions);
   auto p_i = normal_forces(p_, state_);
   std::vector<double> k_ij, w;
   for (const double p : p_i) {
@@ -266,7 +266,7 @@ TEST_F(Interface, is_not_broken_by_the_widest_phi) {
     w.push_back(p / 100.0 / k_ij.back());
   }
   EXPECT_EQ(
-      law.update(state_.u_x.row(0), state_.v_x.row(0), {p_i.data(), k_ij.data(), w.data()}, 0.0)
+      law->update(state_.u_x.row(0), state_.v_x.row(0), {p_i.data(), k_ij.data(), w.data()}, 0.0)
           .broken,
       0);
 }

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/forces/reference_law.hpp"
+#include "rupture/forces/interface_law.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -168,15 +168,15 @@ double simulated_strength(PhiShape shape, double sigma_bar, double mean) {
     const double g = mean + a * xi[static_cast<std::size_t>(j)];
     junctions.attachment(0, j) = -(p.mu_d + range * g) * w;
   }
-  ReferenceLaw law(p, junctions);
+  const auto law = make_law(p, junctions);
   const ContactView contact{&p_i, &k_ij, &w};
   double tau_max = 0.0;
   constexpr int steps = 4000;
   for (int n = 0; n <= steps; ++n) {
     const double u = 2.0 * w * n / steps;
     double tau = 0.0;
-    law.update(&u, nullptr, contact, 0.0);
-    law.friction(&u, contact, &tau);
+    law->update(&u, nullptr, contact, 0.0);
+    law->friction(&u, contact, &tau);
     tau_max = std::max(tau_max, tau);
   }
   return (tau_max / p_i - p.mu_d) / range;

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/nested_dissection.hpp"
 #include "support/relaxation.hpp"
 #include "support/sliders.hpp"
 

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "hand_made_interface.hpp"
-#include "rupture/forces/decaying_law.hpp"
-#include "rupture/forces/reference_law.hpp"
 #include "rupture/model/random.hpp"
 
 namespace rupture {
@@ -74,16 +72,16 @@ TEST(SeveralBlocks, draw_and_rub_independently) {
   p.Nx = 3;
   p.delta_t_R = 0.6e-3;
   Junctions junctions = State(p).junctions;
-  ReferenceLaw law(p, junctions);
+  const auto law = make_law(p, junctions);
   std::vector<double> u = {0.1, 0.21, 0.21}, p_i = {2.0, 2.0, 0.0}, k_ij = {2.0, 2.0, 0.0},
                       w = {0.5, 0.5, 0.0}, v(3), tau(3);
   const ContactView contact = {p_i.data(), k_ij.data(), w.data()};
-  EXPECT_EQ(law.update(u.data(), v.data(), contact, 0.0).broken, 2);
-  law.friction(u.data(), contact, tau.data());
+  EXPECT_EQ(law->update(u.data(), v.data(), contact, 0.0).broken, 2);
+  law->friction(u.data(), contact, tau.data());
   EXPECT_NEAR(tau[0], 2 * 0.2, kRounding);
   EXPECT_NEAR(tau[1], 2 * kSlipForce, kRounding);
   EXPECT_EQ(tau[2], 0.0);
-  EXPECT_EQ(law.pinned(), (std::vector<std::int32_t>{2, 0, 2}));
+  EXPECT_EQ(law->pinned(), (std::vector<std::int32_t>{2, 0, 2}));
   for (std::uint32_t j = 0; j < 2; ++j) {
     EXPECT_EQ(junctions.repin_time(1, j), slipping_time(p, 1, j, 0));
   }
@@ -109,10 +107,10 @@ TEST(DecayingLaw, stays_between_mu_d_and_mu_new_when_t_R_has_changed) {
   for (const double t_R : {1e-3, 8e-3}) {  // instead of 2 ms, of which 1 ms is left
     p.t_R = t_R;
     Junctions junctions = block.junctions();
-    DecayingLaw law(p, junctions);
+    const auto law = make_law(p, junctions);
     double u = 0.5, v = 0.0, p_i = 1.0, k_ij = 2.0, w = 0.5, tau = 0.0;
-    law.update(&u, &v, {&p_i, &k_ij, &w}, 1e-3 - 1e-6);
-    law.friction(&u, {&p_i, &k_ij, &w}, &tau);
+    law->update(&u, &v, {&p_i, &k_ij, &w}, 1e-3 - 1e-6);
+    law->friction(&u, {&p_i, &k_ij, &w}, &tau);
     EXPECT_NEAR(tau, t_R == 1e-3 ? 0.2 : 0.12 + 0.08 * 1.001 / 8.0, kRounding);
   }
 }

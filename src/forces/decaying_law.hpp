@@ -16,36 +16,58 @@
 // With mu_new = mu_d nothing decays: the reference law with f_new = f_slip, slow slip off.
 #pragma once
 
-#include "rupture/forces/junction_law.hpp"
-#include "rupture/forces/reference_law.hpp"
+#include "junction_law.hpp"
 
 namespace rupture {
 
 class DecayingLaw final : public JunctionLaw<DecayingLaw> {
  public:
-  /// Works on `junctions`, which must outlive the law.
-  DecayingLaw(const Parameters& parameters, Junctions& junctions);
+  DecayingLaw(const Parameters& p, Junctions& junctions) : JunctionLaw(p, junctions) {
+    rate_.setZero(junctions.attachment.rows(), junctions.attachment.cols());
+    for (Eigen::Index i = 0; i < rate_.rows(); ++i) {
+      for (Eigen::Index j = 0; j < rate_.cols(); ++j) {
+        if (is_slipping(junctions.repin_time(i, j))) find_rate(i, j);
+      }
+    }
+  }
 
-  /// As under the reference law.
-  static void start_slipping(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
-                             Eigen::Index j, double t) {
-    ReferenceLaw::start_slipping(parameters, junctions, i, j, t);
+  void start_slipping(Eigen::Index i, Eigen::Index j, double t) override {
+    JunctionLaw::start_slipping(i, j, t);
+    find_rate(i, j);
   }
 
  private:
   friend JunctionLaw;
+
+  /// Finds the rate of decay from the slipping time that junction j of block i drew last.
+  void find_rate(Eigen::Index i, Eigen::Index j) {
+    const std::uint32_t draws = junctions_.draws(i, j);
+    const double t_R = slipping_time(parameters_, static_cast<std::uint32_t>(i),
+                                     static_cast<std::uint32_t>(j), draws > 0 ? draws - 1 : 0);
+    rate_(i, j) = t_R > 0.0 ? (parameters_.mu_d - parameters_.mu_new) / t_R : 0.0;
+  }
+  /// f_slip(t_s) / k_ij.
+  double slip_stretch(Eigen::Index i, Eigen::Index j, double w, double t) const {
+    const double time_left = junctions_.repin_time(i, j) - t;
+    return w * std::clamp(parameters_.mu_new + rate_(i, j) * time_left, parameters_.mu_new,
+                          parameters_.mu_d);
+  }
   void pin(Eigen::Index i, Eigen::Index j, double u, double w) {
     double& a = junctions_.attachment(i, j);
     if (parameters_.repin == Repin::as_is || a == u) return;
     a = u - std::copysign(parameters_.mu_new * w, u - a);
   }
-  double slip_stretch(Eigen::Index i, Eigen::Index j, double w, double t) const;
-  void has_broken(Eigen::Index i, Eigen::Index j);
-  void trail(Eigen::Index i, double u, double w, double t);
+  void trail(Eigen::Index i, double u, double w, double t) {
+    for (Eigen::Index j = 0; j < junctions_.attachment.cols(); ++j) {
+      if (!is_slipping(junctions_.repin_time(i, j))) continue;
+      const double stretch = slip_stretch(i, j, w, t);
+      double& a = junctions_.attachment(i, j);
+      a = std::clamp(a, u - stretch, u + stretch);
+    }
+    blocks_.recompute_sum(i);
+  }
 
   JunctionArray<double> rate_;  // (mu_d - mu_new) / t_R of the last draw [1/s]
 };
-
-extern template class JunctionLaw<DecayingLaw>;
 
 }  // namespace rupture

@@ -4,6 +4,7 @@
 // that is split has the same summary.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +16,17 @@ namespace rupture {
 class BlockSummary {
  public:
   /// Reads `junctions`, which must outlive the summary.
-  BlockSummary(const Parameters& parameters, Junctions& junctions);
+  BlockSummary(const Parameters& p, Junctions& junctions)
+      : mu_s_(p.mu_s),
+        N_s_(static_cast<std::int32_t>(p.N_s)),
+        junctions_(junctions),
+        sum_(static_cast<std::size_t>(p.Nx)),
+        lowest_(sum_),
+        highest_(sum_),
+        next_repin_(sum_),
+        pinned_(sum_.size()) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) refresh(i);
+  }
 
   /// True if no junction of block i can break, be pinned again or lose contact at time t [s], with
   /// the block at u [m]; w: see ContactView.
@@ -30,14 +41,39 @@ class BlockSummary {
   }
 
   /// Clamps the attachment points of block i's slipping junctions to [lower, upper] [m].
-  void trail(Eigen::Index i, double lower, double upper);
+  void trail(Eigen::Index i, double lower, double upper) {
+    sum_[static_cast<std::size_t>(i)] = kernels().trail(
+        N_s_, lower, upper, &junctions_.repin_time(i, 0), &junctions_.attachment(i, 0));
+  }
   /// To be called after attachment points of slipping junctions of block i have changed.
   void recompute_sum(Eigen::Index i) { trail(i, -Junctions::never, Junctions::never); }
   /// To be called after any junction of block i has changed.
-  void refresh(Eigen::Index i);
+  void refresh(Eigen::Index i) {
+    const auto b = static_cast<std::size_t>(i);
+    lowest_[b] = Junctions::never;
+    highest_[b] = -Junctions::never;
+    next_repin_[b] = Junctions::never;
+    pinned_[b] = 0;
+    for (Eigen::Index j = 0; j < junctions_.attachment.cols(); ++j) {
+      const double repin_time = junctions_.repin_time(i, j);
+      if (is_slipping(repin_time)) {
+        next_repin_[b] = std::min(next_repin_[b], repin_time);
+      } else {
+        lowest_[b] = std::min(lowest_[b], junctions_.attachment(i, j));
+        highest_[b] = std::max(highest_[b], junctions_.attachment(i, j));
+        ++pinned_[b];
+      }
+    }
+    recompute_sum(i);
+  }
 
   /// Friction force on each block, tau_i = sum_j k_ij (x_i - x_ij), positive towards -x [N].
-  void friction(const double* u_x, const ContactView& contact, double* tau) const;
+  void friction(const double* u_x, const ContactView& contact, double* tau) const {
+    const auto N_s = static_cast<double>(N_s_);
+    for (std::size_t i = 0; i < sum_.size(); ++i) {
+      tau[i] = contact.k_ij[i] * (N_s * u_x[i] - sum_[i]);
+    }
+  }
 
   const std::vector<std::int32_t>& pinned() const { return pinned_; }
 

@@ -9,18 +9,23 @@
 // Without contact x_ij follows the block, but does not slide.
 #pragma once
 
-#include "rupture/forces/junction_law.hpp"
+#include <limits>
+
+#include "junction_law.hpp"
 
 namespace rupture {
 
 class DistanceLaw final : public JunctionLaw<DistanceLaw> {
  public:
-  /// Works on `junctions`, which must outlive the law.
-  DistanceLaw(const Parameters& parameters, Junctions& junctions);
+  using JunctionLaw::JunctionLaw;
 
-  /// Junction j of block i slips from now on, for a distance that is drawn.
-  static void start_slipping(const Parameters& parameters, Junctions& junctions, Eigen::Index i,
-                             Eigen::Index j, double t);
+  void start_slipping(Eigen::Index i, Eigen::Index j, double /*t*/) override {
+    const Parameters& p = parameters_;
+    const double d_R = folded_gaussian(p.d_R, p.delta_d_R, p.seed, static_cast<std::uint32_t>(i),
+                                       static_cast<std::uint32_t>(j), junctions_.draws(i, j)++);
+    junctions_.slip_left(i, j) = std::max(d_R, std::numeric_limits<double>::min());  // 0: pinned
+    junctions_.repin_time(i, j) = Junctions::unknown;
+  }
 
  private:
   friend JunctionLaw;
@@ -32,7 +37,5 @@ class DistanceLaw final : public JunctionLaw<DistanceLaw> {
     JunctionLaw::pin(i, j, u, w);
   }
 };
-
-extern template class JunctionLaw<DistanceLaw>;
 
 }  // namespace rupture

@@ -18,15 +18,14 @@
 #include <cmath>
 #include <vector>
 
-#include "rupture/forces/block_summary.hpp"
+#include "block_summary.hpp"
 #include "rupture/forces/interface_law.hpp"
+#include "rupture/model/random.hpp"
 
 namespace rupture {
 
-/// The law `Own`, which derives from this. Its own are
-///   start_slipping(parameters, junctions, i, j, t): junction j of block i begins to slip at t [s];
-/// and, unless those of the reference law, which stand here, will do, slip_stretch(), is_over(),
-/// pin(), has_broken() and trail().
+/// The law `Own`, which derives from this. Its own, unless those of the reference law, which stand
+/// here, will do, are start_slipping(), slip_stretch(), is_over(), pin() and trail().
 template <class Own>
 class JunctionLaw : public InterfaceLaw {
  public:
@@ -50,19 +49,24 @@ class JunctionLaw : public InterfaceLaw {
   }
   const std::vector<std::int32_t>& pinned() const final { return blocks_.pinned(); }
 
-  /// As break_by_law().
-  static void break_spring(const Parameters& p, Junctions& junctions, Eigen::Index i,
-                           Eigen::Index j, double u, double w, double t) {
-    const double stretch = p.mu_d * w;
-    double& a = junctions.attachment(i, j);
+  void break_spring(Eigen::Index i, Eigen::Index j, double u, double w, double t) final {
+    const double stretch = parameters_.mu_d * w;
+    double& a = junctions_.attachment(i, j);
     a = u > a ? u - stretch : u + stretch;
-    Own::start_slipping(p, junctions, i, j, t);
+    start_slipping(i, j, t);
+  }
+  /// For a time that is drawn.
+  void start_slipping(Eigen::Index i, Eigen::Index j, double t) override {
+    const std::uint32_t n = junctions_.draws(i, j)++;
+    junctions_.repin_time(i, j) = t + slipping_time(parameters_, static_cast<std::uint32_t>(i),
+                                                    static_cast<std::uint32_t>(j), n);
   }
 
- protected:
+  /// Works on `junctions`, which must outlive the law.
   JunctionLaw(const Parameters& p, Junctions& junctions)
       : parameters_(p), junctions_(junctions), blocks_(p, junctions) {}
 
+ protected:
   /// Slipping force / k_ij of a junction at time t [m].
   double slip_stretch(Eigen::Index /*i*/, Eigen::Index /*j*/, double w, double /*t*/) const {
     return parameters_.mu_d * w;
@@ -75,8 +79,6 @@ class JunctionLaw : public InterfaceLaw {
   void pin(Eigen::Index i, Eigen::Index j, double u, double /*w*/) {
     if (parameters_.f_new == NewForce::zero) junctions_.attachment(i, j) = u;
   }
-  /// Called after each break.
-  void has_broken(Eigen::Index /*i*/, Eigen::Index /*j*/) {}
   /// Lets the slipping junctions of a block trail in which nothing breaks or is pinned.
   void trail(Eigen::Index i, double u, double w, double /*t*/) {
     const double stretch = parameters_.mu_d * w;
@@ -105,8 +107,7 @@ class JunctionLaw : public InterfaceLaw {
         own().pin(i, j, u, w);
         ++changes.repinned;
       } else if (std::abs(u - a) > f_thres_stretch || (!contact && breaks_without_contact_)) {
-        break_spring(parameters_, junctions_, i, j, u, w, t);
-        own().has_broken(i, j);
+        break_spring(i, j, u, w, t);
         ++changes.broken;
       }
     }
