@@ -1,6 +1,7 @@
 #include "rupture/analysis/front.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "rupture/analysis/statistics.hpp"
@@ -206,17 +207,8 @@ std::optional<double> SlowStretch::mean() const {
 }
 
 std::string_view front_type_name(FrontType type) {
-  switch (type) {
-    case FrontType::slow:
-      return "slow";
-    case FrontType::fast:
-      return "fast";
-    case FrontType::arrested:
-      return "arrested";
-    case FrontType::none:
-      break;
-  }
-  return "none";
+  constexpr std::array<std::string_view, 4> names = {"none", "arrested", "slow", "fast"};
+  return names.at(static_cast<std::size_t>(type));
 }
 
 bool spans(FrontType type) {

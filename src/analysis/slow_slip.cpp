@@ -80,9 +80,9 @@ class Replicas {
 /// f_slip / k_ij, so that a junction carries slip - attachment.
 class RelaxingBlock {
  public:
-  RelaxingBlock(const Parameters& p, std::uint32_t replica, Rebreaking rebreaking)
+  RelaxingBlock(const Parameters& p, std::uint32_t replica)
       : parameters_(p), replica_(replica), draws_(static_cast<std::size_t>(p.N_s), 0U) {
-    if (rebreaking == Rebreaking::on && p.mu_d > 0.0) f_thres_ = p.mu_s / p.mu_d;
+    if (p.mu_d > 0.0) f_thres_ = p.mu_s / p.mu_d;
     if (p.f_new == NewForce::f_slip) f_new_ = 1.0;
     for (std::uint32_t j = 0; j < draws_.size(); ++j) start_slipping(j);
   }
@@ -182,9 +182,9 @@ double slow_slip_estimate(const Parameters& parameters, double p) {
   return kSlowSlipCoefficient * parameters.mu_d * p / (k_i * mean_slipping_time(parameters));
 }
 
-std::optional<Relaxation> relax(const Parameters& p, std::uint32_t replica, Rebreaking rebreaking) {
+std::optional<Relaxation> relax(const Parameters& p, std::uint32_t replica) {
   const double t_R = mean_slipping_time(p);
-  RelaxingBlock block(p, replica, rebreaking);
+  RelaxingBlock block(p, replica);
   Relaxation result{};
   while (block.slips()) {
     if (block.next_time() > kLongest * t_R) return std::nullopt;

@@ -32,11 +32,9 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
   const double unexplained = std::max(0.0, yy - slope * xy);
   LineFit fit{};
   fit.slope = slope;
-  fit.intercept = mean_y - slope * mean_x;
   fit.r_squared = yy > 0.0 ? 1.0 - unexplained / yy : 1.0;
   const double variance = unexplained / static_cast<double>(n - 2);  // of one y about the line
   fit.slope_error = std::sqrt(variance / xx);
-  fit.intercept_error = std::sqrt(variance * (1.0 / static_cast<double>(n) + mean_x * mean_x / xx));
   return fit;
 }
 

@@ -80,23 +80,6 @@ double effective_strength(PhiShape shape, double sigma_bar) {
   return shape == PhiShape::uniform ? uniform_strength(a) : bell_strength(a);
 }
 
-double effective_strength(const ForceDensity& density) {
-  constexpr int cells = 20000;  // the largest G on the grid lacks |G''| h^2 / 8 at most
-  const double h = (density.to - density.from) / cells;
-  double F = 0.0, H = 0.0, largest = 0.0;
-  double phi_left = density.phi(density.from);
-  for (int n = 0; n < cells; ++n) {
-    const double phi_middle = density.phi(density.from + (n + 0.5) * h);
-    const double phi_right = density.phi(density.from + (n + 1) * h);
-    // Simpson's rule for int (right - xi) phi and for int phi
-    H += h * F + h * h / 6.0 * (phi_left + 2.0 * phi_middle);
-    F += h / 6.0 * (phi_left + 4.0 * phi_middle + phi_right);
-    phi_left = phi_right;
-    largest = std::max(largest, F - H);
-  }
-  return largest / F;
-}
-
 double largest_friction(const JunctionForces& forces) {
   auto pinned = forces.pinned;
   // rounding can put a junction that is about to break beyond f_thres

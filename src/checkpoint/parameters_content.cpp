@@ -56,7 +56,7 @@ std::string stored_text(const Content& content, const ParameterInfo& info) {
 Law law_of(const Content& content) {
   const ParameterInfo& info = find_parameter("junctions.law");
   const auto stored = content.find(dataset_path(info));
-  const auto names = choices(info);
+  const auto names = info.valid.words;
   for (std::size_t law = 0; stored != content.end() && law < names.size(); ++law) {
     if (stored->second.bytes == make_text(names[law]).bytes) return static_cast<Law>(law);
   }

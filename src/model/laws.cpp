@@ -20,19 +20,11 @@ const LawInfo& law_info(Law law) {
   return law_table().at(static_cast<std::size_t>(law));
 }
 
-const std::vector<std::string_view>& law_names() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> found;
-    for (const LawInfo& info : law_table()) found.push_back(info.name);
-    return found;
-  }();
-  return names;
-}
-
 std::vector<std::string_view> law_names(const std::vector<Law>& laws) {
-  if (laws.empty()) return law_names();
   std::vector<std::string_view> names;
   for (const Law law : laws) names.push_back(law_info(law).name);
+  if (!laws.empty()) return names;
+  for (const LawInfo& info : law_table()) names.push_back(info.name);
   return names;
 }
 

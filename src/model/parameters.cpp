@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "rupture/model/derived.hpp"
@@ -18,212 +20,128 @@ namespace {
 
 using P = Parameters;
 
-using Names = std::vector<std::string_view>;
-
-/// The words for the values of an enumeration, in their order.
-template <class Enum>
-const Names kNames;
-template <>
-const Names kNames<SlippingTimes> = {"gaussian", "exponential"};
-template <>
-const Names kNames<NewForce> = {"zero", "f_slip"};
-template <>
-const Names kNames<Support> = {"foundation", "ceiling"};
-template <>
-const Names kNames<StiffnessFrom> = {"current", "initial"};
-template <>
-const Names kNames<WithoutContact> = {"follow", "break"};
-template <>
-const Names kNames<Repin> = {"as_is", "exact"};
-template <>
-const Names kNames<BulkSprings> = {"exact", "linearised"};
-
-ParameterInfo positive(std::string_view name, std::string_view symbol, std::string_view unit,
-                       ParameterMember member, double maximum, std::string_view help) {
-  return {name, symbol, unit, member, 0.0, maximum, true, help};
+Valid above(double minimum, double maximum) {
+  return {minimum, maximum, true};
 }
-
-ParameterInfo at_least(double minimum, std::string_view name, std::string_view symbol,
-                       std::string_view unit, ParameterMember member, double maximum,
-                       std::string_view help) {
-  return {name, symbol, unit, member, minimum, maximum, false, help};
+Valid at_least(double minimum, double maximum) {
+  return {minimum, maximum};
 }
-
-ParameterInfo choice(std::string_view name, std::string_view symbol, ParameterMember member,
-                     std::string_view help) {
-  return {name, symbol, "1", member, 0.0, 0.0, false, help};
+Valid one_of(std::vector<std::string_view> words) {
+  return {.words = std::move(words)};
 }
-
-ParameterInfo only_of(std::vector<Law> laws, ParameterInfo info) {
-  info.laws = std::move(laws);
-  return info;
+std::vector<Law> only(std::initializer_list<Law> laws) {
+  return laws;
 }
+constexpr std::initializer_list<Law> all = {};
 
-ParameterInfo since(Since since, ParameterInfo info) {
-  info.since = since;
-  return info;
-}
-
-ParameterInfo kept_by_restart(ParameterInfo info) {
-  info.restart = Restart::must_keep;
-  return info;
-}
-
-template <class Enum>
-const Names& names_of() {
-  if constexpr (std::is_same_v<Enum, Law>) {
-    return law_names();
-  } else {
-    return kNames<Enum>;
-  }
-}
-
-template <class Number>
-struct Scan {
-  Number value;
-  std::errc error;  ///< also if there is text behind the number
-
-  bool is_number() const { return error == std::errc{} || is_too_large(); }
-  bool is_too_large() const { return error == std::errc::result_out_of_range; }
-};
-
-template <class Number>
-Scan<Number> scan(std::string_view text) {
-  Scan<Number> found{};
+/// The number that the whole text is, infinite if it is beyond all doubles.
+std::optional<double> number_in(std::string_view text) {
+  double number = 0.0;
   const auto* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, found.value);
-  found.error = stop == end ? error : std::errc::invalid_argument;
-  return found;
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (stop != end || error == std::errc::invalid_argument) return std::nullopt;
+  return error == std::errc{} ? number : std::numeric_limits<double>::infinity();
 }
 
-/// A whole number in any notation: 1000, 1e3 or 1000.0.
-Scan<std::int64_t> scan_whole(std::string_view text) {
-  const auto digits = scan<std::int64_t>(text);
-  if (digits.is_number()) return digits;
-  const auto number = scan<double>(text);
-  const bool whole = number.error == std::errc{} && std::trunc(number.value) == number.value;
-  if (!whole && !number.is_too_large()) return {0, std::errc::invalid_argument};
-  if (!whole || std::abs(number.value) > 0x1p53) return {0, std::errc::result_out_of_range};
-  return {static_cast<std::int64_t>(number.value), std::errc{}};
-}
-
-template <class Number>
-Scan<Number> scan_as(std::string_view text) {
-  if constexpr (std::is_integral_v<Number>) {
-    return scan_whole(text);
-  } else {
-    return scan<Number>(text);
-  }
-}
-
-template <class Number>
-Number parse_number(const ParameterInfo& info, std::string_view text) {
-  constexpr bool whole = std::is_integral_v<Number>;
-  const Scan<Number> found = scan_as<Number>(in_unit(text, info.unit).value_or(""));
-  if (!found.is_number()) {
+/// A whole number may have any notation: 1000, 1e3 or 1000.0. Doubles hold all that are valid.
+double parse_number(const ParameterInfo& info, std::string_view text, bool whole) {
+  const auto number = number_in(in_unit(text, info.unit).value_or(""));
+  if (!number || (whole && std::trunc(*number) != *number)) {
     throw UsageError(fmt::format("{} = '{}' is not {} (unit {})", info.name, text,
                                  whole ? "a whole number" : "a number", units_taken(info.unit)));
   }
-  const auto number = static_cast<double>(found.value);
-  const bool too_small =
-      info.minimum_excluded ? !(number > info.minimum) : !(number >= info.minimum);
-  if (found.is_too_large() || too_small || !(number <= info.maximum)) {
+  const auto& [minimum, maximum, minimum_excluded, words] = info.valid;
+  const bool large_enough = minimum_excluded ? *number > minimum : *number >= minimum;
+  if (!large_enough || !(*number <= maximum)) {
     throw UsageError(fmt::format("{} = {} is out of range: give a value {} (unit {})", info.name,
                                  text, range_text(info), info.unit));
   }
-  return found.value;
+  return *number;
 }
 
-template <class Enum>
-Enum parse_choice(const ParameterInfo& info, std::string_view text) {
-  const auto& names = names_of<Enum>();
-  const auto found = std::find(names.begin(), names.end(), text);
-  if (found == names.end()) {
+std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
+  const auto& words = info.valid.words;
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end()) {
     throw UsageError(fmt::format("{} = '{}' is unknown: choose one of {}", info.name, text,
-                                 fmt::join(names, ", ")));
+                                 fmt::join(words, ", ")));
   }
-  return static_cast<Enum>(found - names.begin());
+  return found - words.begin();
 }
 
 }  // namespace
 
 const std::vector<ParameterInfo>& parameter_table() {
+  using enum Law;
+  using enum Since;
+  using enum Restart;
   static const std::vector<ParameterInfo> table = {
-      kept_by_restart(positive("slider.L", "L", "m", &P::L, 1e3, "length of the slider along x")),
-      kept_by_restart(positive("slider.H", "H", "m", &P::H, 1e3, "height of the slider along z")),
-      positive("slider.B", "B", "m", &P::B, 1e3, "width of the slider along y"),
-      kept_by_restart(
-          at_least(3, "slider.Nx", "N_x", "1", &P::Nx, 65536, "number of blocks along x")),
-      kept_by_restart(
-          at_least(2, "slider.Nz", "N_z", "1", &P::Nz, 65536, "number of blocks along z")),
-      positive("slider.M", "M", "kg", &P::M, 1e6, "mass of the slider"),
-      positive("slider.E", "E", "Pa", &P::E, 1e13, "Young's modulus"),
-      since(Since::later, choice("slider.springs", "-", &P::springs,
-                                 "bulk springs: exact, or linearised for small displacements")),
-      at_least(0, "slider.damping", "eta^2/(k m)", "1", &P::damping, 10,
-               "bulk damping: eta = sqrt(damping k m) on every bond"),
-      positive("slider.F_N", "F_N", "N", &P::F_N, 1e9,
-               "normal load on the row opposite the support"),
-      positive("slider.foundation", "k_f/k", "1", &P::foundation, 100,
-               "modulus of the elastic foundation or ceiling, relative to the bulk springs"),
-      since(Since::later,
-            at_least(0, "slider.foundation_damping", "eta_f^2/(k_f m)", "1", &P::foundation_damping,
-                     10, "dashpots beside it: eta_f = sqrt(foundation_damping k_f m)")),
-      since(
-          Since::schema_2,
-          kept_by_restart(choice(
-              "slider.support", "support", &P::support,
-              "elastic foundation under the bottom row, or ceiling above the top row (prepare)"))),
-      at_least(0, "driving.K", "K", "N/m", &P::K, 1e12, "modulus of the driving spring"),
-      at_least(0, "driving.h", "h", "m", &P::h, 1e3, "height at which the driving spring acts"),
-      at_least(-10, "driving.V", "V", "m/s", &P::V, 10, "speed of the driving point"),
-      since(Since::schema_2,
-            choice(
-                "junctions.law", "-", &P::law,
-                "interface law: reference; simplified (one spring per block, slow slip imposed); "
-                "decaying (slipping force falls with time); distance (junctions slip a distance)")),
-      kept_by_restart(
-          at_least(1, "junctions.N_s", "N_s", "1", &P::N_s, 1e6, "junctions per interface block")),
-      positive("junctions.mu_s", "mu_s", "1", &P::mu_s, 100, "threshold coefficient f_thres/f_N"),
-      at_least(0, "junctions.mu_d", "mu_d", "1", &P::mu_d, 100, "slipping coefficient f_slip/f_N"),
-      positive("junctions.kappa", "kappa", "N/m^2", &P::kappa, 1e20,
-               "junction stiffness: k_ij = sqrt(kappa f_N)"),
-      since(Since::later, choice("junctions.k_ij_from", "-", &P::k_ij_from,
-                                 "normal force in k_ij: current p_i, or initial, F_N/N_x")),
-      only_of({Law::reference, Law::simplified, Law::decaying},
-              positive("junctions.t_R", "t_R", "s", &P::t_R, 1e3, "mean slipping time")),
-      only_of({Law::reference, Law::decaying},
-              at_least(0, "junctions.delta_t_R", "delta t_R", "s", &P::delta_t_R, 1e3,
-                       "standard deviation of the slipping time (Gaussian only)")),
-      only_of({Law::reference, Law::decaying},
-              choice("junctions.slipping_times", "T(t_R)", &P::slipping_times,
-                     "distribution of slipping times: folded Gaussian or exponential")),
-      since(Since::later,
-            only_of({Law::distance}, positive("junctions.d_R", "d_R", "m", &P::d_R, 1,
-                                              "mean distance that a junction slips"))),
-      since(Since::later,
-            only_of({Law::distance},
-                    at_least(0, "junctions.delta_d_R", "delta d_R", "m", &P::delta_d_R, 1,
-                             "standard deviation of that distance"))),
-      only_of({Law::reference, Law::distance},
-              choice("junctions.f_new", "f_new", &P::f_new,
-                     "force of a newly pinned junction; f_slip switches slow slip off")),
-      since(Since::later,
-            only_of({Law::reference, Law::decaying, Law::distance},
-                    choice("junctions.without_contact", "-", &P::without_contact,
-                           "pinned junctions of a block without contact follow it, or break"))),
-      since(Since::schema_2,
-            only_of({Law::decaying}, at_least(0, "junctions.mu_new", "mu_new", "1", &P::mu_new, 100,
-                                              "coefficient f_new/f_N at the end of slipping"))),
-      since(Since::later,
-            only_of({Law::decaying}, choice("junctions.repin", "-", &P::repin,
-                                            "junctions are pinned as they are, or at f_new"))),
-      since(Since::schema_2,
-            only_of({Law::simplified},
-                    at_least(0, "junctions.v_slow", "v_slow", "m/s", &P::v_slow, 10,
-                             "speed of the imposed slow slip; 0 switches it off"))),
-      positive("numerics.dt", "dt", "s", &P::dt, 1.0, "time step"),
-      at_least(0, "numerics.seed", "seed", "1", &P::seed, 9e15, "key of the random numbers"),
+      {"slider.L", "L", "m", &P::L, above(0, 1e3), "length of the slider along x", all, original,
+       must_keep},
+      {"slider.H", "H", "m", &P::H, above(0, 1e3), "height of the slider along z", all, original,
+       must_keep},
+      {"slider.B", "B", "m", &P::B, above(0, 1e3), "width of the slider along y"},
+      {"slider.Nx", "N_x", "1", &P::Nx, at_least(3, 65536), "number of blocks along x", all,
+       original, must_keep},
+      {"slider.Nz", "N_z", "1", &P::Nz, at_least(2, 65536), "number of blocks along z", all,
+       original, must_keep},
+      {"slider.M", "M", "kg", &P::M, above(0, 1e6), "mass of the slider"},
+      {"slider.E", "E", "Pa", &P::E, above(0, 1e13), "Young's modulus"},
+      {"slider.springs", "-", "1", &P::springs, one_of({"exact", "linearised"}),
+       "bulk springs: exact, or linearised for small displacements", all, later},
+      {"slider.damping", "eta^2/(k m)", "1", &P::damping, at_least(0, 10),
+       "bulk damping: eta = sqrt(damping k m) on every bond"},
+      {"slider.F_N", "F_N", "N", &P::F_N, above(0, 1e9),
+       "normal load on the row opposite the support"},
+      {"slider.foundation", "k_f/k", "1", &P::foundation, above(0, 100),
+       "modulus of the elastic foundation or ceiling, relative to the bulk springs"},
+      {"slider.foundation_damping", "eta_f^2/(k_f m)", "1", &P::foundation_damping, at_least(0, 10),
+       "dashpots beside it: eta_f = sqrt(foundation_damping k_f m)", all, later},
+      {"slider.support", "support", "1", &P::support, one_of({"foundation", "ceiling"}),
+       "elastic foundation under the bottom row, or ceiling above the top row (prepare)", all,
+       schema_2, must_keep},
+      {"driving.K", "K", "N/m", &P::K, at_least(0, 1e12), "modulus of the driving spring"},
+      {"driving.h", "h", "m", &P::h, at_least(0, 1e3), "height at which the driving spring acts"},
+      {"driving.V", "V", "m/s", &P::V, at_least(-10, 10), "speed of the driving point"},
+      {"junctions.law", "-", "1", &P::law, one_of(law_names()),
+       "interface law: reference; simplified (one spring per block, slow slip imposed); "
+       "decaying (slipping force falls with time); distance (junctions slip a distance)",
+       all, schema_2},
+      {"junctions.N_s", "N_s", "1", &P::N_s, at_least(1, 1e6), "junctions per interface block", all,
+       original, must_keep},
+      {"junctions.mu_s", "mu_s", "1", &P::mu_s, above(0, 100), "threshold coefficient f_thres/f_N"},
+      {"junctions.mu_d", "mu_d", "1", &P::mu_d, at_least(0, 100),
+       "slipping coefficient f_slip/f_N"},
+      {"junctions.kappa", "kappa", "N/m^2", &P::kappa, above(0, 1e20),
+       "junction stiffness: k_ij = sqrt(kappa f_N)"},
+      {"junctions.k_ij_from", "-", "1", &P::k_ij_from, one_of({"current", "initial"}),
+       "normal force in k_ij: current p_i, or initial, F_N/N_x", all, later},
+      {"junctions.t_R", "t_R", "s", &P::t_R, above(0, 1e3), "mean slipping time",
+       only({reference, simplified, decaying})},
+      {"junctions.delta_t_R", "delta t_R", "s", &P::delta_t_R, at_least(0, 1e3),
+       "standard deviation of the slipping time (Gaussian only)", only({reference, decaying})},
+      {"junctions.slipping_times", "T(t_R)", "1", &P::slipping_times,
+       one_of({"gaussian", "exponential"}),
+       "distribution of slipping times: folded Gaussian or exponential",
+       only({reference, decaying})},
+      {"junctions.d_R", "d_R", "m", &P::d_R, above(0, 1), "mean distance that a junction slips",
+       only({distance}), later},
+      {"junctions.delta_d_R", "delta d_R", "m", &P::delta_d_R, at_least(0, 1),
+       "standard deviation of that distance", only({distance}), later},
+      {"junctions.f_new", "f_new", "1", &P::f_new, one_of({"zero", "f_slip"}),
+       "force of a newly pinned junction; f_slip switches slow slip off",
+       only({reference, distance})},
+      {"junctions.without_contact", "-", "1", &P::without_contact, one_of({"follow", "break"}),
+       "pinned junctions of a block without contact follow it, or break",
+       only({reference, decaying, distance}), later},
+      {"junctions.mu_new", "mu_new", "1", &P::mu_new, at_least(0, 100),
+       "coefficient f_new/f_N at the end of slipping", only({decaying}), schema_2},
+      {"junctions.repin", "-", "1", &P::repin, one_of({"as_is", "exact"}),
+       "junctions are pinned as they are, or at f_new", only({decaying}), later},
+      {"junctions.v_slow", "v_slow", "m/s", &P::v_slow, at_least(0, 10),
+       "speed of the imposed slow slip; 0 switches it off", only({simplified}), schema_2},
+      {"numerics.dt", "dt", "s", &P::dt, above(0, 1.0), "time step"},
+      {"numerics.seed", "seed", "1", &P::seed, at_least(0, 9e15), "key of the random numbers"},
   };
   return table;
 }
@@ -246,19 +164,10 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info) {
   return parameter_text(is_used(info, parameters.law) ? parameters : Parameters{}, info);
 }
 
-std::vector<std::string_view> choices(const ParameterInfo& info) {
-  return std::visit(
-      [](auto member) -> Names {
-        using Value = std::remove_reference_t<decltype(std::declval<Parameters>().*member)>;
-        if constexpr (std::is_enum_v<Value>) return names_of<Value>();
-        return {};
-      },
-      info.member);
-}
-
 std::string range_text(const ParameterInfo& info) {
-  return fmt::format("{} {:g} and at most {:g}", info.minimum_excluded ? "above" : "of at least",
-                     info.minimum, info.maximum);
+  const auto& [minimum, maximum, minimum_excluded, words] = info.valid;
+  return fmt::format("{} {:g} and at most {:g}", minimum_excluded ? "above" : "of at least",
+                     minimum, maximum);
 }
 
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {
@@ -267,9 +176,10 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
       [&](auto member) {
         using Value = std::remove_reference_t<decltype(parameters.*member)>;
         if constexpr (std::is_enum_v<Value>) {
-          parameters.*member = parse_choice<Value>(info, text);
+          parameters.*member = static_cast<Value>(parse_word(info, text));
         } else {
-          parameters.*member = parse_number<Value>(info, text);
+          const bool whole = std::is_integral_v<Value>;
+          parameters.*member = static_cast<Value>(parse_number(info, text, whole));
         }
       },
       info.member);
@@ -280,8 +190,7 @@ std::string parameter_text(const Parameters& parameters, const ParameterInfo& in
       [&](auto member) -> std::string {
         const auto value = parameters.*member;
         if constexpr (std::is_enum_v<std::remove_const_t<decltype(value)>>) {
-          return std::string(
-              names_of<std::remove_const_t<decltype(value)>>()[static_cast<std::size_t>(value)]);
+          return std::string(info.valid.words[static_cast<std::size_t>(value)]);
         } else {
           return fmt::format("{}", value);
         }

@@ -31,30 +31,12 @@ constexpr std::array kTypes = {DataType::float64, DataType::int64, DataType::uin
 constexpr std::array<std::uint64_t, 12> kLengths = {0, 1,  2,  3,     4,         5,
                                                     6, 12, 64, 65536, 1U << 31U, ~0ULL};
 using Double = std::numeric_limits<double>;
-constexpr std::array kDoubles = {0.0,
-                                 -0.0,
-                                 1.0,
-                                 -1.0,
-                                 1e-9,
-                                 0.5,
-                                 1e3,
-                                 1e300,
-                                 Double::max(),
-                                 Double::denorm_min(),
-                                 Double::infinity(),
-                                 Double::quiet_NaN()};
-constexpr std::array<std::int64_t, 12> kIntegers = {0,
-                                                    1,
-                                                    2,
-                                                    3,
-                                                    4,
-                                                    -1,
-                                                    65535,
-                                                    65536,
-                                                    1LL << 31,
-                                                    1LL << 53,
-                                                    (1LL << 53) + 1,
-                                                    std::numeric_limits<std::int64_t>::min()};
+constexpr double kMax = Double::max(), kInf = Double::infinity(), kNan = Double::quiet_NaN();
+constexpr std::array kDoubles = {
+    0.0, -0.0, 1.0, -1.0, 1e-9, 0.5, 1e3, 1e300, kMax, Double::denorm_min(), kInf, kNan};
+constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+constexpr std::array<std::int64_t, 12> kIntegers = {
+    0, 1, 2, 3, 4, -1, 65535, 65536, 1LL << 31, 1LL << 53, (1LL << 53) + 1, kLeast};
 
 // As many bytes as type and shape need, as the reader guarantees; false if that is too many.
 bool fit(Dataset& dataset) {

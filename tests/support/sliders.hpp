@@ -93,16 +93,6 @@ inline void advance(Simulation& simulation, std::int64_t steps) {
   if (steps > 0) simulation.advance(steps);
 }
 
-/// A boundary that exerts no force on a slider.
-class NoBoundary {
- public:
-  explicit NoBoundary(const Parameters& p) : zeros_(static_cast<std::size_t>(p.Nx), 0.0) {}
-  Boundary forces() const { return {zeros_.data(), zeros_.data(), zeros_.data(), 0, 0.0}; }
-
- private:
-  std::vector<double> zeros_;
-};
-
 /// One step of velocity Verlet in plain terms. `add_forces(state)` is called at the new positions
 /// and adds all forces but those of springs and dampers to state.f_x and f_z.
 template <class AddForces>

@@ -76,7 +76,7 @@ TEST_F(ParametersTool, restart_keeps_what_its_row_says) {
   for (const auto& info : parameter_table()) {
     const bool whole = was[info.name].is_number_integer();
     const std::string other =
-        choices(info).empty() ? (whole ? "7" : "0.7") : std::string(choices(info).back());
+        info.valid.words.empty() ? (whole ? "7" : "0.7") : std::string(info.valid.words.back());
     const std::string sentence =
         fmt::format("{} cannot change in a restart: the state was made with ", info.name);
     const Outcome outcome =

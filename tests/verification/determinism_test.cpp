@@ -1,5 +1,5 @@
-// A run that is interrupted and taken up again arrives at the bits of one that is not: before,
-// during and after the rupture of the interface.
+// A run that is interrupted and taken up again arrives at the bits of one that
+// is not: before, during and after the rupture of the interface.
 #include <gtest/gtest.h>
 #include <sched.h>
 
@@ -36,6 +36,9 @@ class RunSplit : public ::testing::TestWithParam<std::tuple<Law, Split>> {
       whole_.advance();
     }
     advance(whole_, 5);
+    if (split.name != "during") return;
+    EXPECT_LT(whole_.ruptures().size(), 9U);
+    EXPECT_GT((whole_.state().junctions.repin_time < Junctions::never).count(), 0);
   }
   std::string checksum(const Simulation& simulation) const {
     return content_checksum(p_, simulation.state());
@@ -137,23 +140,6 @@ TEST(Determinism, helpers_on_one_processor_cost_little_and_are_not_the_default) 
   p.Nx = p.Nz = 1000;
   EXPECT_EQ(default_thread_count(p), 1);
   sched_setaffinity(0, sizeof all, &all);
-}
-
-TEST_P(DeterminismOf, the_split_during_the_rupture_is_during_it) {
-  const Parameters p = quick_slider(GetParam());
-  Simulation simulation(p, normal_load_equilibrium(p));
-  while (simulation.ruptures().size() < 4) simulation.advance();
-  advance(simulation, 5);
-  EXPECT_LT(simulation.ruptures().size(), 9U);
-  EXPECT_GT((simulation.state().junctions.repin_time < Junctions::never).count(), 0);
-}
-
-TEST(Determinism, a_change_of_one_bit_changes_the_checksum) {
-  const Parameters p = quick_slider();
-  State state = normal_load_equilibrium(p);
-  const std::string before = content_checksum(p, state);
-  state.u_x(4, 2) = std::nextafter(state.u_x(4, 2), 1.0);
-  EXPECT_NE(content_checksum(p, state), before);
 }
 
 TEST(Determinism, another_seed_gives_another_run_once_junctions_break) {

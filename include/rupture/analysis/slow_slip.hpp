@@ -54,14 +54,12 @@ inline constexpr double kSlowSlipCoefficient = 4.2;
 /// slip then.
 double slow_slip_estimate(const Parameters& parameters, double p);
 
-/// Whether a pinned junction breaks again at f_thres; without, the net slip is that of the harmonic
-/// sum, H_100 = 5.187.
-enum class Rebreaking { on, off };
-
 /// The relaxation of one block. All junctions slip at f_slip at t = 0, so the force on the block is
 /// N_s f_slip, and its neighbours move along, so that it stays that. Junction j is pinned at its
 /// t_R with f_new = 0; the block moves forwards until the pinned junctions make up for the lost
 /// f_slip. Those that reach f_thres on the way break, drop to f_slip, and draw another t_R.
+///
+/// Where none breaks, the net slip is that of the harmonic sum, H_100 = 5.187.
 ///
 /// The force is N_s f_slip again when the pinned junctions carry f_slip on average. Pinned and
 /// broken in the same order, they are interchangeable, so the slip after n such changes is the same
@@ -83,8 +81,7 @@ struct Relaxation {
 
 /// One relaxation with the slipping times of block `replica`. No value if junctions still break
 /// after 100 <t_R>: they do for ever if f_thres < 2 f_slip or little more.
-std::optional<Relaxation> relax(const Parameters& parameters, std::uint32_t replica,
-                                Rebreaking rebreaking = Rebreaking::on);
+std::optional<Relaxation> relax(const Parameters& parameters, std::uint32_t replica);
 
 /// Mean and spread of the fields of Relaxation over independent blocks.
 struct RelaxationEnsemble {

@@ -10,14 +10,13 @@ namespace rupture {
 /// The median; the mean of the two middle values of an even number; no value if there are none.
 std::optional<double> median(std::vector<double> values);
 
-/// y = intercept + slope x by least squares. The standard errors, here and below, are those of
-/// independent residuals; neighbouring samples of a smooth series have alike ones, and then they
-/// are too small.
+/// A straight line by least squares. The standard error, like that below, is that of
+/// independent residuals; neighbouring samples of a smooth series have alike ones, and then it
+/// is too small.
 struct LineFit {
-  double slope, intercept;
-  double r_squared;        ///< coefficient of determination
-  double slope_error;      ///< standard error of the slope
-  double intercept_error;  ///< standard error of the intercept
+  double slope;
+  double r_squared;    ///< coefficient of determination
+  double slope_error;  ///< standard error of the slope
 };
 
 /// Needs at least three points with different x; otherwise no value.

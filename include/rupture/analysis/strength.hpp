@@ -22,7 +22,6 @@
 // z = 1, so there is one root: of a quadratic for a >= 5/2, else of a quintic (found by bisection).
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,15 +32,6 @@ namespace rupture {
 /// mu-bar of a block whose junctions, all pinned, carry this shape of phi with standard deviation
 /// sigma-bar = sigma / (f_thres - f_slip) >= 0. Exact to rounding.
 double effective_strength(PhiShape shape, double sigma_bar);
-
-/// Any phi, as a density of g, continuous in [from, to] and zero elsewhere.
-struct ForceDensity {
-  std::function<double(double)> phi;  ///< need not be normalised
-  double from, to;
-};
-
-/// mu-bar of any phi by quadrature, to about 1e-8.
-double effective_strength(const ForceDensity& density);
 
 /// The forces in the junctions of one block.
 struct JunctionForces {

@@ -45,10 +45,7 @@ const std::vector<LawInfo>& law_table();
 
 const LawInfo& law_info(Law law);
 
-/// The names of all laws in the order of Law.
-const std::vector<std::string_view>& law_names();
-
-/// The names of these laws; of all if the list is empty, as in ParameterInfo::laws.
-std::vector<std::string_view> law_names(const std::vector<Law>& laws);
+/// The names of these laws; of all in the order of Law if there are none, as in ParameterInfo.
+std::vector<std::string_view> law_names(const std::vector<Law>& laws = {});
 
 }  // namespace rupture

@@ -104,6 +104,13 @@ enum class Since {
   later      ///< so may all others; it counts only where it differs from its default
 };
 
+/// The values that a parameter may have.
+struct Valid {
+  double minimum = 0, maximum = 0;           ///< of a number
+  bool minimum_excluded = false;             ///< whether it must be above `minimum`
+  std::vector<std::string_view> words = {};  ///< of an enumeration, in its order; none: a number
+};
+
 /// One row of the parameter table. Where not all laws use it, or not all files have it, its default
 /// can never change: checksums rest on it.
 struct ParameterInfo {
@@ -111,9 +118,7 @@ struct ParameterInfo {
   std::string_view symbol;  ///< as in the paper, e.g. "L"
   std::string_view unit;    ///< SI unit, "1" for none
   ParameterMember member;
-  double minimum;  ///< smallest valid value of a number
-  double maximum;  ///< largest valid value of a number
-  bool minimum_excluded;
+  Valid valid;
   std::string_view help;
   std::vector<Law> laws = {};  ///< that use it; none: all of them
   Since since = Since::original;
@@ -132,9 +137,6 @@ bool is_used(const ParameterInfo& info, Law law);
 /// Its value as parameter_text() if the law of `parameters` uses it, and its default if not: what
 /// the results rest on.
 std::string used_text(const Parameters& parameters, const ParameterInfo& info);
-
-/// The words that an enumerated parameter accepts; empty for a number.
-std::vector<std::string_view> choices(const ParameterInfo& info);
 
 /// The values that a number may have, as in "above 0 and at most 1000".
 std::string range_text(const ParameterInfo& info);

@@ -13,7 +13,7 @@ namespace rupture::tools {
 namespace {
 
 Json json_row(const ParameterInfo& info) {
-  const auto words = choices(info);
+  const auto words = info.valid.words;
   const bool is_number = words.empty();
   Json row = {{"name", info.name},
               {"symbol", info.symbol},
@@ -25,9 +25,9 @@ Json json_row(const ParameterInfo& info) {
   if (!is_number) {
     row["words"] = words;
   } else {
-    row["minimum"] = info.minimum;
-    row["minimum_excluded"] = info.minimum_excluded;
-    row["maximum"] = info.maximum;
+    row["minimum"] = info.valid.minimum;
+    row["minimum_excluded"] = info.valid.minimum_excluded;
+    row["maximum"] = info.valid.maximum;
   }
   return row;
 }
@@ -103,7 +103,7 @@ std::string json_text(const Json& json) {
 }
 
 Json json_of(const Parameters& parameters, const ParameterInfo& info) {
-  if (!choices(info).empty()) return parameter_text(parameters, info);
+  if (!info.valid.words.empty()) return parameter_text(parameters, info);
   return std::visit([&](auto member) { return Json(parameters.*member); }, info.member);
 }
 

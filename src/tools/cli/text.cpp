@@ -29,7 +29,7 @@ std::string parameter_help() {
   std::string text;
   const Parameters defaults;
   for (const auto& info : parameter_table()) {
-    const auto words = choices(info);
+    const auto words = info.valid.words;
     const std::string unit =
         words.empty() ? fmt::format("[{}]", info.unit) : fmt::format("[{}]", fmt::join(words, "|"));
     text +=

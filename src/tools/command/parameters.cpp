@@ -62,7 +62,7 @@ Options setup(int argc, char** argv) {
 }
 
 std::string text_of(const ParameterInfo& info) {
-  const auto words = choices(info);
+  const auto words = info.valid.words;
   const bool is_number = words.empty();
   std::string text = fmt::format("{}\n  {}\n", info.name, info.help);
   const auto add = [&](std::string_view what, std::string_view value) {

@@ -27,13 +27,14 @@ TEST(SlowSlipEstimate, is_zero_where_nothing_drives_it) {
 
 TEST(Relaxation, without_breaking_slips_by_the_harmonic_sum) {
   Parameters p;
-  const auto relaxation = relax(p, 0, Rebreaking::off);
+  p.mu_s = 100.0;
+  const auto relaxation = relax(p, 0);
   ASSERT_TRUE(relaxation);
   EXPECT_NEAR(relaxation->net_slip, 5.187377517639621, 1e-12);  // H_100
   EXPECT_EQ(relaxation->duration, relaxation->quiet_time);
   EXPECT_EQ(relaxation->slip_at_return, relaxation->net_slip);
   p.N_s = 3;
-  EXPECT_NEAR(relax(p, 0, Rebreaking::off)->net_slip, 1.0 + 1.0 / 2.0 + 1.0 / 3.0, 1e-15);
+  EXPECT_NEAR(relax(p, 0)->net_slip, 1.0 + 1.0 / 2.0 + 1.0 / 3.0, 1e-15);
 }
 
 TEST(Relaxation, of_three_junctions_with_breaking_follows_the_hand) {

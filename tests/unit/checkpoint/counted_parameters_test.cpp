@@ -23,7 +23,7 @@ Content changed(Law law, const ParameterInfo& info) {
   Parameters parameters;
   const bool whole = std::holds_alternative<std::int64_t Parameters::*>(info.member);
   const std::string_view number = whole ? "7" : "0.7";  // valid in every row, and no default
-  set_parameter(parameters, info.name, choices(info).empty() ? number : choices(info).back());
+  set_parameter(parameters, info.name, info.valid.words.empty() ? number : info.valid.words.back());
   parameters.law = law;
   return parameters_content(parameters);
 }

@@ -69,7 +69,7 @@ TEST_F(Python, recomputes_the_checksum_under_each_law) {
     for (const ParameterInfo& info : parameter_table()) {
       if (info.laws.empty() && info.since != Since::later) continue;
       set_parameter(checkpoint.parameters, info.name,
-                    choices(info).empty() ? "0.01" : choices(info).back());
+                    info.valid.words.empty() ? "0.01" : info.valid.words.back());
     }
     checkpoint.parameters.law = law;
     checkpoint.state = State(checkpoint.parameters);

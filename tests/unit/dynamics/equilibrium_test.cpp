@@ -1,10 +1,13 @@
-// The normal-load equilibrium of the reference slider, found directly and by relaxation.
+// The normal-load equilibrium, found directly in both orders of elimination and
+// by relaxation.
 #include "rupture/dynamics/equilibrium.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "rupture/analysis/phi.hpp"
 #include "support/relaxation.hpp"
@@ -14,7 +17,16 @@ namespace rupture {
 namespace {
 
 using testing::message_of;
+using testing::small_slider;
 using testing::static_residual;
+
+/// Demands that both sliders are the same but for `rounding`, relative to the
+/// largest displacement.
+void expect_same(const State& found, const State& expected, double rounding) {
+  const double largest_u = largest(expected.u_x, expected.u_z);
+  EXPECT_LT((found.u_x.blocks() - expected.u_x.blocks()).abs().maxCoeff(), rounding * largest_u);
+  EXPECT_LT((found.u_z.blocks() - expected.u_z.blocks()).abs().maxCoeff(), rounding * largest_u);
+}
 
 class Equilibrium : public ::testing::Test {
  protected:
@@ -22,28 +34,23 @@ class Equilibrium : public ::testing::Test {
   const State state_ = normal_load_equilibrium(p_);
 };
 
-TEST_F(Equilibrium, balances_the_forces_on_every_block) {
-  EXPECT_LE(static_residual(p_, state_), 1e-9 * p_.F_N);
-  EXPECT_LE(static_residual(p_, state_), 1e-11 * mean_normal_force(p_)) << "as promised";
+TEST_F(Equilibrium, balances_the_forces_on_every_block_as_promised) {
+  EXPECT_LE(static_residual(p_, state_), 1e-11 * mean_normal_force(p_));
 }
 
-TEST_F(Equilibrium, has_symmetric_p_that_bears_the_load) {
-  const auto p = normal_forces(p_, state_);
+TEST_F(Equilibrium, has_symmetric_p_that_bears_the_load_and_antisymmetric_tau) {
+  const auto p = normal_forces(p_, state_), tau = friction_forces(p_, state_);
+  const double mean = mean_normal_force(p_);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    EXPECT_NEAR(p[i], p[p.size() - 1 - i], 1e-9 * mean_normal_force(p_));
+    EXPECT_NEAR(p[i], p[p.size() - 1 - i], 1e-9 * mean);
+    EXPECT_NEAR(tau[i], -tau[tau.size() - 1 - i], 1e-9 * mean);
     EXPECT_GT(p[i], 0.0);
   }
   EXPECT_NEAR(std::accumulate(p.begin(), p.end(), 0.0), p_.F_N, 1e-9 * p_.F_N);
-}
-
-TEST_F(Equilibrium, has_antisymmetric_tau_that_sums_to_zero) {
-  const auto tau = friction_forces(p_, state_);
-  for (std::size_t i = 0; i < tau.size(); ++i) {
-    EXPECT_NEAR(tau[i], -tau[tau.size() - 1 - i], 1e-9 * mean_normal_force(p_));
-  }
   EXPECT_NEAR(std::accumulate(tau.begin(), tau.end(), 0.0), 0.0, 1e-9 * p_.F_N);
-  // Compressed from above the slider spreads: friction holds the driven side back towards +x.
-  EXPECT_LT(tau.front(), -0.01 * mean_normal_force(p_));
+  // Compressed from above the slider spreads: friction holds the driven side
+  // back towards +x.
+  EXPECT_LT(tau.front(), -0.01 * mean);
 }
 
 TEST_F(Equilibrium, leaves_every_junction_pinned_below_its_strength) {
@@ -73,9 +80,7 @@ TEST_F(Equilibrium, stays_at_rest_when_it_is_not_driven) {
 TEST_F(Equilibrium, SLOW_is_where_damped_relaxation_ends) {
   const State relaxed = testing::relaxed(p_, {}, 20e-3);
   EXPECT_LE(static_residual(p_, relaxed), 1e-9 * p_.F_N);
-  const double largest = state_.u_z.blocks().abs().maxCoeff();
-  EXPECT_LT((relaxed.u_x.blocks() - state_.u_x.blocks()).abs().maxCoeff(), 1e-10 * largest);
-  EXPECT_LT((relaxed.u_z.blocks() - state_.u_z.blocks()).abs().maxCoeff(), 1e-10 * largest);
+  expect_same(relaxed, state_, 1e-10);
   EXPECT_EQ(state_.drive.origin_position, state_.u_x(0, driving_row(p_)));
 }
 
@@ -84,22 +89,20 @@ TEST(EquilibriumFailure, names_the_block_whose_junctions_are_too_weak) {
   p.mu_s = 0.2;  // the outermost blocks carry tau/p = 0.2216
   p.mu_d = 0.1;
   EXPECT_EQ(message_of<Failure>([&] { normal_load_equilibrium(p); }),
-            "the junctions of block 0 cannot bear the normal load: |f|/f_thres = 1.11 at F_N = "
+            "the junctions of block 0 cannot bear the normal load: |f|/f_thres = "
+            "1.11 at F_N = "
             "1920 N; raise junctions.mu_s or slider.foundation, or lower slider.F_N");
 }
 
 TEST(EquilibriumFailure, says_that_an_absurd_load_has_no_equilibrium) {
-  Parameters p = testing::small_slider(9, 5);
+  Parameters p = small_slider(9, 5);
   p.F_N = 2e5;  // nominal strain 0.55: the lattice buckles
   EXPECT_EQ(message_of<Failure>([&] { normal_load_equilibrium(p); }),
-            "no equilibrium under F_N = 200000 N was found: the load is too large for slider.E = "
+            "no equilibrium under F_N = 200000 N was found: the load is too "
+            "large for slider.E = "
             "3e+09 Pa or the slider tips over");
-}
-
-// At a nominal strain above 1 the static equations have solutions in which every block lies below
-// the one it was above.
-TEST(EquilibriumFailure, refuses_a_load_that_turns_the_lattice_inside_out) {
-  Parameters p = testing::small_slider(9, 5);
+  // At a nominal strain above 1 the static equations have solutions in which
+  // every block lies below the one it was above.
   p.F_N = 1e6;
   EXPECT_THROW(normal_load_equilibrium(p), Failure);
 }
@@ -108,6 +111,59 @@ TEST(EquilibriumFailure, refuses_parameters_that_make_no_sense) {
   Parameters p;
   p.H = 0.08;
   EXPECT_THROW(normal_load_equilibrium(p), UsageError);
+}
+
+TEST(NestedDissection, gives_each_block_a_place_of_its_own) {
+  for (const auto& [Nx, Nz] : {std::pair{3, 3}, {2, 40}, {41, 5}, {57, 31}}) {
+    std::vector<Eigen::Index> places = nested_dissection(Nx, Nz);
+    std::vector<Eigen::Index> all(static_cast<std::size_t>(Nx * Nz));
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_TRUE(std::is_permutation(places.begin(), places.end(), all.begin(), all.end()))
+        << Nx << " x " << Nz;
+  }
+}
+
+TEST(NestedDissection, puts_the_line_that_separates_the_halves_last) {
+  const std::vector<Eigen::Index> places = nested_dissection(7, 3);
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < 7; ++i) {
+      const Eigen::Index place = places[j * 7 + i];
+      EXPECT_EQ(place < 9, i < 3) << i << ", " << j;
+      EXPECT_EQ(place >= 18, i == 3) << i << ", " << j;
+    }
+  }
+}
+
+void expect_same_in_both_orders(const Parameters& p, const LoadCase& load_case) {
+  const auto by_degree = solve_statics(p, load_case, Elimination::column_minimum_degree);
+  const auto by_dissection = solve_statics(p, load_case, Elimination::nested_dissection);
+  ASSERT_TRUE(by_degree && by_dissection);
+  expect_same(*by_dissection, *by_degree, 1e-11);
+  if (!load_case.tau) {
+    EXPECT_LE(static_residual(p, *by_dissection), 1e-11 * mean_normal_force(p));
+  }
+}
+
+TEST(Elimination, moves_the_equilibrium_by_rounding_only) {
+  for (const auto& p : {Parameters{}, small_slider(16, 9), small_slider(5, 12)}) {
+    expect_same_in_both_orders(p, {});
+    std::vector<double> tau(static_cast<std::size_t>(p.Nx), 0.05 * mean_normal_force(p));
+    expect_same_in_both_orders(p, {tau, p.K});
+  }
+}
+
+TEST(Elimination, depends_on_the_number_of_blocks) {
+  Parameters p = small_slider(110, 91);  // 10,010 blocks
+  const State state = normal_load_equilibrium(p);
+  EXPECT_LE(static_residual(p, state), 1e-11 * mean_normal_force(p));
+  const auto same = solve_statics(p, {}, Elimination::nested_dissection);
+  ASSERT_TRUE(same);
+  EXPECT_TRUE((state.u_x.blocks() == same->u_x.blocks()).all());
+
+  p = Parameters{};
+  const auto unchanged = solve_statics(p, {}, Elimination::column_minimum_degree);
+  ASSERT_TRUE(unchanged);
+  EXPECT_TRUE((normal_load_equilibrium(p).u_x.blocks() == unchanged->u_x.blocks()).all());
 }
 
 }  // namespace

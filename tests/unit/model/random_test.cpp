@@ -1,11 +1,18 @@
 // Counter-based random numbers and the slipping times drawn from them.
+// Logarithm and normal quantile made of exact operations, against the C library
+// and a table of 40 digits computed with mpmath.
 #include "rupture/model/random.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
+#include <vector>
+
+#include "support/sliders.hpp"
 
 namespace rupture {
 namespace {
@@ -18,8 +25,9 @@ double uniform_of(std::uint32_t first, std::uint32_t second) {
   return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }
 
-// Known answers for philox4x32 with 10 rounds, from Random123's kat_vectors: counter (4 words), key
-// (2 words, low word of the seed first), output (4 words, of which the first two are used).
+// Known answers for philox4x32 with 10 rounds, from Random123's kat_vectors:
+// counter (4 words), key (2 words, low word of the seed first), output (4
+// words, of which the first two are used).
 TEST(Uniform, is_philox4x32_10) {
   EXPECT_EQ(uniform(0, 0, 0, Purpose{0}, 0), uniform_of(0x6627e8d5, 0xe169c58d));
   EXPECT_EQ(uniform(-1, 0xffffffff, 0xffffffff, Purpose{0xffffffff}, 0xffffffff),
@@ -60,8 +68,8 @@ Moments moments(const Draw& draw) {
   return m;
 }
 
-/// Four standard errors of the mean of kDraws numbers with standard deviation sd; the seed is
-/// fixed, so a test that passes passes for ever.
+/// Four standard errors of the mean of kDraws numbers with standard deviation
+/// sd; the seed is fixed, so a test that passes passes for ever.
 double four_errors(double sd) {
   return 4.0 * sd / std::sqrt(static_cast<double>(kDraws));
 }
@@ -78,46 +86,115 @@ TEST(Uniform, fills_the_open_interval_evenly) {
   EXPECT_GT(m.largest, 1.0 - 1e-4);
 }
 
-Moments slipping_times(const Parameters& p) {
-  return moments([&](std::uint32_t n) { return slipping_time(p, n / 1000, n % 1000, n % 7); });
+/// Demands this mean and standard deviation of the slipping times; that of the
+/// latter is `sd_of_sd`.
+void expect_moments(const Parameters& p, double mean, double sd, double sd_of_sd) {
+  const auto m =
+      moments([&](std::uint32_t n) { return slipping_time(p, n / 1000, n % 1000, n % 7); });
+  EXPECT_NEAR(m.mean, mean, four_errors(sd));
+  EXPECT_NEAR(m.sd, sd, four_errors(sd_of_sd));
+  EXPECT_GT(m.smallest, 0.0);
 }
 
 TEST(SlippingTime, has_mean_and_spread_of_the_gaussian) {
   const Parameters p;  // 2 +- 0.6 ms: folding changes neither moment by 1e-3
-  const auto m = slipping_times(p);
-  EXPECT_NEAR(m.mean, p.t_R, four_errors(p.delta_t_R));
-  EXPECT_NEAR(m.sd, p.delta_t_R, four_errors(p.delta_t_R));
-  EXPECT_GT(m.smallest, 0.0);
+  expect_moments(p, p.t_R, p.delta_t_R, p.delta_t_R);
 }
 
 TEST(SlippingTime, has_mean_and_spread_of_a_strongly_folded_gaussian) {
   Parameters p;
   p.delta_t_R = p.t_R;
-  // |N(mu, sigma)|: mean = sigma sqrt(2/pi) exp(-mu^2/2 sigma^2) + mu erf(mu/(sigma sqrt 2)),
-  // mean square = mu^2 + sigma^2
+  // |N(mu, sigma)|: mean = sigma sqrt(2/pi) exp(-mu^2/2 sigma^2) + mu
+  // erf(mu/(sigma sqrt 2)), mean square = mu^2 + sigma^2
   const double mean = p.t_R * (std::sqrt(2.0 / std::numbers::pi) * std::exp(-0.5) +
                                std::erf(1.0 / std::numbers::sqrt2));
   const double sd = std::sqrt(2.0 * p.t_R * p.t_R - mean * mean);
-  const auto m = slipping_times(p);
-  EXPECT_NEAR(m.mean, mean, four_errors(sd));
-  EXPECT_NEAR(m.sd, sd, four_errors(sd));
-  EXPECT_GE(m.smallest, 0.0);
+  expect_moments(p, mean, sd, sd);
 }
 
 TEST(SlippingTime, has_mean_and_spread_of_the_exponential) {
   Parameters p;
   p.slipping_times = SlippingTimes::exponential;
-  const auto m = slipping_times(p);
-  EXPECT_NEAR(m.mean, p.t_R, four_errors(p.t_R));
   // the variance of x^2 is 8 sd^4, of the sd about 2 sd^2
-  EXPECT_NEAR(m.sd, p.t_R, four_errors(std::sqrt(2.0) * p.t_R));
-  EXPECT_GT(m.smallest, 0.0);
+  expect_moments(p, p.t_R, p.t_R, std::sqrt(2.0) * p.t_R);
 }
 
 TEST(SlippingTime, is_exact_without_spread) {
   Parameters p;
   p.delta_t_R = 0.0;
   EXPECT_EQ(slipping_time(p, 1, 2, 3), p.t_R);
+}
+
+// --- logarithm and normal quantile
+
+void expect_log(double x) {
+  // std::log itself may be off by 1e-16 of its value
+  EXPECT_NEAR(exact_log(x), std::log(x), std::max(1e-15 * std::abs(std::log(x)), 1e-16)) << x;
+}
+
+TEST(ExactLog, agrees_with_the_library_over_all_magnitudes) {
+  testing::Noise noise(1.0);
+  for (int exponent = -1021; exponent <= 1023; ++exponent) {
+    for (int n = 0; n < 10; ++n) expect_log(std::ldexp(1.5 + 0.499 * noise(), exponent));
+  }
+  expect_log(std::numeric_limits<double>::min());
+  expect_log(std::numeric_limits<double>::max());
+}
+
+TEST(ExactLog, agrees_with_the_library_near_one_and_at_its_branches) {
+  EXPECT_EQ(exact_log(1.0), 0.0);
+  for (const double centre : {0.5, std::sqrt(0.5), 1.0, std::sqrt(2.0), 2.0}) {
+    for (double step = 1e-16; step < 0.1; step *= 3.0) {
+      expect_log(centre * (1.0 + step));
+      expect_log(centre * (1.0 - step));
+    }
+  }
+}
+
+TEST(NormalQuantile, agrees_with_a_table_of_mpmath) {
+  const std::vector<std::pair<double, double>> table = {
+      {1e-300, -37.047096299361199237}, {1e-100, -21.273453560965324294},
+      {1e-20, -9.2623400897984075796},  {1e-12, -7.0344838253011319326},
+      {1e-11, -6.7060231554951362961},  {1e-6, -4.7534243088228989573},
+      {0.001, -3.0902323061678135354},  {0.02, -2.0537489106318230443},
+      {0.074, -1.4466320671589785099},  {0.076, -1.4325027208258116188},
+      {0.2, -0.84162123357291416552},   {0.3, -0.52440051270804081597},
+      {0.45, -0.12566134685507400616},  {0.499, -0.0025066308995717662317},
+      {0.9, 1.2815515655446005935},     {0.975, 1.9599639845400538556},
+      {0.999, 3.0902323061678132778}};
+  for (const auto& [p, z] : table) EXPECT_NEAR(normal_quantile(p), z, 2e-15 * std::abs(z)) << p;
+  EXPECT_EQ(normal_quantile(0.5), 0.0);
+}
+
+/// Standard normal distribution function, accurate in the lower tail.
+double Phi(double z) {
+  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+}
+
+TEST(NormalQuantile, inverts_the_distribution_function) {
+  for (int n = 1; n < 1000; ++n) {
+    const double p = n / 1000.0;
+    EXPECT_NEAR(Phi(normal_quantile(p)), p, 1e-14 * p) << p;
+  }
+  // dPhi/Phi = (z^2 + ...) dz/z: far out, rounding of z weighs z^2 times as
+  // much
+  for (double p = 1e-3; p > 1e-30; p *= 0.1) {
+    const double z = normal_quantile(p);
+    EXPECT_NEAR(Phi(z), p, 1e-15 * (1.0 + z * z) * p) << p;
+  }
+}
+
+TEST(NormalQuantile, is_antisymmetric_to_the_last_bit) {
+  for (int n = 1; n < 4096; ++n) {
+    const double p = n * 0x1p-13;  // 1 - p is exact
+    EXPECT_EQ(normal_quantile(1.0 - p), -normal_quantile(p));
+  }
+}
+
+TEST(NormalQuantile, rises_across_the_seams_of_its_three_approximations) {
+  for (const double seam : {0.075, 0.925, std::exp(-25.0)}) {  // |p - 1/2| = 0.425, r = 5
+    EXPECT_LT(normal_quantile(seam * (1.0 - 1e-12)), normal_quantile(seam * (1.0 + 1e-12)));
+  }
 }
 
 }  // namespace

@@ -43,21 +43,6 @@ TEST(State, starts_undeformed_at_rest_with_every_junction_pinned) {
   for (Eigen::Index i = 0; i < p.Nx; ++i) EXPECT_EQ(pinned_fraction(state.junctions, i), 1.0);
 }
 
-TEST(State, has_one_spring_per_block_under_the_simplified_law) {
-  Parameters p;
-  EXPECT_EQ(State(p).junctions.slow_until.size(), 0);
-  p.law = Law::decaying;
-  EXPECT_EQ(State(p).junctions.attachment.cols(), p.N_s);
-  EXPECT_EQ(State(p).junctions.slow_until.size(), 0);
-  p.law = Law::simplified;
-  const Junctions junctions = State(p).junctions;
-  EXPECT_EQ(junctions.attachment.cols(), 1);
-  EXPECT_EQ(junctions.repin_time.cols(), 1);
-  EXPECT_EQ(junctions.draws.cols(), 1);
-  EXPECT_EQ(junctions.slow_until.rows(), p.Nx);
-  EXPECT_EQ(junctions.slow_until.abs().maxCoeff(), 0.0);
-}
-
 TEST(State, counts_pinned_junctions) {
   Parameters p;
   p.N_s = 4;
