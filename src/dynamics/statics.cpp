@@ -178,8 +178,9 @@ void add_displacement(const Parameters& p, const Unknowns& unknown, const Vector
 /// unknowns.
 template <class Ordering>
 std::optional<State> newton(const Parameters& p, const LoadCase& load_case,
-                            const Unknowns& unknown) {
+                            Elimination elimination) {
   State state = compressed(p);
+  const Unknowns unknown(p, elimination);
   constexpr int most_iterations = 50;
   const double tolerance = 1e-11 * mean_normal_force(p);
   Bulk bulk(p);
@@ -269,11 +270,10 @@ double largest(const Field& f_x, const Field& f_z) {
 
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
                                    Elimination elimination) {
-  const Unknowns unknown(p, elimination);
   if (elimination == Elimination::column_minimum_degree) {
-    return newton<Eigen::COLAMDOrdering<int>>(p, load_case, unknown);
+    return newton<Eigen::COLAMDOrdering<int>>(p, load_case, elimination);
   }
-  return newton<Eigen::NaturalOrdering<int>>(p, load_case, unknown);  // as Unknowns numbers them
+  return newton<Eigen::NaturalOrdering<int>>(p, load_case, elimination);  // that of Unknowns
 }
 
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case) {

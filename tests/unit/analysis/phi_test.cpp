@@ -190,8 +190,10 @@ TEST_F(Interface, pins_slipping_junctions_on_request_and_keeps_the_mean_of_all) 
   change.slipping = Slipping::pin;
   for (const bool bell : {false, true}) {
     state_ = before_;
-    if (bell) change.shape = PhiShape::bell;
-    if (bell) change.sigma_bar = 0.2;
+    if (bell) {
+      change.shape = PhiShape::bell;
+      change.sigma_bar = 0.2;
+    }
     EXPECT_TRUE(change_phi(p_, state_, change).empty());
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_EQ(now()[i].slipping, 0.0);
