@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 }
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
+  std::signal(SIGXFSZ, SIG_IGN);  // past the file size limit (ulimit -f) is EFBIG, not the end
   while (!bytes.empty()) {
     const ssize_t written = ::write(fd, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
@@ -79,42 +80,6 @@ bool rename_to_new(const fs::path& from, const fs::path& to) {
   return false;
 }
 
-sigset_t file_size_signal() {
-  sigset_t set;
-  sigemptyset(&set);
-  sigaddset(&set, SIGXFSZ);
-  return set;
-}
-
-// While it lives, writing past the file size limit (ulimit -f) fails with EFBIG in this thread
-// instead of killing the process.
-class FileSizeSignalBlocked {
- public:
-  FileSizeSignalBlocked();
-  ~FileSizeSignalBlocked();
-  FileSizeSignalBlocked(const FileSizeSignalBlocked&) = delete;
-  FileSizeSignalBlocked& operator=(const FileSizeSignalBlocked&) = delete;
-  FileSizeSignalBlocked(FileSizeSignalBlocked&&) = delete;
-  FileSizeSignalBlocked& operator=(FileSizeSignalBlocked&&) = delete;
-
- private:
-  sigset_t before_{};
-};
-
-FileSizeSignalBlocked::FileSizeSignalBlocked() {
-  const sigset_t set = file_size_signal();
-  pthread_sigmask(SIG_BLOCK, &set, &before_);
-}
-
-FileSizeSignalBlocked::~FileSizeSignalBlocked() {
-  const sigset_t set = file_size_signal();
-  const timespec at_once{};
-  while (sigtimedwait(&set, nullptr, &at_once) > 0) {
-    // a blocked signal stays pending and would strike below
-  }
-  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-}
-
 }  // namespace
 
 fs::path folder_of(const fs::path& path) {
@@ -138,7 +103,6 @@ Descriptor::~Descriptor() {
 
 PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes) : path_(std::move(path)) {
   constexpr int flags = O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC;
-  const FileSizeSignalBlocked guard;
   do {
     temporary_ = temporary_path(path_);
     file = Descriptor(::open(temporary_.c_str(), flags, 0666));
@@ -216,7 +180,6 @@ GrowingFile::GrowingFile(fs::path path, std::span<const std::byte> bytes, IfExis
 }
 
 void GrowingFile::append(std::span<const std::byte> bytes) const {
-  const FileSizeSignalBlocked guard;
   const off_t before = ::lseek(file_.get(), 0, SEEK_END);
   if (before < 0) fail_writing(path_);
   if (write_all(file_.get(), bytes)) return;

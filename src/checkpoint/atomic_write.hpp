@@ -22,8 +22,6 @@ std::filesystem::path temporary_path(const std::filesystem::path& path);
 class Descriptor {
  public:
   explicit Descriptor(int fd = -1) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
   Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept;
   ~Descriptor();
@@ -44,9 +42,6 @@ class PendingFile {
  public:
   /// Writes the bytes and brings them to disk.
   PendingFile(std::filesystem::path path, std::span<const std::byte> bytes);
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-  PendingFile(PendingFile&&) = delete;
   PendingFile& operator=(PendingFile&&) = delete;
   ~PendingFile();
 

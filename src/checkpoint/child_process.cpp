@@ -16,30 +16,18 @@ namespace {
 
 constexpr rlim_t kMostSeconds = 60;  // of processor time
 
-void be_silent() {
-  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (nowhere < 0) return;
-  ::dup2(nowhere, STDOUT_FILENO);
-  ::dup2(nowhere, STDERR_FILENO);
-}
-
 void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
   const rlimit both = {most, most};
   [[maybe_unused]] const int ignored = ::setrlimit(resource, &both);
 }
 
-// A handler of ours or of a sanitizer would report what is expected here, or go on.
-void let_signals_end_it() {
-  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
-    std::signal(signal, SIG_DFL);
-  }
-}
-
 [[noreturn]] void be_the_child(const std::function<int()>& work) {
-  be_silent();
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, kMostSeconds);
-  let_signals_end_it();
+  // A handler of ours or of a sanitizer would report what is expected here, or go on.
+  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) std::signal(signal, SIG_DFL);
   int code = ChildEnd::kThrew;
   try {
     code = work();

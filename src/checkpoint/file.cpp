@@ -15,7 +15,6 @@
 
 #include "atomic_write.hpp"
 #include "context.hpp"
-#include "part_file.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "seal.hpp"
 
@@ -165,8 +164,7 @@ ContentFile read_file(const fs::path& path, Opening opening) {
 
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name, Opening opening) {
   if (header_kind(bytes, name) == FileKind::open_record) {
-    Pieces pieces = naming(name, [&] { return read_pieces(bytes); });
-    return {FileKind::open_record, "", "", std::move(pieces.content), pieces.ignored_bytes};
+    return naming(name, [&] { return put_together(bytes); });
   }
   const FileKind kind = check_envelope(bytes, name);
   return naming(name, [&] {

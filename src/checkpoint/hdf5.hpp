@@ -36,8 +36,6 @@ class Handle {
   Handle() = default;
   /// Throws Failure as check() does if `id` is the error value.
   Handle(Id id, std::string_view doing) : id_(id) { check(id, doing); }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, kNone)) {}
   Handle& operator=(Handle&& other) noexcept {
     std::swap(id_, other.id_);

@@ -22,7 +22,7 @@ struct Series {
   const char* path;
   const char* unit;
   const char* long_name;  // in the words of CF: what a plot writes along its axis
-  InSample Sample::*in_sample;
+  InSample Sample::*member;
   InRecord Record::*in_record;
 };
 template <class InSample, class InRecord>

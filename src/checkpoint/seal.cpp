@@ -88,6 +88,18 @@ void check_content(FileKind kind, const Content& content, const hdf5::RootAttrib
   }
 }
 
+void append_rows(const std::string& path, Dataset& whole, const Dataset& rows) {
+  const auto row_shape = [](const Dataset& dataset) {
+    return Shape(dataset.shape.begin() + (dataset.shape.empty() ? 0 : 1), dataset.shape.end());
+  };
+  if (whole.shape.empty() || rows.shape.empty() || whole.type != rows.type ||
+      row_shape(whole) != row_shape(rows)) {
+    fail("rows of {} do not continue those of the pieces before", path);
+  }
+  whole.shape[0] += rows.shape[0];
+  whole.bytes.insert(whole.bytes.end(), rows.bytes.begin(), rows.bytes.end());
+}
+
 }  // namespace
 
 Sealed seal(FileKind kind, const Content& content) {
@@ -113,6 +125,26 @@ ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   const bool by_present_rule = attributes.schema_version > kLastWithAllParameters;
   std::string checksum = by_present_rule ? attributes.content_checksum : content_checksum(content);
   return {kind, std::move(checksum), attributes.content_checksum, std::move(content)};
+}
+
+ContentFile put_together(std::span<const std::byte> file) {
+  const std::size_t first = intact_piece(file);
+  if (first == 0) throw Failure("the first piece of the unfinished record is damaged");
+  ContentFile whole = unseal(FileKind::open_record, file.first(first));
+  file = file.subspan(first);
+  while (const std::size_t size = intact_piece(file)) {
+    const ContentFile piece = unseal(FileKind::open_record, file.first(size));
+    for (const auto& [path, rows] : piece.content) {
+      const auto found = whole.content.find(path);
+      if (found == whole.content.end()) {
+        fail("{} is missing in the first piece of the record", path);
+      }
+      append_rows(path, found->second, rows);
+    }
+    file = file.subspan(size);
+  }
+  whole.ignored_bytes = file.size();
+  return whole;
 }
 
 EditedFile open_edited(std::span<const std::byte> file) {

@@ -17,7 +17,9 @@ namespace rupture {
 std::uint64_t stated_size(std::span<const std::byte> header);
 
 /// Length in bytes, header included, of the intact piece of an open record that `bytes` starts
-/// with; 0 if there is none.
+/// with; 0 if there is none. Each flush of a record appends a piece, a small sealed record, so that
+/// whatever happens to the process or the disk, the pieces before stay as they are, and what is not
+/// whole behind them is seen by its SHA-256.
 std::size_t intact_piece(std::span<const std::byte> bytes);
 
 /// Thrown if what follows the header of a file of ours is not what was sealed.
@@ -63,5 +65,9 @@ void demand_survival(std::span<const std::byte> file, hdf5::Accept accept);
 /// The content of a file of this kind whose header was checked. Throws Failure if attributes,
 /// content or content checksum are not as they should be.
 ContentFile unseal(FileKind kind, std::span<const std::byte> file);
+
+/// The open record in the intact pieces at the start of `file`. Throws Failure if not even the
+/// first is intact, or if they do not fit together.
+ContentFile put_together(std::span<const std::byte> file);
 
 }  // namespace rupture

@@ -16,9 +16,6 @@ class Sha256 {
  public:
   Sha256();
   ~Sha256();
-  Sha256(const Sha256&) = delete;
-  Sha256& operator=(const Sha256&) = delete;
-  Sha256(Sha256&&) = delete;
   Sha256& operator=(Sha256&&) = delete;
 
   void update(std::span<const std::byte> bytes);

@@ -23,7 +23,7 @@
 
 namespace rupture {
 
-class PartFile;
+class GrowingFile;
 
 /// One line of the series; the vectors have one value per interface block, Nx in all.
 struct Sample {
@@ -98,8 +98,8 @@ bool is_being_written(const std::filesystem::path& part);
 void check_record(const std::filesystem::path& path, const Parameters& parameters,
                   IfExists if_exists);
 
-/// Writes one record. append() only copies into buffers; every `flush_every` samples, or
-/// kFlushBytes of fields, they go to the .part file.
+/// Writes one record. append() only copies into buffers; after `flush_every` rows, or kFlushBytes,
+/// they go to the .part file.
 class RecordWriter {
  public:
   static constexpr std::size_t kFlushEvery = 256;
@@ -112,9 +112,6 @@ class RecordWriter {
                Content rows_before = {}, std::size_t flush_every = kFlushEvery,
                const RecordParts& parts = {});
   ~RecordWriter();
-  RecordWriter(const RecordWriter&) = delete;
-  RecordWriter& operator=(const RecordWriter&) = delete;
-  RecordWriter(RecordWriter&&) = delete;
   RecordWriter& operator=(RecordWriter&&) = delete;
 
   /// Throws Failure if the disk is full or a number is not finite, which is seen at the next flush.
@@ -136,11 +133,13 @@ class RecordWriter {
                      SumFile sum = SumFile::omit, std::optional<std::int64_t> first_step = {});
 
  private:
-  class Buffers;
+  void flush_if_full();
+
   std::filesystem::path path_;
   IfExists if_exists_;
-  std::unique_ptr<Buffers> buffers_;
-  std::unique_ptr<PartFile> part_;
+  std::size_t flush_every_;
+  Content rows_;  // that were appended since the last flush
+  std::unique_ptr<GrowingFile> part_;
 };
 
 /// Reads a finished record or a .part. Throws Failure.
