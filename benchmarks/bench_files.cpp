@@ -78,17 +78,17 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
   RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
                       parts);
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
-  const tools::Interval interval = {static_cast<double>(every)};
-  tools::Recorder recorder(writer, interval, first, last);
-  tools::FieldRecorder fields(writer, interval, first, last);
+  tools::RunFiles files;
+  files.record_every = {static_cast<double>(every)};
+  if (parts.fields == Fields::record) files.fields_every = files.record_every;
+  tools::Recorder recorder(writer, files, {}, first, last);
 
   std::vector<double> without, with, ratio;
   bool record_a = false;
   for (auto _ : bench) {
     const StopRule rule = {run_a.state().step + stretch, {}};
     const std::vector<Observer*> none;
-    std::vector<Observer*> all = {&recorder};
-    if (parts.fields == Fields::record) all.push_back(&fields);
+    const std::vector<Observer*> all = {&recorder};
     const double a = seconds_for([&] { run(run_a, rule, record_a ? all : none); });
     const double b = seconds_for([&] { run(run_b, rule, record_a ? none : all); });
     with.push_back(record_a ? a : b);
@@ -97,9 +97,8 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
     record_a = !record_a;
     bench.SetIterationTime(with.back());
   }
-  const double finish = seconds_for([&, &parts = parts] {  // clang 14 does not capture a binding
+  const double finish = seconds_for([&] {
     recorder.finish(run_a);
-    if (parts.fields == Fields::record) fields.finish(run_a);
     writer.finish();
   });
 

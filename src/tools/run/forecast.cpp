@@ -17,6 +17,16 @@ namespace {
 
 constexpr double kMB = 1e6;  // [bytes]
 
+/// The slider with which the equilibrium's time is compared: of reference size, with 85 x 46
+/// blocks.
+Parameters reference_slider() {
+  Parameters p;
+  p.Nx = 85;
+  p.Nz = 46;
+  p.dt = 1e-7;
+  return p;
+}
+
 double blocks(const Parameters& p) {
   return static_cast<double>(p.Nx) * static_cast<double>(p.Nz);
 }
@@ -123,14 +133,6 @@ double time_per_step(Simulation& simulation) {
 
 }  // namespace
 
-Parameters reference_slider() {
-  Parameters p;
-  p.Nx = 85;
-  p.Nz = 46;
-  p.dt = 1e-7;
-  return p;
-}
-
 double Forecast::simulated_time() const {
   return static_cast<double>(steps()) * work.parameters.dt;
 }
@@ -143,17 +145,19 @@ double Forecast::time() const {
   return equilibrium_time + static_cast<double>(steps()) * time_per_step;
 }
 
-Forecast forecast(const Workload& work, const Speed& speed) {
+Forecast forecast(const Workload& work, const State& state) {
   const Parameters& p = work.parameters;
+  Simulation simulation(p, state, work.threads);
   const double record = record_size(work);
   Forecast f = {.work = work,
                 .memory = run_memory(p, record),
                 .checkpoint = checkpoint_size(p),
                 .record = record,
-                .time_per_step = speed.time_per_step};
+                .time_per_step = time_per_step(simulation)};
   if (work.from == RunsFrom::equilibrium) {
+    const double reference = seconds_of([] { normal_load_equilibrium(reference_slider()); });
     f.memory = std::max(f.memory, equilibrium_memory(p));
-    f.equilibrium_time = equilibrium_time(p, speed.reference);
+    f.equilibrium_time = equilibrium_time(p, reference);
   }
   return f;
 }
@@ -205,15 +209,6 @@ State roughly_loaded(const Parameters& p) {
   }
   state.drive.origin_position = state.u_x(0, driving_row(p));
   return state;
-}
-
-Speed measure_speed(const Workload& work, const State& state) {
-  Simulation simulation(work.parameters, state, work.threads);
-  Speed speed = {.time_per_step = time_per_step(simulation)};
-  if (work.from == RunsFrom::equilibrium) {
-    speed.reference = seconds_of([] { normal_load_equilibrium(reference_slider()); });
-  }
-  return speed;
 }
 
 }  // namespace rupture::tools

@@ -27,16 +27,6 @@ struct Workload {
   std::int64_t field_samples = 0;  ///< of its fields; 0 without them
 };
 
-/// How fast this machine is, with these parameters and threads.
-struct Speed {
-  double time_per_step = 0;  ///< [s]
-  double reference = 0;      ///< time in which it finds the equilibrium of reference_slider() [s]
-};
-
-/// The slider with which the equilibrium's time is compared: of reference size, with 85 x 46
-/// blocks.
-Parameters reference_slider();
-
 /// The needs of a run. Ruptures in the record, 24 bytes each, are not counted.
 struct Forecast {
   Workload work;
@@ -51,7 +41,10 @@ struct Forecast {
   double disk() const;            ///< [bytes]
   double time() const;            ///< [s]
 };
-Forecast forecast(const Workload& work, const Speed& speed);
+
+/// Takes steps from `state` for some tenths of a second and, if the run will look for an
+/// equilibrium, finds that of a smaller slider.
+Forecast forecast(const Workload& work, const State& state);
 
 /// A few lines for people, and the same as one JSON object.
 std::string text_of(const Forecast& forecast);
@@ -60,9 +53,5 @@ std::string json_text(const Forecast& forecast);
 /// A slider near the equilibrium under its normal load, at once: uniformly compressed, with
 /// unstretched junctions.
 State roughly_loaded(const Parameters& parameters);
-
-/// Takes steps from `state` for some tenths of a second and, if the run will look for an
-/// equilibrium, finds that of reference_slider().
-Speed measure_speed(const Workload& work, const State& state);
 
 }  // namespace rupture::tools

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cli/text.hpp"
+#include "run/resume.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -107,31 +108,54 @@ std::vector<Part> parts_of(const Simulation& now, std::int64_t last, double rate
 
 }  // namespace
 
-Sampler::Sampler(const Interval& every, std::int64_t now, std::int64_t last_step,
-                 std::int64_t sampled)
-    : every_(every),
+Recorder::Recorder(RecordWriter& writer, const RunFiles& files, const Content& rows,
+                   std::int64_t now, std::int64_t last_step)
+    : writer_(writer),
       last_step_(last_step),
-      sampled_(sampled),
-      next_(sampled < 0 ? now : sample_after(now)) {}
+      series_(sampler(files.record_every, last_sample(rows, kSeriesGroup), now)) {
+  if (!files.fields_every) return;
+  fields_ = sampler(*files.fields_every, last_sample(rows, kFieldsGroup), now);
+}
 
-std::int64_t Sampler::sample_after(std::int64_t step) const {
-  const std::int64_t next = every_.after(step);
+Recorder::Sampler Recorder::sampler(const Interval& every, std::int64_t sampled,
+                                    std::int64_t now) const {
+  return {every, sampled, sampled < 0 ? now : sample_after(now, every)};
+}
+
+std::int64_t Recorder::sample_after(std::int64_t step, const Interval& every) const {
+  const std::int64_t next = every.after(step);
   return step < last_step_ ? std::min(next, last_step_) : next;
 }
 
-void Sampler::observe(const Simulation& simulation) {
-  take(simulation);
-  sampled_ = simulation.state().step;
-  next_ = sample_after(sampled_);
+std::int64_t Recorder::next_step() const {
+  return fields_ ? std::min(series_.next, fields_->next) : series_.next;
 }
 
-void Sampler::finish(const Simulation& simulation) {
-  if (sampled_ < simulation.state().step) observe(simulation);
+/// Whether a sample is to be taken, which counts as taken then.
+bool Recorder::is_due(Sampler& sampler, std::int64_t step) const {
+  if (step < sampler.next) return false;
+  sampler = {sampler.every, step, sample_after(step, sampler.every)};
+  return true;
 }
 
-Recorder::Recorder(RecordWriter& writer, const Interval& every, std::int64_t now,
-                   std::int64_t last_step, std::int64_t sampled)
-    : Sampler(every, now, last_step, sampled), writer_(writer) {}
+void Recorder::observe(const Simulation& simulation) {
+  const State& state = simulation.state();
+  if (is_due(series_, state.step)) {
+    append_ruptures(simulation);  // first, so that a .part has all ruptures up to its last sample
+    writer_.append(sample_of(simulation));
+  }
+  if (fields_ && is_due(*fields_, state.step)) {
+    writer_.append(
+        FieldSample{simulation.time(), state.step, rounded(state.u_x), rounded(state.u_z)});
+  }
+}
+
+void Recorder::finish(const Simulation& simulation) {
+  const std::int64_t step = simulation.state().step;
+  if (series_.sampled < step) series_.next = step;
+  if (fields_ && fields_->sampled < step) fields_->next = step;
+  observe(simulation);
+}
 
 void Recorder::append_ruptures(const Simulation& simulation) {
   const std::span<const Rupture> ruptures = simulation.ruptures();
@@ -139,24 +163,9 @@ void Recorder::append_ruptures(const Simulation& simulation) {
   ruptures_written_ = ruptures.size();
 }
 
-void Recorder::take(const Simulation& simulation) {
-  append_ruptures(simulation);  // first, so that a .part has all ruptures up to its last sample
-  writer_.append(sample_of(simulation));
-}
-
 void Recorder::sync(const Simulation& simulation) {
   append_ruptures(simulation);
   writer_.sync();
-}
-
-FieldRecorder::FieldRecorder(RecordWriter& writer, const Interval& every, std::int64_t now,
-                             std::int64_t last_step, std::int64_t sampled)
-    : Sampler(every, now, last_step, sampled), writer_(writer) {}
-
-void FieldRecorder::take(const Simulation& simulation) {
-  const State& state = simulation.state();
-  writer_.append(
-      FieldSample{simulation.time(), state.step, rounded(state.u_x), rounded(state.u_z)});
 }
 
 CheckpointSchedule::CheckpointSchedule(std::vector<std::int64_t> steps, Write write)

@@ -14,51 +14,36 @@
 
 namespace rupture::tools {
 
-/// Takes a sample at the first and last step of a run and whenever `every` has passed.
-class Sampler : public Observer {
+/// Appends to a record: ruptures, and samples of the series and of the fields that it has, each at
+/// the first and last step of a run and whenever its interval has passed.
+class Recorder : public Observer {
  public:
-  /// `sampled`: the step of the last sample that there is already; negative if there is none.
-  Sampler(const Interval& every, std::int64_t now, std::int64_t last_step, std::int64_t sampled);
-  std::int64_t next_step() const override { return next_; }
+  /// `rows`: what the record holds already.
+  Recorder(RecordWriter& writer, const RunFiles& files, const Content& rows, std::int64_t now,
+           std::int64_t last_step);
+  std::int64_t next_step() const override;
   void observe(const Simulation& simulation) override;
-  /// Takes the last sample if the run ended before `last_step`.
+  /// Takes the last samples if the run ended before `last_step`.
   void finish(const Simulation& simulation);
-
- private:
-  virtual void take(const Simulation& simulation) = 0;
-  std::int64_t sample_after(std::int64_t step) const;
-
-  const Interval every_;
-  const std::int64_t last_step_;
-  std::int64_t sampled_, next_;
-};
-
-/// Appends to the series of a record, and ruptures.
-class Recorder : public Sampler {
- public:
-  Recorder(RecordWriter& writer, const Interval& every, std::int64_t now, std::int64_t last_step,
-           std::int64_t sampled = -1);
   /// Brings the record to the disk as it is now.
   void sync(const Simulation& simulation);
 
  private:
-  void take(const Simulation& simulation) override;
+  struct Sampler {
+    Interval every;
+    std::int64_t sampled;  // step of the last sample; negative if there is none
+    std::int64_t next;
+  };
+  Sampler sampler(const Interval& every, std::int64_t sampled, std::int64_t now) const;
+  std::int64_t sample_after(std::int64_t step, const Interval& every) const;
+  bool is_due(Sampler& sampler, std::int64_t step) const;
   void append_ruptures(const Simulation& simulation);
 
   RecordWriter& writer_;
+  const std::int64_t last_step_;
+  Sampler series_;
+  std::optional<Sampler> fields_;
   std::size_t ruptures_written_ = 0;
-};
-
-/// Appends to the fields of a record.
-class FieldRecorder : public Sampler {
- public:
-  FieldRecorder(RecordWriter& writer, const Interval& every, std::int64_t now,
-                std::int64_t last_step, std::int64_t sampled = -1);
-
- private:
-  void take(const Simulation& simulation) override;
-
-  RecordWriter& writer_;
 };
 
 /// Writes checkpoints at given steps.

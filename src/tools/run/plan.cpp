@@ -105,13 +105,6 @@ std::vector<fs::path> paths_at(const std::vector<std::int64_t>& steps, const Run
   return paths;
 }
 
-/// Everything that a run with these checkpoints on the way writes.
-std::vector<fs::path> all_paths(std::vector<fs::path> on_the_way, const RunFiles& files) {
-  on_the_way.push_back(files.output);
-  if (files.record) on_the_way.push_back(*files.record);
-  return on_the_way;
-}
-
 /// Of a run that goes on, takes the checkpoints that were written before from those to come.
 void leave_out_what_was_written(RunPlan& plan) {
   auto& steps = plan.checkpoint_steps;
@@ -124,8 +117,10 @@ void leave_out_what_was_written(RunPlan& plan) {
 void check_outputs(const RunPlan& plan, const RunOptions& options, const OutputOptions& output,
                    const fs::path& input) {
   auto checkpoints = paths_at(plan.checkpoint_steps, plan);
-  check_distinct(all_paths(checkpoints, plan.files), input);
   checkpoints.push_back(plan.files.output);
+  auto all = checkpoints;
+  if (plan.files.record) all.push_back(*plan.files.record);
+  check_distinct(all, input);
   for (const fs::path& path : checkpoints) {
     check_output(path, plan.replaceable.contains(path) ? IfExists::replace : output.if_exists);
   }
@@ -134,26 +129,22 @@ void check_outputs(const RunPlan& plan, const RunOptions& options, const OutputO
   }
 }
 
-/// Nothing of it is to be done yet.
-Workload nothing_of(const RunPlan& plan, const RunOptions& options, const fs::path& input) {
+/// What is left to be done.
+Workload work_of(const RunPlan& plan, const RunOptions& options, const fs::path& input) {
   const Parameters& p = plan.start.parameters;
-  return {.parameters = p,
-          .from = input.empty() ? RunsFrom::equilibrium : RunsFrom::checkpoint,
-          .first_step = plan.rule.last_step,
-          .last_step = plan.rule.last_step,
-          .threads = options.threads.value_or(default_thread_count(p))};
-}
-
-/// The part that is left to be done.
-Workload rest_of(const RunPlan& plan, Workload work) {
+  const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
+  Workload work = {.parameters = p,
+                   .from = input.empty() ? RunsFrom::equilibrium : RunsFrom::checkpoint,
+                   .first_step = last,
+                   .last_step = last,
+                   .threads = options.threads.value_or(default_thread_count(p))};
+  if (plan.is_complete) return work;
   work.first_step = plan.begin.checkpoint.state.step;
   work.end = plan.rule.quiet_steps ? End::at_the_latest : End::known;
-  work.checkpoints = static_cast<std::int64_t>(plan.checkpoint_steps.size()) + 1;
-  if (plan.files.record) {
-    const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
-    work.samples = plan.files.record_every.samples(first, last);
-    if (plan.files.fields_every) work.field_samples = plan.files.fields_every->samples(first, last);
-  }
+  work.checkpoints = std::ssize(plan.checkpoint_steps) + 1;
+  if (!plan.files.record) return work;
+  work.samples = plan.files.record_every.samples(first, last);
+  if (plan.files.fields_every) work.field_samples = plan.files.fields_every->samples(first, last);
   return work;
 }
 
@@ -223,7 +214,6 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
   if (options.fields) plan.files.fields_every = interval(p, clock, *options.fields, "fields");
   plan.checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options);
   plan.start = std::move(start);
-  plan.work = nothing_of(plan, options, input);
   Found found =
       options.resume == Resume::yes ? find_run(plan.start, plan.rule, plan.files) : Found{};
   plan.replaceable = std::move(found.replaceable);
@@ -232,12 +222,12 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
   plan.begin.checkpoint.run->quiet_steps = rule.quiet_steps;
   plan.begin.checkpoint.run->arrived_below = rule.arrived_below;
   if (plan.is_resumed()) leave_out_what_was_written(plan);
-  if (plan.is_complete) {
-    if (plan.files.record) plan.written_before.push_back(*plan.files.record);
-    return plan;
+  if (!plan.is_complete) {
+    check_outputs(plan, options, output, input);
+  } else if (plan.files.record) {
+    plan.written_before.push_back(*plan.files.record);
   }
-  check_outputs(plan, options, output, input);
-  plan.work = rest_of(plan, plan.work);
+  plan.work = work_of(plan, options, input);
   return plan;
 }
 

@@ -4,7 +4,7 @@
 
 #include <chrono>
 #include <exception>
-#include <memory>
+#include <optional>
 #include <utility>
 
 #include "cli/interruption.hpp"
@@ -95,7 +95,6 @@ class Run {
   void begin_record();
   Ending observed();
   void summarise(const Energies& before, steady_clock::time_point begin, Ending ending);
-  void take_last_samples();
   void save(const fs::path& path);
   /// That of the record, if the run ends at `step`.
   std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const {
@@ -110,25 +109,19 @@ class Run {
   fs::path saved_;  // the latest checkpoint
   RunSummary summary_;
   Simulation simulation_;
-  std::unique_ptr<RecordWriter> writer_;
-  std::unique_ptr<Recorder> recorder_;
-  std::unique_ptr<FieldRecorder> field_recorder_;
+  std::optional<RecordWriter> writer_;
+  std::optional<Recorder> recorder_;
 };
 
 void Run::begin_record() {
   const RunFiles& files = plan_.files;
   const RecordParts parts = {files.crossings, files.fields_every ? Fields::record : Fields::omit,
                              recorded_run(begin_.run->id, files)};
-  const Content& rows = plan_.begin.rows;
-  const std::int64_t now = begin_.state.step, last = plan_.rule.last_step;
-  writer_ = std::make_unique<RecordWriter>(
-      *files.record, begin_.parameters, record_provenance(last),
-      if_record_exists(options_, output_), rows, RecordWriter::kFlushEvery, parts);
-  recorder_ = std::make_unique<Recorder>(*writer_, files.record_every, now, last,
-                                         last_sample(rows, kSeriesGroup));
-  if (!files.fields_every) return;
-  field_recorder_ = std::make_unique<FieldRecorder>(*writer_, *files.fields_every, now, last,
-                                                    last_sample(rows, kFieldsGroup));
+  const std::int64_t last = plan_.rule.last_step;
+  writer_.emplace(*files.record, begin_.parameters, record_provenance(last),
+                  if_record_exists(options_, output_), plan_.begin.rows, RecordWriter::kFlushEvery,
+                  parts);
+  recorder_.emplace(*writer_, files, plan_.begin.rows, begin_.state.step, last);
 }
 
 /// With all observers, in the order in which they see a step.
@@ -136,8 +129,7 @@ Ending Run::observed() {
   const std::string& tool = begin_.provenance.back().tool;
   Alarms alarms(simulation_, plan_.rule.last_step, options_.on_alarm, output_, tool);
   std::vector<Observer*> observers = {&alarms};
-  if (recorder_) observers.push_back(recorder_.get());  // checkpoints include its sample
-  if (field_recorder_) observers.push_back(field_recorder_.get());
+  if (recorder_) observers.push_back(&*recorder_);  // checkpoints include its sample
   CheckpointSchedule schedule(plan_.checkpoint_steps, [&](const Simulation& now) {
     alarms.observe(now);
     save_on_the_way();
@@ -183,7 +175,8 @@ void Run::summarise(const Energies& before, steady_clock::time_point begin, Endi
 void Run::finish() {
   std::exception_ptr failure;
   try {
-    take_last_samples();
+    if (recorder_) recorder_->finish(simulation_);
+    if (recorder_) recorder_->sync(simulation_);
   } catch (const Failure&) {
     failure = std::current_exception();  // the checkpoint needs no record
   }
@@ -197,13 +190,6 @@ void Run::finish() {
                                         simulation_.run().first_step);
   summary_.files.push_back({*plan_.files.record, "record", checksum});
   announce(output_, summary_.files.back());
-}
-
-void Run::take_last_samples() {
-  if (!recorder_) return;
-  recorder_->finish(simulation_);
-  if (field_recorder_) field_recorder_->finish(simulation_);
-  recorder_->sync(simulation_);
 }
 
 const fs::path& Run::save_on_the_way() {
@@ -253,7 +239,7 @@ void say_where_it_begins(std::FILE* to, const RunPlan& plan) {
 
 /// Prints what the run needs.
 void print_forecast(const RunPlan& plan, DryRun how) {
-  const Forecast needs = forecast(plan.work, measure_speed(plan.work, plan.begin.checkpoint.state));
+  const Forecast needs = forecast(plan.work, plan.begin.checkpoint.state);
   say("{}", how == DryRun::json ? json_text(needs) + "\n" : text_of(needs));
 }
 
