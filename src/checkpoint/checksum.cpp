@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 
 #include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/model/error.hpp"
@@ -21,6 +22,26 @@ constexpr std::string_view kCanonicalForm = "rupture content 1\n";
 void check(int success) {
   if (success != 1) throw Failure("OpenSSL could not compute a SHA-256; is its library intact?");
 }
+
+// Running SHA-256 of a sequence of bytes.
+class Sha256 {
+ public:
+  Sha256() { check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr)); }
+
+  void update(std::span<const std::byte> bytes) {
+    check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()));
+  }
+
+  // Ends the sequence.
+  std::string hex() {
+    std::array<unsigned char, 32> digest{};
+    check(EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr));
+    return fmt::format("{:02x}", fmt::join(digest, ""));
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_{EVP_MD_CTX_new(), &EVP_MD_CTX_free};
+};
 
 void update_number(Sha256& hash, std::uint64_t number) {
   hash.update(std::as_bytes(std::span(&number, 1)));  // little-endian: see content.cpp
@@ -46,42 +67,12 @@ std::string checksum_with(const Content& parameters, const Content& content) {
     if (is_checksummed(path) && !path.starts_with(kParameters)) sorted.emplace(path, &dataset);
   }
   Sha256 hash;
-  hash.update(kCanonicalForm);
+  hash.update(std::as_bytes(std::span(kCanonicalForm)));
   for (const auto& [path, dataset] : sorted) update_dataset(hash, path, *dataset);
   return hash.hex();
 }
 
 }  // namespace
-
-struct Sha256::Context {
-  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> evp{EVP_MD_CTX_new(), &EVP_MD_CTX_free};
-};
-
-Sha256::Sha256() : context_(std::make_unique<Context>()) {
-  check(EVP_DigestInit_ex(context_->evp.get(), EVP_sha256(), nullptr));
-}
-
-Sha256::~Sha256() = default;
-
-void Sha256::update(std::span<const std::byte> bytes) {
-  check(EVP_DigestUpdate(context_->evp.get(), bytes.data(), bytes.size()));
-}
-
-void Sha256::update(std::string_view text) {
-  update(std::as_bytes(std::span(text)));
-}
-
-std::string Sha256::hex() {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::array<unsigned char, 32> digest{};
-  check(EVP_DigestFinal_ex(context_->evp.get(), digest.data(), nullptr));
-  std::string text;
-  for (const unsigned byte : digest) {
-    text += digits[byte >> 4U];
-    text += digits[byte & 15U];
-  }
-  return text;
-}
 
 std::string sha256(std::span<const std::byte> bytes) {
   Sha256 hash;

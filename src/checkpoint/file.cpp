@@ -80,17 +80,33 @@ void publish(PendingFile file, const fs::path& path, const std::string& line, If
   if (new_sum) new_sum->commit(IfExists::replace);
 }
 
+// What can be told of a file whose header does not fit, and is found out in a child process.
+enum Remains : int { kUnreadable, kOtherContent, kContentAsSealed };
+
+int remains_of(std::span<const std::byte> file) {
+  const ChildEnd end = in_child_process([&] {
+    try {
+      return open_edited(file).content_is_as_sealed ? kContentAsSealed : kOtherContent;
+    } catch (const hdf5::LibraryFailure&) {
+      return kUnreadable;
+    } catch (const Failure&) {  // readable, but nothing that rupture writes
+      return kOtherContent;
+    }
+  });
+  return end.signal == 0 ? end.code : kUnreadable;
+}
+
 // Throws Changed if the HDF5 part of a file whose seal is broken can be read all the same.
 void refuse_if_readable(std::span<const std::byte> file, const std::string& name) {
-  const Remains remains = remains_of(file);
-  if (remains == Remains::content_as_sealed) {
+  const int remains = remains_of(file);
+  if (remains == kContentAsSealed) {
     throw Changed(fmt::format(
         "{} was changed after rupture sealed it (repacked by another program, an attribute added, "
         "or damaged beside its data), but its content still has the checksum that is stored in "
         "it: rupture seal {} -o NEW.h5 makes a sealed file of it",
         name, name));
   }
-  if (remains == Remains::other_content) {
+  if (remains == kOtherContent) {
     throw Changed(fmt::format(
         "{} was changed after rupture sealed it, and its content is not what it was: if somebody "
         "edited it with another program, rupture seal {} -o NEW.h5 checks and seals it; otherwise "

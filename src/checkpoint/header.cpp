@@ -11,7 +11,14 @@
 namespace rupture {
 namespace {
 
-constexpr std::array kKinds = {FileKind::checkpoint, FileKind::record, FileKind::open_record};
+struct KindRow {
+  FileKind kind;
+  std::string_view format, words;
+};
+constexpr std::array<KindRow, 3> kKinds = {
+    {{FileKind::checkpoint, "rupture-checkpoint", "a checkpoint"},
+     {FileKind::record, "rupture-record", "a record"},
+     {FileKind::open_record, "rupture-record-part", "an unfinished record"}}};
 constexpr std::uint64_t kLargestFile = 1ULL << 62U;  // [bytes]
 
 std::string_view explanation(FileKind kind) {
@@ -42,12 +49,6 @@ std::string_view line_after(std::string_view header, std::string_view key) {
   return rest.substr(0, rest.find('\n'));
 }
 
-// True if `start`, the start of a file of any length, is that of a file of this kind.
-bool starts_as(std::string_view start, FileKind kind) {
-  const std::string first_line = fmt::format("{}\n", format_name(kind));
-  return start.substr(0, first_line.size()) == std::string_view(first_line).substr(0, start.size());
-}
-
 [[noreturn]] void refuse_foreign(std::string_view start, const std::string& name) {
   if (start.starts_with("\x89HDF\r\n")) {
     fail(
@@ -65,15 +66,11 @@ bool starts_as(std::string_view start, FileKind kind) {
 }  // namespace
 
 std::string_view format_name(FileKind kind) {
-  constexpr std::array<std::string_view, 3> names = {"rupture-checkpoint", "rupture-record",
-                                                     "rupture-record-part"};
-  return names.at(static_cast<std::size_t>(kind));
+  return kKinds.at(static_cast<std::size_t>(kind)).format;
 }
 
 std::string_view kind_text(FileKind kind) {
-  constexpr std::array<std::string_view, 3> texts = {"a checkpoint", "a record",
-                                                     "an unfinished record"};
-  return texts.at(static_cast<std::size_t>(kind));
+  return kKinds.at(static_cast<std::size_t>(kind)).words;
 }
 
 std::string header_text(FileKind kind, std::span<const std::byte> body) {
@@ -85,16 +82,18 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   if (start.empty()) {
     fail("{} is empty; expected a checkpoint or record", name);
   }
-  const auto kind =
-      std::find_if(kKinds.begin(), kKinds.end(), [&](FileKind k) { return starts_as(start, k); });
-  if (kind == kKinds.end()) refuse_foreign(start, name);
+  const auto row = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindRow& known) {
+    const std::string first_line = fmt::format("{}\n", known.format);
+    return first_line.starts_with(start.substr(0, first_line.size()));  // a file of any length
+  });
+  if (row == kKinds.end()) refuse_foreign(start, name);
   if (start.size() < kHeaderSize) {
     fail(
         "{} is truncated: it ends within its 512-byte header, after {} bytes; copy it "
         "again or write it anew",
         name, start.size());
   }
-  return *kind;
+  return row->kind;
 }
 
 std::uint64_t stated_size(std::span<const std::byte> header) {

@@ -70,10 +70,6 @@ Content stored_parameters(const Content& content) {
   return stored;
 }
 
-bool same_value(const Dataset& a, const Dataset& b) {
-  return a.type == b.type && a.shape == b.shape && a.bytes == b.bytes;
-}
-
 }  // namespace
 
 Content counted_parameters(const Content& content, const std::vector<ParameterInfo>& table) {
@@ -84,7 +80,7 @@ Content counted_parameters(const Content& content, const std::vector<ParameterIn
     const Dataset by_default = parameter_dataset({}, info);
     if (!is_used(info, law)) counted[path] = by_default;
     if (may_be_missing(info)) counted.try_emplace(path, by_default);
-    if (info.since == Since::later && same_value(counted.at(path), by_default)) counted.erase(path);
+    if (info.since == Since::later && is_same(counted.at(path), by_default)) counted.erase(path);
   }
   return counted;
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "record_layout.hpp"
@@ -9,16 +8,12 @@ namespace {
 
 namespace layout = record_layout;
 
-constexpr std::array<std::string_view, 4> kScales = {"time", "z", "x", "levels"};
-
-bool is_scale(std::string_view name) {
-  return std::find(kScales.begin(), kScales.end(), name) != kScales.end();
-}
-
 // The scales along which a dataset goes, slowest dimension first: time, time and x.
 std::vector<std::string> axes_of(const std::string& path, const Shape& shape) {
   const std::string group = path.substr(0, path.rfind('/') + 1);
-  if (is_scale(std::string_view(path).substr(group.size()))) return {path};
+  for (const char* scale : {"time", "z", "x", "levels"}) {
+    if (path == group + scale) return {path};
+  }
   if (shape.size() == 1) return {group + "time"};
   if (shape.size() == 2) return {group + "time", group + "x"};
   return {group + "time", group + "z", group + "x"};
@@ -28,10 +23,10 @@ std::vector<std::string> axes_of(const std::string& path, const Shape& shape) {
 
 Content record_positions(const Parameters& parameters, const Content& record) {
   Content positions;
-  layout::for_each(layout::kPositions, [&](const auto& row) {
+  layout::for_each(layout::kScales, [&](const layout::Scale& row) {
     const std::string path = row.path;
-    if (!record.contains(path.substr(0, path.rfind('/')) + "/time")) return;
-    const std::vector<double> values = row.along(parameters);
+    if (!row.of || !record.contains(path.substr(0, path.rfind('/')) + "/time")) return;
+    const std::vector<double> values = row.of(parameters);
     positions[path] = make_array(std::span(values), {values.size()}, row.unit);
   });
   return positions;

@@ -101,26 +101,20 @@ inline Shape shape_of(const std::vector<float>&, std::uint64_t rows, const Param
   return {rows, static_cast<std::uint64_t>(p.Nz), static_cast<std::uint64_t>(p.Nx)};
 }
 
-/// Where the blocks are. It follows from the parameters and is there for other programs.
-struct Positions {
+/// The values along a dimension: where the blocks are, which follows from the parameters and is
+/// there for other programs, or the pinned fractions whose crossings are recorded.
+struct Scale {
   const char* path;
   const char* unit;
   const char* long_name;
-  std::vector<double> (*along)(const Parameters&);
+  std::vector<double> (*of)(const Parameters&) = nullptr;
 };
-inline constexpr std::tuple kPositions = {
-    Positions{"/series/x", "m", "position of the block along x", block_positions},
-    Positions{"/fields/x", "m", "position of the block along x", block_positions},
-    Positions{"/fields/z", "m", "height of the block above the interface", block_heights},
+inline constexpr std::tuple kScales = {
+    Scale{"/series/x", "m", "position of the block along x", block_positions},
+    Scale{"/fields/x", "m", "position of the block along x", block_positions},
+    Scale{"/fields/z", "m", "height of the block above the interface", block_heights},
+    Scale{kCrossingLevels, "1", "pinned fraction"},
 };
-
-/// The pinned fractions whose crossings are recorded.
-struct Levels {
-  const char* path;
-  const char* unit;
-  const char* long_name;
-};
-inline constexpr std::tuple kLevels = {Levels{kCrossingLevels, "1", "pinned fraction"}};
 
 /// Calls `use` with each row of a table above.
 template <class Table, class Use>
@@ -132,7 +126,7 @@ void for_each(const Table& table, const Use& use) {
 /// provenance.
 template <class Use>
 void for_each_dataset(const Use& use) {
-  for_each(std::tie(kSeries, kRuptures, kCrossings, kFields, kPositions, kLevels),
+  for_each(std::tie(kSeries, kRuptures, kCrossings, kFields, kScales),
            [&](const auto& table) { for_each(table, use); });
 }
 

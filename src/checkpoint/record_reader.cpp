@@ -230,11 +230,14 @@ void check_consistent(const Content& content, const Record& record) {
   }
 }
 
-Record record_from_content(const Content& content, Complete complete) {
+}  // namespace
+
+Record record_from(const ContentFile& file) {
+  const Content& content = file.content;
   Record record;
   record.run = read_recorded_run(content);
   refuse_foreign(content, record.run);
-  record.complete = complete;
+  record.complete = file.kind == FileKind::open_record ? Complete::no : Complete::yes;
   record.parameters = read_parameters(content);
   expect_as_written(content, record_positions(record.parameters, content));
   record.provenance = read_provenance(content);
@@ -245,13 +248,6 @@ Record record_from_content(const Content& content, Complete complete) {
   read_fields(content, record);
   check_consistent(content, record);
   return record;
-}
-
-}  // namespace
-
-Record record_from(const ContentFile& file) {
-  return record_from_content(file.content,
-                             file.kind == FileKind::open_record ? Complete::no : Complete::yes);
 }
 
 Content rows_until(const Content& record, std::int64_t step) {

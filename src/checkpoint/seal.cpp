@@ -161,21 +161,6 @@ EditedFile open_edited(std::span<const std::byte> file) {
   return edited;
 }
 
-Remains remains_of(std::span<const std::byte> file) {
-  const ChildEnd end = in_child_process([&] {
-    try {
-      const bool as_sealed = open_edited(file).content_is_as_sealed;
-      return static_cast<int>(as_sealed ? Remains::content_as_sealed : Remains::other_content);
-    } catch (const hdf5::LibraryFailure&) {
-      return static_cast<int>(Remains::unreadable);
-    } catch (const Failure&) {  // readable, but nothing that rupture writes
-      return static_cast<int>(Remains::other_content);
-    }
-  });
-  const bool is_known = end.signal == 0 && end.code != ChildEnd::kThrew;
-  return is_known ? static_cast<Remains>(end.code) : Remains::unreadable;
-}
-
 void demand_survival(std::span<const std::byte> file, hdf5::Accept accept) {
   const ChildEnd end = in_child_process([&] {
     const hdf5::Reader reader(file, accept);

@@ -55,10 +55,6 @@ Sealed seal(FileKind kind, const Content& content);
 /// crashes this process: see demand_survival().
 EditedFile open_edited(std::span<const std::byte> file);
 
-/// What can be told of a file whose header does not fit, and is found out in a child process.
-enum class Remains { unreadable, other_content, content_as_sealed };
-Remains remains_of(std::span<const std::byte> file);
-
 /// Reads all of a file in a child process. Throws Failure if a signal ends that.
 void demand_survival(std::span<const std::byte> file, hdf5::Accept accept);
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,24 +9,6 @@
 #include "rupture/checkpoint/content.hpp"
 
 namespace rupture {
-
-/// Running SHA-256 of a sequence of bytes.
-class Sha256 {
- public:
-  Sha256();
-  ~Sha256();
-  Sha256& operator=(Sha256&&) = delete;
-
-  void update(std::span<const std::byte> bytes);
-  void update(std::string_view text);
-
-  /// 64 lowercase hexadecimal digits. Ends the sequence: call it once, last.
-  std::string hex();
-
- private:
-  struct Context;
-  std::unique_ptr<Context> context_;
-};
 
 /// SHA-256 of `bytes`, 64 lowercase hexadecimal digits.
 std::string sha256(std::span<const std::byte> bytes);

@@ -123,14 +123,15 @@ T read_scalar(const Content& content, const std::string& path) {
 
 std::string read_text(const Content& content, const std::string& path);
 
+/// Whether they hold the same, in whatever unit.
+bool is_same(const Dataset& a, const Dataset& b);
+
 /// Throws Failure if a dataset of `content` differs, be it in its unit or in a bit that does not
-/// matter, from what would be `written` in its place. Datasets that are missing are accepted.
+/// matter, from what would be `written` in its place. Datasets that are missing are accepted, and
+/// units, which other programs lose when they replace a dataset.
 void expect_as_written(const Content& content, const Content& written);
 
 /// Throws Failure, naming dataset and index, if a float anywhere is NaN or infinite.
 void check_finite(const Content& content);
-
-/// The same for one dataset.
-void check_finite(const std::string& path, const Dataset& dataset);
 
 }  // namespace rupture

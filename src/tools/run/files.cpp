@@ -49,12 +49,10 @@ Interval interval(const Parameters& p, const Clock& clock, double t, std::string
 
 std::string id_of_run(const Checkpoint& start) {
   const ProvenanceEntry& tool = start.provenance.back();
-  Sha256 hash;
-  hash.update("rupture run 2\n");
-  hash.update(fmt::format("{} {}\n", tool.tool, tool.parent_checksum));
-  hash.update(fmt::format("{}\n", content_checksum(parameters_content(start.parameters))));
-  hash.update(fmt::format("{}\n", start.state.step));
-  return hash.hex();
+  const std::string text =
+      fmt::format("rupture run 2\n{} {}\n{}\n{}\n", tool.tool, tool.parent_checksum,
+                  content_checksum(parameters_content(start.parameters)), start.state.step);
+  return sha256(std::as_bytes(std::span(text)));
 }
 
 RecordedRun recorded_run(const std::string& id, const RunFiles& files) {

@@ -36,18 +36,21 @@ double sum_with_padding(const Field& field) {
 }
 
 TEST_F(CheckpointFile, returns_the_same_bits) {
-  const Checkpoint written = small_checkpoint();
-  const std::string checksum = write(written);
-  const Checkpoint read = read_checkpoint(file("x.h5"));
-  EXPECT_EQ(read.parameters, written.parameters);
-  EXPECT_EQ(read.provenance, written.provenance);
-  EXPECT_EQ(state_content(read.state), state_content(written.state));
-  EXPECT_TRUE((read.state.junctions.repin_time == written.state.junctions.repin_time).all());
-  EXPECT_TRUE(std::signbit(read.state.u_x(0, 0)));
-  EXPECT_EQ(checksum, content_checksum(written.parameters, written.state));
-  EXPECT_EQ(checksum, content_checksum(read.parameters, read.state));
-  EXPECT_EQ(checksum, verify_file(file("x.h5")).checksum);
-  EXPECT_EQ(identify(file("x.h5")), FileKind::checkpoint);
+  for (const Checkpoint& written : {small_checkpoint(), single_springs()}) {
+    const std::string checksum = write(written);
+    const Checkpoint read = read_checkpoint(file("x.h5"));
+    const Junctions &found = read.state.junctions, &expected = written.state.junctions;
+    EXPECT_EQ(read.parameters, written.parameters);
+    EXPECT_EQ(read.provenance, written.provenance);
+    EXPECT_EQ(state_content(read.state), state_content(written.state));
+    EXPECT_TRUE((found.repin_time == expected.repin_time).all());
+    EXPECT_TRUE((found.slow_until == expected.slow_until).all());
+    EXPECT_TRUE(std::signbit(read.state.u_x(0, 0)));
+    EXPECT_EQ(checksum, content_checksum(written.parameters, written.state));
+    EXPECT_EQ(checksum, content_checksum(read.parameters, read.state));
+    EXPECT_EQ(checksum, verify_file(file("x.h5")).checksum);
+    EXPECT_EQ(identify(file("x.h5")), FileKind::checkpoint);
+  }
 }
 
 // The bound that docs/schema.md states, and reading a chain whose texts are all the same.
@@ -98,10 +101,8 @@ TEST_F(CheckpointFile, of_equal_content_is_equal_bytes_at_any_time) {
   write(small_checkpoint());
   const std::string first = slurp(file("x.h5"));
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's times count seconds
-  const std::vector<std::string> churn(100, std::string(10000, 'x'));
   write_checkpoint(file("y.h5"), small_checkpoint(), IfExists::refuse);
   EXPECT_EQ(slurp(file("y.h5")), first);
-  EXPECT_EQ(churn.size(), 100U);
 }
 
 TEST_F(CheckpointFile, names_every_parameter_by_its_table_row_with_its_unit) {
@@ -139,13 +140,10 @@ TEST_F(CheckpointFile, with_nan_is_not_written) {
   EXPECT_EQ(failure_of([&] { write(checkpoint); }),
             file("x.h5").string() +
                 ": /state/v_x holds nan at index 7 of [4][5]; only finite numbers are stored");
-  EXPECT_TRUE(names().empty());
-}
-
-TEST_F(CheckpointFile, with_a_nan_repin_time_is_not_written) {
-  Checkpoint checkpoint = small_checkpoint();
+  checkpoint = small_checkpoint();
   checkpoint.state.junctions.repin_time(0, 1) = std::numeric_limits<double>::quiet_NaN();
   expect_contains(failure_of([&] { write(checkpoint); }), "/state/junctions/repin_time holds nan");
+  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(CheckpointFile, of_a_build_without_a_later_parameter_has_its_default) {
@@ -181,17 +179,6 @@ TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {
                  .arrived_below = 0.25};
   EXPECT_EQ(write(written), without) << "it is no part of the content that is checksummed";
   EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);
-}
-
-TEST_F(CheckpointFile, of_single_springs_returns_the_same_bits) {
-  const Checkpoint written = single_springs();
-  const std::string checksum = write(written);
-  const Checkpoint read = read_checkpoint(file("x.h5"));
-  EXPECT_EQ(read.parameters, written.parameters);
-  EXPECT_EQ(state_content(read.state), state_content(written.state));
-  EXPECT_TRUE((read.state.junctions.repin_time == written.state.junctions.repin_time).all());
-  EXPECT_TRUE((read.state.junctions.slow_until == written.state.junctions.slow_until).all());
-  EXPECT_EQ(checksum, content_checksum(read.parameters, read.state));
 }
 
 TEST_F(CheckpointFile, of_single_springs_alone_holds_the_end_of_slow_slip) {

@@ -3,9 +3,13 @@
 #include <set>
 
 #include "fixtures.hpp"
+#include "rupture/checkpoint/compare.hpp"
+#include "support/sliders.hpp"
 
 namespace rupture {
 namespace {
+
+using testing::kAllLaws;
 
 Content example() {
   const std::vector<double> values = {0.5, -1.25};
@@ -63,6 +67,109 @@ TEST(ContentChecksum, covers_series_and_ruptures_too) {
   EXPECT_TRUE(is_checksummed("/crossings/step"));
   EXPECT_FALSE(is_checksummed("/provenance/0000/tool"));
   EXPECT_FALSE(is_checksummed("/statement"));
+}
+
+// --- which parameters count: what the law uses, and of the later ones what differs from its
+// default
+
+constexpr const char* kNewPath = "/parameters/junctions/new";
+
+Content content_of(Law law) {
+  Parameters parameters;
+  parameters.law = law;
+  return parameters_content(parameters);
+}
+
+// The content after one parameter was given another value than its default.
+Content changed(Law law, const ParameterInfo& info) {
+  Parameters parameters;
+  const bool whole = std::holds_alternative<std::int64_t Parameters::*>(info.member);
+  const std::string_view number = whole ? "7" : "0.7";  // valid in every row, and no default
+  set_parameter(parameters, info.name, info.valid.words.empty() ? number : info.valid.words.back());
+  parameters.law = law;
+  return parameters_content(parameters);
+}
+
+// The table of a later build that has one parameter more, with the default 0.0015.
+std::vector<ParameterInfo> table_with_new(std::vector<Law> laws) {
+  std::vector<ParameterInfo> table = parameter_table();
+  ParameterInfo added = find_parameter("junctions.v_slow");
+  added.name = "junctions.new";
+  added.laws = std::move(laws);
+  added.since = Since::later;
+  table.push_back(added);
+  return table;
+}
+
+Content content_with_new(double value) {
+  Content content = content_of(Law::reference);
+  content[kNewPath] = make_scalar(value, "m/s");
+  return content;
+}
+
+TEST(CountedParameters, stay_what_they_were_when_a_parameter_is_added) {
+  for (const Law law : kAllLaws) {
+    const Content counted = counted_parameters(content_of(law));
+    EXPECT_EQ(counted_parameters(content_of(law), table_with_new({})), counted);
+    EXPECT_EQ(counted_parameters(content_of(law), table_with_new({law})), counted);
+  }
+  const Content counted = counted_parameters(content_of(Law::reference));
+  EXPECT_EQ(counted_parameters(content_with_new(0.0015), table_with_new({})), counted);
+}
+
+TEST(CountedParameters, have_a_later_one_only_away_from_its_default) {
+  EXPECT_TRUE(counted_parameters(content_with_new(0.002), table_with_new({})).contains(kNewPath));
+  const auto used = table_with_new({Law::reference});
+  EXPECT_TRUE(counted_parameters(content_with_new(0.002), used).contains(kNewPath));
+  const auto unused = table_with_new({Law::decaying});
+  EXPECT_FALSE(counted_parameters(content_with_new(0.002), unused).contains(kNewPath));
+}
+
+TEST(CountedParameters, are_those_that_the_law_uses) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name == "junctions.law") continue;
+    for (const Law law : kAllLaws) {
+      EXPECT_EQ(content_checksum(changed(law, info)) != content_checksum(content_of(law)),
+                is_used(info, law))
+          << info.name;
+    }
+  }
+}
+
+TEST(CountedParameters, tell_the_laws_apart) {
+  EXPECT_NE(content_checksum(content_of(Law::reference)),
+            content_checksum(content_of(Law::simplified)));
+  EXPECT_NE(content_checksum(content_of(Law::reference)),
+            content_checksum(content_of(Law::decaying)));
+}
+
+TEST(CountedParameters, have_the_defaults_of_those_that_the_oldest_files_lack) {
+  Content old = content_of(Law::reference);
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.since == Since::original) continue;
+    std::string path = "/parameters/" + std::string(info.name);
+    path[path.find('.')] = '/';
+    EXPECT_EQ(old.erase(path), 1U) << path;
+  }
+  EXPECT_EQ(counted_parameters(old), counted_parameters(content_of(Law::reference)));
+  EXPECT_EQ(content_checksum(old), content_checksum(content_of(Law::reference)));
+  EXPECT_NE(content_checksum_of_schema_2(old),
+            content_checksum_of_schema_2(content_of(Law::reference)));
+}
+
+TEST(CountedParameters, are_what_a_difference_is_sought_in) {
+  const Content odd = changed(Law::reference, find_parameter("junctions.v_slow"));
+  EXPECT_TRUE(diff(checksummed_part(odd), checksummed_part(content_of(Law::reference))).empty());
+  const Content other = changed(Law::reference, find_parameter("junctions.mu_s"));
+  EXPECT_EQ(diff(checksummed_part(other), checksummed_part(content_of(Law::reference))).size(), 1U);
+}
+
+TEST(CountedParameters, all_counted_in_schema_2) {
+  for (const Law law : kAllLaws) {
+    EXPECT_EQ(content_checksum_of_schema_2(content_of(law)), content_checksum(content_of(law)));
+    const Content odd = changed(law, find_parameter("junctions.delta_t_R"));
+    EXPECT_NE(content_checksum_of_schema_2(odd), content_checksum_of_schema_2(content_of(law)));
+  }
 }
 
 }  // namespace

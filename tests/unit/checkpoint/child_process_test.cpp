@@ -22,18 +22,12 @@ extern "C" void leave_quietly(int) {
   ::_exit(0);
 }
 
-TEST(ChildProcess, that_succeeds_returns_its_code) {
+TEST(ChildProcess, says_how_it_ended) {
   for (const int code : {0, 1, 7, 254}) {
     expect_end(in_child_process([&] { return code; }), code, 0);
   }
-}
-
-TEST(ChildProcess, that_throws_says_so) {
   expect_end(in_child_process([]() -> int { throw Failure("no"); }), ChildEnd::kThrew, 0);
   expect_end(in_child_process([]() -> int { throw UsageError("no"); }), ChildEnd::kThrew, 0);
-}
-
-TEST(ChildProcess, that_crashes_leaves_its_signal) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGKILL}) {
     expect_end(in_child_process([&] { return std::raise(signal); }), ChildEnd::kThrew, signal);
   }

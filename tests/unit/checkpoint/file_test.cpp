@@ -16,15 +16,7 @@ using testing::slurp;
 using testing::small_checkpoint;
 using testing::spill;
 
-class File : public testing::InFolder {
- protected:
-  std::string write(const fs::path& path, IfExists if_exists = IfExists::refuse) {
-    return write_checkpoint(path, small_checkpoint(), if_exists);
-  }
-  std::string write_with_sum(const fs::path& path) {
-    return write_checkpoint(path, small_checkpoint(), IfExists::refuse, SumFile::write);
-  }
-};
+class File : public testing::InFolder {};
 
 // A parameter of another law with a value of its own counted until schema 2.
 TEST_F(File, is_verified_by_the_rule_of_its_schema) {
@@ -76,13 +68,8 @@ TEST_F(File, whose_data_do_not_fill_their_shape_is_not_written) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(File, has_its_checksum_beside_it_on_request) {
-  const std::string checksum = write_with_sum(file("x.h5"));
-  EXPECT_EQ(slurp(file("x.h5.sum")), "content-sha256 " + checksum + "  x.h5\n");
-}
-
 TEST_F(File, with_equal_content_leaves_the_sum_untouched) {
-  write_with_sum(file("x.h5"));
+  write_checkpoint(file("x.h5"), small_checkpoint(), IfExists::refuse, SumFile::write);
   const auto long_ago = fs::last_write_time(file("x.h5.sum")) - std::chrono::hours(1);
   fs::last_write_time(file("x.h5.sum"), long_ago);
   Checkpoint retold = small_checkpoint();
@@ -96,19 +83,57 @@ TEST_F(File, with_equal_content_leaves_the_sum_untouched) {
   EXPECT_NE(fs::last_write_time(file("x.h5.sum")), long_ago);
 }
 
-TEST_F(File, with_other_content_removes_the_sum_that_is_not_asked_for) {
-  write_with_sum(file("x.h5"));
-  Checkpoint other = small_checkpoint();
-  other.state.step += 1;
-  write_checkpoint(file("x.h5"), other, IfExists::replace);
-  EXPECT_EQ(names(), std::vector<std::string>{"x.h5"});
-}
-
 TEST_F(File, gets_a_sum_in_the_form_of_today) {
-  const std::string checksum = write(file("x.h5"));
+  const auto checksum = write_checkpoint(file("x.h5"), small_checkpoint(), IfExists::refuse);
   spill(file("x.h5.sum"), checksum + "  x.h5\n");
   restore_sum(file("x.h5"));
   EXPECT_EQ(slurp(file("x.h5.sum")), "content-sha256 " + checksum + "  x.h5\n");
+}
+
+// --- damage: every bit and every length of whole files, through the reader itself
+
+bool is_refused(std::span<const std::byte> bytes) {
+  try {
+    read_bytes(bytes, "x.h5");
+  } catch (const Failure&) {
+    return true;
+  }
+  return false;
+}
+
+void expect_all_damage_refused(std::string bytes) {
+  ASSERT_FALSE(is_refused(testing::bytes_of(bytes)));
+  std::size_t passed = 0;
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    char& byte = bytes[bit / 8];
+    const char before = byte;
+    byte = static_cast<char>(byte ^ static_cast<char>(1U << bit % 8));
+    passed += is_refused(testing::bytes_of(bytes)) ? 0 : 1;
+    byte = before;
+  }
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    passed += is_refused(testing::bytes_of(bytes).first(size)) ? 0 : 1;
+  }
+  EXPECT_EQ(passed, 0U) << "of " << 9 * bytes.size();
+}
+
+class Damage : public testing::InFolder {};
+
+TEST_F(Damage, SLOW_of_a_checkpoint_at_any_bit_or_length_is_refused) {
+  write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::replace);
+  expect_all_damage_refused(testing::slurp(file("x.h5")));
+}
+
+TEST_F(Damage, SLOW_of_a_record_at_any_bit_or_length_is_refused) {
+  RecordWriter writer(file("r.h5"), testing::small_parameters(), {}, IfExists::replace);
+  for (int n = 0; n < 3; ++n) writer.append(testing::small_sample(5, n));
+  writer.finish();
+  expect_all_damage_refused(testing::slurp(file("r.h5")));
+}
+
+// Five minutes of processor time, so only on request (docs/tests.md), in the folder checkpoints/.
+TEST(ShippedCheckpoint, DISABLED_with_any_single_bit_flipped_or_truncated_is_refused) {
+  expect_all_damage_refused(testing::slurp("fast-slow-fast.h5"));
 }
 
 }  // namespace

@@ -55,12 +55,6 @@ class Python : public testing::InFolder {
   }
 };
 
-TEST_F(Python, recomputes_the_checksum_of_a_checkpoint) {
-  const std::string checksum =
-      write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::refuse);
-  EXPECT_EQ(recomputed("x.h5"), checksum + "\n");
-}
-
 // All parameters of laws, and all later ones, are away from their defaults, of which the law uses
 // some.
 TEST_F(Python, recomputes_the_checksum_under_each_law) {
@@ -73,6 +67,7 @@ TEST_F(Python, recomputes_the_checksum_under_each_law) {
     }
     checkpoint.parameters.law = law;
     checkpoint.state = State(checkpoint.parameters);
+    checkpoint.state.u_x(1, 0) = -5e-324;
     const std::string checksum = write_checkpoint(file("x.h5"), checkpoint, IfExists::replace);
     EXPECT_EQ(recomputed("x.h5"), checksum + "\n");
   }
@@ -169,9 +164,7 @@ TEST_F(Python, reads_values_units_and_attributes) {
       "print(f.attrs['format'].decode(), f.attrs['schema_version'])\n"
       "print(f['parameters/slider/L'][()], f['parameters/slider/L'].attrs['unit'].decode())\n"
       "print(f['state/junctions/draws'][4, 2], f['state/u_x'].shape)\n");
-  EXPECT_EQ(output_of(std::string(kPython) + " " + file("show.py").string() + " " +
-                      file("x.h5").string() + " 2>&1"),
-            "rupture-checkpoint 3\n0.04 m\n402 (4, 5)\n");
+  EXPECT_EQ(output("show.py", "x.h5"), "rupture-checkpoint 3\n0.04 m\n402 (4, 5)\n");
 }
 
 }  // namespace
