@@ -8,15 +8,22 @@
 All numbers are in SI units. What goes wrong raises `rupture.Failure`, one sentence.
 """
 
+from importlib import import_module
+from typing import TYPE_CHECKING
+
 from rupture.errors import Failure
-from rupture.files import Checkpoint, File, Record, open_file as open
 from rupture.programs import Result, analyze, output_of, run, verify
+
+if TYPE_CHECKING:
+    from rupture.files import Checkpoint, File, Record, open_file as open
 
 __all__ = ["Checkpoint", "Failure", "File", "Record", "Result", "analyze", "open", "run", "verify"]
 
 
 def __getattr__(name):
-    """`rupture.__version__`, that of the programs."""
+    """`rupture.__version__`, that of the programs; what needs h5py, when it is asked for."""
     if name == "__version__":
         return output_of("analyze", "--version").split("rupture ")[1].split(",")[0]
+    if name in ("Checkpoint", "File", "Record", "open"):
+        return getattr(import_module("rupture.files"), {"open": "open_file"}.get(name, name))
     raise AttributeError(f"module 'rupture' has no attribute '{name}'")

@@ -7,8 +7,8 @@ import subprocess
 from functools import cached_property
 from pathlib import Path
 
+import rupture
 from rupture.errors import Failure
-from rupture.files import File, open_file
 
 PACKAGE = Path(__file__).resolve().parent
 # The programs of a build, and of an installation with the package in lib/python3/dist-packages.
@@ -35,7 +35,7 @@ def command_of(program):
 def words(value):
     """The values of an option as words of a command line."""
     several = value if isinstance(value, (list, tuple)) else [value]
-    return [str(one.path if isinstance(one, File) else one) for one in several]
+    return [str(getattr(one, "path", one)) for one in several]  # that of an opened file
 
 
 def options_of(options):
@@ -71,12 +71,12 @@ class Result:
     @cached_property
     def checkpoint(self):
         """The state at the end, a `Checkpoint`."""
-        return open_file(self.output)
+        return rupture.open(self.output)
 
     @cached_property
     def record(self):
         """The `Record` of the run; None if none was asked for."""
-        return open_file(self.record_file) if self.record_file else None
+        return rupture.open(self.record_file) if self.record_file else None
 
     @property
     def checksum(self):
@@ -88,7 +88,7 @@ class Result:
         """The paths of the checkpoints on the way, in the order of their times."""
         own = self.checkpoint.file.get("run/id")
         paths = self.output.parent.glob(f"{self.output.stem}-t*{self.output.suffix}")
-        opened = [open_file(path) for path in paths] if own else []
+        opened = [rupture.open(path) for path in paths] if own else []
         mine = [file for file in opened if file.file["run/id"][()] == own[()]]
         return [file.path for file in sorted(mine, key=lambda file: file.time)]
 
@@ -129,5 +129,5 @@ def verify(path):
     True
     """
     output_of("analyze", "verify", path)
-    with open_file(path) as file:
+    with rupture.open(path) as file:
         return file.checksum

@@ -10,6 +10,7 @@ from unittest import mock
 
 import pytest
 
+import rupture
 from conftest import BIN, run
 from program import describes_itself, refuses
 from rupture.replacing import rename_to_new, replacing
@@ -26,12 +27,27 @@ def test_describes_itself(name):
     describes_itself(name)
 
 
-@programs
-def test_packages_that_are_missing_are_named(folder, name):
+@pytest.fixture
+def without_h5py(folder):
+    """The environment of a machine that lacks it."""
     Path("h5py.py").write_text("raise ModuleNotFoundError(name='h5py')\n")
-    env = os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), os.environ["PYTHONPATH"]])}
+    return os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), os.environ["PYTHONPATH"]])}
+
+
+@programs
+def test_packages_that_are_missing_are_named(without_h5py, name):
+    env = without_h5py
     sentence = "h5py is not installed; install it, on Debian with apt-get install"
     refuses(name, ("--help",), 1, sentence, env=env)
+
+
+def test_the_package_runs_programs_without_h5py(without_h5py):
+    run_it = "import rupture, rupture.errors; print(rupture.__version__)"
+    for command in (("/usr/bin/python3", "-c", run_it), ("golden", "--version")):
+        done = run(*command, env=without_h5py)
+        assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    with pytest.raises(AttributeError, match="has no attribute 'nix'"):
+        getattr(rupture, "nix")
 
 
 @programs
