@@ -30,11 +30,13 @@ def refuse_what_is_no_file(path):
         raise Failure(f"{path} is not a regular file; {wanted}")
 
 
-def map_file(path):
+@contextmanager
+def mapped(path):
+    """The bytes of a file, as they are now, without a copy."""
     try:
         refuse_what_is_no_file(path)
         with open(path, "rb") as file:
-            return mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+            whole = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
     except (FileNotFoundError, NotADirectoryError):
         raise Failure(f"{path} does not exist; give the path of a checkpoint or record") from None
     except ValueError:
@@ -42,26 +44,19 @@ def map_file(path):
     except OSError as error:
         hint = "check the permissions of the file and its folder"
         raise Failure(f"cannot read {path}: {error.strerror}; {hint}") from None
-
-
-@contextmanager
-def mapped(path):
-    """The bytes of a file, as they are now, without a copy."""
-    with map_file(path) as data, memoryview(data) as view:
+    with whole, memoryview(whole) as view:
         yield view
 
 
 def kind_of(data, path):
     """First line of the header."""
     kind = bytes(data[:HEADER]).split(b"\n")[0].decode("latin-1")
-    if kind in EXPLANATIONS and len(data) >= HEADER:
-        return kind
-    if kind in EXPLANATIONS:
-        raise Failure(
-            f"{path} is truncated: it ends within its 512-byte header; copy it again or write it"
-            " anew"
-        )
-    raise Failure(f"{path} is not a rupture file: give one that rupture's programs wrote")
+    if kind not in EXPLANATIONS:
+        raise Failure(f"{path} is not a rupture file: give one that rupture's programs wrote")
+    if len(data) < HEADER:
+        cut = "it ends within its 512-byte header"
+        raise Failure(f"{path} is truncated: {cut}; copy it again or write it anew")
+    return kind
 
 
 def sealed_header(kind, data):

@@ -26,37 +26,27 @@ TIME = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)", re.
 WHOLE = re.compile(r"[-+]?\d{1,18}", re.ASCII)
 
 
-class Seconds:
-    """The type of times such as 0.8, 0.8s or "800 ms" [s]."""
-
-    def __init__(self, least=0.0, most=math.inf):
-        self.least, self.most = least, most
-
-    def __call__(self, text):
-        found = TIME.fullmatch(text.strip())
-        if not found or found[2] not in UNITS:
-            raise argparse.ArgumentTypeError(f"'{text}' is no time, such as 0.8, 0.8s or 800ms")
-        time = float(found[1]) * UNITS[found[2]]
-        if self.least <= time <= self.most and math.isfinite(time):
-            return time
-        most = f" and at most {self.most:g} s" if self.most < math.inf else ""
-        expected = f"give a finite time of at least {self.least:g} s{most}"
-        raise argparse.ArgumentTypeError(f"'{text}' makes no sense: {expected}")
+def seconds(text, least=0.0, most=math.inf):
+    """Times such as 0.8, 0.8s or "800 ms" [s]."""
+    found = TIME.fullmatch(text.strip())
+    if not found or found[2] not in UNITS:
+        raise argparse.ArgumentTypeError(f"'{text}' is no time, such as 0.8, 0.8s or 800ms")
+    time = float(found[1]) * UNITS[found[2]]
+    if least <= time <= most and math.isfinite(time):
+        return time
+    up_to = f" and at most {most:g} s" if most < math.inf else ""
+    expected = f"give a finite time of at least {least:g} s{up_to}"
+    raise argparse.ArgumentTypeError(f"'{text}' makes no sense: {expected}")
 
 
-class WholeNumber:
-    """The type of whole numbers of something, from `least` on, or `words` instead."""
-
-    def __init__(self, what, least, *words):
-        self.what, self.least, self.words = what, least, words
-
-    def __call__(self, text):
-        if text in self.words:
-            return text
-        if WHOLE.fullmatch(text) and int(text) >= self.least:
-            return int(text)
-        expected = " or ".join((f"a whole number from {self.least} on", *self.words))
-        raise argparse.ArgumentTypeError(f"'{text}' is no {self.what}: give {expected}")
+def whole_number(text, what, least, words=()):
+    """Whole numbers of something, from `least` on, or `words` instead."""
+    if text in words:
+        return text
+    if WHOLE.fullmatch(text) and int(text) >= least:
+        return int(text)
+    expected = " or ".join((f"a whole number from {least} on", *words))
+    raise argparse.ArgumentTypeError(f"'{text}' is no {what}: give {expected}")
 
 
 class Once(argparse.Action):
@@ -106,19 +96,6 @@ def help_text(parser):
     return text
 
 
-def kind_of(action):
-    """The kind of an option's value; docs/schema.md, Programs as JSON."""
-    if action.nargs == 0:
-        return "flag"
-    if action.choices:
-        return "choice"
-    if isinstance(action.type, WholeNumber) and not action.type.words:
-        return "integer"
-    if isinstance(action.type, Seconds):
-        return "number"
-    return "output file" if action.dest == "output" else "text"
-
-
 class Parser(argparse.ArgumentParser):
     """`inputs` is the kind of the positional argument; docs/schema.md, Programs as JSON."""
 
@@ -129,9 +106,10 @@ class Parser(argparse.ArgumentParser):
         super().__init__(name, description=purpose, add_help=False, allow_abbrev=False)
         self.register("action", None, Once)
 
-    def add_time(self, name, text, limits=Seconds(), **more):
-        option = self.add_argument(name, type=limits, metavar="T [s]", help=text, **more)
-        option.unit = "s"  # type: ignore[attr-defined]
+    def add_time(self, name, text, least=0.0, most=math.inf, **more):
+        read = partial(seconds, least=least, most=most)
+        option = self.add_argument(name, type=read, metavar="T [s]", help=text, **more)
+        option.kind, option.unit = "number", "s"  # type: ignore[attr-defined]
 
     def add_common(self):
         add = partial(self.add_argument, action=Answer, nargs=0)
@@ -166,7 +144,9 @@ class Parser(argparse.ArgumentParser):
 
 def option_json(action):
     long, *short = sorted(action.option_strings, key=len, reverse=True)
-    kind, unit = kind_of(action), getattr(action, "unit", "")
+    kind, unit = getattr(action, "kind", "text"), getattr(action, "unit", "")
+    if action.nargs == 0 or action.choices or action.dest == "output":
+        kind = "flag" if action.nargs == 0 else "choice" if action.choices else "output file"
     value = "|".join(action.choices) if action.choices else action.metavar
     described = {
         "name": long.removeprefix("--"),

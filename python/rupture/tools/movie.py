@@ -5,6 +5,7 @@ import shutil
 import signal
 import subprocess
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,7 @@ from rupture.elasticity import stress_of
 from rupture.errors import Failure
 from rupture.programs import analyze
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, WholeNumber
+from rupture.tools.command_line import Parser, whole_number
 from rupture.tools.output import check_output, complete
 from rupture.tools.window import add_window, open_record, window_of
 
@@ -40,8 +41,9 @@ def parser():
     text = "colours of the slider"
     made.add_argument("--colour", choices=colours, default=colours[0], help=text)
     text = "the most frames, at 15 per second"
-    number = WholeNumber("number of frames", 1)
-    made.add_argument("--frames", type=number, metavar="N", default=FRAMES, help=text)
+    number = partial(whole_number, what="number of frames", least=1)
+    frames = made.add_argument("--frames", type=number, metavar="N", default=FRAMES, help=text)
+    frames.kind = "integer"  # type: ignore[attr-defined]
     add_window(made)
     made.add_common()
     return made

@@ -13,7 +13,7 @@ from rupture import plotting
 from rupture.errors import Failure
 from rupture.files import Record, open_file
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, Seconds
+from rupture.tools.command_line import Parser
 
 LEVELS = " ▁▂▃▄▅▆▇█"
 SAMPLES = 1000  # the last ones, shown in a window
@@ -31,7 +31,7 @@ def parser():
         "record",
     )
     made.add_argument("record", metavar="RECORD.part", help="record that a run writes")
-    made.add_time("--every", "look so often", Seconds(least=0.01, most=86400), default=1.0)
+    made.add_time("--every", "look so often", least=0.01, most=86400, default=1.0)
     made.add_argument("--text", action="store_true", help="text, even if there is a display")
     made.add_common()
     return made
@@ -99,14 +99,10 @@ class Text:
     """A line that is rewritten; off a terminal, a line each time."""
 
     def draw(self, record):
-        on_terminal = sys.stdout.isatty()
-        print(
-            ("\r\033[K" if on_terminal else "") + text_of(record), end="" if on_terminal else "\n"
-        )
-        sys.stdout.flush()
+        start, end = ("\r\033[K", "") if sys.stdout.isatty() else ("", "\n")
+        print(start + text_of(record), end=end, flush=True)
 
-    def pause(self, seconds):
-        time.sleep(seconds)
+    pause = staticmethod(time.sleep)
 
     def finish(self):
         print("\nfinished" if sys.stdout.isatty() else "finished")

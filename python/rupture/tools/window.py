@@ -1,10 +1,12 @@
 """The record that a program draws, and the time of it."""
 
+from functools import partial
+
 import numpy as np
 
 from rupture.errors import Failure
 from rupture.files import Record, open_file
-from rupture.tools.command_line import UsageError, WholeNumber
+from rupture.tools.command_line import UsageError, whole_number
 
 MARGIN = 0.15  # shown before and after an event, of its duration
 LEAST_MARGIN = 0.5e-3  # [s]
@@ -13,7 +15,7 @@ FIRST_SPANNING = "first-spanning"
 
 def add_window(parser):
     text = "draw this event of `analyze events`, or the first that spans the interface"
-    number = WholeNumber("number of an event", 0, FIRST_SPANNING)
+    number = partial(whole_number, what="number of an event", least=0, words=(FIRST_SPANNING,))
     parser.add_argument("--event", type=number, metavar=f"number|{FIRST_SPANNING}", help=text)
     parser.add_time("--from", "draw from this time on", dest="begin")
     parser.add_time("--to", "draw up to this time", dest="end")
