@@ -122,10 +122,6 @@ int logged(int done, const char* call, const char* a, const char* b = "") {
   return done;
 }
 
-int logged(int done, const char* call, int fd) {
-  return logged(done, call, std::to_string(fd).c_str());
-}
-
 int opened(int fd, const char* path, int flags) {
   const bool reads = (flags & O_ACCMODE) == O_RDONLY;
   const char* how = reads ? "read" : (flags & O_TRUNC) != 0 ? "truncate" : "write";
@@ -134,19 +130,12 @@ int opened(int fd, const char* path, int flags) {
   return fd;
 }
 
-using Open = int(const char*, int, ...);
-using OpenAt = int(int, const char*, int, ...);
-
-int open_with(Open* real, const char* path, int flags, mode_t mode) {
-  if (!is_watched(path)) return real(path, flags, mode);
+// A call that opens `path`.
+template <class Call>
+int open_with(const char* path, int flags, const Call& call) {
+  if (!is_watched(path)) return call();
   if (fails((flags & O_CREAT) != 0 ? Needs::room : Needs::nothing)) return -1;
-  return opened(real(path, flags, mode), path, flags);
-}
-
-int openat_with(OpenAt* real, int folder, const char* path, int flags, mode_t mode) {
-  if (!is_watched(path)) return real(folder, path, flags, mode);
-  if (fails((flags & O_CREAT) != 0 ? Needs::room : Needs::nothing)) return -1;
-  return opened(real(folder, path, flags, mode), path, flags);
+  return opened(call(), path, flags);
 }
 
 using PWrite = ssize_t(int, const void*, size_t, off_t);
@@ -185,21 +174,24 @@ ssize_t write_on(int fd, const void* bytes, std::size_t size) {
   return written;
 }
 
-int truncate_with(int (*real)(int, off_t), int fd, off_t length) {
-  if (!is_watched(fd)) return real(fd, length);
-  if (fails(Needs::room)) return -1;
-  const std::string arguments = std::to_string(fd) + " " + std::to_string(length);
-  return logged(real(fd, length), "truncate", arguments.c_str());
+// A call on an open file that gives 0, with its arguments in the log.
+template <class Call>
+int call_on(int fd, Needs needs, const char* name, const std::string& arguments, const Call& call) {
+  if (!is_watched(fd)) return call();
+  if (fails(needs)) return -1;
+  return logged(call(), name, arguments.c_str());
+}
+
+// A call that gives a file another name, or takes it away.
+template <class Call>
+int change_name(const char* name, const char* from, const char* to, const Call& call) {
+  if (!is_watched(from)) return call();
+  if (fails(Needs::nothing)) return -1;
+  return logged(call(), name, from, to);
 }
 
 mode_t mode_of(int flags, va_list arguments) {
   return (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
-}
-
-int sync_with(int (*real)(int), int fd) {
-  if (!is_watched(fd)) return real(fd);
-  if (fails(Needs::nothing)) return -1;
-  return logged(real(fd), "fsync", fd);
 }
 
 }  // namespace
@@ -207,29 +199,19 @@ int sync_with(int (*real)(int), int fd) {
 // NOLINTBEGIN: the names and signatures are those of the C library
 extern "C" {
 
-#define FAULTS_OPEN(name)                          \
-  int name(const char* path, int flags, ...) {     \
-    static auto* real = next<Open>(#name);         \
-    va_list arguments;                             \
-    va_start(arguments, flags);                    \
-    const mode_t mode = mode_of(flags, arguments); \
-    va_end(arguments);                             \
-    return open_with(real, path, flags, mode);     \
+#define FAULTS_OPEN(name, parameters, ...)                                         \
+  int name parameters {                                                            \
+    static auto* real = next<int parameters>(#name);                               \
+    va_list arguments;                                                             \
+    va_start(arguments, flags);                                                    \
+    const mode_t mode = mode_of(flags, arguments);                                 \
+    va_end(arguments);                                                             \
+    return open_with(path, flags, [&] { return real(__VA_ARGS__, flags, mode); }); \
   }
-FAULTS_OPEN(open)
-FAULTS_OPEN(open64)
-
-#define FAULTS_OPENAT(name)                                \
-  int name(int folder, const char* path, int flags, ...) { \
-    static auto* real = next<OpenAt>(#name);               \
-    va_list arguments;                                     \
-    va_start(arguments, flags);                            \
-    const mode_t mode = mode_of(flags, arguments);         \
-    va_end(arguments);                                     \
-    return openat_with(real, folder, path, flags, mode);   \
-  }
-FAULTS_OPENAT(openat)
-FAULTS_OPENAT(openat64)
+FAULTS_OPEN(open, (const char* path, int flags, ...), path)
+FAULTS_OPEN(open64, (const char* path, int flags, ...), path)
+FAULTS_OPEN(openat, (int folder, const char* path, int flags, ...), folder, path)
+FAULTS_OPEN(openat64, (int folder, const char* path, int flags, ...), folder, path)
 
 ssize_t write(int fd, const void* bytes, size_t size) {
   static auto* real = next<ssize_t(int, const void*, size_t)>("write");
@@ -263,22 +245,21 @@ ssize_t read(int fd, void* bytes, size_t size) {
 
 int ftruncate(int fd, off_t length) {
   static auto* real = next<int(int, off_t)>("ftruncate64");
-  return truncate_with(real, fd, length);
+  const std::string arguments = std::to_string(fd) + " " + std::to_string(length);
+  return call_on(fd, Needs::room, "truncate", arguments, [&] { return real(fd, length); });
 }
 
 int ftruncate64(int fd, off_t length) {
   return ftruncate(fd, length);
 }
 
-int fsync(int fd) {
-  static auto* real = next<int(int)>("fsync");
-  return sync_with(real, fd);
-}
-
-int fdatasync(int fd) {
-  static auto* real = next<int(int)>("fdatasync");
-  return sync_with(real, fd);
-}
+#define FAULTS_SYNC(name)                                                                      \
+  int name(int fd) {                                                                           \
+    static auto* real = next<int(int)>(#name);                                                 \
+    return call_on(fd, Needs::nothing, "fsync", std::to_string(fd), [&] { return real(fd); }); \
+  }
+FAULTS_SYNC(fsync)
+FAULTS_SYNC(fdatasync)
 
 int close(int fd) {
   static auto* real = next<int(int)>("close");
@@ -287,31 +268,26 @@ int close(int fd) {
   const bool failed = fails(Needs::nothing);
   const int error = errno;
   const int done = real(fd);  // Linux closes it also when it reports an error
-  if (!failed) return logged(done, "close", fd);
+  if (!failed) return logged(done, "close", std::to_string(fd).c_str());
   errno = error;
   return -1;
 }
 
 int rename(const char* from, const char* to) {
   static auto* real = next<int(const char*, const char*)>("rename");
-  if (!is_watched(from)) return real(from, to);
-  if (fails(Needs::nothing)) return -1;
-  return logged(real(from, to), "rename", from, to);
+  return change_name("rename", from, to, [&] { return real(from, to); });
 }
 
 int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
   static auto* real = next<int(int, const char*, int, const char*, unsigned)>("renameat2");
-  if (!is_watched(from)) return real(from_folder, from, to_folder, to, flags);
-  if (fails(Needs::nothing)) return -1;
-  return logged(real(from_folder, from, to_folder, to, flags), "rename", from, to);
+  return change_name("rename", from, to,
+                     [&] { return real(from_folder, from, to_folder, to, flags); });
 }
 
-#define FAULTS_REMOVE(name)                            \
-  int name(const char* path) {                         \
-    static auto* real = next<int(const char*)>(#name); \
-    if (!is_watched(path)) return real(path);          \
-    if (fails(Needs::nothing)) return -1;              \
-    return logged(real(path), "unlink", path);         \
+#define FAULTS_REMOVE(name)                                             \
+  int name(const char* path) {                                          \
+    static auto* real = next<int(const char*)>(#name);                  \
+    return change_name("unlink", path, "", [&] { return real(path); }); \
   }
 FAULTS_REMOVE(unlink)
 FAULTS_REMOVE(remove)

@@ -1,18 +1,12 @@
 """The same command started twice at the same moment, in one folder: one of the two gives way."""
 
+import re
 import subprocess
-import unittest
 
-from scenario import (
-    BIN,
-    INPUTS,
-    Folder,
-    LONG,
-    made,
-    sums,
-    without_notes,
-    without_temporaries,
-)
+import pytest
+
+from conftest import BIN
+from scenario import INPUTS, Folder, LONG, case, made, sums, without_notes, without_temporaries
 
 LOAD = (
     "load --config driven.ini --until 4e-4 --checkpoint-every 1.5e-4 --record r.h5"
@@ -35,33 +29,35 @@ def run_pair(command, folder, containers):
     return [(process.returncode, words) for process, words in zip(both, said)]
 
 
-class Pair(unittest.TestCase):
-    def check(self, command, options, codes, containers=()):
-        """The folder ends as after one run; who fails says why in a sentence."""
-        wanted = sums(made("alone", command, INPUTS).new)
-        for pair in range(PAIRS):
-            with self.subTest(options, pair=pair), Folder(INPUTS) as folder:
-                ends = run_pair(f"{command} {options}", folder, containers)
-                self.assertIn(sorted(code for code, _ in ends), codes, ends)
-                for code, words in ends:
-                    sentence = r"\w+: [^\n]*(another run|exists; give --force)[^\n]*\n"
-                    said = rf"\A{sentence}\Z" if code else r"\A\Z"
-                    self.assertRegex(without_notes(words), said)
-                self.assertEqual(sums(folder.files()), wanted)
-                for name in wanted:
-                    folder.must_run(f"analyze verify {name.removesuffix('.sum')}")
-                self.assertEqual(without_temporaries(folder.files()), folder.files())
+def check(command, options, codes, containers=()):
+    """The folder ends as after one run; who fails says why in a sentence."""
+    wanted = sums(made("alone", command, INPUTS).new)
+    for pair in range(PAIRS):
+        with case(options, pair), Folder(INPUTS) as folder:
+            ends = run_pair(f"{command} {options}", folder, containers)
+            assert sorted(code for code, _ in ends) in codes, ends
+            for code, words in ends:
+                sentence = r"\w+: [^\n]*(another run|exists; give --force)[^\n]*\n"
+                assert re.fullmatch(sentence if code else "", without_notes(words)), words
+            files = folder.files()
+            assert sums(files) == wanted
+            for name in wanted:
+                folder.must_run(f"analyze verify {name.removesuffix('.sum')}")
+            assert without_temporaries(files).keys() == files.keys()
 
-    def test_of_two_starts_exactly_one_succeeds(self):
-        for command in (LOAD, PREPARE):
-            self.check(command, "", [[0, 1]])
 
-    def test_of_two_starts_in_containers_exactly_one_succeeds(self):
-        if subprocess.run([*CONTAINERS, "true"], capture_output=True, check=False).returncode:
-            self.skipTest("this user cannot give processes numbers of their own")
-        for command in (LOAD, PREPARE):
-            self.check(command, "", [[0, 1]], CONTAINERS)
+@pytest.mark.parametrize("command", [LOAD, PREPARE])
+def test_of_two_starts_exactly_one_succeeds(command):
+    check(command, "", [[0, 1]])
 
-    def test_that_may_replace_files_leaves_those_of_one_run(self):
-        for options in ("--force", "--resume"):  # the second may begin when the first is done
-            self.check(LOAD, options, [[0, 1], [0, 0]])
+
+@pytest.mark.parametrize("command", [LOAD, PREPARE])
+def test_of_two_starts_in_containers_exactly_one_succeeds(command):
+    if subprocess.run([*CONTAINERS, "true"], capture_output=True, check=False).returncode:
+        pytest.skip("this user cannot give processes numbers of their own")
+    check(command, "", [[0, 1]], CONTAINERS)
+
+
+@pytest.mark.parametrize("option", ["--force", "--resume"])
+def test_that_may_replace_files_leaves_those_of_one_run(option):
+    check(LOAD, option, [[0, 1], [0, 0]])  # the second may begin when the first is done

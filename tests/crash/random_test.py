@@ -5,15 +5,17 @@ import re
 import signal
 import subprocess
 import time
-import unittest
+from collections import namedtuple
 
+import pytest
+
+from conftest import BIN
 from scenario import (
-    BIN,
     INPUTS,
     Folder,
     LONG,
-    Scenario,
-    faults_in_files,
+    case,
+    check_files,
     made,
     readable_rows,
     sums,
@@ -26,98 +28,96 @@ LOAD = (
 )
 RESUME = LOAD + " --resume"
 TIMES = 500 if LONG else 40
+Whole = namedtuple("Whole", "scenario seconds rows")
+
+
+@pytest.fixture(scope="module")
+def whole():
+    """The run that nobody disturbs."""
+    scenario = made("load", LOAD, INPUTS)
+    with Folder(INPUTS) as folder:
+        started = time.monotonic()
+        folder.must_run(LOAD)
+        return Whole(scenario, time.monotonic() - started, readable_rows(folder.files(), "r.h5"))
 
 
 def newest_checkpoint(files):
     return max((n for n in files if re.fullmatch(r"b-t.*\.h5", n)), default=None)
 
 
-class Random(unittest.TestCase):
-    whole: Scenario
-    seconds: float
-    rows: list
+def interrupt(folder, command, number, moment):
+    """Sends the command a signal after `moment` seconds; returns its end and last words."""
+    process = subprocess.Popen(
+        [BIN / command.split()[0], *command.split()[1:]],
+        cwd=folder.path,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    time.sleep(moment)
+    process.send_signal(number)
+    _, words = process.communicate(timeout=120)
+    return process.returncode, words
 
-    @classmethod
-    def setUpClass(cls):
-        cls.whole = made("load", LOAD, INPUTS)
-        with Folder(INPUTS) as folder:
-            started = time.monotonic()
-            folder.must_run(LOAD)
-            cls.seconds = time.monotonic() - started
-            cls.rows = readable_rows(folder.path, "r.h5")
 
-    def interrupt(self, folder, command, number, moments):
-        """Sends the command a signal at a random moment; returns its end and last words."""
-        process = subprocess.Popen(
-            [BIN / command.split()[0], *command.split()[1:]],
-            cwd=folder.path,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        time.sleep(moments.uniform(0.0, self.seconds))
-        process.send_signal(number)
-        _, words = process.communicate(timeout=120)
-        return process.returncode, words
+def check_end(folder, whole):
+    """The run has ended as if nothing had happened."""
+    files = without_temporaries(folder.files())
+    wanted = sums(whole.scenario.new)
+    assert {name: files.get(name) for name in wanted} == wanted
+    for name in files.keys() - whole.scenario.new.keys():  # saved when interrupted
+        assert re.search(r"^b-t0\.00\d{7}\.h5(\.sum)?$", name), name
+    folder.must_run("analyze verify b.h5")
+    folder.must_run("analyze verify r.h5")
 
-    def check_end(self, folder):
-        """The run has ended as if nothing had happened."""
-        files = without_temporaries(folder.files())
-        wanted = sums(self.whole.new)
-        self.assertEqual({name: files.get(name) for name in wanted}, wanted)
-        for name in files.keys() - self.whole.new.keys():
-            self.assertRegex(name, r"^b-t0\.00\d{7}\.h5(\.sum)?$", "saved when interrupted")
-        folder.must_run("analyze verify b.h5")
-        folder.must_run("analyze verify r.h5")
 
-    def test_kills_leave_checkpoints_that_lead_to_the_same_end(self):
-        moments = random.Random(1)
-        killed = restarts = 0
-        for kill in range(TIMES):
-            with self.subTest(kill=kill), Folder(self.whole.old) as folder:
-                code, _ = self.interrupt(folder, LOAD, signal.SIGKILL, moments)
-                killed += code == -signal.SIGKILL
-                files = folder.files()
-                self.assertEqual(faults_in_files(self.whole, files), [])
-                if "r.h5.part" in files:
-                    rows = readable_rows(folder.path, "r.h5.part")
-                    self.assertEqual(rows, self.rows[: len(rows)])
-                newest = newest_checkpoint(files)
-                if newest is not None:
-                    restarts += 1
-                    folder.must_run(f"restart {newest} --until 2e-3 -o c.h5 -q")
-                    end = folder.must_run("analyze checksum c.h5").strip()
-                    self.assertEqual(end, self.whole.new["b.h5.sum"].decode().split()[1])
-        self.assertGreater(killed, 0, "every run was over before its signal")
-        print(f"{killed} kills, {restarts} restarts")
+def test_kills_leave_checkpoints_that_lead_to_the_same_end(whole):
+    moments = random.Random(1)
+    killed = 0
+    for kill in range(TIMES):
+        with case(kill), Folder(INPUTS) as folder:
+            moment = moments.uniform(0.0, whole.seconds)
+            code, _ = interrupt(folder, LOAD, signal.SIGKILL, moment)
+            killed += code == -signal.SIGKILL
+            files = folder.files()
+            check_files(whole.scenario, files)
+            if "r.h5.part" in files:
+                rows = readable_rows(files, "r.h5.part")
+                assert rows == whole.rows[: len(rows)]
+            newest = newest_checkpoint(files)
+            if newest is not None:
+                folder.must_run(f"restart {newest} --until 2e-3 -o c.h5 -q")
+                end = folder.must_run("analyze checksum c.h5").strip()
+                assert end == whole.scenario.new["b.h5.sum"].decode().split()[1]
+    assert killed > 0, "every run was over before its signal"
 
-    def test_kills_one_after_another_are_resumed(self):
-        moments = random.Random(2)
-        killed = 0
-        for row in range(TIMES):
-            with self.subTest(row=row), Folder(self.whole.old) as folder:
-                for _ in range(3):
-                    code, words = self.interrupt(folder, RESUME, signal.SIGKILL, moments)
-                    self.assertIn(code, (0, -signal.SIGKILL), words)
-                    killed += code == -signal.SIGKILL
-                folder.must_run(RESUME)
-                self.check_end(folder)
-        print(f"{TIMES} rows of {killed} kills")
 
-    def test_interruptions_are_saved_and_the_command_that_is_told_goes_on(self):
-        moments = random.Random(3)
-        saved = 0
-        for number in (signal.SIGINT, signal.SIGTERM) * (TIMES // 2):
-            with self.subTest(signal=number), Folder(self.whole.old) as folder:
-                code, words = self.interrupt(folder, LOAD, number, moments)
-                self.assertIn(code, (0, -number), words)
-                told = re.fullmatch(r"load: [^\n]+ to go on: \S+/(load [^\n]+)\n", words)
-                if code != 0 and words and "everything was done" not in words:
-                    self.assertTrue(told, words)
-                    if "at its first step" not in words:
-                        self.assertIsNotNone(newest_checkpoint(folder.files()))
-                        saved += 1
-                folder.must_run(told[1] if told else RESUME)
-                self.check_end(folder)
-        self.assertGreater(saved, 0, "every run was over before its signal")
-        print(f"{TIMES} signals, {saved} saved")
+def test_kills_one_after_another_are_resumed(whole):
+    moments = random.Random(2)
+    for row in range(TIMES):
+        with case(row), Folder(INPUTS) as folder:
+            for _ in range(3):
+                moment = moments.uniform(0.0, whole.seconds)
+                code, words = interrupt(folder, RESUME, signal.SIGKILL, moment)
+                assert code in (0, -signal.SIGKILL), words
+            folder.must_run(RESUME)
+            check_end(folder, whole)
+
+
+def test_interruptions_are_saved_and_the_command_that_is_told_goes_on(whole):
+    moments = random.Random(3)
+    saved = 0
+    for number in (signal.SIGINT, signal.SIGTERM) * (TIMES // 2):
+        with case(number), Folder(INPUTS) as folder:
+            moment = moments.uniform(0.0, whole.seconds)
+            code, words = interrupt(folder, LOAD, number, moment)
+            assert code in (0, -number), words
+            told = re.fullmatch(r"load: [^\n]+ to go on: \S+/(load [^\n]+)\n", words)
+            if code != 0 and words and "everything was done" not in words:
+                assert told, words
+                if "at its first step" not in words:
+                    assert newest_checkpoint(folder.files()) is not None
+                    saved += 1
+            folder.must_run(told[1] if told else RESUME)
+            check_end(folder, whole)
+    assert saved > 0, "every run was over before its signal"

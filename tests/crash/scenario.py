@@ -6,10 +6,14 @@ import re
 import shutil
 import subprocess
 import tempfile
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from conftest import BIN, BUILD, skip
+import pytest
+
+import conftest
+from conftest import BUILD, skip
 
 FAULTS = BUILD / "tests/libfaults.so"
 LONG = "RUPTURE_CRASH_LONG" in os.environ
@@ -31,23 +35,25 @@ class Scenario:
     old: dict = field(repr=False)
     new: dict = field(repr=False)
 
-    def outputs(self):
-        return {name for name in self.new if self.new[name] != self.old.get(name)}
+    def is_done(self, files):
+        """Here, as pytest would print both if they differ."""
+        return files == self.new
+
+
+@contextmanager
+def case(*words):
+    """Names the case in which an assertion fails."""
+    try:
+        yield
+    except AssertionError as error:
+        raise AssertionError(f"{words}: {error}") from error
 
 
 def run(command, folder, options=None, **environment):
     """Runs a tool as a user in `folder` would; returns what subprocess knows of its end."""
-    words = command.split()
-    return subprocess.run(
-        [BIN / words[0], *words[1:]],
-        cwd=folder,
-        env={**os.environ, **{name: str(value) for name, value in environment.items()}},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        timeout=120,
-        **(options or {}),
-    )
+    options = {"stdin": subprocess.DEVNULL, "timeout": 120} | (options or {})
+    env = os.environ | {name: str(value) for name, value in environment.items()}
+    return conftest.run(*command.split(), cwd=folder, env=env, **options)
 
 
 def run_with_fault(command, folder, fault="", at=0, log=""):
@@ -64,6 +70,13 @@ def log_of(scenario):
         outcome = run_with_fault(scenario.command, folder.path, log=log.name)
         assert outcome.returncode == 0, outcome.stderr
         return log.read().splitlines()
+
+
+def faulted(scenario, fault, at):
+    """How the command ends with a fault, and the files that it leaves."""
+    with Folder(scenario.old) as folder:
+        outcome = run_with_fault(scenario.command, folder.path, fault, at)
+        return outcome, folder.files()
 
 
 class Folder:
@@ -87,10 +100,6 @@ class Folder:
         outcome = run(command, self.path)
         assert outcome.returncode == 0 and not outcome.stderr, f"{command}: {outcome.stderr}"
         return outcome.stdout
-
-
-def is_part(name):
-    return name.endswith(".part")
 
 
 def without_temporaries(files):
@@ -145,10 +154,8 @@ def scenarios():
 def killed_late(scenario):
     """The folder of a run that was killed when the second of its checkpoints had got its name."""
     names = [line.split()[-1] for line in log_of(scenario)]
-    with Folder(scenario.old) as folder:
-        moment = names.index("b-t0.000300000.h5") + 2  # calls are counted from 1
-        run_with_fault(scenario.command, folder.path, "kill", moment)
-        return without_temporaries(folder.files())
+    moment = names.index("b-t0.000300000.h5") + 2  # calls are counted from 1
+    return without_temporaries(faulted(scenario, "kill", moment)[1])
 
 
 def without_notes(words):
@@ -156,33 +163,20 @@ def without_notes(words):
     return re.sub(r"^(not used to resume: |\w+: +\d+ % ).+\n", "", words, flags=re.MULTILINE)
 
 
-def faults_in_files(scenario, files):
-    """The faults of a folder in which the scenario's command was interrupted."""
-    faults = []
-    for name, data in sorted(without_temporaries(files).items()):
-        if is_part(name):
-            continue
-        if name not in scenario.new.keys() | scenario.old.keys():
-            faults.append(f"{name} does not belong there")
-        elif name.endswith(".sum"):
-            if not sum_agrees(scenario, name, files):
-                faults.append(f"{name} disagrees with its file")
-        elif data not in (scenario.old.get(name), scenario.new.get(name)):
-            faults.append(f"{name} is neither the old nor the new one")
-    for name in scenario.old:
-        if name not in files and not name.endswith((".sum", ".part")):
-            faults.append(f"{name} is gone")
-    return faults
-
-
-def sum_agrees(scenario, name, files):
-    content = files.get(name.removesuffix(".sum"))
-    return any(
-        content is not None
-        and content == version.get(name.removesuffix(".sum"))
-        and files[name] == version.get(name)
-        for version in (scenario.old, scenario.new)
-    )
+def check_files(scenario, files):
+    """Holds of a folder in which the scenario's command was interrupted."""
+    old, new = scenario.old, scenario.new
+    for name, data in without_temporaries(files).items():
+        whole = name.removesuffix(".sum")
+        if whole != name:
+            agrees = [files.get(whole) == v.get(whole) and data == v.get(name) for v in (old, new)]
+            assert whole in files and any(agrees), f"{name} disagrees with its file"
+        elif not name.endswith(".part"):
+            assert name in new.keys() | old.keys(), f"{name} does not belong there"
+            is_either = data in (old.get(name), new.get(name))
+            assert is_either, f"{name} is neither the old nor the new one"
+    gone = [name for name in old.keys() - files.keys() if not name.endswith((".sum", ".part"))]
+    assert not gone, f"{gone} are gone"
 
 
 def sums(files):
@@ -190,32 +184,22 @@ def sums(files):
     return {name: data for name, data in files.items() if name.endswith(".sum")}
 
 
-def begun(scenario, files):
-    """Whether the run has left a trace; with none, --resume would refuse the record of another."""
-    return "r.h5" not in scenario.old or without_temporaries(files) != scenario.old
-
-
-def faults_of_next_run(scenario, files):
-    """Faults if the same command is given again in a folder as it was left, or resumed."""
+def check_next_run(scenario, files):
+    """The same command succeeds in a folder as it was left, and with --resume."""
     command = scenario.command.removesuffix(" --resume")
-    again = [command]
-    if begun(scenario, files) and command.split()[0] in ("load", "restart"):
-        again.append(f"{command} --resume")
-    return [fault for command in again for fault in faults_of_run(command, scenario, files)]
-
-
-def faults_of_run(command, scenario, files):
-    with Folder(files) as folder:
-        outcome = run(command, folder.path)
-        if outcome.returncode != 0 or without_notes(outcome.stderr):
-            return [f"{command} fails: {outcome.stderr.strip()}"]
-        after = without_temporaries(folder.files())
-    faults = []
-    if sums(after) != sums(scenario.new):
-        faults.append(f"{command} gives others: {sums(after)}")
-    if after.keys() != scenario.new.keys():
-        faults.append(f"{command} leaves other files: {after.keys() ^ scenario.new.keys()}")
-    return faults
+    commands = [command]
+    # If the run left no trace, --resume would refuse the record of another.
+    begun = "r.h5" not in scenario.old or without_temporaries(files) != scenario.old
+    if begun and command.split()[0] in ("load", "restart"):
+        commands.append(f"{command} --resume")
+    for again in commands:
+        with Folder(files) as folder:
+            outcome = run(again, folder.path)
+            after = without_temporaries(folder.files())
+        said = without_notes(outcome.stderr)
+        assert (outcome.returncode, said) == (0, ""), f"{again} fails: {outcome.stderr}"
+        assert sums(after) == sums(scenario.new), f"{again} gives others: {sums(after)}"
+        assert after.keys() == scenario.new.keys(), f"{again} leaves other files: {list(after)}"
 
 
 def new_state(seen, files):
@@ -226,23 +210,36 @@ def new_state(seen, files):
     return new
 
 
-def readable_rows(folder, record):
+def readable_rows(files, record):
     """The samples of a record, one line each; none if the tool says why there are none."""
-    outcome = run(f"analyze loading {record} --csv", folder)
+    with Folder({record: files[record]}) as folder:
+        outcome = run(f"analyze loading {record} --csv", folder.path)
     assert re.fullmatch(r"|analyze: [^\n]+\n", outcome.stderr), outcome.stderr
     return outcome.stdout.splitlines()[1:]
 
 
-def faults_of_failure(outcome, reason, scenario):
+def check_failure(scenario, outcome, reason):
     """A tool that failed says so in one line: which file, and why."""
-    faults = []
-    if outcome.returncode != 1:
-        faults.append(f"exit code {outcome.returncode}")
-    tool = scenario.command.split()[0]
-    if not re.fullmatch(rf"{tool}: [^\n]+\n", outcome.stderr):
-        faults.append(f"not one sentence: {outcome.stderr!r}")
-    if reason not in outcome.stderr:
-        faults.append(f"'{reason}' is not said: {outcome.stderr!r}")
-    if not any(name.removesuffix(".sum") in outcome.stderr for name in scenario.new):
-        faults.append(f"no file is named: {outcome.stderr!r}")
-    return faults
+    said = outcome.stderr
+    assert outcome.returncode == 1, f"exit code {outcome.returncode}"
+    assert re.fullmatch(
+        rf"{scenario.command.split()[0]}: [^\n]+\n", said
+    ), f"not one sentence: {said!r}"
+    assert reason in said, f"'{reason}' is not said: {said!r}"
+    named = any(name.removesuffix(".sum") in said for name in scenario.new)
+    assert named, f"no file is named: {said!r}"
+
+
+def check_ended(scenario, outcome, files, error):
+    """The command succeeded, or failed for this reason and left the folder in order."""
+    check_files(scenario, files)
+    assert [name for name in files if TEMPORARY.match(name)] == []
+    if outcome.returncode == 0:
+        assert scenario.is_done(files), "not all is written"
+    else:
+        check_failure(scenario, outcome, os.strerror(error))
+    return outcome.returncode
+
+
+def each_scenario():
+    return pytest.mark.parametrize("scenario", scenarios(), ids=lambda scenario: scenario.name)
