@@ -25,7 +25,8 @@ def joined(data):
     """An open h5py.File with what the bytes of a `.part` hold, in time linear in their size. The
     first piece has all datasets, later ones further rows of some of them."""
     whole = h5py.File(io.BytesIO(), "w")
-    rows, units = defaultdict(list), {}
+    rows: dict[str, list] = defaultdict(list)
+    units: dict = {}
     for piece in pieces(data):
         with h5py.File(io.BytesIO(piece), "r") as file:
             whole.attrs.update({"format": PART, "schema_version": file.attrs["schema_version"]})
