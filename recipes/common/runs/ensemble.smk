@@ -2,7 +2,7 @@
 # one that Figures 1 and S1 show; with --from-scratch, the checkpoints in checkpoints/ come from it, too.
 LOAD_UNTIL = 1.2  # s
 CHECKPOINT_EVERY = 0.05  # s
-BEFORE_FIRST_BREAK = 0.15  # s; a seed draws slipping times, so until then it does nothing
+BEFORE_FIRST_BREAK = 0.18  # s; the decaying law's is at 0.1845 s, that of the others at 0.1895 s
 CROSSINGS = "--crossings 0.2,0.5"  # options of a run whose record holds enough for all conventions
 SETTINGS = {  # name: parameters, number of seeds
     "load": ("", 20),
@@ -25,6 +25,7 @@ SHOWN_LOAD = f"{DATA}/ensemble/load-01"
 
 
 LOADING = f"--until {LOAD_UNTIL} --checkpoint-every {CHECKPOINT_EVERY} {CROSSINGS}"
+SHARED = f"-t{BEFORE_FIRST_BREAK:.9f}.h5"  # ending of the checkpoint that loads of a kind share
 
 
 def checkpoints_of_load(run):
@@ -47,11 +48,12 @@ use rule load_recorded as load with:
             checkpoints=checkpoints_of(
                 f"{DATA}/ensemble/{{setting}}-01", until=LOAD_UNTIL, every=CHECKPOINT_EVERY
             ),
+            shared=f"{DATA}/ensemble/{{setting}}-01{SHARED}",
         ),
     priority: 110  # long, and the others wait for it: first
     params:
         **run_with(
-            LOADING,
+            f"{LOADING} --checkpoint-at {BEFORE_FIRST_BREAK}",
             changes=lambda wildcards: SETTINGS[wildcards.setting][0],
             record_every="1e-3",
         ),
@@ -60,12 +62,23 @@ use rule load_recorded as load with:
         f"load: drive the slider to t = {LOAD_UNTIL} s, {{wildcards.setting}}-01 (about a minute)"
 
 
-# The others: as the first one until no junction has broken yet, then with their own seed.
+# A seed draws slipping times and nothing else: until the first draw, loads of a kind are one state.
+rule nothing_drawn:
+    input: **content_of(h5=f"{DATA}/{{state}}.h5")
+    output: touch(f"{DATA}/{{state}}.undrawn")
+    params: code=CODE
+    log: f"{LOGS}/{{state}}-undrawn.log"
+    message: "{wildcards.state}: make sure that no slipping time has been drawn yet"
+    shell:
+        "{PYTHON} -c 'import sys, rupture; drawn = rupture.open(sys.argv[1])[\"junctions/draws\"];"
+        " sys.exit(\"a slipping time has been drawn\" if drawn.any() else 0)' {input.h5} 2> {log}"
+
+
+# The others: as the first one until then, then with their own seed.
 use rule restart_recorded as load_of_seed with:
     input:
-        **content_of(
-            h5=f"{DATA}/ensemble/{{setting}}-01-t{BEFORE_FIRST_BREAK:.9f}.h5"
-        ),
+        **content_of(h5=f"{DATA}/ensemble/{{setting}}-01{SHARED}"),
+        undrawn=f"{DATA}/ensemble/{{setting}}-01{SHARED}".replace(".h5", ".undrawn"),
     output:
         **recorded(
             f"{DATA}/ensemble/{{setting}}-{{seed}}",

@@ -30,9 +30,9 @@ def recorded(run, **files):
 
 
 def checkpoints_of(run, *, until, every, start=0):
-    """The checkpoints that a run with --checkpoint-every writes."""
-    count = int((until - start) / every + 1e-9)
-    return [f"{run}-t{start + n * every:.9f}.h5" for n in range(1, count + 1)]
+    """The checkpoints that a run with --checkpoint-every writes: at the multiples after `start`."""
+    first, last = (int(t / every + 1e-9) for t in (start, until))
+    return [f"{run}-t{n * every:.9f}.h5" for n in range(first + 1, last + 1)]
 
 
 def script(path):
