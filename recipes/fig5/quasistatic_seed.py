@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""The quasi-static front of another seed: quasistatic_seed.py PROGRAMS SEED UNTIL EVERY FOLDER
+"""The quasi-static front of another seed:
 
-Drives the slider at h = 0 from t = 0, and stops the driving at the checkpoint in the middle of the
-quasi-static stretch, as for the seed that the figure shows. Runs in FOLDER, which is deleted at the
-end. Prints what quasistatic_stretch.measured() says.
+    quasistatic_seed.py PROGRAMS START SEED UNTIL EVERY FOLDER
+
+Drives the slider at h = 0 from START, the checkpoint of the load that the figure shows from before
+any junction broke, until the second dynamic event is over, or to the time UNTIL; then stops the
+driving at the checkpoint in the middle of the quasi-static stretch, as for the seed that the figure
+shows. Runs in FOLDER, which is deleted at the end. Prints what quasistatic_stretch.measured() says.
 """
 
 import json
@@ -11,39 +14,66 @@ import os
 import sys
 from pathlib import Path
 
+import numpy as np
 import rupture
 
 import quasistatic_stretch as stretches
 
 from data.scratch import scratch
 
+EARLIEST, LEG = 0.6, 0.01  # when it is first asked whether the event is over, and how often [s]
 
-def run(program, *inputs, output, **options):
+
+def run(start, output, **options):
     """Returns the record."""
     record = output.with_stem(f"{output.stem}-record")
-    rupture.run(program, *inputs, output=output, record=record, record_every=1e-3, **options)
+    rupture.run("restart", start, output=output, record=record, record_every=1e-3, **options)
     return record
 
 
-def measure(seed, until, every, folder):
-    drive = {"driving.h": 0, "numerics.seed": int(seed)}
-    output = folder / "load.h5"
-    load = run("load", output=output, set=drive, until=until, checkpoint_every=every)
-    stretch = stretches.quasistatic_stretch(load, float(every))
+def joined(records):
+    """The ruptures of runs that follow each other, as read_ruptures()."""
+    times, blocks, x = zip(*map(stretches.read_ruptures, records))
+    return np.concatenate(times), np.concatenate(blocks), x[0]
+
+
+def is_over(ruptures, t, every):
+    """Whether all that is measured has happened by the time t."""
+    time, block, x = ruptures
+    if len(stretches.dynamic_events(time, block, len(x))) < 2:
+        return False
+    branches = stretches.quasistatic_stretch(ruptures, every)["branches"]
+    return float(branches[stretches.MIDDLE]) + stretches.STOPPED_FOR <= t
+
+
+def driven(start, seed, until, every, folder):
+    """The records of the load, in legs; its checkpoints are LEG-tT.h5."""
+    records: list[Path] = []
+    for leg, t in enumerate(np.arange(EARLIEST, until + LEG / 2, LEG).round(9)):
+        options = {"set": {"numerics.seed": seed}, "until": t, "checkpoint_every": every}
+        records.append(run(start, folder / f"{leg}.h5", **options))
+        if is_over(joined(records), t, every):
+            break
+        start = folder / f"{leg}.h5"
+    return records
+
+
+def measure(start, seed, until, every, folder):
+    records = driven(start, seed, until, every, folder)
+    load = joined(records)
+    stretch = stretches.quasistatic_stretch(load, every)
     t = stretch["branches"][stretches.MIDDLE]
-    branch, output = folder / f"load-t{t}.h5", folder / "stopped.h5"
-    stopped = run(
-        "restart", branch, output=output, set={"driving.V": 0}, for_=stretches.STOPPED_FOR
-    )
-    driven, undriven = stretches.read_ruptures(load), stretches.read_ruptures(stopped)
-    branch = stretches.advances(driven, undriven, stretch["interval_from"], float(t))
-    return stretches.measured(stretch, rupture.open(load).c_s, branch)
+    (branch,) = folder.glob(f"*-t{t}.h5")
+    stop = {"set": {"driving.V": 0}, "for_": stretches.STOPPED_FOR}
+    stopped = stretches.read_ruptures(run(branch, folder / "stopped.h5", **stop))
+    moved = stretches.advances(load, stopped, stretch["interval_from"], float(t))
+    return stretches.measured(stretch, rupture.open(records[0]).c_s, moved)
 
 
-def main(programs, seed, until, every, folder):
+def main(programs, start, seed, until, every, folder):
     os.environ["RUPTURE_BIN"] = programs
     with scratch(Path(folder)) as folder:
-        print(json.dumps(measure(seed, until, every, folder)))
+        print(json.dumps(measure(start, int(seed), float(until), float(every), folder)))
 
 
 if __name__ == "__main__":

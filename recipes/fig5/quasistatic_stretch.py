@@ -55,9 +55,9 @@ def branch_times(start, end, checkpoint_every):
     return [f"{round(t / checkpoint_every) * checkpoint_every:.9f}" for t in tenths]
 
 
-def quasistatic_stretch(path, checkpoint_every):
+def quasistatic_stretch(ruptures, checkpoint_every):
     """Between the first two dynamic events, or from the first one to the end of the record."""
-    time, block, x = read_ruptures(path)
+    time, block, x = ruptures
     events = dynamic_events(time, block, len(x))
     if not events:
         sys.exit("this load has no dynamic event: load for longer")
@@ -98,7 +98,7 @@ def measured(stretch, c_s, branch):
 
 
 def main(path, checkpoint_every):
-    print(json.dumps(quasistatic_stretch(path, float(checkpoint_every)), indent=2))
+    print(json.dumps(quasistatic_stretch(read_ruptures(path), float(checkpoint_every)), indent=2))
 
 
 if __name__ == "__main__":
