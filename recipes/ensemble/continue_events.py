@@ -76,10 +76,9 @@ def continued(workshop, branch, duration):
 def under_conventions(workshop, branch):
     """Fronts of the first branch and of the unmodified event, without their lines."""
     runs = {"unmodified": "event", **{run: f"{branch}-{run}" for run in FRONTS}}
+    found = {name: workshop.fronts(run, WAYS) for name, run in runs.items()}
     return {
-        convention: {
-            name: without_lines(workshop.front(run, convention)) for name, run in runs.items()
-        }
+        convention: {name: without_lines(fronts[convention]) for name, fronts in found.items()}
         for convention in WAYS
     }
 

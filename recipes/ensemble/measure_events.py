@@ -6,16 +6,12 @@
 import json
 import sys
 
-from events.conventions import WAYS, Analysis, words_of
+from events.conventions import WAYS, Analysis
 
 
 def main(programs, record):
-    analyze = Analysis(programs)
-    events = {
-        name: analyze("events", record, words_of(options))["events"]
-        for name, options in WAYS.items()
-    }
-    print(json.dumps(events))
+    found = Analysis(programs).each("events", record, WAYS)
+    print(json.dumps({name: report["events"] for name, report in found.items()}))
 
 
 if __name__ == "__main__":

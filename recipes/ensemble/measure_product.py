@@ -7,16 +7,13 @@ Prints {combination: {claim: held}}; events/product.py has the combinations and 
 import json
 import sys
 
-from events.conventions import Analysis, words_of
+from events.conventions import Analysis
 from events.product import claims_held, combinations
 
 
 def main(programs, setting, record):
-    analyze = Analysis(programs)
-    held = {
-        name: claims_held(setting, analyze("events", record, words_of(options))["events"])
-        for name, options in combinations().items()
-    }
+    found = Analysis(programs).each("events", record, combinations())
+    held = {name: claims_held(setting, report["events"]) for name, report in found.items()}
     print(json.dumps(held))
 
 

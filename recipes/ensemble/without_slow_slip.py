@@ -39,11 +39,9 @@ def measure(workshop, run, by_convention, checkpoint_every):
     before = start(by_convention[PRIMARY], checkpoint_every)
     workshop.run("restart", f"{run}-t{before['from']}.h5", "start", "--until", before["until"])
     workshop.recorded(workshop.path("start"), "without", *WITHOUT_SLOW_SLIP.split())
+    without = workshop.fronts("without", CONVENTIONS)
     return {
-        name: {
-            "with": without_lines(event),
-            "without": without_lines(workshop.front("without", name)),
-        }
+        name: {"with": without_lines(event), "without": without_lines(without[name])}
         for name, event in by_convention.items()
     }
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 
 from events.continuations import BRANCHES
-from events.conventions import PRIMARY, WAYS, Analysis, words_of
+from events.conventions import PRIMARY, Analysis
 from events.fronts import LOADING_ZONE
 from events.slip import with_peak_speed
 
@@ -43,16 +43,18 @@ class Workshop:
         record = ["--record", self.path(f"{name}-record"), "--record-every", RECORD_EVERY]
         self.run("restart", source, name, *options, *record, *self.record_options)
 
-    def front(self, name, convention=PRIMARY):
-        """Of the first event of a run; None where nothing ruptures. Speeds of a run that branches
-        off count beyond the branch: the blocks before it may rupture once more."""
+    def fronts(self, name, ways):
+        """{way: front of the first event of a run}; None where nothing ruptures. Speeds of a run
+        that branches off count beyond the branch: the blocks before it may rupture once more."""
         record = self.path(f"{name}-record")
         with h5py.File(record) as file:
             if len(file["ruptures/time"]) == 0:
-                return None
+                return dict.fromkeys(ways)
         _, x = BRANCHES.get(name.split("-")[0], (None, LOADING_ZONE))
-        options = [*words_of(WAYS[convention]), "--skip-below-x", x]
-        return self.analyze("front --event 0", record, options)
+        return self.analyze.each("front --event 0", record, ways, ["--skip-below-x", x])
+
+    def front(self, name):
+        return self.fronts(name, {PRIMARY: {}})[PRIMARY]
 
     def slips(self, name, places):
         """{place: slip} at {place: x}, as rule event_slip measures it: until the front leaves its

@@ -20,6 +20,20 @@ TEST_F(Analyze, front_goes_by_the_conventions_given) {
   }
 }
 
+TEST_F(Analyze, measures_in_several_ways_by_one_call) {
+  output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.6 --sigma-bar 0.2 -o p.h5");
+  output_of("restart p.h5 -o q.h5 --until 1e-4 --record q-r.h5 --crossings 0.2,0.7");
+  for (const std::string command : {"events", "front"}) {
+    for (const std::string form : {" --json", " --csv", ""}) {
+      const std::string measure = "analyze " + command + " q-r.h5 --skip-below-x 0.03" + form;
+      EXPECT_EQ(
+          output_of(measure + " --ruptured-below 0.7 --also=--stencil=3;--ruptured-below=0.3"),
+          output_of(measure + " --ruptured-below 0.7") +
+              output_of(measure + " --ruptured-below 0.7 --stencil 3") + output_of(measure));
+    }
+  }
+}
+
 TEST_F(Analyze, shows_every_parameter) {
   output_of("load --config small.ini -o a.h5");
   const Json json = json_of("analyze show a.h5 --json");

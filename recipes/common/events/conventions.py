@@ -44,5 +44,13 @@ class Analysis:
 
     def __call__(self, command, path, options=()):
         """The report of `analyze COMMAND FILE --json OPTION...`. Raises CalledProcessError."""
+        return self.each(command, path, {PRIMARY: {}}, options)[PRIMARY]
+
+    def each(self, command, path, ways, options=()):
+        """{name: report} of the ways to measure {name: options}, the primary one first. The file
+        is read once."""
         words = [str(self.program), *command.split(), str(path), "--json", *map(str, options)]
-        return json.loads(subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout)
+        _, *others = (" ".join(words_of(way)) for way in ways.values())
+        words += ["--also", "; ".join(others)] if others else []
+        output = subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout
+        return dict(zip(ways, map(json.loads, output.splitlines()), strict=True))

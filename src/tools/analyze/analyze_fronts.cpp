@@ -6,8 +6,10 @@
 #include "analyze/event_choice.hpp"
 #include "analyze/front_report.hpp"
 #include "analyze/inputs.hpp"
+#include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/analysis/front.hpp"
+#include "rupture/checkpoint/record.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
@@ -72,6 +74,81 @@ Quantities quantities_of(const Parameters& p, const std::vector<Event>& events) 
   return {{"events", "", "", list}};
 }
 
+// --- one record, measured in several ways
+
+void add_also_option(po::options_description& options) {
+  options.add_options()(
+      "also", text("CRITERIA"),
+      "then measure again and print the same with other criteria, such as \"--stencil 3\"; "
+      "several with ; between them. The record is read once, a JSON object is a line");
+}
+
+/// The options that were given, with these criteria in their place.
+po::variables_map with_criteria(const Parsed& parsed, const std::string& words) {
+  po::options_description options;
+  add_criteria_options(options);
+  const std::vector<std::string> split = po::split_unix("--also " + words);
+  std::vector<const char*> argv;
+  for (const std::string& word : split) argv.push_back(word.c_str());
+  ToolText text;
+  text.name = "analyze " + parsed.arguments.front();
+  const auto criteria =
+      parse(static_cast<int>(argv.size()), argv.data(), text, options, "", UsesParameters::no);
+  po::variables_map values = parsed.values;
+  for (const auto& [name, value] : criteria.values) {
+    if (value.defaulted()) continue;
+    values.erase(name);
+    values.emplace(name, value);
+  }
+  return values;
+}
+
+/// The options as given, and with each of the --also.
+std::vector<po::variables_map> ways_of(const Parsed& parsed) {
+  std::vector<po::variables_map> ways = {parsed.values};
+  if (parsed.values.count("also") == 0) return ways;
+  for (const auto& words : po::split_unix(parsed.values["also"].as<std::string>(), ";")) {
+    ways.push_back(with_criteria(parsed, words));
+  }
+  return ways;
+}
+
+struct Report {
+  Quantities rows;
+  std::string closing;
+};
+
+/// Prints nothing unless all can be measured.
+int print_each(const Parsed& parsed, Report (*measure)(const RecordCommand&)) {
+  const auto ways = ways_of(parsed);
+  Parsed as_recorded = parsed;
+  as_recorded.values.erase("ruptured-below");
+  const RecordCommand read = record_of(as_recorded);
+  RecordCommand command = read;
+  std::vector<Report> reports;
+  for (const po::variables_map& way : ways) {
+    command.values = way;
+    command.record.ruptures = ruptures_below(read.record, fraction(way, "ruptured-below"));
+    reports.push_back(measure(command));
+  }
+  for (const auto& [rows, closing] : reports) print(rows, closing, parsed.values);
+  return kDone;
+}
+
+Report report_of_events(const RecordCommand& command) {
+  const Record& record = command.record;
+  const auto events = find_events(record.parameters, record.ruptures, {record.time, record.F_T},
+                                  quiet_time(command), criteria(command));
+  return {quantities_of(record.parameters, events), ""};
+}
+
+Report report_of_front(const RecordCommand& command) {
+  const ChosenEvent event = choose_event(command);
+  const Front front = front_of(command, event);
+  const Parameters& p = command.record.parameters;
+  return {quantities_of(front, p), front_text(front, shear_wave_speed(p), event)};
+}
+
 }  // namespace
 
 constinit const Command events_command = {
@@ -79,14 +156,8 @@ constinit const Command events_command = {
     "record",
     "rupture events in a record",
     "Splits the block ruptures of a record into events, numbered from 0.",
-    {add_format_options, add_quiet_time_option, add_criteria_options},
-    [](const Parsed& parsed) {
-      const RecordCommand command = record_of(parsed);
-      const Record& record = command.record;
-      const auto events = find_events(record.parameters, record.ruptures, {record.time, record.F_T},
-                                      quiet_time(command), criteria(command));
-      return print(quantities_of(record.parameters, events), "", parsed.values);
-    },
+    {add_format_options, add_quiet_time_option, add_criteria_options, add_also_option},
+    [](const Parsed& parsed) { return print_each(parsed, report_of_events); },
     [] { return quantities_of(Parameters{}, std::vector<Event>{}); }};
 
 constinit const Command front_command = {
@@ -96,15 +167,8 @@ constinit const Command front_command = {
     "Rupture line, speed and type of one event's front: first rupture of each block,\n"
     "v_c from the end points of a moving stencil. Of several events one has to be\n"
     "chosen, but on a prepared interface the one that the trigger started is meant.",
-    {add_format_options, add_event_options, add_criteria_options},
-    [](const Parsed& parsed) {
-      const RecordCommand command = record_of(parsed);
-      const ChosenEvent event = choose_event(command);
-      const Front front = front_of(command, event);
-      const Parameters& p = command.record.parameters;
-      return print(quantities_of(front, p), front_text(front, shear_wave_speed(p), event),
-                   parsed.values);
-    },
+    {add_format_options, add_event_options, add_criteria_options, add_also_option},
+    [](const Parsed& parsed) { return print_each(parsed, report_of_front); },
     [] { return quantities_of(Front{}, Parameters{}); }};
 
 constinit const Command classify_command = {
