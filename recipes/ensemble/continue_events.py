@@ -26,7 +26,7 @@ import numpy as np
 from workshop import Workshop, short, without_lines
 
 from data.scratch import scratch
-from events.choose_events import start
+from events.choose_events import read_events
 from events.continuations import BRANCHES, CONTINUATIONS, DURATION, LEAD, SLIP_AT, SLIPS, WIDER
 from events.conventions import IN_WORDS, WAYS
 from events.fronts import middle_of_slow_stretch
@@ -83,41 +83,32 @@ def under_conventions(workshop, branch):
     }
 
 
-def times_of_branches(event):
-    """{branch: time}, None where its block does not rupture."""
-    return {branch: event["t_rupture"][block] for branch, (block, _) in BRANCHES.items()}
-
-
 def duration_of(event):
     """Of a continuation [s]: longer where the front takes longer than half of it."""
     crossing = max(t for t in event["t_rupture"] if t is not None) - event["t_start"]
     return max(DURATION, 2 * crossing)
 
 
-def run_event(workshop, event, before, times):
+def run_event(workshop, event, times, duration):
     """The event as it is, and its states at the times of the branches."""
-    duration = duration_of(event)
-    workshop.run("restart", before["checkpoint"], "start", "--until", before["until"])
-    stops = sorted(t for t in times.values() if t is not None)
-    at = ["--checkpoint-at", *stops]
+    workshop.start(event)
+    at = ["--checkpoint-at", *sorted(times.values())]
     workshop.recorded(workshop.path("start"), "event", "--for", duration, *at)
     for name, t in times.items():
-        if t is not None:
-            shutil.copy(workshop.folder / f"event-t{t:.9f}.h5", workshop.path(name))
+        shutil.copy(workshop.folder / f"event-t{t:.9f}.h5", workshop.path(name))
 
 
-def measure(workshop, event, before):
-    """One event. `before` says from which checkpoint and when to start."""
-    times = times_of_branches(event)
-    amid_slow = middle_of_slow_stretch(event)
-    run_event(workshop, event, before, times)
-    duration = duration_of(event)
+def measure(workshop, event):
+    ruptured = {branch: event["t_rupture"][block] for branch, (block, _) in BRANCHES.items()}
+    times = {branch: t for branch, t in ruptured.items() if t is not None}
+    amid_slow, duration = middle_of_slow_stretch(event), duration_of(event)
+    run_event(workshop, event, times, duration)
     workshop.run("restart", workshop.path("start"), "amid-slow", "--until", amid_slow)
     stop = ["--set", "driving.V=0", "--for", duration]
     workshop.recorded(workshop.path("amid-slow"), "undriven", *stop)
     branches = {
-        branch: None if t is None else continued(workshop, branch, duration)
-        for branch, t in times.items()
+        branch: continued(workshop, branch, duration) if branch in times else None
+        for branch in BRANCHES
     }
     first = next(iter(BRANCHES))
     return {
@@ -132,15 +123,13 @@ def measure(workshop, event, before):
     }
 
 
-def main(programs, run, checkpoint_every, record_options):
-    events = json.loads(Path(f"{run}-events.json").read_text(encoding="utf-8"))[IN_WORDS]
+def main(programs, run, *options):
     found = {}
-    for event in (event for event in events if event["fast_slow_fast"]):
-        before = start(event, float(checkpoint_every))
-        before["checkpoint"] = Path(f"{run}-t{before['from']}.h5")
-        with scratch(Path(f"{run}-scratch")) as folder:
-            workshop = Workshop(programs, folder, record_options)
-            found[event["number"]] = measure(workshop, event, before)
+    for event in read_events(f"{run}-events.json", IN_WORDS):
+        if event["fast_slow_fast"]:
+            with scratch(Path(f"{run}-scratch")) as folder:
+                workshop = Workshop(programs, run, *options, folder)
+                found[event["number"]] = measure(workshop, event)
     print(json.dumps(found))
 
 

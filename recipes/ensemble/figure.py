@@ -114,7 +114,7 @@ def summary(loads):
 
 def own_result_of_product(products):
     """How far the shares of the claims on single fronts move if conventions are combined.
-    `products`: {load: report of measure_product.py}."""
+    `products`: {load: report of measure_events.py}."""
     measured: dict[str, object] = {}
     for setting, claims in PRODUCT_CLAIMS.items():
         name = "reference" if setting == "load" else setting

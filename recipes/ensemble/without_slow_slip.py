@@ -16,7 +16,6 @@ from workshop import Workshop, without_lines
 
 from data.records import report
 from data.scratch import scratch
-from events.choose_events import start
 from events.continuations import WITHOUT_SLOW_SLIP
 from events.conventions import CONVENTIONS, PRIMARY
 from events.fronts import is_fast_slow
@@ -34,10 +33,9 @@ def events_by_convention(lists):
         yield event["number"], {name: same_event(event, lists[name]) for name in CONVENTIONS}
 
 
-def measure(workshop, run, by_convention, checkpoint_every):
+def measure(workshop, by_convention):
     """`by_convention`: one event."""
-    before = start(by_convention[PRIMARY], checkpoint_every)
-    workshop.run("restart", f"{run}-t{before['from']}.h5", "start", "--until", before["until"])
+    workshop.start(by_convention[PRIMARY])
     workshop.recorded(workshop.path("start"), "without", *WITHOUT_SLOW_SLIP.split())
     without = workshop.fronts("without", CONVENTIONS)
     return {
@@ -46,18 +44,15 @@ def measure(workshop, run, by_convention, checkpoint_every):
     }
 
 
-def main(programs, run, checkpoint_every, record_options):
+def main(programs, run, *options):
     chosen = {
         number: by_convention
         for number, by_convention in events_by_convention(report(f"{run}-events.json"))
         if any(is_fast_slow(event) for event in by_convention.values() if event)
     }
     with scratch(Path(f"{run}-scratch")) as folder:
-        workshop = Workshop(programs, folder, record_options)
-        found = {
-            number: measure(workshop, run, by_convention, float(checkpoint_every))
-            for number, by_convention in chosen.items()
-        }
+        workshop = Workshop(programs, run, *options, folder)
+        found = {number: measure(workshop, event) for number, event in chosen.items()}
     print(json.dumps(found))
 
 

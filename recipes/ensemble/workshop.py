@@ -6,6 +6,7 @@ from pathlib import Path
 
 import h5py
 
+from events.choose_events import start
 from events.continuations import BRANCHES
 from events.conventions import PRIMARY, Analysis
 from events.fronts import LOADING_ZONE
@@ -24,13 +25,14 @@ def without_lines(front):
 
 
 class Workshop:
-    """Runs programs in a folder."""
+    """Runs programs in a folder, with a load of which checkpoints are there."""
 
-    def __init__(self, programs, folder, record_options):
+    def __init__(self, programs, load, checkpoint_every, record_options, folder):
         self.programs = Path(programs).resolve()
         self.analyze = Analysis(programs)
-        self.folder = folder
+        self.load, self.checkpoint_every = load, float(checkpoint_every)
         self.record_options = record_options.split()
+        self.folder = folder
 
     def path(self, name):
         return self.folder / f"{name}.h5"
@@ -38,6 +40,13 @@ class Workshop:
     def run(self, tool, source, name, *options):
         words = [self.programs / tool, source, "-o", self.path(name), "--force", "--quiet"]
         subprocess.run([*words, *map(str, options)], stdout=sys.stderr, check=True)
+
+    def start(self, event):
+        """Makes the state shortly before an event of the load."""
+        before = start(event, self.checkpoint_every)
+        self.run(
+            "restart", f"{self.load}-t{before['from']}.h5", "start", "--until", before["until"]
+        )
 
     def recorded(self, source, name, *options):
         record = ["--record", self.path(f"{name}-record"), "--record-every", RECORD_EVERY]

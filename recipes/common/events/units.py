@@ -87,17 +87,18 @@ def of_branch(event, branch, run):
     return (event["branches"][branch] or {}).get(run)
 
 
-def fronts_3A_3B(event, case, run):
-    """Under each way to measure a front at the first branch, and at the later ones."""
-    by_convention = event["conventions"] or {}
-    units = {PRIMARY: cases(case, event["unmodified"], of_branch(event, FIRST_BRANCH, run))}
-    for name, fronts in by_convention.items():
+def of_fronts(event, run, case_at):
+    """Under each way to measure a front at the first branch, and at the later ones; `case_at` is
+    given the branch."""
+    case, unmodified = case_at(FIRST_BRANCH), event["unmodified"]
+    units = {PRIMARY: cases(case, unmodified, of_branch(event, FIRST_BRANCH, run))}
+    for name, fronts in (event["conventions"] or {}).items():
         if name in CONVENTIONS and name != PRIMARY:
             units[name] = cases(case, fronts["unmodified"], fronts[run])
-    for branch in LATER_BRANCHES:
-        measured = event["unmodified"], of_branch(event, branch, run)
-        units[f"branch at {branch} L"] = cases(case, *measured)
-    return units
+    return units | {
+        f"branch at {branch} L": cases(case_at(branch), unmodified, of_branch(event, branch, run))
+        for branch in LATER_BRANCHES
+    }
 
 
 def slips_3C(event, case):
@@ -118,16 +119,12 @@ def wider_4AB(event):
         phi = of_branch(event, branch, "phi") or {"before": None, "after": None}
         return lambda one, wider: case_4AB(one, wider, phi["before"], phi["after"])
 
-    units = fronts_3A_3B(event, with_phi(FIRST_BRANCH), "wider")
-    for branch in LATER_BRANCHES:
-        measured = event["unmodified"], of_branch(event, branch, "wider")
-        units[f"branch at {branch} L"] = cases(with_phi(branch), *measured)
-    return units
+    return of_fronts(event, "wider", with_phi)
 
 
 OF_EVENT = {
-    "3A": lambda event: fronts_3A_3B(event, case_3A, "stopped"),
-    "3B": lambda event: fronts_3A_3B(event, case_3B, "no-slow-slip"),
+    "3A": lambda event: of_fronts(event, "stopped", lambda _: case_3A),
+    "3B": lambda event: of_fronts(event, "no-slow-slip", lambda _: case_3B),
     "3C": lambda event: slips_3C(event, case_3C),
     "3Cv": lambda event: slips_3C(event, case_3Cv),
     "4AB": wider_4AB,

@@ -113,13 +113,13 @@ rule events:
 rule product:
     input:
         **content_of(h5=f"{DATA}/ensemble/{{setting}}-{{seed}}-record.h5"),
-        **script("recipes/ensemble/measure_product.py"),
+        **script("recipes/ensemble/measure_events.py"),
     output: f"{DATA}/ensemble/{{setting}}-{{seed}}-product.json"
     params: code=CODE
     log: f"{LOGS}/ensemble/{{setting}}-{{seed}}-product.log"
     wildcard_constraints: seed="[0-9]{2}"
     message: "product: measure the fronts of {wildcards.setting}-{wildcards.seed} under all combinations of conventions"
-    shell: "{PYTHON} {input.script} {BIN} {wildcards.setting} {input.h5} > {output} 2> {log}"
+    shell: "{PYTHON} {input.script} {BIN} {input.h5} {wildcards.setting} > {output} 2> {log}"
 
 
 # The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
