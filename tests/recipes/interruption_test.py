@@ -1,15 +1,38 @@
-"""A sweep by ./reproduce.sh that is interrupted, killed or damaged: nothing goes on by itself, and
-the same command completes it (recipes/common/reproduce/)."""
+"""A user's sweep by ./reproduce.sh: what fails, what crashes, what is computed when the file
+changes; interrupted, killed or damaged, nothing goes on by itself, and the same command completes
+it (recipes/common/{sweeps,reproduce}/)."""
 
+import csv
 import json
 import os
+import re
 import signal
 import time
 from pathlib import Path
 
 import pytest
 
+from conftest import BIN
 from stand_ins import SWEEP, WITHIN, Project
+
+# Small and fast. A prestress of 2 is more than junctions can carry.
+SMALL = "--set slider.Nx=15 --set slider.Nz=9 --set slider.H=0.08 --set driving.h=0.01"
+PRESTRESS = f"""[sweep]
+title = Prestress
+NEEDS
+[commands]
+prepare = prepare --sigma-bar 0.1 --set numerics.dt=1e-6 {SMALL} {{values}} -o start.h5 --quiet
+restart = restart start.h5 --for 1e-4 -o end.h5 --record record.h5 --quiet
+front   = analyze front record.h5 --json
+[values]
+tau-bar = VALUES
+[quantities]
+type = front.type
+"""
+# Dies like a process without memory if there is a file `die` in the project's folder.
+RESTART = f"""case "$*" in *--describe*) ;; *) [ ! -e ROOT/die ] || kill -9 $$;; esac
+exec {BIN}/restart "$@"
+"""
 
 
 def described(name, *options):
@@ -138,9 +161,12 @@ def test_a_point_that_other_programs_have_computed_since_is_computed_again(sweep
     assert "2 points: 2 done.\nComputed now: 1; there before: 1." in said
 
 
-def test_a_damaged_result_is_computed_again(sweep):
+@pytest.mark.parametrize("change", [Path.unlink, lambda path: path.write_text("{")])
+def test_a_deleted_or_damaged_result_is_computed_again(sweep, change):
     sweep.go()
-    next((sweep.root / "results/data/points").glob("*.json")).write_text("{")
+    change(next((sweep.root / "results/data/points").glob("*.json")))
+    preview = sweep.call("sweep", "my.ini", "--programs", "bin", "--dry-run").stdout
+    assert "2 points, 1 there, 1 to compute." in preview
     assert "2 points: 2 done.\nComputed now: 1; there before: 1." in sweep.go()
 
 
@@ -173,3 +199,68 @@ def test_snakemake_alone_may_be_killed(sweep):
     os.kill(pipeline, signal.SIGKILL)
     assert process.wait(WITHIN) == 1
     wait_for(lambda: not sweep.running())
+
+
+# --- with the programs themselves -------------------------------------------------------------
+
+
+class OwnSweep(Project):
+    def __init__(self, root):
+        super().__init__(root)
+        for tool in ("analyze", "load", "modify-phi", "prepare"):
+            (self.bin / tool).symlink_to(BIN / tool)
+        self.program("restart", RESTART.replace("ROOT", str(root)))
+
+    def sweep(self, *options):
+        return self.call("sweep", "own.ini", "--programs", "bin", *options)
+
+    def compute(self, values, quantities="", needs=""):
+        """The finished command, and how many points it has computed."""
+        text = PRESTRESS.replace("VALUES", values).replace("NEEDS", needs) + quantities
+        self.write("own.ini", text)
+        done = self.sweep()
+        return done, int(re.findall(r"Computed now: (\d+);", done.stdout)[0])
+
+    def rows(self):
+        with open(self.root / "results/sweeps/own/own.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+
+@pytest.fixture(name="own")
+def own_sweep(tmp_path):
+    return OwnSweep(tmp_path)
+
+
+def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(own):
+    die = own.write("die")
+    crashed, _ = own.compute("0.1, 2")
+    crash, refused = own.rows()
+    assert (crash["status"], refused["status"]) == ("unfinished", "failed")
+    assert re.match("'restart start.h5 .*' ended with -9$", crash["sentence"])
+    assert "Failed: point: tau-bar 0.1" in crashed.stderr
+    assert refused["sentence"].startswith("prepare: tau-bar = 2 would put junctions beyond")
+    assert crashed.returncode == 1
+    assert "2 points: 1 failed, 1 unfinished." in crashed.stdout
+    assert "The same command tries unfinished points again." in crashed.stderr
+    files = {path.suffix for path in (own.root / "results/sweeps/own").iterdir()}
+    assert files == {".ini", ".csv", ".hdf5", ".png", ".pdf"}
+    assert re.findall(r"\] +(\d+)/(\d+) ", crashed.stdout)[-1] == ("2", "2")
+
+    die.unlink()
+    again, _ = own.compute("0.1, 2")
+    assert (again.returncode, again.stderr) == (0, "")
+    assert "2 points: 1 done, 1 failed.\nComputed now: 1; there before: 1." in again.stdout
+    assert own.rows()[0]["type"] == "none"
+
+    _, computed = own.compute("0.1, 2, 0.2", "x = front.x_arrest\nL = front.L\n")
+    assert computed == 1, "of a new value and new quantities, only the value"
+    assert [row["L [m]"] for row in own.rows()] == ["0.14", "", "0.14"]
+
+    own.compute("0.2")
+    said = own.sweep("--dry-run").stdout
+    assert said == "Prestress: 1 point, 1 there, 0 to compute.\n"
+
+    last, computed = own.compute("0.2", needs="threads = 2\nmemory = 2 GB")
+    assert computed == 0, "a point less, and other needs"
+    assert [row["tau-bar"] for row in own.rows()] == ["0.2"]
+    assert "Computed now: 0; there before: 1." in last.stdout

@@ -1,5 +1,5 @@
 """A user's sweep: its plan, what is refused before anything is computed (check.py, plan.py); its
-table, picture and summary from made-up results (report.py, table.py, picture.py)."""
+table, picture and summary from made-up results (report.py, picture.py)."""
 
 import csv
 import re
@@ -18,9 +18,8 @@ import pytest
 from conftest import BIN, ROOT, run
 from sweeps.picture import axis_of, draw, edges, limits, middle
 from sweeps.plan import plan_sweep
-from sweeps.report import columns_of, picture, print_summary
+from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
 from sweeps.sweep import Needs, Point, Sweep, SweepError, read_sweep
-from sweeps.table import Column, write_csv, write_hdf5
 
 BASE = ROOT / "checkpoints/fast-only.h5"
 RECORD = ROOT / "tests/compatibility"
@@ -396,8 +395,8 @@ def test_a_dollar_sign_begins_no_formula(tmp_path):
 def test_what_cannot_be_drawn_is_one_line_and_leaves_no_file(tmp_path, error, why):
     stem = tmp_path / "picture"
     Path(f"{stem}.png").write_text("half")
-    with mock.patch("sweeps.report.draw", side_effect=error):
-        said = picture(stem, *sweep_of({V: ["1", "2"]}, {SPEED: [1.0, 2.0]}, ["done"] * 2))
+    with mock.patch("sweeps.picture.draw_columns", side_effect=error):
+        said = draw(stem, *sweep_of({V: ["1", "2"]}, {SPEED: [1.0, 2.0]}, ["done"] * 2))
     assert (said, [*tmp_path.iterdir()]) == (f"No picture: {why}", [])
 
 

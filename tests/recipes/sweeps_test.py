@@ -10,7 +10,7 @@ import sys
 import pytest
 
 from conftest import ROOT
-from sweeps.point_store import PointStore
+from sweeps.points import PointStore
 from sweeps.sweep import Needs, Point, SweepError, batches_of, files_of, read_sweep, seeds_of
 from sweeps.values import number_in, values_of
 
@@ -326,7 +326,7 @@ class Computing:
         self.calls.write_text("")
         ids = [point.id for point in read_sweep(self.sweep).points]
         arguments = (self.folder, self.sweep, self.folder, code, self.folder / "batch.sum")
-        done = self.script("batch.py", *arguments, *ids, **options)
+        done = self.script("points.py", *arguments, *ids, **options)
         self.computed = self.calls.read_text().split()
         return done
 

@@ -6,6 +6,7 @@ As a program it starts one, runs a command in it and stops it again:
 """
 
 import os
+import pwd
 import shutil
 import signal
 import socket
@@ -15,17 +16,8 @@ import tempfile
 import time
 from pathlib import Path
 
-PROGRAMS = (
-    "munged",
-    "slurmctld",
-    "slurmd",
-    "srun",
-    "scancel",
-    "sinfo",
-    "squeue",
-    "sbatch",
-    "salloc",
-)
+PROGRAMS = "munged slurmctld slurmd srun scancel sinfo squeue sbatch salloc".split()
+SEARCH_PATH = os.pathsep.join([os.environ.get("PATH", os.defpath), "/usr/sbin", "/sbin"])
 START_WITHIN = 60  # [s]
 
 CONFIGURATION = """\
@@ -60,11 +52,17 @@ PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 
 
 def missing_programs():
-    return [name for name in PROGRAMS if not shutil.which(name, path=search_path())]
+    return [name for name in PROGRAMS if not shutil.which(name, path=SEARCH_PATH)]
 
 
-def search_path():
-    return os.pathsep.join([os.environ.get("PATH", os.defpath), "/usr/sbin", "/sbin"])
+def processes_with(mark):
+    """Those of this user that were started with this in their environment, but not this one."""
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if mark in (folder / "environ").read_bytes() and int(folder.name) != os.getpid():
+                yield int(folder.name)
+        except OSError:
+            continue  # it has just ended, or is another user's
 
 
 def free_ports(count):
@@ -89,21 +87,11 @@ class Cluster:
         key = self.folder / "munge/key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
-        user = subprocess.run(["id", "-un"], capture_output=True, text=True, check=True)
+        user = pwd.getpwuid(os.geteuid()).pw_name
+        names = {"host": self.host, "user": user, "folder": self.folder, "cores": cores}
         configuration = self.folder / "slurm.conf"
-        configuration.write_text(
-            CONFIGURATION.format(
-                host=self.host,
-                user=user.stdout.strip(),
-                folder=self.folder,
-                ports=free_ports(2),
-                cores=cores,
-            )
-        )
-        self.environment = os.environ | {
-            "SLURM_CONF": str(configuration),
-            "PATH": search_path(),
-        }
+        configuration.write_text(CONFIGURATION.format(**names, ports=free_ports(2)))
+        self.environment = os.environ | {"SLURM_CONF": str(configuration), "PATH": SEARCH_PATH}
 
     def start(self):
         munge = self.folder / "munge"
@@ -113,9 +101,12 @@ class Cluster:
             *(f"--pid-file={munge}/pid", f"--log-file={munge}/log", f"--seed-file={munge}/seed"),
         )
         self.wait_for(lambda: (munge / "socket").exists(), "munged has made no socket")
+        self.launch_daemons()
+        self.wait_for(self.is_idle, "the node has not become idle")
+
+    def launch_daemons(self):
         self.launch("slurmctld", "-D")
         self.launch("slurmd", "-D", "-N", self.host)
-        self.wait_for(self.is_idle, "the node has not become idle")
 
     def launch(self, name, *arguments):
         with open(self.folder / f"{name}.out", "ab") as output:
@@ -168,19 +159,9 @@ class Cluster:
                 except subprocess.TimeoutExpired:
                     process.kill()
                     process.wait()
-
-        for number in self.users():
+        # such as a srun whose run was killed
+        for number in processes_with(f"SLURM_CONF={self.environment['SLURM_CONF']}\0".encode()):
             os.kill(number, signal.SIGKILL)
-
-    def users(self):
-        """Processes that still use it, such as a srun whose run was killed."""
-        mark = f"SLURM_CONF={self.environment['SLURM_CONF']}\0".encode()
-        for folder in Path("/proc").glob("[0-9]*"):
-            try:
-                if mark in (folder / "environ").read_bytes() and int(folder.name) != os.getpid():
-                    yield int(folder.name)
-            except OSError:
-                continue  # it has just ended, or is another user's
 
     def __enter__(self):
         try:

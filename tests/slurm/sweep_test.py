@@ -11,10 +11,11 @@ import signal
 import subprocess
 import tempfile
 import time
-import unittest
 from pathlib import Path
 
-from cluster import Cluster, missing_programs
+import pytest
+
+from cluster import Cluster, missing_programs, processes_with
 from conftest import BIN as PROGRAMS, ROOT, skip
 
 if missing_programs():
@@ -44,52 +45,33 @@ REFUSED = 8  # no distribution of junction forces carries tau-bar = 5
 WITHIN = 600  # [s] a run, however slow the machine
 
 
-def environment_of(folder):
-    """The environment a process was started with; empty if it has ended or is another user's."""
-    try:
-        return (folder / "environ").read_bytes()
-    except OSError:
-        return b""
-
-
 class Project:
-    """A copy of what a run needs."""
+    """A copy of what a run needs; `environment` is that of the cluster, if it has one."""
 
-    def __init__(self, folder):
-        self.root = Path(folder)
-        self.root.mkdir()
+    def __init__(self, folder, environment=None):
+        self.root, self.environment = folder, environment
         for name in COPIED:
-            source = ROOT / name
-            if source.is_dir():
-                shutil.copytree(source, self.root / name)
-            else:
-                shutil.copy2(source, self.root / name)
-        (self.root / "my.ini").write_text(SWEEP)
+            copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy2
+            folder.mkdir(exist_ok=True)
+            copy(ROOT / name, folder / name)
+        (folder / "my.ini").write_text(SWEEP)
 
-    def start(self, *command, environment=None):
-        return subprocess.Popen(
-            command,
-            cwd=self.root,
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            start_new_session=True,
-        )
+    def start(self, *command):
+        pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "text": True}
+        more = {"cwd": self.root, "env": self.environment, "start_new_session": True}
+        return subprocess.Popen(command, stderr=subprocess.STDOUT, **pipes, **more)
 
-    def run(self, *command, environment=None):
-        """Exit code, what was printed, and seconds."""
+    def run(self, *command):
+        """What was printed, and seconds."""
         started = time.monotonic()
-        process = self.start(*command, environment=environment)
+        process = self.start(*command)
         output = process.communicate(timeout=WITHIN)[0]
-        return process.returncode, output, time.monotonic() - started
+        assert process.returncode == 0, output
+        return output, time.monotonic() - started
 
     def points(self):
-        return {
-            path.name: path.read_bytes()
-            for path in (self.root / "results/data/points").glob("*.json")
-        }
+        folder = self.root / "results/data/points"
+        return {path.name: path.read_bytes() for path in folder.glob("*.json")}
 
     def checksums(self):
         """Of every checkpoint and record that the points wrote."""
@@ -101,168 +83,150 @@ class Project:
         return [(folder / name).read_bytes() for name in ("my.csv", "my.hdf5")]
 
     def sums(self):
-        """Of the checkpoints and records of figures, and of the points."""
+        """Of the checkpoints and records of figures."""
         folder = self.root / "results/data"
-        return {str(path.relative_to(folder)): path.read_text() for path in folder.rglob("*.sum")}
+        names = {str(path.relative_to(folder)): path for path in folder.rglob("*.sum")}
+        return {n: names[n].read_text() for n in names if "sweeps/" not in n and "bases/" not in n}
 
 
-class OnSlurm(unittest.TestCase):
-    folder: Path
-    cluster: Cluster
-    local: Project
-    local_seconds: float
+def reproduce(*arguments):
+    return ["./reproduce.sh", *arguments, "--programs", PROGRAMS]
 
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="rupture-slurm-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
-        (cls.folder / "cluster").mkdir()
-        cls.cluster = cls.enterClassContext(Cluster(cls.folder / "cluster", CORES))
-        cls.local = Project(cls.folder / "local")
-        code, output, cls.local_seconds = cls.local.run(*cls.reproduce("sweep", "my.ini"))
-        assert code == 0, output
 
-    @staticmethod
-    def reproduce(*arguments):
-        return ["./reproduce.sh", *arguments, "--programs", PROGRAMS]
+def in_allocation(*arguments):
+    """The command that takes an allocation and runs in it."""
+    allocation = ("salloc", "--quiet", f"--ntasks={CORES}", "--mem-per-cpu=1000M")
+    return (*allocation, *reproduce(*arguments), "--profile", "slurm")
 
-    def project(self, name):
-        return Project(self.folder / name)
 
-    def in_allocation(self, *arguments):
-        """The command that takes an allocation and runs in it."""
-        allocation = ("salloc", "--quiet", f"--ntasks={CORES}", "--mem-per-cpu=1000M")
-        return (*allocation, *self.reproduce(*arguments), "--profile", "slurm")
+def wait_for(condition):
+    end = time.monotonic() + WITHIN
+    while not (met := condition()):
+        assert time.monotonic() < end
+        time.sleep(0.05)
+    return met
 
-    def run_on_slurm(self, project, *arguments):
-        command = self.in_allocation(*arguments)
-        return project.run(*command, environment=self.cluster.environment)
 
-    def submit(self, project):
-        """The file that users change is a batch script."""
+@pytest.fixture(scope="module")
+def cluster():
+    with tempfile.TemporaryDirectory(prefix="rupture-slurm-") as folder:
+        with Cluster(folder, CORES) as cluster:
+            yield cluster
+
+
+@pytest.fixture(scope="module")
+def local(tmp_path_factory):
+    """The sweep without SLURM; `seconds` that it took."""
+    project = Project(tmp_path_factory.mktemp("local"))
+    _, project.seconds = project.run(*reproduce("sweep", "my.ini"))
+    assert len(project.points()) == POINTS
+    return project
+
+
+@pytest.fixture(name="project")
+def project_on_slurm(tmp_path, cluster):
+    return Project(tmp_path, cluster.environment)
+
+
+def demand_equal_sweeps(project, local):
+    assert project.points() == local.points()
+    assert project.tables() == local.tables()
+    checksums = project.checksums()
+    assert checksums == local.checksums()
+    print(f"{len(checksums)} checksums, {POINTS} points and 2 tables are those of the local run")
+
+
+def test_a_sweep_gives_what_it_gives_locally(project, local):
+    output, seconds = project.run(*in_allocation("sweep", "my.ini"))
+    demand_equal_sweeps(project, local)
+    print(f"sweep: local {local.seconds:.1f} s, SLURM {seconds:.1f} s")
+    assert f"{POINTS} points: {POINTS - REFUSED} done, {REFUSED} failed." in output
+    assert f"{POINTS}/{POINTS} point: " in output
+
+
+class Job:
+    """The sweep as users submit it: the file that they change is a batch script."""
+
+    def __init__(self, project, cluster):
+        self.project, self.cluster = project, cluster
         job = ("sbatch", "--parsable", f"--ntasks={CORES}", "--output=job.out")
         script = ("recipes/common/profiles/slurm/job.sh", "sweep", "my.ini", "--programs", PROGRAMS)
-        command = (*job, *script)
-        return project.run(*command, environment=self.cluster.environment)[1].strip()
+        self.number = project.run(*job, *script)[0].strip()
 
-    def is_in_queue(self, job):
-        return job in self.cluster.run("squeue", "--noheader", "--format=%A").split()
+    def is_in_queue(self):
+        return self.number in self.cluster.run("squeue", "--noheader", "--format=%A").split()
 
-    def wait_for(self, condition):
-        end = time.monotonic() + WITHIN
-        while not (met := condition()):
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.05)
-        return met
+    def wait_for_points(self, count):
+        wait_for(lambda: len(self.project.points()) >= count or not self.is_in_queue())
+        assert self.is_in_queue(), "the job ended too early"
 
-    def demand_equal_sweeps(self, project):
-        self.assertEqual(len(self.local.points()), POINTS)
-        self.assertEqual(project.points(), self.local.points())
-        self.assertEqual(project.tables(), self.local.tables())
-        checksums = project.checksums()
-        self.assertEqual(checksums, self.local.checksums())
-        print(
-            f"{len(checksums)} checksums, {POINTS} points and 2 tables are equal"
-            " to those of the local run"
-        )
-
-    def test_a_sweep_gives_what_it_gives_locally(self):
-        project = self.project("undisturbed")
-        code, output, seconds = self.run_on_slurm(project, "sweep", "my.ini")
-        self.assertEqual(code, 0, output)
-        self.demand_equal_sweeps(project)
-        print(f"sweep: local {self.local_seconds:.1f} s, SLURM {seconds:.1f} s")
-        self.assertIn(f"{POINTS} points: {POINTS - REFUSED} done, {REFUSED} failed.", output)
-        self.assertIn(f"{POINTS}/{POINTS} point: ", output)
-
-    def test_a_sweep_survives_everything(self):
-        project = self.project("disturbed")
-        job = self.submit(project)
-        self.wait_for_points(project, 3, job)
-        self.cancel_a_step(job)
-        self.wait_for_points(project, 6, job)
-        self.let_slurm_note(job)
-        for daemon in ("slurmctld", "slurmd"):
-            self.cluster.kill(daemon)
-        time.sleep(3)
-        self.cluster.launch("slurmctld", "-D")
-        self.cluster.launch("slurmd", "-D", "-N", self.cluster.host)
-        self.wait_for_points(project, 9, job)
-        self.kill_all_of(project)
-        self.cluster.run("scancel", job)  # if SLURM has put it into the queue again
-        self.wait_for(lambda: not self.is_in_queue(job))
-        print("killed all of the job. It had printed:")
-        print((project.root / "job.out").read_text())
-        there = len(project.points())
-        self.assertLess(there, POINTS)
-        job = self.submit(project)
-        self.wait_for(lambda: not self.is_in_queue(job))
-        output = (project.root / "job.out").read_text()
+    def wait_for_end(self):
+        """What it has printed."""
+        wait_for(lambda: not self.is_in_queue())
+        output = (self.project.root / "job.out").read_text()
         print(output)
-        self.assertEqual(len(project.points()), POINTS)
-        self.assertIn(f"Computed now: {POINTS - there}; there before: {there}.", output)
-        self.demand_equal_sweeps(project)
+        return output
 
-    def wait_for_points(self, project, count, job):
-        self.wait_for(lambda: len(project.points()) >= count or not self.is_in_queue(job))
-        self.assertTrue(self.is_in_queue(job), "the job ended too early")
-
-    def let_slurm_note(self, job):
-        """slurmctld notes its jobs every few seconds; when killed, it forgets younger ones."""
-        state = self.folder / "cluster/state/job_state"
-        since = time.time()
-        self.cluster.run("scontrol", "update", f"jobid={job}", "comment=noted")
-        self.wait_for(lambda: state.exists() and state.stat().st_mtime > since)
-
-    def steps_of(self, job):
+    def steps(self):
         """Those of commands; the batch script is a step, too."""
         steps = self.cluster.run("squeue", "--noheader", "--steps", "--format=%i").split()
-        return [step for step in steps if re.fullmatch(rf"{job}\.\d+", step)]
+        return [step for step in steps if re.fullmatch(rf"{self.number}\.\d+", step)]
 
-    def cancel_a_step(self, job):
-        steps = self.wait_for(lambda: self.steps_of(job))
-        self.cluster.run("scancel", steps[0])
+    def be_noted(self):
+        """slurmctld notes its jobs every few seconds; when killed, it forgets younger ones."""
+        state = self.cluster.folder / "state/job_state"
+        since = time.time()
+        self.cluster.run("scontrol", "update", f"jobid={self.number}", "comment=noted")
+        wait_for(lambda: state.exists() and state.stat().st_mtime > since)
 
-    def kill_all_of(self, project):
+    def kill_all(self):
         """Every process that was started in the project's folder, at once."""
-        mark = f"PYTHONPATH={project.root}/recipes/common:".encode()
-        for folder in Path("/proc").glob("[0-9]*"):
-            if mark in environment_of(folder):
-                os.kill(int(folder.name), signal.SIGKILL)
+        mark = f"PYTHONPATH={self.project.root}/recipes/common:".encode()
+        for number in processes_with(mark):
+            os.kill(number, signal.SIGKILL)
 
-    def test_an_interruption_ends_all_steps(self):
-        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
-            with self.subTest(number.name):
-                self.interrupt(number, code)
 
-    def interrupt(self, number, code):
-        project = self.project(f"ended by {number.name}")
-        process = project.start(
-            *self.in_allocation("sweep", "my.ini"), environment=self.cluster.environment
-        )
-        self.wait_for(lambda: project.points() or process.poll() is not None)
-        children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-        os.kill(int(children[0]), number)
-        process.communicate(timeout=30)
-        self.assertEqual(process.returncode, code)
-        self.assertEqual(self.cluster.run("squeue", "--noheader", "--steps"), "")
+def test_a_sweep_survives_everything(project, local, cluster):
+    job = Job(project, cluster)
+    job.wait_for_points(3)
+    cluster.run("scancel", wait_for(job.steps)[0])
+    job.wait_for_points(6)
+    job.be_noted()
+    for daemon in ("slurmctld", "slurmd"):
+        cluster.kill(daemon)
+    time.sleep(3)
+    cluster.launch_daemons()
+    job.wait_for_points(9)
+    job.kill_all()
+    cluster.run("scancel", job.number)  # if SLURM has put it into the queue again
+    job.wait_for_end()
+    there = len(project.points())
+    assert there < POINTS
+    output = Job(project, cluster).wait_for_end()
+    assert f"Computed now: {POINTS - there}; there before: {there}." in output
+    demand_equal_sweeps(project, local)
 
-    def test_figures_give_what_they_give_locally(self):
-        figures = ("fig2", "figS3", "figS4", "estimate")  # events, points, widened phi: in seconds
-        project = self.project("figures")
-        code, output, seconds = self.run_on_slurm(project, *figures)
-        self.assertEqual(code, 0, output)
-        code, output, local_seconds = self.local.run(*self.reproduce(*figures))
-        self.assertEqual(code, 0, output)
-        local = {name: text for name, text in self.local.sums().items() if "sweeps/" not in name}
-        local = {name: text for name, text in local.items() if "bases/" not in name}
-        self.assertGreater(len(local), 15)
-        self.assertEqual(project.sums(), local)
-        for figure in figures:
-            claims = [each.root / f"results/{figure}/claims.json" for each in (project, self.local)]
-            self.assertEqual(*[path.read_bytes() for path in claims])
-        ratio = seconds / local_seconds
-        times = f"local {local_seconds:.1f} s, SLURM {seconds:.1f} s, {ratio:.2f} times"
-        print(f"{' '.join(figures)}: {times}")
-        print(f"{len(local)} files of checksums and all tables of claims are equal")
+
+@pytest.mark.parametrize("name, code", [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+def test_an_interruption_ends_all_steps(project, cluster, name, code):
+    process = project.start(*in_allocation("sweep", "my.ini"))
+    wait_for(lambda: project.points() or process.poll() is not None)
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    os.kill(int(children[0]), signal.Signals[name])
+    process.communicate(timeout=30)
+    assert process.returncode == code
+    assert cluster.run("squeue", "--noheader", "--steps") == ""
+
+
+def test_figures_give_what_they_give_locally(project, local):
+    figures = ("fig2", "figS3", "figS4", "estimate")  # events, points, widened phi: in seconds
+    _, seconds = project.run(*in_allocation(*figures))
+    _, local_seconds = local.run(*reproduce(*figures))
+    assert len(local.sums()) > 15
+    assert project.sums() == local.sums()
+    for path in (f"results/{figure}/claims.json" for figure in figures):
+        assert (project.root / path).read_bytes() == (local.root / path).read_bytes()
+    ratio = seconds / local_seconds
+    times = f"local {local_seconds:.1f} s, SLURM {seconds:.1f} s, {ratio:.2f} times"
+    print(f"{' '.join(figures)}: {times}")
+    print(f"{len(local.sums())} files of checksums and all tables of claims are equal")

@@ -57,7 +57,7 @@ def read_rows(path):
 @cache
 def points_of(path):
     """The points of a sweep, as pairs: its row in the table results/data/RECIPE/SWEEP.csv, and all
-    that was measured (sweeps/point.py)."""
+    that was measured (sweeps/points.py)."""
     folder = Path(path).parents[1] / "points"
     return [(row, report(folder / f"{row['point']}.json")) for row in read_rows(path)]
 

@@ -12,6 +12,7 @@ import re
 import sys
 import time
 from datetime import datetime, timezone
+from mimetypes import MimeTypes
 from pathlib import Path
 from urllib.parse import quote
 
@@ -29,19 +30,8 @@ CRATE = "ro-crate-metadata.json"
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 CONTEXT = [f"{SPECIFICATION}/context", {"sha256": "http://schema.org/sha256"}]
 SOFTWARE = "#rupture"
-FORMATS = {
-    ".csv": "text/csv",
-    ".gif": "image/gif",
-    ".h5": "application/x-hdf5",
-    ".html": "text/html",
-    ".json": "application/json",
-    ".jsonl": "application/jsonl",
-    ".mp4": "video/mp4",
-    ".pdf": "application/pdf",
-    ".png": "image/png",
-    ".txt": "text/plain",
-    ".webm": "video/webm",
-}
+FORMATS = MimeTypes()  # Python's own table, whatever the machine has
+FORMATS.add_type("application/jsonl", ".jsonl")
 # Files of the whole run; those that hold times have no checksum here.
 OF_THE_RUN = {
     "index.html": "All figures and claims on one page",
@@ -73,12 +63,13 @@ def named(kind, name, **properties):
     return entity(f"#{quote(name.replace(' ', '-'), safe='')}", kind, name=name, **properties)
 
 
-def paper_entities(paper):
-    """The paper of CITATION.cff, its journal and its authors."""
-    names = [(one["given-names"], one["family-names"]) for one in paper["authors"]]
+def origin_of_results():
+    """Entities of the programs, the licence, the paper and all authors, from CITATION.cff."""
+    cited = yaml.safe_load(CITATION.read_text(encoding="utf-8"))
+    paper = cited["references"][0]
     people = [
         named("Person", f"{given} {family}", givenName=given, familyName=family)
-        for given, family in names
+        for given, family in ((one["given-names"], one["family-names"]) for one in paper["authors"])
     ]
     journal = named("Periodical", paper["journal"])
     article = entity(
@@ -89,13 +80,6 @@ def paper_entities(paper):
         isPartOf={"@id": journal["@id"]},
         datePublished=str(paper["year"]),
     )
-    return [article, journal, *people]
-
-
-def origin_of_results():
-    """Entities of the programs, the licence, the paper and the authors, from CITATION.cff."""
-    cited = yaml.safe_load(CITATION.read_text(encoding="utf-8"))
-    paper = paper_entities(cited["references"][0])
     authors = [named("Organization", author["name"]) for author in cited["authors"]]
     licence = entity(
         f"https://spdx.org/licenses/{cited['license']}",
@@ -114,9 +98,9 @@ def origin_of_results():
         operatingSystem="Linux",
         author=references(authors),
         license={"@id": licence["@id"]},
-        citation={"@id": paper[0]["@id"]},
+        citation={"@id": article["@id"]},
     )
-    return [software, licence, *paper, *authors]
+    return [software, licence, article, journal, *people, *authors]
 
 
 def build(number, text):
@@ -139,7 +123,7 @@ def file_entity(results, path, **properties):
         quote(str(path.relative_to(results))),
         "File",
         name=path.name,
-        encodingFormat=FORMATS.get(path.suffix),
+        encodingFormat=FORMATS.guess_type(path.name)[0],
         **properties,
     )
 
@@ -154,15 +138,13 @@ def folder_entity(name, title, files):
     return entity(f"{quote(name)}/", "Dataset", name=title, hasPart=references(files))
 
 
-def checkpoint(results, name, checksum):
-    path = results / "data" / name
-    return file_entity(results, path, identifier=f"content-sha256:{checksum}")
-
-
 def checkpoints_behind(results, files):
     """Checkpoints and records, by the checksums of their content."""
-    sums = checksums(results.parent, files)
-    return [checkpoint(results, *each) for each in sums if (results / "data" / each[0]).exists()]
+    return [
+        file_entity(results, results / "data" / name, identifier=f"content-sha256:{checksum}")
+        for name, checksum in checksums(results.parent, files)
+        if (results / "data" / name).exists()
+    ]
 
 
 def files_of_run(results):

@@ -9,9 +9,8 @@ from collections.abc import Callable
 from reproduce import checks, compute
 from reproduce.clean import clean
 from reproduce.command_line import description, figures, listing, make_parser, read
-from reproduce.processes import Processes
 from reproduce.project import BESIDE_ALL, Failure, UsageError, complain, enter_root, say
-from reproduce.set_up import ensure_packages
+from reproduce.processes import Processes, ensure_packages
 
 
 def duration(seconds):

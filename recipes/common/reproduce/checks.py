@@ -7,19 +7,27 @@ import subprocess
 from pathlib import Path
 
 from reproduce.project import LOGS, Failure, say, use_own_environment
-from reproduce.set_up import build, ensure_packages, set_up
+from reproduce.processes import build, ensure_packages, set_up
 
 CPPCHECK = (
     "cppcheck --quiet --std=c++20 --language=c++ --enable=warning,style,performance,portability"
     " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"
-    " -I include -I src -I src/tools -I tests -I tests/tools"
-).split()
+    " -I include -I src -I src/tools -I tests -I tests/tools include src tests benchmarks -j"
+)
 PYTHON = "python recipes src tests"
 LAYOUT = {"clang-format": "14", "black": "23"}  # Debian 12's versions: others differ
-PYTHON_CHECKS = {
-    f"black --check --diff --quiet {PYTHON}": "black would change this (black FILE).",
-    f"flake8 {PYTHON}": "flake8 found the faults above (.flake8 has what it may not say).",
-    "mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is run).",
+# By Debian's programs: other versions may demand another layout.
+CHECKS = {
+    "/usr/bin/clang-format --dry-run -Werror": "clang-format would change the files above"
+    " (clang-format -i FILE).",
+    f"/usr/bin/black --check --diff --quiet {PYTHON}": "black would change this (black FILE).",
+    f"/usr/bin/flake8 {PYTHON}": "flake8 found the faults above (.flake8 has what it may not say).",
+    "/usr/bin/mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is"
+    " run).",
+    "shellcheck": "shellcheck found the faults above.",
+    "reuse lint --quiet": "Some files have no licence (reuse lint names them): name it in"
+    " .reuse/dep5.",
+    CPPCHECK: "cppcheck found the faults above (.cppcheck has what it may not say).",
 }
 SHELL_SCRIPTS = (
     *("reproduce.sh", ".ci/run", "src/tools/reproduce"),
@@ -30,13 +38,8 @@ SHELL_SCRIPTS = (
 
 
 def run_ctest(processes, preset, log, cores):
-    log = (LOGS / log).absolute()
-    return processes.run(
-        [
-            *("ctest", "--preset", preset, "--parallel", str(cores)),
-            *("--no-tests=error", "--output-log", log),
-        ]
-    )
+    command = f"ctest --preset {preset} --parallel {cores} --no-tests=error --output-log"
+    return processes.run([*command.split(), (LOGS / log).absolute()])
 
 
 def slowest_tests(log):
@@ -45,20 +48,15 @@ def slowest_tests(log):
     return sorted(((float(seconds), name) for name, seconds in took), reverse=True)[:10]
 
 
-def say_slowest(log):
-    if log.exists():
-        say("The slowest tests:")
-        for seconds, name in slowest_tests(log.read_text()):
-            say(f"  {seconds:6.1f} s  {name}")
-
-
 def run_tests(request, processes):
     (LOGS / "test.log").unlink(missing_ok=True)
     build(processes, request.cores, "all", "run", "test")
     use_own_environment()
     code = run_ctest(processes, "release", "test.log", request.cores)
-    say()
-    say_slowest(LOGS / "test.log")
+    if (log := LOGS / "test.log").exists():
+        say("\nThe slowest tests:")
+        for seconds, name in slowest_tests(log.read_text()):
+            say(f"  {seconds:6.1f} s  {name}")
     say()
     return processes.run(["tests/golden/matrix.sh", "table", "build/release/matrix"]) or code
 
@@ -97,32 +95,13 @@ def defines_layout(program):
     return version == LAYOUT[name]
 
 
-def check_format(processes):
-    if not defines_layout("clang-format"):
-        return
-    files = sources(".cpp", ".hpp", ".h")
-    if processes.run(["clang-format", "--dry-run", "-Werror", *files]):
-        raise Failure("clang-format would change the files above (clang-format -i FILE).")
-
-
-def check_python(processes):
-    """By Debian's programs: other versions may demand another layout."""
-    for command, sentence in PYTHON_CHECKS.items():
-        if "black" in command and not defines_layout("/usr/bin/black"):
-            continue
-        if processes.run(f"/usr/bin/{command}".split()):
-            raise Failure(sentence)
-
-
-def check_shell(processes):
-    files = [str(path) for pattern in SHELL_SCRIPTS for path in sorted(Path(".").glob(pattern))]
-    if processes.run(["shellcheck", *files]):
-        raise Failure("shellcheck found the faults above.")
-
-
-def check_licences(processes):
-    if processes.run(["reuse", "lint", "--quiet"]):
-        raise Failure("Some files have no licence (reuse lint names them): name it in .reuse/dep5.")
+def words_behind(program, cores):
+    """What a command of CHECKS has behind its options."""
+    if program == "clang-format":
+        return sources(".cpp", ".hpp", ".h")
+    if program == "shellcheck":
+        return [str(path) for pattern in SHELL_SCRIPTS for path in sorted(Path().glob(pattern))]
+    return [str(cores)] if program == "cppcheck" else []
 
 
 def compile_commands():
@@ -148,14 +127,13 @@ def compile_each_alone(request, processes):
 def check_sources(request, processes):
     """Without the headers of libraries, which the compiler sees, cppcheck takes seconds."""
     ensure_packages(processes, "build", "run", "check")
-    check_format(processes)
-    check_python(processes)
-    check_shell(processes)
-    check_licences(processes)
-    if processes.run(
-        [*CPPCHECK, "-j", str(request.cores), "include", "src", "tests", "benchmarks"]
-    ):
-        raise Failure("cppcheck found the faults above (.cppcheck has what it may not say).")
+    for command, sentence in CHECKS.items():
+        program, *options = command.split()
+        name = Path(program).name
+        if name in LAYOUT and not defines_layout(program):
+            continue
+        if processes.run([program, *options, *words_behind(name, request.cores)]):
+            raise Failure(sentence)
     compile_each_alone(request, processes)
     say("The sources are laid out as they should be, and no fault was found in them.")
 

@@ -5,7 +5,6 @@ import shutil
 
 from reproduce.project import READ, ROOT, SHARE, WORK, say
 from runs.written import LIST, written
-from sweeps.plural import plural
 
 HOME = (WORK or ROOT).resolve()
 RESULTS = HOME / "results"
@@ -57,7 +56,8 @@ def say_left(left):
 def clean(*_):
     files = [one for one in own_files() if one.is_file()]
     folders = own_folders()
-    deleted = [f"{plural(len(files) - 1, 'file')} in results/"] if len(files) > 1 else []
+    files_in = f"{len(files) - 1} file{'s' if len(files) > 2 else ''} in results/"
+    deleted = [files_in] if len(files) > 1 else []
     deleted += [f"{one.relative_to(HOME)}/" for one in folders if any(one.iterdir())]
     for folder in folders:
         shutil.rmtree(folder, ignore_errors=not folder.exists())  # within another

@@ -20,7 +20,7 @@ from reproduce.project import (
     say,
     use_own_environment,
 )
-from reproduce.set_up import build, ensure_packages
+from reproduce.processes import build, ensure_packages
 
 RESULTS = Path("results")
 
@@ -58,7 +58,7 @@ def run_pipeline(processes, targets, options):
 
 def note_run(recipes, place, started):
     """For the report: which recipes, with how many cores, when, and for how long."""
-    run = {"recipes": " ".join(recipes), "where": str(place), "started": int(started)}
+    run = {"recipes": " ".join(recipes), "where": place.name, "started": int(started)}
     run["seconds"] = int(time.time() - started)
     with open(RESULTS / "runs.jsonl", "a", encoding="utf-8") as file:
         print(json.dumps(run), file=file)
@@ -74,7 +74,7 @@ def print_claims(recipes):
 def reproduce(request, recipes, processes):
     place = prepare(request, processes)
     names = " ".join(recipes)
-    say(f"Computing {names} {place} ...")
+    say(f"Computing {names} {place.name} ...")
     note(RESULTS, RESULTS / "runs.jsonl")
     started = time.time()
     options = options_of_snakemake(request, place, recipes=names)

@@ -2,6 +2,8 @@
 
 import os
 import re
+from dataclasses import dataclass
+from pathlib import Path
 
 from reproduce.project import Failure
 
@@ -16,10 +18,6 @@ def count_cores(text):
     )
 
 
-def memory_of_machine():
-    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 2**20
-
-
 def memory_of_allocation(environment, cores):
     """[MB], as far as SLURM says how much it gives; else None."""
     if per_core := environment.get("SLURM_MEM_PER_CPU"):
@@ -29,39 +27,30 @@ def memory_of_allocation(environment, cores):
     return None
 
 
-class ThisMachine:
-    def __init__(self, cores):
-        self.cores = cores
-        self.megabytes = memory_of_machine()
-        self.shell = None
-
-    def __str__(self):
-        return f"with {self.cores} cores"
-
-
-class Allocation:
-    def __init__(self, profile, environment):
-        if "SLURM_JOB_ID" not in environment:
-            raise Failure(
-                f"the profile {profile.name} computes in an allocation of SLURM; give the command"
-                " to sbatch or salloc, as docs/cluster.md says"
-            )
-        if INSIDE_STEP.fullmatch(environment.get("SLURM_STEP_ID", "")):
-            raise Failure(
-                "inside a step of a job (srun), further steps would wait for its cores for ever;"
-                " use the usual profile here, or salloc or sbatch."
-            )
-        self.name = f"in job {environment['SLURM_JOB_ID']} of SLURM"
-        self.cores = count_cores(environment["SLURM_JOB_CPUS_PER_NODE"])
-        self.megabytes = memory_of_allocation(environment, self.cores)
-        self.shell = profile / STEP
-
-    def __str__(self):
-        return f"{self.name}, with {self.cores} cores"
+@dataclass(frozen=True)
+class Place:
+    name: str
+    cores: int
+    megabytes: int | None
+    shell: Path | None = None
 
 
 def place_of(request):
     """Raises Failure if the profile cannot be used here."""
-    if (request.profile / STEP).exists():
-        return Allocation(request.profile, os.environ)
-    return ThisMachine(request.cores)
+    step = request.profile / STEP
+    if not step.exists():
+        megabytes = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 2**20
+        return Place(f"with {request.cores} cores", request.cores, megabytes)
+    if "SLURM_JOB_ID" not in os.environ:
+        raise Failure(
+            f"the profile {request.profile.name} computes in an allocation of SLURM; give the"
+            " command to sbatch or salloc, as docs/cluster.md says"
+        )
+    if INSIDE_STEP.fullmatch(os.environ.get("SLURM_STEP_ID", "")):
+        raise Failure(
+            "inside a step of a job (srun), further steps would wait for its cores for ever;"
+            " use the usual profile here, or salloc or sbatch."
+        )
+    cores = count_cores(os.environ["SLURM_JOB_CPUS_PER_NODE"])
+    name = f"in job {os.environ['SLURM_JOB_ID']} of SLURM, with {cores} cores"
+    return Place(name, cores, memory_of_allocation(os.environ, cores), step)

@@ -11,9 +11,11 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
-from reproduce.project import LOGS, ROOT, Failure, complain, say
+from reproduce.project import LOGS, ROOT, WORK, Failure, complain, say
 
+SET_UP = Path(__file__).with_name("set-up.sh")
 SIGNALS = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
 WAIT = 30.0  # [s] for programs of a run that was killed
 
@@ -108,3 +110,23 @@ class Processes:
             sys.exit(128 + self.received)  # and the guard looks after what is left
         guard.communicate(b"" if code else b"\n")
         return code
+
+
+# --- packages and programs, by set-up.sh ----------------------------------------------------
+
+
+def set_up(processes, *words):
+    """The script has said why, if it fails."""
+    if code := processes.run([SET_UP, *map(str, words)]):
+        sys.exit(code)
+
+
+def ensure_packages(processes, *purposes):
+    """An installed rupture has been installed with them."""
+    if not WORK:
+        set_up(processes, "packages", *purposes)
+
+
+def build(processes, cores, target, *purposes):
+    """While it compiles, packages for these purposes are installed."""
+    set_up(processes, "build", cores, target, *purposes)

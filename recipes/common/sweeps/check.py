@@ -14,7 +14,7 @@ from sweeps.values import number_in
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table
-KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # point_store.py
+KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # points.py
 HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")
 NOTHING_COMPUTED = "it computes nothing then"
 NO_FILES_OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"

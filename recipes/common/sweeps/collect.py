@@ -13,7 +13,7 @@ from pathlib import Path
 from data.records import report
 from data.tables import write_columns
 from data.value import find
-from sweeps.point_store import digest
+from sweeps.points import digest
 from sweeps.sweep import names_of_values, read_sweep
 
 
@@ -38,14 +38,8 @@ def main(sweep_file, folder, path):
         sys.exit(
             f"collect.py: every point of {sweep_file} failed. The first: {table[0]['sentence']}"
         )
-    names = [
-        *names_of_values(sweep.points),
-        "status",
-        "sentence",
-        *sweep.columns,
-        "point",
-        "digest",
-    ]
+    values = names_of_values(sweep.points)
+    names = [*values, "status", "sentence", *sweep.columns, "point", "digest"]
     write_columns(path, names, table)
 
 

@@ -15,7 +15,6 @@ from pictures.plotting import DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure,
 SEEDS = ("seed", "numerics.seed")
 TWO_DECADES = 100
 PANEL = 62 * MM  # height [inch]
-SUFFIXES = (".png", ".pdf")
 
 
 def plain(text):
@@ -184,10 +183,8 @@ def panels(number):
     return fig, grid.flat[:number]
 
 
-def draw(stem, sweep, columns):
+def draw_columns(stem, sweep, columns):
     """Writes the picture, or says why there is none."""
-    for suffix in SUFFIXES:
-        Path(f"{stem}{suffix}").unlink(missing_ok=True)
     by_name = {column.name: column for column in columns}
     varied = [name for name in sweep.varied if name not in SEEDS]
     if len(varied) not in (1, 2):
@@ -207,3 +204,19 @@ def draw(stem, sweep, columns):
     fig.suptitle(plain(sweep.title) + note, fontsize=8)
     save(fig, stem)
     return ""
+
+
+def remove(stem):
+    for suffix in (".png", ".pdf"):
+        Path(f"{stem}{suffix}").unlink(missing_ok=True)
+
+
+def draw(stem, sweep, columns):
+    """The same in the place of a former picture. The table is there already, so that all that
+    Matplotlib may raise is a reason, too."""
+    remove(stem)
+    try:
+        return draw_columns(stem, sweep, columns)
+    except Exception as error:
+        remove(stem)
+        return f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"

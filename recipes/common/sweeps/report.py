@@ -1,24 +1,91 @@
 """Says what a user's sweep would compute, and what came out.
 
-Collects the points that there are: writes NAME.csv, NAME.hdf5 and, for one or two varied values,
-NAME.png and NAME.pdf beside the plan. A point that is not there is `unfinished`.
+Collects the points that there are: writes NAME.csv, NAME.hdf5 (the same columns and units) and, for
+one or two varied values, NAME.png and NAME.pdf beside the plan. Numbers are written with all their
+digits; equal tables are equal bytes. A point that is not there is `unfinished`.
 """
 
 import os
 import sys
 from collections import Counter
-from pathlib import Path
+from dataclasses import dataclass
 
+import h5py
+import numpy as np
+
+from rupture.replacing import replacing
+from data.tables import write_table
 from sweeps.collect import rows
-from sweeps.picture import SUFFIXES, draw
-from sweeps.plural import plural
-from sweeps.point_store import PointStore
+from sweeps.picture import draw
+from sweeps.points import PointStore
 from sweeps.sweep import names_of_values, read_sweep
-from sweeps.table import Column, write_csv, write_hdf5
 from sweeps.values import without_unit
 
 SHOWN = 5  # sentences of failed points
 NOT_REACHED = "it was not reached, or its process was ended"
+
+
+# --- the table ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Column:
+    name: str
+    unit: str  # 1: a dimensionless number; empty: a text
+    cells: list  # texts and numbers of JSON; None where there is none
+
+    @property
+    def heading(self):
+        return self.name if self.unit in ("", "1") else f"{self.name} [{self.unit}]"
+
+    @property
+    def texts(self):
+        return [text_of(cell) for cell in self.cells]
+
+    @property
+    def numbers(self):
+        return np.array([np.nan if cell is None else float(cell) for cell in self.cells])
+
+
+def text_of(cell):
+    if cell is None:
+        return ""
+    return str(cell).lower() if isinstance(cell, bool) else str(cell)
+
+
+def write_csv(path, columns):
+    rows = zip(*(column.texts for column in columns))
+    write_table(path, [column.heading for column in columns], rows)
+
+
+def text_type(*texts):
+    """UTF-8 of the length of the longest one."""
+    return h5py.string_dtype("utf-8", max([1, *(len(text.encode()) for text in texts)]))
+
+
+def array_of(column):
+    if column.unit:
+        return column.numbers
+    return np.array([text.encode() for text in column.texts], text_type(*column.texts))
+
+
+def set_attribute(item, name, text):
+    item.attrs.create(name, text.encode(), dtype=text_type(text))
+
+
+def write_hdf5(path, title, columns):
+    with replacing(path) as part, h5py.File(part, "w") as file:
+        set_attribute(file, "title", title)
+        for column in columns:
+            dataset = file.create_dataset(column.name, data=array_of(column), track_times=False)
+            set_attribute(dataset, "unit", column.unit or "1")
+
+
+# --- what is said ------------------------------------------------------------------------------
+
+
+def plural(number, noun):
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def preview(plan, folder_of_tools, results, code):
@@ -87,17 +154,6 @@ def print_summary(sweep, table, computed):
     return counts["unfinished"]
 
 
-def picture(stem, sweep, columns):
-    """A line that says why the picture cannot be drawn, if so. The table is there already."""
-    try:
-        no_picture = draw(stem, sweep, columns)
-    except Exception as error:  # of Matplotlib, any
-        for suffix in SUFFIXES:
-            Path(f"{stem}{suffix}").unlink(missing_ok=True)
-        no_picture = f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"
-    return no_picture or f"Picture: {stem}.png and .pdf"
-
-
 def report_sweep(plan, results, code, started):
     """The exit code: 1 if points are unfinished. `code`: fingerprint of the sources or programs;
     `started`: when computing began [s since 1970]."""
@@ -109,7 +165,7 @@ def report_sweep(plan, results, code, started):
     unfinished = print_summary(sweep, table, count_computed(sweep, table, store, started))
     stem = plan.resolve().with_suffix("")
     print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
-    print(picture(stem, sweep, columns), flush=True)
+    print(draw(stem, sweep, columns) or f"Picture: {stem}.png and .pdf", flush=True)
     if unfinished:
         print("The same command tries unfinished points again.", file=sys.stderr)
     return 1 if unfinished else 0

@@ -5,7 +5,7 @@
 # A job computes a batch of points and makes one small file, which has a digest of each result. The
 # results themselves are no outputs of the job, so that those that are done outlive one that is ended.
 from runs.written import note
-from sweeps.point_store import PointStore
+from sweeps.points import PointStore
 from sweeps.sweep import (
     BATCHES_OF_MANY,
     BATCHES_OF_ONE,
@@ -87,7 +87,7 @@ def described(name, batch):
 rule batch:
     input:
         base=lambda wildcards: base_of(batch_at(wildcards)),
-        script="recipes/common/sweeps/batch.py",
+        script="recipes/common/sweeps/points.py",
     output: f"{DATA}/batches/{{batch}}.sum"
     params:
         code=CODE,
