@@ -20,8 +20,7 @@ import yaml
 
 from runs.written import take_names
 from rupture.replacing import write_whole
-from jobs import Accounts
-from origin import builds, checksums
+from origin import Accounts, builds, checksums
 from picture import ANIMATION, VIDEOS
 from runs.recipes import read_readme, recipe_names
 

@@ -1,4 +1,5 @@
-"""Which build and which machine the results come from, and which checksums they have."""
+"""What the results come from: the jobs that Snakemake ran, as runs/progress.py noted them in
+results/jobs.jsonl; builds of the programs; the machine; checksums."""
 
 import json
 import os
@@ -6,6 +7,7 @@ import platform
 import re
 import subprocess
 from collections import Counter
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -14,9 +16,60 @@ import h5py
 from runs.recipes import natural
 
 
-def text(dataset):
-    value = dataset[()]
-    return value.decode() if isinstance(value, bytes) else str(value)
+@dataclass(frozen=True)
+class Job:
+    rule: str
+    command: str
+    started: float  # [s] since 1970
+    seconds: float
+
+
+def total(jobs):
+    return sum(job.seconds for job in jobs)
+
+
+def steps(jobs):
+    """{rule: its jobs}, in the order in which the rules came first."""
+    by_rule: dict[str, list] = {}
+    for job in jobs:
+        by_rule.setdefault(job.rule, []).append(job)
+    return by_rule
+
+
+def read_accounts(path):
+    """{output: what is noted of the job that made it last}"""
+    accounts: dict[str, dict] = {}
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    for line in lines:
+        try:
+            job = json.loads(line)
+        except ValueError:
+            continue  # its end is missing: the run was killed
+        accounts |= {output: job for output in job["output"]}
+    return accounts
+
+
+class Accounts:
+    def __init__(self, root):
+        self.by_output = read_accounts(root / "results/jobs.jsonl")
+
+    def files_behind(self, recipe):
+        """The results of a recipe and all files they were made from, directly or not."""
+        waiting = [path for path in self.by_output if path.startswith(f"results/{recipe}/")]
+        found = set(waiting)
+        while waiting:
+            inputs = self.by_output.get(waiting.pop(), {}).get("input", [])
+            new = set(inputs) - found
+            found |= new
+            waiting.extend(new)
+        return found
+
+    def jobs(self, files):
+        """The jobs that made the files, in the order in which they started."""
+        accounts = [self.by_output[path] for path in files if path in self.by_output]
+        found = {(job["rule"], *job["output"]): job for job in accounts}
+        jobs = [Job(*map(job.get, Job.__annotations__)) for job in found.values()]
+        return sorted(jobs, key=lambda job: (job.started, job.rule))
 
 
 @cache
@@ -26,21 +79,16 @@ def written_by(path):
         with h5py.File(path) as file:
             entries = file["provenance"]
             last = entries[max(entries)]
-            return "rupture {}, commit {}, {}".format(
-                *(text(last[name]) for name in ("version", "commit", "compiler"))
-            )
-    except (OSError, KeyError, ValueError):
+            words = (last[name].asstr()[()] for name in ("version", "commit", "compiler"))
+            return "rupture {}, commit {}, {}".format(*words)
+    except (OSError, KeyError, TypeError, ValueError):
         return "unknown (no provenance)"
 
 
 def builds(root, files):
     """How many of the checkpoints and records each build has written."""
-    counts: Counter[str] = Counter()
-    for name in files:
-        path = Path(root) / name
-        if name.startswith("results/") and path.suffix == ".h5" and path.exists():
-            counts[written_by(path)] += 1
-    return counts.most_common()
+    paths = [root / name for name in files if re.fullmatch(r"results/.*\.h5", name)]
+    return Counter(written_by(path) for path in paths if path.exists()).most_common()
 
 
 def checksums(root, files):
@@ -58,12 +106,8 @@ def checksums(root, files):
 def present_build(root):
     """Version, commit and instruction set of the programs as they are now; None without them."""
     try:
-        said = subprocess.run(
-            [Path(root).resolve() / "build/release/bin/load", "--version"],
-            capture_output=True,
-            text=True,
-            check=True,
-        )
+        command = [root / "build/release/bin/load", "--version"]
+        said = subprocess.run(command, capture_output=True, text=True, check=True)
     except (OSError, subprocess.CalledProcessError):
         return None
     found = re.fullmatch(r"load \((rupture .*), (\S+)\)\s*", said.stdout)
@@ -82,7 +126,7 @@ def last_run(root, jobs):
     """The last run that computed any of the jobs, as ./reproduce.sh noted it, and how many; None
     if there was none."""
     try:
-        lines = (Path(root) / "results/runs.jsonl").read_text(encoding="utf-8").splitlines()
+        lines = (root / "results/runs.jsonl").read_text(encoding="utf-8").splitlines()
     except OSError:
         return None
     for run in map(json.loads, reversed(lines)):

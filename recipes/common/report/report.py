@@ -16,16 +16,14 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
+import origin
 from alt_text import seen
 from caption import as_html, filled
 from claims.claim import VERDICTS, Claim, measured_parts, read_claims
 from claims.own_result import OwnResult, read_own
 from rupture.replacing import write_whole
 from crate import CRATE, write_crate
-from glance_picture import glance_picture
-from jobs import Accounts, Job, steps, total
-from origin import builds, checksums, last_run, present_build, processor
-from picture import Picture, find_movie, picture
+from picture import Picture, find_movie, glance_picture, picture
 from runs.recipes import label, listed_claims, natural, read_readme, recipe_names
 from reproduce.project import Failure
 from runs.written import take_names
@@ -49,7 +47,7 @@ class Recipe:
     own: list[OwnResult]
     pictures: list[Picture]
     tables: list[str]
-    jobs: list[Job]
+    jobs: list[origin.Job]
     sums: list[tuple[str, str]]
 
 
@@ -95,7 +93,7 @@ def read_recipe(root, name, shown, accounts):
         pictures=[picture(path, seen(path.name, readme.title, caption)) for path in pictures],
         tables=[path.name for path in files_of(root, name, "*.csv")],
         jobs=accounts.jobs(files),
-        sums=checksums(root, files),
+        sums=origin.checksums(root, files),
     )
 
 
@@ -117,20 +115,6 @@ def results_by_id(recipes, listed):
     return found
 
 
-def summary_rows(listed, results):
-    """Of the claims that have a result, in the order of the list."""
-    rows = []
-    for claim in listed:
-        if claim.id in results:
-            recipe, result = results[claim.id]
-            rows.append({"listed": claim, "recipe": recipe, "result": result})
-    return rows
-
-
-def counts(rows):
-    return [(sum(row["result"].verdict == name for row in rows), name) for name in VERDICTS]
-
-
 def how_verdicts_come_about(root, shown):
     """docs/claims.md, below its title."""
     text = (root / "docs/claims.md").read_text(encoding="utf-8")
@@ -148,31 +132,28 @@ def duration(seconds):
     return f"{seconds // 60:.0f} min {seconds % 60:.0f} s"
 
 
-def css_class(verdict):
-    return verdict.replace(" ", "-")
-
-
 def contents(root):
-    accounts = Accounts(root)
+    accounts = origin.Accounts(root)
     listed = listed_claims(root)
     names = [name for name in recipe_names(root) if claims_path(root, name).exists()]
     recipes = [read_recipe(root, name, names, accounts) for name in names]
-    rows = summary_rows(listed, results_by_id(recipes, listed))
+    results = results_by_id(recipes, listed)
+    rows = [(claim, *results[claim.id]) for claim in listed if claim.id in results]
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs = accounts.jobs(files)
     return {
         "recipes": recipes,
         "rows": rows,
         "listed": len(listed),
-        "counts": counts(rows),
+        "counts": [(sum(result.verdict == v for *_, result in rows), v) for v in VERDICTS],
         "movie": find_movie(root / "results"),
         "glance": glance_picture(root, [claim for recipe in recipes for claim in recipe.claims]),
         "verdicts": how_verdicts_come_about(root, names),
         "jobs": jobs,
-        "run": last_run(root, jobs),
-        "builds": builds(root, files),
-        "build": present_build(root),
-        "processor": processor(),
+        "run": origin.last_run(root, jobs),
+        "builds": origin.builds(root, files),
+        "build": origin.present_build(root),
+        "processor": origin.processor(),
     }
 
 
@@ -185,12 +166,12 @@ def render(content):
         lstrip_blocks=True,
     )
     environment.filters.update(
-        css_class=css_class,
+        css_class=lambda verdict: verdict.replace(" ", "-"),
         date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
         duration=duration,
         measured_parts=measured_parts,
-        steps=steps,
-        total=total,
+        steps=origin.steps,
+        total=origin.total,
         typeset=typeset,
     )
     environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS)

@@ -5,6 +5,7 @@ import math
 import re
 import shlex
 import subprocess
+from collections import Counter
 from functools import cache
 from pathlib import Path
 
@@ -27,15 +28,13 @@ REFUSED = {
 
 
 class Programs:
-    """Those in a folder, and the names that they know."""
+    """Those in a folder, and the units of the names that they know."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
         listed = self.answer("analyze", "quantities", "--json")
-        self.parameters, self.quantities = (
-            {row["name"]: row["unit"] for row in listed[kind]}
-            for kind in ("parameters", "quantities")
-        )
+        self.parameters = {row["name"]: row["unit"] for row in listed["parameters"]}
+        self.quantities = {row["name"]: row["unit"] for row in listed["quantities"]}
 
     @cache
     def answer(self, tool, *words):
@@ -90,27 +89,23 @@ def settings_in(line):
     return settings + ["numerics.seed" for name in options_in(line) if name == "seed"]
 
 
-def check_command(line, program):
+def check_command(name, line, programs):
+    if name in KEYS_OF_A_POINT:
+        raise SweepError(f"a command cannot be called '{name}'; take another name")
     given = options_in(line)
+    for option in given:
+        if option in REFUSED:
+            dashes = "-" if len(option) == 1 else "--"
+            raise SweepError(f"'{line}' must not have {dashes}{option}: {REFUSED[option]}")
+    program = programs.described(line)
     long_names = {option["short"]: option["name"] for option in program["options"]}
     for group in program["one_needed"]:
         if not {long_names.get(name, name) for name in given}.intersection(group):
             needed = " or ".join(f"--{name}" for name in group)
             raise SweepError(f"{program['name']} needs {needed}, which '{line}' does not have")
-    settings = settings_in(line)
-    for name in settings:
-        if settings.count(name) > 1:
+    for name, times in Counter(settings_in(line)).items():
+        if times > 1:
             raise SweepError(f"'{line}' sets {name} twice; remove it from [values] or [commands]")
-
-
-def check_options(name, line):
-    """Those that no command of a sweep may have."""
-    if name in KEYS_OF_A_POINT:
-        raise SweepError(f"a command cannot be called '{name}'; take another name")
-    for option in options_in(line):
-        if option in REFUSED:
-            dashes = "-" if len(option) == 1 else "--"
-            raise SweepError(f"'{line}' must not have {dashes}{option}: {REFUSED[option]}")
 
 
 # --- values -----------------------------------------------------------------------------------
@@ -151,8 +146,7 @@ def check_points(points, programs):
         raise SweepError("there are no points: [values] or a table says for which values to run")
     for point in {tuple(point.values): point for point in points}.values():
         for name, line in point.commands.items():
-            check_options(name, line)
-            check_command(line, programs.described(line))
+            check_command(name, line, programs)
         described |= {name: option_of(name, point, programs) for name in point.values}
     settings = {
         tuple(

@@ -50,7 +50,7 @@ def keep_base(path, tools, results):
 
 
 def make_plan(path, tools, results):
-    """The path of the plan, which replaces the former one once nothing is wrong."""
+    """Replaces the former plan once nothing is wrong."""
     if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", path.stem):
         raise SweepError(
             "the results get the name of the file: use letters, digits, '.', '_' and '-' for it"

@@ -136,25 +136,24 @@ def rows_of(path):
     return [{name: [cell] for name, cell in row.items()} for _, row in rows]
 
 
-def lists_of(section):
-    return {name: values_of(text) for name, text in section.items()}
-
-
 def is_values(section):
     return section == "values" or section.startswith("variant ")
 
 
 def combinations(ini):
     """The products whose elements are the points."""
-    common = lists_of(ini["values"]) if "values" in ini else {}
+    lists = {
+        section: {name: values_of(text) for name, text in ini[section].items()}
+        for section in filter(is_values, ini.sections())
+    }
+    common = lists.pop("values", {})
     table = ini["sweep"].get("points")
-    variants = [name for name in ini.sections() if name.startswith("variant ")]
     rows = rows_of(table) if table else [{}]
-    if not variants:
+    if not lists:
         return [common | row for row in rows]
     return [
-        {"variant": [name.removeprefix("variant ").strip()]} | common | row | lists_of(ini[name])
-        for name in variants
+        {"variant": [section.removeprefix("variant ").strip()]} | common | row | own
+        for section, own in lists.items()
         for row in rows
     ]
 
@@ -171,17 +170,10 @@ def names_of_values(points):
 
 
 def varied_in(products, points):
-    follows = {
-        name
-        for lists in products
-        for name, texts in lists.items()
-        if len(texts) == 1 and references(texts[0])
-    }
-    return [
-        name
-        for name in names_of_values(points)
-        if name not in follows and len({point.values.get(name) for point in points}) > 1
-    ]
+    lists = [item for product in products for item in product.items()]
+    follows = {name for name, texts in lists if len(texts) == 1 and references(texts[0])}
+    differ = {n for n in names_of_values(points) if len({p.values.get(n) for p in points}) > 1}
+    return [name for name in names_of_values(points) if name in differ - follows]
 
 
 # --- files ---------------------------------------------------------------------------------
@@ -229,22 +221,20 @@ def needs_of(section):
     return Needs(megabytes, int(threads))
 
 
-def empty_ini():
+class Ini(configparser.RawConfigParser):
     """Names in it are case-sensitive."""
-    ini = configparser.ConfigParser(
-        default_section="",
-        interpolation=None,
-        delimiters=("=",),
-        inline_comment_prefixes=("#", ";"),
-    )
-    ini.optionxform = str  # type: ignore  # it is a method, replaced as configparser's manual says
-    return ini
+
+    def __init__(self):
+        super().__init__(None, default_section="", delimiters="=", inline_comment_prefixes="#;")
+
+    def optionxform(self, optionstr):
+        return optionstr
 
 
 def parse_ini(path):
     """Sections that it lacks are those of the file `like`, variants only if it has none. Paths in
     [sweep], which are relative to the file's folder, become relative to the working directory."""
-    ini = empty_ini()
+    ini = Ini()
     with open(path, encoding="utf-8-sig") as file:
         ini.read_file(file)
     section = ini["sweep"] if "sweep" in ini else {}
