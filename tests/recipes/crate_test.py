@@ -1,4 +1,5 @@
-"""ro-crate-metadata.json from made-up results: what RO-Crate 1.1 demands, and what it says."""
+"""ro-crate-metadata.json from made-up results: what RO-Crate 1.1 demands, and what it says.
+CITATION.cff, from which it is: that says the same as CMakeLists.txt, LICENSE and the README."""
 
 import hashlib
 import json
@@ -15,6 +16,8 @@ from crate import CRATE, crate, write_crate
 from fixture import START, Project, spill
 
 NOW = 1.75e9  # [s] since 1970
+CITED = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+[PAPER] = CITED["references"]
 DATES = ("datePublished", "startTime", "endTime")
 
 
@@ -126,23 +129,22 @@ def test_a_recipe_has_its_command_programs_inputs_results_and_times(project):
 
 
 def test_the_paper_and_the_software_are_those_of_the_citation(project):
-    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
     found = graph(project)
     software = found["#rupture"]
     same = {
         "name": "title",
-        "version": "version",
         "description": "abstract",
+        "version": "version",
         "keywords": "keywords",
     }
-    assert {key: software[key] for key in same} == {key: cited[same[key]] for key in same}
+    assert {key: software[key] for key in same} == {key: CITED[same[key]] for key in same}
     assert [found[one["@id"]]["name"] for one in software["author"]] == ["The rupture authors"]
     assert software["citation"] == found["./"]["citation"]
-    paper, [listed] = found[software["citation"]["@id"]], cited["references"]
-    assert (paper["@type"], paper["name"]) == ("ScholarlyArticle", listed["title"])
-    assert (paper["@id"], paper["datePublished"]) == (listed["url"], str(listed["year"]))
-    assert found[paper["isPartOf"]["@id"]]["name"] == listed["journal"]
-    for each, one in zip(paper["author"], listed["authors"], strict=True):
+    paper = found[software["citation"]["@id"]]
+    assert (paper["@type"], paper["name"]) == ("ScholarlyArticle", PAPER["title"])
+    assert (paper["@id"], paper["datePublished"]) == (PAPER["url"], str(PAPER["year"]))
+    assert found[paper["isPartOf"]["@id"]]["name"] == PAPER["journal"]
+    for each, one in zip(paper["author"], PAPER["authors"], strict=True):
         person, given, family = found[each["@id"]], one["given-names"], one["family-names"]
         assert (person["givenName"], person["familyName"]) == (given, family)
         assert person["name"] == f"{given} {family}"
@@ -166,3 +168,41 @@ def test_a_crate_without_results_is_still_one(tmp_path):
     found = graph(Project(tmp_path))
     assert list(found)[:2] == [CRATE, "./"]
     assert not [each for each in found.values() if each["@type"] == "File"]
+
+
+# --- CITATION.cff ------------------------------------------------------------------------------
+
+
+def text_of(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def test_it_has_what_the_format_requires():
+    required = {"cff-version", "message", "title", "authors", "license", "abstract", "version"}
+    assert required <= {key for key in CITED if CITED[key]}
+    assert (CITED["cff-version"], CITED["type"]) == ("1.2.0", "software")
+
+
+def test_name_and_version_are_those_of_the_build():
+    [found] = re.findall(r"^project\((\w+) VERSION (\S+)", text_of("CMakeLists.txt"), re.M)
+    assert (CITED["title"].partition(":")[0], CITED["version"]) == found
+
+
+def test_licence_and_authors_are_those_of_the_licence():
+    assert text_of("LICENSE").splitlines()[0] == f"{CITED['license']} License"
+    holders = re.findall(r"^Copyright \(c\) \d+ (.*)$", text_of("LICENSE"), re.M)
+    assert [person["name"] for person in CITED["authors"]] == holders
+
+
+def test_no_identifier_is_made_up():
+    """Nobody has given the programs a DOI or an address yet."""
+    assert not CITED.keys() & {"doi", "url", "identifier", "identifiers", "repository-code"}
+    [preprint] = [one["value"] for one in PAPER["identifiers"]]
+    assert PAPER["url"].endswith(preprint.removeprefix("arXiv:"))
+
+
+def test_the_readme_cites_the_paper():
+    readme = " ".join(text_of("README.md").replace("> ", "").split())
+    people = ", ".join(f"{who['given-names']} {who['family-names']}" for who in PAPER["authors"])
+    for words in (people, PAPER["title"], PAPER["url"], str(PAPER["year"])):
+        assert words in readme

@@ -9,8 +9,8 @@ from unittest.mock import patch
 import pytest
 
 from reproduce.checks import defines_layout, slowest_tests
+from reproduce.compute import count_cores, memory_of_allocation
 from reproduce.pipeline import Errors
-from reproduce.place import count_cores, memory_of_allocation
 from stand_ins import Project
 
 REFUSED = [  # a command line, and the sentence
@@ -18,8 +18,14 @@ REFUSED = [  # a command line, and the sentence
     ("sweep a.ini b.ini", "'sweep' needs one file"),
     ("sweep a.ini --from-scratch", "--from-scratch is for figures"),
     ("--dry-run fig3", "--dry-run is for 'sweep' only"),
-    ("fig3 --cores 0", "argument --cores: give a whole number from 1, not '0'"),
-    ("fig3 --cores=1e9", "argument --cores: give a whole number from 1, not '1e9'"),
+    (
+        "fig3 --cores 0",
+        "argument --cores: '0' is no number of cores: give a whole number from 1 on",
+    ),
+    (
+        "fig3 --cores=1e9",
+        "argument --cores: '1e9' is no number of cores: give a whole number from 1",
+    ),
     ("fig3 --cores", "argument --cores: expected one argument"),
     ("fig3 --fast", "unrecognized arguments: --fast"),
     ("fig3 --from", "unrecognized arguments: --from"),
@@ -57,10 +63,10 @@ def test_help_and_list_make_nothing(project):
     before = sorted(project.root.iterdir())
     done = project.call("fig3", "-h")
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("usage: ./reproduce.sh COMMAND")
+    assert done.stdout.startswith("Usage: ./reproduce.sh COMMAND")
     done = project.call()
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith("usage: ./reproduce.sh COMMAND")
+    assert done.stderr.startswith("Usage: ./reproduce.sh COMMAND")
     names = re.findall(r"^  (\S+) ", project.call("list").stdout, re.M)
     assert names[:3] == ["fig1", "fig2", "fig3"]
     project.call("nope")

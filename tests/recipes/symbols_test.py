@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from alt_text import seen
+from caption import seen
 from conftest import ROOT
 from runs.recipes import listed_claims, read_readme, recipe_names
 from symbols import typeset, typeset_html

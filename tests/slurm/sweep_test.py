@@ -48,18 +48,28 @@ WITHIN = 600  # [s] a run, however slow the machine
 class Project:
     """A copy of what a run needs; `environment` is that of the cluster, if it has one."""
 
+    seconds = 0.0  # that its sweep took
+
     def __init__(self, folder, environment=None):
         self.root, self.environment = folder, environment
         for name in COPIED:
-            copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy2
-            folder.mkdir(exist_ok=True)
-            copy(ROOT / name, folder / name)
+            if (ROOT / name).is_dir():
+                shutil.copytree(ROOT / name, folder / name)
+            else:
+                shutil.copy2(ROOT / name, folder / name)
         (folder / "my.ini").write_text(SWEEP)
 
     def start(self, *command):
-        pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "text": True}
-        more = {"cwd": self.root, "env": self.environment, "start_new_session": True}
-        return subprocess.Popen(command, stderr=subprocess.STDOUT, **pipes, **more)
+        return subprocess.Popen(
+            command,
+            cwd=self.root,
+            env=self.environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            start_new_session=True,
+        )
 
     def run(self, *command):
         """What was printed, and seconds."""
@@ -116,7 +126,7 @@ def cluster():
 
 @pytest.fixture(scope="module")
 def local(tmp_path_factory):
-    """The sweep without SLURM; `seconds` that it took."""
+    """The sweep without SLURM."""
     project = Project(tmp_path_factory.mktemp("local"))
     _, project.seconds = project.run(*reproduce("sweep", "my.ini"))
     assert len(project.points()) == POINTS

@@ -12,13 +12,8 @@ import textwrap
 from contextlib import suppress
 from functools import partial
 
-from rupture.errors import Failure
-from rupture.programs import output_of
+from rupture.errors import Failure, UsageError
 from rupture.replacing import end_by_signal
-
-
-class UsageError(Failure):
-    """A command line that asks for what is not possible; exit code 2."""
 
 
 UNITS = {"": 1, "s": 1, "ms": 1e-3, "us": 1e-6}  # of times [s]
@@ -71,6 +66,8 @@ class Answer(argparse.Action):
 
 
 def version_text(parser):
+    from rupture.programs import output_of  # of all here, it alone needs h5py
+
     return output_of("analyze", "--version").strip().replace("analyze", parser.prog, 1)
 
 
@@ -115,7 +112,7 @@ class Parser(argparse.ArgumentParser):
         add = partial(self.add_argument, action=Answer, nargs=0)
         add("-h", "--help", const=help_text, help="show this help and stop")
         text = "print name, options and input as one JSON object and stop"
-        add("--describe", const=lambda parser: json.dumps(parser.description_json()), help=text)
+        add("--describe", const=Parser.describe, help=text)
         add("--version", const=version_text, help="show version and stop")
 
     def add_output(self, text, needed=True):
@@ -127,6 +124,9 @@ class Parser(argparse.ArgumentParser):
 
     def options(self):
         return [action for action in self._actions if action.option_strings]
+
+    def describe(self):
+        return json.dumps(self.description_json())
 
     def description_json(self):
         return {

@@ -30,7 +30,7 @@ SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 CONTEXT = [f"{SPECIFICATION}/context", {"sha256": "http://schema.org/sha256"}]
 SOFTWARE = "#rupture"
 FORMATS = MimeTypes()  # Python's own table, whatever the machine has
-FORMATS.add_type("application/jsonl", ".jsonl")
+FORMATS.types_map[True][".jsonl"] = "application/jsonl"
 # Files of the whole run; those that hold times have no checksum here.
 OF_THE_RUN = {
     "index.html": "All figures and claims on one page",

@@ -7,7 +7,7 @@ import struct
 from dataclasses import dataclass
 from pathlib import Path
 
-from reproduce.project import Failure
+from rupture.errors import Failure
 
 VIDEOS = {"movie.webm": "video/webm", "movie.mp4": "video/mp4"}
 ANIMATION = "movie.gif"

@@ -17,15 +17,14 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 import origin
-from alt_text import seen
-from caption import as_html, filled
+from caption import as_html, filled, seen
 from claims.claim import VERDICTS, Claim, measured_parts, read_claims
 from claims.own_result import OwnResult, read_own
 from rupture.replacing import write_whole
 from crate import CRATE, write_crate
 from picture import Picture, find_movie, glance_picture, picture
 from runs.recipes import label, listed_claims, natural, read_readme, recipe_names
-from reproduce.project import Failure
+from rupture.errors import Failure
 from runs.written import take_names
 from symbols import typeset
 

@@ -1,15 +1,15 @@
 """./reproduce.sh COMMAND [OPTION]..."""
 
-import json
 import os
 import sys
 import time
 from collections.abc import Callable
 
+from rupture.errors import Failure, UsageError
 from reproduce import checks, compute
 from reproduce.clean import clean
-from reproduce.command_line import description, figures, listing, make_parser, read
-from reproduce.project import BESIDE_ALL, Failure, UsageError, complain, enter_root, say
+from reproduce.command_line import figures, listing, make_parser, read
+from reproduce.project import BESIDE_ALL, complain, enter_root, say
 from reproduce.processes import Processes, ensure_packages
 
 
@@ -19,18 +19,12 @@ def duration(seconds):
 
 
 def recipes(request, processes):
+    """Those that are named, or all with their report."""
     started = time.monotonic()
-    compute.reproduce(request, request.words, processes)
-    compute.write_crate(processes)
-    say(f"\nDone in {duration(time.monotonic() - started)}.")
-
-
-def everything(request, processes):
-    started = time.monotonic()
-    names = [name for name in figures() if name not in BESIDE_ALL]
-    compute.reproduce(request, names, processes)
-    say()
-    code = compute.write_report_if_needed(processes)
+    is_all = request.command == "all"
+    named = [name for name in figures() if name not in BESIDE_ALL] if is_all else request.words
+    compute.reproduce(request, named, processes)
+    code = (compute.write_report_if_needed if is_all else compute.write_crate)(processes)
     say(f"\nDone in {duration(time.monotonic() - started)}.")
     return code
 
@@ -42,7 +36,7 @@ def report(_, processes):
 
 RUN: dict[str, Callable] = {
     "recipes": recipes,
-    "all": everything,
+    "all": recipes,
     "sweep": compute.run_sweep,
     "report": report,
     "test": checks.run_tests,
@@ -53,21 +47,14 @@ RUN: dict[str, Callable] = {
 }
 
 
-ANSWERS: dict[str, Callable] = {
-    "help": lambda: make_parser().format_help(),
-    "describe": lambda: json.dumps(description()) + "\n",
-    "list": lambda: listing() + "\n",
-}
-
-
 def main(*words):
     request = read(words)
-    if request.command in ANSWERS:
-        print(ANSWERS[request.command](), end="")
-        return 0
-    if not request.command:
-        print(make_parser().format_help(), end="", file=sys.stderr)
+    if not request.words:
+        print(make_parser().format_help(), file=sys.stderr)
         return 2
+    if request.command == "list":
+        print(listing())
+        return 0
     enter_root()
     return RUN[request.command](request, Processes())
 
@@ -80,9 +67,10 @@ def discard_output():
 def main_or_sentence(*words):
     """The exit code: 1 if a command failed, 2 if the command line makes no sense."""
     try:
-        code = main(*words)
-        sys.stdout.flush()
-        return code
+        try:
+            return main(*words)
+        finally:  # also after --help
+            sys.stdout.flush()
     except UsageError as error:
         complain(error)
         return 2

@@ -6,7 +6,8 @@ import re
 import subprocess
 from pathlib import Path
 
-from reproduce.project import LOGS, Failure, say, use_own_environment
+from rupture.errors import Failure
+from reproduce.project import LOGS, say, use_own_environment
 from reproduce.processes import build, ensure_packages, set_up
 
 CPPCHECK = (

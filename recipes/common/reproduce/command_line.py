@@ -2,17 +2,20 @@
 
 import argparse
 import os
-import re
 from pathlib import Path
 
+from rupture.errors import UsageError
+from rupture.tools import command_line
+from rupture.tools.command_line import Answer, WholeNumber, help_text
 from runs.recipes import read_readme, recipe_names
-from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK, UsageError
+from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
 
 PROGRAM = "rupture reproduce" if WORK else "./reproduce.sh"
 PURPOSE = (
     "Computes the figures that are named, or all, in results/ of the current folder;"
-    " rupture reproduce list lists them."
+    f" {PROGRAM} list lists them."
 )
+SUMMARY = "compute figures of the paper, their claims, and sweeps of your own"
 COMMANDS = {
     "all": f"everything above but {' and '.join(BESIDE_ALL)}, and the report",
     "sweep": "FILE.ini: the model for all values that the file lists (docs/sweeps.md)",
@@ -38,15 +41,21 @@ def figures():
     return recipe_names(SHARE)
 
 
-class Parser(argparse.ArgumentParser):
+class Parser(command_line.Parser):
+    """`./reproduce.sh` has the help, and `--describe`, of the other programs."""
+
+    def __init__(self):
+        super().__init__("reproduce", "COMMAND", PURPOSE, SUMMARY, "word")
+
     def error(self, message):
         raise UsageError(f"{message}. See --help.")
 
+    def format_help(self):
+        text = help_text(self).replace("rupture reproduce", PROGRAM)
+        return f"{text}\n\nFigures and commands:\n{listing()}"
 
-def whole_number(text):
-    if not re.fullmatch("[1-9][0-9]{0,3}", text):
-        raise argparse.ArgumentTypeError(f"give a whole number from 1, not '{text}'")
-    return int(text)
+    def description_json(self):
+        return super().description_json() | {"words": [*figures(), *COMMANDS], "outputs": []}
 
 
 def profile_at(text):
@@ -66,76 +75,30 @@ def programs_at(text):
 
 
 def make_parser():
-    parser = Parser(
-        prog=PROGRAM,
-        usage=f"{PROGRAM} COMMAND [OPTION]...",
-        description=f"figures and commands:\n{listing()}",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        add_help=False,
-        allow_abbrev=False,
-    )
-    parser.add_argument("words", nargs="*", help=argparse.SUPPRESS)
+    parser = Parser()
     add = parser.add_argument
-    add(
-        "--dry-run",
-        action="store_true",
-        help="of a sweep: say how many points there are, and compute none",
+    add("words", nargs="*")
+    text = "of a sweep: say how many points there are, and compute none"
+    add("--dry-run", action="store_true", help=text)
+    text = (
+        "compute the checkpoints that the figures start from, too, instead of using those in"
+        " checkpoints/"
     )
-    add(
-        "--from-scratch",
-        action="store_true",
-        help="compute the checkpoints that the figures start from, too, instead of using those in"
-        " checkpoints/",
+    add("--from-scratch", action="store_true", help=text)
+    text = (
+        "where commands run: local, slurm, another folder of recipes/common/profiles/, or the"
+        " path of one (docs/cluster.md)"
     )
-    add(
-        "--profile",
-        type=profile_at,
-        metavar="NAME",
-        default="local",
-        help="where commands run: local, slurm, another folder of recipes/common/profiles/, or the"
-        " path of one (docs/cluster.md; default: local)",
-    )
+    add("--profile", type=profile_at, metavar="NAME", default="local", help=text)
     text = "use the programs there instead of building them"
     add("--programs", type=programs_at, metavar="FOLDER", help=text)
     text = "use N cores of this machine (default: all)"
-    add("--cores", type=whole_number, metavar="N", help=text)
-    add(
-        "--describe",
-        action="store_true",
-        help="print name, options and input as one JSON object and stop",
-    )
-    add("-h", "--help", action="store_true", help="print this text")
+    cores = add("--cores", type=WholeNumber("number of cores", 1), metavar="N", help=text)
+    cores.unit = "1"  # type: ignore[attr-defined]
+    text = "print name, options and input as one JSON object and stop"
+    add("--describe", action=Answer, nargs=0, const=Parser.describe, help=text)
+    add("-h", "--help", action=Answer, nargs=0, const=Parser.format_help, help="print this text")
     return parser
-
-
-def option_json(action):
-    kinds = {None: "flag", whole_number: "integer"}
-    return {
-        "name": action.option_strings[-1].removeprefix("--"),
-        "short": action.option_strings[0][1] if len(action.option_strings) > 1 else None,
-        "kind": kinds.get(action.type, "text"),
-        "value": action.metavar or "",
-        "unit": "1" if action.type is whole_number else "",
-        "default": action.default or None,
-        "help": action.help,
-    }
-
-
-def description():
-    """As the other programs describe themselves (docs/schema.md, Programs as JSON)."""
-    options = [action for action in make_parser()._actions if action.option_strings]
-    return {
-        "name": "reproduce",
-        "summary": "compute figures of the paper, their claims, and sweeps of your own",
-        "synopsis": "reproduce COMMAND [options]",
-        "purpose": PURPOSE,
-        "input": "word",
-        "words": [*figures(), *COMMANDS],
-        "outputs": [],
-        "parameters": False,
-        "one_needed": [],
-        "options": [option_json(action) for action in options],
-    }
 
 
 def check_sweep(request):
@@ -165,8 +128,7 @@ def read(words):
     """The request: options; `command`, of COMMANDS or `recipes`; `words`, the recipes; and `file`
     of a sweep. Paths are absolute."""
     request = make_parser().parse_intermixed_args(words)
-    request.command = next((one for one in ("help", "describe") if getattr(request, one)), "")
-    if request.command or not request.words:
+    if not request.words:
         return request
     request.command = request.words[0] if request.words[0] in COMMANDS else "recipes"
     request.cores = request.cores or os.cpu_count() or 1

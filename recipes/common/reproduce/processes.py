@@ -13,7 +13,8 @@ import sys
 import time
 from pathlib import Path
 
-from reproduce.project import LOGS, ROOT, WORK, Failure, complain, say
+from rupture.errors import Failure
+from reproduce.project import LOGS, ROOT, WORK, complain, say
 
 SET_UP = Path(__file__).with_name("set-up.sh")
 SIGNALS = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)

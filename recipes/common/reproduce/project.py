@@ -1,9 +1,11 @@
-"""Where things are, and how the commands fail."""
+"""Where things are, and how the commands talk."""
 
 import os
 import sys
 from contextlib import suppress
 from pathlib import Path
+
+from rupture.errors import Failure
 
 SHARE = Path(__file__).resolve().parents[3]  # recipes and what they read
 # `rupture reproduce` names the folder for results. Elsewhere they are beside the recipes.
@@ -15,14 +17,6 @@ PROFILES = Path("recipes/common/profiles")
 READ = ("recipes", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 # Recipes that `all` leaves out: they judge no claim and take longer than ten minutes each.
 BESIDE_ALL = ("choices", "convergence")
-
-
-class Failure(Exception):
-    """A command failed; the text says why."""
-
-
-class UsageError(Exception):
-    """The command line makes no sense; the text says why."""
 
 
 def link(path, target):

@@ -65,7 +65,7 @@ def run(folder_of_tools, command, base, folder):
 
 def compute(folder_of_tools, point):
     """The result of a point. Raises Crash."""
-    result = {"commands": list(point.commands.values()), "status": "done", "sentence": ""}
+    result: dict = {"commands": list(point.commands.values()), "status": "done", "sentence": ""}
     with tempfile.TemporaryDirectory(prefix="rupture-point-") as folder:
         for name, command in point.commands.items():
             done = run(folder_of_tools, command, point.base, folder)

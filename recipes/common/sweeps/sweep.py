@@ -237,7 +237,9 @@ def parse_ini(path):
     ini = Ini()
     with open(path, encoding="utf-8-sig") as file:
         ini.read_file(file)
-    section = ini["sweep"] if "sweep" in ini else {}
+    if "sweep" not in ini:
+        return ini
+    section = ini["sweep"]
     for key in {"base", "points", "like"} & {*section}:
         section[key] = os.path.normpath(Path(path).parent / section[key])
     if "like" in section:

@@ -6,14 +6,7 @@
 # results themselves are no outputs of the job, so that those that are done outlive one that is ended.
 from runs.written import note
 from sweeps.points import PointStore
-from sweeps.sweep import (
-    BATCHES_OF_MANY,
-    BATCHES_OF_ONE,
-    batches_of,
-    files_of,
-    read_sweep,
-    seeds_of,
-)
+from sweeps.sweep import BATCHES_OF_MANY, BATCHES_OF_ONE, batches_of, files_of, read_sweep, seeds_of
 
 # A recipe reads the tables of its own sweeps only, so those of recipes that are not asked for need no look.
 SWEEP_FILES = {
@@ -32,16 +25,13 @@ SWEEP_FILES |= {name: Path(config["sweep"]) for name in OWN}
 SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
 
 
-def batches(sweep):
-    points = {point.id: point for point in sweep.points}
-    return batches_of(list(points.values()), most=MOST_BATCHES)
-
-
 MOST_BATCHES = BATCHES_OF_ONE if OWN else BATCHES_OF_MANY
 BATCHES = {
     f"{DATA}/batches/{name}-{number:04d}.sum": (name, batch)
     for name, sweep in SWEEPS.items()
-    for number, batch in enumerate(batches(sweep), 1)
+    for number, batch in enumerate(
+        batches_of(list({point.id: point for point in sweep.points}.values()), most=MOST_BATCHES), 1
+    )
 }
 POINTS = f"{DATA}/points"
 
