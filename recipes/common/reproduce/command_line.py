@@ -2,11 +2,12 @@
 
 import argparse
 import os
+from functools import partial
 from pathlib import Path
 
 from rupture.errors import UsageError
 from rupture.tools import command_line
-from rupture.tools.command_line import Answer, WholeNumber, help_text
+from rupture.tools.command_line import Answer, help_text, whole_number
 from runs.recipes import read_readme, recipe_names
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
 
@@ -93,7 +94,8 @@ def make_parser():
     text = "use the programs there instead of building them"
     add("--programs", type=programs_at, metavar="FOLDER", help=text)
     text = "use N cores of this machine (default: all)"
-    cores = add("--cores", type=WholeNumber("number of cores", 1), metavar="N", help=text)
+    read_cores = partial(whole_number, what="number of cores", least=1)
+    cores = add("--cores", type=read_cores, metavar="N", help=text)
     cores.unit = "1"  # type: ignore[attr-defined]
     text = "print name, options and input as one JSON object and stop"
     add("--describe", action=Answer, nargs=0, const=Parser.describe, help=text)
