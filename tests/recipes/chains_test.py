@@ -21,7 +21,7 @@ PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
 # A rule may also ask for checkpoints and crossings for later steps, and name the only event of a
 # record.
-UNSAID = ("--event", "--checkpoint-every", "--crossings")
+UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings")
 # Commands that no rule runs: scripts read these records, or call the program, themselves.
 ONLY_BY_HAND = (
     "analyze loading --x",

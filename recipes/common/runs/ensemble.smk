@@ -64,14 +64,14 @@ use rule load_recorded as load with:
 
 # A seed draws slipping times and nothing else: until the first draw, loads of a kind are one state.
 rule nothing_drawn:
-    input: **content_of(h5=f"{DATA}/{{state}}.h5")
+    input:
+        **content_of(h5=f"{DATA}/{{state}}.h5"),
+        script="recipes/ensemble/nothing_drawn.py",
     output: touch(f"{DATA}/{{state}}.undrawn")
     params: code=CODE
     log: f"{LOGS}/{{state}}-undrawn.log"
     message: "{wildcards.state}: make sure that no slipping time has been drawn yet"
-    shell:
-        "{PYTHON} -c 'import sys, rupture; drawn = rupture.open(sys.argv[1])[\"junctions/draws\"];"
-        " sys.exit(\"a slipping time has been drawn\" if drawn.any() else 0)' {input.h5} 2> {log}"
+    shell: "{PYTHON} {input.script} {input.h5} 2> {log}"
 
 
 # The others: as the first one until then, then with their own seed.
