@@ -1,5 +1,3 @@
-#include "program.hpp"
-
 #include <fcntl.h>
 #include <grp.h>
 #include <sys/mman.h>
@@ -12,6 +10,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "tool_test.hpp"
 
 namespace rupture::testing {
 namespace {

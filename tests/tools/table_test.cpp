@@ -1,131 +1,14 @@
-// Rows of tables/*.txt: a command, its exit code and what it says.
-//
-//   == BEGINNING          a new table; commands that begin with .. begin so
-//   @ COMMAND             made before each row: a program that must succeed, or file NAME "TEXT",
-//                         folder NAME, link NAME TARGET, copy FROM TO, mode NAME OCTAL
-//   NAME EXIT COMMAND     a row: {a|b} stands for each of them, {1} for the first that was chosen;
-//       TEXT              the sentence on standard error, in which ... is any text. No file changed
-//
-// Of a command that exits with 0, or 1> (what differs is no failure), each TEXT is a line of
-// standard output, lines: N their number, or something about JSON, as in expect_json(); the first
-// is the head of CSV, whose lines have as many cells. Without --force no file changed. In front of
-// a command may stand [disk=BYTES], [stdout=FILE], [memory=GIB] and [nobody]: not as root.
-// The command rebuilt FILE demands that the commands of its lineage make it from nothing.
+// Runs the rows of tables/*.txt, whose form stands in table_rows.hpp.
+#include <fnmatch.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <fstream>
-#include <ostream>
-#include <regex>
-#include <sstream>
+#include <functional>
 
-#include "tool_test.hpp"
+#include "table_rows.hpp"
 
 namespace rupture::testing {
 namespace {
-
-using Words = std::vector<std::string>;
-
-struct Row {
-  std::string name, command, exit;
-  Words setup, said;
-};
-
-std::ostream& operator<<(std::ostream& out, const Row& row) {
-  return out << row.command;
-}
-
-/// Reads a line; one that ends in a backslash goes on in the next.
-bool read_line(std::istream& file, std::string& line) {
-  if (!std::getline(file, line)) return false;
-  for (std::string more; line.ends_with('\\') && std::getline(file, more);) {
-    line.pop_back();
-    line += more.substr(more.find_first_not_of(' '));
-  }
-  return true;
-}
-
-Row row_of(const std::string& line, const std::string& beginning) {
-  Row row;
-  std::istringstream words(line);
-  words >> row.name >> row.exit >> std::ws;
-  std::getline(words, row.command);
-  const std::size_t dots = row.command.find("..");
-  const bool begins_so = dots == 0 || (dots != row.command.npos && row.command[dots - 2] == ']');
-  if (begins_so) row.command.replace(dots, 2, beginning);
-  return row;
-}
-
-/// The rows of one file.
-std::vector<Row> rows_in(const fs::path& path) {
-  std::vector<Row> rows;
-  std::string beginning;
-  Words setup;
-  std::ifstream file(path);
-  for (std::string line; read_line(file, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    if (line.starts_with("==")) {
-      beginning = line.substr(std::min(line.size(), std::size_t{3}));
-      setup.clear();
-    } else if (line.starts_with("@ ")) {
-      setup.push_back(line.substr(2));
-    } else if (line.starts_with("    ")) {
-      rows.back().said.push_back(line.substr(4));
-    } else {
-      rows.push_back(row_of(line, beginning));
-      rows.back().name = path.stem().string() + "_" + rows.back().name;
-      rows.back().setup = setup;
-    }
-  }
-  return rows;
-}
-
-std::vector<Row> all_rows() {
-  std::vector<Row> all;
-  for (const auto& entry : fs::directory_iterator(RUPTURE_TABLES)) {
-    if (entry.path().extension() != ".txt") continue;
-    const auto rows = rows_in(entry.path());
-    all.insert(all.end(), rows.begin(), rows.end());
-  }
-  return all;
-}
-
-/// Every choice among {a|b|...} in `text`, with the words that were chosen.
-std::vector<std::pair<std::string, Words>> choices_in(const std::string& text) {
-  static const std::regex braces(R"(\{([^{}]*\|[^{}]*)\})");
-  std::smatch found;
-  if (!std::regex_search(text, found, braces)) return {{text, {}}};
-  std::vector<std::pair<std::string, Words>> all;
-  std::istringstream words(found[1].str() + "|");
-  for (std::string word; std::getline(words, word, '|');) {
-    for (auto [rest, chosen] : choices_in(found.suffix())) {
-      chosen.insert(chosen.begin(), word);
-      all.emplace_back(found.prefix().str() + word + rest, std::move(chosen));
-    }
-  }
-  return all;
-}
-
-/// {1}, {2}, ... become the words that were chosen.
-std::string filled(std::string text, const Words& chosen) {
-  for (std::size_t n = 0; n < chosen.size(); ++n) {
-    const std::string place = '{' + std::to_string(n + 1) + '}';
-    for (std::size_t at = 0; (at = text.find(place)) != std::string::npos;) {
-      text.replace(at, place.size(), chosen[n]);
-    }
-  }
-  return text;
-}
-
-/// Words of a command; quotes hold spaces, or nothing.
-Words words_of(const std::string& command) {
-  static const std::regex word(R"('([^']*)'|[^ ]+)");
-  Words words;
-  for (std::sregex_iterator at(command.begin(), command.end(), word), end; at != end; ++at) {
-    words.push_back((*at)[1].matched ? (*at)[1].str() : at->str());
-  }
-  return words;
-}
 
 /// What was found first for each line that ends in "same".
 using First = std::map<std::string, Json>;
@@ -162,28 +45,90 @@ void expect_json(const Json& json, const std::string& line, First& first) {
   }
 }
 
-class Table : public ToolTest, public ::testing::WithParamInterface<Row> {
+class Table : public ToolTest, public ::testing::WithParamInterface<TableRow> {
  protected:
-  void prepare(const std::string& line) const {
-    Words words = words_of(line);
-    for (std::string& word : words) {
-      if (word.starts_with("$CHECKPOINTS")) word.replace(0, 12, RUPTURE_CHECKPOINTS);
+  /// Runs a step in all its choices, which follow those of the row.
+  void take(const Step& step, const std::string& text, const Words& chosen_before) {
+    for (const auto& [command, more] : choices_in(text)) {
+      Words chosen = chosen_before;
+      chosen.insert(chosen.end(), more.begin(), more.end());
+      const std::string whole = with_sums(filled(command, chosen));
+      if (step.exit == "@") {
+        ASSERT_NO_FATAL_FAILURE(make(whole));
+      } else {
+        expect_command(step, whole, chosen);
+      }
     }
-    if (words[0] == "file") {
-      const std::size_t at = line.find(' ', 5) + 1;
-      write(words[1], Json::parse(line.substr(at)).get<std::string>());
-    } else if (words[0] == "folder") {
-      fs::create_directory(path(words[1]));
-    } else if (words[0] == "link") {
-      fs::create_symlink(words[2], path(words[1]));
-    } else if (words[0] == "copy") {
-      fs::copy_file(path(words[1]), path(words[2]));
-    } else if (words[0] == "mode") {
-      fs::permissions(path(words[1]), fs::perms(std::stoul(words[2], nullptr, 8)));
-    } else {
-      const Outcome outcome = run_words(words);
-      ASSERT_EQ(outcome.exit_code, kDone) << line << "\n" << outcome.err;
+  }
+
+ private:
+  std::string with_sums(std::string text) const {
+    static const std::regex sum(R"(sum\(([^)]*)\))");
+    for (std::smatch found; std::regex_search(text, found, sum);) {
+      text = found.prefix().str() + checksum_in(found[1]).substr(0, 64) + found.suffix().str();
     }
+    return text;
+  }
+
+  using Verb = std::function<void(const std::string& name, const std::string& second)>;
+
+  std::map<std::string, Verb> verbs() const {
+    const auto exists = [this](const auto& name) { return fs::exists(path(name)); };
+    return {
+        {"file", [=, this](auto& name, auto& text) { write(name, text); }},
+        {"folder", [=, this](auto& name, auto&) { fs::create_directories(path(name)); }},
+        {"link", [=, this](auto& name, auto& target) { fs::create_symlink(target, path(name)); }},
+        {"copy",
+         [=, this](auto& from, auto& to) {
+           fs::copy_file(path(from), path(to), fs::copy_options::overwrite_existing);
+         }},
+        {"move", [=, this](auto& from, auto& to) { fs::rename(path(from), path(to)); }},
+        {"mode",
+         [=, this](auto& name, auto& octal) {
+           fs::permissions(path(name), fs::perms(std::stoul(octal, nullptr, 8)));
+         }},
+        {"flip",
+         [=, this](auto& name, auto& at) {
+           std::string bytes = read(name);
+           bytes.at(std::stoul(at)) ^= 1;
+           write(name, bytes);
+         }},
+        {"cut", [=, this](auto& name,
+                          auto& size) { write(name, read(name).substr(0, std::stoul(size))); }},
+        {"remove", [=, this](auto& pattern, auto&) { remove(pattern); }},
+        {"present", [=](auto& name, auto&) { EXPECT_TRUE(exists(name)) << name; }},
+        {"absent", [=](auto& name, auto&) { EXPECT_FALSE(exists(name)) << name; }},
+        {"same", [=, this](auto& a, auto& b) { EXPECT_TRUE(read(a) == read(b)) << a << b; }},
+        {"equal",
+         [=, this](auto& a, auto& b) { EXPECT_EQ(checksum_in(a), checksum_in(b)) << a << b; }},
+        {"summed", [=, this](auto& a, auto&) { EXPECT_EQ(read(a + ".sum"), sum_line(a)) << a; }},
+        {"files",
+         [=, this](auto& number, auto&) { EXPECT_EQ(std::to_string(files().size()), number); }},
+    };
+  }
+
+  /// Files whose names match, as a shell takes it.
+  void remove(const std::string& pattern) const {
+    for (const auto& [name, bytes] : files()) {
+      if (::fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME) == 0) fs::remove(path(name));
+    }
+  }
+
+  /// What stands behind an @.
+  void make(std::string line) const {
+    static const std::string source = "$SOURCE";
+    const std::size_t at = line.find(source);
+    if (at != line.npos) line.replace(at, source.size(), RUPTURE_SOURCE);
+    const Words words = words_of(line);
+    const auto known = verbs();
+    if (const auto verb = known.find(words[0]); verb != known.end()) {
+      return verb->second(words[1], words.size() > 2 ? words[2] : "");
+    }
+    const bool fails = words[0] == "!";
+    std::string command = line.substr(fails ? 2 : 0);
+    const RunOptions options = options_in(command);
+    const Outcome outcome = run_words(words_of(command), options);
+    ASSERT_EQ(outcome.exit_code, fails ? kFailed : kDone) << line << "\n" << outcome.err;
   }
 
   /// [disk=BYTES], [stdout=FILE], [memory=GIB] or [nobody] in front of a command.
@@ -201,42 +146,49 @@ class Table : public ToolTest, public ::testing::WithParamInterface<Row> {
     return options;
   }
 
-  void expect_row(std::string command, const Words& chosen) {
+  void expect_command(const Step& step, std::string command, const Words& chosen) {
     if (command.starts_with("rebuilt ")) return expect_rebuilt(command.substr(8));
     const RunOptions options = options_in(command);
     if (options.memory && RUPTURE_SANITIZED) GTEST_SKIP() << "AddressSanitizer needs more memory";
     if (options.user && run("load --version", options).exit_code == kCannotStart) {
       GTEST_SKIP() << "another user cannot run the programs in this folder";
     }
-    const std::string& exit = GetParam().exit;
     const Words words = words_of(command);
     const Files before = files();
     const Outcome outcome = run_words(words, options);
-    EXPECT_EQ(outcome.exit_code, std::stoi(exit)) << command << "\n" << outcome.err;
-    if (exit == "0" || exit.ends_with(">")) {
-      EXPECT_EQ(outcome.err, "") << command;
-      expect_output(outcome.out, chosen, command);
-      const auto is = [&](const char* word) { return std::ranges::count(words, word) > 0; };
-      if (!is("-f") && !is("--force")) expect_kept(before, command);
-    } else {
-      expect_refusal_like(outcome, words[0], chosen, command);
-      EXPECT_TRUE(exit != "2" || outcome.out.empty()) << command << "\n" << outcome.out;
-      EXPECT_EQ(names_of_changed(before, files()), "") << command;
+    EXPECT_EQ(outcome.exit_code, std::stoi(step.exit)) << command << "\n" << outcome.err;
+    expect_texts(outcome, step, words[0], chosen);
+    expect_kept(before, step.exit, words);
+  }
+
+  void expect_texts(const Outcome& outcome, const Step& step, const std::string& tool,
+                    const Words& chosen) {
+    const bool is_done = step.exit[0] == '0' || step.exit.ends_with('>');
+    std::string err, sentence = is_done ? "" : tool + ":";
+    Words out;
+    for (const std::string& text : step.said) {
+      const std::string line = with_sums(filled(text, chosen));
+      if (line.starts_with("stderr: ")) {
+        err += line.substr(8) + "\n";
+      } else if (is_done || line.starts_with("stdout: ")) {
+        out.push_back(line.substr(line.starts_with("stdout: ") ? 8 : 0));
+      } else {
+        sentence += " " + line;
+      }
     }
+    EXPECT_PRED2(matches, outcome.err, err + sentence + (is_done ? "" : "\n")) << step.command;
+    EXPECT_TRUE(step.exit != "2" || outcome.out.empty()) << step.command << "\n" << outcome.out;
+    if (!out.empty()) expect_output(outcome.out, out, step.command);
   }
 
- private:
-  void expect_kept(const Files& before, const std::string& command) const {
+  /// Which files may have changed depends on the exit code and the options.
+  void expect_kept(const Files& before, const std::string& exit, const Words& words) const {
+    const auto is = [&](const char* word) { return std::ranges::count(words, word) > 0; };
     Files after = files();
-    std::erase_if(after, [&](const auto& file) { return !before.contains(file.first); });
-    EXPECT_EQ(names_of_changed(before, after), "") << command;
-  }
-
-  void expect_refusal_like(const Outcome& outcome, const std::string& tool, const Words& chosen,
-                           const std::string& command) const {
-    std::string sentence = tool + ":";
-    for (const std::string& line : GetParam().said) sentence += " " + filled(line, chosen);
-    EXPECT_PRED2(matches, outcome.err, sentence + "\n") << command;
+    const bool may_write = std::string_view("0>+").find(exit.back()) != std::string_view::npos;
+    if (may_write && (is("-f") || is("--force") || is("--resume"))) return;
+    if (may_write) std::erase_if(after, [&](auto& file) { return !before.contains(file.first); });
+    EXPECT_EQ(names_of_changed(before, after), "") << GetParam();
   }
 
   static void expect_csv(const Words& lines, const std::string& head) {
@@ -246,12 +198,13 @@ class Table : public ToolTest, public ::testing::WithParamInterface<Row> {
     }
   }
 
-  void expect_output(const std::string& out, const Words& chosen, const std::string& command) {
+  void expect_output(const std::string& out, const Words& said, const std::string& command) {
     const bool is_json = out.starts_with('{');
     const Words lines = lines_of(out);
+    auto at = lines.begin();
     Words all;
-    for (const std::string& text : GetParam().said) {
-      for (const auto& [line, ignored] : choices_in(filled(text, chosen))) all.push_back(line);
+    for (const std::string& text : said) {
+      for (const auto& [line, ignored] : choices_in(text)) all.push_back(line);
     }
     if (command.find(" --csv") != command.npos) expect_csv(lines, all.at(0));
     for (const std::string& line : all) {
@@ -260,11 +213,9 @@ class Table : public ToolTest, public ::testing::WithParamInterface<Row> {
       } else if (line.starts_with("lines: ")) {
         EXPECT_EQ(std::to_string(lines.size()), line.substr(7)) << command << "\n" << out;
       } else {
-        EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
-                                [&](const auto& said) { return matches(said, line); }))
-            << command << "\n"
-            << out << "has no line\n"
-            << line;
+        at = std::find_if(at, lines.end(), [&](const auto& said) { return matches(said, line); });
+        ASSERT_NE(at, lines.end()) << command << "\n" << out << "has no line\n" << line;
+        ++at;
       }
     }
   }
@@ -273,9 +224,14 @@ class Table : public ToolTest, public ::testing::WithParamInterface<Row> {
 };
 
 TEST_P(Table, row) {
-  for (const std::string& line : GetParam().setup) ASSERT_NO_FATAL_FAILURE(prepare(line));
-  for (const auto& [command, chosen] : choices_in(GetParam().command)) {
-    expect_row(filled(command, chosen), chosen);
+  const Step setup = {"@", ""};
+  for (const auto& line : GetParam().setup) ASSERT_NO_FATAL_FAILURE(take(setup, line, {}));
+  const std::vector<Step>& steps = GetParam().steps;
+  for (const auto& [front, chosen] : choices_in(steps.front().command)) {
+    for (const Step& step : steps) {
+      const std::string& text = &step == &steps.front() ? front : step.command;
+      ASSERT_NO_FATAL_FAILURE(take(step, filled(text, chosen), chosen));
+    }
   }
 }
 

@@ -133,8 +133,9 @@ void ToolTest::expect_rebuilt(const std::string& file) const {
 
 Files ToolTest::files() const {
   Files all;
-  for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
-    const std::string name = fs::relative(entry.path(), folder_);
+  for (const auto& entry :
+       fs::recursive_directory_iterator(folder_, fs::directory_options::skip_permission_denied)) {
+    const std::string name = entry.path().lexically_relative(folder_);
     if (entry.is_symlink()) {
       all[name + "@"] = fs::read_symlink(entry.path());
     } else if (entry.is_directory()) {

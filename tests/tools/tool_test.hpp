@@ -3,19 +3,40 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "program.hpp"
 
 namespace rupture::testing {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+struct RunOptions {
+  fs::path folder = {};                                 ///< working folder
+  std::map<std::string, std::string> environment = {};  ///< added to that of the test
+  std::string standard_output = {};                ///< file that takes it; empty: it is captured
+  std::optional<std::uint64_t> largest_file = {};  ///< [bytes], as on a full disk
+  std::optional<std::uint64_t> memory = {};        ///< address space [bytes]
+  std::optional<std::uint32_t> user = {};          ///< run as this user; only root can
+};
+
+struct Outcome {
+  int exit_code = 0;  ///< minus the signal's number if one ended the program
+  std::string out, err;
+  std::uint64_t peak_memory = 0;  ///< [bytes]; at least that of the test's own process
+};
+
+inline constexpr int kCannotStart = 127;  ///< exit code if the program could not be executed
+
+/// Runs `arguments[0]`, a file, with the other arguments, none of which a shell sees. It may use
+/// two minutes of processor time.
+Outcome run_program(const std::vector<std::string>& arguments, const RunOptions& options);
 
 enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2 };
 
