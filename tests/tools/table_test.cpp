@@ -100,7 +100,7 @@ class Table : public ToolTest, public ::testing::WithParamInterface<TableRow> {
         {"absent", [=](auto& name, auto&) { EXPECT_FALSE(exists(name)) << name; }},
         {"same", [=, this](auto& a, auto& b) { EXPECT_TRUE(read(a) == read(b)) << a << b; }},
         {"equal",
-         [=, this](auto& a, auto& b) { EXPECT_EQ(checksum_in(a), checksum_in(b)) << a << b; }},
+         [=, this](auto& a, auto& b) { EXPECT_EQ(checksum_of(a), checksum_of(b)) << a << b; }},
         {"summed", [=, this](auto& a, auto&) { EXPECT_EQ(read(a + ".sum"), sum_line(a)) << a; }},
         {"files",
          [=, this](auto& number, auto&) { EXPECT_EQ(std::to_string(files().size()), number); }},

@@ -42,23 +42,5 @@ TEST_F(TimeStep, changed_leaves_samples_at_multiples_of_their_interval) {
   EXPECT_TRUE(fs::exists(path("b-t0.000200000.h5")));
 }
 
-TEST_F(TimeStep, changed_is_resumed_to_the_bits_of_the_uninterrupted_run) {
-  const std::string run =
-      std::string(
-          "restart a.h5 -o x.h5 --until 3e-4 --checkpoint-every 6e-5 --record r.h5 "
-          "--record-every 2.5e-5") +
-      kHalved;
-  output_of(run);
-  const std::string whole = checksum_of("x.h5"), record = checksum_of("r.h5");
-  for (const char* later : {"x.h5", "x-t0.000300000.h5", "x-t0.000240000.h5"}) {
-    fs::remove(path(later));
-  }
-  const std::string said = output_of(run + " --resume");
-  EXPECT_NE(said.find("resuming from x-t0.000180000.h5"), std::string::npos) << said;
-  EXPECT_EQ(checksum_of("x.h5"), whole);
-  EXPECT_EQ(checksum_of("r.h5"), record);
-  EXPECT_EQ(output_of(run + " --resume"), "x.h5 is complete\n");
-}
-
 }  // namespace
 }  // namespace rupture::testing

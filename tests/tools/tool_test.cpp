@@ -82,7 +82,7 @@ Json ToolTest::json_of(std::string_view command) const {
 }
 
 std::string ToolTest::checksum_of(const std::string& file) const {
-  const std::string text = output_of("analyze checksum " + file);
+  const std::string text = checksum_in(file);
   EXPECT_EQ(text.size(), 65U);
   return text.substr(0, 64);
 }

@@ -1,4 +1,4 @@
-// The findings of verifying a file or folder, whatever is wrong.
+// Manifests (.sum files are some), and the findings of verifying a file or folder.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,17 @@
 #include <string_view>
 #include <vector>
 
-#include "analyze/manifest.hpp"
-
 namespace rupture::tools {
+
+/// A line "content-sha256 <64 hex digits>  <file name>"; earlier builds wrote it without the first
+/// word, and such lines are read for ever.
+struct ManifestLine {
+  std::string checksum;
+  std::filesystem::path file;  ///< names in a manifest are relative to its own folder
+};
+
+/// Throws Failure if the manifest cannot be read, names no file or is none.
+std::vector<ManifestLine> read_manifest(const std::filesystem::path& path);
 
 enum class Verdict {
   intact,      ///< with the checksum of the manifest, if that lists it
