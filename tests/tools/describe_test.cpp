@@ -25,9 +25,10 @@ modify-phi: shape sigma-bar x-from x-to slipping output force sum quiet json
 parameters: json
 finish: output force sum quiet json
 seal: original output force sum quiet json
-analyze events: quiet-time slow-below skip-below-x stencil stencils-at-ends ruptured-below json csv
+analyze events: quiet-time slow-below skip-below-x stencil stencils-at-ends ruptured-below also
+  json csv
 analyze front: event quiet-time from to slow-below skip-below-x stencil stencils-at-ends
-  ruptured-below json csv
+  ruptured-below also json csv
 analyze classify: event quiet-time from to slow-below skip-below-x stencil stencils-at-ends
   ruptured-below json
 analyze slip: x from to json csv
