@@ -213,7 +213,7 @@ class Table : public ToolTest, public ::testing::WithParamInterface<TableRow> {
       } else if (line.starts_with("lines: ")) {
         EXPECT_EQ(std::to_string(lines.size()), line.substr(7)) << command << "\n" << out;
       } else {
-        at = std::find_if(at, lines.end(), [&](const auto& said) { return matches(said, line); });
+        at = std::find_if(at, lines.end(), [&](const auto& text) { return matches(text, line); });
         ASSERT_NE(at, lines.end()) << command << "\n" << out << "has no line\n" << line;
         ++at;
       }
