@@ -70,40 +70,41 @@ class Table : public ToolTest, public ::testing::WithParamInterface<TableRow> {
     return text;
   }
 
-  using Verb = std::function<void(const std::string& name, const std::string& second)>;
+  using Name = const std::string&;
+  using Verb = std::function<void(Name, Name)>;
 
   std::map<std::string, Verb> verbs() const {
     const auto exists = [this](const auto& name) { return fs::exists(path(name)); };
     return {
-        {"file", [=, this](auto& name, auto& text) { write(name, text); }},
-        {"folder", [=, this](auto& name, auto&) { fs::create_directories(path(name)); }},
-        {"link", [=, this](auto& name, auto& target) { fs::create_symlink(target, path(name)); }},
+        {"file", [=, this](Name name, Name text) { write(name, text); }},
+        {"folder", [=, this](Name name, Name) { fs::create_directories(path(name)); }},
+        {"link", [=, this](Name name, Name target) { fs::create_symlink(target, path(name)); }},
         {"copy",
-         [=, this](auto& from, auto& to) {
+         [=, this](Name from, Name to) {
            fs::copy_file(path(from), path(to), fs::copy_options::overwrite_existing);
          }},
-        {"move", [=, this](auto& from, auto& to) { fs::rename(path(from), path(to)); }},
+        {"move", [=, this](Name from, Name to) { fs::rename(path(from), path(to)); }},
         {"mode",
-         [=, this](auto& name, auto& octal) {
+         [=, this](Name name, Name octal) {
            fs::permissions(path(name), fs::perms(std::stoul(octal, nullptr, 8)));
          }},
         {"flip",
-         [=, this](auto& name, auto& at) {
+         [=, this](Name name, Name at) {
            std::string bytes = read(name);
            bytes.at(std::stoul(at)) ^= 1;
            write(name, bytes);
          }},
-        {"cut", [=, this](auto& name,
-                          auto& size) { write(name, read(name).substr(0, std::stoul(size))); }},
-        {"remove", [=, this](auto& pattern, auto&) { remove(pattern); }},
-        {"present", [=](auto& name, auto&) { EXPECT_TRUE(exists(name)) << name; }},
-        {"absent", [=](auto& name, auto&) { EXPECT_FALSE(exists(name)) << name; }},
-        {"same", [=, this](auto& a, auto& b) { EXPECT_TRUE(read(a) == read(b)) << a << b; }},
+        {"cut",
+         [=, this](Name name, Name size) { write(name, read(name).substr(0, std::stoul(size))); }},
+        {"remove", [=, this](Name pattern, Name) { remove(pattern); }},
+        {"present", [=](Name name, Name) { EXPECT_TRUE(exists(name)) << name; }},
+        {"absent", [=](Name name, Name) { EXPECT_FALSE(exists(name)) << name; }},
+        {"same", [=, this](Name a, Name b) { EXPECT_TRUE(read(a) == read(b)) << a << b; }},
         {"equal",
-         [=, this](auto& a, auto& b) { EXPECT_EQ(checksum_of(a), checksum_of(b)) << a << b; }},
-        {"summed", [=, this](auto& a, auto&) { EXPECT_EQ(read(a + ".sum"), sum_line(a)) << a; }},
+         [=, this](Name a, Name b) { EXPECT_EQ(checksum_of(a), checksum_of(b)) << a << b; }},
+        {"summed", [=, this](Name a, Name) { EXPECT_EQ(read(a + ".sum"), sum_line(a)) << a; }},
         {"files",
-         [=, this](auto& number, auto&) { EXPECT_EQ(std::to_string(files().size()), number); }},
+         [=, this](Name number, Name) { EXPECT_EQ(std::to_string(files().size()), number); }},
     };
   }
 

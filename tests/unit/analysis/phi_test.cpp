@@ -198,8 +198,9 @@ TEST_F(Interface, pins_slipping_junctions_on_request_and_keeps_the_mean_of_all) 
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_EQ(now()[i].slipping, 0.0);
       EXPECT_NEAR(now()[i].mean, then()[i].mean, 1e-12 * then()[i].mean);
-      if (bell) EXPECT_NEAR(now()[i].sigma_bar(), 0.2,
-                            0.003 * 0.2);  // 100 quantiles: see Shape
+      if (bell) {  // 100 quantiles: see Shape
+        EXPECT_NEAR(now()[i].sigma_bar(), 0.2, 0.003 * 0.2);
+      }
     }
   }
 }
