@@ -95,17 +95,6 @@ inline std::vector<TableRow> rows_in(const fs::path& path) {
   return rows;
 }
 
-inline std::vector<TableRow> all_rows() {
-  std::vector<TableRow> all;
-  for (const auto& entry :
-       fs::directory_iterator(fs::path(RUPTURE_SOURCE) / "tests/tools/tables")) {
-    if (entry.path().extension() != ".txt") continue;
-    const auto rows = rows_in(entry.path());
-    all.insert(all.end(), rows.begin(), rows.end());
-  }
-  return all;
-}
-
 /// Every choice among {a|b|...} in `text`, with the words that were chosen.
 inline std::vector<std::pair<std::string, Words>> choices_in(const std::string& text) {
   static const std::regex braces(R"(\{([^{}]*\|[^{}]*)\})");

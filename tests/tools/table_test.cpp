@@ -10,6 +10,17 @@
 namespace rupture::testing {
 namespace {
 
+std::vector<TableRow> all_rows() {
+  std::vector<TableRow> all;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(RUPTURE_SOURCE) / "tests/tools/tables")) {
+    if (entry.path().extension() != ".txt") continue;
+    const auto rows = rows_in(entry.path());
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return all;
+}
+
 /// What was found first for each line that ends in "same".
 using First = std::map<std::string, Json>;
 
