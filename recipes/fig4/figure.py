@@ -1,5 +1,6 @@
-"""Figure 4: A-B and their claim here, C in strength.py, D by common/maps."""
+"""Figure 4: A-B and their claim here, C in strength.py, D by common/maps, the edges of D in edge.py."""
 
+import edge
 import rupture
 import strength
 
@@ -15,7 +16,7 @@ MAP = dict(
     panel="D",
     tables=["map-between", "map-boundary"],
     slow_below=(20, 10, 30, 40, 60),
-    claim="4D",
+    claims=("4Dw", "4D"),
     note=(
         "Below-left: neither tau_bar_0 nor sigma_bar larger, over all points and seeds. Boundary:"
         " grid points and points halfway between them that are next to another type. Seeds act"
@@ -66,5 +67,6 @@ def make(data, results):
     return [
         judged_event("4AB", events, units),
         *strength.make(data, results),
-        make_map(data, results, **MAP),
+        *make_map(data, results, **MAP),
+        *edge.make(data, results),
     ]

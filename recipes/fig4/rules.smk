@@ -35,7 +35,7 @@ use rule places as fig4_boundary with:
 
 # A-B: events I and II, and the same with a wider distribution of junction forces
 # (runs/continuations.smk). C: prepared interfaces of either shape, the strength of the shapes
-# themselves, and the blocks of events I and II and of the ensemble.
+# themselves, and the blocks of events I and II and of the ensemble. Edges of D by bisection.
 use rule figure as fig4 with:
     input:
         fronts=[f"{DATA}/{run}-front.json" for run in FIG4_WIDER],
@@ -43,12 +43,13 @@ use rule figure as fig4 with:
         **content_of(records=[f"{DATA}/{run}-record.h5" for run in FIG4_WIDER]),
         tables=[f"{DATA}/fig4/{part}.csv" for part in (*FIG4_MAP, "boundary", "strength", "strength-curves")],
         strength=[f"{DATA}/{event}-strength.json" for event in FIG4_SHOWN],
+        edges=[*edges("reference", EDGE_SIGMAS), *edges("no-slow-slip", EDGE_SIGMAS)],
         continued=of_ensemble("load", "continued"),
         **scripts_of("fig4"),
     output:
         results_of(
             "fig4",
             pictures=["fig4AB", "fig4C", "fig4D"],
-            tables=["strength", "front-types", "thresholds"],
+            tables=["strength", "front-types", "thresholds", "edges"],
         ),
     log: f"{LOGS}/fig4.log"

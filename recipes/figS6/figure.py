@@ -22,7 +22,7 @@ MAP = dict(
     panel="B",
     tables=["map-boundary"],
     slow_below=(20, 8, 10, 30, 40),
-    claim="S6B",
+    claims=("S6Bw", "S6B"),
     note=(
         "As 4D, slow below c_s/20 as there; c_s/8 is what the acceptance of S6A allows a slow"
         " stretch. tau_bar_0 counts from mu_d, the friction just after breaking; it falls to mu_new"
@@ -111,4 +111,4 @@ def make(data, results):
     draw(data / "figS6/event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", events)
-    return [*claims_of(fronts, events, in_words, loads), make_map(data, results, **MAP)]
+    return [*claims_of(fronts, events, in_words, loads), *make_map(data, results, **MAP)]

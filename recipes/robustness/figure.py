@@ -84,16 +84,22 @@ def with_map(units, of_map):
     }
 
 
-def claim_words(in_words, of_map, loads):
+def claims_in_words(in_words, of_map, loads):
+    """Of the events, of the map, and of both."""
     first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
-    return judged(
-        "Expw",
-        words_shown(first) | of_map,
-        words_case(first) | of_map,
-        with_map(units_in_words(loads), of_map),
-        note="Each load is judged by its own events, and all of them by the one map of prepared"
-        " interfaces.",
-    )
+    shown, case, units = words_shown(first), words_case(first), units_in_words(loads)
+    return [
+        judged("Expe", shown, case, units),
+        judged(
+            "Expw",
+            shown | of_map,
+            case | of_map,
+            with_map(units, of_map),
+            note="Each load is judged by its own events, and all of them by the one map of prepared"
+            " interfaces.",
+        ),
+        judged("Expm", of_map, of_map),
+    ]
 
 
 def claim_strict(events, unmodified, continued, loads):
@@ -137,6 +143,6 @@ def make(data, results):
     runs = ("fast-slow-fast", "fast-slow-fast/exponential")
     unmodified, continued = (report(data / f"{run}-front.json") for run in runs)
     strict = claim_strict(spanning, unmodified, continued, loads)
-    words = claim_words(in_words, case_of_map(fronts), loads)
+    words = claims_in_words(in_words, case_of_map(fronts), loads)
     distance.make(data, results)
-    return [strict, words, *geometry.make(data / "robustness", results)]
+    return [strict, *words, *geometry.make(data / "robustness", results)]

@@ -1,4 +1,4 @@
-"""Maps of front types for other lengths and nucleation energies, and claim Geo."""
+"""Maps of front types for other lengths and nucleation energies, and claims Geow and Geo."""
 
 from claims.judge import judged
 from data.tables import points_of
@@ -53,6 +53,32 @@ def case_of(maps, axis=map_conventions.ALONG_TAU, **how):
     }
 
 
+def case_in_words(maps, **how):
+    """Of the leading row."""
+    orders = [front_map.order_in_words(types_of(fronts, **how)) for fronts in maps.values()]
+    return {
+        "fewest types present on a map": min(present for present, _ in orders),
+        "sigma_bar out of order on all maps": sum(out_of_order for _, out_of_order in orders),
+    }
+
+
+def of_each_seed(maps, ways, case):
+    """The units, as the judge takes them."""
+    seeds = sorted({seed for fronts in maps.values() for seed in front_map.seeds_of(fronts)})
+    of_seed = {
+        s: {name: front_map.map_of_seed(fronts, s) for name, fronts in maps.items()} for s in seeds
+    }
+    return map_conventions.units_of_seeds(
+        seeds, ways, lambda seed, **way: case(of_seed[seed], **way)
+    )
+
+
+def claim_Geow(maps):
+    shown = case_in_words(maps)
+    units = of_each_seed(maps, map_conventions.MEASURES, case_in_words)
+    return judged("Geow", shown, shown, units, map_conventions.ABOUT_UNITS)
+
+
 def claim_Geo(maps):
     def case(seed, **way):
         of_seed = {name: front_map.map_of_seed(fronts, seed) for name, fronts in maps.items()}
@@ -63,7 +89,7 @@ def claim_Geo(maps):
     return judged(
         "Geo",
         shown=shown,
-        units=map_conventions.units_of_seeds(seeds, map_conventions.WAYS, case),
+        units=of_each_seed(maps, map_conventions.WAYS, case_of),
         measured=shown
         | {k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()}
         | map_conventions.over_product("Geo", seeds, case),
@@ -93,4 +119,4 @@ def make(data, results):
     maps = front_map.read_variants(points, TITLES)
     draw(maps, results / "geometry")
     front_map.write_variants(results / "geometry.csv", maps)
-    return [claim_Geo(maps)]
+    return [claim_Geow(maps), claim_Geo(maps)]

@@ -27,6 +27,7 @@ MADE_UP = {
     "same": ROW | {"conditions": "all"},
     "one": ROW | {"conditions": {"x": {"above": 2}}, "exists": True},
     "alone": ROW | {"unit": "", "conditions": {"x": {"below": 1}}},
+    "state": ROW | {"unit": "seed", "conditions": {"x": {"below": 1}}},
     "unstated": ROW | {"unit": "", "conditions": {}},
 }
 GOOD, BAD = {"x": 3}, {"x": 1}
@@ -80,25 +81,54 @@ class TestJudge:
 
     def test_verdicts_go_by_the_shown_case_and_the_shares(self):
         for shown, measured, verdict in (
-            (GOOD, units(10, 10), "reproduced"),  # one exists: half of the units
-            (GOOD, units(9, 11), "depends"),
+            (GOOD, units(20, 0), "reproduced"),
+            (GOOD, units(14, 6), "reproduced"),  # one exists: the interval is above a half
+            (GOOD, units(13, 7), "depends"),
             (BAD, units(20, 0), "depends"),
-            (BAD, units(4, 16), "differs"),
-            (BAD, units(5, 15), "depends"),
-            (GOOD, units(20, 0, other=9), "depends"),
-            (GOOD, units(20, 0, other=10), "reproduced"),
-            (BAD, units(0, 20, other=5), "depends"),
+            (BAD, units(1, 19), "differs"),
+            (BAD, units(2, 18), "depends"),
+            (GOOD, units(20, 0, other=13), "depends"),
+            (GOOD, units(20, 0, other=14), "reproduced"),
+            (BAD, units(0, 20, other=2), "depends"),
         ):
             claim = judged("one", {}, shown, measured)
             assert claim.verdict == verdict, claim.reason
 
-    def test_a_unit_without_a_convention_counts_against_it(self):
+    def test_says_when_there_are_too_few_units(self):
+        for shown, measured, few in (
+            (GOOD, units(13, 7), True),
+            (GOOD, units(9, 11), False),
+            (BAD, units(4, 16), True),
+            (BAD, units(5, 15), False),
+        ):
+            reason = judged("one", {}, shown, measured).reason
+            assert ("; too few loads for a verdict" in reason) == few, reason
+
+    def test_a_unit_counts_under_its_conventions_only(self):
         measured = units(20, 0)
         for number in range(9):
-            measured[f"{number}"]["other"] = [GOOD]
+            measured[f"{number}"]["other"] = [GOOD] if number else []
         claim = judged("one", {}, GOOD, measured)
-        assert (claim.shares[1].holds, claim.shares[1].units) == (9, 20)
-        assert claim.verdict == "depends"
+        assert (claim.shares[1].holds, claim.shares[1].units) == (8, 9)
+
+    def test_counts_spanning_events_where_one_is_enough(self):
+        good, bad = GOOD | {"spans": "yes"}, BAD | {"spans": "yes"}
+        loads = {f"{n}": {PRIMARY: [good, bad, bad, BAD | {"spans": "no"}]} for n in range(20)}
+        assert judged("one", {}, GOOD, loads).reason.endswith("; 20 of 60 spanning events")
+
+    def test_the_majority_of_its_seeds_speaks_for_one_state(self):
+        low, high = [{"x": 0}], [{"x": 2}]
+        for held, other, verdict in ((3, 3, "reproduced"), (3, 2, "depends"), (2, 0, "differs")):
+            seeds = {
+                f"seed {n}": {
+                    PRIMARY: low if n < held else high,
+                    "other": low if n < other else high,
+                }
+                for n in range(5)
+            }
+            claim = judged("state", {}, low[0], seeds)
+            assert claim.verdict == verdict, claim.reason
+            assert [(s.units, s.low, s.high) for s in claim.shares] == 2 * [(1, None, None)]
 
     def test_one_state_is_judged_under_each_convention(self):
         low, high = {"x": 0}, {"x": 2}
@@ -113,7 +143,7 @@ class TestJudge:
             assert claim.verdict == verdict, claim.reason
             assert claim.shares == []
         claim = judged("alone", {}, low, others={"other": high})
-        assert claim.reason == "on the convention: holds under primary; does not under other"
+        assert claim.reason == "holds except under other (of 2 conventions)"
 
     def test_names_the_convention_that_decides(self):
         claim = judged("one", {}, GOOD, units(20, 0, other=3))
@@ -137,6 +167,7 @@ class TestTable:
     def test_every_row_is_complete(self):
         for claim_id, row in table().items():
             assert {"recipe", "says", "accepted", "conditions"} <= set(row)
+            assert table()[row.get("closeness_of", claim_id)]["recipe"] == row["recipe"]
             assert (ROOT / f"recipes/{row['recipe']}/rules.smk").exists()
             for condition in conditions_of(claim_id).values():
                 if isinstance(condition, dict):

@@ -19,13 +19,14 @@ SHOWN_ONLY = "shown case only"  # begins the reason of a verdict without units
 
 @dataclass(frozen=True)
 class Share:
-    """The units for which a claim holds under one convention; `low` and `high` bound their part."""
+    """The units for which a claim holds under one convention; `low` and `high` bound their part,
+    None for one state."""
 
     convention: str
     holds: int
     units: int
-    low: float
-    high: float
+    low: float | None
+    high: float | None
 
     def part(self):
         return self.holds / self.units
@@ -54,6 +55,7 @@ class Claim:
     verdict: str
     reason: str
     note: str = ""
+    closeness_of: str = ""  # the leading row, of one that asks for more than the paper says
 
     def __post_init__(self):
         if self.verdict not in VERDICTS:

@@ -2,7 +2,8 @@
 
 A claim is judged over units (independent realisations: loads, events) and under conventions (ways
 to measure that the paper leaves open). The shares over the conventions are what statistics calls a
-multiverse (Steegen et al. 2016). docs/claims.md has the rules.
+multiverse (Steegen et al. 2016). A set of prepared interfaces is one state; its seeds only say how
+sure its numbers are. docs/claims.md has the rules.
 """
 
 import tomllib
@@ -23,6 +24,7 @@ from claims.claim import (
     Claim,
     Share,
     number,
+    plural,
 )
 
 TABLE = Path(__file__).with_name("claims.toml")
@@ -35,6 +37,11 @@ RELATIONS = {"at_least": ge, "at_most": le, "above": gt, "below": lt}
 @cache
 def table():
     return tomllib.loads(TABLE.read_text(encoding="utf-8"))
+
+
+def in_order(claims):
+    """As the table has them: a leading row before those that ask for more."""
+    return sorted(claims, key=lambda claim: list(table()).index(claim.id))
 
 
 # --- one case ------------------------------------------------------------------------------
@@ -92,53 +99,87 @@ def interval(k, n):
     return float(low if k else 0.0), float(high if k < n else 1.0)
 
 
+def is_one_state(claim_id):
+    return table()[claim_id].get("unit") == "seed"
+
+
+def share_of(claim_id, convention, units):
+    """Of units measured under one convention. The majority of its seeds speaks for one state."""
+    held = [holds(claim_id, cases) for cases in units]
+    if is_one_state(claim_id):
+        return Share(convention, int(2 * sum(held) > len(held)), 1, None, None)
+    return Share(convention, sum(held), len(held), *interval(sum(held), len(held)))
+
+
 def shares_of(claim_id, units):
     """One per convention, the primary one first. `units`: {unit: {convention: [case, ...]}}. A unit
-    that has nothing under a convention counts against the claim."""
-    conventions = dict.fromkeys(c for measured in units.values() for c in measured)
-    shares = []
-    for convention in sorted(conventions, key=lambda c: c != PRIMARY):
-        held = [holds(claim_id, measured.get(convention, [])) for measured in units.values()]
-        shares.append(Share(convention, sum(held), len(held), *interval(sum(held), len(held))))
-    return shares
+    that has no case under a convention counts against the claim; one without the convention is no
+    unit under it."""
+    by_convention: dict[str, list] = {PRIMARY: []}
+    for measured in units.values():
+        for convention, cases in measured.items():
+            by_convention.setdefault(convention, []).append(cases)
+    return [share_of(claim_id, name, found) for name, found in by_convention.items() if found]
 
 
 def needed(claim_id):
     return NEEDED_IF_ONE_EXISTS if table()[claim_id].get("exists") else NEEDED
 
 
+def verdict_of_shares(claim_id, shown, shares):
+    """The 90 % intervals have to lie on the right side, not only the shares."""
+    unit, holding = table()[claim_id]["unit"], "holds" if shown else "does not hold"
+    worst, best = min(shares, key=lambda s: s.low), max(shares, key=lambda s: s.high)
+    decides = worst if shown else best
+    if shown and worst.low >= needed(claim_id):
+        return REPRODUCED, f"holds as shown and in at least {worst.text(unit)}"
+    if not shown and best.high <= FEW:
+        return DIFFERS, f"does not hold as shown, and in at most {best.text(unit)}"
+    enough = worst.part() >= needed(claim_id) if shown else best.part() <= FEW
+    few = f"; too few {plural(unit)} for a verdict" if enough else ""
+    return DEPENDS, f"{holding} as shown; in {decides.text(unit)}{few}"
+
+
 def verdict_of(claim_id, shown, shares):
     """The verdict, and its reason in one line."""
-    unit = table()[claim_id].get("unit")
     if not conditions_of(claim_id):
         return NOT_COMPARABLE, "the paper states nothing to compare with; ours is reported"
     if shown is None:
         return NOT_COMPARABLE, "it could not be measured"
+    if shares and is_one_state(claim_id):
+        return verdict_of_state({share.convention: share.holds == 1 for share in shares})
+    if shares:
+        return verdict_of_shares(claim_id, shown, shares)
     holding = "holds" if shown else "does not hold"
-    if not shares:
-        verdict = REPRODUCED if shown else DIFFERS
-        return verdict, f"{SHOWN_ONLY}: {holding}" if unit else holding
-    worst, best = min(shares, key=Share.part), max(shares, key=Share.part)
-    if shown and worst.part() >= needed(claim_id):
-        return REPRODUCED, f"holds as shown and in at least {worst.text(unit)}"
-    if not shown and best.part() <= FEW:
-        return DIFFERS, f"does not hold as shown, and in at most {best.text(unit)}"
-    decides = worst if shown else best
-    return DEPENDS, f"{holding} as shown; in {decides.text(unit)}"
+    of_case = f"{SHOWN_ONLY}: {holding}" if table()[claim_id].get("unit") else holding
+    return REPRODUCED if shown else DIFFERS, of_case
 
 
-def verdict_of_state(shown, others):
-    """The same for one state: whether the claim holds as shown, and under other conventions."""
-    held = {PRIMARY: shown} | others
-    holding = ", ".join(name for name, does in held.items() if does)
-    failing = ", ".join(name for name, does in held.items() if not does)
-    if shown is None:
-        return NOT_COMPARABLE, "it could not be measured"
+def verdict_of_state(held):
+    """Of one state. `held`: {convention: whether the claim holds under it}"""
+    holding, failing = ([name for name, does in held.items() if does == so] for so in (True, False))
     if not failing:
-        return REPRODUCED, f"holds under each convention ({holding})"
+        return REPRODUCED, "holds" + under(holding)
     if not holding:
-        return DIFFERS, f"does not hold under any convention ({failing})"
-    return DEPENDS, f"on the convention: holds under {holding}; does not under {failing}"
+        return DIFFERS, "does not hold" + under(failing)
+    if len(holding) < len(failing):
+        return DEPENDS, f"holds only under {', '.join(holding)} (of {len(held)} conventions)"
+    return DEPENDS, f"holds except under {', '.join(failing)} (of {len(held)} conventions)"
+
+
+def under(conventions):
+    return f" under all {len(conventions)} conventions" if len(conventions) > 1 else ""
+
+
+def share_of_spanning(claim_id, units):
+    """For "there is such an event": how many of the spanning events of all loads are such."""
+    cases = [case for measured in units.values() for case in measured.get(PRIMARY, [])]
+    spanning = [case for case in cases if case.get("spans") == "yes"]
+    if not (table()[claim_id].get("exists") and spanning):
+        return ""
+    return (
+        f"; {sum(holds(claim_id, [case]) for case in spanning)} of {len(spanning)} spanning events"
+    )
 
 
 def judged(claim_id, measured, shown, units=None, note="", others=None):
@@ -149,11 +190,13 @@ def judged(claim_id, measured, shown, units=None, note="", others=None):
     accepted = None if shown is None else holds(claim_id, [shown])
     units = units or {}
     shares = shares_of(claim_id, units) if len(units) >= FEWEST else []
-    if others:
+    if others and accepted is not None:
         held = {name: holds(claim_id, [case]) for name, case in others.items()}
-        verdict, reason = verdict_of_state(accepted, held)
+        verdict, reason = verdict_of_state({PRIMARY: accepted} | held)
     else:
         verdict, reason = verdict_of(claim_id, accepted, shares)
+    if shares:
+        reason += share_of_spanning(claim_id, units)
     if accepted is False:
         reason += f" ({unmet_text(claim_id, shown)})"
     return Claim(
@@ -166,4 +209,5 @@ def judged(claim_id, measured, shown, units=None, note="", others=None):
         verdict=verdict,
         reason=reason,
         note=note,
+        closeness_of=row.get("closeness_of", ""),
     )

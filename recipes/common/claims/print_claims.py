@@ -18,16 +18,19 @@ SHOWN = {True: "holds", False: "fails", None: "-"}
 
 
 def share_text(share):
-    return f"{share.part():.2f} ({share.low:.2f}-{share.high:.2f})"
+    within = "" if share.low is None else f" ({share.low:.2f}-{share.high:.2f})"
+    return f"{share.part():.2f}{within}"
 
 
 def cells(claim):
-    """Share under the primary convention with its 90 % interval, and the least of all."""
+    """Share under the primary convention with its 90 % interval, and the least of all. A row that
+    asks for more than the paper says stands indented below the leading one."""
+    name = f" {claim.id}" if claim.closeness_of else claim.id
     if not claim.shares:
-        return claim.id, claim.verdict, SHOWN[claim.shown], "", "", ""
+        return name, claim.verdict, SHOWN[claim.shown], "", "", ""
     least = min(claim.shares, key=Share.part)
     return (
-        *(claim.id, claim.verdict, SHOWN[claim.shown]),
+        *(name, claim.verdict, SHOWN[claim.shown]),
         *(share_text(claim.shares[0]), f"{least.part():.2f}", least.convention),
     )
 

@@ -213,6 +213,22 @@ def steps_back(types, axis):
     }
 
 
+def medians_ascend(types, sigma):
+    """Whether the median tau_bar_0 of the types that occur at this sigma_bar ascend: arrested, slow,
+    fast."""
+    of_kind = {
+        kind: [t for (t, s), k in types.items() if (s, k) == (sigma, kind)] for kind in TYPES
+    }
+    medians = [float(np.median(taus)) for taus in of_kind.values() if taus]
+    return all(low < high for low, high in zip(medians[:-1], medians[1:]))
+
+
+def order_in_words(types):
+    """How many types are present, and at how many sigma_bar their medians do not ascend."""
+    out_of_order = [s for s in axes_of(types)[1] if not medians_ascend(types, s)]
+    return len(set(types.values()) & set(TYPES)), len(out_of_order)
+
+
 def spread_of_crossing(seeds):
     """How far the times at which the front arrives differ between seeds, over their mean."""
     times = [front["t_rupture"][-1] for front in seeds.values()]

@@ -9,6 +9,7 @@ from maps.front_map import (
     band,
     fast_below_left_of_arrested,
     map_of_seed,
+    order_in_words,
     seeds_of,
     spread_of_crossing,
     steps_back,
@@ -19,6 +20,7 @@ from maps.map_conventions import (
     ABOUT_UNITS,
     ALONG_SIGMA,
     ALONG_TAU,
+    MEASURES,
     WAYS,
     out_of_order,
     over_product,
@@ -115,17 +117,31 @@ def case_of_map(fronts, grid, boundary_seeds, axis=ALONG_TAU, **how):
     }
 
 
-def map_claim(name, fronts, grid, boundary, thresholds, note):
+def case_in_words(fronts, grid, **how):
+    """Of the leading row."""
+    types = types_of(fronts, **how)
+    present, out_of_order = order_in_words({place: types[place] for place in grid})
+    return {"types present": present, "sigma_bar out of order": out_of_order}
+
+
+def map_claims(leading, strict, fronts, grid, boundary, thresholds, note):
     """Shown is the map of all seeds."""
-    boundary_seeds = fewest_seeds(fronts, boundary)
+    boundary_seeds, seeds = fewest_seeds(fronts, boundary), seeds_of(fronts)
+
+    def in_words(seed, **way):
+        return case_in_words(map_of_seed(fronts, seed), grid, **way)
 
     def case(seed, **way):
         return case_of_map(map_of_seed(fronts, seed), grid, boundary_seeds, **way)
 
-    return judged(
-        name,
-        measured(fronts, grid, boundary, thresholds) | over_product(name, seeds_of(fronts), case),
-        case_of_map(fronts, grid, boundary_seeds),
-        units_of_seeds(seeds_of(fronts), WAYS, case),
-        f"{note} {ABOUT_UNITS}",
-    )
+    shown = case_in_words(fronts, grid)
+    return [
+        judged(leading, shown, shown, units_of_seeds(seeds, MEASURES, in_words), ABOUT_UNITS),
+        judged(
+            strict,
+            measured(fronts, grid, boundary, thresholds) | over_product(strict, seeds, case),
+            case_of_map(fronts, grid, boundary_seeds),
+            units_of_seeds(seeds, WAYS, case),
+            f"{note} {ABOUT_UNITS}",
+        ),
+    ]

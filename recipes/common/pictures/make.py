@@ -7,6 +7,7 @@ from importlib import import_module
 from pathlib import Path
 
 from claims.claim import write_claims
+from claims.judge import in_order
 
 RESULTS = Path("results")
 
@@ -16,7 +17,7 @@ def main(path):
     sys.path.insert(0, str(script.parent))
     results = RESULTS / script.parent.name
     claims = import_module(script.stem).make(RESULTS / "data", results)
-    write_claims(results / "claims.json", claims)
+    write_claims(results / "claims.json", in_order(claims))
 
 
 if __name__ == "__main__":

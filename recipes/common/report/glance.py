@@ -50,7 +50,8 @@ def symbols_in(text):
 def draw_shares(axes, claim, columns):
     for column in columns:
         colour = BLACK if column.is_primary else BLUE
-        axes.vlines(column.at, column.share.low, column.share.high, colour, linewidth=0.5)
+        if column.share.low is not None:
+            axes.vlines(column.at, column.share.low, column.share.high, colour, linewidth=0.5)
         axes.plot(column.at, column.share.part(), "s" if column.is_primary else "o", color=colour)
     first, last = columns[0].at - 0.5, columns[-1].at + 0.5
     axes.hlines(needed(claim.id), first, last, BLACK, linewidth=0.6, linestyle=":")

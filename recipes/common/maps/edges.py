@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""Where fronts on prepared interfaces change from arrested to slow and from slow to fast:
+
+    edges.py PROGRAMS FOLDER SIGMA_BAR [OPTION ...]
+
+bisects tau_bar_0 at one sigma_bar, with options of `prepare` (--set junctions.mu_d=0). Works in
+FOLDER, which is deleted at the end. Prints, under each convention of a map,
+
+    {"slow": lowest tau_bar_0 of a front that is not arrested, "fast": of one that is fast}
+
+each halfway between two fronts STEP apart.
+"""
+
+import json
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+from data.scratch import scratch
+from events.conventions import Analysis
+from maps.front_map import COMMANDS, SKIP_BELOW_X, TYPES, front_type
+from maps.map_conventions import MEASURES
+
+STEP = 2.5e-4  # of tau_bar_0
+LOWEST, HIGHEST = 0, 1200  # in steps: arrested at sigma_bar up to 0.285, and fast
+CROSSINGS = ",".join(map(str, COMMANDS))
+
+
+def first(is_so, low, high):
+    """The lowest number for which it is so; is_so(low) is not, is_so(high) is."""
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if is_so(middle) else (middle, high)
+    return high
+
+
+class Interfaces:
+    """Prepared interfaces of one sigma_bar, run in a folder."""
+
+    def __init__(self, programs, folder, options):
+        self.programs = Path(programs).resolve()
+        self.analyze = Analysis(programs)
+        self.folder = folder
+        self.options = options
+
+    def run(self, tool, *words):
+        words = [self.programs / tool, *words, "--quiet", "--force"]
+        subprocess.run(list(map(str, words)), stdout=sys.stderr, check=True)
+
+    @cache  # conventions share fronts
+    def front(self, steps):
+        """With other pinned fractions, as read_map() has them."""
+        start, end, record = (self.folder / f"{name}.h5" for name in ("start", "end", "record"))
+        self.run("prepare", "--tau-bar", f"{steps * STEP:g}", *self.options, "-o", start)
+        recorded = ["--record", record, "--record-every", "1e-3", "--crossings", CROSSINGS]
+        until = ["--until-quiet", "--arrived-below", min(COMMANDS)]
+        self.run("restart", start, "-o", end, *until, *recorded)
+        beyond = ["--skip-below-x", SKIP_BELOW_X]
+        others = {
+            f: self.analyze("front", record, [*beyond, "--ruptured-below", f]) for f in COMMANDS
+        }
+        return self.analyze("front", record, beyond) | {"at": others}
+
+    def edge(self, kind, **how):
+        """Halfway to the first front of this type, or of one that comes after it."""
+
+        def is_so(steps):
+            return TYPES.index(front_type(self.front(steps), **how)) >= TYPES.index(kind)
+
+        return (first(is_so, LOWEST, HIGHEST) - 0.5) * STEP
+
+
+def main(programs, folder, sigma_bar, *options):
+    with scratch(Path(folder)) as folder:
+        interfaces = Interfaces(programs, folder, ["--sigma-bar", sigma_bar, *options])
+        edges = {
+            name: {kind: interfaces.edge(kind, **how) for kind in TYPES[1:]}
+            for name, how in MEASURES.items()
+        }
+    print(json.dumps(edges))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,58 @@
+"""Where fronts on prepared interfaces become fast, with slow slip and without: claim edge."""
+
+from claims.judge import judged
+from data.records import report
+from data.tables import write_table
+from events.conventions import PRIMARY
+
+COLUMNS = ("with slow slip: slow from tau_bar_0", "fast from", "without: not arrested from")
+
+
+def edges_of(data):
+    """[(sigma_bar, edges with slow slip, edges without)] under each convention."""
+    paths = sorted((data / "edges").glob("no-slow-slip-*-1.json"), key=sigma_of)
+    return [
+        (
+            sigma_of(path),
+            report(path.with_name(f"reference-{sigma_of(path):g}-1.json")),
+            report(path),
+        )
+        for path in paths
+    ]
+
+
+def sigma_of(path):
+    return float(path.stem.split("-")[-2])
+
+
+def difference(with_slip, without, convention):
+    """Between the edges of fast fronts with slow slip and of arrested ones without it."""
+    return with_slip[convention]["fast"] - without[convention]["slow"]
+
+
+def cases(edges):
+    """{convention: case}"""
+    return {
+        name: {
+            "largest difference of the edges": max(abs(difference(w, o, name)) for _, w, o in edges)
+        }
+        for name in edges[0][1]
+    }
+
+
+def rows(edges):
+    for sigma, with_slip, without in edges:
+        found = with_slip[PRIMARY]
+        yield sigma, found["slow"], found["fast"], without[PRIMARY]["slow"]
+
+
+def make(data, results):
+    edges = edges_of(data)
+    write_table(results / "edges.csv", ("sigma_bar", *COLUMNS), rows(edges))
+    others = cases(edges)
+    shown = others.pop(PRIMARY)
+    measured = shown | {
+        f"sigma_bar {sigma:g}: with slow slip slow from, fast from; without not arrested from": found
+        for sigma, *found in rows(edges)
+    }
+    return [judged("edge", measured, shown, others=others)]
