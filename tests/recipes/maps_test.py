@@ -15,14 +15,16 @@ from maps.front_map import (
     fast_below_left_of_arrested,
     front_type,
     map_of_seed,
+    medians_ascend,
     middle,
     neighbours,
+    order_in_words,
     read_map,
     speeds,
     steps_back,
     to_refine,
 )
-from maps.map_claims import case_of_map, fewest_seeds, map_claim
+from maps.map_claims import case_of_map, fewest_seeds, map_claims
 from maps.map_conventions import WAYS, out_of_order
 from maps.map_points import boundary_of_variants
 
@@ -201,13 +203,29 @@ class TestClaims:
 
     def test_each_seed_is_judged_under_each_convention(self):
         grid, fronts = self.fronts([1]), self.fronts(range(1, 6))
-        fronts[0.25, 0.95][3] = FAST  # next to slow places at larger tau_bar_0
-        claim = map_claim("4D", fronts, grid, self.BOUNDARY, [], "")
-        held = {share.convention: share.holds for share in claim.shares}
-        assert set(held) == set(WAYS)
-        along_sigma = "order along sigma_bar"
-        assert held == dict.fromkeys(WAYS, 4) | {along_sigma: 5}
-        assert (claim.shares[0].convention, claim.verdict) == (PRIMARY, "reproduced")
+        for seed in (1, 2, 3):
+            fronts[0.25, 0.95][seed] = FAST  # next to slow places at larger tau_bar_0
+        words, claim = map_claims("4Dw", "4D", fronts, grid, self.BOUNDARY, [], "")
+        held = {share.convention: (share.holds, share.units) for share in claim.shares}
+        along_sigma = "order along sigma_bar"  # the majority of the seeds is out of order
+        assert held == dict.fromkeys(WAYS, (0, 1)) | {along_sigma: (1, 1)}
+        assert claim.reason.startswith(f"holds only under {along_sigma}")
+        assert claim.shares[0].convention == PRIMARY
+        assert (words.verdict, len(words.shares)) == (
+            "reproduced",
+            len(WAYS) - 1,
+        )  # without an axis
+
+
+class TestOrderInWords:
+    def test_medians_ascend_from_arrested_over_slow_to_fast(self):
+        types = dict.fromkeys(((0.1, 0), (0.3, 0), (0.9, 0)), "arrested")  # median 0.3
+        types |= dict.fromkeys(((0.2, 0), (0.6, 0)), "slow")  # median 0.4
+        assert medians_ascend(types, 0)
+        assert not medians_ascend(types | {(0.35, 0): "fast"}, 0)
+        assert not medians_ascend(types | {(0.4, 0): "fast"}, 0)  # equal is no ascent
+        assert medians_ascend(types | {(0.5, 0): "fast"}, 0)
+        assert order_in_words(types | {(0.1, 1): "slow", (0.2, 1): "arrested"}) == (2, 1)
 
 
 class TestRankTests:

@@ -59,7 +59,7 @@ REFUSED = [  # a file of fig3, what is wrong in it, and what is said
         ("claims.json", text, "claims.json holds no table of claims (")
         for text in ("[{", '[{"id": "3A"}]', "7", "[1]", '{"id": "3A"}')
     ),
-    ("claims.json", "doubled", "Claim '3A' is in"),
+    ("claims.json", "doubled", "Claim '3Aw' is in"),
     ("claims.json", "unlisted", "a claim '3Z' that claims.toml does not list"),
     ("fig3.png", "no picture", "fig3.png is no PNG"),
 ]
