@@ -38,7 +38,7 @@ def bands_of(data, seeds):
     return {
         seed: {
             sigma: [
-                report(data / f"edges/{run}.json")
+                report(data.parent / f"edges/{run}.json")
                 for run in (f"no-slip-force-{sigma}-{seed}", f"reference-{sigma}-1")
             ]
             for sigma in SIGMA_BARS

@@ -68,7 +68,7 @@ class Interfaces:
         def is_so(steps):
             return TYPES.index(front_type(self.front(steps), **how)) >= TYPES.index(kind)
 
-        return (first(is_so, LOWEST, HIGHEST) - 0.5) * STEP
+        return round((first(is_so, LOWEST, HIGHEST) - 0.5) * STEP, 6)
 
 
 def main(programs, folder, sigma_bar, *options):
