@@ -1,6 +1,6 @@
 # What hangs on choices that the model settles and the paper leaves open: one at a time is changed. The
 # loads that are as settled are those of the ensemble. The chain of commands is in README.md.
-CHOICE_SEEDS = range(1, 6)
+CHOICE_SEEDS = range(FIRST_SEED, FIRST_SEED + 5)
 CHOICES = {  # name: parameters of its loads
     "damping-half": "--set slider.damping=0.025",  # eta^2, so eta x 0.5
     "damping-twice": "--set slider.damping=0.4",
@@ -13,7 +13,7 @@ CHOICES = {  # name: parameters of its loads
 
 
 def loads_of_choice(folder, name):
-    return [f"{DATA}/{folder}/{name}-{seed:02d}-events.json" for seed in CHOICE_SEEDS]
+    return [f"{DATA}/{folder}/{name}-{seed}-events.json" for seed in CHOICE_SEEDS]
 
 
 wildcard_constraints:

@@ -3,13 +3,14 @@
 
     continue_events.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
 
-RUN is results/data/ensemble/load-03, say: names of the load's checkpoints and events begin so. The
+RUN is results/data/ensemble/load-203, say: names of the load's checkpoints and events begin so. The
 commands run in the folder RUN-scratch, which is deleted at the end. Prints, by the events' numbers:
 
-    "unmodified"    front of the event as it is
+    "unmodified"    front of the event as it is; "in words": measured so
     "strength"      of each block before the event
     "peaks"         of tau/p of each block
-    "branches"      {branch: {run: front, "slip": {x: {run: slip}}, "phi": {"before", "after"}}}
+    "branches"      {branch: {run: front, "in words": {run: front}, "slip": {x: {run: slip}},
+                    "phi": {"before", "after"}}}
     "undriven"      front if the driving stops in the middle of the slow stretch, "undriven_from"
     "conventions"   {convention: {run: front}} of the first branch, and the unmodified event
 
@@ -27,8 +28,18 @@ from workshop import Workshop, short, without_lines
 
 from data.scratch import scratch
 from events.choose_events import read_events
-from events.continuations import BRANCHES, CONTINUATIONS, DURATION, LEAD, SLIP_AT, SLIPS, WIDER
-from events.conventions import IN_WORDS, WAYS
+from events.continuations import (
+    BEFORE_TRANSITION,
+    BRANCHES,
+    CONTINUATIONS,
+    DURATION,
+    LEAD,
+    OWN_BLOCK,
+    SLIP_AT,
+    SLIPS,
+    WIDER,
+)
+from events.conventions import IN_WORDS, PRIMARY, WAYS
 from events.fronts import middle_of_slow_stretch
 
 RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
@@ -56,7 +67,7 @@ def peaks(record):
     }
 
 
-def continued(workshop, branch, duration):
+def continued(workshop, branch, duration, slip_at):
     """What becomes of the event from a branch on; leaves the records there."""
     source = workshop.path(branch)
     for run in RUNS:
@@ -65,10 +76,13 @@ def continued(workshop, branch, duration):
     workshop.run("modify-phi", source, f"{branch}-wider-start", *WIDER.split())
     workshop.recorded(workshop.path(f"{branch}-wider-start"), f"{branch}-wider", "--for", duration)
     phi = {"before": source, "after": workshop.path(f"{branch}-wider-start")}
-    slips = {run: workshop.slips(f"{branch}-{run}", SLIP_AT) for run in SLIPS}
+    slips = {run: workshop.slips(f"{branch}-{run}", slip_at) for run in SLIPS}
+    ways = {PRIMARY: {}, IN_WORDS: WAYS[IN_WORDS]}
+    fronts = {run: workshop.fronts(f"{branch}-{run}", ways) for run in FRONTS}
     return {
-        **{run: short(workshop.front(f"{branch}-{run}")) for run in FRONTS},
-        "slip": {place: {run: of_run[place] for run, of_run in slips.items()} for place in SLIP_AT},
+        **{run: short(front[PRIMARY]) for run, front in fronts.items()},
+        IN_WORDS: {run: without_lines(front[IN_WORDS]) for run, front in fronts.items()},
+        "slip": {place: {run: of_run[place] for run, of_run in slips.items()} for place in slip_at},
         "phi": {when: short(workshop.analyze("phi", path)) for when, path in phi.items()},
     }
 
@@ -102,18 +116,20 @@ def measure(workshop, event):
     ruptured = {branch: event["t_rupture"][block] for branch, (block, _) in BRANCHES.items()}
     times = {branch: t for branch, t in ruptured.items() if t is not None}
     amid_slow, duration = middle_of_slow_stretch(event), duration_of(event)
+    slip_at = SLIP_AT | {OWN_BLOCK: event["slow"]["x_from"] - BEFORE_TRANSITION * event["L"]}
     run_event(workshop, event, times, duration)
     workshop.run("restart", workshop.path("start"), "amid-slow", "--until", amid_slow)
     stop = ["--set", "driving.V=0", "--for", duration]
     workshop.recorded(workshop.path("amid-slow"), "undriven", *stop)
     branches = {
-        branch: continued(workshop, branch, duration) if branch in times else None
+        branch: continued(workshop, branch, duration, slip_at) if branch in times else None
         for branch in BRANCHES
     }
     first = next(iter(BRANCHES))
     return {
         "t_start": event["t_start"],
         "unmodified": workshop.front("event"),
+        IN_WORDS: without_lines(event),
         "strength": workshop.analyze("strength", workshop.path("start")),
         "peaks": peaks(workshop.path("event-record")),
         "branches": branches,

@@ -4,7 +4,7 @@ use rule figure as ensemble with:
     input:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
         continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
-        quasistatic=[f"{DATA}/ensemble/h0-{seed:02d}.json" for seed in range(1, 21)],
+        quasistatic=[f"{DATA}/ensemble/h0-{FIRST_SEED + n}.json" for n in range(20)],
         products=[of_ensemble(setting, "product") for setting in ("load", "decaying", "exponential")],
         **scripts_of("ensemble"),
     output:

@@ -48,6 +48,27 @@ def case_1D(events, first):
     }
 
 
+def case_1Dw(events):
+    """Of one load."""
+    first = next((n for n, event in enumerate(events) if event["spanning"]), len(events))
+    drops = np.array([event["F_T_before"] - event["F_T_after"] for event in events])
+    spanning = np.array([event["spanning"] for event in events])
+    large = drops >= drops.max() / 2
+    return {
+        "early events that reach the leading edge": sum(
+            event["t_rupture"][-1] is not None for event in events[:first]
+        ),
+        "large drops by other events": int(np.sum(large & ~spanning)),
+        "large drops by spanning events": int(np.sum(large & spanning)),
+    }
+
+
+def claim_1Dw(events, paths):
+    units = {name_of(path): {PRIMARY: [case_1Dw(read_events(path))]} for path in paths}
+    shown = case_1Dw(events)
+    return judged("1Dw", shown, shown, units)
+
+
 def units_1D(paths):
     return {
         name_of(path): {
@@ -102,13 +123,23 @@ def cases_1E(peaks, front):
     """By convention."""
     return {
         PRIMARY: [case_1E(peaks, front, beyond_loading_zone(front))],
-        "the middle block": [case_1E(peaks, front, [middle(front)])],
+        "the middle block": [case_1Ew(peaks, front)],
     }
 
 
-def units_1E(paths):
+def case_1Ew(peaks, front):
+    return case_1E(peaks, front, [middle(front)])
+
+
+def claim_1Ew(blocks, front, paths):
+    shown = case_1Ew(blocks.peaks(np.nanmax(values(front["t_rupture"])) + LEAD), front)
+    units = of_continued(paths, lambda *of_event: {PRIMARY: [case_1Ew(*of_event)]})
+    return judged("1Ew", shown, shown, units)
+
+
+def of_continued(paths, cases):
     return {
-        f"{name_of(path)}, event {number}": cases_1E(event["peaks"], event["unmodified"])
+        f"{name_of(path)}, event {number}": cases(event["peaks"], event["unmodified"])
         for path in paths
         for number, event in report(path).items()
     }
@@ -124,7 +155,7 @@ def claim_1E(blocks, front, paths):
     return judged(
         "1E",
         shown=cases[PRIMARY][0],
-        units=units_1E(paths),
+        units=of_continued(paths, cases_1E),
         measured={
             "block at [L]": front["x"][i] / front["L"],
             "tau/p 0.5 ms before the event": ratio[0],
@@ -176,4 +207,9 @@ def make(data, results):
     blocks = Blocks(data / "fig1/event-record.h5")
     write_tables(results, loading, events, blocks, front)
     loads, continued = (of_ensemble(data, "load", kind) for kind in ("events", "continued"))
-    return [claim_1D(events, loads), claim_1E(blocks, front, continued)]
+    return [
+        claim_1Dw(events, loads),
+        claim_1D(events, loads),
+        claim_1Ew(blocks, front, continued),
+        claim_1E(blocks, front, continued),
+    ]

@@ -11,15 +11,18 @@ import rupture
 import slow_slip
 
 from claims import paper
+from claims.judge import judged
 from data.records import report, values
 from data.tables import write_table
-from events.event_claims import judged_event
+from events.continuations import BEFORE_TRANSITION, SLIP_AT
+from events.event_claims import judged_event, ratios_3Cr
 from events.slip import with_peak_speed
 from events.units import of_ensemble, of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, OF_PAPER, VERMILION, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
+SLIP_X = next(iter(SLIP_AT.values()))  # [m]
 SLIPS = {  # run: label, colour, line style
     "t_R-half": (r"$\langle t_R\rangle/2$", VERMILION, "--"),
     "stopped": (r"$\langle t_R\rangle$ (as in A)", BLUE, "-"),
@@ -63,6 +66,26 @@ class Event:
     def front(self, run=""):
         return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front.json")
 
+    def in_words(self, run=""):
+        return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front-in-words.json")
+
+    def own_slips(self):
+        """Of the block 0.06 L before the event's own transition."""
+        front = self.in_words()
+        x = front["slow"]["x_from"] - BEFORE_TRANSITION * front["L"]
+        return {run: self.slip_of(run, x) for run in SLIPS}
+
+    def slip_of(self, run, x):
+        """As rule event_slip measures it: while the front is slow, or until it has arrived."""
+        front = self.front(run)
+        until = front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
+        return rupture.analyze("slip", self.data / f"{self.name}/{run}-record.h5", x=x, to=until)
+
+    def peak_speed(self):
+        """Of the block that panel C shows, between steps [m/s]."""
+        slip = rupture.analyze("slip", self.data / f"{self.name}/every-step-record.h5", x=SLIP_X)
+        return float(np.max(np.diff(slip["slip"]) / np.diff(slip["time"])))
+
     def slips(self):
         paths = {run: self.data / f"{self.name}/{run}-slip.json" for run in SLIPS}
         return {run: with_peak_speed(report(path)) for run, path in paths.items()}
@@ -100,8 +123,22 @@ def claims_of(events, continued):
         return {name: (event.front(), event.front(run)) for event, name in events.items()}
 
     slips = {name: (event.slips(),) for event, name in events.items()}
-    measured = {"3A": fronts("stopped"), "3B": fronts("no-slow-slip"), "3C": slips, "3Cv": slips}
-    return [judged_event(claim, m, of_events(continued, claim)) for claim, m in measured.items()]
+    measured = {
+        "3Aw": {name: (event.in_words("stopped"),) for event, name in events.items()},
+        "3A": fronts("stopped"),
+        "3Bw": {n: (event.in_words(), event.front("no-slow-slip")) for event, n in events.items()},
+        "3B": fronts("no-slow-slip"),
+        "3Cw": {name: (event.own_slips(),) for event, name in events.items()},
+        "3C": slips,
+        "3Cv": slips,
+    }
+    ratios = {
+        f"{name}: {key}": value
+        for event, name in events.items()
+        for key, value in ratios_3Cr(event.slips(), event.peak_speed()).items()
+    }
+    claims = [judged_event(claim, m, of_events(continued, claim)) for claim, m in measured.items()]
+    return [*claims, judged("3Cr", ratios, None)]
 
 
 def make(data, results):

@@ -30,10 +30,13 @@ use rule figure as fig3 with:
     input:
         fronts=[f"{event}/{run}-front.json" for event in FIG3_EVENTS for run in FIG3_RUNS],
         **content_of(
-            records=[f"{event}/{run}-record.h5" for event in FIG3_EVENTS for run in FIG3_RUNS]
+            records=[
+                f"{event}/{run}-record.h5" for event in FIG3_EVENTS for run in (*FIG3_RUNS, "every-step")
+            ]
         ),
         slips=[f"{event}/{run}-slip.json" for event in FIG3_EVENTS for run in SLIPS],
         unmodified=[f"{event}-front.json" for event in FIG3_EVENTS],
+        in_words=[f"{event}{run}-front-in-words.json" for event in FIG3_EVENTS for run in ("", "/stopped")],
         continued=of_ensemble("load", "continued"),
         sweeps=[f"{DATA}/fig3/{sweep}.csv" for sweep in FIG3_SWEEPS],
         widths=repeated([f"{DATA}/fig3/front_speed_widths.csv"]),

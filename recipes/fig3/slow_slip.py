@@ -4,6 +4,8 @@ The measured slow slip of each run: the mean over its blocks and their extremes 
 run counts if its front spans and slows down, and at least BLOCKS blocks could be measured.
 """
 
+from functools import partial
+
 import numpy as np
 
 from claims import paper
@@ -19,6 +21,11 @@ WIDTH = 0.14 / 56  # of a block [m]
 K_I = {  # the variant in which k_i varies, by convention
     PRIMARY: "k_i alone",
     "trigger's prestress varied with k_i": "k_i",
+    "K scaled with E": "k_i and K",
+}
+K_I_OF_SI = {
+    PRIMARY: "k_i",
+    "trigger's prestress unchanged": "k_i alone",
     "K scaled with E": "k_i and K",
 }
 VARIED = {  # marker and label
@@ -60,11 +67,12 @@ def case_3Ci(rows):
     return {"slope": found and found.slope, "R^2": found and found.r_squared}
 
 
-def conventions_3Ci(path):
-    rows = slow.fronts(path)
-    cases = {name: case_3Ci(varied(rows, k_i)) for name, k_i in K_I.items()}
-    cases |= {window: case_3Ci(varied(slow.fronts(path, window))) for window in slow.OTHER_WINDOWS}
-    cases[slow.WITHOUT_NEAR_ARREST] = case_3Ci(slow.without_near_arrest(varied(rows)))
+def conventions_3Ci(path, protocols=K_I):
+    rows, primary = slow.fronts(path), protocols[PRIMARY]
+    cases = {name: case_3Ci(varied(rows, k_i)) for name, k_i in protocols.items()}
+    for window in slow.OTHER_WINDOWS:
+        cases[window] = case_3Ci(varied(slow.fronts(path, window), primary))
+    cases[slow.WITHOUT_NEAR_ARREST] = case_3Ci(slow.without_near_arrest(varied(rows, primary)))
     return {name: [case] for name, case in cases.items()}
 
 
@@ -131,6 +139,13 @@ def beside_text(rows, variant):
     return ", ".join(f"{r:.2f} at {v:.1f} m/s" for v, r in sorted(zip(slow.speeds(rows), y / x)))
 
 
+def claim_3Ciw(path, others):
+    """With the protocol of the SI."""
+    case = case_3Ci(varied(slow.fronts(path), K_I_OF_SI[PRIMARY]))
+    conventions = partial(conventions_3Ci, protocols=K_I_OF_SI)
+    return judged("3Ciw", case, case, slow.of_seeds([path, *others], conventions, ["slow_slip"]))
+
+
 def claim_3Ci(path, event, others):
     rows = slow.fronts(path)
     prepared = varied(rows)
@@ -185,4 +200,4 @@ def make(data, results):
     prepared, event = slow.fronts(path), event_fronts(data / "slow_slip_event.csv")
     draw(varied(prepared), event, fit(varied(prepared)), results / "fig3C-inset")
     write_fronts(results / "slow-slip-speed.csv", {"prepared": prepared, "event": event})
-    return [claim_3Ci(path, event, others), claim_co(path, others)]
+    return [claim_3Ciw(path, others), claim_3Ci(path, event, others), claim_co(path, others)]

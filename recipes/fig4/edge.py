@@ -52,7 +52,7 @@ def make(data, results):
     others = cases(edges)
     shown = others.pop(PRIMARY)
     measured = shown | {
-        f"sigma_bar {sigma:g}: with slow slip slow from, fast from; without not arrested from": found
+        f"sigma_bar {sigma:g}: slow from, fast from; without slow slip not arrested from": found
         for sigma, *found in rows(edges)
     }
     return [judged("edge", measured, shown, others=others)]

@@ -1,4 +1,4 @@
-"""Figure 4: A-B and their claim here, C in strength.py, D by common/maps, the edges of D in edge.py."""
+"""Figure 4: A-B and their claim here, C in strength.py, D by common/maps, its edges in edge.py."""
 
 import edge
 import rupture

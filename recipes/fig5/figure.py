@@ -67,5 +67,8 @@ def make(data, results):
     t_stop = middle_of_slow_stretch(fronts[0])
     draw(data, fronts, t_stop, results / "fig5A")
     write_ruptures(results / "rupture-lines.csv", fronts)
-    units = of_events(of_ensemble(data, "load", "continued"), "5A")
-    return [judged_event("5A", {"event I": fronts}, units), *quasistatic.make(data, results)]
+    continued = of_ensemble(data, "load", "continued")
+    in_words = report(data / f"{EVENT}-front-in-words.json")
+    measured = {"5Aw": (in_words, *fronts), "5A": fronts}
+    claims = [judged_event(c, {"event I": m}, of_events(continued, c)) for c, m in measured.items()]
+    return [*claims, *quasistatic.make(data, results)]

@@ -56,7 +56,7 @@ rule quasistatic_stopped:
 
 # The same over seeds, each until its second dynamic event is over. All share what happens before the
 # first junction breaks, at 0.0378 s.
-H0_SEEDS = [f"{seed:02d}" for seed in range(2, 21)]
+H0_SEEDS = [str(FIRST_SEED + n) for n in range(20)]
 H0_UNTIL = 0.75  # s; at the latest
 H0_SHARED = f"{DATA}/fig5/quasistatic-load-t0.030000000"
 
@@ -81,6 +81,7 @@ rule quasistatic_seed:
 use rule figure as fig5 with:
     input:
         fronts=[f"{DATA}/{run}-front.json" for run in FIG5_RUNS],
+        in_words=f"{DATA}/{FIG5_RUNS[0]}-front-in-words.json",
         **content_of(
             records=[f"{DATA}/{run}-record.h5" for run in FIG5_RUNS],
             load=f"{DATA}/fig5/quasistatic-load-record.h5",
@@ -99,5 +100,4 @@ use rule figure as fig5 with:
             pictures=["fig5A", "fig5B"],
             tables=["rupture-lines", "quasistatic-tip", "quasistatic-branches"],
         ),
-        seed=f"{DATA}/ensemble/h0-01.json",
     log: f"{LOGS}/fig5.log"

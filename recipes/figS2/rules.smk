@@ -33,14 +33,12 @@ use rule restart_recorded as figS2_run with:
     message: "figS2: run the event ({wildcards.run})"
 
 
-# The other fast-slow events of the load, and those of the other loads, are run without slow slip by
-# ensemble/without_slow_slip.py.
+# The other fast-slow events of the load are run without slow slip by ensemble/without_slow_slip.py.
 use rule figure as figS2 with:
     input:
         fronts=[f"{DATA}/figS2/{run}-front.json" for run in FIGS2_RUNS],
         **content_of(records=[f"{DATA}/figS2/{run}-record.h5" for run in FIGS2_RUNS]),
         load=f"{FIGS2_LOAD}-continued.json",
-        others=of_ensemble("simplified", "continued"),
         **scripts_of("figS2"),
     output: results_of("figS2", pictures=["figS2"], tables=["front-speed", "events"])
     log: f"{LOGS}/figS2.log"

@@ -132,7 +132,11 @@ def claim_strict(events, unmodified, continued, loads):
 def make(data, results):
     loads = of_ensemble(data, "exponential", "events")
     spanning, in_words = (
-        [event for event in read_events(loads[0], convention) if event["spanning"]]
+        [
+            event
+            for event in read_events(data / "ensemble/exponential-01-events.json", convention)
+            if event["spanning"]
+        ]
         for convention in (PRIMARY, IN_WORDS)
     )
     draw(spanning, results / "exponential")

@@ -1,8 +1,10 @@
 """Alternation of events in loads: made-up sequences with known answers."""
 
+from unittest import mock
+
 import numpy as np
 
-from alternation import SLOW, alternates, changes, own_result, p_of_changes
+from alternation import FROM, SLOW, alternates, changes, own_result, shuffled
 from conftest import approx
 
 
@@ -15,16 +17,44 @@ class TestAlternation:
     def test_counts_changes(self):
         assert [changes(kinds(t)) for t in ("s", "ss", "s-s-", "ss--")] == [0, 0, 3, 1]
 
-    def test_goes_by_the_third_event_on(self):
-        for text, expected in (("ss-s-", True), ("s-s-s", True), ("s-ss-", False), ("s-s", False)):
+    def test_a_load_alternates_if_each_event_is_of_another_kind(self):
+        for text, expected in (("-s-", True), ("s-s", True), ("s-ss-", False), ("s", False)):
             assert alternates(kinds(text)) == expected, text
 
-    def test_regular_loads_are_unlikely_and_clustered_ones_are_not(self):
-        assert p_of_changes([kinds("s-s-s-s-")] * 5) < 0.001
-        assert p_of_changes([kinds("ssss----")] * 5) > 0.99
+    def test_events_of_one_age_are_shuffled_among_the_loads_that_have_them(self):
+        loads = [kinds("s-s"), kinds("-s"), kinds("--s")]
+        random = np.random.default_rng(1)
+        seen = {
+            "".join("-s"[int(k)] for load in shuffled(loads, random) for k in load)
+            for _ in range(99)
+        }
+        assert len(seen) == 9  # one s among the three first events, one among the second ones
+        assert all(len(text) == 8 and text[2] == text[7] == "s" for text in seen)
+
+    @staticmethod
+    def measured(*texts, since=FROM):
+        """In fewer shuffles."""
+
+        def load(text):
+            return [(SLOW if kind == "s" else "other", {"t_start": since}) for kind in text]
+
+        with mock.patch("alternation.SHUFFLES", 500):
+            return own_result({f"load-{n}": load(text) for n, text in enumerate(texts)}).measured
+
+    def test_alternation_of_all_loads_at_once_is_no_more_than_their_age(self):
+        p = "p of so many, or more, by chance"
+        assert self.measured(*["s-s-s-s-"] * 5)[p] == 1.0
+        half = ["s-s-s-s-", "-s-s-s-s"] * 4
+        assert self.measured(*half)[p] < 0.005
+        assert self.measured(*half)["loads that alternate"] == 8
+        assert self.measured(*half)["loads that alternate by chance"] < 1
+        assert self.measured(*["ssss----", "----ssss"] * 4)[p] > 0.99
+        assert (
+            self.measured("s-s", "ss", since=FROM - 1e-3)["pairs of successive spanning events"]
+            == 0
+        )
 
     def test_shares_go_by_the_event_before(self):
-        load: list = [(SLOW if letter == "s" else "other", {}) for letter in "s-s-ss"]
-        measured = own_result({"load-01": load}).measured
+        measured = self.measured("s-s-ss")
         assert measured["share after a fast-slow-fast event"] == approx(1 / 3)
         assert measured["share after another event"] == 1.0

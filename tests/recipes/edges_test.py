@@ -1,4 +1,4 @@
-"""Edges between types of fronts by bisection (maps/edges.py), and claim edge; fronts are made up."""
+"""Edges between types of fronts by bisection (maps/edges.py), and claim edge; all made up."""
 
 from pytest import fixture
 

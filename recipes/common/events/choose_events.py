@@ -59,15 +59,15 @@ def fast_slow(path, checkpoint_every):
 
 
 def decaying(path, checkpoint_every):
-    """The first of those that span the interface and meet most conditions of S6A; all that span,
-    with the conditions that they do not meet."""
+    """The first that is fast-slow-fast in words (claim S6Aw); all that span, with the conditions of
+    S6A that they do not meet."""
     spanning = [event for event in read_events(path, DECAYING) if event["spanning"]]
-    if not spanning:
-        sys.exit("no event of this load spans the interface: load for longer")
     for event in spanning:
         event["unmet"] = unmet("S6A", case_of_event(event))
-    taken = min(spanning, key=lambda event: len(event["unmet"]))  # the first of equals
-    return start(taken, checkpoint_every) | {"events": spanning}
+    chosen = next((event for event in spanning if event["fast_slow_fast"]), None)
+    if chosen is None:
+        sys.exit(f"none of the {len(spanning)} events that span is fast-slow-fast: load for longer")
+    return start(chosen, checkpoint_every) | {"events": spanning}
 
 
 RULES = {"shown": shown, "fast-slow": fast_slow, "decaying": decaying}

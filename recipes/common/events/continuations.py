@@ -10,6 +10,7 @@ BRANCHES = {  # front at [L]: the block that then ruptures, its x [m]
     "0.25": (14, 0.035),
 }
 SLIP_AT = {"0.34": 0.0476, "0.30": 0.042, "0.38": 0.0532}  # [L]: [m]
+OWN_BLOCK, BEFORE_TRANSITION = "own", 0.06  # and the block so far before the event's transition [L]
 CONTINUATIONS = {  # from a branch on
     "stopped": "--set driving.V=0",
     "no-slow-slip": "--set driving.V=0 --set junctions.f_new=f_slip",

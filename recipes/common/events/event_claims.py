@@ -37,7 +37,8 @@ def case_of_event(front):
     c_s, L = front["c_s"], front["L"]
     speed, slowest, mean = (slow.get(name) for name in ("speed", "slowest", "mean"))
     before, after = slow.get("fast_before"), slow.get("fast_after")
-    duration = slow.get("duration")
+    duration, ends = slow.get("duration"), (slow.get("x_from"), slow.get("x_to"))
+    length = None if None in ends else ends[1] - ends[0]
     return {
         "type": front["type"],
         "spans": yes(front_spans(front)),
@@ -51,6 +52,7 @@ def case_of_event(front):
         "slowest/c_s": ratio(slowest, c_s),
         "mean slow speed/c_s": ratio(mean, c_s),
         "fast/slowest": ratio(before, slowest),
+        "length/duration/c_s": ratio(length, duration * c_s if duration else None),
     }
 
 
@@ -99,6 +101,7 @@ def claims_of_fronts(slow_front, in_words, fast_front, units, units_in_words):
         judged("2A", speeds, case, units),
         judged("2Aw", words_shown(in_words), words_case(in_words), units_in_words),
         judged("2B", fast, case_of_event(fast_front), units),
+        judged("2Cw", words_compared(slow_front, case), case, units),
         judged("2C", speeds_compared(slow_front, case), case, units),
     ]
 
@@ -109,6 +112,19 @@ def slow_speeds(slow):
         "median slow speed [m/s]": slow["speed"],
         "mean slow speed [m/s]": slow["mean"],
         "slowest stencil [m/s]": slow["slowest"],
+    }
+
+
+def words_compared(front, case):
+    """The same, with length over duration of the slow stretch: 0.2 L in 1 ms."""
+    length = paper.TRANSITIONS[1] - paper.TRANSITIONS[0]
+    of_paper = length * front["L"] / paper.SLOW_FOR / front["c_s"]
+    return {
+        "fast before over the paper's c_s/3": ratio(case["fast before/c_s"], paper.FAST),
+        "slowest over the paper's c_s/100": ratio(case["slowest/c_s"], paper.SLOW),
+        "length/duration over the paper's 0.2 L in 1 ms": ratio(
+            case["length/duration/c_s"], of_paper
+        ),
     }
 
 
@@ -163,6 +179,13 @@ def case_3B(unmodified, no_slow_slip):
     return {"arrest - transition [L]": ratio(apart, no_slow_slip["L"])}
 
 
+def case_3Bw(in_words, no_slow_slip):
+    """`in_words`: the unmodified front, measured so."""
+    arrest, slow = no_slow_slip["x_arrest"], in_words["slow"]
+    apart = None if arrest is None or slow is None else arrest - slow["x_from"]
+    return {"arrest - first stencil below c_s/10 [L]": ratio(apart, no_slow_slip["L"])}
+
+
 def details_3B(unmodified, no_slow_slip):
     L = no_slow_slip["L"]
     return {
@@ -211,6 +234,16 @@ def details_3Cv(slips):
     }
 
 
+def ratios_3Cr(slips, peak):
+    """What the paper compares with its ref. 20; `peak`: of the slip speed, at every step [m/s]."""
+    slip = slips["stopped"]
+    return {
+        "peak slip speed at every step [mm/s]": peak * 1e3,
+        "peak/slow slip speed": ratio(peak, slip["slow_speed"]),
+        "fast/slow slip distance": ratio(slip["fast_slip"], slip["slow_slip"]),
+    }
+
+
 def largest_change_of_mean(before, after):
     """Of any block's mean force, relative to that mean."""
     old, new = np.array(before["mean"]), np.array(after["mean"])
@@ -249,15 +282,28 @@ def case_S2(event, without):
     }
 
 
+def largest_difference(unmodified, undriven, since):
+    """Of the rupture lines, where they come later [s]; None where a block does not rupture."""
+    original, other = values(unmodified["t_rupture"]), values(undriven["t_rupture"])
+    difference = float(np.max(np.abs(other - original)[original > since]))
+    return None if np.isnan(difference) else difference
+
+
 def case_5A(unmodified, undriven, stopped_at=None):
     """The driving stops in the middle of the slow stretch, if no other time is given [s]."""
     if unmodified["slow"] is None or unmodified["slow"]["duration"] == 0:
         return {"difference/slow duration": None}
-    original, other = values(unmodified["t_rupture"]), values(undriven["t_rupture"])
-    to_come = original > (stopped_at or middle_of_slow_stretch(unmodified))
-    difference = float(np.max(np.abs(other - original)[to_come]))
-    share = None if np.isnan(difference) else difference / unmodified["slow"]["duration"]
-    return {"difference/slow duration": share}
+    stopped_at = stopped_at or middle_of_slow_stretch(unmodified)
+    difference = largest_difference(unmodified, undriven, stopped_at)
+    return {"difference/slow duration": ratio(difference, unmodified["slow"]["duration"])}
+
+
+def case_5Aw(in_words, unmodified, undriven, stopped_at=None):
+    """As 5A; `in_words`: the unmodified front, measured so."""
+    stopped_at = stopped_at or middle_of_slow_stretch(unmodified)
+    difference = largest_difference(unmodified, undriven, stopped_at)
+    slow_for = in_words["slow"] and in_words["slow"]["duration"]
+    return {"difference/time below c_s/10": ratio(difference, slow_for)}
 
 
 def details_5A(unmodified, undriven):
@@ -272,6 +318,14 @@ def details_5A(unmodified, undriven):
 
 
 EVENT_CLAIMS: dict[str, tuple] = {  # what measures the case, what readers see of it, a note
+    "3Aw": (words_case, words_shown, ""),
+    "3Bw": (case_3Bw, case_3Bw, ""),
+    "3Cw": (
+        case_3C,
+        details_3C,
+        "The block of the paper's Figure 3 C lies 0.06 L before its transition.",
+    ),
+    "5Aw": (case_5Aw, case_5Aw, ""),
     "3A": (case_3A, details_3A, ""),
     "3B": (case_3B, details_3B, ""),
     "3C": (case_3C, details_3C, ""),

@@ -6,10 +6,12 @@ without_slow_slip.py); those that there are. A unit that lacks what is asked for
 counts against the claim.
 """
 
+from functools import partial
 from pathlib import Path
 
+from claims.judge import holds
 from data.records import report
-from events.continuations import BRANCHES, SLIP_AT
+from events.continuations import BRANCHES, OWN_BLOCK, SLIP_AT
 from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
 from events.event_claims import (
     case_3A,
@@ -17,22 +19,27 @@ from events.event_claims import (
     case_3C,
     case_3Cv,
     case_4AB,
+    case_3Bw,
     case_5A,
+    case_5Aw,
     case_S2,
     words_case,
 )
+from events.fronts import has_slow_stretch
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
 FIRST_BLOCK, *OTHER_BLOCKS = SLIP_AT
+NO_S2 = case_S2(None, None)
 
 
 def of_ensemble(data, setting, kind):
     """Paths of what there is of the loads of a kind."""
-    return sorted((data / "ensemble").glob(f"{setting}-[0-9][0-9]-{kind}.json"))
+    seed = "01" if setting == "simplified" else "[0-9][0-9][0-9]"  # simplified: one state
+    return sorted((data / "ensemble").glob(f"{setting}-{seed}-{kind}.json"))
 
 
 def name_of(path):
-    """load-03 of .../load-03-events.json"""
+    """load-203 of .../load-203-events.json"""
     return Path(path).name.rsplit("-", 1)[0]
 
 
@@ -61,18 +68,18 @@ def below_c_s_over_8(paths, case):
     return of_loads(paths, case, {PRIMARY: DECAYING, "slow below c_s/20": PRIMARY})
 
 
-def without_slow_slip(paths):
-    """Claim S2, for the fast-slow events of each load with the simplified law."""
-    return {
-        name_of(path): {
-            convention: [
-                case_S2(event[convention]["with"], event[convention]["without"])
-                for event in report(path).values()
-            ]
-            for convention in CONVENTIONS
-        }
-        for path in paths
-    }
+def without_slow_slip(path):
+    """Claim S2, under each convention: of the fast-slow events of the load with the simplified law
+    the first for which it holds, or the first. Where nothing ruptures without slow slip, there is
+    nothing to compare."""
+    found = {}
+    for convention in CONVENTIONS:
+        pairs = [event[convention] for event in report(path).values()]
+        cases_of = [case_S2(pair["with"], pair["without"]) for pair in pairs if pair["without"]]
+        found[convention] = next(
+            (c for c in cases_of if holds("S2", [c])), (cases_of or [NO_S2])[0]
+        )
+    return found
 
 
 # --- events of loads -----------------------------------------------------------------------
@@ -89,16 +96,62 @@ def of_branch(event, branch, run):
 
 def of_fronts(event, run, case_at):
     """Under each way to measure a front at the first branch, and at the later ones; `case_at` is
-    given the branch."""
-    case, unmodified = case_at(FIRST_BRANCH), event["unmodified"]
-    units = {PRIMARY: cases(case, unmodified, of_branch(event, FIRST_BRANCH, run))}
-    for name, fronts in (event["conventions"] or {}).items():
-        if name in CONVENTIONS and name != PRIMARY:
-            units[name] = cases(case, fronts["unmodified"], fronts[run])
-    return units | {
-        f"branch at {branch} L": cases(case_at(branch), unmodified, of_branch(event, branch, run))
-        for branch in LATER_BRANCHES
+    given the branch. An event whose unmodified front is not slow in one way is no unit there."""
+    conventions = event["conventions"] or {}
+    measured = {
+        name: (FIRST_BRANCH, fronts["unmodified"], fronts[run])
+        for name, fronts in conventions.items()
+        if name in CONVENTIONS
     }
+    measured[PRIMARY] = FIRST_BRANCH, event["unmodified"], of_branch(event, FIRST_BRANCH, run)
+    for branch in LATER_BRANCHES:
+        measured[f"branch at {branch} L"] = (
+            branch,
+            event["unmodified"],
+            of_branch(event, branch, run),
+        )
+    return {
+        name: cases(case_at(branch), *fronts)
+        for name, (branch, *fronts) in measured.items()
+        if has_slow_stretch(fronts[0])
+    }
+
+
+def at_branches(case):
+    """{convention: cases} of what case() says at each branch; None where it has nothing."""
+    names = {FIRST_BRANCH: PRIMARY} | {b: f"branch at {b} L" for b in LATER_BRANCHES}
+    found = {name: case(branch) for branch, name in names.items()}
+    return {name: [] if measured is None else [measured] for name, measured in found.items()}
+
+
+def words_3A(event):
+    def case(branch):
+        front = (of_branch(event, branch, "in words") or {}).get("stopped")
+        return front and words_case(front)
+
+    return at_branches(case)
+
+
+def words_3B(event):
+    def case(branch):
+        front = of_branch(event, branch, "no-slow-slip")
+        return front and case_3Bw(event["in words"], front)
+
+    return at_branches(case)
+
+
+def own_block_3C(event):
+    def case(branch):
+        slips = (of_branch(event, branch, "slip") or {}).get(OWN_BLOCK)
+        return slips and case_3C(slips)
+
+    return at_branches(case)
+
+
+def undriven(event, case, original):
+    """Where the original is slow."""
+    runs = event["unmodified"], event["undriven"], event["undriven_from"]
+    return {PRIMARY: cases(case, *runs)} if has_slow_stretch(original) else {}
 
 
 def slips_3C(event, case):
@@ -128,9 +181,11 @@ OF_EVENT = {
     "3C": lambda event: slips_3C(event, case_3C),
     "3Cv": lambda event: slips_3C(event, case_3Cv),
     "4AB": wider_4AB,
-    "5A": lambda event: {
-        PRIMARY: cases(case_5A, event["unmodified"], event["undriven"], event["undriven_from"])
-    },
+    "3Aw": words_3A,
+    "3Bw": words_3B,
+    "3Cw": own_block_3C,
+    "5A": lambda event: undriven(event, case_5A, event["unmodified"]),
+    "5Aw": lambda event: undriven(event, partial(case_5Aw, event["in words"]), event["in words"]),
 }
 
 

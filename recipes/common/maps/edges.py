@@ -45,8 +45,8 @@ class Interfaces:
         self.options = options
 
     def run(self, tool, *words):
-        words = [self.programs / tool, *words, "--quiet", "--force"]
-        subprocess.run(list(map(str, words)), stdout=sys.stderr, check=True)
+        command = [self.programs / tool, *words, "--quiet", "--force"]
+        subprocess.run(list(map(str, command)), stdout=sys.stderr, check=True)
 
     @cache  # conventions share fronts
     def front(self, steps):

@@ -214,8 +214,8 @@ def steps_back(types, axis):
 
 
 def medians_ascend(types, sigma):
-    """Whether the median tau_bar_0 of the types that occur at this sigma_bar ascend: arrested, slow,
-    fast."""
+    """Whether the median tau_bar_0 of the types that occur at this sigma_bar ascend: arrested,
+    slow, fast."""
     of_kind = {
         kind: [t for (t, s), k in types.items() if (s, k) == (sigma, kind)] for kind in TYPES
     }

@@ -16,4 +16,5 @@ def make_map(data, results, *, panel, tables, slow_below, claims, note):
     draw_map(fronts, grid, slow_below, panel, results / f"{recipe}{panel}")
     write_types(results / "front-types.csv", fronts)
     write_table(results / "thresholds.csv", list(thresholds[0]), map(dict.values, thresholds))
-    return map_claims(*claims, fronts, grid, boundary, thresholds, note)
+    leading, strict = claims
+    return map_claims(leading, strict, fronts, grid, boundary, thresholds, note)

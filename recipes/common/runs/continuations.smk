@@ -28,6 +28,15 @@ use rule restart_recorded as event_continuation with:
     message: "{wildcards.event}: restart {wildcards.continuation} ({params.changes})"
 
 
+# The fast slip of the block that Figure 3 C shows, at every step.
+use rule restart_recorded as event_every_step with:
+    input: **content_of(h5=f"{DATA}/{{event}}/branch.h5")
+    output: **recorded(f"{DATA}/{{event}}/every-step")
+    params: **run_with("--for 0.001", changes=CONTINUATIONS["stopped"], record_every="2e-7")
+    log: f"{LOGS}/{{event}}/every-step.log"
+    message: "{wildcards.event}: restart with V = 0, recording every step for 1 ms"
+
+
 # Slip is followed until the front leaves its slow stretch; then the whole slider moves. A front
 # without one is followed until it reaches the leading edge, one that stops until the end.
 rule event_slip:
