@@ -37,8 +37,8 @@ def case_of_event(front):
     c_s, L = front["c_s"], front["L"]
     speed, slowest, mean = (slow.get(name) for name in ("speed", "slowest", "mean"))
     before, after = slow.get("fast_before"), slow.get("fast_after")
-    duration, ends = slow.get("duration"), (slow.get("x_from"), slow.get("x_to"))
-    length = None if None in ends else ends[1] - ends[0]
+    duration, first, last = (slow.get(name) for name in ("duration", "x_from", "x_to"))
+    length = None if first is None or last is None else last - first
     return {
         "type": front["type"],
         "spans": yes(front_spans(front)),
