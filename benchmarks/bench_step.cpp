@@ -94,7 +94,7 @@ void bulk_damping(benchmark::State& bench) {
   State state = loading_state();
   Bulk bulk{Parameters{}};
   for (auto _ : bench) {
-    bulk.damping(state.v_x, state.v_z, state.f_x, state.f_z);
+    bulk.damping(state, state.f_x, state.f_z);
     benchmark::ClobberMemory();
   }
   count_steps(bench, 1);

@@ -194,7 +194,7 @@ Power Simulation::power(double damping_power, const double* bottom_velocity) con
 /// The damping force at the half-kicked velocity is gone; at the full one it is nearly the same.
 Power Simulation::initial_power() {
   Field f_x(parameters_.Nx, parameters_.Nz), f_z(f_x);
-  bulk_.damping(state_.v_x, state_.v_z, f_x, f_z);
+  bulk_.damping(state_, f_x, f_z);
   return power((f_x.blocks() * state_.v_x.blocks() + f_z.blocks() * state_.v_z.blocks()).sum() -
                    dashpot_power_,
                state_.v_x.row(0));

@@ -114,7 +114,8 @@ void add_springs(const Parameters& p, const Unknowns& unknown, const State& stat
         const double n = ix * ix + iz * iz;
         const Eigen::Vector2d r(ix * l + state.u_x(i2, j2) - state.u_x(i, j),
                                 iz * l + state.u_z(i2, j2) - state.u_z(i, j));
-        const Block2 tangent = spring_tangent(bulk_stiffness(p) / n, std::sqrt(n) * l, r);
+        const double k = spring_stiffness(p, i, j, ix, iz);
+        const Block2 tangent = spring_tangent(k, std::sqrt(n) * l, r);
         const Eigen::Index here = unknown(i, j), there = unknown(i2, j2);
         add_block(triplets, here, here, tangent);
         add_block(triplets, there, there, tangent);

@@ -22,17 +22,18 @@ constexpr double kSmallStrain = 1.0 / 400;
 
 Bulk::Bulk(const Parameters& p, int bands, const Kernels& variant)
     : kernels_(variant),
+      parameters_(p),
       shape_{p.Nx, p.Nz, Field(p.Nx, p.Nz).stride()},
       mass_(block_mass(p)),
       half_kick_(p.dt / (2.0 * block_mass(p))),
       dt_(p.dt),
       damping_power_(static_cast<std::size_t>(p.Nz)),
       bottom_velocity_(static_cast<std::size_t>(shape_.stride)) {
-  enum Row { kRight, kUp, kDiagonal, kNone, kSmallRight, kEta, kColumns, kRows };
+  enum Row { kRight, kFace, kUp, kDiagonal, kNone, kSmallRight, kEta, kEtaRight, kColumns, kRows };
   rows_.assign(static_cast<std::size_t>(kRows * shape_.stride), 0.0);
   const auto row = [this](Row r) { return rows_.data() + r * shape_.stride; };
 
-  const double l = spring_length(p), k = bulk_stiffness(p), l2 = l * l;
+  const double l = spring_length(p), l2 = l * l;
   springs_.l = l;
   double scale = l2;
   for (std::size_t n = 0; n < kTensionTerms; ++n) {
@@ -42,10 +43,12 @@ Bulk::Bulk(const Parameters& p, int bands, const Kernels& variant)
   springs_.small = (kSmallStrain * l2) * (kSmallStrain * l2);
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const bool is_last = i + 1 == p.Nx;
-    row(kRight)[i] = is_last ? 0.0 : k;
-    row(kUp)[i] = k;
-    row(kDiagonal)[i] = is_last ? 0.0 : 0.5 * k;
+    row(kRight)[i] = is_last ? 0.0 : spring_stiffness(p, i, 1, 1, 0);
+    row(kFace)[i] = is_last ? 0.0 : spring_stiffness(p, i, 0, 1, 0);
+    row(kUp)[i] = spring_stiffness(p, i, 0, 0, 1);
+    row(kDiagonal)[i] = is_last ? 0.0 : spring_stiffness(p, i, 0, 1, 1);
     row(kEta)[i] = damping_coefficient(p);
+    row(kEtaRight)[i] = is_last ? 0.0 : damping_coefficient(p);
     row(kColumns)[i] = i == 0 || is_last ? 2.0 : 3.0;
   }
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -53,8 +56,13 @@ Bulk::Bulk(const Parameters& p, int bands, const Kernels& variant)
   std::fill_n(row(kSmallRight), p.Nx - 1, springs_.small);
   springs_.small_right = row(kSmallRight);
   springs_.row = {row(kRight), row(kUp), row(kDiagonal)};
-  springs_.top_row = {row(kRight), row(kNone), row(kNone)};
-  dampers_ = {row(kEta), row(kColumns)};
+  springs_.bottom_row = {row(kFace), row(kUp), row(kDiagonal)};
+  springs_.top_row = {row(kFace), row(kNone), row(kNone)};
+  dampers_ = {row(kEta), row(kColumns), {}, {}};
+  if (p.damping_along == DampingAlong::spring) {
+    dampers_.row = {row(kEtaRight), row(kEta), row(kEtaRight)};
+    dampers_.top_row = {row(kEtaRight), row(kNone), row(kNone)};
+  }
 
   const Eigen::Index count = std::clamp<Eigen::Index>(bands, 1, p.Nz);
   const Eigen::Index size = kernels_.scratch_size(shape_);
@@ -68,8 +76,9 @@ void Bulk::elastic(const Field& u_x, const Field& u_z, Field& f_x, Field& f_z) {
   kernels_.elastic(shape_, springs_, view(u_x, u_z), view(f_x, f_z), bands_.front());
 }
 
-void Bulk::damping(const Field& v_x, const Field& v_z, Field& f_x, Field& f_z) {
-  kernels_.damping(shape_, dampers_, view(v_x, v_z), view(f_x, f_z));
+void Bulk::damping(const State& s, Field& f_x, Field& f_z) {
+  kernels_.damping(shape_, springs_, dampers_, view(s.u_x, s.u_z), view(s.v_x, s.v_z),
+                   view(f_x, f_z), bands_.front());
 }
 
 Motion Bulk::motion(State& state) const {
@@ -82,7 +91,7 @@ void Bulk::kick_drift(int b, State& state) const {
 }
 
 void Bulk::prepare(int b, State& state) const {
-  kernels_.prepare(shape_, springs_, motion(state), band(b));
+  kernels_.prepare(shape_, springs_, dampers_, motion(state), band(b));
 }
 
 void Bulk::finish(int b, const Boundary& boundary, Then then, State& state) {
@@ -99,7 +108,7 @@ double Bulk::elastic_energy(const Field& u_x, const Field& u_z) const {
     int ix, iz;
   };
   constexpr std::array<Bond, 4> bonds = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
-  const double l = springs_.l, k = springs_.row.k_up[0];
+  const double l = springs_.l;
   double energy = 0.0;
   for (Eigen::Index j = 0; j < shape_.Nz; ++j) {
     for (Eigen::Index i = 0; i < shape_.Nx; ++i) {
@@ -110,7 +119,7 @@ double Bulk::elastic_energy(const Field& u_x, const Field& u_z) const {
         const double dz = u_z(i + ix, j + iz) - u_z(i, j);
         const double s = ((2 * ix * l + dx) * dx + (2 * iz * l + dz) * dz) / (n * l * l);
         const double stretch = std::sqrt(n) * l * s / (std::sqrt(1.0 + s) + 1.0);
-        energy += 0.5 * (k / n) * stretch * stretch;
+        energy += 0.5 * spring_stiffness(parameters_, i, j, ix, iz) * stretch * stretch;
       }
     }
   }

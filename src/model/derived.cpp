@@ -40,6 +40,13 @@ double mean_normal_force(const Parameters& p) {
   return p.F_N / static_cast<double>(p.Nx);
 }
 
+double spring_stiffness(const Parameters& p, std::int64_t i, std::int64_t j, int ix, int iz) {
+  const bool on_face = (iz == 0 && (j == 0 || j + 1 == p.Nz)) ||  //
+                       (ix == 0 && (i == 0 || i + 1 == p.Nx));
+  const double part = on_face && p.edge_springs == EdgeSprings::half ? 0.5 : 1.0;
+  return part * bulk_stiffness(p) / static_cast<double>(ix * ix + iz * iz);
+}
+
 double block_position(const Parameters& p, std::int64_t i) {
   return static_cast<double>(i) * block_spacing(p);
 }
@@ -95,7 +102,8 @@ double stable_time_step(const Parameters& p, double largest_p) {
   const double interface = driving_row(p) == 0 ? k_i + p.K : k_i;
   const double surface = std::max({interface, foundation_stiffness(p), p.K});
   const double omega = std::sqrt(std::max(6.0 * k, 5.0 * k + surface)) / std::sqrt(m);
-  const double c = 12.0 * damping_coefficient(p) / m + foundation_damping_coefficient(p) / m;
+  const double bonds = p.damping_along == DampingAlong::spring ? 8.0 : 12.0;
+  const double c = bonds * damping_coefficient(p) / m + foundation_damping_coefficient(p) / m;
   return 4.0 / (std::hypot(c, 2.0 * omega) + c);  // the formula of the header without cancellation
 }
 

@@ -36,7 +36,7 @@ inline State relaxed(const Parameters& p, const LoadCase& load_case, double dura
   for (auto n = std::llround(duration / p.dt); n > 0; --n) {
     bulk.kick_drift(0, state);
     static_forces(p, load_case, bulk, state, state.f_x, state.f_z);
-    bulk.damping(state.v_x, state.v_z, damping_x, damping_z);
+    bulk.damping(state, damping_x, damping_z);
     kick(state.v_x, state.f_x, damping_x);
     kick(state.v_z, state.f_z, damping_z);
   }

@@ -108,7 +108,7 @@ void plain_step(const Parameters& p, double dt, Bulk& bulk, State& s, const AddF
   ++s.step;
   Field damping_x(p.Nx, p.Nz), damping_z(p.Nx, p.Nz);
   bulk.elastic(s.u_x, s.u_z, s.f_x, s.f_z);
-  bulk.damping(s.v_x, s.v_z, damping_x, damping_z);
+  bulk.damping(s, damping_x, damping_z);
   s.f_x.blocks() += damping_x.blocks();
   s.f_z.blocks() += damping_z.blocks();
   add_forces(s);

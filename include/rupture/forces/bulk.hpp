@@ -20,8 +20,9 @@ class Bulk {
   /// Spring forces at displacements u [N]; overwrites f.
   void elastic(const Field& u_x, const Field& u_z, Field& f_x, Field& f_z);
 
-  /// Damping forces eta sum_j (v_j - v_i) over the up to 8 neighbours [N]; overwrites f.
-  void damping(const Field& v_x, const Field& v_z, Field& f_x, Field& f_z);
+  /// Damping forces eta sum_j (v_j - v_i) over the up to 8 neighbours [N], or with the part of
+  /// v_j - v_i along each spring; overwrites f.
+  void damping(const State& state, Field& f_x, Field& f_z);
 
   // The bulk's part in a time step (dynamics/simulation.hpp), for one band each. Every band must
   // have been prepared before one is finished.
@@ -46,6 +47,7 @@ class Bulk {
   Motion motion(State& state) const;
 
   const Kernels& kernels_;
+  const Parameters parameters_;
   LatticeShape shape_;
   double mass_, half_kick_, dt_;
   AlignedVector rows_;  // what Springs and Dampers point to

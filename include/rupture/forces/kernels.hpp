@@ -43,13 +43,16 @@ struct Springs {
   double series[kTensionTerms];  ///< c_n / l^(2n+2): the tension's series in powers of s l^2
   double small;                  ///< the series serves up to (s l^2)^2 = small [m^4]
   const double* small_right;     ///< the same, and infinite where there is no block to the right
-  SpringRow row, top_row;        ///< of all rows but the top one, and of that
+  SpringRow bottom_row, row, top_row;  ///< of the bottom row, those between, and the top one
 };
 
 /// The dampers between blocks, arrays of length `stride`.
 struct Dampers {
   const double* eta;      ///< damping coefficient, zero outside the lattice [N s/m]
   const double* columns;  ///< columns i-1, i, i+1 that exist: 2 at the sides, 3 between
+  /// The coefficients of dampers that act along their springs, of all rows but the top one and of
+  /// that; null if they act along the relative velocity.
+  SpringRow row, top_row;
 };
 
 /// The normal contact of each interface block, for friction; arrays of length Nx.
@@ -103,12 +106,13 @@ struct Kernels {
   void (*elastic)(const LatticeShape&, const Springs&, ConstVectorView u, VectorView f,
                   const Band& band);
 
-  /// Damping forces eta * sum over the 8 neighbours of (v_j - v_i); overwrites f.
-  void (*damping)(const LatticeShape&, const Dampers&, ConstVectorView v, VectorView f);
+  /// Damping forces at displacements u and velocities v; overwrites f. `band`: all rows.
+  void (*damping)(const LatticeShape&, const Springs&, const Dampers&, ConstVectorView u,
+                  ConstVectorView v, VectorView f, const Band& band);
 
   /// Keeps what `finish` must know of the rows next to the band. To be called for all bands before
   /// `finish` is called for any.
-  void (*prepare)(const LatticeShape&, const Springs&, const Motion&, const Band&);
+  void (*prepare)(const LatticeShape&, const Springs&, const Dampers&, const Motion&, const Band&);
 
   /// The end of a step, row by row: f = springs + damping + boundary, second half kick v += (dt/2m)
   /// f, and, where the next step follows at once, its `kick_drift`; f is then not kept.

@@ -26,6 +26,10 @@ double foundation_damping_coefficient(const Parameters& p);
 /// the displacement. 2^60 l is as good as endless and costs no digits.
 double spring_length(const Parameters& p);
 
+/// Modulus of the bulk spring between block (i, j) and block (i + ix, j + iz): k, or k/2 along a
+/// diagonal; with slider.edge_springs = half, k/2 along a face of the slider, too [N/m].
+double spring_stiffness(const Parameters& p, std::int64_t i, std::int64_t j, int ix, int iz);
+
 /// Position of column i along x, i l [m].
 double block_position(const Parameters& p, std::int64_t i);
 std::vector<double> block_positions(const Parameters& p);  ///< of all columns [m]
@@ -53,7 +57,8 @@ double friction_stretch(const Parameters& p, double p_i);
 ///
 /// With damping taken at the half-kicked velocity a mode of frequency omega and damping rate c is
 /// stable for dt < (sqrt(c^2 + 4 omega^2) - c) / omega^2. The stiffest bulk mode has omega^2 = 6
-/// k/m and c = 12 eta/m (wave vector (pi, 0)); a bottom block adds its junctions or the foundation.
+/// k/m and c = 12 eta/m (wave vector (pi, 0)), or 8 eta/m if dampers act along their spring; softer
+/// springs along the faces do not change it. A bottom block adds its junctions or the foundation.
 /// The foundation's dashpots add eta_f/m to c. No block is taken to bear more than 4 F_N / Nx.
 double stable_time_step(const Parameters& p);
 

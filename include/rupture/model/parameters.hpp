@@ -43,6 +43,13 @@ enum class Repin { as_is, exact };
 /// Bulk springs pull along their current direction, or are linearised for small displacements.
 enum class BulkSprings { exact, linearised };
 
+/// Springs along the slider's faces are as stiff as inner ones, or half as stiff, because they
+/// belong to one cell of the lattice and inner ones to two.
+enum class EdgeSprings { full, half };
+
+/// Bulk dampers resist the relative velocity of two blocks, or its part along their spring.
+enum class DampingAlong { velocity, spring };
+
 struct Parameters {
   // slider
   double L = 0.140;      ///< length along x [m]
@@ -53,7 +60,9 @@ struct Parameters {
   double M = 0.0756;     ///< mass [kg]
   double E = 3e9;        ///< Young's modulus [Pa]
   BulkSprings springs = BulkSprings::exact;
-  double damping = 0.1;             ///< eta^2 / (k m), dimensionless
+  EdgeSprings edge_springs = EdgeSprings::full;
+  double damping = 0.1;  ///< eta^2 / (k m), dimensionless
+  DampingAlong damping_along = DampingAlong::velocity;
   double F_N = 1920;                ///< normal load [N]
   double foundation = 0.5;          ///< k_f / k, dimensionless
   double foundation_damping = 0.0;  ///< eta_f^2 / (k_f m), dimensionless
@@ -91,7 +100,7 @@ using ParameterMember =
     std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
                  NewForce Parameters::*, Law Parameters::*, Support Parameters::*,
                  StiffnessFrom Parameters::*, WithoutContact Parameters::*, Repin Parameters::*,
-                 BulkSprings Parameters::*>;
+                 BulkSprings Parameters::*, EdgeSprings Parameters::*, DampingAlong Parameters::*>;
 
 /// Whether a restart may give a parameter another value; not if it gives the state its meaning.
 enum class Restart { may_change, must_keep };

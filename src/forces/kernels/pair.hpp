@@ -35,6 +35,13 @@ inline ConstVectorView constant(VectorView v) {
   return {v.x, v.z};
 }
 
+inline VectorView row_of(const LatticeShape& n, VectorView v, Index j) {
+  return {v.x + j * n.stride, v.z + j * n.stride};
+}
+inline ConstVectorView row_of(const LatticeShape& n, ConstVectorView v, Index j) {
+  return {v.x + j * n.stride, v.z + j * n.stride};
+}
+
 inline Pair load(ConstVectorView from, Index i) {
   return {load(from.x + i), load(from.z + i)};
 }

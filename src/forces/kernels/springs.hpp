@@ -25,6 +25,13 @@ struct Spring {
     return tension * Pair{along<ix>(l, d.x), along<iz>(l, d.z)};
   }
 
+  /// Pair on the near end of a damper along the spring: eta (w.n) n with n = r/|r|, where the far
+  /// end moves at w relative to the near end. Where the ends meet there is no n, nor a force.
+  Pair damp(double l, Lanes eta, Pair w) const {
+    const Lanes x = along<ix>(l, d.x), z = along<iz>(l, d.z);
+    return pull(l, eta * (x * w.x + z * w.z) / larger(x * x + z * z, kTiny + Lanes{}));
+  }
+
  private:
   /// i l + d, without the addition where i = 0.
   template <int i>
@@ -32,7 +39,22 @@ struct Spring {
     if constexpr (i == 0) return d;
     return i * l + d;
   }
+  static constexpr double kTiny = 1e-300;  // [m^2]
 };
+
+/// The springs that start in a block, see add_springs(); of velocities, their relative velocities.
+struct Bonds {
+  Spring<1, 0> right;
+  Spring<0, 1> up;
+  Spring<1, 1> rise;
+  Spring<-1, 1> fall;
+};
+
+inline Bonds bonds(ConstVectorView u, ConstVectorView up, Index i) {
+  const Pair here = load(u, i), to_right = load(u, i + 1);
+  const Pair above = load(up, i), to_above_right = load(up, i + 1);
+  return {{to_right - here}, {above - here}, {to_above_right - here}, {above - to_right}};
+}
 
 /// Tension per length of springs with stiffness k, k (1 - l_0/r) = k (1 - 1/sqrt(1+s)).
 struct Tension {
@@ -68,6 +90,22 @@ struct ToRight {
   Pair row_above;  ///< on (i+1, j+1), reversed: rise
 };
 
+/// The forces of the springs that start in blocks i, i + 1, ... on their near ends.
+struct Pulls {
+  Pair right, up, rise, fall;
+};
+
+/// Gives each force to both ends of its spring, see add_springs(); `here` is where the sum goes.
+[[gnu::always_inline]] inline ToRight share_out(const Pulls& f, ToRight left, Index i,
+                                                VectorView from_below, VectorView forces,
+                                                Index here) {
+  const ToRight now = {f.fall - f.right, f.rise};
+  const Pair from_left = shifted_up(left.same_row, now.same_row);
+  store(forces, here, (((f.right + f.rise) + f.up) + from_left) - load(from_below, i));
+  store(from_below, i, (f.up + f.fall) + shifted_up(left.row_above, now.row_above));
+  return now;
+}
+
 /// Sums of the springs' forces on blocks first..last-1 of a row at displacements u, `up` being the
 /// row above. `from_below` holds, reversed, what these blocks receive from the row below, and then
 /// what those above receive. `left` comes from the block before; returns the same for the next.
@@ -83,13 +121,7 @@ struct ToRight {
   const Springs c = springs;  // a copy, which no store to `forces` can change
   const double l = c.l;
   for (Index i = first; i < last; i += RUPTURE_LANES) {
-    const Pair here = load(u, i), to_right = load(u, i + 1);
-    const Pair above = load(up, i), to_above_right = load(up, i + 1);
-    const Spring<1, 0> right = {to_right - here};
-    const Spring<0, 1> upward = {above - here};
-    const Spring<1, 1> rise = {to_above_right - here};
-    const Spring<-1, 1> fall = {above - to_right};
-
+    const auto [right, upward, rise, fall] = bonds(u, up, i);
     const Lanes k_right = load(stiffness.k_right + i), k_up = load(stiffness.k_up + i);
     const Lanes k_diagonal = load(stiffness.k_diagonal + i);
     Tension t_right = tension(c, k_right, right.strain(l));
@@ -104,13 +136,9 @@ struct ToRight {
       t_fall = t_fall.at_large_strain(c);
     }
 
-    const Pair f_right = right.pull(l, t_right.value), f_up = upward.pull(l, t_up.value);
-    const Pair f_rise = rise.pull(l, t_rise.value), f_fall = fall.pull(l, t_fall.value);
-    const ToRight now = {f_fall - f_right, f_rise};
-    const Pair from_left = shifted_up(left.same_row, now.same_row);
-    store(forces, i - first, (((f_right + f_rise) + f_up) + from_left) - load(from_below, i));
-    store(from_below, i, (f_up + f_fall) + shifted_up(left.row_above, now.row_above));
-    left = now;
+    const Pulls pulls = {right.pull(l, t_right.value), upward.pull(l, t_up.value),
+                         rise.pull(l, t_rise.value), fall.pull(l, t_fall.value)};
+    left = share_out(pulls, left, i, from_below, forces, i - first);
   }
   return left;
 }

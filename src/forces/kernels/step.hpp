@@ -9,15 +9,17 @@ namespace {
 
 /// Rows that a band keeps between `prepare` and `finish`, of length stride + 16.
 struct BandRows {
-  VectorView from_below;  ///< see add_springs()
-  VectorView v_below;     ///< velocities of the row below before its kick, at which damping acts
-  VectorView u_above;     ///< displacements of the row above the band
-  VectorView v_above;     ///< and velocities
-  double* unused;         ///< for what nobody wants to keep
-  VectorView springs;     ///< forces on one chunk of blocks
+  VectorView from_below;     ///< see add_springs()
+  VectorView v_below;        ///< velocities of the row below before its kick, at which damping acts
+  VectorView u_above;        ///< displacements of the row above the band
+  VectorView v_above;        ///< and velocities
+  VectorView dampers_below;  ///< as from_below, of dampers along springs
+  VectorView dampers;        ///< their forces on one row
+  double* unused;            ///< for what nobody wants to keep
+  VectorView springs;        ///< forces on one chunk of blocks
 };
 
-constexpr Index kBandRows = 9;
+constexpr Index kBandRows = 13;
 
 inline Index row_size(const LatticeShape& n) {
   return n.stride + 16;
@@ -31,15 +33,11 @@ inline BandRows rows_of(const LatticeShape& n, const Band& band) {
   const auto row = [&](Index r) { return band.scratch + r * row_size(n) + 8; };
   const auto pair = [&](Index r) { return VectorView{row(2 * r), row(2 * r + 1)}; };
   double* chunk = band.scratch + kBandRows * row_size(n);
-  return {pair(0), pair(1), pair(2), pair(3), row(8), {chunk, chunk + kChunk}};
-}
-
-inline VectorView row_of(const LatticeShape& n, VectorView v, Index j) {
-  return {v.x + j * n.stride, v.z + j * n.stride};
+  return {pair(0), pair(1), pair(2), pair(3), pair(4), pair(5), row(12), {chunk, chunk + kChunk}};
 }
 
 inline const SpringRow& stiffness_of(const LatticeShape& n, const Springs& c, Index j) {
-  return j + 1 < n.Nz ? c.row : c.top_row;
+  return j + 1 == n.Nz ? c.top_row : j == 0 ? c.bottom_row : c.row;
 }
 
 inline void copy(const LatticeShape& n, VectorView from, VectorView to) {
@@ -71,17 +69,23 @@ void kick_drift(const LatticeShape& n, const Motion& m, const Band& band) {
 
 /// Row `Nz` is as far from the top row as nothing: its springs are unstretched and have no
 /// stiffness.
-void prepare(const LatticeShape& n, const Springs& c, const Motion& m, const Band& band) {
+void prepare(const LatticeShape& n, const Springs& c, const Dampers& d, const Motion& m,
+             const Band& band) {
   const BandRows rows = rows_of(n, band);
   copy(n, row_of(n, m.u, band.last < n.Nz ? band.last : n.Nz - 1), rows.u_above);
   copy(n, row_of(n, m.v, band.last), rows.v_above);
   copy(n, row_of(n, m.v, band.first - 1), rows.v_below);
   clear(n, rows.from_below);
-  if (band.first > 0) {
-    each_force(n, c, c.row, constant(row_of(n, m.u, band.first - 1)),
-               constant(row_of(n, m.u, band.first)), rows.from_below, rows.springs,
-               [](Index, const Pair&) {});
-  }
+  clear(n, rows.dampers_below);
+  if (band.first == 0) return;
+  const Index below = band.first - 1;
+  const auto u = [&](Index j) { return constant(row_of(n, m.u, j)); };
+  const auto v = [&](Index j) { return constant(row_of(n, m.v, j)); };
+  each_force(n, c, stiffness_of(n, c, below), u(below), u(band.first), rows.from_below,
+             rows.springs, [](Index, const Pair&) {});
+  if (along(d) == Along::velocity) return;
+  add_dampers(n, c, d, below, u(below), u(band.first), v(below), v(band.first), rows.dampers_below,
+              rows.dampers);
 }
 
 /// Subtracts what the boundary does to row j from the reversed forces that the row receives.
@@ -97,7 +101,7 @@ inline void add_boundary(const LatticeShape& n, const Boundary& boundary, Index 
   if (j == boundary.driving_row) reversed.x[0] -= boundary.F_T;
 }
 
-template <Then then>
+template <Then then, Along damped>
 void finish_then(LatticeShape n, Springs c, Dampers d, Boundary boundary, Motion m, Band band,
                  StepResult result) {
   const BandRows rows = rows_of(n, band);
@@ -116,17 +120,25 @@ void finish_then(LatticeShape n, Springs c, Dampers d, Boundary boundary, Motion
       return sum_of_rows(constant(rows.v_below), constant(v), constant(v_above), i);
     };
     Pair before = {}, here = sum(0);
+    if constexpr (damped == Along::spring) {
+      add_dampers(n, c, d, j, constant(u), constant(u_above), constant(v), constant(v_above),
+                  rows.dampers_below, rows.dampers);
+    }
     each_force(n, c, stiffness_of(n, c, j), constant(u), constant(u_above), rows.from_below,
                rows.springs, [&](Index i, const Pair& springs) {
-                 const Pair after = sum(i + RUPTURE_LANES);
-                 const Pair left = shifted_up(before, here), right = shifted_down(here, after);
                  const Pair velocity = load(v, i);
-                 const Pair damping =
-                     damping_force(load(d.eta + i), neighbour_rows * load(d.columns + i), left,
-                                   here, right, velocity);
+                 Pair damping;
+                 if constexpr (damped == Along::spring) {
+                   damping = load(rows.dampers, i);
+                 } else {
+                   const Pair after = sum(i + RUPTURE_LANES);
+                   const Pair left = shifted_up(before, here), right = shifted_down(here, after);
+                   damping = damping_force(load(d.eta + i), neighbour_rows * load(d.columns + i),
+                                           left, here, right, velocity);
+                   before = here;
+                   here = after;
+                 }
                  store(rows.v_below, i, velocity);
-                 before = here;
-                 here = after;
 
                  const Pair force = springs + damping;
                  const Pair kicked = velocity + m.half_kick * force;
@@ -146,7 +158,11 @@ void finish_then(LatticeShape n, Springs c, Dampers d, Boundary boundary, Motion
 
 void finish(const LatticeShape& n, const Springs& c, const Dampers& d, const Boundary& boundary,
             const Motion& m, const Band& band, Then then, const StepResult& result) {
-  const auto work = then == Then::stop ? finish_then<Then::stop> : finish_then<Then::go_on>;
+  const auto work = along(d) == Along::spring
+                        ? (then == Then::stop ? finish_then<Then::stop, Along::spring>
+                                              : finish_then<Then::go_on, Along::spring>)
+                        : (then == Then::stop ? finish_then<Then::stop, Along::velocity>
+                                              : finish_then<Then::go_on, Along::velocity>);
   work(n, c, d, boundary, m, band, result);
 }
 
@@ -156,12 +172,21 @@ void elastic(const LatticeShape& n, const Springs& c, ConstVectorView u, VectorV
   const Index top = n.Nz - 1;
   clear(n, rows.from_below);
   for (Index j = 0; j < n.Nz; ++j) {
-    const ConstVectorView u_row = {u.x + j * n.stride, u.z + j * n.stride};
-    const ConstVectorView up = {u.x + (j < top ? j + 1 : j) * n.stride,
-                                u.z + (j < top ? j + 1 : j) * n.stride};
     const VectorView f_row = row_of(n, f, j);
-    each_force(n, c, stiffness_of(n, c, j), u_row, up, rows.from_below, rows.springs,
+    each_force(n, c, stiffness_of(n, c, j), row_of(n, u, j), row_of(n, u, j < top ? j + 1 : j),
+               rows.from_below, rows.springs,
                [&](Index i, const Pair& force) { store(f_row, i, force); });
+  }
+}
+
+void damping(const LatticeShape& n, const Springs& c, const Dampers& d, ConstVectorView u,
+             ConstVectorView v, VectorView f, const Band& band) {
+  if (along(d) == Along::velocity) return damping_along_velocity(n, d, v, f);
+  const BandRows rows = rows_of(n, band);
+  clear(n, rows.dampers_below);
+  for (Index j = 0; j < n.Nz; ++j) {
+    add_dampers(n, c, d, j, row_of(n, u, j), row_of(n, u, j + 1 < n.Nz ? j + 1 : j),
+                row_of(n, v, j), row_of(n, v, j + 1), rows.dampers_below, row_of(n, f, j));
   }
 }
 

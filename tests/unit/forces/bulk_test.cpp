@@ -43,7 +43,12 @@ struct Lattice {
     noise.fill(z);
   }
   void elastic() { bulk.elastic(x, z, f_x, f_z); }
-  void damping() { bulk.damping(x, z, f_x, f_z); }
+  void damping() {
+    State state(p);
+    state.v_x = x;
+    state.v_z = z;
+    bulk.damping(state, f_x, f_z);
+  }
   double largest_force() const {
     return std::max(f_x.blocks().abs().maxCoeff(), f_z.blocks().abs().maxCoeff());
   }
@@ -210,7 +215,7 @@ TEST(RowLengths, leave_the_padding_zero) {
       bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
       expect_zero_padding(f_x);
       expect_zero_padding(f_z);
-      bulk.damping(s.state.v_x, s.state.v_z, f_x, f_z);
+      bulk.damping(s.state, f_x, f_z);
       expect_zero_padding(f_x);
       expect_zero_padding(f_z);
     }
@@ -224,7 +229,7 @@ TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
       Bulk bulk(s.p);
       Field f_x(s.p.Nx, s.p.Nz), f_z(f_x), d_x(f_x), d_z(f_x);
       bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
-      bulk.damping(s.state.v_x, s.state.v_z, d_x, d_z);
+      bulk.damping(s.state, d_x, d_z);
       f_x.blocks() += d_x.blocks();
       f_z.blocks() += d_z.blocks();
       for (Eigen::Index i = 0; i < Nx; ++i) {

@@ -64,7 +64,7 @@ Bits bulk_bits(const Kernels& kernels, Eigen::Index Nx) {
     bulk.finish(0, boundary, n % 2 == 0 ? Then::go_on : Then::stop, state);
     if (n % 2 == 1) bulk.kick_drift(0, state);
     bulk.elastic(state.u_x, state.u_z, e_x, e_z);
-    bulk.damping(state.v_x, state.v_z, d_x, d_z);
+    bulk.damping(state, d_x, d_z);
     append(bits, bulk.damping_power());
     for (Eigen::Index i = 0; i < Nx; ++i) append(bits, bulk.bottom_velocity()[i]);
     for (const Field* field : {&state.u_x, &state.u_z, &state.v_x, &state.v_z, &state.f_x,
