@@ -33,6 +33,8 @@ LATER = {  # count only where the law uses them and away from their defaults
     "repin": b"as_is",
     "/parameters/slider/foundation_damping": 0.0,
     "/parameters/slider/springs": b"exact",
+    "/parameters/slider/edge_springs": b"full",
+    "/parameters/slider/damping_along": b"velocity",
 }
 OF_LAWS = {name for names in USED.values() for name in names}  # all laws use the others
 CONTENT = ("parameters", "state", "series", "ruptures", "crossings", "fields")

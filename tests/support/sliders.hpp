@@ -30,6 +30,13 @@ inline Parameters small_slider(std::int64_t Nx, std::int64_t Nz) {
   return p;
 }
 
+/// With the other springs along the faces and the other dampers.
+inline Parameters with_other_bulk(Parameters p) {
+  p.edge_springs = EdgeSprings::half;
+  p.damping_along = DampingAlong::spring;
+  return p;
+}
+
 /// Driven so fast that the whole interface ruptures 0.28 ms (1,400 steps) after the start, and is
 /// pinned again soon after.
 inline Parameters quick_slider() {

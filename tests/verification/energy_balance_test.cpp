@@ -96,6 +96,11 @@ TEST_P(EnergyBalanceOf, a_driven_slider_through_rupture_under_the_other_laws) {
   }
 }
 
+TEST_P(EnergyBalanceOf, a_driven_slider_with_the_other_springs_and_dampers) {
+  const Outcome r = expect_balance(testing::with_other_bulk(quick_slider(damping_)), 1e-3, 0.0);
+  EXPECT_GT(r.balance.taken(), 0.5 * r.balance.supplied);
+}
+
 TEST_P(EnergyBalanceOf, a_pulled_slider_through_rupture) {
   Parameters p = quick_slider(damping_);
   p.V = 0.0;

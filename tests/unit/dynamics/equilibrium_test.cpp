@@ -166,5 +166,16 @@ TEST(Elimination, depends_on_the_number_of_blocks) {
   EXPECT_TRUE((normal_load_equilibrium(p).u_x.blocks() == unchanged->u_x.blocks()).all());
 }
 
+TEST(OtherBulk, SLOW_is_at_rest_where_damped_relaxation_ends) {
+  for (const BulkSprings springs : {BulkSprings::exact, BulkSprings::linearised}) {
+    Parameters p = testing::with_other_bulk(small_slider(9, 5));
+    p.springs = springs;
+    const State direct = normal_load_equilibrium(p);
+    expect_same(testing::relaxed(p, {}, 10e-3), direct, 1e-10);
+    const State full = normal_load_equilibrium(small_slider(9, 5));
+    EXPECT_GT((full.u_z.blocks() / direct.u_z.blocks() - 1.0).abs().maxCoeff(), 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace rupture
