@@ -39,6 +39,7 @@ class Blocks:
     u: np.ndarray  # displacements [m]
     v: np.ndarray  # velocities [m/s]
     v_before: np.ndarray  # half a step before
+    choices: dict[str, str]  # variables of bulk.in; older files have the defaults
 
 
 def read_blocks(path):
@@ -53,7 +54,9 @@ def read_blocks(path):
         places = np.column_stack([x.ravel(), z.ravel()]) * p["slider/L"][()] / (columns - 1)
         mass = p["slider/M"][()] / (rows * columns)
         half_a_step = p["numerics/dt"][()] / 2
-        return Blocks(int(state["step"][()]), places, u, v, v - f / mass * half_a_step)
+        names = {"edge": "slider/edge_springs", "along": "slider/damping_along"}
+        choices = {key: p[name].asstr()[()] for key, name in names.items() if name in p}
+        return Blocks(int(state["step"][()]), places, u, v, v - f / mass * half_a_step, choices)
 
 
 def write_start(path, blocks):
@@ -71,9 +74,10 @@ def read_dump(path):
     return np.loadtxt(path, skiprows=9)[:, 1:]
 
 
-def run_lammps(folder, lmp, bulk, compare, steps):
+def run_lammps(folder, lmp, bulk, compare, steps, choices):
     variables = {"bulk": bulk, "variant": "damping", "start": "start.dump", "steps": steps}
-    words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
+    pairs = (variables | choices).items()
+    words = [word for name, value in pairs for word in ("-var", name, str(value))]
     command = [lmp, "-log", "none", "-nocite", "-in", compare, *words]
     subprocess.run(command, cwd=folder, env=os.environ | ALONE, stdout=sys.stderr, check=True)
 
@@ -84,7 +88,8 @@ def compared(lmp, bulk, compare, start, end):
     steps = after.step - before.step
     with tempfile.TemporaryDirectory() as folder:
         write_start(Path(folder, "start.dump"), before)
-        run_lammps(folder, lmp, Path(bulk).resolve(), Path(compare).resolve(), steps)
+        bulk, compare = Path(bulk).resolve(), Path(compare).resolve()
+        run_lammps(folder, lmp, bulk, compare, steps, after.choices)
         places, moved = (read_dump(Path(folder, f"{name}.dump")) for name in ("places", "end"))
     if np.abs(places - before.places).max() > 1e-12:
         sys.exit("LAMMPS numbers the blocks in another order: they cannot be compared")
