@@ -118,7 +118,7 @@ TEST_P(EachProgram, describes_all_options_with_the_texts_of_help) {
   }
   EXPECT_EQ(described, GetParam().options);
   const auto lines = lines_of(help.substr(0, help.find("\nParameters")));
-  EXPECT_EQ(std::ranges::count_if(lines, [](auto& line) { return line.starts_with("  -"); }),
+  EXPECT_EQ(std::ranges::count_if(lines, [](const auto& line) { return line.starts_with("  -"); }),
             std::ssize(described))
       << help;
 }
@@ -198,7 +198,7 @@ TEST_F(Describe, covers_all_commands_of_analyze) {
   }
   EXPECT_EQ(commands.size(), count);
   const auto lines = lines_of(help);
-  EXPECT_EQ(std::ranges::count_if(lines, [](auto& line) { return line.starts_with("  "); }),
+  EXPECT_EQ(std::ranges::count_if(lines, [](const auto& line) { return line.starts_with("  "); }),
             count + 1)
       << "with help";
 }

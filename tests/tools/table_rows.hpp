@@ -1,11 +1,11 @@
 // Rows of tables/*.txt: a command, its exit code and what it says.
 //
 //   == BEGINNING          a new table; commands that begin with .. begin so
-//   @ COMMAND             made before each row: a program that must succeed, behind ! one that must
-//                         fail, file NAME "TEXT", folder NAME, link NAME TARGET, copy FROM TO,
-//                         move FROM TO, mode NAME OCTAL, flip NAME BYTE, cut NAME BYTES or remove
-//                         PATTERN; or what holds: same A B (bytes), equal A B (checksums),
-//                         summed NAME (by its .sum), present NAME, absent NAME, files N
+//   @ COMMAND             made before each row: a program that must succeed, file NAME "TEXT",
+//                         folder NAME, link NAME TARGET, copy FROM TO, move FROM TO, mode NAME
+//                         OCTAL, flip NAME BYTE, cut NAME BYTES or remove PATTERN; or what holds:
+//                         same A B (bytes), equal A B (checksums), summed NAME (by its .sum),
+//                         absent NAME
 //   NAME [EXIT COMMAND]   a row: {a|b} stands for each of them, {1} for the first that was chosen,
 //                         sum(FILE) for its checksum
 //       TEXT              the sentence on standard error, in which ... is any text. No file changed
