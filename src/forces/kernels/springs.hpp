@@ -27,7 +27,7 @@ struct Spring {
 
   /// Pair on the near end of a damper along the spring: eta (w.n) n with n = r/|r|, where the far
   /// end moves at w relative to the near end. Where the ends meet there is no n, nor a force.
-  Pair damp(double l, Lanes eta, Pair w) const {
+  Pair damp(double l, Lanes eta, const Pair& w) const {
     const Lanes x = along<ix>(l, d.x), z = along<iz>(l, d.z);
     return pull(l, eta * (x * w.x + z * w.z) / larger(x * x + z * z, kTiny + Lanes{}));
   }
