@@ -8,11 +8,12 @@ import h5py
 
 from events.choose_events import start
 from events.continuations import BRANCHES
-from events.conventions import PRIMARY, Analysis
+from events.conventions import PRIMARY, Analysis, words_of
 from events.fronts import LOADING_ZONE
 from events.slip import with_peak_speed
 
 RECORD_EVERY = "1e-5"  # [s]
+NO_EVENT = 2  # exit code of `analyze front` where nothing ruptured
 LONG = ("time", "slip", "histogram", "bins", "x")  # series that nobody needs for each run
 
 
@@ -60,7 +61,25 @@ class Workshop:
             if len(file["ruptures/time"]) == 0:
                 return dict.fromkeys(ways)
         _, x = BRANCHES.get(name.split("-")[0], (None, LOADING_ZONE))
-        return self.analyze.each("front --event 0", record, ways, ["--skip-below-x", x])
+        command, beyond = "front --event 0", ["--skip-below-x", x]
+        try:
+            return self.analyze.each(command, record, ways, beyond)
+        except subprocess.CalledProcessError as error:
+            if error.returncode != NO_EVENT:
+                raise
+        return {
+            way: self.if_ruptured(command, record, [*beyond, *words_of(options)])
+            for way, options in ways.items()
+        }
+
+    def if_ruptured(self, command, record, options):
+        """None where nothing ruptures down to the pinned fraction of this way."""
+        try:
+            return self.analyze(command, record, options)
+        except subprocess.CalledProcessError as error:
+            if error.returncode != NO_EVENT:
+                raise
+            return None
 
     def front(self, name):
         return self.fronts(name, {PRIMARY: {}})[PRIMARY]
