@@ -10,7 +10,7 @@ from events.choose_events import start
 from events.continuations import BRANCHES
 from events.conventions import PRIMARY, Analysis, words_of
 from events.fronts import LOADING_ZONE
-from events.slip import with_peak_speed
+from events.slip import until, with_peak_speed
 
 RECORD_EVERY = "1e-5"  # [s]
 NO_EVENT = 2  # exit code of `analyze front` where nothing ruptured
@@ -88,8 +88,8 @@ class Workshop:
         """{place: slip} at {place: x}, as rule event_slip measures it: until the front leaves its
         slow stretch, or reaches the leading edge, or to the end. With the peak of the speed."""
         front = self.front(name) or {"slow": None, "t_rupture": [None]}
-        until = front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
-        end = [] if until is None else ["--to", until]
+        last = until(front)
+        end = [] if last is None else ["--to", last]
         record = self.path(f"{name}-record")
         return {
             place: short(with_peak_speed(slip))

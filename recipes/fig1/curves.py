@@ -1,5 +1,7 @@
 """Tables and claims of Figure 1 D and E."""
 
+from itertools import takewhile
+
 import numpy as np
 import rupture
 
@@ -35,28 +37,30 @@ class Blocks:
         }
 
 
+def precursors(events):
+    """All before the first one that spans."""
+    return list(takewhile(lambda event: not event["spanning"], events))
+
+
 def case_1D(events, first):
     """Of one load. `first`: how many events count as the first ones; None: all before one spans."""
-    spanning = [event["spanning"] for event in events]
-    precursors = events[: spanning.index(True)] if any(spanning) else events
-    counted = precursors[:first]
+    counted = precursors(events)[:first]
     return {
         "furthest arrest of the first events [L]": max(
             (event["x_last"] / event["L"] for event in counted), default=None
         ),
-        "spanning events": sum(spanning),
+        "spanning events": sum(event["spanning"] for event in events),
     }
 
 
 def case_1Dw(events):
     """Of one load."""
-    first = next((n for n, event in enumerate(events) if event["spanning"]), len(events))
     drops = np.array([event["F_T_before"] - event["F_T_after"] for event in events])
     spanning = np.array([event["spanning"] for event in events])
     large = drops >= drops.max() / 2
     return {
         "early events that reach the leading edge": sum(
-            event["t_rupture"][-1] is not None for event in events[:first]
+            event["t_rupture"][-1] is not None for event in precursors(events)
         ),
         "large drops by other events": int(np.sum(large & ~spanning)),
         "large drops by spanning events": int(np.sum(large & spanning)),
@@ -80,8 +84,7 @@ def units_1D(paths):
 
 
 def claim_1D(events, paths):
-    first_spanning = [event["spanning"] for event in events].index(True)
-    precursors = [event["x_last"] for event in events[:first_spanning]]
+    early = precursors(events)
     drops = [e["F_T_before"] - e["F_T_after"] for e in events if e["spanning"]]
     others = [e["F_T_before"] - e["F_T_after"] for e in events if not e["spanning"]]
     return judged(
@@ -90,10 +93,10 @@ def claim_1D(events, paths):
         units=units_1D(paths),
         measured={
             "arrest of the events before the first spanning one [mm]": [
-                x * 1e3 for x in precursors
+                event["x_last"] * 1e3 for event in early
             ],
             "0.5 L [mm]": 0.5 * events[0]["L"] * 1e3,
-            "first spanning event at [s]": events[first_spanning]["t_start"],
+            "first spanning event at [s]": events[len(early)]["t_start"],
             "spanning events until 1.2 s": len(drops),
             "drops of F_T in them [N]": drops,
             "largest drop in any other event [N]": max(others),
@@ -131,8 +134,8 @@ def case_1Ew(peaks, front):
     return case_1E(peaks, front, [middle(front)])
 
 
-def claim_1Ew(blocks, front, paths):
-    shown = case_1Ew(blocks.peaks(np.nanmax(values(front["t_rupture"])) + LEAD), front)
+def claim_1Ew(peaks, front, paths):
+    shown = case_1Ew(peaks, front)
     units = of_continued(paths, lambda *of_event: {PRIMARY: [case_1Ew(*of_event)]})
     return judged("1Ew", shown, shown, units)
 
@@ -145,9 +148,8 @@ def of_continued(paths, cases):
     }
 
 
-def claim_1E(blocks, front, paths):
+def claim_1E(blocks, peaks, front, paths):
     t_rupture = values(front["t_rupture"])
-    peaks = blocks.peaks(np.nanmax(t_rupture) + LEAD)
     off = np.abs(off_by(peaks, front))
     i = middle(front)
     ratio, t_peak = blocks.ratio[:, i], peaks["t_peak"]
@@ -205,11 +207,12 @@ def make(data, results):
     events = read_events(data / "ensemble/load-01-events.json")
     front = report(data / "fig1/event-front.json")
     blocks = Blocks(data / "fig1/event-record.h5")
+    peaks = blocks.peaks(np.nanmax(values(front["t_rupture"])) + LEAD)
     write_tables(results, loading, events, blocks, front)
     loads, continued = (of_ensemble(data, "load", kind) for kind in ("events", "continued"))
     return [
         claim_1Dw(events, loads),
         claim_1D(events, loads),
-        claim_1Ew(blocks, front, continued),
-        claim_1E(blocks, front, continued),
+        claim_1Ew(peaks, front, continued),
+        claim_1E(blocks, peaks, front, continued),
     ]

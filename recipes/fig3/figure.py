@@ -16,7 +16,7 @@ from data.records import report, values
 from data.tables import write_table
 from events.continuations import BEFORE_TRANSITION, SLIP_AT
 from events.event_claims import judged_event, ratios_3Cr
-from events.slip import with_peak_speed
+from events.slip import until, with_peak_speed
 from events.units import of_ensemble, of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, OF_PAPER, VERMILION, figure, letter, save
@@ -77,9 +77,8 @@ class Event:
 
     def slip_of(self, run, x):
         """As rule event_slip measures it: while the front is slow, or until it has arrived."""
-        front = self.front(run)
-        until = front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
-        return rupture.analyze("slip", self.data / f"{self.name}/{run}-record.h5", x=x, to=until)
+        record = self.data / f"{self.name}/{run}-record.h5"
+        return rupture.analyze("slip", record, x=x, to=until(self.front(run)))
 
     def peak_speed(self):
         """Of the block that panel C shows, between steps [m/s]."""

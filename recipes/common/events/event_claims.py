@@ -173,17 +173,21 @@ def details_3A(unmodified, stopped):
     }
 
 
-def case_3B(unmodified, no_slow_slip):
+def arrest_past_transition(unmodified, no_slow_slip):
+    """[L]; the transition is where the unmodified front becomes slow."""
     arrest, slow = no_slow_slip["x_arrest"], unmodified["slow"]
     apart = None if arrest is None or slow is None else arrest - slow["x_from"]
-    return {"arrest - transition [L]": ratio(apart, no_slow_slip["L"])}
+    return ratio(apart, no_slow_slip["L"])
+
+
+def case_3B(unmodified, no_slow_slip):
+    return {"arrest - transition [L]": arrest_past_transition(unmodified, no_slow_slip)}
 
 
 def case_3Bw(in_words, no_slow_slip):
     """`in_words`: the unmodified front, measured so."""
-    arrest, slow = no_slow_slip["x_arrest"], in_words["slow"]
-    apart = None if arrest is None or slow is None else arrest - slow["x_from"]
-    return {"arrest - first stencil below c_s/10 [L]": ratio(apart, no_slow_slip["L"])}
+    past = arrest_past_transition(in_words, no_slow_slip)
+    return {"arrest - first stencil below c_s/10 [L]": past}
 
 
 def details_3B(unmodified, no_slow_slip):
@@ -282,8 +286,10 @@ def case_S2(event, without):
     }
 
 
-def largest_difference(unmodified, undriven, since):
-    """Of the rupture lines, where they come later [s]; None where a block does not rupture."""
+def largest_difference(unmodified, undriven, stopped_at=None):
+    """Of the rupture lines after the driving stops [s], in the middle of the slow stretch if no
+    other time is given; None where a block does not rupture."""
+    since = stopped_at or middle_of_slow_stretch(unmodified)
     original, other = values(unmodified["t_rupture"]), values(undriven["t_rupture"])
     difference = float(np.max(np.abs(other - original)[original > since]))
     return None if np.isnan(difference) else difference
@@ -293,14 +299,12 @@ def case_5A(unmodified, undriven, stopped_at=None):
     """The driving stops in the middle of the slow stretch, if no other time is given [s]."""
     if unmodified["slow"] is None or unmodified["slow"]["duration"] == 0:
         return {"difference/slow duration": None}
-    stopped_at = stopped_at or middle_of_slow_stretch(unmodified)
     difference = largest_difference(unmodified, undriven, stopped_at)
     return {"difference/slow duration": ratio(difference, unmodified["slow"]["duration"])}
 
 
 def case_5Aw(in_words, unmodified, undriven, stopped_at=None):
     """As 5A; `in_words`: the unmodified front, measured so."""
-    stopped_at = stopped_at or middle_of_slow_stretch(unmodified)
     difference = largest_difference(unmodified, undriven, stopped_at)
     slow_for = in_words["slow"] and in_words["slow"]["duration"]
     return {"difference/time below c_s/10": ratio(difference, slow_for)}

@@ -14,3 +14,9 @@ def peak_speed(slip):
 
 def with_peak_speed(slip):
     return slip | {"peak_speed": peak_speed(slip)}
+
+
+def until(front):
+    """The time to which slip is followed [s]: the end of the slow stretch, or the front's arrival
+    at the leading edge; None, to the end of the record, where it does not arrive."""
+    return front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
