@@ -18,7 +18,7 @@ from functools import cache
 from pathlib import Path
 
 from data.scratch import scratch
-from events.conventions import Analysis
+from events.conventions import PRIMARY, Analysis
 from maps.front_map import COMMANDS, SKIP_BELOW_X, TYPES, front_type
 from maps.map_conventions import MEASURES
 
@@ -56,11 +56,9 @@ class Interfaces:
         recorded = ["--record", record, "--record-every", "1e-3", "--crossings", CROSSINGS]
         until = ["--until-quiet", "--arrived-below", min(COMMANDS)]
         self.run("restart", start, "-o", end, *until, *recorded)
-        beyond = ["--skip-below-x", SKIP_BELOW_X]
-        others = {
-            f: self.analyze("front", record, [*beyond, "--ruptured-below", f]) for f in COMMANDS
-        }
-        return self.analyze("front", record, beyond) | {"at": others}
+        ways: dict = {PRIMARY: {}} | {f: {"--ruptured-below": f} for f in COMMANDS}
+        found = self.analyze.each("front", record, ways, ["--skip-below-x", SKIP_BELOW_X])
+        return found.pop(PRIMARY) | {"at": found}
 
     def edge(self, kind, **how):
         """Halfway to the first front of this type, or of one that comes after it."""
