@@ -1,33 +1,54 @@
-# What hangs on choices that the model settles and the paper leaves open: one at a time is changed. The
-# loads that are as settled are those of the ensemble. The chain of commands is in README.md.
-CHOICE_SEEDS = range(FIRST_SEED, FIRST_SEED + 5)
-CHOICES = {  # name: parameters of its loads
-    "damping-half": "--set slider.damping=0.025",  # eta^2, so eta x 0.5
-    "damping-twice": "--set slider.damping=0.4",
-    "stiffness-initial": "--set junctions.k_ij_from=initial",
-    "springs-linear": "--set slider.springs=linearised",
-    "foundation-damped": "--set slider.foundation_damping=0.1",  # as the bulk
-    "contact-lost": "--set junctions.without_contact=break",
-    "decaying-exact": f"{SETTINGS['decaying'][0]} --set junctions.repin=exact",
+# What hangs on choices that the model settles and the paper leaves open: one at a time is changed, and two
+# of them together. The loads that are as settled are those of the ensemble. The chain of commands is in
+# README.md.
+BOTH = "--set slider.edge_springs=half --set slider.damping_along=spring"
+CHOICES = {  # name: kind of load, parameters
+    "damping-half": ("load", "--set slider.damping=0.025"),  # eta^2, so eta x 0.5
+    "damping-twice": ("load", "--set slider.damping=0.4"),
+    "stiffness-initial": ("load", "--set junctions.k_ij_from=initial"),
+    "springs-linear": ("load", "--set slider.springs=linearised"),
+    "foundation-damped": ("load", "--set slider.foundation_damping=0.1"),  # as the bulk
+    "contact-lost": ("load", "--set junctions.without_contact=break"),
+    "edge-springs-half": ("load", "--set slider.edge_springs=half"),
+    "damping-along-spring": ("load", "--set slider.damping_along=spring"),
+    "both": ("load", BOTH),
+    "decaying-exact": ("decaying", "--set junctions.repin=exact"),
+    "decaying-both": ("decaying", BOTH),
 }
+OF_KIND = {"load": ("events", "continued"), "decaying": ("events",)}  # what there is of each load
 
 
-def loads_of_choice(folder, name):
-    return [f"{DATA}/{folder}/{name}-{seed}-events.json" for seed in CHOICE_SEEDS]
+def of_choice(folder, name, kind):
+    """As many loads as there are as settled."""
+    seeds = range(FIRST_SEED, FIRST_SEED + SETTINGS[kind][1])
+    return [f"{DATA}/{folder}/{name}-{n}-{what}.json" for n in seeds for what in OF_KIND[kind]]
+
+
+def parameters(wildcards):
+    kind, changes = CHOICES[wildcards.choice]
+    return f"{SETTINGS[kind][0]} {changes}".strip()
 
 
 wildcard_constraints:
     choice="|".join(CHOICES),
 
 
-use rule load as choices_load with:
-    output: **recorded(f"{DATA}/choices/{{choice}}-{{seed}}")
-    params:
-        **run_with(
-            f"--until {LOAD_UNTIL} {CROSSINGS}",
-            changes=lambda wildcards: f"{CHOICES[wildcards.choice]}"
-            f" --set numerics.seed={int(wildcards.seed)}",
-            record_every="1e-3",
+use rule load_once as choices_start with:
+    output: **with_sums(h5=f"{DATA}/choices/{{choice}}-start.h5")
+    priority: 110  # the loads wait for it
+    params: **run_with(f"--until {BEFORE_FIRST_BREAK}", changes=parameters)
+    log: f"{LOGS}/choices/{{choice}}-start.log"
+    message: f"choices: drive the slider to t = {BEFORE_FIRST_BREAK} s, {{wildcards.choice}}"
+
+
+use rule load_of_seed as choices_load with:
+    input:
+        **content_of(h5=f"{DATA}/choices/{{choice}}-start.h5"),
+        undrawn=f"{DATA}/choices/{{choice}}-start.undrawn",
+    output:
+        **recorded(
+            f"{DATA}/choices/{{choice}}-{{seed}}",
+            checkpoints=checkpoints_of_load(f"{DATA}/choices/{{choice}}-{{seed}}"),
         ),
     log: f"{LOGS}/choices/{{choice}}-{{seed}}.log"
     message:
@@ -45,10 +66,24 @@ use rule events as choices_events with:
     message: "choices: find the rupture events of {wildcards.choice}-{wildcards.seed}"
 
 
+# A checkpoint holds its parameters, so that an event goes on under its choice.
+use rule continued as choices_continued with:
+    input:
+        events=f"{DATA}/choices/{{choice}}-{{seed}}-events.json",
+        **content_of(checkpoints=checkpoints_of_load(f"{DATA}/choices/{{choice}}-{{seed}}")),
+        script="recipes/ensemble/continue_events.py",
+        shared=rules.continued.input.shared,
+    output: f"{DATA}/choices/{{choice}}-{{seed}}-continued.json"
+    params: code=CODE, run=f"{DATA}/choices/{{choice}}-{{seed}}", crossings=CROSSINGS
+    wildcard_constraints: seed="[0-9]{3}"
+    log: f"{LOGS}/choices/{{choice}}-{{seed}}-continued.log"
+    message: "choices: continue the events of {wildcards.choice}-{wildcards.seed} in other ways"
+
+
 use rule figure as choices with:
     input:
-        settled=[loads_of_choice("ensemble", name) for name in ("load", "decaying")],
-        changed=[loads_of_choice("choices", name) for name in CHOICES],
+        settled=[of_choice("ensemble", kind, kind) for kind in OF_KIND],
+        changed=[of_choice("choices", name, kind) for name, (kind, _) in CHOICES.items()],
         prepared=f"{DATA}/choices/choices.csv",
         **scripts_of("choices"),
     output: results_of("choices", pictures=["choices"], tables=["choices"], own=OWN_RESULTS)
