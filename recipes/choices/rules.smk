@@ -1,6 +1,5 @@
-# What hangs on choices that the model settles and the paper leaves open: one at a time is changed, and two
-# of them together. The loads that are as settled are those of the ensemble. The chain of commands is in
-# README.md.
+# What hangs on choices that the model settles and the paper leaves open. The loads that are as settled are
+# those of the ensemble. The chain of commands is in README.md.
 BOTH = "--set slider.edge_springs=half --set slider.damping_along=spring"
 CHOICES = {  # name: kind of load, parameters
     "damping-half": ("load", "--set slider.damping=0.025"),  # eta^2, so eta x 0.5
@@ -12,8 +11,8 @@ CHOICES = {  # name: kind of load, parameters
     "edge-springs-half": ("load", "--set slider.edge_springs=half"),
     "damping-along-spring": ("load", "--set slider.damping_along=spring"),
     "both": ("load", BOTH),
-    "decaying-exact": ("decaying", "--set junctions.repin=exact"),
-    "decaying-both": ("decaying", BOTH),
+    "decaying-exact": ("decaying", f"{SETTINGS['decaying'][0]} --set junctions.repin=exact"),
+    "decaying-both": ("decaying", f"{SETTINGS['decaying'][0]} {BOTH}"),
 }
 OF_KIND = {"load": ("events", "continued"), "decaying": ("events",)}  # what there is of each load
 
@@ -24,11 +23,6 @@ def of_choice(folder, name, kind):
     return [f"{DATA}/{folder}/{name}-{n}-{what}.json" for n in seeds for what in OF_KIND[kind]]
 
 
-def parameters(wildcards):
-    kind, changes = CHOICES[wildcards.choice]
-    return f"{SETTINGS[kind][0]} {changes}".strip()
-
-
 wildcard_constraints:
     choice="|".join(CHOICES),
 
@@ -36,7 +30,11 @@ wildcard_constraints:
 use rule load_once as choices_start with:
     output: **with_sums(h5=f"{DATA}/choices/{{choice}}-start.h5")
     priority: 110  # the loads wait for it
-    params: **run_with(f"--until {BEFORE_FIRST_BREAK}", changes=parameters)
+    params:
+        **run_with(
+            f"--until {BEFORE_FIRST_BREAK}",
+            changes=lambda wildcards: CHOICES[wildcards.choice][1],
+        ),
     log: f"{LOGS}/choices/{{choice}}-start.log"
     message: f"choices: drive the slider to t = {BEFORE_FIRST_BREAK} s, {{wildcards.choice}}"
 
@@ -51,9 +49,7 @@ use rule load_of_seed as choices_load with:
             checkpoints=checkpoints_of_load(f"{DATA}/choices/{{choice}}-{{seed}}"),
         ),
     log: f"{LOGS}/choices/{{choice}}-{{seed}}.log"
-    message:
-        f"choices: drive the slider to t = {LOAD_UNTIL} s, {{wildcards.choice}}-{{wildcards.seed}}"
-        " (about a minute)"
+    message: "choices: load {wildcards.choice}-{wildcards.seed} (about a minute)"
 
 
 use rule events as choices_events with:
