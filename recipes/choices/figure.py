@@ -1,223 +1,243 @@
 """Fronts under choices that the paper leaves open, a result of our own."""
 
-from itertools import chain
+from dataclasses import astuple, dataclass, replace
 
 import numpy as np
+from scipy.stats import binom
 
 from claims import paper
-from claims.claim import number
+from claims.claim import PRIMARY
+from claims.judge import interval, shares_of
 from claims.own_result import OwnResult, write_own
 from data.tables import read_rows, write_table
 from events.choose_events import read_events
 from events.event_claims import case_of_event
-from events.units import name_of, of_ensemble
-from maps.front_map import IMPOSSIBLE, band, place_of, type_on_map
-from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
+from events.fronts import LOADING_ZONE, is_fast_only
+from events.units import OF_EVENT, in_words, of_events, of_loads
+from maps.front_map import IMPOSSIBLE, STENCIL, band, place_of, speeds, type_on_map
+from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
-LABELS = {  # name: for readers; the first is what the others are compared with
-    "reference": "as settled",
-    "damping-half": r"$\eta \times 0.5$",
-    "damping-twice": r"$\eta \times 2$",
-    "stiffness-initial": "$k_{ij}$ from initial $p$",
-    "springs-linear": "linearised springs",
-    "foundation-damped": "damped foundation",
-    "contact-lost": "break without contact",
-    "K-tenth": r"$K \times 0.1$, prepared",
-    "decaying": "decaying law",
-    "decaying-exact": "repinned at $f_{new}$",
+# Choices that have no prepared interfaces; the others are the variants of choices.ini.
+DECAYING = ("decaying", "decaying-exact", "decaying-both")
+SETTLED = {"reference": "load", "decaying": "decaying"}  # in the ensemble: kind of load
+ROWS = {  # claims that are judged under each choice
+    "reference": ("2A", "2Aw", "2B", "2C", "2Cw", "3Aw", "3Bw", "4AB"),
+    "decaying": ("S6Aw",),
 }
-OF_LOADS = {"load": "reference"}  # in the ensemble: here
-SPEEDS = {  # quantity: of case_of_event()
-    "fast before [c_s]": "fast before/c_s",
-    "slowest [c_s]": "slowest/c_s",
-    "mean slow [c_s]": "mean slow speed/c_s",
-    "transition [L]": "from [L]",
+ALIKE = {"2Aw": "S6Aw"}  # in the same panel
+SHARE = "share in words"  # fast-slow-fast, of the spanning events
+MEDIANS = {  # of fast-slow-fast events, by quantities of case_of_event()
+    "fast/c_s": "fast before/c_s",
+    "slowest/c_s": "slowest/c_s",
+    "mean slow/c_s": "mean slow speed/c_s",
+    "begins/L": "from [L]",
+    "ends/L": "to [L]",
+    "lasts/ms": "duration [ms]",
 }
-SPAN, FOUND = "spanning events", "fast-slow-fast events"  # in words
-SHARE, SLOW = "share fast-slow-fast", "fast-slow-fast below c_s/20"
-COUNTS = (SPAN, FOUND, SHARE, SLOW)
-SEEDS = 5  # of each choice
-SIGMAS = (0.0, 0.285)  # sigma_bar of the prepared interfaces
+FAST_ONLY = "fast only/c_s"  # of events that are fast everywhere
+SLOW = {"slow at 0": 0.0, "slow at 0.285": 0.285}  # band of prepared interfaces: sigma_bar
+SHARES = (*ROWS["reference"], SHARE, *ROWS["decaying"])
+NUMBERS = (*MEDIANS, FAST_ONLY)
 PAPER = {
-    "fast before [c_s]": paper.FAST,
-    "slowest [c_s]": paper.SLOW,
-    "transition [L]": paper.TRANSITIONS[0],
+    "fast/c_s": paper.FAST,
+    "slowest/c_s": paper.SLOW,
+    "begins/L": paper.TRANSITIONS[0],
+    "ends/L": paper.TRANSITIONS[1],
+    "lasts/ms": paper.SLOW_FOR * 1e3,
 }
-RANGE = (5, 95)  # [%]
+RANGE = (5, 95)  # [%] of the events
+HEADS = ("choice", "quantity", "value", "from", "to", "n", *(f"{p} %" for p in RANGE), "moved")
+RULE = "its 90 % interval and that of the model as settled do not overlap"
+
+
+@dataclass(frozen=True)
+class Found:
+    """A share or a median: its 90 % interval, of how many units or events, and between which values
+    most of the events behind a median lie. A band of slow fronts has nothing but its ends. `moved`:
+    "up", "down" or "" (not); None if there is nothing to compare with."""
+
+    value: float | None
+    low: float | None
+    high: float | None
+    n: int | None = None
+    least: float | None = None
+    most: float | None = None
+    moved: str | None = None
+
+    def beside(self, settled):
+        """With what RULE says."""
+        if settled is None or None in (self.value, self.low, settled.low):
+            return self
+        up, down = self.low > settled.high, self.high < settled.low
+        return replace(self, moved="up" if up else "down" if down else "")
+
+    def text(self):
+        if self.value is None:
+            return "none" if self.low is None else f"{self.low:g} to {self.high:g}"
+        share = f"{self.value * self.n:.0f}/{self.n}"
+        return (share if self.least is None else f"{self.value:.3g}") + ("*" if self.moved else "")
 
 
 # --- measuring -----------------------------------------------------------------------------
 
 
-def by_choice(paths):
-    """{choice: the spanning events of all its loads}"""
-    found: dict[str, list] = {}
-    for path in paths:
-        name = name_of(path).rpartition("-")[0]
-        events = [event for event in read_events(path) if event["spanning"]]
-        found.setdefault(OF_LOADS.get(name, name), []).extend(events)
-    return found
+def settled_of(choice):
+    """What it is compared with."""
+    return "decaying" if choice in DECAYING else "reference"
 
 
-def measured_events(events):
-    """COUNTS, and per quantity of SPEEDS its median and RANGE over the fast-slow-fast events. An
-    event that is slow in words but nowhere below c_s/20 has no slow stretch to be measured."""
+def units_of(claim, events, continued):
+    if claim in OF_EVENT:
+        return of_events(continued, claim)
+    if claim in ("2Aw", "S6Aw"):
+        return in_words(events)
+    return of_loads(events, case_of_event, {PRIMARY: PRIMARY})
+
+
+def median(values):
+    """With the interval that follows from the order of the values, if there are enough of them."""
+    ordered, n = sorted(values), len(values)
+    rank = int(binom.ppf(0.05, n, 0.5)) if n else 0
+    ends = (ordered[rank - 1], ordered[n - rank]) if rank else (None, None)
+    return Found(np.median(ordered), *ends, n, *np.percentile(ordered, RANGE))
+
+
+def fast_speed(event):
+    """Median beyond the loading zone, over c_s."""
+    x = np.linspace(0, event["L"], len(event["t_rupture"]))
+    v_c = speeds(event | {"x": x}, STENCIL)
+    return np.median(v_c[(x > LOADING_ZONE) & (v_c > 0)]) / event["c_s"]
+
+
+def of_spanning(events):
+    """Quantities of spanning events. One that is slow in words and nowhere below c_s/20 has no slow
+    stretch to be measured."""
     cases = [case_of_event(event) for event in events if event["fast_slow_fast"]]
-    values = {
-        name: [case[key] for case in cases if case[key] is not None] for name, key in SPEEDS.items()
-    }
-    share = len(cases) / len(events) if events else None
-    counts = len(events), len(cases), share, len(values["transition [L]"])
-    return dict(zip(COUNTS, counts)) | {
-        name: [np.median(found), *np.percentile(found, RANGE)] if found else [None] * 3
-        for name, found in values.items()
-    }
+    k, n = len(cases), len(events)
+    values = {name: [case[key] for case in cases] for name, key in MEDIANS.items()}
+    values[FAST_ONLY] = [fast_speed(event) for event in events if is_fast_only(event)]
+    known = {name: [v for v in of if v is not None] for name, of in values.items()}
+    found = {SHARE: Found(k / n, *interval(k, n), n)} if n else {}
+    return found | {name: median(of) for name, of in known.items() if of}
 
 
-def slow_bands(rows, choice):
-    """Lowest and highest tau_bar_0 of slow fronts per sigma_bar; None if there is no such front."""
+def bands(rows, choice):
+    """Of slow fronts on prepared interfaces; none without a row of this choice."""
     types = {
         place_of(row): type_on_map(row["type"]) or IMPOSSIBLE
         for row in rows
         if row["variant"] == choice
     }
-    return {sigma: band(types, sigma) for sigma in SIGMAS} if types else {}
+    ends = {name: band(types, sigma) or (None, None) for name, sigma in SLOW.items() if types}
+    return {name: Found(None, *limits) for name, limits in ends.items()}
+
+
+def measured(data, choice, rows):
+    """{quantity: what was found}, of what there is."""
+    loads = f"ensemble/{SETTLED[choice]}" if choice in SETTLED else f"choices/{choice}"
+    events, continued = (
+        sorted(data.glob(f"{loads}-[0-9][0-9][0-9]-{kind}.json"))
+        for kind in ("events", "continued")
+    )
+    shares = {
+        claim: Found(share.part(), share.low, share.high, share.units)
+        for claim in ROWS[settled_of(choice)]
+        for share in shares_of(claim, units_of(claim, events, continued))
+        if share.convention == PRIMARY
+    }
+    spanning = [event for path in events for event in read_events(path) if event["spanning"]]
+    return shares | of_spanning(spanning) | bands(rows, choice)
+
+
+def all_measured(data):
+    """{(choice, quantity): what was found}; those as settled come first."""
+    rows, found = read_rows(data / "choices/choices.csv"), {}
+    for choice in (*dict.fromkeys(row["variant"] for row in rows), *DECAYING):
+        for name, one in measured(data, choice, rows).items():
+            found[choice, name] = one.beside(found.get((settled_of(choice), name)))
+    return found
+
+
+def choices_of(found):
+    return list(dict.fromkeys(choice for choice, _ in found))
 
 
 # --- results -------------------------------------------------------------------------------
 
 
-def band_text(bands, sigma):
-    if sigma not in bands:
-        return "not varied"
-    limits = bands[sigma]
-    return f"{limits[0]:g} to {limits[1]:g}" if limits else "none"
-
-
-def medians(found):
-    """Counts and medians by name; none of a choice without loads."""
-    counts = {name: found[name] for name in COUNTS if found}
-    return counts | {name: found[name][0] for name in SPEEDS if found}
-
-
-def own_result(events, bands):
-    measured: dict = {}
-    for choice in LABELS:
-        slow = {f"slow tau_bar_0 at sigma_bar {s:g}": band_text(bands[choice], s) for s in SIGMAS}
-        numbers = medians(events.get(choice)) | slow
-        measured |= {f"{choice}: {name}": value for name, value in numbers.items()}
+def own_result(found):
+    moved: dict[str, list] = {choice: [] for (choice, _), one in found.items() if one.moved == ""}
+    for (choice, name), one in found.items():
+        if one.moved:
+            moved.setdefault(choice, []).append(f"{name} {one.moved}")
+    told = {
+        "which choices move what": "; ".join(
+            f"{choice}: {', '.join(what) or 'nothing'}" for choice, what in moved.items()
+        ),
+        "a choice moves what is measured if": RULE,
+        "comparisons": sum(one.moved is not None for one in found.values()),
+        "moved": sum(map(len, moved.values())),
+    }
     question = "which choices that the paper leaves open move the fronts?"
-    return OwnResult(id="choices", question=question, measured=measured)
+    return OwnResult(id="choices", question=question, measured=told)
 
 
-def row_of(choice, found, bands):
-    counts = [found[name] for name in COUNTS] if found else [None] * len(COUNTS)
-    speeds = [found[name] if found else [None] * 3 for name in SPEEDS]
-    return [choice, *counts, *chain(*speeds, *(bands.get(s) or (None, None) for s in SIGMAS))]
-
-
-def write_choices(path, events, bands):
-    speeds = [
-        f"{name.replace(' [', f', {what} [')}"
-        for name in SPEEDS
-        for what in ("median", *(f"{part} %" for part in RANGE))
-    ]
-    slow = [f"{end} slow tau_bar_0 at sigma_bar {s:g}" for s in SIGMAS for end in ("least", "most")]
-    rows = (row_of(choice, events.get(choice), bands[choice]) for choice in LABELS)
-    write_table(path, ["choice", *COUNTS, *speeds, *slow], rows)
-
-
-def summary(events, bands):
-    """Text for the terminal: medians."""
-    heads = ("", "span", "share", "fast/c_s", "slowest", "mean", "from/L", "slow at 0", "at 0.285")
-    lines: list[tuple] = [heads]
-    for choice in LABELS:
-        found = medians(events.get(choice))
-        numbers = [found.get(name, "") for name in (SPAN, SHARE, *SPEEDS)]
-        cells = [f"{value:.3g}" if isinstance(value, float) else number(value) for value in numbers]
-        lines.append((choice, *cells, *(band_text(bands[choice], sigma) for sigma in SIGMAS)))
-    form = "{:18}{:>5}{:>7}{:>10}{:>9}{:>9}{:>8}  {:14}{}"
-    return "\n".join(form.format(*line).rstrip() for line in lines) + "\n"
+def summary(found):
+    """Text for the terminal. A star: moved."""
+    text = ""
+    for names in (SHARES, NUMBERS, tuple(SLOW)):
+        form = "{:22}" + "".join(f"{{:{max(9, len(name) + 2)}}}" for name in names)
+        lines = [("", *names)]
+        for choice in choices_of(found):
+            of_choice = (found.get((choice, name)) for name in names)
+            cells = [one.text() if one else "" for one in of_choice]
+            lines += [(choice, *cells)] if any(cells) else []
+        text += "\n".join(form.format(*line).rstrip() for line in lines) + "\n\n"
+    return text
 
 
 # --- picture -------------------------------------------------------------------------------
 
 
-def draw_medians(axes, events, name, colour, shift=0.0):
-    """A dot per choice, with a line over the range of its events. Grey: as settled."""
-    for place, choice in enumerate(LABELS):
-        median, *ends = events[choice][name] if choice in events else [None]
-        if median is None:
-            continue
-        if choice == "reference":
-            axes.axvline(median, color="0.85", linewidth=0.8, zorder=0)
-        axes.plot(ends, [place + shift] * 2, color=colour, linewidth=0.8)
-        axes.plot(median, place + shift, "o", color=colour)
+def draw_found(axes, one, y):
+    colour = VERMILION if one.moved else BLUE
+    axes.plot([one.least, one.most], [y, y], linewidth=0.5, color=colour)
+    axes.plot([one.low, one.high], [y, y], linewidth=1.5, color=colour)
+    axes.plot([one.value], [y], "o", markersize=2.5, color=colour)
 
 
-def draw_paper(axes, value, text):
-    axes.axvline(value, color=BLACK, linestyle="--", linewidth=0.8)
-    axes.annotate(text, (value, -0.7), xytext=(2, 0), textcoords="offset points", va="center")
+def draw_panel(axes, found, name):
+    choices = choices_of(found)
+    for y, choice in enumerate(choices):
+        if one := found.get((choice, name)) or found.get((choice, ALIKE.get(name))):
+            draw_found(axes, one, y)
+            if choice in SETTLED and None not in (one.value, one.low):
+                of = [y for y, other in enumerate(choices) if settled_of(other) == choice]
+                axes.fill_betweenx((of[0] - 0.5, of[-1] + 0.5), one.low, one.high, color="0.88")
+    if name in PAPER:
+        axes.axvline(PAPER[name], color=BLACK, linestyle="--", linewidth=0.8)
+    axes.margins(x=0.1)
+    axes.set_xlim(*(-0.05, 1.05) if name in SHARES else (0, None))
+    axes.locator_params("x", nbins=2)
+    heading = f"{name}, {ALIKE[name]}" if name in ALIKE else name
+    axes.set_xlabel(heading.replace("c_s", "$c_s$").replace(" ", "\n"))
 
 
-def draw_share(axes, events):
-    for place, choice in enumerate(LABELS):
-        if choice in events and events[choice][SHARE] is not None:
-            axes.plot(events[choice][SHARE], place, "o", color=BLUE)
-    axes.set(xlabel="share", xlim=(0, 1))
-
-
-def draw_slow(axes, events):
-    draw_medians(axes, events, "slowest [c_s]", BLUE, -0.12)
-    draw_medians(axes, events, "mean slow [c_s]", SKY, 0.12)
-    for label, colour in (("slowest", BLUE), ("mean", SKY)):
-        axes.plot([], [], "o", color=colour, label=label)
-    axes.set(xlabel="slow$/c_s$", xlim=(0, None))
-    axes.legend(loc="lower right", handletextpad=0)
-
-
-def draw_bands(axes, bands):
-    for sigma, colour, shift in zip(SIGMAS, (BLUE, VERMILION), (-0.12, 0.12)):
-        for place, choice in enumerate(LABELS):
-            if limits := bands[choice].get(sigma):
-                axes.plot(limits, [place + shift] * 2, "|-", color=colour)
-        axes.plot([], [], color=colour, label=rf"$\bar\sigma = {sigma:g}$")
-    axes.set(xlabel=r"$\bar\tau_0$ of slow fronts", xlim=(0, 0.4))
-    axes.legend(loc="lower right", handlelength=1)
-
-
-def draw(events, bands, stem):
-    fig, panels = figure(DOUBLE, 0.45 * DOUBLE, ncols=5, sharey=True)
-    draw_share(panels[0], events)
-    draw_medians(panels[1], events, "fast before [c_s]", BLUE)
-    panels[1].set(xlabel="fast before$/c_s$", xlim=(0, None))
-    draw_slow(panels[2], events)
-    draw_medians(panels[3], events, "transition [L]", BLUE)
-    panels[3].set(xlabel="transition $[L]$", xlim=(0.2, 0.8))
-    draw_bands(panels[4], bands)
-    for axes, name, text in zip(panels[1:4], PAPER, ("$c_s/3$", "$c_s/100$", "$0.4 L$")):
-        draw_paper(axes, PAPER[name], text)
-    panels[0].set_yticks(range(len(LABELS)), LABELS.values())
-    panels[0].set_ylim(len(LABELS) + 1, -1.1)  # room for what the lines and colours are
-    for axes, text in zip(panels, "ABCDE"):
+def draw(found, stem):
+    names = [name for name in (*SHARES, *NUMBERS, *SLOW) if name not in ALIKE.values()]
+    fig, panels = figure(DOUBLE, 0.8 * DOUBLE, nrows=2, ncols=len(names) // 2, sharey=True)
+    for axes, name in zip(panels.flat, names):
+        draw_panel(axes, found, name)
+    for axes, text in zip(panels[:, 0], "AB"):
         letter(axes, text)
+    panels[0, 0].set_yticks(range(len(choices_of(found))), choices_of(found))
+    panels[0, 0].invert_yaxis()
     save(fig, stem)
 
 
-def paths_of(data):
-    """Loads that are as settled, as many as of each choice, and those of the choices."""
-    settled = (of_ensemble(data, name, "events")[:SEEDS] for name in ("load", "decaying"))
-    return [*chain(*settled), *sorted(data.glob("choices/*-events.json"))]
-
-
 def make(data, results):
-    rows = read_rows(data / "choices/choices.csv")
-    paths = paths_of(data)
-    events = {choice: measured_events(found) for choice, found in by_choice(paths).items()}
-    bands = {choice: slow_bands(rows, choice) for choice in LABELS}
-    draw(events, bands, results / "choices")
-    write_choices(results / "choices.csv", events, bands)
-    write_own(results, [own_result(events, bands)])
-    # The terminal shows the table instead of a line per number.
-    (results / "summary.txt").write_text(summary(events, bands), encoding="utf-8")
+    found = all_measured(data)
+    draw(found, results / "choices")
+    write_table(results / "choices.csv", HEADS, ((*key, *astuple(f)) for key, f in found.items()))
+    write_own(results, [own_result(found)], before=summary(found))
     return []

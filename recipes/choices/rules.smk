@@ -71,7 +71,6 @@ use rule continued as choices_continued with:
         shared=rules.continued.input.shared,
     output: f"{DATA}/choices/{{choice}}-{{seed}}-continued.json"
     params: code=CODE, run=f"{DATA}/choices/{{choice}}-{{seed}}", crossings=CROSSINGS
-    wildcard_constraints: seed="[0-9]{3}"
     log: f"{LOGS}/choices/{{choice}}-{{seed}}-continued.log"
     message: "choices: continue the events of {wildcards.choice}-{wildcards.seed} in other ways"
 
