@@ -97,9 +97,10 @@ def units_of(claim, events, continued):
 def median(values):
     """With the interval that follows from the order of the values, if there are enough of them."""
     ordered, n = sorted(values), len(values)
-    rank = int(binom.ppf(0.05, n, 0.5)) if n else 0
+    rank = int(binom.ppf(0.05, n, 0.5))
     ends = (ordered[rank - 1], ordered[n - rank]) if rank else (None, None)
-    return Found(np.median(ordered), *ends, n, *np.percentile(ordered, RANGE))
+    least, most = np.percentile(ordered, RANGE)
+    return Found(np.median(ordered), *ends, n, least, most)
 
 
 def fast_speed(event):
@@ -151,7 +152,8 @@ def measured(data, choice, rows):
 
 def all_measured(data):
     """{(choice, quantity): what was found}; those as settled come first."""
-    rows, found = read_rows(data / "choices/choices.csv"), {}
+    found: dict[tuple, Found] = {}
+    rows = read_rows(data / "choices/choices.csv")
     for choice in (*dict.fromkeys(row["variant"] for row in rows), *DECAYING):
         for name, one in measured(data, choice, rows).items():
             found[choice, name] = one.beside(found.get((settled_of(choice), name)))
