@@ -72,7 +72,7 @@ class Found:
         return replace(self, moved="up" if up else "down" if down else "")
 
     def text(self):
-        if self.value is None:
+        if self.value is None or self.n is None:
             return "none" if self.low is None else f"{self.low:g} to {self.high:g}"
         share = f"{self.value * self.n:.0f}/{self.n}"
         return (share if self.least is None else f"{self.value:.3g}") + ("*" if self.moved else "")
@@ -98,9 +98,9 @@ def median(values):
     """With the interval that follows from the order of the values, if there are enough of them."""
     ordered, n = sorted(values), len(values)
     rank = int(binom.ppf(0.05, n, 0.5))
-    ends = (ordered[rank - 1], ordered[n - rank]) if rank else (None, None)
+    low, high = (ordered[rank - 1], ordered[n - rank]) if rank else (None, None)
     least, most = np.percentile(ordered, RANGE)
-    return Found(np.median(ordered), *ends, n, least, most)
+    return Found(np.median(ordered), low, high, n, least, most)
 
 
 def fast_speed(event):
@@ -118,7 +118,8 @@ def of_spanning(events):
     values = {name: [case[key] for case in cases] for name, key in MEDIANS.items()}
     values[FAST_ONLY] = [fast_speed(event) for event in events if is_fast_only(event)]
     known = {name: [v for v in of if v is not None] for name, of in values.items()}
-    found = {SHARE: Found(k / n, *interval(k, n), n)} if n else {}
+    low, high = interval(k, n)
+    found = {SHARE: Found(k / n, low, high, n)} if n else {}
     return found | {name: median(of) for name, of in known.items() if of}
 
 
