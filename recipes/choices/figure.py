@@ -35,7 +35,7 @@ MEDIANS = {  # of fast-slow-fast events, by quantities of case_of_event()
     "lasts/ms": "duration [ms]",
 }
 FAST_ONLY = "fast only/c_s"  # of events that are fast everywhere
-SLOW = {"slow at 0": 0.0, "slow at 0.285": 0.285}  # band of prepared interfaces: sigma_bar
+SLOW = {"slow at sigma 0": 0.0, "slow at sigma 0.285": 0.285}  # of prepared interfaces: sigma_bar
 SHARES = (*ROWS["reference"], SHARE, *ROWS["decaying"])
 NUMBERS = (*MEDIANS, FAST_ONLY)
 PAPER = {
@@ -223,7 +223,9 @@ def draw_panel(axes, found, name):
     axes.set_xlim(*(-0.05, 1.05) if name in SHARES else (0, None))
     axes.locator_params("x", nbins=2)
     heading = f"{name}, {ALIKE[name]}" if name in ALIKE else name
-    axes.set_xlabel(heading.replace("c_s", "$c_s$").replace(" ", "\n"))
+    for plain, shown in ((" ", "\n"), ("c_s", "$c_s$"), ("sigma", r"$\bar\sigma$")):
+        heading = heading.replace(plain, shown)
+    axes.set_xlabel(heading)
 
 
 def draw(found, stem):
