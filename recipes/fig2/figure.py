@@ -116,6 +116,6 @@ def make(data, results):
         write_choice(results, choice)
     write_own(results, [own_result(choice)] if choice else [])
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
-    again = report(data / "fast-slow-fast-front-in-words.json")
+    again = [report(data / f"fast-slow-fast-front-{way}.json") for way in ("in-words", "with-ends")]
     units = of_loads(loads, case_of_event), in_words(loads)
-    return claims_of_fronts(slow, again, fast, *units)
+    return claims_of_fronts(slow, *again, fast, *units)

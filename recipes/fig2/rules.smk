@@ -76,7 +76,7 @@ use rule figure as fig2 with:
         film=FIG2_FILM,
         fronts=[f"{DATA}/{event}-front.json" for event in FIG2_EVENTS],
         **content_of(records=[f"{DATA}/{event}-record.h5" for event in FIG2_EVENTS]),
-        in_words=f"{DATA}/fast-slow-fast-front-in-words.json",
+        ways=[f"{DATA}/fast-slow-fast-front-{way}.json" for way in FRONT_WAYS],
         choice=[f"{DATA}/most-like.json"] if FIG2_OF_ALL else [],
         loads=FIG2_LOADS,
         **scripts_of("fig2"),

@@ -48,15 +48,6 @@ use rule restart_recorded as figS6_run with:
     message: "figS6: run the event ({wildcards.run})"
 
 
-use rule analyze as figS6_front with:
-    input: **content_of(h5=f"{DATA}/figS6/{{run}}-record.h5")
-    output: f"{DATA}/figS6/{{run}}-front-c_s-8.json"
-    params: **analysis(f"front --event 0 {' '.join(words_of(OWN_WAYS[DECAYING]))}")
-    wildcard_constraints: run="|".join(FIGS6_RUNS)
-    log: f"{LOGS}/figS6/{{run}}-front.log"
-    message: "figS6: measure the front ({wildcards.run})"
-
-
 use rule figure as figS6 with:
     input:
         choice=f"{DATA}/figS6/choice.json",

@@ -78,13 +78,15 @@ def words_shown(front):
     }
 
 
-def claims_of_fronts(slow_front, in_words, fast_front, units, units_in_words):
-    """Claims 2A, 2Aw, 2B, 2C for the events of Figure 2; `in_words`: the first one again."""
+def claims_of_fronts(slow_front, in_words, with_ends, fast_front, units, units_in_words):
+    """Claims 2A, 2Aw, 2B, 2C for the events of Figure 2; `in_words`, `with_ends`: the first one
+    again, in words and with the stencils at the ends of its slow stretch."""
     slow, case = slow_front["slow"], case_of_event(slow_front)
     speeds = {
         **slow_speeds(slow),
         "c_s/slow speed": slow_front["c_s"] / slow["speed"],
         "duration [ms]": slow["duration"] * 1e3,
+        "between the crossings of c_s/20 [ms]": with_ends["slow"]["duration"] * 1e3,
         "from [L]": case["from [L]"],
         "to [L]": case["to [L]"],
         "fast before [m/s]": slow["fast_before"],

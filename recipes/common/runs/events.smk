@@ -2,7 +2,7 @@
 # and as a record of it; choose_events.py says by which rule they are chosen. The paper's event I is
 # fast-slow-fast, its event II second-slow, its event III fast-only.
 from events.continuations import DURATION
-from events.conventions import DECAYING, IN_WORDS, OWN_WAYS, words_of
+from events.conventions import DECAYING, IN_WORDS, WAYS, words_of
 
 EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
 
@@ -91,10 +91,20 @@ use rule analyze as front with:
     message: "{wildcards.run}: measure the front"
 
 
-# The same with the only definition of "slow" in the paper (events/conventions.py).
-use rule analyze as front_in_words with:
+# The same in other ways (events/conventions.py): with the only definition of "slow" in the paper, as claim
+# S6A allows it, and from where the front falls below the threshold to where it rises above it.
+FRONT_WAYS = {
+    "in-words": WAYS[IN_WORDS],
+    "c_s-8": WAYS[DECAYING],
+    "with-ends": WAYS["ends to the slow"],
+}
+
+
+use rule analyze as front_measured_so with:
     input: **content_of(h5=f"{DATA}/{{run}}-record.h5")
-    output: f"{DATA}/{{run}}-front-in-words.json"
-    params: **analysis(f"front --event 0 {' '.join(words_of(OWN_WAYS[IN_WORDS]))}")
-    log: f"{LOGS}/{{run}}-front-in-words.log"
-    message: "{wildcards.run}: measure the front, slow where it is so in words"
+    output: f"{DATA}/{{run}}-front-{{way}}.json"
+    params:
+        **analysis(lambda wildcards: f"front --event 0 {' '.join(words_of(FRONT_WAYS[wildcards.way]))}"),
+    wildcard_constraints: way="|".join(FRONT_WAYS)
+    log: f"{LOGS}/{{run}}-front-{{way}}.log"
+    message: "{wildcards.run}: measure the front {wildcards.way}"
