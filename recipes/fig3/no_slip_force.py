@@ -1,14 +1,13 @@
 """Fronts where junctions that slip carry no force: data and claim 0slip."""
 
 from claims.judge import judged
-from data.records import report, values
+from data.records import values
 from data.tables import points_of, write_table
 from events.conventions import PRIMARY
+from maps.bands import bands_of, width
 from maps.front_map import IMPOSSIBLE, SKIP_BELOW_X, TYPES, front_type, read_map
 from maps.map_conventions import MEASURES
 from slow_fronts import tables_of
-
-SIGMA_BARS = ("0", "0.1")
 
 
 def types_of(front):
@@ -28,25 +27,6 @@ def counts(kinds):
     return {f"{kind} fronts": kinds.count(kind) for kind in TYPES}
 
 
-def width(edges, convention):
-    """Of the band of slow fronts in tau_bar_0."""
-    return edges[convention]["fast"] - edges[convention]["slow"]
-
-
-def bands_of(data, seeds):
-    """{seed: {sigma_bar: (edges without a slipping force, edges of the reference)}}"""
-    return {
-        seed: {
-            sigma: [
-                report(data.parent / f"edges/{run}.json")
-                for run in (f"no-slip-force-{sigma}-{seed}", f"reference-{sigma}-1")
-            ]
-            for sigma in SIGMA_BARS
-        }
-        for seed in seeds
-    }
-
-
 def case_under(convention, fronts, bands):
     of_width = [width(ours, convention) / width(ref, convention) for ours, ref in bands.values()]
     kinds = [front_type(front, **MEASURES[convention]) for front in fronts]
@@ -62,14 +42,14 @@ def units_of(seeds, bands):
 
 
 def claim(seeds, bands):
-    """`seeds`: {seed: fronts}, the shown one first; `bands`: what bands_of() says of them."""
+    """`seeds`: {seed: fronts}, the shown one first; `bands`: bands_of() each."""
     first, shown = next(iter(seeds.items()))
     kinds = [types_of(front)[PRIMARY] for front in shown]
     speeds = [v for front in shown if (v := slowest(front)) is not None]
     slow_somehow = [front for front in shown if "slow" in types_of(front).values()]
     case = case_under(PRIMARY, shown, bands[first])
     widths = {
-        f"slow band at sigma_bar = {sigma}, and of the reference": [width(e, PRIMARY) for e in pair]
+        f"slow band at sigma_bar = {sigma}, and of the reference": [width(edges) for edges in pair]
         for sigma, pair in bands[first].items()
     }
     return judged(
@@ -106,4 +86,5 @@ def make(data, results):
     of_seed: dict[int, list] = {}
     for seed, _, front in fronts:
         of_seed.setdefault(seed, []).append(front)
-    return [claim(of_seed, bands_of(data, of_seed))]
+    bands = {seed: bands_of(data.parent, "no-slip-force", seed) for seed in of_seed}
+    return [claim(of_seed, bands)]

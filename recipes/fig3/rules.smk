@@ -5,7 +5,6 @@ FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FIG3_EVENTS = [f"{DATA}/{event}" for event in ("fast-slow-fast", "second-slow")]  # I, II
 FIG3_SWEEPS = ["slow_slip", "slow_slip_event", "front_speed", "front_speed_phi", "no_slip_force"]
 FIG3_OF_SEEDS = ["slow_slip", "front_speed", "front_speed_widths", "no_slip_force"]
-NO_FORCE_SIGMAS = ["0", "0.1"]  # as in no_slip_force.ini
 L0_SEEDS = range(1, 6)  # the first is shown
 L0_REPORTS = [f"{DATA}/fig3/l0-seed-{seed}.json" for seed in L0_SEEDS]
 
@@ -44,9 +43,9 @@ use rule figure as fig3 with:
             table for sweep in FIG3_OF_SEEDS for table in tables_of_seeds(f"fig3/{sweep}")
         ),
         edges=[
-            *edges("reference", NO_FORCE_SIGMAS),
-            *edges("no-slip-force", NO_FORCE_SIGMAS),
-            *repeated(edges("no-slip-force", NO_FORCE_SIGMAS, range(2, 6))),
+            *edges("reference", SIGMA_BARS),
+            *edges("no-slip-force", SIGMA_BARS),
+            *repeated(edges("no-slip-force", SIGMA_BARS, range(2, 6))),
         ],
         l_0=[L0_REPORTS[0], *repeated(L0_REPORTS[1:])],
         **scripts_of("fig3"),

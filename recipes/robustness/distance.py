@@ -5,6 +5,7 @@ import numpy as np
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import points_of
+from maps.bands import bands_of, width
 from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import BLACK, BLUE, DOUBLE, figure, letter, save
@@ -31,7 +32,7 @@ def measured_event(unmodified, continued):
     }
 
 
-def measured_map(name, fronts):
+def measured_map(name, fronts, edges):
     types = types_of(fronts)
     kinds = list(types.values())
     bands = {sigma: band(types, sigma) for sigma in axes_of(types)[1]}
@@ -41,15 +42,25 @@ def measured_map(name, fronts):
     return {
         **{f"{name}: {kind}": kinds.count(kind) for kind in TYPES},
         f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(slow) or "none",
+        **{
+            f"{name}: width of the slow band at sigma_bar = {sigma}, and of the reference's": [
+                width(found) for found in pair
+            ]
+            for sigma, pair in edges.items()
+        },
     }
 
 
-def own_result(maps, unmodified, continued):
+def own_result(maps, edges, unmodified, continued):
     return OwnResult(
         id="distance",
         question="are there slow fronts if junctions slip for a distance instead of a time?",
         measured=measured_event(unmodified, continued)
-        | {k: v for name, fronts in maps.items() for k, v in measured_map(name, fronts).items()},
+        | {
+            key: value
+            for name, fronts in maps.items()
+            for key, value in measured_map(name, fronts, edges[name]).items()
+        },
     )
 
 
@@ -85,4 +96,5 @@ def make(data, results):
     fronts = {name: report(data / f"{run}-front.json") for name, run in runs.items()}
     draw(maps, fronts, results / "distance")
     write_variants(results / "distance.csv", maps)
-    write_own(results, [own_result(maps, *fronts.values())])
+    edges = {name: bands_of(data, name.replace(" ", "-")) for name in maps}
+    write_own(results, [own_result(maps, edges, *fronts.values())])

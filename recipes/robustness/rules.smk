@@ -22,6 +22,8 @@ use rule figure as robustness with:
         events=f"{DATA}/ensemble/exponential-01-events.json",
         fronts=[f"{ROBUSTNESS_EVENT}{run}-front.json" for run in ("", "/exponential", "/distance")],
         maps=[f"{DATA}/robustness/{m}.csv" for m in ("exponential-map", "geometry", "distance")],
+        edges=[f for setting in EDGES if "d_R" in setting for f in edges(setting, SIGMA_BARS)],
+        reference_edges=edges("reference", SIGMA_BARS),
         others=of_ensemble("exponential", "events"),
         seeds=repeated([f"{DATA}/robustness/geometry-seeds.csv"]),
         **scripts_of("robustness"),

@@ -1,8 +1,15 @@
+from maps.bands import SIGMA_BARS
+
 # Edges between types of fronts on prepared interfaces (maps/edges.py), by the name of a setting.
 EDGES = {  # setting: options of `prepare`
     "reference": "",
     "no-slow-slip": "--set junctions.f_new=f_slip",
     "no-slip-force": "--set junctions.mu_d=0",
+    **{
+        f"d_R-{d}-um": "--set junctions.law=distance"
+        f" --set junctions.d_R={d}um --set junctions.delta_d_R={0.3 * d:.2g}um"
+        for d in (0.3, 1, 3, 10)
+    },
 }
 EDGE_SIGMAS = ["0", "0.05", "0.1", "0.16", "0.2", "0.25", "0.285"]  # sigma_bar of claim edge
 
