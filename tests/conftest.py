@@ -5,6 +5,7 @@ import importlib.util
 import os
 import shutil
 import subprocess
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -53,6 +54,18 @@ def folder(tmp_path, monkeypatch):
     """A new folder, which is the current one."""
     monkeypatch.chdir(tmp_path)
     return tmp_path
+
+
+@pytest.fixture
+def small_ini(monkeypatch):
+    """A new folder, which is the current one and which other users can be let into, with small.ini:
+    a slider of 9 x 5 blocks that is driven so fast that a rupture crosses it from t = 0.15 ms to
+    0.25 ms."""
+    slider = "[slider]\nNx = 9\nNz = 5\nH = 0.07\n[driving]\nh = 0.0175\nV = 1\n"
+    with tempfile.TemporaryDirectory() as folder:
+        monkeypatch.chdir(folder)
+        Path("small.ini").write_text(slider)
+        yield
 
 
 @pytest.fixture(scope="session")

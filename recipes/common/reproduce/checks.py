@@ -13,7 +13,7 @@ from reproduce.processes import build, ensure_packages, set_up
 CPPCHECK = (
     "cppcheck --quiet --std=c++20 --language=c++ --enable=warning,style,performance,portability"
     " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"
-    " -I include -I src -I src/tools -I tests -I tests/tools include src tests benchmarks -j"
+    " -I include -I src -I src/tools -I tests include src tests benchmarks -j"
 )
 PYTHON = "python recipes src tests"
 LAYOUT = {"clang-format": "14", "black": "23"}  # Debian 12's versions: others differ

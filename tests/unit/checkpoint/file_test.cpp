@@ -1,4 +1,4 @@
-// Files on disk: what stands in them and beside them. tests/tools/files_test.cpp has refusals.
+// Files on disk: what stands in them and beside them. tests/tools/files.txt has refusals.
 #include "rupture/checkpoint/file.hpp"
 
 #include "../../../src/checkpoint/hdf5.hpp"

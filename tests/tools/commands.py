@@ -1,0 +1,127 @@
+"""The programs in the current folder: what they print, which files they change, and scripts that
+make a file anew."""
+
+import json
+import os
+import re
+import resource
+import subprocess
+from collections import namedtuple
+from pathlib import Path
+
+import pytest
+
+from conftest import BIN, BUILD
+
+SANITIZED = re.search(r"^RUPTURE_SANITIZE:\w+=.", (BUILD / "CMakeCache.txt").read_text(), re.M)
+NOBODY = 65534  # root may write everywhere
+Done = namedtuple("Done", "code out err")  # minus the signal's number if one ended the program
+small_ini = pytest.mark.usefixtures("small_ini")
+
+
+def run(command, disk=None, memory=None, nobody=False, stdout=None, env=None):
+    """Runs a program. Words are separated by single spaces, or given as a list. `disk` is the
+    largest file [bytes], as if the disk was full then, `memory` the address space [bytes],
+    `stdout` a file that takes it."""
+    tool, *words = command.split(" ") if isinstance(command, str) else command
+    limits = {"CORE": 0, "CPU": 120, "FSIZE": disk, "AS": memory}
+
+    def limit():
+        for name, most in limits.items():
+            if most is not None:
+                resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (most, most))
+
+    user = {"user": NOBODY, "group": NOBODY, "extra_groups": []}
+    with open(stdout or os.devnull, "wb") as to:
+        done = subprocess.run(
+            [BIN / tool, *words],
+            stdout=to if stdout else subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            preexec_fn=limit,
+            env=os.environ | (env or {}),
+            check=False,
+            **(user if nobody and os.geteuid() == 0 else {}),
+        )
+    out, err = (
+        (text or b"").decode(errors="surrogateescape") for text in (done.stdout, done.stderr)
+    )
+    return Done(done.returncode, out, err)
+
+
+def output_of(command):
+    """Of one that must succeed without complaint."""
+    done = run(command)
+    assert (done.code, done.err) == (0, ""), command
+    return done.out
+
+
+def json_of(command):
+    return json.loads(output_of(command))
+
+
+def lines_of(text):
+    return text.removesuffix("\n").split("\n") if text else []
+
+
+def checksum_of(file):
+    text = output_of(["analyze", "checksum", file])
+    assert re.fullmatch("[0-9a-f]{64}\n", text)
+    return text.rstrip()
+
+
+def sum_line(file):
+    """The line of a .sum file or manifest."""
+    return f"content-sha256 {checksum_of(file)}  {file}\n"
+
+
+def is_like(text, pattern):
+    """In the pattern, "..." stands for any text within a line."""
+    return re.fullmatch(".*".join(map(re.escape, pattern.split("..."))), text)
+
+
+def files():
+    """All of the folder with their bytes; folders and links end in "/" and "@"."""
+    found = {}
+    for folder, folders, names in os.walk("."):
+        for path in (Path(folder, name) for name in folders + names):
+            if path.is_symlink():
+                found[f"{path}@"] = os.readlink(path)
+            elif path.is_dir():
+                found[f"{path}/"] = ""
+            else:
+                found[str(path)] = path.read_bytes() if os.access(path, os.R_OK) else b""
+    return found
+
+
+def changed(before, after):
+    """Names of the files that came, went or changed."""
+    return sorted(n for n in before.keys() | after.keys() if before.get(n) != after.get(n))
+
+
+def refuses(command, code, sentence, **options):
+    """With just this sentence, and all files are as before."""
+    before = files()
+    done = run(command, **options)
+    assert (done.code, changed(before, files())) == (code, []), (command, done)
+    tool = command.split(" ")[0] if isinstance(command, str) else command[0]
+    assert is_like(done.err, f"{tool}: {sentence}\n"), (command, done.err)
+    return done
+
+
+def script_for(file, *more):
+    """Its commands from nothing."""
+    return output_of(["analyze", "lineage", file, "--commands", *more])
+
+
+def run_script(script):
+    """As a user would in an empty folder, again, with the programs in the PATH."""
+    env = {"PATH": f"{BIN}:{os.environ['PATH']}"}
+    return run(["/bin/bash", "-c", f"rm -rf again; mkdir again; cd again\n{script}"], env=env)
+
+
+def expect_rebuilt(file):
+    """Its commands make its content."""
+    script = script_for(file)
+    done = run_script(script)
+    assert (done.code, done.err) == (0, ""), script
+    assert checksum_of("again/rebuilt.h5") == checksum_of(file), script
