@@ -1,0 +1,121 @@
+"""analyze lineage: scripts for odd names, changed chains, other schemas; see tables/lineage.txt."""
+
+import json
+import os
+import re
+from pathlib import Path
+
+import h5py
+import pytest
+
+from changes import change
+from commands import (
+    checksum_of,
+    expect_rebuilt,
+    json_of,
+    lines_of,
+    output_of,
+    run_script,
+    script_for,
+)
+
+pytestmark = pytest.mark.usefixtures("small_ini")
+
+
+def put(name, entry, field, text):
+    change(name, f"resealed put /provenance/{entry:04}/{field} {json.dumps(text)}")
+
+
+def rebuild_in(name, entry):
+    with h5py.File(name) as file:
+        return file[f"/provenance/{entry:04}/rebuild"][()].decode()
+
+
+def test_paths_with_spaces_and_quotes():
+    Path("it's a folder").mkdir()
+    start, end = "it's a folder/$HOME.h5", "\"end\" of 'it'\n.h5"
+    output_of(["load", "--config", "small.ini", "-o", start, "--until", "1e-4"])
+    output_of(["restart", start, "-o", end, "--for", "1e-5"])
+    expect_rebuilt(end)
+    script = script_for(end, "--from", str(Path(start).absolute()), "-o", "a 'new' $name.h5")
+    done = run_script(script)
+    assert done.code == 0, done.err
+    assert checksum_of("again/a 'new' $name.h5") == checksum_of(end), script
+
+
+def test_paths_that_are_no_utf8():
+    name = os.fsdecode(b"\xff.h5")
+    output_of(["load", "--config", "small.ini", "-o", name])
+    expect_rebuilt(name)
+    for command in ("lineage", "show"):
+        said = json.loads(output_of(["analyze", command, name, "--json"]))
+        assert said["checksum"] == checksum_of(name)
+
+
+@pytest.fixture
+def two_steps():
+    """a.h5 and b.h5, which began with it."""
+    output_of("load --config small.ini -o a.h5 --until 1e-4")
+    output_of("restart a.h5 -o b.h5 --for 1e-5")
+
+
+def test_the_script_checks_every_file(two_steps):
+    good = script_for("b.h5")
+    for file in ("step-0000.h5", "rebuilt.h5"):
+        digit = re.search(f"(?<=check {file} ).", good)
+        other = "1" if digit[0] == "0" else "0"
+        done = run_script(good[: digit.start()] + other + good[digit.end() :])
+        assert done.code == 1
+        assert f"{file} has another content checksum than" in done.err
+
+
+def test_steps_are_checked_by_sums_of_schema_2():
+    law = "--set junctions.law=simplified"
+    output_of(f"load --config small.ini -o a.h5 {law}")
+    output_of("restart a.h5 -o b.h5 --for 1e-5")
+    odd = "--set junctions.mu_new=0.05"
+    put("b.h5", 0, "rebuild", f"{rebuild_in('b.h5', 0)} {odd}")  # as builds of schema 2 said it
+    output_of(f"load --config small.ini -o odd.h5 {law} {odd}")
+    early = output_of("analyze checksum --as-schema-2 odd.h5").rstrip()
+    assert early != checksum_of("odd.h5")
+    put("b.h5", 1, "parent_checksum", early)
+    expect_rebuilt("b.h5")
+
+
+def test_one_line_per_step(two_steps):
+    first, second = lines_of(output_of("analyze lineage b.h5"))
+    assert first.startswith(f"0 {checksum_of('a.h5')[:12]}  rupture ")
+    assert second.startswith(f"1 {checksum_of('b.h5')[:12]}  rupture ")
+    assert second.endswith(": restart --until 0.00011")
+    said = json_of("analyze lineage b.h5 --json")
+    first, second = said["steps"]
+    assert said["kind"] == "a checkpoint"
+    assert said["checksum"] == checksum_of("b.h5") == second["checksum"]
+    assert first["checksum"] == second["parent_checksum"]
+    fields = ("tool", "version", "commit", "command_line", "compiler", "rebuild")
+    assert all(second[field] for field in fields)
+
+
+def test_a_file_of_schema_1_can_be_the_start(two_steps):
+    put("a.h5", 0, "rebuild", "")
+    output_of("restart a.h5 -o new.h5 --for 1e-5")
+    done = run_script(script_for("new.h5", "--from", str(Path("a.h5").absolute())))
+    assert done.code == 0, done.err
+    assert checksum_of("again/rebuilt.h5") == checksum_of("new.h5")
+
+
+def test_no_control_characters_are_printed():
+    output_of("load --config small.ini -o a.h5")
+    lines = len(lines_of(output_of("analyze show a.h5")))
+    for field in ("tool", "version", "commit", "command_line", "compiler", "rebuild"):
+        put("a.h5", 0, field, "\x1b[2J\n\x9bX")
+    assert len(lines_of(output_of("analyze show a.h5"))) == lines
+    for command in ("analyze show a.h5", "analyze lineage a.h5"):
+        assert not set(output_of(command)) & set("\x1b\x9b"), command
+
+
+def test_comments_of_the_script_hold_no_commands():
+    output_of("load --config small.ini -o a.h5")
+    for field in ("command_line", "version", "compiler"):
+        put("a.h5", 0, field, "x\nexit 7")
+    assert "\nexit 7" not in script_for("a.h5")

@@ -1,0 +1,312 @@
+"""load, restart, finish and modify-phi: what files and summaries of several commands have in
+common, and what --dry-run foresees. The rest is in tables/."""
+
+import fcntl
+import json
+import os
+import re
+import struct
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from changes import change
+from commands import (
+    SANITIZED,
+    checksum_of,
+    files,
+    json_of,
+    lines_of,
+    output_of,
+    refuses,
+    run,
+    sum_line,
+)
+from conftest import BIN
+
+pytestmark = pytest.mark.usefixtures("small_ini")
+
+
+def dataset(name, path):
+    with h5py.File(name) as file:
+        return file[path][()]
+
+
+# --- restart
+
+
+def column(record, name):
+    """Value of a column at each time."""
+    loading = json_of(f"analyze loading {record} --x 0.07 --json")
+    return dict(zip(loading["time"], loading[name]))
+
+
+def test_records_of_the_halves_are_that_of_the_whole():
+    how = "--record-every 2e-5 --record"
+    output_of(f"load --config small.ini -o whole.h5 --until 6e-4 {how} whole-r.h5")
+    output_of(f"load --config small.ini -o half.h5 --until 1.9e-4 {how} r1.h5")
+    output_of(f"restart half.h5 -o end.h5 --until 6e-4 {how} r2.h5")
+    assert checksum_of("end.h5") == checksum_of("whole.h5")
+    for name in ("F_T", "x_drive", "p", "tau", "u_x"):
+        joined, whole = column("r2.h5", name) | column("r1.h5", name), column("whole-r.h5", name)
+        assert joined == joined | whole, name
+        assert len(joined) == len(whole) + 1, "1.9e-4 s is sampled by the halves only"
+
+
+def test_crossings_of_the_halves_are_those_of_the_whole():
+    how = "--crossings 0.7,0.2 --record"
+    output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.6 --sigma-bar 0.2 -o p.h5")
+    output_of(f"restart p.h5 -o whole.h5 --until 1e-4 {how} whole-r.h5")
+    output_of(f"restart p.h5 -o half.h5 --until 5.58e-5 {how} r1.h5")  # block 4 in between
+    output_of(f"restart half.h5 -o end.h5 --until 1e-4 {how} r2.h5")
+    for level in ("0.2", "0.3", "0.7"):
+        whole, first, second = (
+            json_of(f"analyze front {record} --json --ruptured-below {level}")["t_rupture"]
+            for record in ("whole-r.h5", "r1.h5", "r2.h5")
+        )
+        assert all(a is None or b is None for a, b in zip(first, second)), level
+        assert [b if a is None else a for a, b in zip(first, second)] == whole
+        assert whole[4] is not None
+        assert (first[4] is None) == (level == "0.2")
+
+
+def test_fields_are_those_of_the_states():
+    """The last sample is the state in the checkpoint, rounded; samples are taken at the same steps
+    whether the run was split or not."""
+    how = "--fields 4e-5 --record"
+    output_of(f"load --config small.ini -o a.h5 --until 1e-4 {how} a-r.h5")
+    output_of(f"restart a.h5 -o b.h5 --until 3e-4 {how} b-r.h5")
+    output_of(f"load --config small.ini -o whole.h5 --until 3e-4 {how} whole-r.h5")
+    for name in ("u_x", "u_z"):
+        whole, first, second = (
+            dataset(record, f"/fields/{name}") for record in ("whole-r.h5", "a-r.h5", "b-r.h5")
+        )
+        assert [len(whole), len(first), len(second)] == [9, 4, 7]  # 1e-4 is in both
+        assert np.array_equal(whole[-1], np.float32(dataset("b.h5", f"/state/{name}")))
+        assert np.array_equal(first[:-1], whole[:3]) and np.array_equal(second[1:], whole[3:])
+
+
+def test_the_driving_force_stays_constant_at_rest():
+    output_of("load --config small.ini --set driving.V=0.05 -o a.h5 --until 5e-4")
+    output_of("restart a.h5 -o rest.h5 --set driving.V=0 --for 2e-2")
+    output_of("restart rest.h5 -o b.h5 --for 1e-3 --record r.h5")
+    F_T = json_of("analyze loading r.h5 --json")["F_T"]
+    assert F_T[0] > 10
+    assert F_T == pytest.approx([F_T[0]] * len(F_T), rel=1e-9)
+
+
+def test_until_quiet_waits_for_the_pinned_fraction_that_was_asked_for():
+    output_of("prepare --tau-bar 0.21 --sigma-bar 0.285 -o a.h5")  # not all break at once
+    command = "restart a.h5 -f -o b.h5 --record r.h5 --crossings 0.2 --until-quiet --json -q"
+
+    def arrival():
+        return json_of("analyze front r.h5 --json --ruptured-below 0.2")["t_rupture"][-1]
+
+    end = json_of(command)["time"]
+    assert arrival() is None
+    later = json_of(f"{command} --arrived-below 0.2")
+    assert later["ending"] == "spanned"
+    assert end < arrival() >= later["time"] - 2e-5
+
+
+def test_a_changed_time_step_moves_the_driving_point_on_at_its_speed():
+    output_of("load --config small.ini -o a.h5 --until 1e-4")
+    how = "--record r.h5 --record-every 1e-7 --set numerics.dt=1e-7"
+    output_of(f"restart a.h5 -o b.h5 --for 2e-5 {how}")
+    loading = json_of("analyze loading r.h5 --json")
+    assert len(loading["time"]) == 201
+    start = dataset("a.h5", "/state/drive/origin_position")  # that of t = 0
+    expected = start + 1.0 * np.array(loading["time"])  # V = 1 m/s
+    assert loading["x_drive"] == pytest.approx(expected, rel=0, abs=1e-18)
+
+
+def test_a_changed_time_step_leaves_samples_at_multiples_of_their_interval():
+    output_of("load --config small.ini -o odd.h5 --until 1.11e-4")
+    output_of(
+        "restart odd.h5 -o b.h5 --until 3e-4 --record r.h5 --record-every 1e-5 --set"
+        " numerics.dt=5e-8 --checkpoint-every 1e-4"
+    )
+    times = json_of("analyze loading r.h5 --json")["time"]
+    expected = [1.11e-4, *(1e-5 * n for n in range(12, 31))]
+    assert times == pytest.approx(expected, rel=0, abs=1e-18)
+    ruptures = json_of("analyze front r.h5 --json")["t_rupture"]
+    assert all(t is None or 1.11e-4 < t < 3e-4 for t in ruptures)
+    assert Path("b-t0.000200000.h5").exists()
+
+
+def test_damping_and_junctions_are_accounted_for_apart():
+    """Pulled a little, then let go: the junctions give back what they took."""
+    output_of("load --config small.ini -o a.h5")
+    output_of("restart a.h5 -o b.h5 --for 5e-5")
+    out = output_of("restart b.h5 -o c.h5 --for 5e-5 --set driving.V=-1")
+    account = "supplied (.*) = stored (.*) . taken by damping (.*) . work against junctions (.*),"
+    supplied, stored, damping, junctions = map(float, re.search(account, out).groups())
+    assert damping > 0
+    assert supplied == pytest.approx(stored + damping + junctions, rel=1e-6)
+
+
+# --- --resume
+
+
+RUN = (
+    "load --config small.ini -o x.h5 --until 4e-4 --checkpoint-every 1e-4 --record r.h5"
+    " --record-every 3e-5"
+)
+
+
+def test_a_run_knows_its_checkpoints_by_their_id():
+    output_of(RUN)
+    for later in ("x.h5", "x-t0.000400000.h5"):
+        Path(later).unlink()
+    assert len(dataset("x-t0.000300000.h5", "/run/id")) == 64
+    assert dataset("x-t0.000300000.h5", "/run/id") == dataset("x-t0.000100000.h5", "/run/id")
+    change("x-t0.000300000.h5", f"resealed put /run/id f{63 * '0'}")
+    assert "resuming from x-t0.000200000" in output_of(f"{RUN} --resume --force")
+
+
+def test_a_run_knows_its_record_by_its_id_and_the_intervals():
+    output_of(f"{RUN} --fields 1e-4")
+    with h5py.File("r.h5") as record:
+        run_of_record = {name: value[()] for name, value in record["/run"].items()}
+    run_id = dataset("x.h5", "/run/id")
+    assert run_of_record == {"id": run_id, "record_every": 3e-5, "fields_every": 1e-4}
+    change("r.h5", "edited comment")
+    output_of("seal r.h5 -o new.h5")
+    with h5py.File("new.h5") as record:
+        assert "/run/id" not in record, "it is not the run's any more"
+
+
+# --- --dry-run
+
+# Lattices whose equilibrium needs more memory than anything else; solved in two orders.
+WIDE = "--set slider.Nx=113 --set slider.Nz=61 --set numerics.dt=1e-7 --set driving.h=0.005"
+WIDER = "--set slider.Nx=141 --set slider.Nz=76 --set numerics.dt=1e-7 --set driving.h=0.005"
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        f"load -o a.h5 --until 1e-5 --checkpoint-every 5e-6 {WIDE}",
+        f"load -o a.h5 --until 1e-5 --checkpoint-every 5e-6 {WIDER}",
+        "load -o a.h5 --until 2e-4 --record r.h5 --record-every 2e-6",
+        "load -o a.h5 --until 2e-3 --record r.h5 --fields 2e-6",
+        "restart start.h5 -o a.h5 --for 1e-5 --checkpoint-every 2e-6",
+        "restart start.h5 -o a.h5 --for 5e-4 --record r.h5 --record-every 1e-7",
+    ],
+)
+def test_memory_and_disk_are_foreseen(command):
+    """Within 15 %. A process that is small itself looks, as the peak of one that starts the program
+    would count."""
+    if command.startswith("restart"):
+        output_of(f"load -o start.h5 -q {WIDE}")
+    before = files()
+    foreseen = json_of(f"{command} --dry-run --json")
+    assert files() == before
+    looks = (
+        "import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True);"
+        " print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)"
+    )
+    tool, *words = f"{command} -q".split()
+    done = run([sys.executable, "-I", "-S", "-c", looks, str(BIN / tool), *words])
+    assert done.code == 0, done.err
+    disk = sum(len(data) for name, data in files().items() if name not in before)
+    assert foreseen["disk"] == pytest.approx(disk, rel=0.15)
+    if not SANITIZED:  # which needs several times the memory
+        assert foreseen["memory"] == pytest.approx(1024 * int(done.out), rel=0.15)
+
+
+def test_the_time_foreseen_is_that_of_all_steps_and_of_the_equilibrium():
+    load = json_of("load --config small.ini -o a.h5 --until 1e-4 --dry-run --json")
+    assert load["time"] > 500 * load["time_per_step"] > 0
+    output_of("load --config small.ini -o a.h5 --until 1e-4")
+    restart = json_of("restart a.h5 -o b.h5 --until 3e-4 --dry-run --json")
+    assert restart["steps"] == 1000
+    assert restart["time"] == pytest.approx(1000 * restart["time_per_step"], rel=1e-15)
+
+
+# --- --json
+
+
+def summary_of(command):
+    """The object that a command prints; its text goes to standard error."""
+    done = run(f"{command} --json")
+    assert (done.code, len(lines_of(done.out))) == (0, 1), done.err
+    assert "wrote " in done.err
+    return json.loads(done.out)
+
+
+def test_the_summary_of_modify_phi_has_what_analyze_finds():
+    output_of("prepare --tau-bar 0.2 --sigma-bar 0.1 --no-trigger -o a.h5")
+    summary = summary_of("modify-phi a.h5 -o b.h5 --sigma-bar 0.3 --x-to 20mm")
+    before, after = (json_of(f"analyze phi {file} --json") for file in ("a.h5", "b.h5"))
+    assert summary.pop("largest_change") < 1e-9
+    assert summary == {
+        "x": before["x"],
+        "slipping": before["slipping"],
+        "sigma_bar_before": before["sigma_bar"],
+        "sigma_bar_after": after["sigma_bar"],
+        "changed": 9,
+        "impossible": [],
+        "files": [{"path": "b.h5", "holds": "checkpoint", "checksum": checksum_of("b.h5")}],
+    }
+
+
+def names_in(value, prefix):
+    """As in analyze quantities: keys joined by dots, * for an index."""
+    if isinstance(value, dict):
+        return {name for key in value for name in names_in(value[key], f"{prefix}.{key}")}
+    return names_in(value[0], f"{prefix}.*") if isinstance(value, list) else {prefix}
+
+
+def test_summaries_have_the_fields_that_analyze_quantities_lists():
+    listed = {quantity["name"] for quantity in json_of("analyze quantities --json")["summaries"]}
+    for command in (
+        "load --config small.ini -o a.h5 --until 4e-4",
+        "restart a.h5 -o b.h5 --for 1e-5",
+        "prepare --tau-bar 0.2 --tau-bar-trigger 0.9 --no-trigger -o c.h5",
+        "modify-phi c.h5 -o d.h5 --sigma-bar 0.2",
+    ):
+        tool = command.split()[0]
+        of_tool = {name for name in listed if name.startswith(f"{tool}.")}
+        assert names_in(summary_of(command), tool) == of_tool
+
+
+# --- finish
+
+
+def interrupt(options):
+    """Leaves r.h5.part of a run that was to end at 4e-4 s: the disk becomes full behind the first
+    flush, of 256 samples."""
+    command = f"load --config small.ini -o a.h5 -f --until 4e-4 --record r.h5 {options}"
+    assert run(command, disk=130000).code == 1
+
+
+@pytest.mark.parametrize("options", ["6e-7", "8e-7", "1e-6 --crossings 0.5"])
+def test_finish_gives_the_record_of_a_run_that_was_to_end_there(options):
+    interrupt(f"--record-every {options}")
+    said = output_of("finish r.h5.part -o part.h5 --sum")
+    assert said.startswith("256 samples up to t = 0.000")
+    assert Path("part.h5.sum").read_text() == sum_line("part.h5")
+    again = json_of("analyze show part.h5 --json")["provenance"][-1]["rebuild"]
+    output_of(f"{again} --config small.ini -o b.h5 --record whole.h5")
+    assert checksum_of("part.h5") == checksum_of("whole.h5"), again
+    assert json_of("analyze lineage whole.h5 --json")["steps"][-1]["rebuild"] == again
+    assert len(dataset("part.h5", "/ruptures/block")) > 0
+
+
+def test_finish_of_a_record_that_a_run_is_writing_takes_another_name():
+    interrupt("--record-every 1e-6")
+    output_of("finish r.h5.part -o part.h5 -q")
+    with open("r.h5.part", "r+b") as part:
+        lock = struct.pack("hhqqq", fcntl.F_WRLCK, os.SEEK_SET, 0, 0, 0)
+        fcntl.fcntl(part, fcntl.F_OFD_SETLK, lock)  # as the run does
+        sentence = (
+            "a run is writing r.h5.part and will write ./r.h5 when it ends: give another output"
+        )
+        refuses("finish r.h5.part -o ./r.h5", 1, sentence)
+        said = output_of("finish r.h5.part -o now.h5")
+    assert said.startswith("256 samples up to t = 0.000255 s\n")
+    assert checksum_of("now.h5") == checksum_of("part.h5")
