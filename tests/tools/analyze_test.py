@@ -1,0 +1,146 @@
+"""analyze and modify-phi: what two commands say of the same files agrees; the numbers are in
+tables/."""
+
+import csv
+import json
+
+import pytest
+
+from commands import checksum_of, json_of, lines_of, output_of
+
+pytestmark = pytest.mark.usefixtures("small_ini")
+
+
+@pytest.fixture
+def crossings():
+    """q-r.h5, in which blocks fall below three levels one after another."""
+    output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.6 --sigma-bar 0.2 -o p.h5")
+    output_of("restart p.h5 -o q.h5 --until 1e-4 --record q-r.h5 --crossings 0.2,0.7")
+
+
+def test_a_front_goes_by_the_conventions_given(crossings):
+    before = 0
+    for level in ("0.7", "0.3", "0.2"):
+        how = f"q-r.h5 --json --ruptured-below {level}"
+        start = json_of(f"analyze events {how}")["events"][0]["t_start"]
+        assert start == json_of(f"analyze front {how}")["t_rupture"][2]
+        assert start > before
+        before = start
+
+
+@pytest.mark.parametrize("command", ["events", "front"])
+def test_several_ways_are_measured_by_one_call(crossings, command):
+    for form in (" --json", " --csv", ""):
+        measure = f"analyze {command} q-r.h5 --skip-below-x 0.03{form}"
+        high = f"{measure} --ruptured-below 0.7"
+        expected = output_of(high) + output_of(f"{high} --stencil 3") + output_of(measure)
+        assert output_of(f"{high} --also=--stencil=3;--ruptured-below=0.3") == expected
+
+
+def test_the_checksum_is_shown():
+    output_of("load --config small.ini -o a.h5")
+    assert json_of("analyze show a.h5 --json")["checksum"] == checksum_of("a.h5")
+
+
+@pytest.mark.parametrize("law", ["reference", "simplified", "decaying", "distance"])
+def test_stress_and_ruptures_are_those_that_were_recorded(law):
+    output_of(
+        "load --config small.ini -o a.h5 --until 4e-4 --checkpoint-at 2e-4 --record r.h5 --set"
+        f" junctions.law={law}"
+    )
+    assert None not in json_of("analyze front r.h5 --json")["t_rupture"]
+    loading = json_of("analyze loading r.h5 --x 0.07 --json")
+    for file, n in (("a-t0.000200000.h5", 2), ("a.h5", 4)):
+        stress = json_of(f"analyze stress {file} --json")
+        assert loading["F_T"][n] == stress["F_T"]
+        assert loading["p"][n] == stress["p"][4]
+        assert loading["tau"][n] == pytest.approx(stress["tau"][4], rel=1e-9)
+
+
+@pytest.fixture
+def seven_events():
+    output_of(
+        "load --config small.ini -o a.h5 --until 6e-3 --record r.h5 --record-every 1e-4 --set"
+        " driving.V=0.1 --set junctions.t_R=2e-5 --set junctions.delta_t_R=0 -q"
+    )
+
+
+def test_an_event_is_named_by_its_number(seven_events):
+    events = json_of("analyze events r.h5 --json")["events"]
+    assert len(events) == 7
+    for n, event in enumerate(events):
+        assert event["number"] == n
+        front = json_of(f"analyze front r.h5 --json --event {n}")
+        assert (front["t_rupture"], front["type"]) == (event["t_rupture"], event["type"])
+
+
+def test_events_as_csv_have_what_the_json_has(seven_events):
+    how = "--slow-below 3 --stencils-at-ends slow"
+    head, *rows = csv.reader(lines_of(output_of(f"analyze events r.h5 --csv {how}")))
+    events = json_of(f"analyze events r.h5 --json {how}")["events"]
+    for n, (row, event) in enumerate(zip(rows, events, strict=True)):
+        assert len(row) == len(head) == 23
+        assert row[0] == str(n)
+        assert float(row[1]) == event["t_start"]
+        assert row[5:8] == [
+            json.dumps(event["spanning"]),
+            event["type"],
+            json.dumps(event["reached_edge"]),
+        ]
+        assert int(row[9]) == event["backward_stencils"]
+        slow = event["slow"]
+        assert (row[10] == "") == (slow is None)
+        if slow:
+            assert [float(row[15]), float(row[16])] == [slow["speed"], slow["slowest"]]
+    assert rows[1][10], "the second event is slow by this measure"
+
+
+def test_quantities_are_named_once_with_their_meaning_in_a_line_each():
+    groups = json_of("analyze quantities --json")
+    assert groups["quantities"] and groups["summaries"]
+    rows = groups["quantities"] + groups["summaries"]
+    assert len({row["name"] for row in rows}) == len(rows)
+    assert all(row["help"] for row in rows)
+    lines = lines_of(output_of("analyze quantities"))
+    assert len(lines) == len(rows) + len(groups["parameters"]) + 5
+    speed = next(line for line in lines if " front.slow.speed " in line)
+    assert "[m/s]  median front speed in the slow stretch" in speed
+
+
+def test_the_estimate_follows_the_slip_of_one_block():
+    output_of("load --config small.ini -o a.h5 -q")
+    estimate = json_of("analyze estimate a.h5 --json")
+    time = estimate["relaxation"]["time_over_t_R"]
+    slip = estimate["relaxation"]["slip_over_f_slip_per_k_ij"]
+    assert len(time) == len(slip) > 100, "each junction is pinned once, and some again"
+    assert (time, slip) == (sorted(time), sorted(slip))
+    assert slip[0] == 1, "the first pinned junction alone makes up for f_slip"
+    net = estimate["net_slip_over_f_slip_per_k_ij"]
+    assert slip[-1] == pytest.approx(net, rel=0, abs=1e-12), "equal for all seeds"
+
+
+def test_the_estimate_depends_on_the_seed_alone():
+    output_of("load --config small.ini -o a.h5 -q")
+    command = "analyze estimate a.h5 --json --ensemble 5"
+    said = output_of(command)
+    assert said == output_of(command) == output_of(f"{command} --seed 1"), "the checkpoint's"
+    assert said != output_of(f"{command} --seed 2")
+
+
+def test_modify_phi_prints_the_histogram_of_the_changed_blocks_before_and_after():
+    """A row is: from, to, count before, perhaps a bar, count after, perhaps a bar."""
+    output_of("load --config small.ini -o a.h5 --until 1.9e-4")
+    out = output_of(
+        "modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.2 --x-from 0.05 --x-to 0.09"
+    )
+    rows = [line.replace("#", "").split() for line in lines_of(out)]
+    printed = [row for row in rows if len(row) == 4 and row[2].isdigit() and row[3].isdigit()]
+
+    def counted(file):
+        blocks = json_of(f"analyze phi {file} --json --bins 20")
+        assert {(len(counts), sum(counts)) for counts in blocks["histogram"]} == {(20, 100)}
+        places = zip(blocks["x"], blocks["histogram"])
+        return [sum(bin) for bin in zip(*(counts for x, counts in places if 0.05 <= x <= 0.09))]
+
+    for column, file in ((2, "a.h5"), (3, "b.h5")):
+        assert [int(row[column]) for row in printed] == counted(file), out

@@ -1,0 +1,235 @@
+"""What all programs say of themselves, to --help, --describe and --version, and take what they say;
+what parameters says of each parameter."""
+
+import json
+import re
+
+import pytest
+
+from commands import json_of, lines_of, output_of, refuses, run
+
+# Each program or command of analyze, and its options besides help, describe and version.
+PROGRAMS = """
+load: until checkpoint-at checkpoint-every record record-every crossings fields threads on-alarm
+  resume dry-run json output force sum quiet config set seed
+prepare: tau-bar sigma-bar shape x-trigger tau-bar-trigger no-trigger output force sum quiet json
+  config set seed
+restart: until for until-quiet arrived-below checkpoint-at checkpoint-every record record-every
+  crossings fields threads on-alarm resume dry-run json output force sum quiet config set seed
+modify-phi: shape sigma-bar x-from x-to slipping output force sum quiet json
+parameters: json
+finish: output force sum quiet json
+seal: original output force sum quiet json
+analyze events: quiet-time slow-below skip-below-x stencil stencils-at-ends ruptured-below also
+  json csv
+analyze front: event quiet-time from to slow-below skip-below-x stencil stencils-at-ends
+  ruptured-below also json csv
+analyze classify: event quiet-time from to slow-below skip-below-x stencil stencils-at-ends
+  ruptured-below json
+analyze slip: x from to json csv
+analyze slow-slip: event quiet-time x-from x-to longest shortest to-last-stencil from to slow-below
+  skip-below-x stencil stencils-at-ends ruptured-below json csv
+analyze loading: x json csv
+analyze stress: json csv
+analyze phi: bins json csv
+analyze strength: shape sigma-bar json csv
+analyze estimate: ensemble seed json csv
+analyze steady-state: v-from v-to points steps-per-cycle json csv config set seed
+analyze quantities: json
+analyze checksum: as-schema-2
+analyze verify: manifest
+analyze diff: common json
+analyze show: json
+analyze lineage: commands output from json
+"""
+OPTIONS = {
+    name: {"help", "describe", "version", *options.split()}
+    for name, options in re.findall(r"^(\S.*?):((?:.*\n )*.*)$", PROGRAMS, re.M)
+}
+VALUES = {"number": "0.5", "integer": "7", "text": "word", "parameter": "a=1"}
+VALUES |= {"input file": "a.h5", "output file": "b.h5"}
+each_program = pytest.mark.parametrize("name", OPTIONS)
+pytestmark = pytest.mark.usefixtures("small_ini")
+
+
+def given(option):
+    """--NAME VALUE, or --NAME of a flag."""
+    kind = option["kind"]
+    value = option["words"][0] if kind == "choice" else VALUES.get(kind)
+    assert value or kind == "flag"
+    return f" --{option['name']}" + (f" {value}" if value else "")
+
+
+def options_of(program):
+    return {option["name"]: option for option in program["options"]}
+
+
+@each_program
+def test_all_options_are_described_with_the_texts_of_help(name):
+    text, described = output_of(f"{name} --help"), output_of(f"{name} --describe")
+    program = json.loads(described)
+    assert len(lines_of(described)) == 1
+    assert text.startswith(f"Usage: rupture {program['synopsis']}\n")
+    assert text.startswith(f"Usage: rupture {name} ")
+    assert "\n" not in program["purpose"]
+    options = options_of(program)
+    assert options.keys() == OPTIONS[name]
+    assert len(options) == len(program["options"])
+    for option in options.values():
+        assert f"--{option['name']} " in text
+        unit = option["unit"]
+        assert bool(unit) == (option["kind"] in ("number", "integer")), option
+        assert unit in ("", "1") or f"{option['value']} [{unit}]" in text
+    lines = lines_of(text.split("\nParameters")[0])
+    assert sum(line.startswith("  -") for line in lines) == len(options)
+
+
+@each_program
+def test_the_options_that_are_described_are_taken(name):
+    options = options_of(json_of(f"{name} --describe"))
+    taken = (given(options[option]) for option in options if option not in ("describe", "version"))
+    assert output_of(name + "".join(taken)) == output_of(f"{name} --help")
+
+
+@each_program
+def test_one_of_those_that_are_needed_is_needed(name):
+    program = json_of(f"{name} --describe")
+    options, groups = options_of(program), program["one_needed"]
+    for missing in groups:
+        command = name + (" none.h5" if program["input"] else "")
+        command += "".join(given(options[group[0]]) for group in groups if group != missing)
+        refuses(command, 2, f"...--{missing[-1]}...")
+
+
+@each_program
+def test_a_mistyped_option_is_told_the_nearest(name):
+    isa = "(baseline|sse2|avx2|avx512|neon)"
+    version = output_of(f"{name} --version")
+    assert re.fullmatch(rf"{name} \(rupture .*, commit .*, {isa}\)\n", version)
+    sentence = "unknown option '--versoin': did you mean '--version'? See rupture"
+    refuses(f"{name} --versoin", 2, f"{sentence} {name} --help")
+
+
+def test_what_restart_does():
+    restart = json_of("restart --describe")
+    options = options_of(restart)
+    assert restart["input"] == "checkpoint"
+    assert restart["outputs"] == ["record", "checkpoint"]
+    assert restart["parameters"] is True
+    assert restart["one_needed"] == [["until", "for", "until-quiet"], ["output"]]
+    del options["record-every"]["help"]
+    expected = {"name": "record-every", "short": None, "kind": "number", "value": "T", "unit": "s"}
+    assert options["record-every"] == expected | {"default": 1e-4}
+    assert options["output"]["short"] == "o"
+    assert options["on-alarm"]["words"] == ["stop", "report"]
+    assert options["on-alarm"]["default"] == "stop"
+
+
+@pytest.mark.parametrize(
+    "name, key, value",
+    [
+        ("analyze front", "input", "record"),
+        ("analyze stress", "input", "checkpoint"),
+        ("analyze show", "input", "file"),
+        ("analyze quantities", "input", None),
+        ("analyze lineage", "outputs", ["report"]),
+        ("load", "input", None),
+    ],
+)
+def test_what_commands_read(name, key, value):
+    assert json_of(f"{name} --describe")[key] == value
+
+
+def test_all_commands_of_analyze_are_described():
+    text, analyze = output_of("analyze --help"), json_of("analyze --describe")
+    assert text.startswith(f"Usage: rupture {analyze['synopsis']}")
+    names = [name for name in OPTIONS if name.startswith("analyze ")]
+    assert all(f"\n  {name.removeprefix('analyze ')} " in text for name in names)
+    described = [json_of(f"{name} --describe") for name in names]
+    assert sorted(described, key=str) == sorted(analyze["commands"], key=str)
+    lines = [line for line in lines_of(text) if line.startswith("  ")]
+    assert len(lines) == len(names) + 1, "with help"
+
+
+def test_help_of_analyze_is_a_command_too():
+    for words in ("help", "help help"):
+        assert output_of(f"analyze {words}") == output_of("analyze --help")
+    for command in ("events", "slow-slip", "diff"):
+        assert output_of(f"analyze help {command}") == output_of(f"analyze {command} --help")
+
+
+# --- parameters
+
+
+def table():
+    return json_of("parameters --json")["parameters"]
+
+
+def test_parameters_are_those_of_a_file_in_a_line_each():
+    output_of("load -o a.h5 -q")
+    in_file, rows = json_of("analyze show a.h5 --json")["parameters"], table()
+    assert {row["name"]: row["default"] for row in rows} == in_file
+    assert len(rows) == len(in_file) == 36
+    assert all(row["help"] for row in rows)
+    assert rows == json_of("analyze quantities --json")["parameters"]
+    assert [row["unit"] for row in rows if row["name"] == "junctions.law"] == [""]
+    for line, row in zip(lines_of(output_of("parameters"))[1:], rows, strict=True):
+        assert line.startswith(f"  {row['name']} ")
+    assert isinstance(in_file["driving.V"], float) and isinstance(in_file["slider.Nx"], int)
+
+
+def test_a_number_and_a_choice_of_words_in_full():
+    assert (
+        output_of("parameters junctions.t_R junctions.f_new slider.Nx")
+        == """junctions.t_R
+  mean slipping time
+  symbol   t_R
+  unit     s
+  default  0.002
+  value    above 0 and at most 1000
+  laws     reference, simplified, decaying
+
+junctions.f_new
+  force of a newly pinned junction; f_slip switches slow slip off
+  symbol   f_new
+  default  zero
+  value    zero or f_slip
+  laws     reference, distance
+
+slider.Nx
+  number of blocks along x
+  symbol   N_x
+  unit     1
+  default  57
+  value    of at least 3 and at most 65536
+  laws     reference, simplified, decaying, distance
+  restart  cannot change it
+"""
+    )
+
+
+def accepts(name, value):
+    """Whether something behind it is the first to be refused."""
+    done = run(f"load -o a.h5 --set {name}={value} --set slider.no=1")
+    assert done.code == 2
+    return "unknown parameter 'slider.no'" in done.err
+
+
+def test_ranges_are_enforced():
+    for row in table():
+        if "words" in row:
+            assert all(accepts(row["name"], word) for word in row["words"])
+        else:
+            assert accepts(row["name"], row["maximum"])
+            assert accepts(row["name"], row["minimum"]) != row["minimum_excluded"], row
+
+
+def test_a_restart_keeps_what_the_row_says():
+    output_of("load --config small.ini -o a.h5")
+    was = json_of("analyze show a.h5 --json")["parameters"]
+    for row in table():
+        name = row["name"]
+        other = row.get("words", [7 if isinstance(was[name], int) else 0.7])[-1]
+        err = run(f"restart a.h5 -o b.h5 -f --for 0 --set {name}={other}").err
+        kept = f"{name} cannot change in a restart: the state was made with " in err
+        assert kept != row["restart_may_change"], (name, err)
