@@ -36,7 +36,7 @@ KINDS["text_of_any_length"].set_size(h5t.VARIABLE)
 KINDS["compound"].insert(b"member", 0, h5t.IEEE_F64LE)
 KINDS["words"].enum_insert(b"zero", 0)
 SPACE = h5s.create_simple((4, 5))
-STORAGE = {
+STORAGE: dict = {
     "chunked": {"chunk": [(2, 5)]},
     "compressed": {"chunk": [(2, 5)], "deflate": [9]},
     "external": {"external": [b"/dev/zero", 0, 160]},
@@ -50,7 +50,7 @@ def sealed(data):
     return sealed_header(kind, data) + data[HEADER:]
 
 
-OF_BYTES = {
+OF_BYTES: dict = {
     "flip": lambda data, at: data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :],
     "resealed_byte": lambda data, at, value: sealed(data[:at] + bytes([value]) + data[at + 1 :]),
     "first": lambda data, size: data[:size],
@@ -59,7 +59,7 @@ OF_BYTES = {
     "extended": lambda data, text: data + text.encode(),
     "repeated": lambda data, size: data + data[:size],
 }
-OF_PATHS = {
+OF_PATHS: dict = {
     "none": lambda path: None,
     "folder": os.mkdir,
     "device": lambda path: os.symlink("/dev/null", path),
@@ -125,7 +125,7 @@ def without(file, path, name=None):
     del (file[path].attrs if name else file)[name or path]
 
 
-OF_HDF5 = {
+OF_HDF5: dict = {
     "attribute": attribute,
     "put": put,
     "element": element,

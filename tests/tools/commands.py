@@ -31,7 +31,7 @@ def run(command, disk=None, memory=None, nobody=False, stdout=None, env=None):
             if most is not None:
                 resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (most, most))
 
-    user = {"user": NOBODY, "group": NOBODY, "extra_groups": []}
+    user: dict = {"user": NOBODY, "group": NOBODY, "extra_groups": []}
     with open(stdout or os.devnull, "wb") as to:
         done = subprocess.run(
             [BIN / tool, *words],
@@ -81,7 +81,7 @@ def is_like(text, pattern):
 
 def files():
     """All of the folder with their bytes; folders and links end in "/" and "@"."""
-    found = {}
+    found: dict = {}
     for folder, folders, names in os.walk("."):
         for path in (Path(folder, name) for name in folders + names):
             if path.is_symlink():

@@ -59,12 +59,13 @@ def rows():
 
         def step(line):
             exit_code, _, command = line.partition(" ")
-            command = re.sub(
-                r"^(\[\S+\] )?\.\.", lambda option: (option[1] or "") + beginning, command
-            )
+            if found := re.match(r"(\[\S+\] )?\.\.", command):
+                command = (found[1] or "") + beginning + command[found.end() :]
             return Step(exit_code, command, [])
 
-        beginning, setup, steps = "", [], []
+        beginning = ""
+        setup: list = []
+        steps: list = []
         for line in re.sub(r"\\\n *", "", path.read_text()).split("\n"):
             if line.startswith("=="):
                 beginning, setup = line[3:], []
@@ -135,7 +136,7 @@ def summed(name):
     assert Path(f"{name}.sum").read_text() == sum_line(name)
 
 
-VERBS = {
+VERBS: dict = {
     "file": lambda name, text: Path(name).write_text(text),
     "folder": lambda name: Path(name).mkdir(parents=True, exist_ok=True),
     "link": lambda name, target: os.symlink(target, name),
@@ -202,7 +203,8 @@ def expect_output(out, said, step, first):
 
 def expect_texts(done, step, tool, chosen, first):
     is_done = step.exit[0] == "0" or step.exit.endswith(">")
-    sentence, said = [] if is_done else [f"{tool}:"], {"stdout: ": [], "stderr: ": []}
+    sentence = [] if is_done else [f"{tool}:"]
+    said: dict = {"stdout: ": [], "stderr: ": []}
     for line in (filled(text, chosen) for text in step.said):
         if line[:8] in said:
             said[line[:8]].append(line[8:])
@@ -233,7 +235,12 @@ def options_in(command):
     if not found:
         return command, {}
     name, value = found.groups()
-    values = {"disk": int, "stdout": str, "memory": lambda gib: int(gib) << 30, "nobody": bool}
+    values: dict = {
+        "disk": int,
+        "stdout": str,
+        "memory": lambda gib: int(gib) << 30,
+        "nobody": bool,
+    }
     return command[found.end() :], {name: values[name](value or "yes")}
 
 
@@ -248,14 +255,14 @@ def expect_command(step, command, chosen, first):
         done = run(words, **options)
     except PermissionError:
         pytest.skip("another user cannot run the programs in this folder")
-    assert done.code == int(re.match(r"\d+", step.exit)[0]), (command, done.err)
+    assert done.code == int(step.exit.rstrip("=>+")), (command, done.err)
     expect_texts(done, step, words[0], chosen, first)
     return expect_kept(before, step.exit, words)
 
 
 @pytest.mark.parametrize("row", rows())
 def test_row(small_ini, row):
-    first = {}  # what was found first for each line that ends in "same"
+    first: dict = {}  # what was found first for each line that ends in "same"
 
     def take(step, text, chosen_before=()):
         """In all its choices, which follow those of the row."""
