@@ -1,5 +1,5 @@
 // What was built. Both are in a source of their own, which CMake writes before each build: a commit
-// compiles nothing else anew.
+// recompiles nothing else.
 #pragma once
 
 namespace rupture {

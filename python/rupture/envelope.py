@@ -22,7 +22,7 @@ def refuse_what_is_no_file(path):
     """Before it is opened, which would wait for the other end of a pipe."""
     wanted = "give the path of a checkpoint or record"
     if not os.fspath(path):
-        raise Failure(f"an input has an empty name; {wanted}")
+        raise Failure(f"the name of an input is empty; {wanted}")
     mode = os.stat(path).st_mode
     if stat.S_ISDIR(mode):
         raise Failure(f"{path} is a folder; {wanted}")
@@ -55,7 +55,7 @@ def kind_of(data, path):
         raise Failure(f"{path} is not a rupture file: give one that rupture's programs wrote")
     if len(data) < HEADER:
         cut = "it ends within its 512-byte header"
-        raise Failure(f"{path} is truncated: {cut}; copy it again or write it anew")
+        raise Failure(f"{path} is truncated: {cut}; copy it again or recreate it")
     return kind
 
 
@@ -75,8 +75,8 @@ def check_seal(data, path):
     whole = next(pieces(data), b"") if kind == PART else is_intact(kind, data)
     if not whole:
         raise Failure(
-            f"{path} is damaged or was changed by another program: its bytes and the SHA-256 in"
-            " its header do not agree; copy it again or write it anew"
+            f"{path} is damaged or was changed by another program: its bytes do not match the"
+            " SHA-256 in its header; copy it again or recreate it"
         )
     return kind
 

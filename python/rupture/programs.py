@@ -28,7 +28,7 @@ def command_of(program):
         return ["rupture", program]
     where = f"not in RUPTURE_BIN={own}" if own else "neither built nor installed, nor on the PATH"
     raise Failure(
-        f"found no program {program}: {where}; build it, or set RUPTURE_BIN to its folder"
+        f"program {program} not found: {where}; build it, or set RUPTURE_BIN to its folder"
     )
 
 

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_writing(const fs::path& path) {
-  fail("could not write {}: {}", path.string(), std::strerror(errno));
+  fail("cannot write {}: {}", path.string(), std::strerror(errno));
 }
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
@@ -138,7 +138,7 @@ void remove_durably(const fs::path& path) {
   if (::unlink(path.c_str()) == 0) {
     sync_folder_of(path);
   } else if (errno != ENOENT) {
-    fail("could not remove {}: {}", path.string(), std::strerror(errno));
+    fail("cannot remove {}: {}", path.string(), std::strerror(errno));
   }
 }
 

@@ -41,12 +41,12 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
 ChildEnd in_child_process(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child < 0) {
-    fail("could not start a process: {}", std::strerror(errno));
+    fail("cannot start a process: {}", std::strerror(errno));
   }
   if (child == 0) be_the_child(work);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw Failure("a process that was started is lost");
+    if (errno != EINTR) throw Failure("lost track of a child process");
   }
   if (WIFEXITED(status)) return {WEXITSTATUS(status), 0};
   return {ChildEnd::kThrew, WTERMSIG(status)};

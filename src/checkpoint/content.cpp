@@ -128,7 +128,7 @@ void expect_as_written(const Content& content, const Content& written) {
       fail("{} is in {}; expected {}", path, unit, dataset.unit);
     }
     if (is_same(found->second, dataset)) continue;
-    fail("{} holds its value in a form that rupture never writes", path);
+    fail("{} stores its value in a form that rupture never writes", path);
   }
 }
 

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_reading(const fs::path& path) {
-  fail("could not read {}: {}; check the permissions of the file and its folder", path.string(),
+  fail("cannot read {}: {}; check the permissions of the file and its folder", path.string(),
        std::strerror(errno));
 }
 
@@ -100,17 +100,17 @@ int remains_of(std::span<const std::byte> file) {
 void refuse_if_readable(std::span<const std::byte> file, const std::string& name) {
   const int remains = remains_of(file);
   if (remains == kContentAsSealed) {
-    throw Changed(fmt::format(
-        "{} was changed after rupture sealed it (repacked by another program, an attribute added, "
-        "or damaged beside its data), but its content still has the checksum that is stored in "
-        "it: rupture seal {} -o NEW.h5 makes a sealed file of it",
-        name, name));
+    throw Changed(
+        fmt::format("{} was changed after rupture sealed it (repacked by another program, an "
+                    "attribute added, or damaged outside its data), but its content still has the "
+                    "stored checksum: rupture seal {} -o NEW.h5 seals it again",
+                    name, name));
   }
   if (remains == kOtherContent) {
     throw Changed(fmt::format(
-        "{} was changed after rupture sealed it, and its content is not what it was: if somebody "
-        "edited it with another program, rupture seal {} -o NEW.h5 checks and seals it; otherwise "
-        "it is damaged, copy it again or write it anew",
+        "{} was changed after rupture sealed it, and its content no longer has the stored "
+        "checksum: if somebody edited it with another program, rupture seal {} -o NEW.h5 checks "
+        "and seals it; otherwise it is damaged: copy it again or recreate it",
         name, name));
   }
 }
@@ -120,7 +120,7 @@ EditedFile opened(std::span<const std::byte> bytes) {
     demand_survival(bytes, hdf5::Accept::edited);
     return open_edited(bytes);
   } catch (const hdf5::LibraryFailure& failure) {
-    fail("{}; it is no HDF5 file, or damaged: copy it again or write it anew", failure.what());
+    fail("{}; it is damaged or not an HDF5 file: copy it again or recreate it", failure.what());
   }
 }
 
@@ -128,7 +128,7 @@ EditedFile opened(std::span<const std::byte> bytes) {
 
 void check_output(const fs::path& path, IfExists if_exists) {
   if (!path.has_filename())
-    throw UsageError("an output has an empty name; give the path of a file");
+    throw UsageError("the name of an output is empty; give the path of a file");
   struct stat info {};
   const bool exists = ::lstat(path.c_str(), &info) == 0;
   if (exists && S_ISDIR(info.st_mode)) {
@@ -145,12 +145,16 @@ void check_output(const fs::path& path, IfExists if_exists) {
   const fs::path folder = folder_of(path);
   if (::access((folder / ".").c_str(), F_OK) != 0 ||
       ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
-    fail("could not write {}: its folder {}: {}; give another path", path.string(), folder.string(),
-         std::strerror(errno));
+    const std::string name = folder == "." ? "the current folder" : folder.string();
+    const std::string reason = errno == EACCES ? "no write permission in " + name
+                               : errno == ENOENT || errno == ENOTDIR
+                                   ? name + " is not an existing folder"
+                                   : name + ": " + std::strerror(errno);
+    fail("cannot write {}: {}; give another path", path.string(), reason);
   }
   // The longest name that will be written: with another, a run would be lost at its end.
   if (::lstat(temporary_path(sum).c_str(), &info) != 0 && errno != ENOENT) {
-    fail("could not write {}: {}; give another path", path.string(), std::strerror(errno));
+    fail("cannot write {}: {}; give another path", path.string(), std::strerror(errno));
   }
 }
 

@@ -26,7 +26,7 @@ struct LibraryFailure : Failure {
   using Failure::Failure;
 };
 
-/// Throws LibraryFailure "could not <doing>: <HDF5's innermost reason>" if an HDF5 call returned
+/// Throws LibraryFailure "cannot <doing>: <HDF5's innermost reason>" if an HDF5 call returned
 /// < 0.
 void check(std::int64_t result, std::string_view doing);
 

@@ -192,7 +192,7 @@ class Collector {
 
   void collect(Id group, const std::string& prefix, int depth) {
     const std::string where = prefix + "/";
-    if (depth > kDeepest) fail("{} is too deep a group", where);
+    if (depth > kDeepest) fail("{} is a group that is nested too deeply", where);
     for (const std::string& name : names_in(group, where)) add(group, name, where + name, depth);
   }
 
@@ -216,7 +216,7 @@ class Collector {
 
   void take(std::size_t bytes, const std::string& path) {
     if (bytes > room_) {
-      fail("{} and what comes before it need more than the file holds", path);
+      fail("{} and the datasets before it need more bytes than the file has", path);
     }
     room_ -= bytes;
   }

@@ -89,8 +89,8 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   if (row == kKinds.end()) refuse_foreign(start, name);
   if (start.size() < kHeaderSize) {
     fail(
-        "{} is truncated: it ends within its 512-byte header, after {} bytes; copy it "
-        "again or write it anew",
+        "{} is truncated: it ends within its 512-byte header, after {} bytes; copy it again or "
+        "recreate it",
         name, start.size());
   }
   return row->kind;
@@ -122,8 +122,8 @@ FileKind check_envelope(std::span<const std::byte> file, const std::string& name
   const std::uint64_t size = stated_size(file.first(kHeaderSize));
   const std::string_view stated_sha256 = line_after(header, "\nsha256 ");
   const std::string damaged = fmt::format(
-      "{} is damaged: its bytes and the SHA-256 in its header do not agree; copy it again or write "
-      "it anew",
+      "{} is damaged: its bytes do not match the SHA-256 in its header; copy it again or recreate "
+      "it",
       name);
   const bool body_is_as_sealed = stated_sha256 == body_sha256;
   if (body_is_as_sealed || header != sealed_header(kind, size, stated_sha256)) {
@@ -131,7 +131,7 @@ FileKind check_envelope(std::span<const std::byte> file, const std::string& name
   }
   if (file.size() >= size) throw BrokenSeal(damaged);
   throw BrokenSeal(
-      fmt::format("{} is truncated: it holds {} of {} bytes; copy it again or write it anew", name,
+      fmt::format("{} is truncated: it has {} of {} bytes; copy it again or recreate it", name,
                   file.size(), size));
 }
 

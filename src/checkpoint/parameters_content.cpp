@@ -98,7 +98,7 @@ void refuse_unknown_parameters(const Content& content) {
   for (const ParameterInfo& info : parameter_table()) known.insert(dataset_path(info));
   for (const auto& [path, dataset] : content) {
     if (path.starts_with(kParametersGroup) && !known.contains(path)) {
-      fail("{} is no parameter of this build: use a newer rupture", path);
+      fail("{} is not a parameter of this version: use a newer rupture", path);
     }
   }
 }

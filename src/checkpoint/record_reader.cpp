@@ -273,8 +273,8 @@ std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
     std::vector<double> held = levels;
     held.push_back(kRupturedFraction);
     fail(
-        "the record does not tell when blocks fell below a pinned fraction of {}, only of {}: "
-        "record it with --crossings {}",
+        "the record has no crossings of a pinned fraction of {}, only of {}: record it with "
+        "--crossings {}",
         fraction, fmt::join(held, ", "), fraction);
   }
   std::vector<Rupture> ruptures;

@@ -60,10 +60,8 @@ std::string checksum_or_none(const std::string& text) {
 
 void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
   if (attributes.schema_version < 1 || attributes.format != format_name(kind)) {
-    fail(
-        "its header says {}, but its attributes say {}, schema version {}; "
-        "write it anew",
-        format_name(kind), attributes.format, attributes.schema_version);
+    fail("its header says {}, but its attributes say {}, schema version {}; recreate it",
+         format_name(kind), attributes.format, attributes.schema_version);
   }
 }
 
@@ -83,8 +81,7 @@ void check_content(FileKind kind, const Content& content, const hdf5::RootAttrib
   const std::string& stored = attributes.content_checksum;
   const std::string computed = checksum_by_schema(attributes.schema_version, content);
   if (stored != computed) {
-    fail("its content has the checksum {}, but {} is stored in it; write it anew", computed,
-         stored);
+    fail("its content has the checksum {}, but {} is stored in it; recreate it", computed, stored);
   }
 }
 
@@ -94,7 +91,7 @@ void append_rows(const std::string& path, Dataset& whole, const Dataset& rows) {
   };
   if (whole.shape.empty() || rows.shape.empty() || whole.type != rows.type ||
       row_shape(whole) != row_shape(rows)) {
-    fail("rows of {} do not continue those of the pieces before", path);
+    fail("rows of {} do not continue those of the previous pieces", path);
   }
   whole.shape[0] += rows.shape[0];
   whole.bytes.insert(whole.bytes.end(), rows.bytes.begin(), rows.bytes.end());
@@ -171,8 +168,8 @@ void demand_survival(std::span<const std::byte> file, hdf5::Accept accept) {
   });
   if (end.signal == 0) return;
   fail(
-      "the HDF5 library does not survive reading it ({}), so it is damaged or made to "
-      "do harm; copy it again or write it anew",
+      "the HDF5 library crashes when it reads the file ({}), so the file is damaged or malicious; "
+      "copy it again or recreate it",
       ::strsignal(end.signal));
 }
 

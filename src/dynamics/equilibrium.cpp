@@ -61,9 +61,9 @@ void check_parameters(const Parameters& p) {
 void check_region(const Parameters& p, const Prestress& prestress) {
   const double last = block_position(p, p.Nx - 1);
   if (prestress.x_trigger >= 0.0 && prestress.x_trigger <= last) return;
-  throw UsageError(fmt::format(
-      "x-trigger = {:g} m makes no sense: give 0 to {:g} m, so that a block lies beyond it",
-      prestress.x_trigger, last));
+  throw UsageError(
+      fmt::format("x-trigger must be from 0 to {:g} m, so that a block lies beyond it (got {:g} m)",
+                  last, prestress.x_trigger));
 }
 
 void check_tau_bar(const Parameters& p, const char* name, double tau_bar) {
@@ -79,8 +79,7 @@ void check_sigma_bar(const Parameters& p, const Prestress& prestress) {
   const double largest = largest_sigma_bar(p, prestress);
   if (prestress.sigma_bar >= 0.0 && prestress.sigma_bar <= largest) return;
   if (!(prestress.sigma_bar >= 0.0)) {
-    throw UsageError(fmt::format("sigma-bar = {:g} makes no sense: give a number of at least 0",
-                                 prestress.sigma_bar));
+    throw UsageError(fmt::format("sigma-bar must be 0 or more (got {:g})", prestress.sigma_bar));
   }
   throw UsageError(fmt::format(
       "sigma-bar = {:g} would put junctions beyond f_thres: the largest possible value is {:.4f}",
@@ -152,8 +151,8 @@ State normal_load_equilibrium(const Parameters& p) {
   auto state = solve_statics(p, {});
   if (!state) {
     throw Failure(
-        fmt::format("no equilibrium under F_N = {:g} N was found: the load is too large for "
-                    "slider.E = {:g} Pa or the slider tips over",
+        fmt::format("found no equilibrium under F_N = {:g} N: the load is too large for slider.E = "
+                    "{:g} Pa, or the slider tips over",
                     p.F_N, p.E));
   }
   check_strength(p, *state);
@@ -191,8 +190,8 @@ State prepared_state(const Parameters& p, const Prestress& prestress) {
   auto state = solve_statics(p, {tau, p.K});
   if (!state || has_tipped_over(p, *state)) {
     throw Failure(
-        fmt::format("no equilibrium under this prestress was found: slider.F_N = {:g} N is too "
-                    "large for slider.E = {:g} Pa or the slider tips over",
+        fmt::format("found no equilibrium under this prestress: slider.F_N = {:g} N is too large "
+                    "for slider.E = {:g} Pa, or the slider tips over",
                     p.F_N, p.E));
   }
   add_interface(p, prestress, tau, *state);

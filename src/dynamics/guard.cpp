@@ -24,20 +24,20 @@ Maybe time_step(const Simulation& simulation) {
   const auto most = std::max_element(simulation.p().begin(), simulation.p().end());
   const double limit = stable_time_step(p, *most);
   if (p.dt <= limit) return std::nullopt;
-  return Finding{Check::time_step, Severity::alarm,
-                 fmt::format("numerics.dt = {:g} s is unstable at t = {:.7g} s: block {} bears p = "
-                             "{:.4g} N, which makes its junctions so stiff that the limit is "
-                             "{:.4g} s; start anew with a smaller numerics.dt, or change the "
-                             "parameters less",
-                             p.dt, simulation.time(), most - simulation.p().begin(), *most, limit)};
+  return Finding{
+      Check::time_step, Severity::alarm,
+      fmt::format("numerics.dt = {:g} s is unstable at t = {:.7g} s: block {} carries p = {:.4g} "
+                  "N, which makes its junctions so stiff that the limit is {:.4g} s; start again "
+                  "with a smaller numerics.dt, or change the parameters less",
+                  p.dt, simulation.time(), most - simulation.p().begin(), *most, limit)};
 }
 
 Maybe lattice(const Simulation& simulation) {
   const auto passed = passed_block(simulation.parameters(), simulation.state());
   if (!passed) return std::nullopt;
   return Finding{Check::lattice, Severity::alarm,
-                 fmt::format("block ({}, {}) has passed its neighbour at t = {:.7g} s, which no "
-                             "solid does: lower slider.F_N or raise slider.E",
+                 fmt::format("block ({}, {}) has passed its neighbour at t = {:.7g} s, which is "
+                             "impossible in a solid: lower slider.F_N or raise slider.E",
                              passed->i, passed->j, simulation.time())};
 }
 
@@ -55,8 +55,8 @@ Maybe contact(const Simulation& simulation) {
   const auto support = parameter_text(p, find_parameter("slider.support"));
   if (without == p.Nx) {
     return Finding{Check::contact, Severity::alarm,
-                   fmt::format("no block touches the {} at t = {:.7g} s: nothing bears the load of "
-                               "{:g} N; change the parameters less",
+                   fmt::format("no block touches the {} at t = {:.7g} s: nothing carries the load "
+                               "of {:g} N; change the parameters less",
                                support, simulation.time(), p.F_N)};
   }
   return Finding{
@@ -101,13 +101,12 @@ Maybe strength(const Simulation& simulation, std::int64_t first_step) {
   const Overload found = overload(simulation);
   if (found.count == 0) return std::nullopt;
   const bool at_start = simulation.state().step == first_step;
-  return Finding{
-      Check::strength, at_start ? Severity::warning : Severity::alarm,
-      fmt::format("junctions that bear more than they can at t = {:.7g} s: {}, the first "
-                  "in block {} with {:.4g} N, where {:.4g} N is the limit; {}",
-                  simulation.time(), found.count, found.block, found.f, found.limit,
-                  at_start ? "they break or slip in the first step"
-                           : "that is a bug, please report it with the command")};
+  return Finding{Check::strength, at_start ? Severity::warning : Severity::alarm,
+                 fmt::format("junctions above their strength at t = {:.7g} s: {}, the first in "
+                             "block {} with {:.4g} N, where {:.4g} N is the limit; {}",
+                             simulation.time(), found.count, found.block, found.f, found.limit,
+                             at_start ? "they break or slip in the first step"
+                                      : "this is a bug, please report it with the command")};
 }
 
 Place fastest_block(const State& state) {
@@ -143,14 +142,15 @@ std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& 
   const Parameters& p = simulation.parameters();
   const State& state = simulation.state();
   const Place place = fastest_block(state);
-  return Finding{Check::energy, Severity::alarm,
-                 fmt::format("the energy account from t = {:.7g} s to {:.7g} s is off by {:.3g} %, "
-                             "where {:.2g} % is the limit: numerics.dt = {:g} s is too long for "
-                             "what happens (the fastest block, ({}, {}), moves at {:.2g} m/s); "
-                             "start anew with a smaller numerics.dt, or change the parameters less",
-                             time_at(p, state.clock, from.step), simulation.time(), 100.0 * error,
-                             100.0 * limit, p.dt, place.i, place.j,
-                             std::hypot(state.v_x(place.i, place.j), state.v_z(place.i, place.j)))};
+  return Finding{
+      Check::energy, Severity::alarm,
+      fmt::format("the energy account from t = {:.7g} s to {:.7g} s is off by {:.3g} %, where "
+                  "{:.2g} % is the limit: numerics.dt = {:g} s is too long for this motion (the "
+                  "fastest block, ({}, {}), moves at {:.2g} m/s); start again with a smaller "
+                  "numerics.dt, or change the parameters less",
+                  time_at(p, state.clock, from.step), simulation.time(), 100.0 * error,
+                  100.0 * limit, p.dt, place.i, place.j,
+                  std::hypot(state.v_x(place.i, place.j), state.v_z(place.i, place.j)))};
 }
 
 bool Guard::is_new(const Finding& finding) {

@@ -227,7 +227,7 @@ void Simulation::report_blow_up() const {
     for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
       if (std::isfinite(state_.v_x(i, j)) && std::isfinite(state_.v_z(i, j))) continue;
       throw Failure(
-          fmt::format("numerical blow-up at t = {:.7g} s in block ({}, {}): start anew with a "
+          fmt::format("numerical blow-up at t = {:.7g} s in block ({}, {}): start again with a "
                       "smaller numerics.dt, or change the parameters less",
                       time(), i, j));
     }

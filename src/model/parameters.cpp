@@ -63,8 +63,8 @@ std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
   const auto& words = info.valid.words;
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
-    throw UsageError(fmt::format("{} = '{}' is unknown: choose one of {}", info.name, text,
-                                 fmt::join(words, ", ")));
+    throw UsageError(
+        fmt::format("{} must be one of {} (got '{}')", info.name, fmt::join(words, ", "), text));
   }
   return found - words.begin();
 }
@@ -90,17 +90,17 @@ const std::vector<ParameterInfo>& parameter_table() {
       {"slider.springs", "-", "1", &P::springs, one_of({"exact", "linearised"}),
        "bulk springs: exact, or linearised for small displacements", all, later},
       {"slider.edge_springs", "-", "1", &P::edge_springs, one_of({"full", "half"}),
-       "springs along the faces: as stiff as inner ones, or half", all, later},
+       "springs along the faces: as stiff as inner springs, or half as stiff", all, later},
       {"slider.damping", "eta^2/(k m)", "1", &P::damping, at_least(0, 10),
        "bulk damping: eta = sqrt(damping k m) on every bond"},
       {"slider.damping_along", "-", "1", &P::damping_along, one_of({"velocity", "spring"}),
-       "bulk dampers resist the relative velocity, or its part along their spring", all, later},
+       "bulk dampers resist the relative velocity, or its part along the spring", all, later},
       {"slider.F_N", "F_N", "N", &P::F_N, above(0, 1e9),
        "normal load on the row opposite the support"},
       {"slider.foundation", "k_f/k", "1", &P::foundation, above(0, 100),
        "modulus of the elastic foundation or ceiling, relative to the bulk springs"},
       {"slider.foundation_damping", "eta_f^2/(k_f m)", "1", &P::foundation_damping, at_least(0, 10),
-       "dashpots beside it: eta_f = sqrt(foundation_damping k_f m)", all, later},
+       "damping of the elastic foundation: eta_f = sqrt(foundation_damping k_f m)", all, later},
       {"slider.support", "support", "1", &P::support, one_of({"foundation", "ceiling"}),
        "elastic foundation under the bottom row, or ceiling above the top row (prepare)", all,
        schema_2, must_keep},
@@ -131,21 +131,21 @@ const std::vector<ParameterInfo>& parameter_table() {
       {"junctions.d_R", "d_R", "m", &P::d_R, above(0, 1), "mean distance that a junction slips",
        only({distance}), later},
       {"junctions.delta_d_R", "delta d_R", "m", &P::delta_d_R, at_least(0, 1),
-       "standard deviation of that distance", only({distance}), later},
+       "standard deviation of the slipping distance", only({distance}), later},
       {"junctions.f_new", "f_new", "1", &P::f_new, one_of({"zero", "f_slip"}),
        "force of a newly pinned junction; f_slip switches slow slip off",
        only({reference, distance})},
       {"junctions.without_contact", "-", "1", &P::without_contact, one_of({"follow", "break"}),
-       "pinned junctions of a block without contact follow it, or break",
+       "whether pinned junctions of a block without contact follow it or break",
        only({reference, decaying, distance}), later},
       {"junctions.mu_new", "mu_new", "1", &P::mu_new, at_least(0, 100),
        "coefficient f_new/f_N at the end of slipping", only({decaying}), schema_2},
       {"junctions.repin", "-", "1", &P::repin, one_of({"as_is", "exact"}),
-       "junctions are pinned as they are, or at f_new", only({decaying}), later},
+       "junctions keep their force when they are pinned, or get f_new", only({decaying}), later},
       {"junctions.v_slow", "v_slow", "m/s", &P::v_slow, at_least(0, 10),
        "speed of the imposed slow slip; 0 switches it off", only({simplified}), schema_2},
       {"numerics.dt", "dt", "s", &P::dt, above(0, 1.0), "time step"},
-      {"numerics.seed", "seed", "1", &P::seed, at_least(0, 9e15), "key of the random numbers"},
+      {"numerics.seed", "seed", "1", &P::seed, at_least(0, 9e15), "seed of the random numbers"},
   };
   return table;
 }
@@ -216,10 +216,10 @@ namespace {
 
 void validate_law(const Parameters& p) {
   if (p.mu_d > p.mu_s) {
-    throw UsageError(fmt::format(
-        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a junction cannot slip at more than "
-        "its strength",
-        p.mu_d, p.mu_s));
+    throw UsageError(
+        fmt::format("junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a slipping junction "
+                    "cannot carry more than its strength",
+                    p.mu_d, p.mu_s));
   }
   const LawInfo& law = law_info(p.law);
   if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new > p.mu_d) {
@@ -231,8 +231,8 @@ void validate_law(const Parameters& p) {
   const ParameterInfo& f_new = find_parameter("junctions.f_new");
   if (!is_used(f_new, p.law) && p.f_new != NewForce::zero) {
     throw UsageError(
-        fmt::format("junctions.f_new = f_slip belongs to the {} law: to switch slow slip off under "
-                    "the {} law, set {}",
+        fmt::format("junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
+                    "under the {} law, set {}",
                     fmt::join(law_names(f_new.laws), " and the "), law.name, law.slow_slip_off));
   }
 }
@@ -250,10 +250,10 @@ void validate(const Parameters& p) {
   }
   const double row = p.h / l;
   if (!(std::abs(row - std::round(row)) <= 1e-6 && std::round(row) < static_cast<double>(p.Nz))) {
-    throw UsageError(fmt::format(
-        "driving.h = {:g} m is on no row of blocks: give a multiple of the spacing {:g} m below "
-        "slider.H",
-        p.h, l));
+    throw UsageError(
+        fmt::format("driving.h = {:g} m is not the height of a row of blocks: give a multiple of "
+                    "the spacing {:g} m below slider.H",
+                    p.h, l));
   }
   validate_law(p);
   if (const double limit = stable_time_step(p); !(p.dt <= limit)) {

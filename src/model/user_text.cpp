@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -70,16 +70,17 @@ std::string shifted(std::string_view number, int by) {
   return fmt::format("{}e{}", number.substr(0, e), exponent + by);
 }
 
-/// Number of single-character edits that turn a into b.
+/// Twice the number of single-character edits that turn a into b; one of case alone counts half.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t j = 0; j < row.size(); ++j) row[j] = 2 * j;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
+    std::size_t diagonal = std::exchange(row[0], 2 * (i + 1));
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      const bool same_letter = std::tolower(a[i]) == std::tolower(b[j]);
+      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : same_letter ? 1 : 2);
       diagonal = row[j + 1];
-      row[j + 1] = std::min({substituted, diagonal + 1, row[j] + 1});
+      row[j + 1] = std::min({substituted, diagonal + 2, row[j] + 2});
     }
   }
   return row.back();
@@ -87,7 +88,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::size_t distance(std::string_view word, std::string_view candidate) {
   const auto leaf = candidate.substr(candidate.find('.') + 1);
-  return std::min(edit_distance(word, candidate), edit_distance(word, leaf) + 1);
+  return std::min(edit_distance(word, candidate), edit_distance(word, leaf) + 2);
 }
 
 }  // namespace

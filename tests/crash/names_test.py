@@ -48,7 +48,7 @@ def test_the_command_that_is_told_goes_on_and_the_run_is_complete(name, whole):
     with Folder(INPUTS) as folder:
         out, err = interrupt(command(name), folder)
         told = re.fullmatch(
-            r"load: interrupted, and saved as (.+\.h5); to go on: (.+)\n", without_notes(err)
+            r"load: interrupted, and saved as (.+\.h5); to continue: (.+)\n", without_notes(err)
         )
         assert told, err
         assert told[1] in folder.files()

@@ -1,4 +1,5 @@
-"""The man pages: there is one per tool, man and lexgrog find no fault, all options are in them."""
+"""The man pages: there is one per tool and command, man and lexgrog find no fault, all options are
+in them, and their examples run."""
 
 import json
 import os
@@ -6,13 +7,15 @@ import re
 
 import pytest
 
-from conftest import BUILD, need, run
+from conftest import BIN, BUILD, ROOT, need, need_modules, run
 
 need("lexgrog")
 PAGES = BUILD / "manual/man"
 PLAIN = {"LC_ALL": "C.UTF-8", "MANWIDTH": "80", "MANROFFSEQ": "", "MAN_KEEP_FORMATTING": ""}
 TOOLS = json.loads(run("rupture", "--describe").stdout)["tools"]
-each_tool = pytest.mark.parametrize("tool", TOOLS, ids=lambda tool: tool["name"])
+ALL = TOOLS + [command for tool in TOOLS for command in tool.get("commands", [])]
+SCRIPT = ROOT / "src/tools/manual/examples.sh"
+each_tool = pytest.mark.parametrize("tool", ALL, ids=lambda tool: tool["name"])
 
 
 def succeeds(*command):
@@ -22,7 +25,7 @@ def succeeds(*command):
 
 
 def text_of(name):
-    page = PAGES / f"rupture-{name}.1.gz"
+    page = PAGES / f"rupture-{name.replace(' ', '-')}.1.gz"
     return succeeds("man", "--no-hyphenation", "--no-justification", "-l", page).stdout
 
 
@@ -31,7 +34,7 @@ def words(text):
 
 
 def test_there_is_one_for_each_tool_and_one_for_rupture_and_man_finds_no_fault():
-    names = {f"rupture-{tool['name']}.1.gz" for tool in TOOLS} | {"rupture.1.gz"}
+    names = {f"rupture-{tool['name']}.1.gz".replace(" ", "-") for tool in ALL} | {"rupture.1.gz"}
     assert {page.name for page in PAGES.iterdir()} == names
     for page in PAGES.iterdir():
         done = succeeds("man", "--warnings", "-E", "UTF-8", "-l", "-Tutf8", "-Z", page)
@@ -40,9 +43,9 @@ def test_there_is_one_for_each_tool_and_one_for_rupture_and_man_finds_no_fault()
 
 @each_tool
 def test_lexgrog_finds_name_and_summary(tool):
-    page = PAGES / f"rupture-{tool['name']}.1.gz"
-    expected = f'{page}: "rupture-{tool["name"]} - {tool["summary"]}"\n'
-    assert succeeds("lexgrog", page).stdout == expected
+    name = f"rupture-{tool['name']}".replace(" ", "-")
+    expected = f'{PAGES}/{name}.1.gz: "{name} - {tool["summary"]}"\n'
+    assert succeeds("lexgrog", PAGES / f"{name}.1.gz").stdout == expected
 
 
 @each_tool
@@ -50,13 +53,19 @@ def test_all_options_and_commands_are_explained(tool):
     text = words(text_of(tool["name"]))
     assert f"SYNOPSIS rupture {tool['synopsis']} DESCRIPTION" in text
     assert not re.search(r"\[(.+)\] \[\1\]", text), "a unit stands twice"
+    assert words(tool["purpose"]) in text
     for command in tool.get("commands", []):
-        assert command["synopsis"].removeprefix(tool["name"] + " ") in text
-    for leaf in tool.get("commands") or [tool]:
-        assert words(leaf["purpose"]) in text
-        for option in leaf["options"]:
-            assert f"--{option['name']}" in text
-            assert leaf is not tool or words(option["help"]) in text
+        assert f"rupture-{command['name'].replace(' ', '-')}(1) {command['summary']}" in text
+    for option in tool.get("options", []):
+        assert f"--{option['name']}" in text and words(option["help"]) in text
+    assert f"EXAMPLES rupture {tool['name']}" in text
+
+
+def test_the_examples_run(folder):
+    need_modules("h5py", "matplotlib")
+    path = f"{BIN}:{os.environ['PATH']}"
+    done = run("bash", "-ex", SCRIPT, env=os.environ | {"PATH": path})
+    assert done.returncode == 0, done.stderr
 
 
 def test_parameters_have_a_page():

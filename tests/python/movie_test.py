@@ -52,12 +52,12 @@ def test_frames_are_even_and_in_the_window():
 @pytest.mark.parametrize(
     ("arguments", "code", "part"),
     [
-        (("small-record.h5", "-o", "y.avi"), 2, "has to end with .gif"),
+        (("small-record.h5", "-o", "y.avi"), 2, "must end with .gif"),
         (("small.h5", "-o", "y.gif"), 1, "is a checkpoint"),
         ((*FILM, "--colour", "red"), 2, "invalid choice"),
         ((*FILM, "--event", 7), 2, "there is no event 7"),
         *[
-            ((*FILM, "--frames", n), 2, "is no number of frames: give")
+            ((*FILM, "--frames", n), 2, "must be a whole number, 1 or more (got")
             for n in (0, -3, 1.5, "many")
         ],
     ],
@@ -80,7 +80,7 @@ def test_says_why_ffmpeg_failed(small, tmp_path):
     ffmpeg.chmod(0o755)
     env = os.environ | {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
     film = ("small-record.h5", "-o", "y.mp4", "--frames", 9)
-    refuses("movie", film, 1, "could not write y.mp4: ffmpeg: no room", env=env)
+    refuses("movie", film, 1, "cannot write y.mp4: ffmpeg: no room", env=env)
 
 
 def start(name, until):
@@ -116,7 +116,7 @@ def test_watch_says_that_a_run_was_killed(folder):
         ((), 2, "are required: RECORD"),
         (("none.h5.part",), 1, "none.h5.part does not exist"),
         (("small.h5",), 1, "is a checkpoint"),
-        (("small-record.h5", "--every", "often"), 2, "is no time"),
+        (("small-record.h5", "--every", "often"), 2, "must be a time such as"),
         (("small-record.h5", "--every", 0), 2, "of at least 0.01 s and at most 86400 s"),
         (("small-record.h5", "--every", "1e999"), 2, "of at least 0.01 s and at most 86400 s"),
         (("",), 1, "'' names no file; give the .part of a run that writes a record"),

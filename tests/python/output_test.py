@@ -58,7 +58,7 @@ def test_inputs_that_are_no_files_of_rupture(folder, name):
     Path("short.h5.part").write_text("rupture-record-part\nbytes 9000\n")
     os.mkfifo("pipe")
     sentences = [
-        ("", "an input has an empty name; give the path of a checkpoint or record"),
+        ("", "the name of an input is empty; give the path of a checkpoint or record"),
         ("folder", "folder is a folder; give the path of a checkpoint or record"),
         ("pipe", "pipe is not a regular file; give the path of a checkpoint or record"),
         ("text.h5/x", "text.h5/x does not exist; give the path of a checkpoint or record"),
@@ -77,11 +77,11 @@ def test_outputs_that_cannot_be_written(small, name):
     folder = Path(f"folder{ending}")
     folder.mkdir()
     for output, code, part in (
-        ("", 2, "an output has an empty name; give the path of a file"),
-        ("-", 2, f"- has to end with {ending}"),
+        ("", 2, "the name of an output is empty; give the path of a file"),
+        ("-", 2, f"- must end with {ending}"),
         (folder, 1, f"{folder} is a folder; give the path of a file to write"),
-        (f"small.h5/x{ending}", 1, "small.h5 is no folder; give another path"),
-        (f"/proc/x{ending}", 1, f"could not write /proc/x{ending}: "),
+        (f"small.h5/x{ending}", 1, "small.h5 is not an existing folder; give another path"),
+        (f"/proc/x{ending}", 1, f"cannot write /proc/x{ending}: "),
         (f"{'x' * 300}{ending}", 1, "File name too long"),
     ):
         refuses(name, (given, "-f", "-o", output), code, part)
@@ -106,7 +106,7 @@ def test_outputs_for_which_the_disk_has_no_room(small, name):
         name,
         (given, "-o", f"x{ending}"),
         1,
-        f"could not write {refused}: File too large",
+        f"cannot write {refused}: File too large",
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)),
     )
 

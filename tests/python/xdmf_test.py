@@ -107,7 +107,7 @@ DIFFER = (
         (("small.h5", "-o", OUTPUT), 1, "exists"),
         (("a:b.h5", *TO), 1, "colon"),
         ((ODD, *TO), 1, "has an unusual character in its name, which XDMF cannot refer to"),
-        (("small.h5", "-o", ""), 2, "an output has an empty name"),
+        (("small.h5", "-o", ""), 2, "the name of an output is empty"),
         (
             ("own-derived.hdf5", "-o", "own.xdmf", "-f"),
             2,

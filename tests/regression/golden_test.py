@@ -164,7 +164,7 @@ class Refusing(Golden):
     def test_golden_files_that_are_none(self):
         form = "has a line that is not 'content-sha256 <64 hex digits>  <file>.h5': "
         for text, part in (
-            ("", "names no file"),
+            ("", "names no files"),
             ("abc  a.h5\n", form + "abc  a.h5"),
             ("0" * 64 + "  a.txt\n", form),
         ):
@@ -175,7 +175,7 @@ class Refusing(Golden):
         self.regenerate()
         (self.folder / "mine/found").mkdir(parents=True)
         run = self.golden("check", "--work", "mine", "golden.sums", "./pipeline")
-        self.assert_fails(run, "has a 'found' or 'equal' that is not")
+        self.assert_fails(run, "has a 'found' or 'equal' that another")
         self.assertTrue((self.folder / "mine/found").exists())
         again = "flock", "golden.sums.files/rupture-golden.lock", *run.args[:2], *run.args[4:]
         run = subprocess.run(again, cwd=self.folder, capture_output=True, text=True, check=False)

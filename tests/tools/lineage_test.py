@@ -87,7 +87,7 @@ def test_one_line_per_step(two_steps):
     assert second.endswith(": restart --until 0.00011")
     said = json_of("analyze lineage b.h5 --json")
     first, second = said["steps"]
-    assert said["kind"] == "a checkpoint"
+    assert said["kind"] == "checkpoint"
     assert said["checksum"] == checksum_of("b.h5") == second["checksum"]
     assert first["checksum"] == second["parent_checksum"]
     fields = ("tool", "version", "commit", "command_line", "compiler", "rebuild")

@@ -34,6 +34,11 @@ std::string_view format_name(FileKind kind);
 /// "a checkpoint", "a record" or "an unfinished record".
 std::string_view kind_text(FileKind kind);
 
+/// "checkpoint", "record", "unfinished record".
+inline std::string_view kind_name(FileKind kind) {
+  return kind_text(kind).substr(kind_text(kind).find(' ') + 1);
+}
+
 /// The header, kHeaderSize bytes, that belongs in front of `body`.
 std::string header_text(FileKind kind, std::span<const std::byte> body);
 

@@ -5,12 +5,12 @@
 
 namespace rupture {
 
-/// The request makes no sense: unknown name, value out of range, missing option.
+/// A request that cannot be met: unknown name, value out of range, missing option.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The request makes sense but could not be met: damaged file, full disk, blow-up.
+/// A valid request that failed: damaged file, full disk, blow-up.
 struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -26,7 +26,7 @@ enum class NewForce { zero, f_slip };
 /// distance law, in which junctions slip for a distance.
 enum class Law { reference, simplified, decaying, distance };
 
-/// The bearing of the slider in z: an elastic foundation below the bottom row, with F_N on the top
+/// What supports the slider in z: an elastic foundation below the bottom row, with F_N on the top
 /// row; or, for prepared interfaces, a ceiling above the top row, with F_N on the bottom row.
 enum class Support { foundation, ceiling };
 
@@ -121,7 +121,7 @@ struct Valid {
 };
 
 /// One row of the parameter table. Where not all laws use it, or not all files have it, its default
-/// can never change: checksums rest on it.
+/// can never change: checksums depend on it.
 struct ParameterInfo {
   std::string_view name;    ///< as in options, INI files and /parameters, e.g. "slider.L"
   std::string_view symbol;  ///< as in the paper, e.g. "L"
@@ -144,7 +144,7 @@ const ParameterInfo& find_parameter(std::string_view name);
 bool is_used(const ParameterInfo& info, Law law);
 
 /// Its value as parameter_text() if the law of `parameters` uses it, and its default if not: what
-/// the results rest on.
+/// the results depend on.
 std::string used_text(const Parameters& parameters, const ParameterInfo& info);
 
 /// The values that a number may have, as in "above 0 and at most 1000".

@@ -25,13 +25,13 @@ def seconds(text, least=0.0, most=math.inf):
     """Times such as 0.8, 0.8s or "800 ms" [s]."""
     found = TIME.fullmatch(text.strip())
     if not found or found[2] not in UNITS:
-        raise argparse.ArgumentTypeError(f"'{text}' is no time, such as 0.8, 0.8s or 800ms")
+        raise argparse.ArgumentTypeError(f"must be a time such as 0.8s or 800ms (got '{text}')")
     time = float(found[1]) * UNITS[found[2]]
     if least <= time <= most and math.isfinite(time):
         return time
     up_to = f" and at most {most:g} s" if most < math.inf else ""
-    expected = f"give a finite time of at least {least:g} s{up_to}"
-    raise argparse.ArgumentTypeError(f"'{text}' makes no sense: {expected}")
+    expected = f"a finite time of at least {least:g} s{up_to}"
+    raise argparse.ArgumentTypeError(f"must be {expected} (got '{text}')")
 
 
 def whole_number(text, what, least, words=()):
@@ -40,8 +40,8 @@ def whole_number(text, what, least, words=()):
         return text
     if WHOLE.fullmatch(text) and int(text) >= least:
         return int(text)
-    expected = " or ".join((f"a whole number from {least} on", *words))
-    raise argparse.ArgumentTypeError(f"'{text}' is no {what}: give {expected}")
+    expected = ", or ".join((f"a whole number, {least} or more", *words))
+    raise argparse.ArgumentTypeError(f"{what} must be {expected} (got '{text}')")
 
 
 class Once(argparse.Action):
@@ -110,14 +110,14 @@ class Parser(argparse.ArgumentParser):
 
     def add_common(self):
         add = partial(self.add_argument, action=Answer, nargs=0)
-        add("-h", "--help", const=help_text, help="show this help and stop")
-        text = "print name, options and input as one JSON object and stop"
+        add("-h", "--help", const=help_text, help="show this help and exit")
+        text = "print name, options and input as one JSON object and exit"
         add("--describe", const=Parser.describe, help=text)
-        add("--version", const=version_text, help="show version and stop")
+        add("--version", const=version_text, help="show version and exit")
 
     def add_output(self, text, needed=True):
         self.add_argument("-o", "--output", metavar="FILE", required=needed, help=text)
-        self.add_argument("-f", "--force", action="store_true", help="replace a file that exists")
+        self.add_argument("-f", "--force", action="store_true", help="replace an existing file")
 
     def error(self, message):
         raise UsageError(message)
@@ -129,6 +129,7 @@ class Parser(argparse.ArgumentParser):
         return json.dumps(self.description_json())
 
     def description_json(self):
+        words = [list(one.choices) for one in self._get_positional_actions() if one.choices]
         return {
             "name": self.prog,
             "synopsis": self.synopsis,
@@ -139,7 +140,7 @@ class Parser(argparse.ArgumentParser):
             "parameters": False,
             "one_needed": [[action.dest] for action in self.options() if action.required],
             "options": [option_json(action) for action in self.options()],
-        }
+        } | ({"words": words[0]} if words else {})
 
 
 def option_json(action):

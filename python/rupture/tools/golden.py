@@ -26,16 +26,16 @@ def parser():
         " Compares the content checksums of the files *.h5 that it writes there with those in"
         " GOLDEN (check), or makes them the new GOLDEN and keeps the old one as GOLDEN.old1, .old2"
         " and so on (regenerate). Exit code: 0 equal or written, 1 different or failed, 77 if the"
-        " pipeline ended with it, to say that it cannot be run on this machine.",
+        " pipeline exited with 77 because it cannot run on this machine.",
         "test by content checksums that a pipeline still gives the same",
-        None,
+        "word",
     )
     made.add_argument("command", choices=("check", "regenerate"))
     text = "the folder of the tools (default: that of this program)"
     made.add_argument("--tools", metavar="FOLDER", help=text)
     text = (
-        "keep the files of the last run that agreed with GOLDEN in FOLDER/equal, those of the last"
-        " one that did not in FOLDER/found (default: <name of GOLDEN>.files)"
+        "keep the files of the last run that agreed with GOLDEN in FOLDER/equal, and those of the"
+        " last run that did not in FOLDER/found (default: <name of GOLDEN>.files)"
     )
     made.add_argument("--work", metavar="FOLDER", help=text)
     made.add_common()
@@ -56,7 +56,7 @@ def take(work):
     lock = work / "rupture-golden.lock"
     other = "give another folder with --work"
     if not lock.exists() and ((work / "found").exists() or (work / "equal").exists()):
-        raise Failure(f"{work} has a 'found' or 'equal' that is not of this program: {other}")
+        raise Failure(f"{work} has a 'found' or 'equal' that another program made: {other}")
     work.mkdir(parents=True, exist_ok=True)
     taken = open(lock, "a", encoding="utf-8")
     try:
@@ -81,7 +81,7 @@ def run_pipeline(pipeline, tools, folder):
         sys.exit(code)
     said = " ".join(words)
     if code:
-        wrote = f"what it wrote is in {folder}"
+        wrote = f"its files are in {folder}"
         raise Failure(f"the pipeline failed with exit code {code}: {said}; {wrote}")
     if not list(folder.glob("*.h5")):
         raise Failure(f"the pipeline wrote no *.h5 in its working folder: {said}")
@@ -105,7 +105,7 @@ def read_golden(path):
             raise Failure(f"{path} has a line that is not {form}: {line}")
         wanted[found[2]] = found[1]
     if not wanted:
-        raise Failure(f"{path} names no file; write it anew with: {regenerate_command()}")
+        raise Failure(f"{path} names no files; write it again with: {regenerate_command()}")
     return wanted
 
 
@@ -117,7 +117,7 @@ def difference(name, wanted, found):
 
 def advise(differences, wanted, work, tools):
     """Files can be compared where those with the golden checksums are still there."""
-    print(f"The files that it wrote are in {work}/found.")
+    print(f"The files of this run are in {work}/found.")
     commands = []
     for what, name in differences:
         files = work / "equal" / name, work / "found" / name
@@ -156,7 +156,7 @@ def check(wanted, found, work, tools):
 
 def regenerate(golden, found, work):
     if damaged := [name for name, checksum in found.items() if not checksum]:
-        raise Failure(f"{work}/found/{damaged[0]} is damaged, so {golden} stays as it was")
+        raise Failure(f"{work}/found/{damaged[0]} is damaged, so {golden} was not changed")
     keep_as_equal(work)
     text = "".join(f"content-sha256 {found[name]}  {name}\n" for name in sorted(found))
     if golden.exists() and golden.read_text(encoding="utf-8") == text:
@@ -174,7 +174,7 @@ def run():
     options = parser().parse_args()
     tools = Path(options.tools or os.path.dirname(sys.argv[0])).resolve()
     if not os.access(tools / "analyze", os.X_OK):
-        raise Failure(f"there are no tools of rupture in {tools}: give their folder with --tools")
+        raise Failure(f"no rupture tools in {tools}: give their folder with --tools")
     golden = options.golden.resolve()
     work = Path(options.work or f"{golden.name}.files").resolve()
     wanted = read_golden(golden) if options.command == "check" else {}

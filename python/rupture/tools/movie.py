@@ -71,7 +71,7 @@ def reasons_of_ffmpeg(output):
         yield
     except subprocess.CalledProcessError as error:
         reason = [f"exit code {error.returncode}", *error.stderr.strip().splitlines()][-1]
-        raise Failure(f"could not write {output}: ffmpeg: {reason}") from None
+        raise Failure(f"cannot write {output}: ffmpeg: {reason}") from None
 
 
 def chosen_samples(time, window, most):

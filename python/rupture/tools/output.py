@@ -14,22 +14,20 @@ def refuse_existing(path):
 
 def check_folder(path):
     folder = path.parent
-    if not folder.exists():
-        raise Failure(f"the folder {folder} does not exist; make it first")
     if not folder.is_dir():
-        raise Failure(f"could not write {path}: {folder} is no folder; give another path")
+        raise Failure(f"cannot write {path}: {folder} is not an existing folder; give another path")
     if not os.access(folder, os.W_OK | os.X_OK):
-        reason = f"there is no permission to write in the folder {folder}"
-        raise Failure(f"could not write {path}: {reason}; give another path")
+        name = "the current folder" if folder == Path(".") else folder
+        raise Failure(f"cannot write {path}: no write permission in {name}; give another path")
 
 
 def check_output(name, force, endings=(), inputs=()):
     """Before anything is computed."""
     path = Path(name)
     if not os.fspath(name):
-        raise UsageError("an output has an empty name; give the path of a file")
+        raise UsageError("the name of an output is empty; give the path of a file")
     if endings and path.suffix.lower() not in endings:
-        raise UsageError(f"{path} has to end with {' or '.join(endings)}")
+        raise UsageError(f"{path} must end with {' or '.join(endings)}")
     check_folder(path)
     if any(path.exists() and os.path.exists(one) and path.samefile(one) for one in inputs):
         raise UsageError(f"{path} is the input, which is never changed: give another output")
@@ -52,4 +50,4 @@ def complete(path, force):
         refuse_existing(path)
     except OSError as error:
         reason = os.strerror(error.errno) if error.errno else str(error)
-        raise Failure(f"could not write {path}: {reason}") from None
+        raise Failure(f"cannot write {path}: {reason}") from None

@@ -25,13 +25,13 @@ def parser():
     made = Parser(
         "watch",
         "RECORD.part",
-        "Shows the interface while a run goes on, in a window or, without a display, as text:"
+        "Shows the interface while a run is in progress, in a window or, without a display, as text:"
         " the fraction of pinned junctions along it. Ends when the record is finished.",
-        "a run that goes on, in a window or as text",
+        "watch a run in progress, in a window or as text",
         "record",
     )
     made.add_argument("record", metavar="RECORD.part", help="record that a run writes")
-    made.add_time("--every", "look so often", least=0.01, most=86400, default=1.0)
+    made.add_time("--every", "time between updates", least=0.01, most=86400, default=1.0)
     made.add_argument("--text", action="store_true", help="text, even if there is a display")
     made.add_common()
     return made

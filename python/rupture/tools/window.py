@@ -15,7 +15,7 @@ FIRST_SPANNING = "first-spanning"
 
 def add_window(parser):
     text = "draw this event of `analyze events`, or the first that spans the interface"
-    number = partial(whole_number, what="number of an event", least=0, words=(FIRST_SPANNING,))
+    number = partial(whole_number, what="event number", least=0, words=(FIRST_SPANNING,))
     parser.add_argument("--event", type=number, metavar=f"number|{FIRST_SPANNING}", help=text)
     parser.add_time("--from", "draw from this time on", dest="begin")
     parser.add_time("--to", "draw up to this time", dest="end")
@@ -66,7 +66,7 @@ def window_of(options, record, events):
     elif options.begin is None and options.end is None:
         begin, end = window_of_event(events, options.event)
     else:
-        raise UsageError("--event and --from or --to exclude each other: give one of them")
+        raise UsageError("--event cannot be combined with --from or --to: give one of them")
     begin, end = max(begin, first), min(end, last)
     if np.count_nonzero((record.time >= begin) & (record.time <= end)) < 2:
         between = f"between {begin:g} s and {end:g} s"

@@ -47,7 +47,7 @@ const Kernels& choose() {
   std::vector<std::string_view> names;
   for (const auto* variant : available()) names.push_back(variant->name);
   throw UsageError(fmt::format(
-      "RUPTURE_ISA = '{}' is no instruction set of this processor and build: choose one of {}",
+      "RUPTURE_ISA = '{}' is not an instruction set of this processor and build: choose one of {}",
       wanted, fmt::join(names, ", ")));
 }
 

@@ -23,8 +23,8 @@ const ToolText kText = {
 
 std::string help() {
   std::string text = fmt::format(
-      "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND tells more):\n"
-      "  help         this list, or what analyze COMMAND --help says\n",
+      "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND describes one):\n"
+      "  help         show this list, or the help of a command\n",
       kText.synopsis, kText.purpose);
   for (const Command* command : commands()) {
     text += fmt::format("  {:<12} {}\n", command->name(), command->summary);
@@ -93,7 +93,7 @@ bool asks_for_help(std::string_view word) {
 /// analyze help [COMMAND]
 [[noreturn]] void answer_help(const std::vector<std::string>& words) {
   if (words.size() > 1) {
-    throw UsageError(fmt::format("'{}' is one word too many: name one command", words[1]));
+    throw UsageError(fmt::format("unexpected word '{}': help takes one command", words[1]));
   }
   if (words.empty() || asks_for_help(words.front())) throw HelpRequested{help()};
   answer(find(words.front()), "--help");
@@ -103,7 +103,7 @@ int run(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
   if (first.empty()) {
     throw UsageError(
-        fmt::format("no command was given: name one of {}; analyze help says what they do",
+        fmt::format("no command was given: choose one of {} (rupture analyze help describes them)",
                     fmt::join(names_of_commands(), ", ")));
   }
   if (first == "help") answer_help({argv + 2, argv + argc});

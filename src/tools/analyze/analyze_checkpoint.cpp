@@ -89,9 +89,9 @@ Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {
        Csv::yes, widths},
       {"slipping", "1", "fraction of slipping junctions of each block", each(blocks, &B::slipping),
        Csv::yes, fractions},
-      {"f_thres", "N", "strength of one junction of each block", each(blocks, &B::f_thres),
+      {"f_thres", "N", "strength of one junction in each block", each(blocks, &B::f_thres),
        Csv::yes},
-      {"f_slip", "N", "force of one slipping junction of each block", each(blocks, &B::f_slip)},
+      {"f_slip", "N", "force in one slipping junction of each block", each(blocks, &B::f_slip)},
       {"histogram", "1", "junctions of each block in each bin from -f_thres to f_thres",
        histograms},
   };
@@ -123,7 +123,7 @@ constinit const Command phi_command = {
     "Forces in the junctions of each block: mean, standard deviation, histogram.",
     {[](po::options_description& options) {
        options.add_options()("bins", integer("N")->default_value(40),
-                             "bins of the histograms, from -f_thres to f_thres");
+                             "number of histogram bins between -f_thres and f_thres");
      },
      add_format_options},
     [](const Parsed& parsed) {

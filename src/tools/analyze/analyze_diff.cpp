@@ -157,9 +157,14 @@ std::string report_text(const Pair& pair, const std::vector<Difference>& differe
 int compare(const Parsed& parsed) {
   const auto files = files_of(parsed);
   if (files.size() != 2) {
-    throw UsageError(fmt::format("{} files were given: name the two to compare", files.size()));
+    throw UsageError(fmt::format("two files are needed; got {}", files.size()));
   }
-  Pair pair = {checksummed_part(read_content(files[0])), checksummed_part(read_content(files[1]))};
+  const ContentFile a = read_file(files[0]), b = read_file(files[1]);
+  if ((a.kind == FileKind::checkpoint) != (b.kind == FileKind::checkpoint)) {
+    throw Failure(fmt::format("{} is {}, but {} is {}: give two files of the same kind", files[0],
+                              kind_text(a.kind), files[1], kind_text(b.kind)));
+  }
+  Pair pair = {checksummed_part(a.content), checksummed_part(b.content)};
   const std::size_t cut = parsed.values.count("common") > 0 ? keep_common_rows(pair.a, pair.b) : 0;
   const auto differences = diff(pair.a, pair.b);
   if (parsed.values.count("json") > 0) {
@@ -181,14 +186,14 @@ constinit const Command diff_command = {
     "diff A B",
     "file",
     "where and by how much two files differ",
-    R"(Compares parameters and state, or series, dataset by dataset, as they count in the content
-checksum (not parameters that the interface law does not use): how many values differ, the
-first one, the largest absolute and relative difference, and that in units in the last place
-(ULP): each with its place, [row][column], and the values of A and B.
-Exit code 0: equal, 1: different.)",
+    R"(Compares the parameters and the state of two checkpoints, or the series of two records, dataset
+by dataset. Like the content checksum, it ignores parameters that the interface law does not
+use. It prints how many values differ, the first of them, and the largest difference: absolute,
+relative and in units in the last place (ULP), each with its place, [row][column], and the
+values in A and B. Exit code 0: equal, 1: different.)",
     {[](po::options_description& options) {
        options.add_options()("common",
-                             "compare only the rows that both have, where one record is longer");
+                             "if one record is longer, compare only the rows that both have");
      },
      add_json_option},
     compare};

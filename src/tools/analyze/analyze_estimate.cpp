@@ -90,7 +90,7 @@ Quantities quantities_of(const Estimate& e) {
   const Quantities block = {
       positions(e.x),
       {"p", "N", "normal force on each block", e.p_i, Csv::yes, forces},
-      {"v_slow_slip", "m/s", "speed of slow slip by Eq. S1 of each block", e.v_i, Csv::yes, speeds},
+      {"v_slow_slip", "m/s", "speed of slow slip of each block by Eq. S1", e.v_i, Csv::yes, speeds},
   };
   return join({
       {
@@ -105,7 +105,7 @@ Quantities quantities_of(const Estimate& e) {
 }
 
 std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation) {
-  if (!relaxation) return "relaxation of one block: goes on for ever\n";
+  if (!relaxation) return "relaxation of one block: never ends\n";
   const auto text = [](const Mean& m) {
     return fmt::format("{:.3f} +- {:.3f}", m.value, m.deviation);
   };
@@ -113,7 +113,7 @@ std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation)
       "relaxation of one block (mean +- standard deviation, slip in f_slip/k_ij):\n"
       "  net slip {}, of which {} in 2 <t_R>: on average {:.2f} f_slip/k_ij per <t_R>\n"
       "  every junction has been pinned once after {} <t_R>, at slip {}\n"
-      "  none slips any more after {} <t_R>\n",
+      "  no junction slips any more after {} <t_R>\n",
       text(relaxation->net_slip), text(relaxation->slip_after_two),
       relaxation->slip_after_two.value / 2.0, text(relaxation->duration),
       text(relaxation->slip_at_return), text(relaxation->quiet_time));
@@ -124,14 +124,14 @@ std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation)
 constinit const Command estimate_command = {
     "estimate CHECKPOINT",
     "checkpoint",
-    "slow slip to expect from a checkpoint's parameters",
-    R"(Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), of the mean and of each block; and the
-relaxation of one block from which its coefficient comes.)",
+    "slow slip expected from a checkpoint's parameters",
+    R"(Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), at the mean normal force and of
+each block, and the relaxation of one block, which gives the coefficient 4.2.)",
     {[](po::options_description& options) {
        auto add = options.add_options();
        add("ensemble", integer("N")->default_value(100),
-           "blocks to relax, each with slipping times of its own");
-       add("seed", seed(), "key of their random numbers; default: the checkpoint's");
+           "number of blocks to relax, each with its own slipping times");
+       add("seed", seed(), "seed of their random numbers; default: the checkpoint's");
      },
      add_format_options},
     [](const Parsed& parsed) {

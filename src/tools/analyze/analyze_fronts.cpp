@@ -41,15 +41,15 @@ Quantities event_quantities(const Parameters& p, const Event& event, std::int64_
   Quantities kind = kind_quantities(event.front);
   for (Quantity& row : kind) row = in_csv(row);
   const Quantities before = {
-      {"number", "1", "as --event counts, from 0", number, Csv::yes, TextColumn{6}},
+      {"number", "1", "number for --event, from 0", number, Csv::yes, TextColumn{6}},
       {"t_start", "s", "first block rupture of the event", event.t_start, Csv::yes, times},
       {"t_end", "s", "last block rupture of the event", event.t_end, Csv::yes, times},
       {"x_first", "m", "block that ruptured first", event.x_first, Csv::yes},
       {"x_last", "m", "furthest block that ruptured", event.x_last, Csv::yes,
        TextColumn{15, "{:.4f}", "reaches x [m]"}},
       {"spanning", "",
-       "whether more than half of the blocks beyond the loading zone ruptured, the leading edge "
-       "among them and not first",
+       "whether more than half of the blocks beyond the loading zone ruptured, including the "
+       "leading edge, which was not the first",
        spans(event.front.type), Csv::yes},
       text_only(kind_name(event.front), {16, "{}", "type"}),
   };
@@ -79,8 +79,8 @@ Quantities quantities_of(const Parameters& p, const std::vector<Event>& events) 
 void add_also_option(po::options_description& options) {
   options.add_options()(
       "also", text("CRITERIA"),
-      "then measure again and print the same with other criteria, such as \"--stencil 3\"; "
-      "several with ; between them. The record is read once, a JSON object is a line");
+      "measure and print again with other criteria, such as \"--stencil 3\"; separate several with "
+      "a semicolon. The record is read once; each JSON object is on its own line");
 }
 
 /// The options that were given, with these criteria in their place.
@@ -164,9 +164,9 @@ constinit const Command front_command = {
     "front RECORD",
     "record",
     "rupture line, speed and type of the front in a record",
-    "Rupture line, speed and type of one event's front: first rupture of each block,\n"
-    "v_c from the end points of a moving stencil. Of several events one has to be\n"
-    "chosen, but on a prepared interface the one that the trigger started is meant.",
+    "Rupture line, speed and type of one event's front: the first rupture of each block, and\n"
+    "v_c from the end points of a moving stencil. If the record has several events, choose one;\n"
+    "on a prepared interface the default is the event that the trigger started.",
     {add_format_options, add_event_options, add_criteria_options, add_also_option},
     [](const Parsed& parsed) { return print_each(parsed, report_of_front); },
     [] { return quantities_of(Front{}, Parameters{}); }};
@@ -174,9 +174,9 @@ constinit const Command front_command = {
 constinit const Command classify_command = {
     "classify RECORD",
     "record",
-    "the front's type alone: none, arrested, slow or fast",
-    "Prints what one event's front is: none (nothing ruptured), arrested, slow, fast or\n"
-    "fast-slow-fast, and nothing else.",
+    "only the type of the front: none, arrested, slow or fast",
+    "Prints only the type of one event's front: none (nothing ruptured), arrested, slow, fast or\n"
+    "fast-slow-fast.",
     {add_json_option, add_event_options, add_criteria_options},
     [](const Parsed& parsed) {
       const RecordCommand command = record_of(parsed);

@@ -20,10 +20,10 @@ std::optional<StartFile> start_of(const po::variables_map& values) {
 void check_combination(const po::variables_map& values) {
   const bool commands = values.count("commands") > 0;
   if (commands && values.count("json") > 0) {
-    throw UsageError("--commands and --json exclude each other: give one");
+    throw UsageError("--commands and --json cannot be combined: give one of them");
   }
   if (!commands && (values.count("from") > 0 || !values["output"].defaulted())) {
-    throw UsageError("--from and --output belong to --commands: give it, too");
+    throw UsageError("--from and --output need --commands: add it");
   }
 }
 
@@ -33,15 +33,15 @@ constinit const Command lineage_command = {
     "lineage FILE",
     "file",
     "the steps that led to a file, also as a script",
-    "Prints the steps from the first tool to FILE, one line each: the content checksum of the\n"
-    "file that it wrote, the build, and the command that makes that file from the one before.\n"
-    "With --commands a script of these commands, which also checks each file that it makes.",
+    "Prints the steps that led to FILE, one line each: the content checksum of the file that was\n"
+    "written, the build, and the command that makes it from the file before. With --commands,\n"
+    "prints a script of these commands, which also checks each file that it makes.",
     {[](po::options_description& options) {
        auto add = options.add_options();
-       add("commands", "print a shell script that makes a file of the same content");
+       add("commands", "print a shell script that makes a file with the same content");
        add("output,o", text("FILE")->default_value("rebuilt.h5"),
-           "what the script is to call that file");
-       add("from", input_file("checkpoint or record"), "let the script begin with this ancestor");
+           "name of the file that the script makes");
+       add("from", input_file("checkpoint or record"), "start the script from this ancestor");
      },
      add_json_option},
     [](const Parsed& parsed) {

@@ -59,9 +59,9 @@ void print_text() {
 constinit const Command quantities_command = {
     "quantities",
     "",
-    "names and units of all parameters and of what these commands measure",
-    "Lists all parameters, and everything that the commands which measure, and the "
-    "programs\nthat write files, report with --json.",
+    "names and units of all parameters and of all measured quantities",
+    "Lists all parameters, and everything that the commands of analyze and the programs that\n"
+    "write files report with --json.",
     {add_json_option},
     [](const Parsed& parsed) {
       if (parsed.values.count("json") > 0) {

@@ -70,7 +70,7 @@ Quantities quantities_of(const Slip& slip) {
       {"t_arrest", "s", "time at which the block first stops after its rupture",
        measured(&SlipMeasure::t_arrest)},
       {"fast_slip", "m", "slip until the block first stops", measured(&SlipMeasure::fast_slip)},
-      {"slow_slip", "m", "slip from then on", measured(&SlipMeasure::slow_slip)},
+      {"slow_slip", "m", "slip after that", measured(&SlipMeasure::slow_slip)},
       {"slow_from", "s", "start of the fit of the slow slip", measured(&SlipMeasure::t_from)},
       {"slow_to", "s", "end of the fit of the slow slip", measured(&SlipMeasure::t_to)},
       {"slow_speed", "m/s", "speed of the slow slip", fitted(&LineFit::slope)},
@@ -140,7 +140,7 @@ constinit const Command slip_command = {
     {add_format_options,
      [](po::options_description& options) {
        options.add_options()("x", number("X", "m")->required(),
-                             "position of the block, the nearest one is taken");
+                             "position of the block; the nearest block is used");
      },
      add_window_options},
     [](const Parsed& parsed) {

@@ -20,9 +20,9 @@ std::string kind_summary(const ContentFile& file) {
                        time(checkpoint.parameters, checkpoint.state), checkpoint.state.step);
   }
   const Record record = record_from(file);
-  if (record.time.empty()) return fmt::format("{} without samples\n", kind_text(file.kind));
+  if (record.time.empty()) return fmt::format("{} without samples\n", kind_name(file.kind));
   return fmt::format("{} of {} samples from t = {:.9g} s to {:.9g} s, {} block ruptures\n",
-                     kind_text(file.kind), record.time.size(), record.time.front(),
+                     kind_name(file.kind), record.time.size(), record.time.front(),
                      record.time.back(), record.ruptures.size());
 }
 
@@ -32,7 +32,7 @@ int show(const Parsed& parsed) {
   const Parameters parameters = read_parameters(file.content);
   const auto chain = read_provenance(file.content);
   if (parsed.values.count("json") > 0) {
-    Json json = {{"kind", kind_text(file.kind)}, {"checksum", file.checksum}};
+    Json json = {{"kind", kind_name(file.kind)}, {"checksum", file.checksum}};
     for (const auto& info : parameter_table()) {
       json["parameters"][std::string(info.name)] = tools::json_of(parameters, info);
     }
@@ -58,7 +58,7 @@ int show(const Parsed& parsed) {
     if (entry.rebuild == kEditedOutside) {
       say("    {}\n", kEditedOutside);
     } else if (!entry.rebuild.empty()) {
-      say("    made again by: {}\n", in_one_line(entry.rebuild));
+      say("    rebuilt by: {}\n", in_one_line(entry.rebuild));
     }
   }
   return kDone;
@@ -69,7 +69,7 @@ int show(const Parsed& parsed) {
 constinit const Command show_command = {"show FILE",
                                         "file",
                                         "parameters, time and provenance of a file",
-                                        "Prints what a file is, its parameters and its provenance.",
+                                        "Prints a file's kind, its parameters and its provenance.",
                                         {add_json_option},
                                         show};
 

@@ -24,9 +24,8 @@ SlowSlipCriteria slow_slip_criteria(const po::variables_map& values) {
   const double longest = non_negative(values, "longest"),
                shortest = non_negative(values, "shortest");
   if (longest < shortest) {
-    throw UsageError(fmt::format(
-        "--longest {:g} is below --shortest {:g}, which leaves out every block: give a larger one",
-        longest, shortest));
+    throw UsageError(
+        fmt::format("--longest must be at least --shortest, {:g} (got {:g})", shortest, longest));
   }
   return {longest, shortest, values.count("to-last-stencil") > 0};
 }
@@ -42,7 +41,8 @@ std::vector<std::size_t> chosen_blocks(const Front& front, const po::variables_m
     const double x = front.line.x[i];
     if (x > from.value_or(0.0) - half && x < to.value_or(x) + half) blocks.push_back(i);
   }
-  if (blocks.empty()) throw UsageError("there is no block between --x-from and --x-to");
+  if (blocks.empty())
+    throw UsageError("no block lies between --x-from and --x-to: widen the range");
   return blocks;
 }
 
@@ -142,14 +142,14 @@ std::string text_of(const SlowSlips& slips) {
 
 void add_slow_slip_options(po::options_description& options) {
   auto add = options.add_options();
-  add("x-from", number("X", "m"), "blocks from here on, instead of those of the slow stretch");
-  add("x-to", number("X", "m"), "blocks up to here");
+  add("x-from", number("X", "m"), "blocks from this x on, instead of those of the slow stretch");
+  add("x-to", number("X", "m"), "blocks up to this x");
   add("longest", number("W")->default_value(1.0, "1"),
-      "the slip of a block is followed for W <t_R> at most");
+      "follow the slip of a block for at most W <t_R>");
   add("shortest", number("W")->default_value(0.5, "0.5"),
-      "blocks whose slip can be followed for less than W <t_R> are left out");
+      "leave out blocks whose slip can be followed for less than W <t_R>");
   add("to-last-stencil",
-      "slip is followed until the front ruptures the block in the centre of the last slow stencil, "
+      "follow the slip until the front ruptures the block in the centre of the last slow stencil, "
       "rather than the last block of the slow stretch");
 }
 
@@ -160,9 +160,8 @@ constinit const Command slow_slip_command = {
     "record",
     "slip speed of the blocks behind the slow front in a record",
     "Slip speed of blocks while the front ahead of them is slow. Their slow slip begins H/c_s\n"
-    "after their rupture, or after the front became slow, and is followed until the front "
-    "leaves\n"
-    "its slow stretch. The speed is that between 20 % and 80 % of this slip.",
+    "after their rupture, or after the front became slow, and is followed until the front leaves\n"
+    "its slow stretch. The speed is measured between 20 % and 80 % of this slip.",
     {add_format_options, add_event_options, add_criteria_options, add_slow_slip_options},
     [](const Parsed& parsed) {
       const RecordCommand command = record_of(parsed);

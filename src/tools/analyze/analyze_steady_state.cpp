@@ -16,13 +16,13 @@ constexpr double kSlowest = 1e-9, kFastest = 1e3;  // [m/s]
 double speed(const po::variables_map& values, const std::string& option) {
   const double v = values[option].as<double>();
   if (v >= kSlowest && v <= kFastest) return v;
-  throw UsageError(fmt::format("--{} {} makes no sense: give a speed from {:g} to {:g} m/s", option,
-                               v, kSlowest, kFastest));
+  throw UsageError(fmt::format("--{} must be a speed from {:g} to {:g} m/s (got {})", option,
+                               kSlowest, kFastest, v));
 }
 
 std::vector<double> speeds(const po::variables_map& values) {
   const double from = speed(values, "v-from"), to = speed(values, "v-to");
-  if (to < from) throw UsageError("the range of speeds is empty: --v-to is below --v-from");
+  if (to < from) throw UsageError("--v-to must not be below --v-from");
   return speeds_between(from, to, int_between(values, "points", 1, 10000));
 }
 
@@ -64,7 +64,7 @@ int measure(const Parsed& parsed) {
     points.push_back({v, measured_friction(block, v, run), renewal_friction(block, v)});
   }
   const std::string text = fmt::format(
-      "Not in the standard error: events come up to a step late, which is 1/{} of a cycle.\n",
+      "Not included in the standard error: events are up to one step (1/{} cycle) late.\n",
       run.steps_per_cycle);
   return print(quantities_of(points, block.p), text, parsed.values);
 }
@@ -73,9 +73,9 @@ void add_steady_options(po::options_description& options) {
   auto add = options.add_options();
   add("v-from", number("V", "m/s")->default_value(1e-4, "1e-4"), "lowest speed");
   add("v-to", number("V", "m/s")->default_value(1.0, "1"), "highest speed");
-  add("points", integer("N")->default_value(9), "speeds, at equal ratios");
+  add("points", integer("N")->default_value(9), "number of speeds, spaced by equal ratios");
   add("steps-per-cycle", integer("N")->default_value(SteadyRun{}.steps_per_cycle),
-      "time steps while a junction is pinned and slips once; it breaks up to a step late");
+      "time steps per cycle of pinning and slipping; a junction breaks up to one step late");
 }
 
 }  // namespace
@@ -84,9 +84,8 @@ constinit const Command steady_state_command = {
     "steady-state",
     "",
     "friction of a block that slides at constant speed",
-    "Friction coefficient of a block under the mean normal force F_N/Nx that slides at "
-    "constant\nspeed: as the interface law gives it, with its standard error, and by renewal "
-    "theory.",
+    "Friction coefficient of a block that slides at constant speed under the mean normal force\n"
+    "F_N/Nx: simulated with the interface law, with its standard error, and by renewal theory.",
     {add_steady_options, add_format_options},
     measure,
     [] { return quantities_of(std::vector<SteadyPoint>{}, 0.0); },

@@ -35,8 +35,7 @@ Quantities quantities_of(const ShapeStrength& s) {
 
 int report_on_shape(const po::variables_map& values) {
   if (values.count("shape") == 0 || values.count("sigma-bar") == 0) {
-    throw UsageError(
-        "--shape and --sigma-bar belong together: give both, or name a checkpoint instead");
+    throw UsageError("--shape and --sigma-bar need each other: give both, or a checkpoint instead");
   }
   const auto shape = values["shape"].as<std::string>();
   const double sigma_bar = non_negative(values, "sigma-bar");
@@ -81,7 +80,7 @@ int report(const Parsed& parsed) {
   const auto& values = parsed.values;
   const bool of_shape = values.count("shape") > 0 || values.count("sigma-bar") > 0;
   if (of_shape && values.count("checkpoint") > 0) {
-    throw UsageError("a checkpoint has forces of its own: give it or --shape, not both");
+    throw UsageError("a checkpoint has its own phi: give a checkpoint or --shape, not both");
   }
   if (of_shape) return report_on_shape(values);
   const Checkpoint checkpoint = checkpoint_of(parsed, "a checkpoint, or give --shape");

@@ -45,7 +45,7 @@ class Account {
   void demand_all_good() const {
     if (bad_.size() == 1) throw Failure(bad_.front());
     if (bad_.empty()) return;
-    throw Failure("not all is well: " + summary());
+    throw Failure("not all files are intact: " + summary());
   }
 
  private:
@@ -85,12 +85,11 @@ constinit const Command checksum_command = {
     "checksum FILE",
     "file",
     "content checksum of a file",
-    "Prints the content checksum, verified: 64 hex digits.",
+    "Verifies the file and prints its content checksum, 64 hex digits.",
     {[](po::options_description& options) {
-      options.add_options()(
-          "as-schema-2",
-          "the one that it would have in a file of schema 2, to compare it with one "
-          "that was noted before schema 3");
+      options.add_options()("as-schema-2",
+                            "print the checksum that the same content has in schema 2, to compare "
+                            "it with one noted before schema 3");
     }},
     [](const Parsed& parsed) {
       const ContentFile file = verify_file(file_of(parsed));
@@ -103,19 +102,18 @@ constinit const Command verify_command = {
     "verify FILE|FOLDER...",
     "file",
     "check that files and folders are intact, also against a manifest",
-    R"(Checks that files are intact, and of folders all files *.h5 in them and below; links to
-folders are not followed, and unfinished records (*.h5.part) are only named. A manifest must
-also give the content checksums of the files that it lists, and list all files *.h5 in the
-folders given. A .sum file is a manifest; so are the lines of intact files printed here,
-without their first word.
-Every file is looked at, whatever is wrong with others. Exit code 0: all is well, 1: a file
-is changed, damaged, missing, unfinished, not what the manifest says or not listed, or a folder is
-unreadable or holds no file *.h5.)",
+    R"(Checks that files are intact. In a folder it checks all *.h5 files, also in folders below; it
+does not follow links to folders, and only names unfinished records (*.h5.part). With a
+manifest, files must also have the content checksums listed there, and all *.h5 files in the
+given folders must be listed. A .sum file is a manifest; so are the lines printed here for
+intact files, without their first word.
+All files are checked, even if some are damaged. Exit code 0: all files are intact, 1: a file
+is changed, damaged, missing, unfinished, different from the manifest or not listed, or a
+folder is unreadable or contains no *.h5 files.)",
     {[](po::options_description& options) {
-      options.add_options()(
-          "manifest", input_file("manifest"),
-          "file of lines 'content-sha256 <64 hex digits>  <file>', names relative to its own "
-          "folder; the first word may be missing, as in older ones");
+      options.add_options()("manifest", input_file("manifest"),
+                            "file with lines 'content-sha256 <64 hex digits>  <file>', with names "
+                            "relative to its own folder; older manifests lack the first word");
     }},
     verify};
 

@@ -36,7 +36,7 @@ Quantity slow_quantity(const std::optional<SlowStretch>& slow) {
       {"duration", "s", "duration of the slow stretch", known(s.duration())},
       {"speed", "m/s", "median front speed in the slow stretch", known(s.speed)},
       {"slowest", "m/s", "smallest front speed in the slow stretch", known(s.slowest)},
-      {"stencils", "1", "slow stencils next to each other", known(static_cast<double>(s.stencils))},
+      {"stencils", "1", "consecutive slow stencils", known(static_cast<double>(s.stencils))},
       {"mean", "m/s", "length of the slow stretch over its duration", s.mean()},
       {"fast_before", "m/s", "median front speed before the slow stretch", s.fast_before},
       {"fast_after", "m/s", "median front speed after the slow stretch", s.fast_after},

@@ -56,10 +56,10 @@ ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) 
   if (numbers.empty()) return event;
   const bool is_trigger = numbers.front() == 0 && begins_with_trigger(command.record);
   if (numbers.size() > 1 && !is_trigger) {
-    throw Failure(fmt::format(
-        "there are {} events ({}): choose one with --event N or --event first-spanning, "
-        "or with --from and --to",
-        numbers.size(), list_of(bursts, numbers)));
+    throw Failure(
+        fmt::format("the record has {} events ({}): choose one with --event N or --event "
+                    "first-spanning, or with --from and --to",
+                    numbers.size(), list_of(bursts, numbers)));
   }
   event.number = numbers.front();
   event.ruptures = bursts[event.number];
@@ -88,7 +88,7 @@ std::size_t number_of(const std::string& text) {
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   if (error == std::errc() && rest == end) return number;
   throw UsageError(fmt::format(
-      "--event {} names no event: give its number in analyze events, or first-spanning", text));
+      "--event needs an event number (see analyze events) or first-spanning (got {})", text));
 }
 
 ChosenEvent named_event(const RecordCommand& command, const Bursts& bursts,
@@ -97,9 +97,9 @@ ChosenEvent named_event(const RecordCommand& command, const Bursts& bursts,
   const std::size_t number = number_of(name);
   if (number < bursts.size()) return event_number(bursts, number);
   const std::string known =
-      bursts.empty()
-          ? "in this record nothing ruptured"
-          : fmt::format("this record has 0 to {} (analyze events lists them)", bursts.size() - 1);
+      bursts.empty() ? "nothing ruptured in this record"
+                     : fmt::format("this record has events 0 to {} (analyze events lists them)",
+                                   bursts.size() - 1);
   throw UsageError(fmt::format("there is no event {}: {}", name, known));
 }
 
@@ -111,9 +111,9 @@ void add_quiet_time_option(po::options_description& options) {
 }
 
 void add_event_options(po::options_description& options) {
-  options.add_options()("event", text("number|first-spanning"),
-                        "the event of this number in analyze events, which counts from 0, or the "
-                        "first that spans the interface");
+  options.add_options()(
+      "event", text("number|first-spanning"),
+      "number of the event in analyze events, from 0, or the first event that spans the interface");
   add_window_options(options);
   add_quiet_time_option(options);
 }

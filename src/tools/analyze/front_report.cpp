@@ -14,11 +14,11 @@ std::size_t stencil(const po::variables_map& values, const Parameters& p) {
   const int blocks = values["stencil"].as<int>();
   if (blocks < 3 || blocks % 2 == 0) {
     throw UsageError(
-        fmt::format("--stencil {} makes no sense: give an odd number of blocks from 3 on", blocks));
+        fmt::format("--stencil must be an odd number of blocks, 3 or more (got {})", blocks));
   }
   if (blocks > p.Nx && !values["stencil"].defaulted()) {
-    throw UsageError(fmt::format(
-        "--stencil {} is longer than the interface: give at most its {} blocks", blocks, p.Nx));
+    throw UsageError(fmt::format("--stencil {} is longer than the interface, which has {} blocks",
+                                 blocks, p.Nx));
   }
   return static_cast<std::size_t>(blocks);
 }
@@ -32,11 +32,8 @@ double skip_below_x(const po::variables_map& values, const Parameters& p) {
 
 StencilsAtEnds stencils_at_ends(const po::variables_map& values) {
   const auto& name = values["stencils-at-ends"].as<std::string>();
-  if (name == "neither") return StencilsAtEnds::neither;
   if (name == "slow") return StencilsAtEnds::slow;
-  if (name == "fast") return StencilsAtEnds::fast;
-  throw UsageError(
-      fmt::format("--stencils-at-ends {} is not known: give neither, slow or fast", name));
+  return name == "fast" ? StencilsAtEnds::fast : StencilsAtEnds::neither;
 }
 
 }  // namespace
@@ -46,11 +43,11 @@ void add_criteria_options(po::options_description& options) {
   add("slow-below", number("R")->default_value(0.05, "0.05"),
       "the front is slow where |v_c| < R c_s");
   add("skip-below-x", number("X", "m")->default_value(kLoadingZone, "0.02"),
-      "loading zone, in which blocks and speeds do not count");
+      "end of the loading zone, in which blocks and speeds do not count");
   add("stencil", integer("N")->default_value(5),
-      "blocks of the stencil whose end points give v_c, odd");
+      "odd number of blocks of the stencil whose end points give v_c");
   add("stencils-at-ends", one_of("neither|slow|fast")->default_value("neither"),
-      "where stencils count that touch both the slow stretch and its surroundings: to neither, to "
+      "whether stencils that touch both the slow stretch and its surroundings count to neither, to "
       "the slow stretch, or to the fast sides");
   add("ruptured-below", number("F")->default_value(kRupturedFraction, "0.3"),
       "pinned fraction below which a block counts as ruptured: 0.3, or one of the record's "
@@ -93,9 +90,10 @@ std::string front_text(const Front& front, double c_s, const ChosenEvent& event)
                        event.to);
   }
   const std::string others =
-      event.in_window > 1 ? fmt::format("; event {}, the trigger's, of {} (see analyze events)",
-                                        event.number, event.in_window)
-                          : "";
+      event.in_window > 1
+          ? fmt::format("; event {} of {}, started by the trigger (see analyze events)",
+                        event.number, event.in_window)
+          : "";
   return fmt::format("{} front; {}{}\n", kind_name(front), slow_text(front, c_s), others);
 }
 

@@ -12,7 +12,7 @@ namespace rupture::tools {
 /// record_of() goes.
 void add_criteria_options(po::options_description& options);
 
-/// Throws UsageError for a criterion that makes no sense for this record.
+/// Throws UsageError for a criterion that this record cannot meet.
 FrontCriteria criteria(const RecordCommand& command);
 
 /// The front of the chosen event.

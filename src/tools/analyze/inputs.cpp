@@ -33,7 +33,7 @@ void add_window_options(po::options_description& options) {
 RecordCommand record_of(const Parsed& parsed) {
   const auto& values = parsed.values;
   if (values.count("event") > 0 && values.count("from") + values.count("to") > 0) {
-    throw UsageError("--event and --from or --to exclude each other: give one of them");
+    throw UsageError("--event cannot be combined with --from or --to: give one of them");
   }
   RecordCommand command = {values, read_record(single_input(values, "record", "a record"))};
   if (command.record.time.empty()) throw Failure("the record holds no samples yet");

@@ -92,13 +92,14 @@ std::vector<ManifestLine> read_manifest(const std::filesystem::path& path) {
     if (!(words >> line.checksum)) continue;
     if (line.checksum == kChecksumLabel) words >> line.checksum;
     if (line.checksum.size() != 64 || !std::getline(words >> std::ws, name)) {
-      throw Failure(fmt::format("{} is no manifest: '{}' is not '{} <64 hex digits>  <file>'",
-                                path.string(), in_one_line(text), kChecksumLabel));
+      throw Failure(fmt::format(
+          "{} is not a manifest: expected lines '{} <64 hex digits>  <file>' (got '{}')",
+          path.string(), kChecksumLabel, in_one_line(text)));
     }
     line.file = path.parent_path() / name;
     lines.push_back(std::move(line));
   }
-  if (lines.empty()) throw Failure(fmt::format("the manifest {} names no file", path.string()));
+  if (lines.empty()) throw Failure(fmt::format("the manifest {} names no files", path.string()));
   return lines;
 }
 
@@ -117,7 +118,7 @@ Inspection inspect_file(const fs::path& file, const std::string& expected) try {
     return {Verdict::intact, fmt::format("{}  {}", labelled(checksum), file.string())};
   }
   return {Verdict::differs,
-          fmt::format("{} is intact but has content checksum {}, not {} as the manifest says",
+          fmt::format("{} is intact but has content checksum {}; the manifest lists {}",
                       file.string(), checksum, expected)};
 } catch (const Changed& changed) {
   return {Verdict::changed, changed.what()};
@@ -147,7 +148,7 @@ std::vector<Inspection> inspect_folder(const fs::path& folder, const Places& lis
     }
   }
   if (found.files.empty()) {
-    findings.push_back({Verdict::empty, fmt::format("{} holds no file *.h5", folder.string())});
+    findings.push_back({Verdict::empty, fmt::format("{} contains no *.h5 files", folder.string())});
   }
   findings.insert(findings.end(), found.others.begin(), found.others.end());
   return findings;

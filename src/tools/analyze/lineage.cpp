@@ -51,7 +51,7 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
     if (parent == start.checksum || parent == start.stored_checksum) return i;
   }
   throw Failure(
-      fmt::format("no step to {} started from {}, whose content checksum is {}; see "
+      fmt::format("none of the steps that led to {} started from {} (content checksum {}); see "
                   "analyze lineage {}",
                   lineage.name, start.path, start.checksum, lineage.name));
 }
@@ -60,10 +60,10 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
   const ProvenanceEntry& entry = lineage.chain[step];
   const std::string text = fmt::format(
       "{}: step {} ({}) has no command, because {}", lineage.name, step, in_one_line(entry.tool),
-      entry.rebuild.empty() ? "it was taken by a build with files of schema version 1"
+      entry.rebuild.empty() ? "it was made by a version that wrote schema 1"
                             : "another program edited the file");
   if (step + 1 == lineage.chain.size()) {
-    throw Failure(text + "; analyze show prints what was typed");
+    throw Failure(text + "; analyze show prints the command that was typed");
   }
   throw Failure(fmt::format("{}: give the file it wrote, with content checksum {}, as --from FILE",
                             text, lineage.checksum_after(step)));
@@ -75,20 +75,20 @@ void check_steps(const Lineage& lineage, std::size_t first) {
     const std::string& command = lineage.chain[i].rebuild;
     if (command.empty() || command == kEditedOutside) fail_at_unknown(lineage, i);
     if (is_our_command(command)) continue;
-    throw Failure(fmt::format("{}: step {} is no command of rupture and will not be run: {}",
+    throw Failure(fmt::format("{}: step {} is not a rupture command and will not be run: {}",
                               lineage.name, i, in_one_line(command)));
   }
 }
 
 void check_beginning(const Lineage& lineage) {
   if (lineage.chain.empty()) {
-    throw Failure(fmt::format("{} does not say which steps led to it", lineage.name));
+    throw Failure(fmt::format("{} does not contain the steps that led to it", lineage.name));
   }
   const std::string& parent = lineage.chain.front().parent_checksum;
   if (parent.empty()) return;
   throw Failure(
-      fmt::format("{}: its first step started from a file of which only the content "
-                  "checksum is known, {}: give that file as --from FILE",
+      fmt::format("{}: its first step started from another file: give that file, with content "
+                  "checksum {}, as --from FILE",
                   lineage.name, parent));
 }
 
@@ -126,14 +126,14 @@ Json lineage_json(const Lineage& lineage) {
     steps.push_back(entry_json(lineage.chain[i]));
     steps.back()["checksum"] = lineage.checksum_after(i);
   }
-  return {{"kind", kind_text(lineage.kind)}, {"checksum", lineage.checksum}, {"steps", steps}};
+  return {{"kind", kind_name(lineage.kind)}, {"checksum", lineage.checksum}, {"steps", steps}};
 }
 
 std::string rebuild_script(const Lineage& lineage, const std::string& output,
                            const std::optional<StartFile>& start) {
   if (lineage.kind == FileKind::open_record) {
     throw Failure(
-        fmt::format("{} is an unfinished record, which has no checksum to reach", lineage.name));
+        fmt::format("{} is an unfinished record: complete it with rupture finish", lineage.name));
   }
   const std::size_t first = start ? step_from(lineage, *start) : 0;
   check_steps(lineage, first);

@@ -30,12 +30,12 @@ po::options_description common_options(UsesParameters uses_parameters) {
   if (uses_parameters == UsesParameters::yes) {
     add("config", input_file("options and parameters"),
         "INI file with options and parameters ([slider] L = 0.14 ...)");
-    add("set", assignments(), "set one parameter, after those of --config; may be repeated");
+    add("set", assignments(), "set one parameter, overriding --config; may be repeated");
     add("seed", seed(), "short for --set numerics.seed=N");
   }
-  add("help,h", "show this help and stop");
-  add("describe", "print name, options, input and outputs as one JSON object and stop");
-  add("version", "show version, commit and instruction set and stop");
+  add("help,h", "show this help and exit");
+  add("describe", "print name, options, input and outputs as one JSON object and exit");
+  add("version", "show version, commit and instruction set and exit");
   return common;
 }
 
@@ -44,8 +44,8 @@ std::string help_text(const ToolText& text, const po::options_description& shown
   std::ostringstream out;
   out << "Usage: rupture " << text.synopsis << "\n\n" << text.purpose << "\n\n" << shown;
   if (uses_parameters == UsesParameters::yes) {
-    out << "\nParameters: rupture parameters lists what --set and --config take, with units and "
-           "defaults;\nrupture parameters NAME tells more of one.\n";
+    out << "\nParameters for --set and --config: rupture parameters lists them, with units and "
+           "defaults;\nrupture parameters NAME describes one.\n";
   }
   return out.str();
 }
@@ -101,7 +101,7 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
     if (parsed.values.count("unexpected") > 0) {
       const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
       throw UsageError(
-          fmt::format("'{}' is not expected: {} reads no checkpoint; see rupture {} --help",
+          fmt::format("unexpected argument '{}': {} reads no files; see rupture {} --help",
                       words.front(), text.name, text.name));
     }
     if (parsed.values.count("config") > 0) {
@@ -136,8 +136,8 @@ void apply(const ParameterChanges& changes, Parameters& parameters) {
 void add_output_options(po::options_description& options, const std::string& holds) {
   const std::string help = holds + " to write";
   options.add_options()("output,o", output_file(holds)->required(), help.c_str())(
-      "force,f", "replace files that exist already")(
-      "sum", "write FILE.sum with its content checksum beside each file, for workflows")(
+      "force,f", "replace existing files")(
+      "sum", "beside each file, write FILE.sum with its content checksum, for workflows")(
       "quiet,q", "print errors only")(
       "json", "print a summary as one JSON object; text goes to standard error");
 }
@@ -154,11 +154,10 @@ OutputOptions output_options(const po::variables_map& values) {
 
 std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option) {
   const auto name = values[option].as<std::string>();
-  if (name.empty()) throw UsageError("an output has an empty name; give the path of a file");
+  if (name.empty()) throw UsageError("the name of an output is empty; give the path of a file");
   if (name != "-") return name;
   throw UsageError(fmt::format(
-      "--{} - is no file: checkpoints and records do not go to standard output; give the path of "
-      "a file",
+      "--{} needs the path of a file (got -): checkpoints and records cannot go to standard output",
       option));
 }
 
@@ -200,9 +199,7 @@ void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists i
 }
 
 PhiShape shape_named(const std::string& name) {
-  if (name == "uniform") return PhiShape::uniform;
-  if (name == "bell") return PhiShape::bell;
-  throw UsageError(fmt::format("--shape {} is unknown: choose uniform or bell", name));
+  return name == "bell" ? PhiShape::bell : PhiShape::uniform;
 }
 
 void refuse_other_laws(const Parameters& p) {
@@ -211,13 +208,13 @@ void refuse_other_laws(const Parameters& p) {
   for (const LawInfo& law : law_table()) {
     if (law.closed_form == ClosedForm::known) known.push_back(law.name);
   }
-  throw UsageError(fmt::format("junctions.law = {}: this is known for the {} law only",
-                               law_info(p.law).name, fmt::join(known, " and the ")));
+  throw UsageError(fmt::format("junctions.law = {} is not supported here: use the {} law",
+                               law_info(p.law).name, fmt::join(known, " or the ")));
 }
 
 void refuse_empty_names(const std::vector<std::string>& inputs) {
   if (std::find(inputs.begin(), inputs.end(), "") == inputs.end()) return;
-  throw UsageError("an input has an empty name; give the path of a file");
+  throw UsageError("the name of an input is empty; give the path of a file");
 }
 
 std::string single_input(const po::variables_map& values, const std::string& positional,
@@ -225,7 +222,7 @@ std::string single_input(const po::variables_map& values, const std::string& pos
   if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);
   const auto inputs = values[positional].as<std::vector<std::string>>();
   if (inputs.size() > 1) {
-    throw UsageError(fmt::format("'{}' is one file too many: name only {}", inputs[1], wanted));
+    throw UsageError(fmt::format("unexpected file '{}': name only {}", inputs[1], wanted));
   }
   refuse_empty_names(inputs);
   return inputs.front();

@@ -101,7 +101,7 @@ void check_distinct(const std::vector<std::filesystem::path>& outputs,
 void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
                    const std::filesystem::path& input);
 
-/// The shape that --shape names. Throws UsageError if there is no such shape.
+/// The shape that --shape names.
 PhiShape shape_named(const std::string& name);
 
 /// Throws UsageError unless the interface follows the reference law, for which alone there is

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/any.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <cmath>
-#include <sstream>
 #include <type_traits>
 
+#include "cli/text.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/user_text.hpp"
 
@@ -18,8 +19,8 @@ namespace {
 template <class Given>
 double pinned_fraction(double value, const Given& given, const std::string& option) {
   if (value > 0.0 && value <= 1.0) return value;
-  throw UsageError(fmt::format("--{} {} makes no sense: a pinned fraction is above 0 and at most 1",
-                               option, given));
+  throw UsageError(
+      fmt::format("--{} must be a pinned fraction, above 0 and at most 1 (got {})", option, given));
 }
 
 /// Refuses an option's value; `reason` goes behind the name of the option.
@@ -32,7 +33,7 @@ std::string plain_number(const std::string& word, const std::string& unit) {
   const auto number = in_unit(word, unit);
   if (!number) refuse(fmt::format("{} is not a number (unit {})", word, units_taken(unit)));
   if (double value = 0.0; !boost::conversion::try_lexical_convert(*number, value)) {
-    refuse(fmt::format("{} is too large for a number", word));
+    refuse(fmt::format("{} is too large", word));
   }
   return *number;
 }
@@ -43,11 +44,15 @@ std::vector<std::string> plain(std::vector<std::string> words, const ValueKind& 
   for (std::string& word : words) {
     if (kind.kind == "number") word = plain_number(word, kind.unit);
     if (kind.kind == "input file" && word.empty()) {
-      refuse("has an empty name: give the path of a file");
+      refuse("needs the path of a file (got an empty name)");
+    }
+    const auto choices = split(kind.name, '|');
+    if (kind.kind == "choice" && std::ranges::count(choices, word) == 0) {
+      refuse(fmt::format("must be one of {} (got {})", fmt::join(choices, ", "), word));
     }
     if constexpr (std::is_same_v<T, int>) {
       if (int value = 0; !boost::conversion::try_lexical_convert(word, value)) {
-        refuse(fmt::format("{} is not a whole number of this size", word));
+        refuse(fmt::format("must be a whole number of at most 9 digits (got {})", word));
       }
     }
   }
@@ -130,8 +135,7 @@ double non_negative(const po::variables_map& values, const std::string& option) 
 
 double non_negative(double value, const std::string& option) {
   if (std::isfinite(value) && value >= 0.0) return value;
-  throw UsageError(
-      fmt::format("--{} {} makes no sense: give a number of at least 0", option, value));
+  throw UsageError(fmt::format("--{} must be 0 or more (got {})", option, value));
 }
 
 std::optional<double> optional_non_negative(const po::variables_map& values,
@@ -143,8 +147,7 @@ std::optional<double> optional_non_negative(const po::variables_map& values,
 int int_between(const po::variables_map& values, const std::string& option, int least, int most) {
   const int value = values[option].as<int>();
   if (value >= least && value <= most) return value;
-  throw UsageError(
-      fmt::format("--{} {} makes no sense: give {} to {}", option, value, least, most));
+  throw UsageError(fmt::format("--{} must be from {} to {} (got {})", option, least, most, value));
 }
 
 double fraction(const po::variables_map& values, const std::string& option) {
@@ -155,8 +158,7 @@ double fraction(const po::variables_map& values, const std::string& option) {
 std::vector<double> fractions(const po::variables_map& values, const std::string& option) {
   const auto& text = values[option].as<std::string>();
   std::vector<double> result;
-  std::istringstream list(text + ",");  // so that an empty text is refused as well
-  for (std::string word; std::getline(list, word, ',');) {
+  for (const std::string& word : split(text + ",", ',')) {  // an empty text is refused as well
     double value = 0.0;
     if (!boost::conversion::try_lexical_convert(word, value)) value = 0.0;  // no fraction
     result.push_back(pinned_fraction(value, text, option));

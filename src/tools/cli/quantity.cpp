@@ -202,7 +202,7 @@ void add_format_options(po::options_description& options) {
 
 int print(const Quantities& rows, const std::string& closing, const po::variables_map& values) {
   const bool json = values.count("json") > 0, csv = values.count("csv") > 0;
-  if (json && csv) throw UsageError("--json and --csv exclude each other: give one");
+  if (json && csv) throw UsageError("--json and --csv cannot be combined: give one of them");
   if (json) {
     print_json(rows);
   } else if (csv) {

@@ -53,13 +53,6 @@ Json short_name_of(const po::option_description& option) {
   return name.starts_with("-") ? Json(name.substr(1)) : Json();
 }
 
-std::vector<std::string> split(std::string text, char separator) {
-  std::vector<std::string> words;
-  std::istringstream stream(std::move(text));
-  for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
-  return words;
-}
-
 Json option_json(const po::option_description& option) {
   const ValueKind& kind = kind_or_flag(option);
   Json json = {{"name", option.long_name()},  {"short", short_name_of(option)},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,13 @@ std::string unknown_option_text(const std::string& option,
   }
   return fmt::format("unknown option '{}': did you mean '{}'? See rupture {} --help", option,
                      nearest(option, {names.begin(), names.end()}), tool);
+}
+
+std::vector<std::string> split(std::string text, char separator) {
+  std::vector<std::string> words;
+  std::istringstream stream(std::move(text));
+  for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
+  return words;
 }
 
 std::string grouped(double whole_number) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rupture::tools {
 
@@ -20,6 +21,9 @@ template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
   say_on(stdout, format, std::forward<Args>(args)...);
 }
+
+/// The words between the separators.
+std::vector<std::string> split(std::string text, char separator);
 
 /// One line per parameter: name, symbol, default, unit, meaning.
 std::string parameter_help();

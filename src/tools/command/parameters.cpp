@@ -41,15 +41,15 @@ Rows rows_called(const std::string& name) {
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   options.add_options()("json", "print one JSON object");
-  const Parsed parsed =
-      parse(argc, argv,
-            {"parameters",
-             "parameters [NAME...] [options]",
-             "Lists all parameters, or tells of those named, or of those in a group such as\n"
-             "junctions, their units, defaults, ranges, meanings and the laws that use them.",
-             {},
-             "units, defaults, ranges and meanings of the parameters"},
-            options, "parameter", UsesParameters::no);
+  const Parsed parsed = parse(
+      argc, argv,
+      {"parameters",
+       "parameters [NAME...] [options]",
+       "Lists all parameters. With names, or a group such as junctions, prints units, defaults,\n"
+       "ranges and meanings of these, and the laws that use them.",
+       {},
+       "units, defaults, ranges and meanings of the parameters"},
+      options, "parameter", UsesParameters::no);
   Options result = {{}, parsed.values.count("parameter") > 0, parsed.values.count("json") > 0};
   if (!result.in_full) result.rows = parameter_table();
   if (result.in_full) {

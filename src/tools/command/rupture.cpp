@@ -29,7 +29,7 @@ using Words = std::vector<std::string>;
 constexpr const char* kSummary = "simulate and analyse the rupture of frictional interfaces";
 constexpr const char* kSynopsis = "rupture TOOL [argument...]";
 constexpr const char* kPurpose =
-    "Runs the program of this name with these arguments; rupture help TOOL says which it takes.";
+    "Runs the program TOOL with these arguments; rupture help TOOL describes them.";
 
 namespace fs = std::filesystem;
 

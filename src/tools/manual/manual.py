@@ -2,8 +2,8 @@
 
 manual.py FOLDER_OF_PROGRAMS OUTPUT VERSION
 
-writes OUTPUT/man/rupture.1.gz and a page per tool, OUTPUT/rupture for bash, OUTPUT/_rupture for
-zsh.
+writes OUTPUT/man/rupture.1.gz and a page per tool and command, OUTPUT/rupture for bash,
+OUTPUT/_rupture for zsh.
 """
 
 import gzip
@@ -23,7 +23,7 @@ PATTERNS = {
     "part": "*.h5.part",
     "options and parameters": "*.ini",
 }
-COMMON = ("help", "describe", "version")  # options of every command
+EXAMPLES = Path(__file__).with_name("examples.sh")
 ROFF = {"\\": r"\e", "-": r"\-", "'": r"\(aq", "`": r"\(ga", "^": r"\(ha", "~": r"\(ti"}
 
 
@@ -99,14 +99,14 @@ def main(programs, output, version):
         "tools": tools,
         "leaves": leaves(tools),
         "parameters": [{"words": []} | row for row in rows],
-        "common": COMMON,
+        "examples": EXAMPLES.read_text(encoding="utf-8").splitlines(),
         "version": version,
     }
     (output / "man").mkdir(parents=True, exist_ok=True)
     write_page(output / "man/rupture.1.gz", environment.get_template("rupture.1.j2").render())
-    for tool in tools:
+    for tool in [*tools, *leaves(tools)]:
         page = environment.get_template("tool.1.j2").render(tool=tool)
-        write_page(output / f"man/rupture-{tool['name']}.1.gz", page)
+        write_page(output / f"man/rupture-{tool['name'].replace(' ', '-')}.1.gz", page)
     for name in ("rupture", "_rupture"):
         text = environment.get_template(f"{name}.j2").render()
         (output / name).write_text(text, encoding="utf-8")

@@ -28,8 +28,7 @@ std::string shortest_text(const Parameters& p, const Clock& clock, std::int64_t 
 std::int64_t steps_in(const Parameters& p, double duration) {
   const double steps = std::round(duration / p.dt);
   if (!(std::abs(steps) < 0x1p53)) {
-    throw UsageError(
-        fmt::format("t = {:g} s is too long a time for steps of {:g} s", duration, p.dt));
+    throw UsageError(fmt::format("{:g} s is too long for time steps of {:g} s", duration, p.dt));
   }
   return static_cast<std::int64_t>(steps);
 }
@@ -44,7 +43,8 @@ Interval interval(const Parameters& p, const Clock& clock, double t, std::string
   const std::int64_t zero = step_at(p, clock, 0.0);
   const double offset = std::clamp(-time_at(p, clock, zero) / p.dt, -half, half);
   if (t >= p.dt * (1.0 - rounding)) return {std::max(t, p.dt), p.dt, zero, offset};
-  throw UsageError(fmt::format("--{} is shorter than one time step", option));
+  throw UsageError(
+      fmt::format("--{} must be at least one time step, {:g} s (got {:g} s)", option, p.dt, t));
 }
 
 std::string id_of_run(const Checkpoint& start) {

@@ -25,10 +25,10 @@ Options setup(int argc, char** argv) {
       argc, argv,
       {"finish",
        "finish RECORD.h5.part -o OUT [options]",
-       "Makes an ordinary record of what an unfinished one holds up to its last sample. The run\n"
-       "may have been killed, or still go on, which this does not disturb; RECORD.h5.part stays.",
+       "Makes an ordinary record from an unfinished one, up to its last sample. The run may have\n"
+       "been killed or may still be going on; it is not disturbed, and RECORD.h5.part stays.",
        {},
-       "make an ordinary record of one that is unfinished"},
+       "make an ordinary record from an unfinished one"},
       options, "record", UsesParameters::no);
   return {single_input(parsed.values, "record", "an unfinished record (RECORD.h5.part)"),
           output_options(parsed.values)};
@@ -49,12 +49,12 @@ RecordFile read_part(const std::filesystem::path& path) try {
   RecordFile part = read_record_file(path);
   if (part.record.time.empty()) {
     throw Failure(
-        fmt::format("{} holds no sample yet: its run has to go on, or begin again", path.string()));
+        fmt::format("{} has no samples yet: continue its run or start it again", path.string()));
   }
   return part;
 } catch (const Failure&) {
   if (!has_become_record(path)) throw;
-  throw Failure(fmt::format("{} is no more: its run has ended, and its record is {}", path.string(),
+  throw Failure(fmt::format("{} is gone: its run has ended, and its record is {}", path.string(),
                             std::filesystem::path(path).replace_extension().string()));
 }
 
@@ -75,8 +75,8 @@ void print(const FinishedSummary& summary, std::FILE* to) {
   say_on(to, "{} samples up to t = {:.9g} s\n", summary.samples, summary.time);
   if (summary.ignored_bytes > 0) {
     say_on(to,
-           "ignored {} bytes at the end, which are no complete piece: the run was killed while it "
-           "wrote them, or writes them now, or they are damaged\n",
+           "ignored {} bytes at the end, an incomplete piece: the run was killed while writing it, "
+           "is still writing it, or it is damaged\n",
            summary.ignored_bytes);
   }
   const WrittenFile& file = summary.files.front();

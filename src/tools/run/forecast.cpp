@@ -174,7 +174,7 @@ std::string text_of(const Forecast& f) {
       "disk     {} {}\n"
       "time     {} {}\n",
       known ? "" : "at most ", grouped(static_cast<double>(f.steps())), f.simulated_time(),
-      known ? "" : "; when the run becomes quiet is not known", grouped(blocks(p)),
+      known ? "" : "; the run ends earlier if it becomes quiet", grouped(blocks(p)),
       grouped(junctions(p)), f.work.threads, about, size_text(f.memory), about, disk_text(f), about,
       time_account(f));
 }

@@ -19,7 +19,7 @@ struct Options {
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   options.add_options()("until", seconds()->default_value(0.0, "0"),
-                        "drive until this time; 0: the equilibrium only");
+                        "drive until this time; 0: only the equilibrium");
   add_run_options(options);
   add_output_options(options, "checkpoint");
   const Parsed parsed = parse(
@@ -27,7 +27,8 @@ Options setup(int argc, char** argv) {
       {"load",
        "load -o OUT [--until T] [options]",
        "Finds the equilibrium of the slider under its normal load F_N, then moves the driving\n"
-       "point at speed V, and writes a checkpoint from which the run can be continued.",
+       "point at speed V, and writes a checkpoint from which the run can be continued.\n"
+       "It ends with the energy account: supplied = stored + lost to damping and junctions.",
        {},
        "put the slider under its normal load, then drive it from the side"},
       options, "", UsesParameters::yes);

@@ -27,12 +27,6 @@ struct Options {
   std::string rebuild;
 };
 
-Slipping slipping_named(const std::string& name) {
-  if (name == "keep") return Slipping::keep;
-  if (name == "pin") return Slipping::pin;
-  throw UsageError(fmt::format("--slipping {} is unknown: choose keep or pin", name));
-}
-
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   auto add = options.add_options();
@@ -59,7 +53,7 @@ Options setup(int argc, char** argv) {
   Options result;
   result.checkpoint = single_input(values, "checkpoint", "a checkpoint to modify");
   result.change.shape = shape_named(values["shape"].as<std::string>());
-  result.change.slipping = slipping_named(values["slipping"].as<std::string>());
+  if (values["slipping"].as<std::string>() == "pin") result.change.slipping = Slipping::pin;
   result.change.sigma_bar = optional_non_negative(values, "sigma-bar");
   result.change.x_from = non_negative(values, "x-from");
   if (const auto x_to = optional_non_negative(values, "x-to")) result.change.x_to = *x_to;
@@ -159,27 +153,27 @@ void refuse_unchanged(const Parameters& p, const State& before, const PhiChange&
   const Region region = region_of(block_forces(p, before), change, impossible);
   if (region.changed > 0) return;
   if (region.blocks == 0) {
-    throw UsageError(fmt::format(
-        "there is no block between --x-from and --x-to: the blocks lie {:g} m apart from x = 0 to "
-        "{:g} m",
-        block_spacing(p), p.L));
+    throw UsageError(
+        fmt::format("no block lies between --x-from and --x-to: the blocks are {:g} m apart, from "
+                    "x = 0 to {:g} m",
+                    block_spacing(p), p.L));
   }
   if (impossible.empty()) {
     throw Failure("all junctions between --x-from and --x-to slip: give --slipping pin");
   }
-  throw Failure(fmt::format(
-      "no block between --x-from and --x-to can take this phi: the widest possible has --sigma-bar "
-      "{:.4f}",
-      std::floor(widest_of(impossible) * 1e4) * 1e-4));
+  throw Failure(
+      fmt::format("no block between --x-from and --x-to can have this phi: the widest possible has "
+                  "--sigma-bar {:.4f}",
+                  std::floor(widest_of(impossible) * 1e4) * 1e-4));
 }
 
 void print(const PhiSummary& summary, std::FILE* to) {
   print_widths(summary, to);
   print_histograms(summary, to);
-  say_on(to, "largest change of a block's friction force: {:.1e} of the largest\n",
+  say_on(to, "largest change of a block's friction force: {:.1e} of the largest friction force\n",
          summary.largest_change);
   for (const auto& block : summary.impossible) {
-    say_on(to, "left as it is: block at x = {:.4f} m, which can take sigma-bar <= {:.4f}\n",
+    say_on(to, "not changed: block at x = {:.4f} m, whose sigma-bar can be at most {:.4f}\n",
            block.x, block.largest_sigma_bar);
   }
   const WrittenFile& file = summary.files.front();

@@ -196,7 +196,7 @@ void Alarms::observe(const Simulation& simulation) {
   for (const Finding& finding : guard_.look(simulation)) {
     const bool alarm = finding.severity == Severity::alarm;
     if (alarm && on_alarm_ == OnAlarm::stop) {
-      throw Failure(finding.sentence + "; --on-alarm report goes on nevertheless");
+      throw Failure(finding.sentence + "; to continue anyway, give --on-alarm report");
     }
     if (!alarm && verbosity_ == Verbosity::quiet) continue;
     clear_progress_line();

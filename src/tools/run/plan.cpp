@@ -13,19 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int thread_count(int threads) {
-  constexpr int most = 1024;
-  if (threads >= 1 && threads <= most) return threads;
-  throw UsageError(
-      fmt::format("--threads {} makes no sense: give a number from 1 to {}", threads, most));
-}
-
 /// Throws UsageError if there is no record for options that say what is recorded.
 void refuse_without_record(const po::variables_map& values) {
   if (values.count("record") > 0) return;
   for (const char* option : {"record-every", "crossings", "fields"}) {
     if (values.count(option) == 0 || values[option].defaulted()) continue;
-    throw UsageError(fmt::format("--{} needs a record: give --record as well", option));
+    throw UsageError(fmt::format("--{} needs --record: give both", option));
   }
 }
 
@@ -35,18 +28,11 @@ std::vector<double> crossing_levels(const po::variables_map& values) {
   auto levels = fractions(values, "crossings");
   if (std::find(levels.begin(), levels.end(), kRupturedFraction) != levels.end()) {
     throw UsageError(
-        fmt::format("--crossings {} is recorded always: leave it out", kRupturedFraction));
+        fmt::format("--crossings {} is always recorded: leave it out", kRupturedFraction));
   }
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
-}
-
-OnAlarm on_alarm(const po::variables_map& values) {
-  const auto word = values["on-alarm"].as<std::string>();
-  if (word == "stop") return OnAlarm::stop;
-  if (word == "report") return OnAlarm::report;
-  throw UsageError(fmt::format("--on-alarm {} is unknown: choose stop or report", word));
 }
 
 DryRun dry_run(const po::variables_map& values) {
@@ -153,28 +139,28 @@ Workload work_of(const RunPlan& plan, const RunOptions& options, const fs::path&
 void add_run_options(po::options_description& options) {
   auto add = options.add_options();
   add("checkpoint-at", list_of_seconds(), "write checkpoints at these times, named OUT-tT.h5");
-  add("checkpoint-every", seconds(), "write a checkpoint each time T has passed");
+  add("checkpoint-every", seconds(), "write a checkpoint every T");
   add("record", output_file("record"), "record time series of the interface in FILE");
   add("record-every", seconds()->default_value(1e-4, "1e-4"),
-      "sampling interval of the record; ruptures are recorded to the step");
+      "sampling interval of the record; the times of ruptures are exact to one time step");
   add("crossings", text("F,..."),
       "pinned fractions besides 0.3 whose crossing by a block is recorded, such as 0.2,0.5");
   add("fields", seconds(),
       "sampling interval of the displacement of all blocks, for pictures and movies; part of the "
       "record, 8 bytes per block and sample; default: none");
   add("threads", integer("N"),
-      "threads that share the work; default: as many as pay for this size of slider. Results do "
-      "not depend on it");
+      "number of threads; default: as many as speed up a slider of this size. Results do not "
+      "depend on it");
   add("on-alarm", one_of("stop|report")->default_value("stop"),
       "what to do when the result becomes meaningless (docs/guard.md): stop with exit code 1, or "
-      "report it and go on. Warnings are only reported, and not at all with --quiet");
+      "report it and continue. Warnings are only reported, and not at all with --quiet");
   add("resume",
-      "if the same run was interrupted, go on from its newest checkpoint OUT-tT.h5 and with its "
-      "record; the result is that of an uninterrupted run");
+      "if the same run was interrupted, continue from its newest checkpoint OUT-tT.h5 and append "
+      "to its record; the result is that of an uninterrupted run");
   add("dry-run",
-      "write nothing: check the command and print about how much time, memory and disk it needs. "
-      "The time per step is measured now, for half a second, from the checkpoint or, for load, "
-      "near the equilibrium, which is not solved for");
+      "write nothing: check the command and estimate the time, memory and disk space that it "
+      "needs. The time per step is measured for half a second, from the checkpoint or, for load, "
+      "near the equilibrium, which is not computed");
 }
 
 RunOptions run_options(const Parsed& parsed) {
@@ -193,10 +179,10 @@ RunOptions run_options(const Parsed& parsed) {
   refuse_without_record(values);
   run.crossings = crossing_levels(values);
   run.fields = optional_non_negative(values, "fields");
-  run.on_alarm = on_alarm(values);
+  if (values["on-alarm"].as<std::string>() == "report") run.on_alarm = OnAlarm::report;
   run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
   run.dry_run = dry_run(values);
-  if (values.count("threads") > 0) run.threads = thread_count(values["threads"].as<int>());
+  if (values.count("threads") > 0) run.threads = int_between(values, "threads", 1, 1024);
   return run;
 }
 

@@ -67,7 +67,7 @@ Parameters prepared_parameters(const ParameterChanges& changes) {
   apply(changes, p);
   if (p.V != 0.0) {
     throw UsageError(fmt::format(
-        "driving.V = {:g} m/s: a prepared interface is not driven; give restart a --set driving.V",
+        "driving.V must be 0 (got {:g} m/s): a prepared interface is at rest; set it in restart",
         p.V));
   }
   validate(p);
@@ -84,7 +84,7 @@ Options setup(int argc, char** argv) {
       {"prepare",
        "prepare --tau-bar T -o OUT [options]",
        "Writes a checkpoint of a slider at rest whose interface carries a prescribed prestress,\n"
-       "with its trigger region just depinned: restart lets the event run. The normal force is\n"
+       "with its trigger region just depinned; restart then runs the event. The normal force is\n"
        "the same on all interface blocks (slider.support = ceiling), and driving.V is 0.",
        {},
        "make an interface with a prescribed prestress, ready to break"},
@@ -119,7 +119,7 @@ PreparedSummary summary_of(const Options& options, const State& state) {
 }
 
 void print(const PreparedSummary& summary, const Prestress& prestress, std::FILE* to) {
-  say_on(to, "tau/p = {:.6f} beyond x = {:g} m, within {:.1e} of what was asked for\n",
+  say_on(to, "tau/p = {:.6f} beyond x = {:g} m, within {:.1e} of the requested value\n",
          summary.prestress, prestress.x_trigger, summary.error);
   say_on(to, "sigma-bar = {:.6f}; the largest possible is {:.6f}\n", summary.sigma_bar,
          summary.largest_sigma_bar);

@@ -39,13 +39,13 @@ double quiet_time(const po::variables_map& values) {
 /// The pinned fraction of --arrived-below.
 double arrived_below(const po::variables_map& values) {
   if (values.count("until-quiet") == 0) {
-    throw UsageError("--arrived-below says when --until-quiet ends a run: give both");
+    throw UsageError("--arrived-below needs --until-quiet: give both");
   }
   const double below = fraction(values, "arrived-below");
   if (below <= kRupturedFraction) return below;
   throw UsageError(
-      fmt::format("--arrived-below {} makes no sense: a block ruptures at {}, so give at most that",
-                  below, kRupturedFraction));
+      fmt::format("--arrived-below must be at most {}, at which a block ruptures (got {})",
+                  kRupturedFraction, below));
 }
 
 Options setup(int argc, char** argv) {
@@ -54,20 +54,20 @@ Options setup(int argc, char** argv) {
   add("until", seconds(), "run until this time");
   add("for", seconds(), "run for this long");
   add("until-quiet", seconds_or("5 t_R"),
-      "stop earlier, once no junction has broken for T or an event has spanned the interface");
+      "stop as soon as no junction has broken for T or an event has spanned the interface");
   add("arrived-below", number("F"),
       "with --until-quiet: after an event has spanned, wait until less than this fraction of the "
       "junctions at the leading edge is pinned; default 0.3, at which a block ruptures");
   add_run_options(options);
   add_output_options(options, "checkpoint");
-  const Parsed parsed =
-      parse(argc, argv,
-            {"restart", "restart CHECKPOINT -o OUT (--until T | --for T | --until-quiet) [options]",
-             "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
-             "the\nuninterrupted run; --set changes parameters from this moment on, e.g. --set "
-             "driving.V=0.",
-             kWhenToStop, "continue a checkpoint, also with other parameters"},
-            options, "checkpoint", UsesParameters::yes);
+  const Parsed parsed = parse(
+      argc, argv,
+      {"restart", "restart CHECKPOINT -o OUT (--until T | --for T | --until-quiet) [options]",
+       "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
+       "the\nuninterrupted run; --set changes parameters from now on, e.g. --set driving.V=0.\n"
+       "It ends with the energy account: supplied = stored + lost to damping and junctions.",
+       kWhenToStop, "continue a checkpoint, also with other parameters"},
+      options, "checkpoint", UsesParameters::yes);
   const auto& values = parsed.values;
   Options result;
   result.checkpoint = single_input(values, "checkpoint", "a checkpoint to continue");
@@ -76,11 +76,11 @@ Options setup(int argc, char** argv) {
   if (values.count("until-quiet") > 0) result.quiet = quiet_time(values);
   if (values.count("arrived-below") > 0) result.arrived_below = arrived_below(values);
   if (result.until && result.duration) {
-    throw UsageError("--until and --for exclude each other: give one");
+    throw UsageError("--until and --for cannot be combined: give one of them");
   }
   if (std::none_of(kWhenToStop.begin(), kWhenToStop.end(),
                    [&](const auto& option) { return values.count(option) > 0; })) {
-    throw UsageError("when to stop? Give --until T, --for T or --until-quiet");
+    throw UsageError("no end of the run was given: give --until T, --for T or --until-quiet");
   }
   result.parameters = parsed.parameters;
   result.run = run_options(parsed);

@@ -39,7 +39,7 @@ std::vector<fs::path> checkpoints_of(const fs::path& output) {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
   if (error) {
-    throw Failure(fmt::format("could not look for checkpoints of {} in {}: {}", output.string(),
+    throw Failure(fmt::format("cannot look for checkpoints of {} in {}: {}", output.string(),
                               folder.string(), error.message()));
   }
   for (const auto& entry : entries) {
@@ -95,11 +95,10 @@ Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& 
   const Record& record = file.record;
   if (!is_record_of_run(record, start, files) ||
       (!record.step.empty() && record.step.back() > rule.last_step)) {
-    throw Failure(fmt::format(
-        "{} is not what the run to be resumed has recorded, but the record of another "
-        "run, interval, end or choice of --crossings or --fields; move it away, give another "
-        "--record, or --force to replace it",
-        path.string()));
+    throw Failure(
+        fmt::format("{} comes from a different run or was recorded with other options; give "
+                    "another --record, or --force to replace it",
+                    path.string()));
   }
   return std::move(file.content);
 }
@@ -180,7 +179,7 @@ Found find_run(const Checkpoint& start, const StopRule& rule, const RunFiles& fi
       return found;
     }
     if (!std::exchange(too_new, true)) {
-      say_on(stderr, "not used to resume: {}, which the record does not reach\n",
+      say_on(stderr, "not used to resume: {}, because the record ends before it\n",
              in_one_line(path.string()));
     }
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "cli/text.hpp"
 #include "run/observers.hpp"
 #include "run/summary.hpp"
+#include "rupture/analysis/front.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -29,7 +31,7 @@ void announce(const OutputOptions& output, const WrittenFile& file) {
 std::string_view reason(Ending ending) {
   switch (ending) {
     case Ending::quiet:
-      return "no junction broke any more";
+      return "no more junctions broke";
     case Ending::spanned:
       return "an event spanned the interface";
     case Ending::interrupted:
@@ -47,8 +49,8 @@ void print_invariants(std::FILE* to, Ending ending, const RunSummary& summary) {
     say_on(to, ", {:.0f} steps/s", static_cast<double>(summary.steps) / summary.wall_time);
   }
   say_on(to,
-         "\nenergy [J]: supplied {:.6e} = stored {:.6e} + taken by damping {:.6e} + work against "
-         "junctions {:.6e}, relative error {:.1e}\n",
+         "\nenergy [J]: supplied {:.6e} = stored {:.6e} + damping {:.6e} + junctions {:.6e}, "
+         "relative error {:.1e}\n",
          balance.supplied, balance.stored, balance.damping, balance.junctions,
          balance.relative_error());
 }
@@ -64,6 +66,20 @@ void announce(const OutputOptions& output, const std::vector<WrittenFile>& on_th
     say_on(output.text(), "wrote {} checkpoints on the way: {} ... {}\n", on_the_way.size(), first,
            last);
   }
+}
+
+/// Counts the events in a record that was just written, as analyze does by default.
+void announce_events(const OutputOptions& output, const fs::path& path) {
+  if (output.verbosity == Verbosity::quiet) return;
+  const Record record = read_record(path);
+  const Parameters& p = record.parameters;
+  const auto events =
+      find_events(p, record.ruptures, {record.time, record.F_T}, pause_between_events(p), {});
+  const auto spanning =
+      std::ranges::count_if(events, [](const Event& event) { return spans(event.front.type); });
+  say_on(output.text(), "{} event{}, {} span{} the interface: rupture analyze events {}\n",
+         events.size(), events.size() == 1 ? "" : "s", spanning, spanning == 1 ? "s" : "",
+         shell_line({path.string()}));
 }
 
 /// A run with everything that it writes on its way. The objects it is made with must outlive it.
@@ -190,6 +206,7 @@ void Run::finish() {
                                         simulation_.run().first_step);
   summary_.files.push_back({*plan_.files.record, "record", checksum});
   announce(output_, summary_.files.back());
+  announce_events(output_, *plan_.files.record);
 }
 
 const fs::path& Run::save_on_the_way() {
@@ -233,7 +250,7 @@ void say_where_it_begins(std::FILE* to, const RunPlan& plan) {
   } else if (plan.is_resumed()) {
     say_on(to, "resuming from {}\n", in_one_line(plan.begin.file.string()));
   } else {
-    say_on(to, "nothing to resume from: the run begins anew\n");
+    say_on(to, "nothing to resume from: starting from the beginning\n");
   }
 }
 
@@ -256,11 +273,11 @@ void carry_out(const RunPlan& plan, const RunOptions& options, const OutputOptio
   }
   print_if_asked(quantities_of(run.summary()), output);
   if (is_interrupted) {
-    throw Interrupted{InterruptionNoted::signal(),
-                      fmt::format("interrupted{}; to go on: {}", where, resuming_command(options))};
+    throw Interrupted{InterruptionNoted::signal(), fmt::format("interrupted{}; to continue: {}",
+                                                               where, resuming_command(options))};
   }
   if (const int signal = InterruptionNoted::signal()) {
-    throw Interrupted{signal, "interrupted when everything was done and written"};
+    throw Interrupted{signal, "interrupted after everything had been written"};
   }
 }
 

@@ -26,7 +26,7 @@ struct Options {
 Options setup(int argc, char** argv) {
   po::options_description options("Options");
   options.add_options()("original", input_file("checkpoint or record"),
-                        "the file as it was before; the datasets that differ are named");
+                        "the file before it was edited; the datasets that differ are named");
   add_output_options(options, "checkpoint or record");
   const Parsed parsed = parse(
       argc, argv,
@@ -65,9 +65,9 @@ ContentFile read_original(const std::string& path, const EditedFile& edited,
   ContentFile original = verify_file(path, Opening::in_child_first);
   const std::string& sealed = edited.sealed_checksum;
   if (sealed == original.checksum || sealed == original.stored_checksum) return original;
-  throw Failure(fmt::format("{} is not the original of {}: its content checksum is {}, not {}",
-                            path, edited_path, original.checksum,
-                            sealed.empty() ? "known" : sealed));
+  throw Failure(
+      fmt::format("{} is not the original of {}: its content checksum is {} (expected {})", path,
+                  edited_path, original.checksum, sealed.empty() ? "unknown" : sealed));
 }
 
 std::string_view words_about(Change change) {
@@ -88,11 +88,11 @@ std::string line_about(const Difference& difference, const Content& edited) {
 
 void print(const SealSummary& summary, const Content& edited, std::FILE* to) {
   if (summary.content_is_as_sealed) {
-    say_on(to, "the content is as it was sealed; only what is beside it was changed\n");
+    say_on(to, "the content is unchanged; only something outside it was changed\n");
   } else if (summary.sealed_checksum.empty()) {
-    say_on(to, "the file does not say what it was before\n");
+    say_on(to, "the checksum before the edit is unknown\n");
   } else {
-    say_on(to, "the content is not what it was, {}\n", summary.sealed_checksum);
+    say_on(to, "the content has changed; its checksum was {}\n", summary.sealed_checksum);
   }
   for (const Difference& difference : summary.differences) {
     say_on(to, "{}", line_about(difference, edited));

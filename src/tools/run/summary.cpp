@@ -12,7 +12,7 @@ std::optional<double> if_finite(double value) {
 
 Quantities row_of(const WrittenFile& file) {
   return {
-      {"path", "", "as it was given", file.path.string()},
+      {"path", "", "path as given on the command line", file.path.string()},
       {"holds", "", "checkpoint or record", file.holds},
       {"checksum", "", "content checksum", file.checksum},
   };
@@ -21,23 +21,23 @@ Quantities row_of(const WrittenFile& file) {
 Quantity row_of(const std::vector<WrittenFile>& files) {
   List list{row_of(WrittenFile{}), {}};
   for (const WrittenFile& file : files) list.elements.push_back(row_of(file));
-  return {"files", "", "written now, in their order", list};
+  return {"files", "", "files written, in order", list};
 }
 
 Quantities rows_of(const EnergyBalance& energy) {
   return {
       {"supplied", "J", "work of the driving point and of the load", energy.supplied},
       {"stored", "J", "gain of all energies", energy.stored},
-      {"damping", "J", "taken by damping", energy.damping},
+      {"damping", "J", "energy taken by damping", energy.damping},
       {"junctions", "J", "work done against the junctions", energy.junctions},
-      {"relative_error", "1", "what is missing, over the largest term", energy.relative_error()},
+      {"relative_error", "1", "error, relative to the largest term", energy.relative_error()},
   };
 }
 
 Quantities row_of(const ImpossibleBlock& block) {
   return {
       {"x", "m", "position of the block", block.x},
-      {"largest_sigma_bar", "1", "widest phi that it can take", if_finite(block.largest_sigma_bar)},
+      {"largest_sigma_bar", "1", "widest phi that it can have", if_finite(block.largest_sigma_bar)},
   };
 }
 
@@ -82,17 +82,17 @@ RunSummary summary_of_complete(const Checkpoint& end) {
 Quantities quantities_of(const RunSummary& s) {
   return {
       {"ending", "",
-       "end, quiet, spanned (an event has), interrupted, or complete (nothing was left to do)",
+       "end, quiet, spanned (an event did), interrupted, or complete (nothing was left to do)",
        s.ending},
       {"time", "s", "simulated time at the end", s.time},
-      {"steps", "1", "time steps that were taken now", s.steps},
-      {"simulated_time", "s", "simulated time that passed in them", s.simulated_time},
-      {"wall_time", "s", "time that they took", s.wall_time},
-      {"ruptures", "1", "block ruptures since the run began, before an interruption too",
+      {"steps", "1", "time steps taken", s.steps},
+      {"simulated_time", "s", "simulated time of these steps", s.simulated_time},
+      {"wall_time", "s", "wall-clock time of these steps", s.wall_time},
+      {"ruptures", "1", "block ruptures since the run began, also before an interruption",
        s.run.ruptures},
       {"leading_edge_ruptured", "", "whether the block at the leading edge was among them",
        s.run.leading_edge_ruptured},
-      {"energy", "", "account of these steps", Group{rows_of(s.energy)}},
+      {"energy", "", "energy account of these steps", Group{rows_of(s.energy)}},
       row_of(s.files),
   };
 }
@@ -100,10 +100,9 @@ Quantities quantities_of(const RunSummary& s) {
 Quantities quantities_of(const PreparedSummary& s) {
   return {
       {"prestress", "1", "tau/p beyond the trigger region", if_finite(s.prestress)},
-      {"error", "1", "largest relative distance of a pinned block's prestress from what was asked",
-       if_finite(s.error)},
+      {"error", "1", "largest relative error of a pinned block's prestress", if_finite(s.error)},
       {"sigma_bar", "1", "width of phi beyond the trigger region", if_finite(s.sigma_bar)},
-      {"largest_sigma_bar", "1", "the largest possible", if_finite(s.largest_sigma_bar)},
+      {"largest_sigma_bar", "1", "largest possible width of phi", if_finite(s.largest_sigma_bar)},
       {"F_T", "N", "driving force, which balances the prestress", s.F_T},
       {"blocks", "1", "interface blocks", s.blocks},
       {"depinned", "1", "blocks whose junctions slip", s.depinned},
@@ -120,21 +119,21 @@ Quantities quantities_of(const PhiSummary& s) {
       {"slipping", "1", "fraction of slipping junctions of each block, before",
        each(s.before, &BlockForces::slipping)},
       {"sigma_bar_before", "1", "width of phi of each block, before", each(s.before, width)},
-      {"sigma_bar_after", "1", "the same, after", each(s.after, width)},
+      {"sigma_bar_after", "1", "width of phi of each block, after", each(s.after, width)},
       {"changed", "1", "blocks that were changed", changed_blocks(s)},
-      {"largest_change", "1", "of a block's friction force, over the largest of them",
+      {"largest_change", "1", "largest change of a friction force, over the largest friction force",
        s.largest_change},
-      {"impossible", "", "blocks that cannot take this phi and stay as they are", impossible},
+      {"impossible", "", "blocks that cannot have this phi and were not changed", impossible},
       row_of(s.files),
   };
 }
 
 Quantities quantities_of(const FinishedSummary& s) {
   return {
-      {"samples", "1", "that the record holds", s.samples},
-      {"time", "s", "of the last one", s.time},
+      {"samples", "1", "samples in the record", s.samples},
+      {"time", "s", "time of the last sample", s.time},
       {"ignored_bytes", "1",
-       "at the end of the unfinished record, of no complete piece, as after a kill",
+       "bytes of an incomplete piece at the end of the unfinished record, as after a kill",
        s.ignored_bytes},
       row_of(s.files),
   };
@@ -144,11 +143,12 @@ Quantities quantities_of(const SealSummary& s) {
   List differences{row_of(Difference{}), {}};
   for (const auto& difference : s.differences) differences.elements.push_back(row_of(difference));
   return {
-      {"content_is_as_sealed", "", "whether only what is beside the content was changed",
+      {"content_is_as_sealed", "", "whether only something outside the content was changed",
        s.content_is_as_sealed},
-      {"sealed_checksum", "", "content checksum before the edit; empty if the file does not say it",
+      {"sealed_checksum", "", "content checksum before the edit; empty if it is unknown",
        s.sealed_checksum},
-      {"differences", "", "from --original, dataset by dataset; empty without it", differences},
+      {"differences", "", "changes from --original, dataset by dataset; empty without it",
+       differences},
       row_of(s.files),
   };
 }

@@ -63,10 +63,9 @@ TEST_F(RecordWithParts, returns_crossings_by_their_level) {
   ASSERT_EQ(low.size(), 7U);
   EXPECT_EQ(low[6], (Rupture{1800, 0.001 * 18, 3, 0.2}));
   EXPECT_EQ(ruptures_below(record, 0.5).size(), 13U);
-  EXPECT_EQ(
-      failure_of([&] { ruptures_below(record, 0.4); }),
-      "the record does not tell when blocks fell below a pinned fraction of 0.4, only of 0.2, "
-      "0.5, 0.3: record it with --crossings 0.4");
+  EXPECT_EQ(failure_of([&] { ruptures_below(record, 0.4); }),
+            "the record has no crossings of a pinned fraction of 0.4, only of 0.2, "
+            "0.5, 0.3: record it with --crossings 0.4");
 }
 
 TEST_F(RecordWithParts, knows_its_levels_without_any_crossing) {

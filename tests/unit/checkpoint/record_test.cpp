@@ -215,7 +215,7 @@ TEST_F(RecordFile, with_pieces_that_do_not_fit_together_is_refused) {
   for (int n = 0; n < 4; ++n) other.append(small_sample(6, n));
   spill(file("mixed.part"), slurp(file("r.h5.part")) + slurp(file("q.h5.part")));
   expect_contains(failure_of([&] { read_record(file("mixed.part")); }),
-                  "do not continue those of the pieces before");
+                  "do not continue those of the previous pieces");
 }
 
 TEST_F(RecordFile, has_one_writer_at_a_time) {

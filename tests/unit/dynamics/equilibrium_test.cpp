@@ -98,9 +98,8 @@ TEST(EquilibriumFailure, says_that_an_absurd_load_has_no_equilibrium) {
   Parameters p = small_slider(9, 5);
   p.F_N = 2e5;  // nominal strain 0.55: the lattice buckles
   EXPECT_EQ(message_of<Failure>([&] { normal_load_equilibrium(p); }),
-            "no equilibrium under F_N = 200000 N was found: the load is too "
-            "large for slider.E = "
-            "3e+09 Pa or the slider tips over");
+            "found no equilibrium under F_N = 200000 N: the load is too large for slider.E = 3e+09 "
+            "Pa, or the slider tips over");
   // At a nominal strain above 1 the static equations have solutions in which
   // every block lies below the one it was above.
   p.F_N = 1e6;

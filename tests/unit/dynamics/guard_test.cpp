@@ -89,7 +89,7 @@ TEST(Guard, finds_a_block_pressed_so_hard_that_the_time_step_is_too_long) {
   EXPECT_LT(stable_time_step(p, p_3), p.dt);
   EXPECT_GT(stable_time_step(p), p.dt);
   expect_one(findings_at_once(p, state), Check::time_step, Severity::alarm,
-             {"block 3 bears p = ", "numerics.dt = 2e-07 s", "t = 0 s"});
+             {"block 3 carries p = ", "numerics.dt = 2e-07 s", "t = 0 s"});
 }
 
 /// Without damping, a driving spring of modulus K [N/m], drawn by 1 um. One of 4e9 N/m would be too

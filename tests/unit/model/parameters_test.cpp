@@ -143,6 +143,7 @@ TEST(SetParameter, says_what_it_does_not_take) {
        "unknown parameter 'junctions.mu_S': did you mean 'junctions.mu_s'?"},
       {"mu_d", {"1"}, "unknown parameter 'mu_d': did you mean 'junctions.mu_d'?"},
       {"drving.V", {"1"}, "unknown parameter 'drving.V': did you mean 'driving.V'?"},
+      {"driving.v", {"1"}, "unknown parameter 'driving.v': did you mean 'driving.V'?"},
       {"numerics.dt ", {"1"}, "unknown parameter 'numerics.dt ': did you mean 'numerics.dt'?"},
       {"slider.L",
        {"", "abc", "1e", "0.14kg", "0.14Mm", " 1", "1 ", "0x10", "1,5"},
@@ -163,16 +164,14 @@ TEST(SetParameter, says_what_it_does_not_take) {
        "1)"},
       {"junctions.slipping_times",
        {"normal"},
-       "junctions.slipping_times = '...' is unknown: choose one of gaussian, exponential"},
+       "junctions.slipping_times must be one of gaussian, exponential (got '...')"},
       {"junctions.law",
        {"simple"},
-       "junctions.law = '...' is unknown: choose one of reference, simplified, decaying, distance"},
-      {"junctions.f_new",
-       {"Zero"},
-       "junctions.f_new = '...' is unknown: choose one of zero, f_slip"},
+       "junctions.law must be one of reference, simplified, decaying, distance (got '...')"},
+      {"junctions.f_new", {"Zero"}, "junctions.f_new must be one of zero, f_slip (got '...')"},
       {"slider.support",
        {"floor"},
-       "slider.support = '...' is unknown: choose one of foundation, ceiling"},
+       "slider.support must be one of foundation, ceiling (got '...')"},
   };
   for (const Refusal& row : all) {
     for (const std::string& text : row.texts) {
@@ -211,9 +210,11 @@ struct Combination {
 };
 
 TEST(Validate, says_what_does_not_go_together) {
-  const std::string row = " m is on no row of blocks: give a multiple of the spacing ";
+  const std::string row =
+      " m is not the height of a row of blocks: give a multiple of the spacing ";
   const std::string no_slow_slip =
-      "junctions.f_new = f_slip belongs to the reference and the distance law: to switch slow slip "
+      "junctions.f_new = f_slip is only for the reference and the distance law: to switch slow "
+      "slip "
       "off under the ";
   const std::vector<Combination> all = {
       {"slider.H=0.08",
@@ -230,8 +231,8 @@ TEST(Validate, says_what_does_not_go_together) {
       {"driving.h=0.0025"},
       {"driving.h=0.075"},
       {"junctions.mu_d=0.5",
-       "junctions.mu_d = 0.5 exceeds junctions.mu_s = 0.4: a junction cannot slip at more than its "
-       "strength"},
+       "junctions.mu_d = 0.5 exceeds junctions.mu_s = 0.4: a slipping junction cannot carry more "
+       "than its strength"},
       {"junctions.mu_d=0.4"},
       {"junctions.mu_new=0.2"},  // which the reference law does not look at
       {"junctions.mu_new=0.2 junctions.law=decaying",
