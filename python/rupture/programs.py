@@ -14,7 +14,7 @@ PACKAGE = Path(__file__).resolve().parent
 # The programs of a build, and of an installation with the package in lib/python3/dist-packages.
 BESIDE = (PACKAGE / "../../build/release/bin", PACKAGE / "../../../../libexec/rupture")
 
-DRAWING = ("map", "movie", "xdmf")  # they write no checkpoint, and say nothing
+DRAWING = ("map", "movie", "xdmf")  # they write no checkpoint, and have no --quiet
 
 
 def command_of(program):

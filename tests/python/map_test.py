@@ -11,7 +11,7 @@ import rupture
 from conftest import SMALL
 from program import draws, refuses
 from rupture import plotting
-from rupture.tools.map import slip_speed
+from rupture.tools.map import LINE, slip_speed, spread
 
 TO = ("-o", "x.png")
 RECORD = ("small-record.h5", *TO)
@@ -39,6 +39,14 @@ def test_names_no_event_that_has_no_speed():
     looks = {0: ("event 0", "k", "o"), 1: ("event 1", "k", "o")}
     plotting.draw_front_speeds(axes, {0: short, 1: long}, looks)
     assert axes.get_legend_handles_labels()[1] == ["event 1"]
+
+
+def test_all_events_have_a_number_near_their_place():
+    assert np.allclose(spread([2, 5, 9], 0, 10), [2, 5, 9])
+    for places in ([0, 0, 0, 10, 10, 10], np.linspace(9, 10, 200)):
+        heights = spread(places, 0, 10)
+        assert 0 <= heights[0] and heights[-1] <= 10 and len(heights) == len(places)
+        assert min(np.diff(heights)) > 9.99 * min(LINE, 1 / len(places))
 
 
 def test_draws_a_record_without_events(folder):

@@ -12,7 +12,7 @@ import pytest
 import rupture
 from conftest import BIN, SMALL, run
 from program import draws, refuses
-from rupture.tools.movie import chosen_samples
+from rupture.tools.movie import SLOWEST, chosen_samples, values_of
 
 FILM = ("small-record.h5", "-o", "y.gif")
 
@@ -66,9 +66,12 @@ def test_refuses(small, arguments, code, part):
     refuses("movie", arguments, code, part)
 
 
-def test_refuses_a_time_without_fields(folder):
+def test_fields_colour_the_slider_but_for_times_without_any(folder):
     fields = {"fields": 2e-4, "record_every": 1e-5, "until": 1e-3, "config": SMALL}
-    rupture.run("load", output="f.h5", record="f-record.h5", **fields)
+    record = rupture.run("load", output="f.h5", record="f-record.h5", **fields).record
+    draws("movie", "f-record.h5", "-o", "f.gif", "--frames", 2)
+    moved = np.diff(record["fields/u_x"][1:4:2].astype(float), axis=0)
+    assert np.allclose(values_of(record, [2], "speed")[0], np.maximum(abs(moved) / 4e-7, SLOWEST))
     window = ("--from", "0.25ms", "--to", "0.35ms")
     sentence = "the record has no fields between 0.00025 s and 0.00035 s; choose a longer time"
     refuses("movie", ("f-record.h5", "-o", "y.gif", *window), 1, sentence)

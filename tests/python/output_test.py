@@ -4,6 +4,7 @@ is left."""
 
 import os
 import resource
+import sys
 from importlib import import_module
 from pathlib import Path
 from unittest import mock
@@ -14,6 +15,8 @@ import rupture
 from conftest import BIN, run
 from program import describes_itself, refuses
 from rupture.replacing import rename_to_new, replacing
+from rupture.tools.command_line import CLEAR
+from rupture.tools.output import progress
 
 WRITERS = {"map": ("small-record.h5", ".png"), "movie": ("small-record.h5", ".gif")}
 WRITERS["xdmf"] = ("small.h5", ".xdmf")
@@ -126,8 +129,16 @@ def test_outputs_of_text(small, command):
 
 def test_all_streams_may_be_closed(small):
     command = f"{BIN}/xdmf small.h5 -o closed.xdmf <&- >&- 2>&-"
-    assert [run("bash", "-c", command).returncode for _ in range(2)] == [0, 1]
+    assert [run("bash", "-c", command).returncode for _ in range(2)] == [1, 1]
     assert Path("closed.xdmf").read_text().startswith("<?xml")
+
+
+def test_progress_goes_to_a_terminal_alone(capsys):
+    for is_terminal in (False, True):
+        with mock.patch.object(sys.stderr, "isatty", return_value=is_terminal):
+            assert list(progress("ab", 2, "frame")) == ["a", "b"]
+        said = f"{CLEAR}frame 1 of 2{CLEAR}frame 2 of 2{CLEAR}" if is_terminal else ""
+        assert capsys.readouterr() == ("", said)
 
 
 def left():

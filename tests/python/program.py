@@ -7,9 +7,12 @@ from conftest import run
 
 
 def draws(name, *arguments, **options):
-    """Whether it succeeds and says nothing."""
+    """Whether it succeeds and only says what it wrote."""
     done = run(name, *arguments, **options)
-    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    output = Path(arguments[arguments.index("-o") + 1])
+    written = [output.with_name(f"{output.stem}-derived.hdf5")] if name == "xdmf" else []
+    said = "".join(f"wrote {path}\n" for path in (*written, output))
+    assert (done.returncode, done.stdout, done.stderr) == (0, said, "")
 
 
 def refuses(name, arguments, code, part, **options):

@@ -18,6 +18,7 @@ from rupture.replacing import end_by_signal
 
 UNITS = {"": 1, "s": 1, "ms": 1e-3, "us": 1e-6}  # of times [s]
 TIME = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)", re.ASCII)
+CLEAR = "\r\033[K"  # the line of a terminal
 WHOLE = re.compile(r"[-+]?\d{1,18}", re.ASCII)
 
 
@@ -161,11 +162,15 @@ def option_json(action):
     return described | ({"words": list(action.choices)} if action.choices else {})
 
 
+def in_one_line(text):
+    """Whatever the names of files hold."""
+    return "".join(letter if letter.isprintable() else "?" for letter in text)
+
+
 def complain(name, sentence):
-    """In one line, whatever the names of files hold."""
-    line = "".join(letter if letter.isprintable() else "?" for letter in sentence)
     with suppress(OSError):  # nobody can read it
-        print(f"rupture {name}: {line}", file=sys.stderr, flush=True)
+        start = CLEAR if sys.stderr.isatty() else ""
+        print(f"{start}rupture {name}: {in_one_line(sentence)}", file=sys.stderr, flush=True)
 
 
 def run_tool(name, run):

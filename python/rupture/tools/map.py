@@ -8,11 +8,16 @@ from rupture import plotting
 from rupture.programs import analyze
 from rupture.tables import imported
 from rupture.tools.command_line import Parser
-from rupture.tools.output import check_output, complete
+from rupture.tools.output import check_output, complete, progress, say_written
 from rupture.tools.window import add_window, events_in, open_record, window_of
 
 SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
+LINE = 0.022  # height of an event's number, of that of the panel
+LEGEND = (
+    f"White line: {plotting.RUPTURED * 100:.0f} % of the junctions are pinned; a block with fewer"
+    " counts as ruptured. Marks at the right of a map: an event begins."
+)
 
 
 def parser():
@@ -47,28 +52,43 @@ def draw_slip_speed(figure, axes, record, rows, t_zero):
 def draw_tau_over_p(figure, axes, record, rows, t_zero):
     p = record["p"][rows]
     ratio = np.divide(record["tau"][rows], p, out=np.full(p.shape, np.nan), where=p > 0)
-    image = plotting.draw_image(axes, record, ratio, rows, t_zero, cmap="cividis")
-    figure.colorbar(image, ax=axes, label=r"$\tau/p$", location="top")
+    lowest, highest = np.nanquantile(ratio, (0.005, 0.995)) if (p > 0).any() else (0, 1)
+    look = {"cmap": "RdYlBu_r", "vmin": lowest, "vmax": highest}
+    image = plotting.draw_image(axes, record, ratio, rows, t_zero, **look)
+    figure.colorbar(image, ax=axes, label=r"$\tau/p$", location="top", extend="both")
 
 
-def mark_events(axes, events, t_zero):
-    """A number at the right where each event begins, unless it would lie on another."""
+def spread(places, low, high):
+    """Heights of the numbers at these places, in order: near them, and not on each other."""
+    apart = (high - low) * min(LINE, 1 / max(1, len(places)))
+    heights, free = [], low
+    for place in places:
+        heights.append(max(place, free))
+        free = heights[-1] + apart
+    for number in reversed(range(len(heights))):
+        heights[number] = min(heights[number], high - apart * (len(heights) - 1 - number))
+    return heights
+
+
+def mark_events(axes, events, t_zero, numbered):
+    """A mark at the right where each event begins, and its number."""
     low, high = axes.get_ylim()
-    free = low
-    for event in events:
-        start = (event["t_start"] - t_zero) * plotting.MILLISECONDS
-        axes.plot([1, 1.02], [start, start], color=plotting.BLACK, lw=0.8, clip_on=False)
-        if start >= free:
-            text = f"{event['number']}"
-            axes.annotate(text, (1.03, start), fontsize=6.5, va="center", annotation_clip=False)
-            free = start + 0.022 * (high - low)
+    starts = [(event["t_start"] - t_zero) * plotting.MILLISECONDS for event in events]
+    size = 6.5 * min(1, 1 / (LINE * max(1, len(events))))
+    for event, start, height in zip(events, starts, spread(starts, low, high)):
+        axes.plot([1, 1.03], [start, start], color=plotting.BLACK, lw=0.8, clip_on=False)
+        if numbered:
+            axes.plot([1.03, 1.08], [start, height], color=plotting.BLACK, lw=0.4, clip_on=False)
+            place = {"fontsize": size, "va": "center", "annotation_clip": False}
+            axes.annotate(f"{event['number']}", (1.09, height), **place)
 
 
 def draw_speeds(axes, path, events):
     """Those of the events that span the interface; of all if none does."""
     chosen = [event for event in events if event["spanning"]] or events
     names = {event["number"]: f"event {event['number']}" for event in chosen[:NAMED]}
-    fronts = {number: analyze("front", path, event=number) for number in names}
+    speeds = (analyze("front", path, event=number) for number in names)
+    fronts = dict(zip(names, progress(speeds, len(names), "front")))
     marks = itertools.cycle("o^sDv")
     colours = itertools.cycle(plotting.LINES)
     looks = {n: (name, next(colours), next(marks)) for n, name in names.items()}
@@ -79,7 +99,11 @@ def draw_speeds(axes, path, events):
     if not axes.get_legend_handles_labels()[0]:
         axes.text(0.5, 0.5, "fronts too short for a speed", ha="center", transform=axes.transAxes)
         return
-    legend = axes.legend(fontsize=6.5, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1))
+    said = "spanning events" if chosen[0]["spanning"] else "events, of which none spans"
+    if len(chosen) > NAMED:
+        said = f"the first {NAMED} of {len(chosen)} {said}"
+    place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1)}
+    legend = axes.legend(fontsize=6.5, ncols=3, title=said, title_fontsize=7, **place)
     legend.set_in_layout(False)  # there is room where the other panels have their colours
 
 
@@ -99,13 +123,17 @@ def figure_of(record, path, events, window):
     draw_tau_over_p(figure, axes[2], record, rows, t_zero)
     for panel in axes[:3]:
         panel.set(ylim=shown)
-        mark_events(panel, events, t_zero)
+        mark_events(panel, events, t_zero, numbered=panel is axes[2])
         panel.label_outer()
-    axes[2].set_title("event", loc="right", x=1.13, fontsize=6.5, y=0.98)
-    axes[0].set_ylabel(f"time [ms] after {t_zero:.6g} s" if single else "time [ms]")
+    axes[2].set_title("event", loc="right", x=1.2, fontsize=6.5, y=1.0)
+    begin, end, start = (f"{t * plotting.MILLISECONDS:.6g} ms" for t in (*window, t_zero))
+    title = f"{plotting.plain_text(record.path.name)}, {begin} to {end}"
+    if single:
+        title += f"; event {events[0]['number']} begins at {start}"
+    axes[0].set_ylabel("time since the event began [ms]" if single else "time [ms]")
     draw_speeds(axes[3], path, events)
-    name = plotting.plain_text(record.path.name)
-    figure.suptitle(f"{name}, {window[0]:.6g} s to {window[1]:.6g} s")
+    figure.suptitle(title)
+    figure.supxlabel(LEGEND, fontsize=7)
     return figure
 
 
@@ -120,3 +148,4 @@ def run():
     figure = figure_of(record, options.record, shown, (begin, end))
     with complete(options.output, options.force) as path:
         figure.savefig(path, dpi=200)
+    say_written(options.output)

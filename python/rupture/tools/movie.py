@@ -16,7 +16,7 @@ from rupture.errors import Failure
 from rupture.programs import analyze
 from rupture.tables import imported
 from rupture.tools.command_line import Parser, whole_number
-from rupture.tools.output import check_output, complete
+from rupture.tools.output import check_output, complete, progress, say_written
 from rupture.tools.window import add_window, open_record, window_of
 
 ENDINGS = (".gif", ".mp4", ".webm")
@@ -24,6 +24,7 @@ CODECS = {".mp4": "libx264", ".webm": "libvpx-vp9"}
 FRAMES = 150
 PER_SECOND = 15
 DPI = 120
+SLOWEST = 0.1  # the speed at which axes and colours begin [mm/s]
 
 
 def parser():
@@ -31,15 +32,14 @@ def parser():
         "movie",
         "RECORD -o FILE",
         "Films a record, or an unfinished one: the interface and, where the run had --fields, the"
-        " slider above it, coloured by its displacement since the first frame or by shear stress.",
+        " slider above it, coloured by its speed, shear stress or displacement.",
         "film of a record",
         "record",
     )
     made.add_argument("record", metavar="RECORD", help="record, or the .part of one")
     made.add_output("film to write: .gif, or .mp4 or .webm with ffmpeg")
-    colours = ("displacement", "stress")
-    text = "colours of the slider"
-    made.add_argument("--colour", choices=colours, default=colours[0], help=text)
+    text = "quantity that colours the slider"
+    made.add_argument("--colour", choices=(*COLOURS,), default="speed", help=text)
     text = "the most frames, at 15 per second"
     number = partial(whole_number, what="number of frames", least=1)
     frames = made.add_argument("--frames", type=number, metavar="N", default=FRAMES, help=text)
@@ -92,10 +92,11 @@ class Interface:
         self.pinned = record.pinned_fraction[rows]
         self.bars = axes.bar(x, self.pinned[0], x[1], color=plotting.SKY)
         axes.axhline(plotting.RUPTURED, color=plotting.BLACK, linestyle="--", linewidth=0.8)
-        axes.set(xlabel="$x/L$", ylabel="pinned fraction", xlim=(0, 1), ylim=(0, 1.02))
+        place = f"$x/L$ (dashed: a block ruptures at {plotting.RUPTURED})"
+        axes.set(xlabel=place, ylabel="pinned fraction", xlim=(0, 1), ylim=(0, 1.02))
         right = axes.twinx()
         (self.line,) = right.plot(x, self.speed[0], color=plotting.VERMILION)
-        right.set(yscale="log", ylim=(0.1, max(1, 1.5 * self.speed.max())))
+        right.set(yscale="log", ylim=(SLOWEST, max(1, 1.5 * self.speed.max())))
         right.set_ylabel("slip speed [mm/s]", color=plotting.VERMILION)
 
     def draw(self, frame):
@@ -110,30 +111,42 @@ class Slider:
 
     def __init__(self, figure, axes, record, rows, colour):
         self.values, label = values_of(record, rows, colour)
-        limit = np.quantile(np.abs(self.values), 0.995) or 1.0
-        lowest = self.values.min() if colour == "displacement" else -limit
         p = record.parameters
         extent = (0, 1, 0, p["slider.H"] / p["slider.L"])
-        look = {"vmin": lowest, "vmax": limit, "cmap": COLOURS[colour], "origin": "lower"}
+        look = {"norm": norm_of(self.values, colour), "cmap": COLOURS[colour], "origin": "lower"}
         self.image = axes.imshow(self.values[0], extent=extent, aspect="auto", **look)
         axes.set(ylabel="$z/L$", xlim=(0, 1))
-        figure.colorbar(self.image, ax=axes, label=label, location="top", aspect=40)
+        figure.colorbar(self.image, ax=axes, label=label, location="top", aspect=40, extend="both")
 
     def draw(self, frame):
         self.image.set_data(self.values[frame])
 
 
-COLOURS = {"displacement": plotting.MAP, "stress": "RdBu_r"}
+COLOURS = {"speed": "magma", "stress": "RdBu_r", "displacement": plotting.MAP}
 
 
 def values_of(record, rows, colour):
     """What colours the blocks, [frames][Nz][Nx], and its label."""
-    u_x = record["fields/u_x"][rows].astype(float)
+    u_x = record["fields/u_x"].astype(float)
+    if colour == "speed" and len(u_x) < 2:
+        raise Failure("a speed needs fields at two times; choose another --colour")
+    if colour == "speed":
+        speed = np.gradient(u_x, record["fields/time"], axis=0)[rows]
+        return np.maximum(np.abs(speed) * 1e3, SLOWEST), "speed $|v_x|$ [mm/s]"
     if colour == "displacement":
-        return (u_x - u_x[0]) * 1e6, "$u_x$ since the first frame [µm]"
+        return (u_x[rows] - u_x[rows[0]]) * 1e6, "$u_x$ since the first frame [µm]"
     u_z = record["fields/u_z"][rows].astype(float)
-    stress = stress_of(u_x, u_z, record.parameters)[2]
+    stress = stress_of(u_x[rows], u_z, record.parameters)[2]
     return stress / 1e6, r"shear stress $\sigma_{xz}$ [MPa]"
+
+
+def norm_of(values, colour):
+    """From colours to values, the same in all frames."""
+    colors = imported("matplotlib.colors")
+    limit = np.quantile(np.abs(values), 0.995) or 1.0
+    if colour == "speed":
+        return colors.LogNorm(SLOWEST, max(limit, 10 * SLOWEST))
+    return colors.Normalize(values.min() if colour == "displacement" else -limit, limit)
 
 
 def draw_frames(record, window, options, path):
@@ -152,7 +165,7 @@ def draw_frames(record, window, options, path):
     figure.canvas.draw()
     figure.set_layout_engine("none")  # the place of everything stays as it is: half the time
     with (writer := writer_of(path)).saving(figure, str(path), DPI):
-        for frame, time in enumerate(times[rows]):
+        for frame, time in enumerate(progress(times[rows], len(rows), "frame")):
             said = interface.draw(frame)
             if slider:
                 slider.draw(frame)
@@ -169,3 +182,4 @@ def run():
     window = window_of(options, record, events)
     with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output):
         draw_frames(record, window, options, path)
+    say_written(options.output)

@@ -1,11 +1,12 @@
 """Files appear complete or not at all, and replace others only if that is asked for."""
 
 import os
+import sys
 from contextlib import contextmanager
 from pathlib import Path
 
 from rupture.replacing import rename_to_new, replacing
-from rupture.tools.command_line import Failure, UsageError
+from rupture.tools.command_line import CLEAR, Failure, UsageError, in_one_line
 
 
 def refuse_existing(path):
@@ -37,6 +38,22 @@ def check_output(name, force, endings=(), inputs=()):
         refuse_existing(path)
     if path.exists() and not path.is_file():
         raise Failure(f"{path} is not a regular file; give another path")
+
+
+def progress(items, count, what):
+    """The items; meanwhile, a line on a terminal says how far it is."""
+    on_terminal = sys.stderr.isatty()
+    for number, item in enumerate(items, 1):
+        if on_terminal:
+            print(f"{CLEAR}{what} {number} of {count}", end="", file=sys.stderr, flush=True)
+        yield item
+    if on_terminal:
+        print(CLEAR, end="", file=sys.stderr, flush=True)
+
+
+def say_written(*paths):
+    for path in paths:
+        print(f"wrote {in_one_line(str(path))}")
 
 
 @contextmanager

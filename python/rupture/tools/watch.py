@@ -13,7 +13,7 @@ from rupture import plotting
 from rupture.errors import Failure
 from rupture.files import Record, open_file
 from rupture.tables import imported
-from rupture.tools.command_line import Parser
+from rupture.tools.command_line import CLEAR, Parser
 
 LEVELS = " ▁▂▃▄▅▆▇█"
 SAMPLES = 1000  # the last ones, shown in a window
@@ -99,7 +99,7 @@ class Text:
     """A line that is rewritten; off a terminal, a line each time."""
 
     def draw(self, record):
-        start, end = ("\r\033[K", "") if sys.stdout.isatty() else ("", "\n")
+        start, end = (CLEAR, "") if sys.stdout.isatty() else ("", "\n")
         print(start + text_of(record), end=end, flush=True)
 
     pause = staticmethod(time.sleep)

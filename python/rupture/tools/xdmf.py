@@ -13,7 +13,7 @@ from rupture.errors import Failure
 from rupture.files import Checkpoint, open_file
 from rupture.programs import analyze
 from rupture.tools.command_line import Parser
-from rupture.tools.output import check_output, complete
+from rupture.tools.output import check_output, complete, progress, say_written
 
 STATE = ("u_x", "u_z", "v_x", "v_z")
 INTERFACE = ("tau", "p", "pinned_fraction")
@@ -118,7 +118,7 @@ def step_of(checkpoint, state, derived):
 
 def text_of(name, steps):
     series = f'<Grid Name={quoteattr(name)} GridType="Collection" CollectionType="Temporal">'
-    text = f'<Xdmf Version="2.2"><Domain>{series}\n{"".join(steps)}</Grid></Domain></Xdmf>\n'
+    text = f'<Xdmf Version="3.0"><Domain>{series}\n{"".join(steps)}</Grid></Domain></Xdmf>\n'
     return f'<?xml version="1.0"?>\n{text}'
 
 
@@ -126,7 +126,7 @@ def write_numbers(path, checkpoints):
     """By way of memory, because libhdf5 does not survive a full disk."""
     image = io.BytesIO()
     with h5py.File(image, "w") as file:
-        for number, checkpoint in enumerate(checkpoints):
+        for number, checkpoint in enumerate(progress(checkpoints, len(checkpoints), "state")):
             write_derived(file.create_group(f"{number:04}"), checkpoint)
     path.write_bytes(image.getvalue())
 
@@ -152,3 +152,4 @@ def run():
     check_output(derived, options.force, inputs=options.checkpoints)
     checkpoints = [open_checkpoint(path) for path in options.checkpoints]
     write_all(in_time(checkpoints), output, derived, options.force)
+    say_written(derived, output)
