@@ -19,6 +19,7 @@ from rupture.elasticity import POISSON
 from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, mapped
 from rupture.errors import Failure, NoSuchName
 from rupture.pieces import datasets, joined
+from rupture.tables import text
 
 Ruptures = namedtuple("Ruptures", "time step block x")
 
@@ -26,10 +27,6 @@ Ruptures = namedtuple("Ruptures", "time step block x")
 def plain(value):
     """A scalar of a file as Python's own."""
     return value.decode() if isinstance(value, bytes) else value.item()
-
-
-def text(attribute):
-    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
 
 
 class File(Mapping):
@@ -80,7 +77,9 @@ class File(Mapping):
         (9, 17)
         """
         value = self.dataset(name)[()]
-        return value if isinstance(value, np.ndarray) else plain(value)
+        if not isinstance(value, np.ndarray):
+            return plain(value)
+        return value.astype(int) if value.dtype.kind == "u" else value  # counts may be subtracted
 
     def __contains__(self, name):
         """Whether iteration gives this name, also with its group, without listing all of them."""
@@ -166,7 +165,8 @@ class File(Mapping):
         return 1 if simplified else self.parameters["junctions.N_s"]
 
     def to_xarray(self):
-        """An xarray.Dataset with named dimensions, positions, and units as attributes.
+        """An xarray.Dataset with named dimensions and positions. Units and long names are
+        attributes of the arrays, parameters, checksum and provenance (as JSON) those of the whole.
 
         >>> record.to_xarray()["tau"].dims
         ('time', 'x')

@@ -1,12 +1,29 @@
 """Files as tables of pandas and datasets of xarray, which need not be installed otherwise."""
 
 import importlib
+import json
 
 import numpy as np
 
 from rupture.errors import Failure
 
 POSITIONS = ("x", "z")  # of a group, which all have the same
+LONG_NAMES = {  # where a file has no labels
+    "time": "time",
+    "step": "time step",
+    "x": "position of the block along x",
+    "z": "height of the block above the interface",
+    **{f"u_{axis}": f"displacement of the block along {axis}" for axis in "xz"},
+    **{f"v_{axis}": f"velocity of the block along {axis}" for axis in "xz"},
+    **{f"f_{axis}": f"net force on the block along {axis}" for axis in "xz"},
+    "junctions/attachment": "attachment point of the junction",
+    "junctions/slipping": "whether the junction slips",
+    "junctions/repin_time": "time at which the slipping junction is pinned again",
+}
+
+
+def text(attribute):
+    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
 
 
 def imported(name):
@@ -34,18 +51,26 @@ def dimensions_of(file, name, array):
     return named if known else tuple(f"{name}_{n}".replace("/", "_") for n in range(np.ndim(array)))
 
 
+def labels_of(file, name):
+    """For axes of plots; those of records are in the file."""
+    if name in file:
+        stored = file.dataset(name).attrs.get("long_name", LONG_NAMES.get(name, name))
+        return {"units": file.units(name), "long_name": text(stored)}
+    return {"units": "s" if name == "time" else "m", "long_name": LONG_NAMES[name]}
+
+
 def to_xarray(file):
     xarray = imported("xarray")
-    units = {"time": "s", "x": "m", "z": "m"}
-    where = positions(file)
-    coordinates = {n: (n, values, {"units": units[n]}) for n, values in where.items()}
+    coordinates = {n: (n, values, labels_of(file, n)) for n, values in positions(file).items()}
     variables = {}
     for name, array in file.items():
         if name.split("/")[-1] in POSITIONS or name in coordinates:
             continue
         dimensions = dimensions_of(file, name, array)
-        variables[name.replace("/", "_")] = (dimensions, array, {"units": file.units(name)})
-    return xarray.Dataset(variables, coordinates, {"source": str(file.path)})
+        variables[name.replace("/", "_")] = (dimensions, array, labels_of(file, name))
+    origin = {"source": str(file.path), "content_checksum": file.checksum}
+    origin["provenance"] = json.dumps(file.provenance)
+    return xarray.Dataset(variables, coordinates, origin | file.parameters)
 
 
 def to_dataframe(file):

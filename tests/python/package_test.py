@@ -1,5 +1,6 @@
 """`import rupture`: files, `.part` files, checksums and programs."""
 
+import json
 import shutil
 import subprocess
 import time
@@ -124,7 +125,7 @@ def test_names_that_a_file_lacks(small):
 
 
 def test_xarray_and_pandas_hold_the_arrays(small):
-    need_modules("pandas", "xarray")
+    need_modules("pandas", "xarray", "h5netcdf")
     record, checkpoint = small.record, small.checkpoint
     table, labelled = record.to_dataframe(), record.to_xarray()
     place = (record.time[5], record.x[3])
@@ -132,6 +133,15 @@ def test_xarray_and_pandas_hold_the_arrays(small):
     assert table.loc[place, "F_T"] == record["F_T"][5]
     assert float(labelled["tau"].sel(time=place[0], x=place[1])) == record["tau"][5, 3]
     assert labelled["tau"].attrs["units"] == "N"
+    assert (labelled.attrs["slider.L"], labelled.attrs["content_checksum"]) == (
+        0.14,
+        record.checksum,
+    )
+    assert json.loads(labelled.attrs["provenance"]) == record.provenance
+    assert labelled["pinned"].dtype == int  # whose differences may be negative
+    assert labelled["F_T"].attrs["long_name"] == "driving force"
+    for file in (record, checkpoint):
+        file.to_xarray().to_netcdf("all.nc", engine="h5netcdf")
     state = checkpoint.to_xarray()
     assert state["u_x"].dims == ("z", "x")
     assert state["junctions_attachment"].dims == ("x", "junction")

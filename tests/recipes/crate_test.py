@@ -4,6 +4,7 @@ CITATION.cff, from which it is: that says the same as CMakeLists.txt, LICENSE an
 import hashlib
 import json
 import re
+import tomllib
 from datetime import datetime
 from urllib.parse import unquote
 
@@ -186,6 +187,8 @@ def test_it_has_what_the_format_requires():
 def test_name_and_version_are_those_of_the_build():
     [found] = re.findall(r"^project\((\w+) VERSION (\S+)", text_of("CMakeLists.txt"), re.M)
     assert (CITED["title"].partition(":")[0], CITED["version"]) == found
+    package = tomllib.loads(text_of("pyproject.toml"))["project"]
+    assert (package["name"], package["version"]) == found
 
 
 def test_licence_and_authors_are_those_of_the_licence():
