@@ -19,19 +19,23 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 file(STRINGS packages.txt _rows REGEX "^run ")
 list(TRANSFORM _rows REPLACE "^run +| *#.*" "")
 list(JOIN _rows ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
+# For films, tables and labelled arrays; to compile programs against the library.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, python3-pandas, python3-xarray")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "python3-h5netcdf, paraview, g++, cmake, libeigen3-dev, libhdf5-dev, libfmt-dev, libssl-dev")
 
 # What Debian's policy asks of every package: copyright, and a changelog in a form of its own.
 string(TIMESTAMP _date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(_changelog ${CMAKE_BINARY_DIR}/package/changelog)
 file(WRITE ${_changelog} "rupture (${PROJECT_VERSION}) unstable; urgency=medium
 
-  * The changes are listed in CHANGELOG.md of the sources.
+  * The changes are listed in /usr/share/doc/rupture/CHANGELOG.md.
 
  -- ${CPACK_PACKAGE_CONTACT}  ${_date}
 ")
 execute_process(COMMAND gzip --force --best --no-name ${_changelog} COMMAND_ERROR_IS_FATAL ANY)
 set(_doc ${CMAKE_INSTALL_DATADIR}/doc/rupture)
 install(FILES LICENSE DESTINATION ${_doc} RENAME copyright)
-install(FILES ${_changelog}.gz DESTINATION ${_doc})
+install(FILES ${_changelog}.gz README.md CHANGELOG.md DESTINATION ${_doc})
 
 include(CPack)

@@ -38,6 +38,7 @@ class DebianPackage(unittest.TestCase):
         packages = {each.split()[0] for each in depends.split(", ")}
         self.assertLessEqual({"snakemake", "python3-h5py", "python3-matplotlib"}, packages)
         self.assertIn("libc6", packages)
+        self.assertIn("ffmpeg", output_of("dpkg-deb", "--field", self.package, "Recommends"))
         self.assertTrue(any(each.startswith("libhdf5") for each in packages), packages)
 
     def test_what_it_unpacks_is_complete(self):
@@ -46,6 +47,8 @@ class DebianPackage(unittest.TestCase):
         self.assertIn("  fig3 ", said)
         for path in (
             "doc/rupture/copyright",
+            "doc/rupture/README.md",
+            "doc/rupture/CHANGELOG.md",
             "man/man1/rupture.1.gz",
             "rupture/checkpoints/manifest",
             "rupture/benchmarks/lammps/bulk.in",
