@@ -18,6 +18,7 @@ from claims.judge import (
     met,
     table,
     unmet,
+    unmet_text,
 )
 from conftest import ROOT, approx
 
@@ -58,6 +59,22 @@ class TestJudge:
 
     def test_names_what_is_not_met(self):
         assert unmet("all", {"x/L": 0.7, "type": "slow"}) == ["x/L", "type"]
+
+    def test_says_what_was_wanted_and_what_there_is(self):
+        for condition, value, text in (
+            (
+                {"at_least": "1/200", "at_most": "1/50"},
+                1 / 49.6,
+                "v c_s/200 to c_s/50, got c_s/49.6",
+            ),
+            ({"below": 0.5}, None, "v below c_s/2, got none"),
+            ({"above": 2}, 1.25, "v above 2 c_s, got 1.25 c_s"),
+            ("fast", "slow", "v fast, got slow"),
+        ):
+            row = {"row": {"conditions": {"v/c_s": condition}}}
+            with mock.patch.object(judge, "table", lambda row=row: row):
+                assert unmet_text("row", {"v/c_s": value}) == f"wanted {text}"
+        assert unmet_text("one", {"x": 1.98765}) == "wanted x above 2, got 1.988"
 
     def test_a_quantity_nobody_measured_is_an_error(self):
         with raises(KeyError):

@@ -15,6 +15,8 @@ NOT_COMPARABLE = "not comparable"
 VERDICTS = (REPRODUCED, DEPENDS, DIFFERS, NOT_COMPARABLE)
 PRIMARY = "primary"  # the convention by which the shown case is measured
 SHOWN_ONLY = "shown case only"  # begins the reason of a verdict without units
+HOLDS, FAILS = "holds as shown", "fails as shown"
+STANDINGS = (REPRODUCED, HOLDS, DEPENDS, FAILS, DIFFERS, NOT_COMPARABLE)  # in counts
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,13 @@ class Claim:
     note: str = ""
     closeness_of: str = ""  # the leading row, of one that asks for more than the paper says
 
+    @property
+    def standing(self):
+        """The verdict for readers; without units it speaks of the shown case alone."""
+        if not self.reason.startswith(SHOWN_ONLY):
+            return self.verdict
+        return HOLDS if self.shown else FAILS
+
     def __post_init__(self):
         if self.verdict not in VERDICTS:
             raise ValueError(f"claim {self.id}: '{self.verdict}' is none of {', '.join(VERDICTS)}")
@@ -89,7 +98,8 @@ def number(value):
     if isinstance(value, list):
         return ", ".join(map(number, value))
     if isinstance(value, (float, np.floating)):
-        return f"{value:.4g}"
+        text = f"{value:.3g}"
+        return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
     return str(value)
 
 

@@ -65,10 +65,22 @@ def met(condition, value):
     return all(RELATIONS[name](value, as_number(bound)) for name, bound in condition.items())
 
 
-def wanted(condition):
+def as_read(name, value):
+    """0.005 of "slowest/c_s" is c_s/200; a bound is a text as the table has it."""
+    if name.endswith("/c_s") and isinstance(value, (int, float)) and value > 0:
+        return f"c_s/{1 / value:.3g}" if value < 1 else f"{value:.3g} c_s"
+    return f"{value:.4g}" if isinstance(value, float) else number(value)
+
+
+def wanted(name, condition):
+    """0.5 to 3; at least 10"""
     if not isinstance(condition, dict):
         return str(condition)
-    return " and ".join(f"{name.replace('_', ' ')} {bound}" for name, bound in condition.items())
+    c_s = name.endswith("/c_s")
+    bounds = {n: as_read(name, as_number(b)) if c_s else str(b) for n, b in condition.items()}
+    if bounds.keys() == {"at_least", "at_most"}:
+        return f"{bounds['at_least']} to {bounds['at_most']}"
+    return " and ".join(f"{name.replace('_', ' ')} {bound}" for name, bound in bounds.items())
 
 
 def holds(claim_id, cases):
@@ -82,10 +94,11 @@ def unmet(claim_id, case):
 
 
 def unmet_text(claim_id, case):
-    """The same for readers: what was wanted, and what there is."""
+    """The same for readers: wanted slowest c_s/200 to c_s/50, got c_s/49.6"""
     conditions = conditions_of(claim_id)
     return "; ".join(
-        f"wanted {name} {wanted(conditions[name])}: it is {number(case[name])}"
+        f"wanted {name.removesuffix('/c_s')} {wanted(name, conditions[name])},"
+        f" got {as_read(name, case[name])}"
         for name in unmet(claim_id, case)
     )
 

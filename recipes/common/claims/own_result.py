@@ -12,15 +12,24 @@ OWN = "own.json"  # beside a recipe's claims.json
 
 @dataclass(frozen=True)
 class OwnResult:
-    """`measured` as in Claim: numbers by name and unit, or texts."""
+    """`measured` as in Claim: numbers by name and unit, or texts. `expected` is what was written
+    down before, and `met` whether it came out so."""
 
     id: str
     question: str
     measured: dict
+    expected: str = ""
+    met: bool | None = None
+
+    @property
+    def standing(self):
+        if self.met is None:
+            return f"expected {self.expected}" if self.expected else "without verdict"
+        return f"expected {self.expected}: {'met' if self.met else 'not met'}"
 
 
 def text_of(result):
-    lines = [f"{result.id} (ours, without verdict): {result.question}"]
+    lines = [f"{result.id} (ours, {result.standing}): {result.question}"]
     return "\n".join([*lines, *(f"  {part}" for part in measured_parts(result.measured))])
 
 

@@ -7,13 +7,13 @@ import sys
 import textwrap
 from pathlib import Path
 
-from claims.claim import VERDICTS, Share, read_claims
+from claims.claim import STANDINGS, Share, read_claims
 
 SUMMARY = "summary.txt"  # what a recipe has to say beyond claims, beside its claims.json
 WIDTH = 100
-HEADS = ("claim", "verdict", "shown", "share", "least", "under")
-FORM = "{:6}{:16}{:8}{:20}{:7}{}"
+HEADS = ("verdict", "shown", "share", "least", "under")
 INDENT = " " * 6
+FORM = INDENT + "{:16}{:8}{:20}{:7}{}"
 SHOWN = {True: "holds", False: "fails", None: "-"}
 
 
@@ -23,28 +23,31 @@ def share_text(share):
 
 
 def cells(claim):
-    """Share under the primary convention with its 90 % interval, and the least of all. A row that
-    asks for more than the paper says stands indented below the leading one."""
-    name = f" {claim.id}" if claim.closeness_of else claim.id
+    """Share under the primary convention with its 90 % interval, and the least of all."""
     if not claim.shares:
-        return name, claim.verdict, SHOWN[claim.shown], "", "", ""
+        return claim.standing, SHOWN[claim.shown], "", "", ""
     least = min(claim.shares, key=Share.part)
-    return (
-        *(name, claim.verdict, SHOWN[claim.shown]),
-        *(share_text(claim.shares[0]), f"{least.part():.2f}", least.convention),
-    )
+    shares = share_text(claim.shares[0]), f"{least.part():.2f}", least.convention
+    return claim.standing, SHOWN[claim.shown], *shares
+
+
+def head_of(claim):
+    """A row that asks for more than the paper says stands indented below the leading one."""
+    name = f" {claim.id}" if claim.closeness_of else claim.id
+    return f"{name:6}{textwrap.shorten(claim.paper, WIDTH - len(INDENT), placeholder=' ...')}"
 
 
 def print_table(claims):
-    print(FORM.format(*HEADS).rstrip())
+    print(f"{'claim':6}of the paper\n{FORM.format(*HEADS).rstrip()}")
     print("-" * WIDTH)
     for claim in claims:
+        print(head_of(claim))
         print(FORM.format(*cells(claim)).rstrip())
         print(textwrap.fill(claim.reason, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT))
 
 
 def summary(claims):
-    counts = {v: sum(claim.verdict == v for claim in claims) for v in VERDICTS}
+    counts = {s: sum(claim.standing == s for claim in claims) for s in STANDINGS}
     return ", ".join(f"{count} {name}" for name, count in counts.items() if count)
 
 

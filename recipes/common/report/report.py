@@ -18,7 +18,7 @@ from markupsafe import Markup
 
 import origin
 from caption import as_html, filled, seen
-from claims.claim import VERDICTS, Claim, measured_parts, read_claims
+from claims.claim import STANDINGS, Claim, measured_parts, read_claims
 from claims.own_result import OwnResult, read_own
 from rupture.replacing import write_whole
 from crate import CRATE, write_crate
@@ -144,7 +144,7 @@ def contents(root):
         "recipes": recipes,
         "rows": rows,
         "listed": len(listed),
-        "counts": [(sum(result.verdict == v for *_, result in rows), v) for v in VERDICTS],
+        "counts": [(sum(result.standing == s for *_, result in rows), s) for s in STANDINGS],
         "movie": find_movie(root / "results"),
         "glance": glance_picture(root, [claim for recipe in recipes for claim in recipe.claims]),
         "verdicts": how_verdicts_come_about(root, names),
