@@ -29,8 +29,8 @@ SAYS = [
     ("fig3", '<a href="#figS3">another</a>; the README'),
     ("fig3", "load -o fig3.h5 --until 1.2 analyze front fig3.h5</code>"),
     ("fig2", "Measured &lt;script&gt;twice&lt;/script&gt;."),
-    ("fig2", "<li>speed = 12.35 m/s</li>"),
-    ("fig2", "<li>list = 1, none mm</li>"),
+    ("fig2", '<th scope="row">speed [m/s]</th><td>12.3</td></tr>'),
+    ("fig2", '<th scope="row">list [mm]</th><td>1</td><td>none</td></tr>'),
     ("fig2", "primary: 7 of 20 (0.20 to 0.53)"),
     ("fig2", "holds as it should"),
     ("fig2", "What the pipeline ran: 2 jobs, 51 s"),
@@ -46,9 +46,10 @@ CAPTIONS = [  # a caption, and what becomes of it
     (
         "At {2A: speed [m/s]}, {2B:\nlist [mm]}; {2A: no such [s]},"
         " {5A: speed [m/s]}; {} {x: y} {2A}.",
-        "At 12.35 m/s, 1, none mm; not run, not run; {} not run {2A}.",
+        "At 12.3 m/s, 1, none mm; not run, not run; {} not run {2A}.",
     ),
     ("First. It runs at {5A: speed\n[m/s]} in Fig. {5B: list [mm]}. Last.", "<p>First. Last.</p>"),
+    ("- `fig2.png`, `no.csv`: is here.\n- `no.csv`: not.\n- two.", "is here.</li> <li>two.</li>"),
     (
         "- one;\n- {5A: speed [m/s]} of {5A: all};\n- two.",
         "<li> <p>one;</p> </li> <li> <p>two.</p> </li>",
@@ -131,7 +132,9 @@ def test_lists_every_judged_claim_in_order(page, whole):
 def test_orders_recipes_as_the_paper_does_each_with_its_picture(page):
     names = re.findall(r'<section id="([^"]+)"', page)
     assert names == ["gallery", *RECIPES, "claims", "verdicts", "build"]
-    cards = re.findall(r'<a class="card" href="#(\w+)">\s*<img src="([^"]+)"', page)
+    cards = re.findall(
+        r'<a class="card" href="#(\w+)">\s*<span class="crop"><img src="([^"]+)"', page
+    )
     assert cards == [(name, f"{name}/{name}.png") for name in RECIPES]
 
 
@@ -182,11 +185,12 @@ def test_captions_hold_numbers_and_leave_out_sentences_without_any(project, capt
 
 def test_results_of_our_own_are_listed_below_the_claims(project):
     result = {"id": "near", "question": "how near?", "measured": {"off by [mm]": 1.5, "a": None}}
-    spill(project.results / "fig2/own.json", json.dumps([result]))
+    expected = result | {"expected": "2 mm", "met": False}
+    spill(project.results / "fig2/own.json", json.dumps([result, expected]))
     shown = section(page_of(project), "fig2").partition("</table>")[2]
-    assert (
-        "without verdict: how near?</summary> <ul> <li>off by = 1.5 mm</li> <li>a = none" in shown
-    )
+    numbers = '<th scope="row">off by [mm]</th><td>1.5</td></tr> <tr><th scope="row">a</th><td>none'
+    assert f'without verdict: how near?</summary> <table class="numbers"> <tr>{numbers}' in shown
+    assert "expected 2 mm: not met: how near?</summary>" in shown
 
 
 @pytest.mark.parametrize("recipe", sorted((ROOT / "recipes").glob("*/rules.smk")))

@@ -41,6 +41,13 @@ def filled_sentence(text, claims):
     return PLACE.sub(lambda _: next(remaining), text)
 
 
+def of_files(text, names):
+    """Without the items and paragraphs that name pictures or tables none of which is there."""
+    blocks = re.split(r"(?=\n- |\n\s*\n)", text)
+    named = [re.findall(r"`([\w-]+\.(?:png|csv))`", block) for block in blocks]
+    return "".join(b for b, files in zip(blocks, named) if not files or names & {*files})
+
+
 def filled(text, claims):
     """A place may go over the end of a line."""
     ends = [end[0] for end in SENTENCE.finditer(text)] + [""]

@@ -1,45 +1,34 @@
-"""All claims at a glance, as a specification curve (Simonsohn et al. 2020): above, for which share
-of its units each claim holds under each convention, sorted; below, which convention that is."""
+"""All claims at a glance, figure by figure (a specification curve, Simonsohn et al. 2020): on the
+left, for which share of its units each claim holds, on the right, under which convention."""
 
 import re
-from dataclasses import dataclass
 
-from claims.judge import needed
-from pictures.plotting import BLACK, BLUE, DOUBLE, MM, VERMILION, figure, save
+from claims.judge import PRIMARY, needed, table
+from pictures.plotting import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
+from runs.recipes import label
 
-SHOWN = {True: ("^", 1.07), False: ("v", -0.07)}  # marker and height of the shown case
-GAP, LEAST = 1.5, 3  # between two claims, and width of a claim, in widths of a convention
-ROW = 3.0 * MM  # height of a convention's line [inch]
-SHARES = 45 * MM  # height of the upper panel [inch]
-
-
-@dataclass(frozen=True)
-class Column:
-    """One claim under one convention."""
-
-    at: float
-    share: object  # claims.claim.Share
-    is_primary: bool
+ROW, HEAD = 3.9 * MM, 42 * MM  # heights of a claim, and of what is above all claims [inch]
+FIGURE_GAP, PRIMARY_GAP = 0.5, 0.5  # before the next figure, and behind the primary convention
+CASES = {True: ("^", "the shown case: it holds"), False: ("v", "the shown case: it does not hold")}
+PRIMARY_LOOK = {"color": BLACK, "marker": "s", "linewidth": 0.8}
+OTHER_LOOK = {"color": SKY, "marker": "o", "linestyle": "", "markeredgecolor": BLUE}
+NEEDED_LOOK = {"color": VERMILION, "linestyle": ":", "linewidth": 1.2}
 
 
-def columns_of(claims):
-    """{claim: [Column, ...]}, from the smallest share to the largest."""
-    at, columns = 0.0, {}
+def heights_of(claims):
+    """{claim id: its height}, downwards; figures are apart."""
+    heights, at, before = {}, 0.0, ""
     for claim in claims:
-        primary = claim.shares[0]
-        shares = sorted(claim.shares, key=lambda share: share.part())
-        columns[claim.id] = [
-            Column(at + n, share, share is primary) for n, share in enumerate(shares)
-        ]
-        at += max(len(shares), LEAST) + GAP
-    return columns
+        recipe = table()[claim.id]["recipe"]
+        at += FIGURE_GAP if before not in ("", recipe) else 0.0
+        heights[claim.id], before, at = at, recipe, at + 1
+    return heights
 
 
 def conventions_of(claims):
     """All names, the primary one first, then those that most claims have."""
     names = [share.convention for claim in claims for share in claim.shares]
-    first = claims[0].shares[0].convention
-    return sorted(dict.fromkeys(names), key=lambda name: (name != first, -names.count(name)))
+    return sorted(dict.fromkeys(names), key=lambda name: (name != PRIMARY, -names.count(name)))
 
 
 def symbols_in(text):
@@ -47,46 +36,58 @@ def symbols_in(text):
     return re.sub(r"\b([a-z])_(\w)\b", r"$\1_\2$", text)
 
 
-def draw_shares(axes, claim, columns):
-    for column in columns:
-        colour = BLACK if column.is_primary else BLUE
-        if column.share.low is not None:
-            axes.vlines(column.at, column.share.low, column.share.high, colour, linewidth=0.5)
-        axes.plot(column.at, column.share.part(), "s" if column.is_primary else "o", color=colour)
-    first, last = columns[0].at - 0.5, columns[-1].at + 0.5
-    axes.hlines(needed(claim.id), first, last, BLACK, linewidth=0.6, linestyle=":")
+def draw_shares(axes, claim, height):
+    primary, *others = claim.shares
+    axes.plot([share.part() for share in others], len(others) * [height], **OTHER_LOOK)
+    if primary.low is not None:
+        axes.plot([primary.low, primary.high], [height, height], color=BLACK, linewidth=0.8)
+        axes.vlines(needed(claim.id), height - 0.4, height + 0.4, **NEEDED_LOOK)
+    axes.plot(primary.part(), height, **PRIMARY_LOOK)
     if claim.shown is not None:
-        marker, height = SHOWN[claim.shown]
-        axes.plot((first + last) / 2, height, marker, color=VERMILION, markersize=4)
+        axes.plot(1.1, height, CASES[claim.shown][0], color=BLACK, markersize=4)
 
 
-def draw_conventions(axes, names, columns):
-    for column in columns:
-        colour = BLACK if column.is_primary else BLUE
-        axes.plot(column.at, names.index(column.share.convention), "s", color=colour, markersize=2)
+def draw_conventions(axes, places, claim, height):
+    """Cells as dark as the share is large."""
+    for share in claim.shares:
+        place, part = places[share.convention], share.part()
+        axes.barh(height, 0.94, height=0.9, left=place - 0.47, color=plt.cm.Blues(0.75 * part))
+        colour = "white" if part > 0.7 else BLACK
+        axes.text(place, height, f"{part:.2f}", color=colour, size=6, ha="center", va="center")
+
+
+def draw_legend(axes):
+    """Above the axes, beside the names of the conventions."""
+    looks = {
+        "primary convention, 90 % interval": PRIMARY_LOOK,
+        "other conventions": OTHER_LOOK,
+        "needed for “reproduced”": NEEDED_LOOK,
+        **{text: {"color": BLACK, "marker": m, "linestyle": ""} for m, text in CASES.values()},
+    }
+    lines = [plt.Line2D([], [], label=name, **look) for name, look in looks.items()]
+    axes.legend(handles=lines, loc="lower left", bbox_to_anchor=(0, 1))
 
 
 def draw_glance(claims, stem, source):
-    """Black: the primary convention; blue: the others, each with its 90 % interval. Red: the shown
-    case, above where the claim holds for it, below where it does not. Dotted: the share that
-    `reproduced` needs. `source`: what it is drawn from, for the PNG."""
-    columns, names = columns_of(claims), conventions_of(claims)
-    lines = len(names) * ROW
-    fig, (upper, lower) = figure(
-        DOUBLE, SHARES + lines + 12 * MM, nrows=2, sharex=True, height_ratios=(SHARES, lines)
+    """`source`: what it is drawn from, for the PNG."""
+    heights, names = heights_of(claims), conventions_of(claims)
+    places = {name: n + (PRIMARY_GAP if n else 0) for n, name in enumerate(names)}
+    last = max(heights.values())
+    fig, (left, right) = figure(
+        DOUBLE, HEAD + (last + 1) * ROW, ncols=2, sharey=True, width_ratios=(5, len(names) + 1)
     )
     for claim in claims:
-        draw_shares(upper, claim, columns[claim.id])
-        draw_conventions(lower, names, columns[claim.id])
-    middles = [(c[0].at + c[-1].at) / 2 for c in columns.values()]
-    upper.set(ylabel="share of the units", ylim=(-0.14, 1.14))
-    upper.xaxis.tick_top()
-    upper.set_xticks(middles, list(columns))
-    upper.tick_params(axis="x", length=0, labeltop=True, labelbottom=False, rotation=90)
-    for row in range(len(names)):
-        lower.axhline(row, color=BLACK, linewidth=0.1, alpha=0.5)
-    lower.set_yticks(range(len(names)), [symbols_in(name) for name in names])
-    lower.tick_params(axis="x", length=0, labelbottom=False, labeltop=False, top=False)
-    lower.tick_params(axis="y", length=0)
-    lower.set(ylim=(len(names) - 0.5, -0.5), xlim=(-1, columns[claims[-1].id][-1].at + 1))
+        draw_shares(left, claim, heights[claim.id])
+        draw_conventions(right, places, claim, heights[claim.id])
+        left.axhline(heights[claim.id], color=BLACK, linewidth=0.1, zorder=0)
+    left.set(xlabel="share of the units", xlim=(-0.05, 1.18), ylim=(last + 0.7, -0.7))
+    recipes = [table()[claim_id]["recipe"] for claim_id in heights]
+    first = [recipe not in recipes[:n] for n, recipe in enumerate(recipes)]
+    names_of = [(label(recipe) or recipe) if new else "" for recipe, new in zip(recipes, first)]
+    left.set_yticks([*heights.values()], [f"{f}   {c:5}" for f, c in zip(names_of, heights)])
+    left.tick_params(axis="y", length=0)
+    right.spines[:].set_visible(False)
+    right.tick_params(length=0, labeltop=True, labelbottom=False)
+    right.set_xticks([*places.values()], [symbols_in(name) for name in names], rotation=90)
+    draw_legend(left)
     save(fig, stem, source)

@@ -14,8 +14,8 @@ ANIMATION = "movie.gif"
 STILL = "movie.png"  # shown before a video is started, and on paper
 
 GLANCE = (
-    "Above, for which share of its units each claim holds under each convention, from the smallest"
-    " to the largest, and whether it holds for the shown case; below, which convention that is."
+    "A row per claim, figure by figure. Left: for which share of its units it holds, and whether it"
+    " holds for the shown case; right: the share under each convention."
 )
 COMMON = Path(__file__).resolve().parents[1]
 DRAWN_BY = ("report/glance.py", "pictures/plotting.py", "claims/judge.py", "claims/claims.toml")

@@ -17,8 +17,8 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 import origin
-from caption import as_html, filled, seen
-from claims.claim import STANDINGS, Claim, measured_parts, read_claims
+from caption import as_html, filled, of_files, seen
+from claims.claim import STANDINGS, Claim, number, read_claims
 from claims.own_result import OwnResult, read_own
 from rupture.replacing import write_whole
 from crate import CRATE, write_crate
@@ -31,6 +31,7 @@ from symbols import typeset
 HERE = Path(__file__).resolve().parent
 MANY = 12  # commands of a step, or checksums, beyond which only their number is of interest
 MANY_SUMS = 100
+SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,10 @@ def read_recipe(root, name, shown, accounts):
     readme = read_readme(root / "recipes" / name / "README.md")
     claims = claims_of(root, name)
     own = read_own(root / "results" / name)
-    caption = filled(readme.caption, claims + own)
+    folder = root / "results" / name
+    caption = filled(
+        of_files(readme.caption, {path.name for path in folder.iterdir()}), claims + own
+    )
     files = accounts.files_behind(name)
     pictures = files_of(root, name, "*.png")
     return Recipe(
@@ -168,12 +172,12 @@ def render(content):
         css_class=lambda verdict: verdict.replace(" ", "-"),
         date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
         duration=duration,
-        measured_parts=measured_parts,
+        number=number,
         steps=origin.steps,
         total=origin.total,
         typeset=typeset,
     )
-    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS)
+    environment.globals.update(SMALL=SMALL, MANY=MANY, MANY_SUMS=MANY_SUMS)
     return environment.get_template("page.html.j2").render(content)
 
 

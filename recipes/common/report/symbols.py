@@ -37,6 +37,12 @@ SYMBOL = re.compile(
     (?!\w)(?(mean)(?:&gt;|⟩))""",
     re.VERBOSE,
 )
+MATH = r"<math>(?:(?!</math>).)*</math>"
+FRACTION = re.compile(rf"(?:{MATH}|[\w.]+)(?:/(?:{MATH}|[\w.]+))+")  # c_s/3, if it has a symbol
+UNITS = "%|[mcnµu]?[ms]|[kM]?N|[GM]?Pa|L|m?m/s"
+UNBROKEN = re.compile(  # x = 2 cm
+    rf"(?<=[\w>])\s(?=[=<≤≥≈]\s?[\d−])|(?<=[=≤≥≈])\s(?=[\d−])|(?<=[\d\]])\s(?=(?:{UNITS})(?!\w))"
+)
 KEPT = re.compile(r"(<code.*?</code>|<[^>]*>)", re.DOTALL)  # code and tags
 
 
@@ -84,7 +90,9 @@ def of_power(found):
 def in_text(text):
     for pattern, better in TIDY:
         text = pattern.sub(better, text)
-    return SYMBOL.sub(of_symbol, POWER_OF_TEN.sub(of_power, text))
+    text = SYMBOL.sub(of_symbol, POWER_OF_TEN.sub(of_power, UNBROKEN.sub("\u00a0", text)))
+    whole = '<span class="whole">{}</span>'
+    return FRACTION.sub(lambda f: whole.format(f[0]) if "<math>" in f[0] else f[0], text)
 
 
 def typeset_html(page):
