@@ -375,6 +375,9 @@ def test_two_values(drawn):
     assert share(245, 215, 110) > 0.05, "slow"
     assert share(232, 153, 122) > 0.03, "fast"
     assert share(217, 217, 217) > 0.03, "failed"
+    before = share(0, 0, 0)
+    drawn(values, MEASURED | {SPEED: [None, 2.0, 3.0, None]}, THREE_DONE)
+    assert share(0, 0, 0) > before, "a dash where there is no value, and a note about it"
 
 
 @pytest.mark.parametrize("values", [{V: ["1", "2"]}, {V: ["1", "2"], W: ["3", "4"]}])
@@ -408,11 +411,13 @@ def test_other_numbers_of_values_have_no_picture_and_a_former_one_goes(drawn, tm
     assert not (tmp_path / "picture.png").exists()
 
 
-def test_a_logarithmic_axis_where_positive_numbers_span_two_decades():
+def test_a_logarithmic_axis_where_positive_numbers_span_decades_or_are_geometric():
     def scale(*cells, unit="1"):
         return axis_of(Column("a", unit, [*cells])).scale
 
     assert scale("1", "100") == scale(None, 1, 200) == "log"
+    assert scale("1", "2", "4", "8") == "log"
+    assert scale("1", "2", "3", "4") == scale("100", "101", "102", "103") == "linear"
     assert scale("1", "99") == scale("0", "100") == scale("-1", "-100") == "linear"
     assert scale("1", "100", unit="") == "linear"
 

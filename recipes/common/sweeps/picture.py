@@ -10,7 +10,7 @@ from matplotlib.colors import ListedColormap
 
 from maps.front_map import TYPES
 from maps.map_panels import COLOURS
-from pictures.plotting import DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, save
+from pictures.plotting import BLACK, DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, save
 
 SEEDS = ("seed", "numerics.seed")
 TWO_DECADES = 100
@@ -20,6 +20,13 @@ PANEL = 62 * MM  # height [inch]
 def plain(text):
     """For Matplotlib, which takes what is between two $ for a formula."""
     return text.replace("$", r"\$")
+
+
+def is_geometric(places):
+    even, even_logs = (
+        np.ptp(steps) / steps.mean() for steps in map(np.diff, (places, np.log(places)))
+    )
+    return even_logs < min(0.1, even)
 
 
 @dataclass(frozen=True)
@@ -33,10 +40,13 @@ class Axis:
 
     @property
     def scale(self):
-        """Logarithmic where positive numbers span two decades."""
-        finite = self.positions[np.isfinite(self.positions)]
-        spans = len(finite) and min(finite) > 0 and max(finite) >= TWO_DECADES * min(finite)
-        return "log" if spans and not self.categories else "linear"
+        """Logarithmic where positive numbers span two decades, or four or more of them are spaced
+        by a factor."""
+        places = np.unique(self.positions[np.isfinite(self.positions)])
+        if self.categories or not len(places) or places[0] <= 0:
+            return "linear"
+        spans = places[-1] >= TWO_DECADES * places[0]
+        return "log" if spans or (len(places) > 3 and is_geometric(places)) else "linear"
 
 
 def axis_of(column):
@@ -94,11 +104,11 @@ def limits(axis):
     return np.exp(ends) if axis.scale == "log" else ends
 
 
-def mark_not_done(axes, places):
+def mark(axes, places, marker, colour):
     """At the bottom, below all dots."""
     axes.margins(y=0.12)
     bottom = np.full(len(places), 0.04)
-    axes.plot(places, bottom, "x", color=VERMILION, transform=axes.get_xaxis_transform())
+    axes.plot(places, bottom, marker, color=colour, transform=axes.get_xaxis_transform())
 
 
 def draw_line(axes, x, y, done):
@@ -111,7 +121,9 @@ def draw_line(axes, x, y, done):
     if not x.categories:
         axes.set_xlim(limits(x))
     if not done.all():
-        mark_not_done(axes, np.unique(x.positions[~done]))
+        mark(axes, np.unique(x.positions[~done]), "x", VERMILION)
+    if (empty := done & np.isnan(y.positions)).any():
+        mark(axes, np.unique(x.positions[empty]), "_", BLACK)
 
 
 # --- two values vary -----------------------------------------------------------------------
@@ -165,6 +177,8 @@ def draw_map(fig, axes, x, y, z, done):
         draw_values(fig, axes, borders, z, medians)
     if np.isfinite(not_done).any():
         hatch(axes, borders, not_done)
+    empty = done & np.isnan(z.positions)
+    axes.plot(x.positions[empty], y.positions[empty], "_", color=BLACK, markersize=6)
     set_axis(axes, "x", x)
     set_axis(axes, "y", y)
 
@@ -194,14 +208,21 @@ def draw_columns(stem, sweep, columns):
             return f"No picture: some points have no {name}."
     done = np.array([status == "done" for status in by_name["status"].cells])
     over = [axis_of(by_name[name]) for name in varied]
-    fig, all_axes = panels(len(sweep.columns))
-    for axes, name in zip(all_axes, sweep.columns):
+    measured = {name: axis_of(by_name[name]) for name in sweep.columns}
+    fig, all_axes = panels(len(measured))
+    for axes, quantity in zip(all_axes, measured.values()):
         if len(varied) == 1:
-            draw_line(axes, over[0], axis_of(by_name[name]), done)
+            draw_line(axes, over[0], quantity, done)
         else:
-            draw_map(fig, axes, over[0], over[1], axis_of(by_name[name]), done)
-    note = "" if done.all() else f" ({'crosses' if len(varied) == 1 else 'hatched'}: not done)"
-    fig.suptitle(plain(sweep.title) + note, fontsize=8)
+            draw_map(fig, axes, over[0], over[1], quantity, done)
+    seeds = max(len({*by_name[name].texts}) if name in by_name else 1 for name in SEEDS)
+    notes = {
+        f"{'line' if len(varied) == 1 else 'colour'}: median of {seeds} seeds": seeds > 1,
+        f"{'crosses' if len(varied) == 1 else 'hatched'}: not done": not done.all(),
+        "dashes: no value": any(np.isnan(q.positions[done]).any() for q in measured.values()),
+    }
+    note = "; ".join(text for text, applies in notes.items() if applies)
+    fig.suptitle(plain(sweep.title) + (f" ({note})" if note else ""), fontsize=8)
     save(fig, stem)
     return ""
 
