@@ -8,18 +8,12 @@ import numpy as np
 from rupture.errors import Failure
 
 POSITIONS = ("x", "z")  # of a group, which all have the same
-LONG_NAMES = {  # where a file has no labels
-    "time": "time",
-    "step": "time step",
-    "x": "position of the block along x",
-    "z": "height of the block above the interface",
-    **{f"u_{axis}": f"displacement of the block along {axis}" for axis in "xz"},
-    **{f"v_{axis}": f"velocity of the block along {axis}" for axis in "xz"},
-    **{f"f_{axis}": f"net force on the block along {axis}" for axis in "xz"},
-    "junctions/attachment": "attachment point of the junction",
-    "junctions/slipping": "whether the junction slips",
-    "junctions/repin_time": "time at which the slipping junction is pinned again",
+# Of what has no label in its file.
+QUANTITIES = {"u": "displacement of", "v": "velocity of", "f": "net force on"}
+LONG_NAMES = {
+    f"{q}_{a}": f"{name} the block along {a}" for q, name in QUANTITIES.items() for a in "xz"
 }
+LONG_NAMES |= {"time": "time", "x": "position of the block", "z": "height above the interface"}
 
 
 def text(attribute):
@@ -53,10 +47,10 @@ def dimensions_of(file, name, array):
 
 def labels_of(file, name):
     """For axes of plots; those of records are in the file."""
+    own, units = LONG_NAMES.get(name, name), "s" if name == "time" else "m"
     if name in file:
-        stored = file.dataset(name).attrs.get("long_name", LONG_NAMES.get(name, name))
-        return {"units": file.units(name), "long_name": text(stored)}
-    return {"units": "s" if name == "time" else "m", "long_name": LONG_NAMES[name]}
+        own, units = file.dataset(name).attrs.get("long_name", own), file.units(name)
+    return {"units": units, "long_name": text(own)}
 
 
 def to_xarray(file):

@@ -68,7 +68,7 @@ rule fig2_film:
     params: code=CODE
     log: f"{LOGS}/fig2-film.log"
     message: "fig2: film event I"
-    shell: "({BIN}/movie {input.record} -o {output[0]} --event 0 --force " + FIG2_STILL + ") 2> {log}"
+    shell: "({BIN}/movie {input.record} -o {output[0]} --event 0 --force " + FIG2_STILL + ") > {log} 2>&1"
 
 
 use rule figure as fig2 with:

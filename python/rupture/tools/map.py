@@ -15,8 +15,7 @@ SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
 LINE = 0.022  # height of an event's number, of that of the panel
 LEGEND = (
-    f"White line: {plotting.RUPTURED * 100:.0f} % of the junctions are pinned; a block with fewer"
-    " counts as ruptured. Marks at the right of a map: an event begins."
+    "White line: 30 % of the junctions are pinned. Marks at the right of a map: an event begins."
 )
 
 
@@ -74,7 +73,7 @@ def mark_events(axes, events, t_zero, numbered):
     """A mark at the right where each event begins, and its number."""
     low, high = axes.get_ylim()
     starts = [(event["t_start"] - t_zero) * plotting.MILLISECONDS for event in events]
-    size = 6.5 * min(1, 1 / (LINE * max(1, len(events))))
+    size = min(6.5, 6.5 / LINE / max(1, len(events)))
     for event, start, height in zip(events, starts, spread(starts, low, high)):
         axes.plot([1, 1.03], [start, start], color=plotting.BLACK, lw=0.8, clip_on=False)
         if numbered:
