@@ -38,11 +38,13 @@ SYMBOL = re.compile(
     re.VERBOSE,
 )
 MATH = r"<math>(?:(?!</math>).)*</math>"
-FRACTION = re.compile(rf"(?:{MATH}|[\w.]+)(?:/(?:{MATH}|[\w.]+))+")  # c_s/3, if it has a symbol
 UNITS = "%|[mcnµu]?[ms]|[kM]?N|[GM]?Pa|L|m?m/s"
+SIGN = "(?:[=≤≥≈]|&[lg]t;)"
+BEFORE_UNIT = rf"(?<=[\d\]])\s(?=(?:{UNITS})(?!\w))"
 UNBROKEN = re.compile(  # x = 2 cm
-    rf"(?<=[\w>])\s(?=[=<≤≥≈]\s?[\d−])|(?<=[=≤≥≈])\s(?=[\d−])|(?<=[\d\]])\s(?=(?:{UNITS})(?!\w))"
+    rf"(?<=[\w>])\s(?={SIGN}\s?[\d−])|(?:(?<=[=≤≥≈])|(?<=&[lg]t;))\s(?=[\d−])|{BEFORE_UNIT}"
 )
+WHOLE = re.compile(rf"(?:{MATH}|[\w.\]]+)(?:[/\u00a0](?:{MATH}|{SIGN}|[\w.%−]+))+")  # c_s/3
 KEPT = re.compile(r"(<code.*?</code>|<[^>]*>)", re.DOTALL)  # code and tags
 
 
@@ -92,7 +94,7 @@ def in_text(text):
         text = pattern.sub(better, text)
     text = SYMBOL.sub(of_symbol, POWER_OF_TEN.sub(of_power, UNBROKEN.sub("\u00a0", text)))
     whole = '<span class="whole">{}</span>'
-    return FRACTION.sub(lambda f: whole.format(f[0]) if "<math>" in f[0] else f[0], text)
+    return WHOLE.sub(lambda f: whole.format(f[0]) if "<math>" in f[0] else f[0], text)
 
 
 def typeset_html(page):
