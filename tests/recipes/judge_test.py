@@ -74,7 +74,9 @@ class TestJudge:
             row = {"row": {"conditions": {"v/c_s": condition}}}
             with mock.patch.object(judge, "table", lambda row=row: row):
                 assert unmet_text("row", {"v/c_s": value}) == f"wanted {text}"
-        assert unmet_text("one", {"x": 1.98765}) == "wanted x above 2, got 1.988"
+        close = unmet_text("all", {"x/L": 0.50001, "type": "fast"})
+        assert close == "wanted x/L 1/4 to 0.5, got 0.50001"
+        assert unmet_text("one", {"x": 1.98765}) == "wanted x above 2, got 1.99"
 
     def test_a_quantity_nobody_measured_is_an_error(self):
         with raises(KeyError):

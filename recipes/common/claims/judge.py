@@ -25,6 +25,7 @@ from claims.claim import (
     Share,
     number,
     plural,
+    split_unit,
 )
 
 TABLE = Path(__file__).with_name("claims.toml")
@@ -69,7 +70,7 @@ def as_read(name, value):
     """0.005 of "slowest/c_s" is c_s/200; a bound is a text as the table has it."""
     if name.endswith("/c_s") and isinstance(value, (int, float)) and value > 0:
         return f"c_s/{1 / value:.3g}" if value < 1 else f"{value:.3g} c_s"
-    return f"{value:.4g}" if isinstance(value, float) else number(value)
+    return number(value)
 
 
 def wanted(name, condition):
@@ -95,12 +96,17 @@ def unmet(claim_id, case):
 
 def unmet_text(claim_id, case):
     """The same for readers: wanted slowest c_s/200 to c_s/50, got c_s/49.6"""
-    conditions = conditions_of(claim_id)
-    return "; ".join(
-        f"wanted {name.removesuffix('/c_s')} {wanted(name, conditions[name])},"
-        f" got {as_read(name, case[name])}"
-        for name in unmet(claim_id, case)
-    )
+    parts = []
+    for name in unmet(claim_id, case):
+        (quantity, unit), condition = (
+            split_unit(name.removesuffix("/c_s")),
+            conditions_of(claim_id)[name],
+        )
+        asked, got = f"{wanted(name, condition)} {unit}".rstrip(), as_read(name, case[name])
+        if isinstance(case[name], float) and met(condition, float(f"{case[name]:.3g}")):
+            got = f"{case[name]:.6g}"  # in three digits it would seem to be met
+        parts.append(f"wanted {quantity} {asked}, got {got} {unit}".rstrip())
+    return "; ".join(parts)
 
 
 # --- all units -----------------------------------------------------------------------------

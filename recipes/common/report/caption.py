@@ -42,8 +42,8 @@ def filled_sentence(text, claims):
 
 
 def of_files(text, names):
-    """Without the items and paragraphs that name pictures or tables none of which is there."""
-    blocks = re.split(r"(?=\n- |\n\s*\n)", text)
+    """Without items, or their ends after a semicolon, that name files none of which is there."""
+    blocks = re.split(r"(?=\n- |\n\s*\n|;\s`[\w-]+\.(?:png|csv)`)", text)
     named = [re.findall(r"`([\w-]+\.(?:png|csv))`", block) for block in blocks]
     return "".join(b for b, files in zip(blocks, named) if not files or names & {*files})
 

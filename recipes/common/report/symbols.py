@@ -44,7 +44,7 @@ BEFORE_UNIT = rf"(?<=[\d\]])\s(?=(?:{UNITS})(?!\w))"
 UNBROKEN = re.compile(  # x = 2 cm
     rf"(?<=[\w>])\s(?={SIGN}\s?[\d−])|(?:(?<=[=≤≥≈])|(?<=&[lg]t;))\s(?=[\d−])|{BEFORE_UNIT}"
 )
-WHOLE = re.compile(rf"(?:{MATH}|[\w.\]]+)(?:[/\u00a0](?:{MATH}|{SIGN}|[\w.%−]+))+")  # c_s/3
+WHOLE = re.compile(rf"[\[(]?(?:{MATH}|[\w.\]]+)(?:[/\u00a0](?:{MATH}|{SIGN}|[\w.%−]+))+")  # c_s/3
 KEPT = re.compile(r"(<code.*?</code>|<[^>]*>)", re.DOTALL)  # code and tags
 
 
