@@ -13,10 +13,8 @@ from rupture.tools.window import add_window, events_in, open_record, window_of
 
 SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
-LINE = 0.022  # height of an event's number, of that of the panel
-LEGEND = (
-    "White line: 30 % of the junctions are pinned. Marks at the right of a map: an event begins."
-)
+LINE = 0.026  # height of an event's number, of that of the panel
+LEGEND = "White line: 30 % of the junctions are pinned. Marks at the right: an event begins."
 
 
 def parser():
@@ -127,8 +125,7 @@ def figure_of(record, path, events, window):
     axes[2].set_title("event", loc="right", x=1.2, fontsize=6.5, y=1.0)
     begin, end, start = (f"{t * plotting.MILLISECONDS:.6g} ms" for t in (*window, t_zero))
     title = f"{plotting.plain_text(record.path.name)}, {begin} to {end}"
-    if single:
-        title += f"; event {events[0]['number']} begins at {start}"
+    title += f"; event {events[0]['number']} begins at {start}" if single else ""
     axes[0].set_ylabel("time since the event began [ms]" if single else "time [ms]")
     draw_speeds(axes[3], path, events)
     figure.suptitle(title)

@@ -99,7 +99,7 @@ def number(value):
         return ", ".join(map(number, value))
     if isinstance(value, (float, np.floating)):
         text = f"{value:.3g}"
-        return f"{float(text):.0f}" if "e+" in text and abs(value) < 1e6 else text
+        return f"{float(text):.0f}" if "e+" in text and abs(float(text)) < 1e6 else text
     return str(value)
 
 

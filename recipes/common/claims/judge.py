@@ -98,10 +98,8 @@ def unmet_text(claim_id, case):
     """The same for readers: wanted slowest c_s/200 to c_s/50, got c_s/49.6"""
     parts = []
     for name in unmet(claim_id, case):
-        (quantity, unit), condition = (
-            split_unit(name.removesuffix("/c_s")),
-            conditions_of(claim_id)[name],
-        )
+        condition = conditions_of(claim_id)[name]
+        quantity, unit = split_unit(name.removesuffix("/c_s"))
         asked, got = f"{wanted(name, condition)} {unit}".rstrip(), as_read(name, case[name])
         if isinstance(case[name], float) and met(condition, float(f"{case[name]:.3g}")):
             got = f"{case[name]:.6g}"  # in three digits it would seem to be met

@@ -23,9 +23,8 @@ class OwnResult:
 
     @property
     def standing(self):
-        if self.met is None:
-            return f"expected {self.expected}" if self.expected else "without verdict"
-        return f"expected {self.expected}: {'met' if self.met else 'not met'}"
+        outcome = {True: ": met", False: ": not met", None: ""}[self.met]
+        return f"expected {self.expected}{outcome}" if self.expected else "without verdict"
 
 
 def text_of(result):
