@@ -65,10 +65,17 @@ def rows_in(record, t_zero, window):
     return shown[:: max(1, -(-len(shown) // ROWS))]
 
 
+def along_interface(axes):
+    """The axis x/L, with ticks that do not run into those of the next panel."""
+    axes.set(xlabel="$x/L$", xlim=(0, 1))
+    axes.set_xticks([0, 0.2, 0.4, 0.6, 0.8, 1], ["0", "0.2", "0.4", "0.6", "0.8", "1"])
+
+
 def draw_image(axes, record, values, rows, t_zero, **look):
     """Image of `values` [rows][blocks], position along x, time upwards in ms after t_zero."""
     x, time = record.x / record.x[-1], (record.time[rows] - t_zero) * MILLISECONDS
-    axes.set(xlabel="$x/L$", ylabel="time [ms]", xlim=(0, 1))
+    along_interface(axes)
+    axes.set(ylabel="time [ms]")
     return axes.pcolormesh(x, time, values, shading="nearest", rasterized=True, **look)
 
 
@@ -87,10 +94,10 @@ def draw_pinned(axes, record, t_zero, window):
 
 def draw_pinned_scale(figure, image, axes, **place):
     scale = figure.colorbar(
-        image, ax=axes, label="fraction of pinned junctions", aspect=30, **place
+        image, ax=axes, label=f"pinned fraction (white: {RUPTURED:g})", aspect=30, **place
     )
     across = scale.ax.axhline if scale.orientation == "vertical" else scale.ax.axvline
-    across(RUPTURED, color="white", linestyle="--", linewidth=0.8)
+    across(RUPTURED, color="white", linewidth=0.8)
 
 
 def name_line(axes, text, height):
@@ -106,10 +113,11 @@ def draw_front_speeds(axes, fronts, looks):
         front = fronts[name]
         v_c = np.array(front["v_c"], dtype=float)  # None becomes NaN
         x = np.array(front["x"]) / front["L"]
-        forwards = v_c > 0
-        if forwards.any():  # not over fewer blocks than a stencil has
-            axes.plot(x[forwards], v_c[forwards], color=colour, marker=marker, label=label)
+        v_c[~(v_c > 0)] = np.nan  # backwards, or unknown: the line breaks
+        if np.isfinite(v_c).any():  # not over fewer blocks than a stencil has
+            axes.plot(x, v_c, color=colour, marker=marker, label=label)
     c_s = front["c_s"]
     axes.axhline(c_s, color=BLACK, linewidth=0.8)
     name_line(axes, "$c_s$", c_s)
-    axes.set(xlabel="$x/L$", ylabel="front speed $v_c$ [m/s]", yscale="log", xlim=(0, 1))
+    along_interface(axes)
+    axes.set(ylabel="front speed $v_c$ [m/s]", yscale="log")

@@ -11,14 +11,25 @@ from data.tables import write_fronts, write_table
 from events.event_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_ensemble, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
-from pictures.plotting import BLUE, DOUBLE, GREEN, OF_PAPER, VERMILION, figure, letter, save
+from pictures.plotting import (
+    BLACK,
+    DOUBLE,
+    EVENT_I,
+    EVENT_II,
+    EVENT_III,
+    OF_PAPER,
+    lettered,
+    save,
+)
 
 MOST_LIKE = "most-like"
 EVENTS = {  # label, colour, marker
-    "fast-slow-fast": ("event I", BLUE, "o"),
-    "fast-only": ("event III", VERMILION, "^"),
-    MOST_LIKE: ("most like the paper's", GREEN, "s"),
+    "fast-slow-fast": ("event I", EVENT_I, "o"),
+    "second-slow": ("event II", EVENT_II, "v"),
+    "fast-only": ("event III", EVENT_III, "^"),
+    MOST_LIKE: ("most like the paper's", BLACK, "s"),
 }
+BESIDE = "second-slow"  # the paper does not show it here
 PAPER_SPEEDS = {paper.FAST: "$c_s/3$", paper.SLOW: "$c_s/100$"}  # [c_s]
 
 
@@ -57,36 +68,25 @@ def draw_speeds(axes, fronts):
     draw_front_speeds(axes, fronts, {name: EVENTS[name] for name in fronts})
     c_s = fronts["fast-slow-fast"]["c_s"]
     for part, text in PAPER_SPEEDS.items():
-        axes.axhline(part * c_s, **OF_PAPER)
+        axes.axhline(part * c_s, zorder=1, **OF_PAPER)
         name_line(axes, text, part * c_s)
     for x in paper.TRANSITIONS:
-        axes.axvline(x, **OF_PAPER)
-        name_upright_line(axes, f"${x} L$", x)
+        axes.axvline(x, zorder=1, **OF_PAPER)
+        name_upright_line(axes, f"${x}\\,L$", x)
     axes.plot([], [], label="paper", **OF_PAPER)
     axes.set(ylim=(1, None))
-    look = {"frameon": True, "framealpha": 0.9, "edgecolor": "none", "borderpad": 0.2}
-    size = {"ncols": len(fronts) - 1, "handlelength": 1.5, "columnspacing": 1}
-    axes.legend(loc="lower right", **look, **size)
-
-
-def panels(count):
-    """Figure, maps and panel of the speeds. Of three maps, the third is below the second."""
-    if count == 2:
-        fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=3)
-        return fig, axes[:2], axes[2]
-    fig, axes = figure(DOUBLE, 0.72 * DOUBLE, nrows=2, ncols=2)
-    return fig, axes.ravel()[[0, 1, 3]], axes[1, 0]
+    look = {"frameon": True, "framealpha": 1, "edgecolor": "none", "borderpad": 0.2}
+    axes.legend(loc="lower right", ncols=3, handlelength=1.5, columnspacing=1, **look)
 
 
 def draw(data, fronts, stem):
-    fig, maps, speeds = panels(len(fronts))
-    for axes, name, text in zip(maps, fronts, "ABD"):
-        image = draw_map(axes, fronts[name], rupture.open(data / f"{name}-record.h5"))
-        axes.set_title(EVENTS[name][0])
-        letter(axes, text)
-    draw_pinned_scale(fig, image, maps[1:] if len(maps) > 2 else maps)
-    draw_speeds(speeds, fronts)
-    letter(speeds, "C")
+    """The speeds are below the first maps, beside that of the event most like the paper's."""
+    fig, panels = lettered("ABC;DDE" if MOST_LIKE in fronts else "ABC;DDD", DOUBLE, 0.68 * DOUBLE)
+    for text, name in zip("ABCE", fronts):
+        image = draw_map(panels[text], fronts[name], rupture.open(data / f"{name}-record.h5"))
+        panels[text].set_title(EVENTS[name][0])
+    draw_pinned_scale(fig, image, list(panels.values()), shrink=0.6)
+    draw_speeds(panels["D"], fronts)
     save(fig, stem)
 
 
@@ -111,6 +111,7 @@ def make(data, results):
     names = [name for name in EVENTS if choice or name != MOST_LIKE]
     fronts = {name: report(data / f"{name}-front.json") for name in names}
     draw(data, fronts, results / "fig2")
+    write_fronts(results / "front-speed-II.csv", {BESIDE: fronts.pop(BESIDE)})
     write_fronts(results / "front-speed.csv", fronts)
     if choice:
         write_choice(results, choice)

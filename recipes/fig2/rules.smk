@@ -9,7 +9,7 @@ FIG2_FILM, FIG2_STILL = [f"{RESULTS}/movie.gif"], ""
 if shutil.which("ffmpeg"):
     FIG2_FILM = [f"{RESULTS}/movie.webm", f"{RESULTS}/movie.png"]
     FIG2_STILL = "&& ffmpeg -v error -y -ss 6 -i {output[0]} -frames:v 1 {output[1]}"
-FIG2_EVENTS = ["fast-slow-fast", "fast-only", *(["most-like"] if FIG2_OF_ALL else [])]
+FIG2_EVENTS = [*EVENTS, *(["most-like"] if FIG2_OF_ALL else [])]
 
 
 STAGES["start"]["fig2"] = [f"{DATA}/{event}.compared" for event in EVENTS]
@@ -84,7 +84,7 @@ use rule figure as fig2 with:
         results_of(
             "fig2",
             pictures=["fig2"],
-            tables=["front-speed", *(["most-like"] if FIG2_OF_ALL else [])],
+            tables=["front-speed", "front-speed-II", *(["most-like"] if FIG2_OF_ALL else [])],
             own=OWN_RESULTS,
         ),
     log: f"{LOGS}/fig2.log"

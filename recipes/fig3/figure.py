@@ -19,14 +19,14 @@ from events.event_claims import judged_event, ratios_3Cr
 from events.slip import until, with_peak_speed
 from events.units import of_ensemble, of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
-from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, OF_PAPER, VERMILION, figure, letter, save
+from pictures.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 SLIP_X = next(iter(SLIP_AT.values()))  # [m]
 SLIPS = {  # run: label, colour, line style
-    "t_R-half": (r"$\langle t_R\rangle/2$", VERMILION, "--"),
-    "stopped": (r"$\langle t_R\rangle$ (as in A)", BLUE, "-"),
-    "t_R-double": (r"$2\,\langle t_R\rangle$", GREEN, "-."),
+    "t_R-half": (r"$\langle t_R\rangle/2$", CHANGED, "--"),
+    "stopped": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "-"),
+    "t_R-double": (r"$2\,\langle t_R\rangle$", SKY, "-."),
 }
 
 
@@ -47,13 +47,13 @@ def draw_slip(axes, slips, t_zero):
         fitted = np.array([slip["slow_from"], slip["slow_to"]])
         start = np.interp(slip["slow_from"], slip["time"], slip["slip"])
         line = start + slip["slow_speed"] * (fitted - fitted[0])
-        axes.plot((fitted - t_zero) * 1e3, line * 1e6 + 0.15, color=BLACK, linewidth=0.7)
+        axes.plot((fitted - t_zero) * 1e3, line * 1e6 + 0.15, color=BLUE, linewidth=0.7)
+    axes.plot([], [], color=BLUE, linewidth=0.7, label="slow slip, fitted")
     highest = max(max(slip["slip"]) for slip in slips.values())
     fastest = [0, highest / paper.FAST_SLIP_SPEED * 1e3]
-    label = f"paper: {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s"
+    label = f"{paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s: experiment\n(paper's ref. 20)"
     axes.plot(fastest, [0, highest * 1e6], label=label, **OF_PAPER)
     axes.set(xlabel="time [ms]", ylabel=r"slip at $x = 0.34\,L$ [µm]")
-    axes.legend(loc="lower right")
 
 
 @dataclass(frozen=True)
@@ -90,23 +90,26 @@ class Event:
         return {run: with_peak_speed(report(path)) for run, path in paths.items()}
 
 
-def draw_event(fig, axes, event, name):
-    slips = event.slips()
-    t_zero = slips["stopped"]["time"][0]
-    t_rupture = values(event.front("stopped")["t_rupture"])
-    window = (0, (np.nanmax(t_rupture) - t_zero) * 1e3 + 0.5)
-    draw_maps(fig, axes[:2], event.data / event.name, t_zero, window)
-    draw_slip(axes[2], slips, t_zero)
-    for axis, text in zip(axes, "ABC"):
-        axis.set_title(", ".join(filter(None, (name, axis.get_title()))))
-        letter(axis, text)
+def duration(event, t_zero):
+    """Until the front with V = 0 has arrived [ms]."""
+    return (np.nanmax(values(event.front("stopped")["t_rupture"])) - t_zero) * 1e3
 
 
 def draw(events, stem):
-    """The paper's event above, the other one below."""
-    fig, axes = figure(DOUBLE, 0.7 * DOUBLE, nrows=len(events), ncols=3)
-    for row, (event, name) in zip(axes, events.items()):
-        draw_event(fig, row, event, name)
+    """Event I above, event II, which the paper shows, below; the times of all maps are the same."""
+    wide = {"width_ratios": (1, 1, 1.25)}
+    fig, axes = figure(DOUBLE, 0.7 * DOUBLE, nrows=len(events), ncols=3, **wide)
+    slips = {event: event.slips() for event in events}
+    t_zero = {event: slips[event]["stopped"]["time"][0] for event in events}
+    window = (0, max(duration(*of_event) for of_event in t_zero.items()) + 0.5)
+    for row, (event, name) in zip(axes, reversed(events.items())):
+        draw_maps(fig, row[:2], event.data / event.name, t_zero[event], window)
+        draw_slip(row[2], slips[event], t_zero[event])
+        for axis in row:
+            axis.set_title(", ".join(filter(None, (name, axis.get_title()))))
+    axes[0, 2].legend(loc="lower right", handlelength=1.5)
+    for axis, text in zip(axes[0], "ABC"):
+        letter(axis, text)
     save(fig, stem)
 
 

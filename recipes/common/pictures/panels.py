@@ -3,6 +3,7 @@
 import numpy as np
 from rupture import plotting
 from rupture.plotting import (  # noqa: F401  (for the recipes)
+    along_interface,
     draw_image,
     draw_pinned,
     draw_pinned_scale,
@@ -26,4 +27,4 @@ def draw_front_speeds(axes, fronts, looks):
     """As in the package. Grey: the loading zone, in which speeds do not count."""
     plotting.draw_front_speeds(axes, fronts, looks)
     L = next(iter(fronts.values()))["L"]
-    axes.axvspan(0, LOADING_ZONE / L, color="0.9", linewidth=0)
+    axes.axvspan(0, LOADING_ZONE / L, color="0.9", linewidth=0, label="loading zone")

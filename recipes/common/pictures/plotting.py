@@ -23,6 +23,11 @@ from rupture.plotting import STYLE as LOOK  # noqa: E402
 MM = 1 / 25.4  # [inch]
 SINGLE = 89 * MM  # width of one column [inch]
 DOUBLE = 183 * MM  # width of the page [inch]
+
+# The same thing has the same colour in all figures.
+FAST, SLOW, ARRESTED = VERMILION, BLUE, "#999999"  # fronts
+EVENT_I, EVENT_II, EVENT_III = GREEN, PURPLE, SKY
+AS_IT_IS, CHANGED = BLACK, ORANGE  # a run, and one in which something was changed
 OF_PAPER = {"color": BLACK, "linestyle": ":", "linewidth": 0.8}  # lines of the paper's numbers
 
 STYLE = LOOK | {"axes.prop_cycle": plt.cycler(color=LINES)}
@@ -34,9 +39,19 @@ def figure(width=SINGLE, height=None, **subplots):
     return plt.subplots(figsize=(width, height or 0.75 * width), **subplots)
 
 
+def lettered(layout, width=DOUBLE, height=None, **subplots):
+    """Figure and {letter: panel}, with the letters drawn; `layout` as "AB;CC"."""
+    plt.rcParams.update(STYLE)
+    fig, panels = plt.subplot_mosaic(layout, figsize=(width, height), **subplots)
+    for text, axes in panels.items():
+        letter(axes, text)
+    return fig, panels
+
+
 def letter(axes, text):
-    """The letter of a panel, above its upper left corner."""
-    axes.set_title(text, loc="left", fontweight="bold", fontsize=9)
+    """The letter of a panel, left of its title."""
+    place = {"xytext": (-10, 6), "textcoords": "offset points", "annotation_clip": False}
+    axes.annotate(text, (0, 1), xycoords="axes fraction", weight="bold", size=9, **place)
 
 
 def save(fig, stem, source=None):
