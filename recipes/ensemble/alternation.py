@@ -10,9 +10,14 @@ n-th events of all loads are shuffled among the loads. This was found on the loa
 import numpy as np
 
 from claims.own_result import OwnResult
-from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, save
+from pictures.plotting import BLACK, DOUBLE, FAST, SLOW, figure, save
 
-SLOW = "fast-slow-fast in words"
+FAST_SLOW_FAST = "fast-slow-fast in words"
+KINDS = {  # of events that span: colour, marker
+    FAST_SLOW_FAST: (SLOW, "s"),
+    "fast everywhere": (FAST, "^"),
+    "other": (BLACK, "o"),
+}
 FROM = 0.6  # [s]
 SHUFFLES, SEED = 10_000, 1
 
@@ -56,7 +61,7 @@ def share_after(loads, kind):
 def own_result(loads):
     """`loads`: {name: [(kind, event), ...]} of the spanning events of the reference slider."""
     kinds = [
-        np.array([kind == SLOW for kind, event in pairs if event["t_start"] >= FROM])
+        np.array([kind == FAST_SLOW_FAST for kind, event in pairs if event["t_start"] >= FROM])
         for pairs in loads.values()
     ]
     pairs, changed = sum(max(0, len(k) - 1) for k in kinds), sum(map(changes, kinds))
@@ -83,13 +88,13 @@ def draw(loads, stem):
     """One row per load, its spanning events in time."""
     fig, axes = figure(DOUBLE, 0.4 * DOUBLE)
     for row, pairs in enumerate(loads.values()):
-        for is_slow, colour, marker in ((True, BLUE, "s"), (False, VERMILION, "o")):
-            times = [event["t_start"] for kind, event in pairs if (kind == SLOW) == is_slow]
+        for of_kind, (colour, marker) in KINDS.items():
+            times = [event["t_start"] for kind, event in pairs if kind == of_kind]
             axes.plot(times, [row] * len(times), marker, color=colour, markersize=4)
-    for label, colour, marker in ((SLOW, BLUE, "s"), ("other", VERMILION, "o")):
-        axes.plot([], [], marker, color=colour, label=label)
+    for kind, (colour, marker) in KINDS.items():
+        axes.plot([], [], marker, color=colour, label=kind)
     axes.set_yticks(range(len(loads)), [load.removeprefix("load-") for load in loads], fontsize=6)
     axes.set(xlabel="first rupture of the event [s]", ylabel="seed of the load")
     axes.invert_yaxis()
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3)
     save(fig, stem)

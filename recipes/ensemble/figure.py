@@ -12,7 +12,8 @@ from events.fronts import has_slow_stretch, is_fast_only
 from events.product import CLAIMS as PRODUCT_CLAIMS
 from events.product import range_of
 from events.units import name_of, of_ensemble
-from pictures.plotting import BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
+from pictures.panels import along_interface
+from pictures.plotting import DOUBLE, lettered, save
 
 NAMES = {  # setting: title
     "load": "reference",
@@ -20,12 +21,8 @@ NAMES = {  # setting: title
     "decaying": "decaying law",
     "exponential": "exponential $t_R$",
 }
-KINDS = {  # label: colour
-    alternation.SLOW: BLUE,
-    "fast everywhere": VERMILION,
-    "other": SKY,
-}
-SHOWN = 5  # after the first rupture [ms]
+SHOWN = 5  # after the first one that is shown [ms]
+FROM = 0.2  # of L; before, fronts begin in many ways
 OF_SLOW = {  # name in a report: for readers
     "x_from": "x_from [m]",
     "x_to": "x_to [m]",
@@ -40,7 +37,7 @@ OF_SLOW = {  # name in a report: for readers
 
 def kind_of(event):
     if event["fast_slow_fast"]:
-        return alternation.SLOW
+        return alternation.FAST_SLOW_FAST
     return "fast everywhere" if is_fast_only(event) else "other"
 
 
@@ -53,27 +50,32 @@ def setting_of(load):
     return load.split("-")[0]
 
 
-def draw_rupture_lines(axes, events):
-    for kind, event in sorted(events, key=lambda pair: list(KINDS).index(pair[0]), reverse=True):
+def draw_rupture_lines(axes, events, colour):
+    """From the rupture of the first block beyond FROM on."""
+    for event in events:
         t_rupture = values(event["t_rupture"])
-        time = (t_rupture - event["t_start"]) * 1e3
-        axes.plot(np.linspace(0, 1, len(time)), time, color=KINDS[kind], linewidth=0.5)
-    axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, SHOWN))
+        x = np.linspace(0, 1, len(t_rupture))
+        beyond = (x >= FROM) & np.isfinite(t_rupture)
+        time = (t_rupture[beyond] - t_rupture[beyond][0]) * 1e3
+        axes.plot(x[beyond], time, color=colour, linewidth=0.5)
+    axes.annotate(f"{len(events)} events", (0.05, 0.9), xycoords="axes fraction")
 
 
 def draw(loads, stem):
-    fig, panels = figure(DOUBLE, 0.36 * DOUBLE, ncols=len(NAMES))
-    for axes, (setting, title), text in zip(panels, NAMES.items(), "ABCD"):
-        found = [
-            pair for load, pairs in loads.items() if setting_of(load) == setting for pair in pairs
-        ]
-        draw_rupture_lines(axes, found)
-        axes.set_title(title)
-        letter(axes, text)
-    panels[0].set_ylabel("block ruptures after [ms]")
-    for label, colour in KINDS.items():
-        panels[1].plot([], [], color=colour, label=label)
-    panels[1].legend(loc="lower right", handlelength=1, frameon=True)
+    """A row per kind of event, a column per kind of load."""
+    fig, panels = lettered("ABCD;EFGH;IJKL", DOUBLE, 0.8 * DOUBLE, sharex=True, sharey=True)
+    of_row = iter(panels.values())
+    for kind, (colour, _) in alternation.KINDS.items():
+        for setting, title in NAMES.items():
+            axes = next(of_row)
+            found = [pairs for load, pairs in loads.items() if setting_of(load) == setting]
+            draw_rupture_lines(axes, [e for pairs in found for k, e in pairs if k == kind], colour)
+            axes.set_title(title)
+    for text, kind in zip("AEI", alternation.KINDS):
+        panels[text].set_ylabel(f"{kind}\nblock ruptures after [ms]")
+    for text in "IJKL":
+        along_interface(panels[text])
+    panels["A"].set(xlim=(FROM, 1), ylim=(0, SHOWN))
     save(fig, stem)
 
 
@@ -98,7 +100,7 @@ def counts(setting, loads):
     numbers = [
         len(of_setting),
         len(events),
-        *(kinds.count(kind) for kind in KINDS),
+        *(kinds.count(kind) for kind in alternation.KINDS),
         sum(has_slow_stretch(event) for _, event in events),
         sum(is_fast_slow_fast(event) for _, event in events),
     ]

@@ -6,7 +6,7 @@ from claims import paper
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
-from pictures.plotting import BLACK, BLUE, DOUBLE, OF_PAPER, VERMILION, figure, letter, save
+from pictures.plotting import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
 
 
 def net_slip(estimate):
@@ -58,8 +58,8 @@ def claims_of(reference, unbreakable):
 def draw_relaxation(axes, reference, unbreakable):
     longest = reference["relaxation"]["time_over_t_R"][-1]
     for estimate, colour, line, label in (
-        (reference, BLUE, "-", "as in the model"),
-        (unbreakable, VERMILION, "--", "without re-breaking"),
+        (reference, AS_IT_IS, "-", "as in the model"),
+        (unbreakable, CHANGED, "--", "without re-breaking"),
     ):
         time = np.array([0.0, *estimate["relaxation"]["time_over_t_R"], longest])
         slip = [0.0, *estimate["relaxation"]["slip_over_f_slip_per_k_ij"], net_slip(estimate)]
@@ -75,17 +75,18 @@ def draw_relaxation(axes, reference, unbreakable):
 
 def draw_blocks(axes, reference):
     block = reference["block"]
-    axes.plot(block["x"], np.array(block["v_slow_slip"]) * 1e3, "o", color=BLUE)
-    axes.axhline(reference["v_slow_slip"] * 1e3, color=BLACK, linewidth=0.8)
-    axes.set(xlabel="$x$ [m]", ylabel="slow slip speed by Eq. S1 [mm/s]", xlim=(-0.002, 0.142))
+    x, v = np.array(block["x"]) * 1e3, np.array(block["v_slow_slip"]) * 1e3
+    axes.plot(x, v, "o", color=BLUE, label="each block")
+    mean = reference["v_slow_slip"] * 1e3
+    axes.axhline(mean, color=BLACK, linewidth=0.8, label="at the mean normal force")
+    axes.set(xlabel="$x$ [mm]", ylabel="slow slip speed by Eq. S1 [mm/s]", xlim=(-2, 142))
+    axes.legend(loc="upper center")
 
 
 def draw(reference, unbreakable, stem):
-    fig, axes = figure(DOUBLE, 0.38 * DOUBLE, ncols=2)
-    draw_relaxation(axes[0], reference, unbreakable)
-    draw_blocks(axes[1], reference)
-    for axis, text in zip(axes, "AB"):
-        letter(axis, text)
+    fig, panels = lettered("AB", DOUBLE, 0.38 * DOUBLE)
+    draw_relaxation(panels["A"], reference, unbreakable)
+    draw_blocks(panels["B"], reference)
     save(fig, stem)
 
 

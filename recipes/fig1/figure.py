@@ -6,7 +6,7 @@ import numpy as np
 import speeds
 
 from data.tables import read_table
-from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, ORANGE, VERMILION, figure, letter, save
+from pictures.plotting import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 
 MU_S, MU_D = 0.4, 0.17
 SHOWN = (0.1e-3, 1.5)  # speeds drawn in G [m/s]
@@ -15,11 +15,12 @@ SHOWN = (0.1e-3, 1.5)  # speeds drawn in G [m/s]
 def draw_loading(axes, loading, events):
     axes.plot(loading["time [s]"], loading["F_T/F_N"], color=BLACK, linewidth=0.8)
     peak = np.interp(events["t_start [s]"], loading["time [s]"], loading["F_T/F_N"])
-    spans = events["spanning"] == "True"
-    for chosen, colour, marker, label in (
-        (~spans, BLUE, "o", "arrested event"),
-        (spans, VERMILION, "v", "spans the interface"),
+    for kind, colour, marker, label in (
+        ("arrested", ARRESTED, "o", "arrested event"),
+        ("slow", SLOW, "v", "spans, with a slow stretch"),
+        ("fast", FAST, "^", "spans, fast everywhere"),
     ):
+        chosen = events["type"] == kind
         x, y = events["t_start [s]"][chosen], peak[chosen] + 0.012
         axes.plot(x, y, marker, color=colour, markersize=3, label=label)
     axes.set(xlabel="$t$ [s]", ylabel="$F_T/F_N$", xlim=(0, 1.2), ylim=(0, 0.25))
@@ -37,7 +38,7 @@ def draw_block(axes, block):
 
 def draw_junction(axes, junction):
     u = junction["displacement [m]"] * 1e6
-    axes.plot(u, junction["f_T/f_N"], color=GREEN)
+    axes.plot(u, junction["f_T/f_N"], color=BLUE)
     for level, name in ((MU_S, r"$\mu_s$"), (MU_D, r"$\mu_d$")):
         axes.axhline(level, color=BLACK, linestyle=":", linewidth=0.8)
         axes.annotate(name, (u[-1], level), xytext=(3, -3), textcoords="offset points")
@@ -49,7 +50,7 @@ def draw_speeds(axes, steady):
     v = steady["v [m/s]"]
     shown = (v > 0.9 * SHOWN[0]) & (v < SHOWN[1])
     axes.plot(v[shown], steady["renewal theory"][shown], color=BLACK, linewidth=0.8, label="theory")
-    axes.plot(v[shown], steady["tau/p"][shown], "o", color=ORANGE, label="measured")
+    axes.plot(v[shown], steady["tau/p"][shown], "o", color=BLUE, label="measured")
     for level, name in ((MU_S / 2, r"$\mu_s/2$"), (MU_D, r"$\mu_d$")):
         axes.axhline(level, color=BLACK, linestyle=":", linewidth=0.8)
         axes.annotate(name, (0.4, level), xytext=(0, -9), textcoords="offset points")
@@ -62,13 +63,11 @@ def draw(results):
         name: read_table(results / f"{name}.csv")
         for name in ("loading", "events", "block", "junction", "steady-state")
     }
-    fig, axes = figure(DOUBLE, 0.62 * DOUBLE, nrows=2, ncols=2)
-    draw_loading(axes[0, 0], table["loading"], table["events"])
-    draw_block(axes[0, 1], table["block"])
-    draw_junction(axes[1, 0], table["junction"])
-    draw_speeds(axes[1, 1], table["steady-state"])
-    for axis, text in zip(axes.flat, "DEFG"):
-        letter(axis, text)
+    fig, panels = lettered("DE;FG", DOUBLE, 0.62 * DOUBLE)
+    draw_loading(panels["D"], table["loading"], table["events"])
+    draw_block(panels["E"], table["block"])
+    draw_junction(panels["F"], table["junction"])
+    draw_speeds(panels["G"], table["steady-state"])
     save(fig, results / "fig1")
 
 

@@ -8,7 +8,7 @@ from claims.judge import judged
 from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
-from pictures.plotting import BLACK, BLUE, SINGLE, VERMILION, figure, save
+from pictures.plotting import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
 
 
 def case(l_0):
@@ -47,16 +47,18 @@ def draw(seed, stem):
     first = next(iter(fronts.values()))
     x, excess = np.array(first["x - x_0"]), np.array([f["excess"] for f in fronts.values()])
     axes.plot(x * 1e3, excess.T, color="0.7", linewidth=0.6)
+    axes.plot([], [], color="0.7", linewidth=0.6, label="one front")
     middle = np.median(excess, axis=0)
     axes.plot(x * 1e3, middle, "o", color=BLACK, markersize=3, label="median of the fronts")
     for l_0, text, look in (
-        (seed["l_0"][PRIMARY], "fitted", {"color": BLUE}),
-        (paper.L_0, "paper", {"color": VERMILION, "linestyle": "--"}),
+        (seed["l_0"][PRIMARY], "fitted", {"color": BLUE, "linewidth": 1}),
+        (paper.L_0, "paper", OF_PAPER),
     ):
         label = rf"{text}: $l_0 = {l_0 * 1e3:.1f}$ mm"
         line = exponential_through_middle(x, middle, l_0)
-        axes.plot(x * 1e3, line, label=label, linewidth=1, **look)
-    axes.axvspan(*(x[list(FITTED)] * 1e3), color="0.93", linewidth=0, zorder=0)
+        axes.plot(x * 1e3, line, label=label, **look)
+    fitted = x[list(FITTED)] * 1e3
+    axes.axvspan(*fitted, color="0.93", linewidth=0, zorder=0, label="fitted blocks")
     axes.set(xlabel="$x - x_0$ [mm]", yscale="log", ylim=(0.06, 1.3))
     axes.set_ylabel(r"$(\tau - \tau_0)/(\tau - \tau_0)_{x_0}$")
     axes.legend(loc="upper right")

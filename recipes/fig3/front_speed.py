@@ -14,12 +14,15 @@ from claims.judge import judged
 from data.fits import fit_through_origin
 from data.tables import numbers, write_columns
 from events.conventions import PRIMARY
-from pictures.plotting import BLUE, SINGLE, VERMILION, figure, save
+from pictures.plotting import AS_IT_IS, CHANGED, SINGLE, figure, save
 import slow_fronts as slow
 
 NX = 57
 N_S = 100
-MODELS = {"simplified": VERMILION, "full": BLUE}
+MODELS = {  # label and colour
+    "simplified": ("simplified", CHANGED),
+    "full": ("reference", AS_IT_IS),
+}
 VARIED = {  # marker and label
     "v_slow and tau_0": ("D", r"$v_\mathrm{slow}$, $\tau_0$"),
     "t_R and tau_0": ("o", r"$\langle t_R\rangle$, $\tau_0$"),
@@ -59,11 +62,11 @@ def chosen(rows, model, variants):
 
 
 def draw_points(axes, rows, x, label):
-    for model, colour in MODELS.items():
+    for model, (law, colour) in MODELS.items():
         for variant, (marker, name) in VARIED.items():
             points = chosen(rows, model, [variant])
             if points:
-                text = f"{model}: {name}" if label else None
+                text = f"{law}: {name}" if label else None
                 style = {"color": colour, "markerfacecolor": "none", "markeredgewidth": 0.7}
                 axes.plot(
                     x(points), slow.speeds(points), marker, label=text, markersize=3.5, **style
@@ -74,8 +77,10 @@ def draw(rows, fits, stem):
     fig, axes = figure(1.5 * SINGLE, 1.1 * SINGLE)
     draw_points(axes, rows, lambda points: scale(points) * slip(points), label=True)
     end = 1.08 * max(scale(rows) * slip(rows))
-    for model, colour in MODELS.items():
-        axes.plot([0, end], [0, fits[model].slope * end], color=colour, linewidth=0.8)
+    for model, (law, colour) in MODELS.items():
+        slope = fits[model].slope
+        look = {"color": colour, "linewidth": 0.8, "label": f"{law}: slope {slope:.2f}"}
+        axes.plot([0, end], [0, slope * end], **look)
     axes.set_xlabel(r"$v_\mathrm{slow\,slip}\,k_i l_0/(\tau_\mathrm{thres}-\tau_0)$ [m/s]")
     axes.set(ylabel=r"$v_{c,\mathrm{slow}}$ [m/s]", xlim=(0, end), ylim=(0, None))
     axes.legend(loc="upper left", ncols=2, columnspacing=0.8, handletextpad=0.1)

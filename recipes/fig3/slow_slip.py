@@ -13,7 +13,7 @@ from claims.judge import holds, judged
 from data.fits import fit_through_origin
 from data.tables import numbers, read_rows, write_columns
 from events.conventions import PRIMARY
-from pictures.plotting import BLACK, BLUE, GREEN, SINGLE, figure, save
+from pictures.plotting import BLUE, EVENT_II, OF_PAPER, SINGLE, figure, save
 import slow_fronts as slow
 
 MM = 1e3  # [mm/m]
@@ -112,11 +112,13 @@ def draw(prepared, event, prepared_fit, stem):
     fig, axes = figure(SINGLE, SINGLE)
     for variant, (marker, label) in VARIED.items():
         rows = [row for row in prepared if row["varies"] == variant]
-        draw_rows(axes, rows, marker, GREEN, f"prepared, {label}")
-    draw_rows(axes, event, "^", BLUE, r"event, $\langle t_R\rangle$ varied")
+        draw_rows(axes, rows, marker, BLUE, f"prepared, {label}")
+    draw_rows(axes, event, "^", EVENT_II, r"event II, $\langle t_R\rangle$ varied")
     end = 1.08 * max(estimate_and_measured(prepared + event)[0])
-    axes.plot([0, end], [0, prepared_fit.slope * end], color=GREEN, linewidth=0.8)
-    axes.plot([0, end], [0, end], color=BLACK, linestyle=":", linewidth=0.8, label="Eq. S1")
+    slope = prepared_fit.slope
+    label = f"prepared: slope {slope:.2f}"
+    axes.plot([0, end], [0, slope * end], color=BLUE, linewidth=0.8, label=label)
+    axes.plot([0, end], [0, end], label="paper: Eq. S1", **OF_PAPER)
     estimate = rf"{paper.COEFFICIENT}\,\tau_\mathrm{{slip}}/(k_i\langle t_R\rangle)"
     axes.set(xlabel=rf"estimate ${estimate}$ [mm/s]", xlim=(0, end), ylim=(0, None))
     axes.set_ylabel(r"measured $v_\mathrm{slow\,slip}$ [mm/s]")

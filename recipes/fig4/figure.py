@@ -38,19 +38,22 @@ def draw_event(axes, data, event):
     axes[1].set_ylabel("")
     arrow = {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
     axes[1].annotate("", (1, 0.03), (REGION, 0.03), "axes fraction", "axes fraction", arrow)
+    axes[1].annotate(
+        r"wider $\varphi$", ((1 + REGION) / 2, 0.05), None, "axes fraction", ha="center"
+    )
     return image
 
 
 def draw(data, stem):
-    """The paper's event above, the other one below."""
+    """Event I above, event II, which the paper shows, below."""
     fig, axes = figure(0.7 * DOUBLE, 0.7 * DOUBLE, nrows=len(EVENTS), ncols=2, sharey="row")
-    for row, (event, name) in zip(axes, EVENTS.items()):
+    for row, (event, name) in zip(axes, reversed(EVENTS.items())):
         image = draw_event(row, data, event)
-        titles = ("as it is", r"wider $\varphi$")
-        for axis, text, title in zip(row, "AB", titles):
+        for axis, title in zip(row, ("as it is", r"wider $\varphi$")):
             axis.set_title(f"{name}, {title}")
-            letter(axis, text)
         draw_pinned_scale(fig, image, row)
+    for axis, text in zip(axes[0], "AB"):
+        letter(axis, text)
     save(fig, stem)
 
 

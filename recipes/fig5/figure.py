@@ -9,19 +9,20 @@ from data.tables import write_table
 from events.event_claims import judged_event
 from events.fronts import middle_of_slow_stretch
 from events.units import of_ensemble, of_events
-from pictures.panels import draw_image, draw_pinned_scale, window_of
-from pictures.plotting import BLACK, BLUE, DOUBLE, MAP, VERMILION, figure, save
+from pictures.panels import draw_image, window_of
+from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, MAP, figure, letter, save
 
 EVENT = "fast-slow-fast"
+STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}
 STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured
 
 
 def draw_loading(axes, data, t_zero, t_stop):
     time, load = quasistatic.loading(data / f"{EVENT}-record.h5")
-    axes.plot((time - t_zero) * 1e3, load, color="0.6", linewidth=2.5, label="driven")
+    axes.plot((time - t_zero) * 1e3, load, color=AS_IT_IS, linewidth=2, label="driven")
     time, load = quasistatic.loading(data / f"{EVENT}/undriven-record.h5")
-    axes.plot((time - t_zero) * 1e3, load, color=BLUE, label="driving stopped")
-    axes.axvline((t_stop - t_zero) * 1e3, color=VERMILION, linestyle=":", linewidth=0.9)
+    axes.plot((time - t_zero) * 1e3, load, "--", color=CHANGED, label="stopped")
+    axes.axvline((t_stop - t_zero) * 1e3, **STOP)
     axes.set(xlabel="time [ms]", ylabel="$F_T/F_N$")
     axes.legend(loc="upper right")
 
@@ -35,25 +36,26 @@ def draw_lines(axes, fronts, t_zero, t_stop):
     """When the blocks rupture; those that had ruptured when the driving stopped only once."""
     driven, undriven = (values(front["t_rupture"]) for front in fronts)
     x = np.array(fronts[0]["x"]) / fronts[0]["L"]
-    axes.plot(x, (driven - t_zero) * 1e3, color=BLACK, linewidth=2, label="driven")
+    axes.plot(x, (driven - t_zero) * 1e3, color=AS_IT_IS, linewidth=2, label="rupture, driven")
     later = np.where(driven > t_stop, undriven, np.nan)
-    axes.plot(x, (later - t_zero) * 1e3, "--", color=VERMILION, label="driving stopped")
+    axes.plot(x, (later - t_zero) * 1e3, "--", color=CHANGED, label="rupture, stopped")
+    axes.axhline((t_stop - t_zero) * 1e3, **STOP)
     axes.legend(loc="lower right")
 
 
 def draw(data, fronts, t_stop, stem):
     t_zero, window = window_of(fronts[0])
-    fig, axes = figure(0.8 * DOUBLE, 0.36 * DOUBLE, ncols=2)
+    fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
     draw_loading(axes[0], data, t_zero, t_stop)
     driven, undriven = (
         rupture.open(data / f"{run}-record.h5") for run in (EVENT, f"{EVENT}/undriven")
     )
-    draw_map(axes[1], driven, t_zero, "gray", True)
+    grey = draw_map(axes[1], driven, t_zero, quasistatic.GREYS, True)
     image = draw_map(axes[1], undriven, t_zero, MAP, undriven.pinned_fraction < STILL)
     draw_lines(axes[1], fronts, t_zero, t_stop)
-    axes[1].axhline((t_stop - t_zero) * 1e3, color=VERMILION, linestyle=":", linewidth=0.9)
-    axes[1].set(xlim=(0, 1), ylim=window)
-    draw_pinned_scale(fig, image, axes[1])
+    axes[1].set(ylim=window)
+    quasistatic.draw_scales(fig, axes[1], image, grey)
+    letter(axes[0], "A")
     save(fig, stem)
 
 

@@ -2,14 +2,17 @@
 
 import numpy as np
 import rupture
+from matplotlib.colors import LinearSegmentedColormap
 from quasistatic_stretch import MIDDLE, advances, read_ruptures
 
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
-from pictures.plotting import BLUE, DOUBLE, MAP, VERMILION, figure, letter, save
+from pictures.panels import along_interface
+from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, MAP, figure, letter, save
 
+GREYS = LinearSegmentedColormap.from_list("greys", ["0.5", "1"])  # black lines can be seen on it
 SLIPPING = 0.05  # part of a block's junctions from which a stopped run is shown
 HARDLY = 2  # blocks
 SHOWN_BEFORE, SHOWN_AFTER = 10e-3, 5e-3  # the dynamic events on either side [s]
@@ -22,9 +25,9 @@ def loading(path):
 
 
 def draw_loading(axes, load, stopped, window):
-    axes.plot(*loading(load), color="0.55", label="driven at $h = 0$")
-    axes.plot(*loading(stopped), color=VERMILION, label="driving stopped")
-    axes.axvspan(*window, color="0.93", linewidth=0)
+    axes.plot(*loading(load), color=AS_IT_IS, linewidth=0.8, label="driven at $h = 0$")
+    axes.plot(*loading(stopped), color=CHANGED, label="driving stopped")
+    axes.axvspan(*window, color="0.9", linewidth=0, label="shown on the right")
     axes.set(xlabel="time [s]", ylabel="$F_T/F_N$", xlim=(0, None), ylim=(0, None))
     axes.legend(loc="lower right")
 
@@ -35,22 +38,28 @@ def draw_image(axes, pinned, values, window, colours):
     return axes.pcolormesh(x, pinned.time[shown], values[shown], vmin=0, vmax=1, **look)
 
 
+def draw_scales(fig, axes, stopped, driven):
+    """Of the two images."""
+    for image, name in ((stopped, "stopped"), (driven, "driven")):
+        fig.colorbar(image, ax=axes, label=f"pinned fraction, {name}", aspect=30)
+
+
 def draw_maps(fig, axes, load, stopped, window, t_branch):
     pinned, after = rupture.open(load), rupture.open(stopped)
-    grey = draw_image(axes, pinned, pinned.pinned_fraction, window, "gray")
+    grey = draw_image(axes, pinned, pinned.pinned_fraction, window, GREYS)
     slipping = np.ma.masked_where(after.pinned_fraction > 1 - SLIPPING, after.pinned_fraction)
     colour = draw_image(axes, after, slipping, window, MAP)
-    axes.axhline(t_branch, color=VERMILION, linewidth=0.8)
-    above = {"xytext": (0, 2), "textcoords": "offset points", "ha": "right"}
-    axes.annotate("$V = 0$", (0.99, t_branch), color=VERMILION, **above)
-    axes.set(xlabel="$x/L$", ylabel="time [s]", xlim=(0, 1), ylim=window)
-    fig.colorbar(colour, ax=axes, label="pinned junctions ($V = 0$)", aspect=30)
-    fig.colorbar(grey, ax=axes, label="pinned junctions (driven)", aspect=30)
+    axes.axhline(t_branch, color=CHANGED, linestyle=":", label="driving stops")
+    along_interface(axes)
+    axes.set(ylabel="time [s]", ylim=window)
+    draw_scales(fig, axes, colour, grey)
 
 
 def draw_tip(axes, stretch, L):
     time, tip = np.array(stretch["tip"]).T
-    axes.step(tip / L, time, where="pre", color=BLUE, linewidth=1, label="tip of the front")
+    axes.step(
+        tip / L, time, where="pre", color=AS_IT_IS, linewidth=1, label="tip of the front, driven"
+    )
     axes.legend(loc="lower right", bbox_to_anchor=(1, 0.1))
 
 

@@ -6,7 +6,7 @@ import rupture
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
-from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
 
 
 class Stress:
@@ -92,14 +92,12 @@ def draw_stress(axes, stress):
 
 
 def draw(unloaded, before, stem):
-    fig, axes = figure(DOUBLE, 0.38 * DOUBLE, ncols=2, sharey=True)
-    draw_stress(axes[0], unloaded)
-    draw_stress(axes[1], before)
-    axes[0].set(title="$F_T = 0$", ylabel="force on a block [N]")
-    axes[1].set_title(f"0.5 ms before the event, $F_T$ = {before.F_T:.0f} N")
-    axes[0].legend(loc="center")
-    for axis, text in zip(axes, "AB"):
-        letter(axis, text)
+    fig, panels = lettered("AB", DOUBLE, 0.38 * DOUBLE, sharey=True)
+    draw_stress(panels["A"], unloaded)
+    draw_stress(panels["B"], before)
+    panels["A"].set(title="$F_T = 0$", ylabel="force on a block [N]")
+    panels["B"].set_title(f"0.5 ms before event I, $F_T$ = {before.F_T:.0f} N")
+    panels["A"].legend(loc="center")
     save(fig, stem)
 
 

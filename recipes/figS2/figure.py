@@ -11,11 +11,11 @@ from events.event_claims import case_S2
 from events.fronts import is_fast_slow
 from events.units import of_ensemble, without_slow_slip
 from pictures.panels import draw_front_speeds, draw_image, window_of
-from pictures.plotting import BLUE, DOUBLE, VERMILION, figure, letter, save
+from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
 SPEEDS = {  # label, colour, marker
-    "event": ("slow slip", BLUE, "o"),
-    "no-slow-slip": ("no slow slip", VERMILION, "^"),
+    "event": ("slow slip", AS_IT_IS, "o"),
+    "no-slow-slip": ("no slow slip", CHANGED, "^"),
 }
 
 
@@ -40,14 +40,12 @@ def draw_speeds(axes, fronts):
 
 def draw(data, fronts, stem):
     t_zero, window = window_of(fronts["event"])
-    fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=3)
-    for axis, name in zip(axes[::2], SPEEDS):
-        image = draw_map(axis, data / f"{name}-record.h5", fronts[name], t_zero, window)
-        axis.set_title(SPEEDS[name][0])
-    draw_speeds(axes[1], fronts)
-    fig.colorbar(image, ax=axes[2], label=r"friction to normal force $\tau/p$", aspect=30)
-    for axis, text in zip(axes, "ABC"):
-        letter(axis, text)
+    fig, panels = lettered("ABC", DOUBLE, 0.36 * DOUBLE)
+    for text, name in zip("AC", SPEEDS):
+        image = draw_map(panels[text], data / f"{name}-record.h5", fronts[name], t_zero, window)
+        panels[text].set_title(SPEEDS[name][0])
+    draw_speeds(panels["B"], fronts)
+    fig.colorbar(image, ax=panels["C"], label=r"$\tau/p$ (white: rupture)", aspect=30)
     save(fig, stem)
 
 

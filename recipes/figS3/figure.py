@@ -58,13 +58,14 @@ def draw(points, stem):
             look = {"markersize": 2.5, "label": rf"$\bar\tau_0 = {tau_bar:g}$"}
             axes.plot(x, ratio(stress), "o", color=colour, **look)
             axes.plot(x, prescribed(stress["x"], tau_bar), color=colour, linewidth=0.6)
+    axes.plot([], [], color=BLACK, linewidth=0.6, label="prescribed")
     axes.axhline(MU_D, color=BLACK, linewidth=0.6, linestyle=":")
     place = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "ha": "right"}
     axes.annotate(r"$\mu_d$", (1, MU_D), xytext=(-3, 2), **place)
     axes.axvspan(-2, X_TRIGGER * 1e3 - 1.25, color=ORANGE, alpha=0.2, linewidth=0)
     axes.annotate("trigger\nregion", (9, 0.185), ha="center")
     axes.set(xlabel="$x$ [mm]", ylabel=r"$\tau_0/p$", xlim=(-2, 142), ylim=(0.15, 0.26))
-    axes.legend(loc="center right", bbox_to_anchor=(1, 0.42))
+    axes.legend(loc="center right", bbox_to_anchor=(1, 0.4))
     save(fig, stem)
 
 

@@ -14,9 +14,10 @@ from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
 
 EVENT = "second-slow"
 STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows
-TITLES = ("as it is", r"wider $\varphi$ beyond $0.25\,L$")
+TITLES = ("event II, as it is", r"event II, wider $\varphi$ beyond $0.25\,L$")
 REGION = 0.25  # phi was changed from here on, this block included [L]
 BINS = 30
+MN = 1e3  # [mN/N]
 
 
 def wide_uniform(junctions, block):
@@ -51,12 +52,17 @@ def draw_phi(axes, junctions, edges):
     blocks = range(len(junctions.f_thres))
     counts = np.array([np.histogram(junctions.pinned(block), edges)[0] for block in blocks]).T
     image = axes.pcolormesh(
-        block_edges(junctions), edges, counts / counts.sum(axis=0), cmap="cividis", vmin=0, vmax=0.2
+        block_edges(junctions),
+        edges * MN,
+        counts / counts.sum(axis=0),
+        cmap="cividis",
+        vmin=0,
+        vmax=0.2,
     )
     image.set_rasterized(True)
-    axes.stairs(junctions.f_thres, block_edges(junctions), baseline=None, color="white")
+    axes.stairs(junctions.f_thres * MN, block_edges(junctions), baseline=None, color="white")
     axes.axhline(0, color="white", linewidth=0.9)
-    axes.set(ylim=(edges[0], edges[-1]))
+    axes.set(ylim=(edges[0] * MN, edges[-1] * MN))
     return image
 
 
@@ -84,10 +90,11 @@ def draw(data, junctions, fronts, stem):
         axes[0, column].set(title=title, xlabel="")
         letter(axes[0, column], "AB"[column])
     axes[0, 1].set_ylabel("")
-    axes[1, 0].set_ylabel("force in a junction [N]")
-    axes[2, 0].set_ylabel("slipping")
+    axes[1, 0].set_ylabel("force in a junction [mN]")
+    axes[2, 0].set_ylabel("share\nslipping")
     draw_pinned_scale(fig, pinned, axes[0])
-    fig.colorbar(shares, ax=axes[1], label="share of the pinned junctions", aspect=30, extend="max")
+    label = "share of the pinned junctions\n" + r"(white: $f_\mathrm{thres}$, and no force)"
+    fig.colorbar(shares, ax=axes[1], label=label, aspect=30, extend="max")
     save(fig, stem)
 
 

@@ -8,12 +8,13 @@ from quadrature import uniform_closed_form
 
 from claims.judge import judged
 from data.tables import write_table
-from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, figure, letter, save
+from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
 
 MU_S, MU_D = 0.4, 0.17  # reference parameters, as the tool's defaults
 DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average
 LINES = {"uniform": "-", "bell": "--"}
+MARKERS = {"uniform": "o", "bell": "s"}  # of the largest values
 
 
 class Strength:
@@ -43,24 +44,28 @@ def draw_distributions(axes):
             xi = np.linspace(-1.01 * a, 1.01 * a, 801)
             f = MU_D + (MU_S - MU_D) * (MEAN + xi)
             axes.plot(f, SHAPES[shape](xi, a) / (MU_S - MU_D), line, color=colour)
+        axes.plot([], [], color=colour, label=rf"$\bar\sigma = {sigma_bar:g}$")
     axes.set(xlabel="$f_T/f_N$", ylabel=r"$\phi$", ylim=(0, None))
+    axes.legend(loc="upper right", handlelength=1)
 
 
 def draw_curves(axes, curves):
     for (shape, sigma_bar), (d, ratio) in curves.items():
         best = np.argmax(ratio)
         axes.plot(d, ratio, LINES[shape], color=DRAWN[sigma_bar])
-        axes.plot(d[best], ratio[best], "os"[shape == "bell"], color=DRAWN[sigma_bar])
+        axes.plot(d[best], ratio[best], MARKERS[shape], color=DRAWN[sigma_bar])
     axes.set(xlabel=r"displacement $[f_\mathrm{slip}/k_{ij}]$", ylabel=r"$\tau/p$", xlim=(0, None))
 
 
 def draw_strength(axes, strengths):
     for strength in strengths:
         line = LINES[strength.shape]
-        axes.plot(strength.sigma_bar, strength.mu, line, color=BLACK, label=strength.shape)
+        axes.plot(strength.sigma_bar, strength.mu, line, color=BLACK)
+        marked = line + MARKERS[strength.shape]
+        axes.plot([], [], marked, color=BLACK, label=strength.shape)
         for sigma_bar, colour in DRAWN.items():
             n = np.argmin(np.abs(strength.sigma_bar - sigma_bar))
-            axes.plot(sigma_bar, strength.mu[n], "os"[strength.shape == "bell"], color=colour)
+            axes.plot(sigma_bar, strength.mu[n], MARKERS[strength.shape], color=colour)
     axes.set(
         xlabel=r"$\bar\sigma$", ylabel=r"$\mu_s^\mathrm{eff}$", xlim=(0, 1.2), ylim=(MU_D, MU_S)
     )
@@ -68,12 +73,10 @@ def draw_strength(axes, strengths):
 
 
 def draw(curves, strengths, stem):
-    fig, axes = figure(DOUBLE, 0.34 * DOUBLE, ncols=3)
-    draw_distributions(axes[0])
-    draw_curves(axes[1], curves)
-    draw_strength(axes[2], strengths)
-    for axis, text in zip(axes, "ABC"):
-        letter(axis, text)
+    fig, panels = lettered("ABC", DOUBLE, 0.34 * DOUBLE)
+    draw_distributions(panels["A"])
+    draw_curves(panels["B"], curves)
+    draw_strength(panels["C"], strengths)
     save(fig, stem)
 
 

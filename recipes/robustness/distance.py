@@ -8,7 +8,8 @@ from data.tables import points_of
 from maps.bands import bands_of, width
 from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from maps.map_panels import draw_key, draw_regions
-from pictures.plotting import BLACK, BLUE, DOUBLE, figure, letter, save
+from pictures.panels import along_interface
+from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
 TITLES = {  # variant of the sweep
     "d_R 0.3 um": r"$d_R = 0.3\,\mu$m",
@@ -66,26 +67,22 @@ def own_result(maps, edges, unmodified, continued):
 
 def draw_event(axes, fronts):
     start = min(np.nanmin(values(front["t_rupture"])) for front in fronts.values())
-    for (label, front), colour in zip(fronts.items(), (BLACK, BLUE)):
+    for (label, front), colour in zip(fronts.items(), (AS_IT_IS, CHANGED)):
         time = (values(front["t_rupture"]) - start) * 1e3
         axes.plot(np.array(front["x"]) / front["L"], time, ".", color=colour, label=label)
-    axes.set(xlabel="$x/L$", ylabel="block ruptures after [ms]", xlim=(0, 1), ylim=(0, None))
-    axes.set_title("event of Fig. 2")
-    axes.legend(loc="upper left", handletextpad=0)
+    along_interface(axes)
+    axes.set(title="event I", ylabel="block ruptures after [ms]", ylim=(0, None))
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.3), handletextpad=0)
 
 
 def draw(maps, fronts, stem):
-    fig, panels = figure(DOUBLE, 0.28 * DOUBLE, ncols=1 + len(maps))
-    draw_event(panels[0], fronts)
-    for axes, (name, map_) in zip(panels[1:], maps.items()):
+    fig, panels = lettered("ABCDE", DOUBLE, 0.28 * DOUBLE)
+    draw_event(panels["A"], fronts)
+    for text, (name, map_) in zip("BCDE", maps.items()):
         types = types_of(map_)
-        draw_regions(axes, types, types)
-        axes.set_title(TITLES[name])
-        if axes is not panels[1]:
-            axes.set(ylabel="")
-    for axes, text in zip(panels, "ABCDE"):
-        letter(axes, text)
-    draw_key(panels[-1])
+        draw_regions(panels[text], types, types)
+        panels[text].set(title=TITLES[name], **({} if text == "B" else {"ylabel": ""}))
+    draw_key(panels["E"])
     save(fig, stem)
 
 

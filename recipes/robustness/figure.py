@@ -17,7 +17,7 @@ from events.units import of_ensemble, of_loads
 from maps.front_map import TYPES, read_map, types_of, write_types
 from maps.map_conventions import ALONG_TAU, out_of_order
 from maps.map_panels import draw_regions, name_regions
-from pictures.plotting import BLUE, DOUBLE, SINGLE, VERMILION, figure, save
+from pictures.plotting import DOUBLE, FAST, SINGLE, SLOW, figure, save
 
 COLUMNS = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]
 
@@ -27,11 +27,14 @@ def draw(events, stem):
     fig, axes = figure(DOUBLE, 0.25 * DOUBLE, ncols=len(events), sharex=True, sharey=True)
     for event, axis in zip(events, axes):
         time = (values(event["t_rupture"]) - event["t_start"]) * 1e3
-        colour = VERMILION if is_fast_only(event) else BLUE
+        colour = FAST if is_fast_only(event) else SLOW
         axis.plot(np.linspace(0, 1, len(time)), time, ".", color=colour)
         axis.set(title=f"{event['t_start']:.3f} s", xlabel="$x/L$", xlim=(0, 1), ylim=(0, None))
         axis.set_xticks([0, 0.5, 1], ["0", "½", "1"])
     axes[0].set_ylabel("block ruptures after [ms]")
+    for colour, label in ((SLOW, "with a slow stretch"), (FAST, "fast everywhere")):
+        axes[0].plot([], [], ".", color=colour, label=label)
+    axes[0].legend(loc="lower left", bbox_to_anchor=(0, 1.15), ncols=2, handletextpad=0)
     save(fig, stem)
 
 

@@ -5,7 +5,7 @@ from data.tables import points_of
 from maps import front_map, map_conventions
 from maps.front_map import TYPES, axes_of, steps_back, types_of
 from maps.map_panels import draw_key, draw_regions
-from pictures.plotting import DOUBLE, figure, letter, save
+from pictures.plotting import DOUBLE, lettered, save
 
 TITLES = {
     "L x 0.75": r"$0.75\,L$",
@@ -101,15 +101,12 @@ def claim_Geo(maps):
 
 
 def draw(maps, stem):
-    fig, panels = figure(DOUBLE, 0.32 * DOUBLE, ncols=len(maps), sharey=True)
-    for axes, text, (name, fronts) in zip(panels, "ABCD", maps.items()):
+    fig, panels = lettered("ABCD", DOUBLE, 0.32 * DOUBLE, sharey=True)
+    for text, (name, fronts) in zip("ABCD", maps.items()):
         types = types_of(fronts)
-        draw_regions(axes, types, types)
-        axes.set_title(TITLES[name])
-        letter(axes, text)
-        if text != "A":
-            axes.set(ylabel="")
-    draw_key(panels[-1])
+        draw_regions(panels[text], types, types)
+        panels[text].set(title=TITLES[name], **({} if text == "A" else {"ylabel": ""}))
+    draw_key(panels["D"])
     save(fig, stem)
 
 

@@ -9,7 +9,8 @@ from scipy.interpolate import NearestNDInterpolator
 from maps.front_map import TYPES, axes_of, types_of, types_of_seeds
 from pictures.plotting import BLACK, DOUBLE, LINES, figure, letter, save
 
-COLOURS = {"arrested": "#8FB8DE", "slow": "#F5D76E", "fast": "#E8997A"}  # light, also in grey
+# Lighter than ARRESTED, SLOW and FAST, and apart in grey, too.
+COLOURS = {"arrested": "#DDDDDD", "slow": "#8CC0E3", "fast": "#E8864F"}
 FINE = 12  # pixels per spacing of the grid
 LINESTYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 
@@ -42,7 +43,7 @@ def draw_regions(axes, types, grid_types):
         rasterized=True,
     )
     taus, sigmas = zip(*(place for place, kind in types.items() if kind in TYPES))
-    axes.plot(sigmas, taus, ".", color=BLACK, markersize=2, markeredgewidth=0)
+    axes.plot(sigmas, taus, ".", color=BLACK, markersize=2, markeredgewidth=0, label="run")
     axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\tau_0$")
     axes.set(xlim=(sigma[0], sigma[-1]), ylim=(tau[0], tau[-1]))
 
@@ -79,9 +80,10 @@ def name_regions(axes, types):
 
 
 def draw_key(axes):
-    """The colours of the regions, for maps too small for names in each."""
+    """The colours of the regions, for maps too small for names in each: right of the last map."""
     patches = [Patch(facecolor=COLOURS[kind], label=kind) for kind in reversed(TYPES)]
-    axes.legend(handles=patches, loc="upper right", frameon=True, framealpha=0.9)
+    handles = [*patches, *axes.get_legend_handles_labels()[0]]
+    axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5), handlelength=1)
 
 
 def draw_contours(axes, types, style):
