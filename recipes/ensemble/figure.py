@@ -66,11 +66,12 @@ def draw(loads, stem):
     fig, panels = lettered("ABCD;EFGH;IJKL", DOUBLE, 0.8 * DOUBLE, sharex=True, sharey=True)
     of_row = iter(panels.values())
     for kind, (colour, _) in alternation.KINDS.items():
-        for setting, title in NAMES.items():
+        for setting in NAMES:
             axes = next(of_row)
             found = [pairs for load, pairs in loads.items() if setting_of(load) == setting]
             draw_rupture_lines(axes, [e for pairs in found for k, e in pairs if k == kind], colour)
-            axes.set_title(title)
+    for text, title in zip("ABCD", NAMES.values()):
+        panels[text].set_title(title)
     for text, kind in zip("AEI", alternation.KINDS):
         panels[text].set_ylabel(f"{kind}\nblock ruptures after [ms]")
     for text in "IJKL":

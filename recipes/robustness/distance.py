@@ -8,7 +8,6 @@ from data.tables import points_of
 from maps.bands import bands_of, width
 from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from maps.map_panels import draw_key, draw_regions
-from pictures.panels import along_interface
 from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
 TITLES = {  # variant of the sweep
@@ -70,13 +69,13 @@ def draw_event(axes, fronts):
     for (label, front), colour in zip(fronts.items(), (AS_IT_IS, CHANGED)):
         time = (values(front["t_rupture"]) - start) * 1e3
         axes.plot(np.array(front["x"]) / front["L"], time, ".", color=colour, label=label)
-    along_interface(axes)
-    axes.set(title="event I", ylabel="block ruptures after [ms]", ylim=(0, None))
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.3), handletextpad=0)
+    axes.set(title="event I", xlabel="$x/L$", xlim=(0, 1), xticks=(0, 0.5, 1))
+    axes.set(ylabel="block ruptures after [ms]", ylim=(0, None))
+    axes.legend(loc="lower right", handletextpad=0, borderpad=0)
 
 
 def draw(maps, fronts, stem):
-    fig, panels = lettered("ABCDE", DOUBLE, 0.28 * DOUBLE)
+    fig, panels = lettered("ABCDE", DOUBLE, 0.3 * DOUBLE)
     draw_event(panels["A"], fronts)
     for text, (name, map_) in zip("BCDE", maps.items()):
         types = types_of(map_)

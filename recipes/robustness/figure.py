@@ -32,9 +32,9 @@ def draw(events, stem):
         axis.set(title=f"{event['t_start']:.3f} s", xlabel="$x/L$", xlim=(0, 1), ylim=(0, None))
         axis.set_xticks([0, 0.5, 1], ["0", "½", "1"])
     axes[0].set_ylabel("block ruptures after [ms]")
-    for colour, label in ((SLOW, "with a slow stretch"), (FAST, "fast everywhere")):
-        axes[0].plot([], [], ".", color=colour, label=label)
-    axes[0].legend(loc="lower left", bbox_to_anchor=(0, 1.15), ncols=2, handletextpad=0)
+    for colour, label in ((SLOW, "with a slow\nstretch"), (FAST, "fast\neverywhere")):
+        axes[-1].plot([], [], ".", color=colour, label=label)
+    axes[-1].legend(loc="center left", bbox_to_anchor=(1, 0.5), handletextpad=0, borderpad=0)
     save(fig, stem)
 
 
