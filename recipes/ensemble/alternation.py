@@ -10,11 +10,12 @@ n-th events of all loads are shuffled among the loads. This was found on the loa
 import numpy as np
 
 from claims.own_result import OwnResult
-from pictures.plotting import BLACK, DOUBLE, FAST, SLOW, figure, save
+from pictures import plotting
+from pictures.plotting import BLACK, DOUBLE, FAST, figure, save
 
-FAST_SLOW_FAST = "fast-slow-fast in words"
+SLOW = "fast-slow-fast in words"
 KINDS = {  # of events that span: colour, marker
-    FAST_SLOW_FAST: (SLOW, "s"),
+    SLOW: (plotting.SLOW, "s"),
     "fast everywhere": (FAST, "^"),
     "other": (BLACK, "o"),
 }
@@ -61,7 +62,7 @@ def share_after(loads, kind):
 def own_result(loads):
     """`loads`: {name: [(kind, event), ...]} of the spanning events of the reference slider."""
     kinds = [
-        np.array([kind == FAST_SLOW_FAST for kind, event in pairs if event["t_start"] >= FROM])
+        np.array([kind == SLOW for kind, event in pairs if event["t_start"] >= FROM])
         for pairs in loads.values()
     ]
     pairs, changed = sum(max(0, len(k) - 1) for k in kinds), sum(map(changes, kinds))

@@ -37,7 +37,7 @@ OF_SLOW = {  # name in a report: for readers
 
 def kind_of(event):
     if event["fast_slow_fast"]:
-        return alternation.FAST_SLOW_FAST
+        return alternation.SLOW
     return "fast everywhere" if is_fast_only(event) else "other"
 
 
