@@ -7,11 +7,12 @@ from matplotlib.patheffects import withStroke
 from scipy.interpolate import NearestNDInterpolator
 
 from maps.front_map import TYPES, axes_of, types_of, types_of_seeds
-from pictures.plotting import BLACK, DOUBLE, LINES, figure, letter, save
+from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 
 # Lighter than ARRESTED, SLOW and FAST, and apart in grey, too.
-COLOURS = {"arrested": "#DDDDDD", "slow": "#8CC0E3", "fast": "#E8864F"}
+COLOURS = {"arrested": "#DDDDDD", "slow": "#8CC0E3", "fast": "#EE9A6A"}
 FINE = 12  # pixels per spacing of the grid
+LINES = (BLACK, GREEN, BLUE, "#7A3B00", PURPLE)  # seen on all regions
 LINESTYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 
 
@@ -61,9 +62,8 @@ def draw_several_types(axes, seed_types):
             markerfacecolor="none",
             markersize=4,
             markeredgewidth=0.6,
-            label="type depends on the seed",
+            label="type depends\non the seed",
         )
-        axes.legend(loc="upper right", frameon=True, framealpha=0.8)
 
 
 def name_regions(axes, types):
@@ -99,9 +99,10 @@ def draw_thresholds(axes, grid, slow_below):
     for ratio, colour, style in zip(slow_below, LINES, LINESTYLES):
         line = {"colors": [colour], "linestyles": [style], "linewidths": 1}
         draw_contours(axes, types_of(grid, slow_below=1 / ratio), line)
-        axes.plot([], [], color=colour, linestyle=style, linewidth=1, label=f"$c_s/{ratio}$")
+        axes.plot(
+            [], [], color=colour, linestyle=style, linewidth=1, label=f"slow below $c_s/{ratio}$"
+        )
     draw_regions(axes, types_of(grid), types_of(grid))
-    axes.legend(title="slow below", loc="upper right", framealpha=0.8, frameon=True)
 
 
 def draw_map(fronts, grid, slow_below, text, stem):
@@ -114,4 +115,6 @@ def draw_map(fronts, grid, slow_below, text, stem):
     letter(left, text)
     draw_thresholds(right, grid, slow_below)
     right.set(ylabel="")
+    handles = [*right.get_legend_handles_labels()[0][:-1], *left.get_legend_handles_labels()[0]]
+    right.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5), handlelength=1.5)
     save(fig, stem)
