@@ -35,7 +35,7 @@ def draw_map(axes, path, front, t_zero, window):
 def draw_speeds(axes, fronts):
     draw_front_speeds(axes, fronts, SPEEDS)
     axes.set(ylim=(1, None))
-    axes.legend(loc="lower left", bbox_to_anchor=(0.12, 0))
+    axes.legend(loc="upper right", bbox_to_anchor=(1, 0.9))
 
 
 def draw(data, fronts, stem):

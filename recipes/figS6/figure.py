@@ -1,9 +1,11 @@
 """Figure S6, its data and its claims."""
 
+import numpy as np
 import rupture
 
+from claims import paper
 from claims.judge import judged, unmet
-from data.records import report
+from data.records import report, values
 from data.tables import write_fronts, write_table
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
@@ -12,12 +14,13 @@ from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
 from maps.front_types import make_map
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
-from pictures.plotting import BLACK, BLUE, DOUBLE, ORANGE, figure, letter, save
+from pictures.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save
 
 RUNS = {  # run: label, colour, marker
-    "event": (r"$\langle t_R\rangle$ (as in A)", BLUE, "o"),
-    "t_R-double": (r"$2\,\langle t_R\rangle$", ORANGE, "^"),
+    "event": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "o"),
+    "t_R-double": (r"$2\,\langle t_R\rangle$", CHANGED, "^"),
 }
+ENDS = 2  # blocks between the middle and either end of a stencil
 MAP = dict(
     panel="B",
     tables=["map-boundary"],
@@ -32,13 +35,32 @@ MAP = dict(
 RATIOS = {"fast/slow before", "fast/slow after"}
 
 
+def ahead_of_front(front):
+    """Of each stencil, whether a block at its end ruptured so long before its neighbours that a
+    front of c_s/100 would have passed from it to them."""
+    t, x = values(front["t_rupture"]), front["x"]
+    beside = np.pad(t, 1, constant_values=np.inf)
+    early = np.minimum(beside[:-2], beside[2:]) - t > (x[1] - x[0]) / (paper.SLOW * front["c_s"])
+    ends = np.pad(early, ENDS)
+    return ends[: -2 * ENDS] | ends[2 * ENDS :]
+
+
 def draw_speeds(axes, fronts):
-    draw_front_speeds(axes, fronts, RUNS)
+    joined = {
+        run: front | {"v_c": np.where(ahead_of_front(front), np.nan, values(front["v_c"]))}
+        for run, front in fronts.items()
+    }
+    draw_front_speeds(axes, joined, RUNS)
+    for run, (_, colour, marker) in RUNS.items():
+        front, ahead = fronts[run], ahead_of_front(fronts[run])
+        x, v_c = (values(front[name])[ahead] for name in ("x", "v_c"))
+        axes.plot(x / front["L"], v_c, marker, color=colour, markerfacecolor="none")
+    axes.plot([], [], "o", color=BLACK, markerfacecolor="none", label="block ahead of the front")
     allowed = fronts["event"]["c_s"] / 8
     axes.axhline(allowed, color=BLACK, linewidth=0.8)
     name_line(axes, "$c_s/8$", allowed)
-    axes.set(ylim=(10, 1e4))
-    axes.legend(loc="upper left")
+    axes.set(ylim=(5, 1e4))
+    axes.legend(loc="upper right")
 
 
 def draw(record, fronts, stem):
