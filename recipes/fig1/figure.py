@@ -9,7 +9,7 @@ from data.tables import read_table
 from pictures.plotting import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 
 MU_S, MU_D = 0.4, 0.17
-SHOWN = (0.1e-3, 1.5)  # speeds drawn in G [m/s]
+SHOWN = (0.1, 1500)  # speeds drawn in G [mm/s]
 
 
 def draw_loading(axes, loading, events):
@@ -47,14 +47,14 @@ def draw_junction(axes, junction):
 
 
 def draw_speeds(axes, steady):
-    v = steady["v [m/s]"]
+    v = steady["v [m/s]"] * 1e3
     shown = (v > 0.9 * SHOWN[0]) & (v < SHOWN[1])
     axes.plot(v[shown], steady["renewal theory"][shown], color=BLACK, linewidth=0.8, label="theory")
     axes.plot(v[shown], steady["tau/p"][shown], "o", color=BLUE, label="measured")
     for level, name in ((MU_S / 2, r"$\mu_s/2$"), (MU_D, r"$\mu_d$")):
         axes.axhline(level, color=BLACK, linestyle=":", linewidth=0.8)
-        axes.annotate(name, (0.4, level), xytext=(0, -9), textcoords="offset points")
-    axes.set(xscale="log", xlabel="sliding speed [m/s]", ylabel=r"$\tau/p$", ylim=(0.163, 0.203))
+        axes.annotate(name, (400, level), xytext=(0, -9), textcoords="offset points")
+    axes.set(xscale="log", xlabel="sliding speed [mm/s]", ylabel=r"$\tau/p$", ylim=(0.163, 0.203))
     axes.legend(loc="center right")
 
 
