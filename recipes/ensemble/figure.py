@@ -12,7 +12,7 @@ from events.fronts import has_slow_stretch, is_fast_only
 from events.product import CLAIMS as PRODUCT_CLAIMS
 from events.product import range_of
 from events.units import name_of, of_ensemble
-from pictures.panels import along_interface
+from pictures.panels import along_interface, ruptured_early
 from pictures.plotting import DOUBLE, lettered, save
 
 NAMES = {  # setting: title
@@ -51,14 +51,14 @@ def setting_of(load):
 
 
 def draw_rupture_lines(axes, events, colour):
-    """From the rupture of the first block beyond FROM on."""
+    """After the first rupture beyond FROM, without blocks ahead of the front."""
     for event in events:
         t_rupture = values(event["t_rupture"])
         x = np.linspace(0, 1, len(t_rupture))
-        beyond = (x >= FROM) & np.isfinite(t_rupture)
-        time = (t_rupture[beyond] - t_rupture[beyond][0]) * 1e3
+        beyond = (x >= FROM) & np.isfinite(t_rupture) & ~ruptured_early(event)
+        time = (t_rupture[beyond] - t_rupture[beyond].min()) * 1e3
         axes.plot(x[beyond], time, color=colour, linewidth=0.5)
-    axes.annotate(f"{len(events)} events", (0.05, 0.9), xycoords="axes fraction")
+    axes.set_title(f"{len(events)} events")
 
 
 def draw(loads, stem):
@@ -71,7 +71,7 @@ def draw(loads, stem):
             found = [pairs for load, pairs in loads.items() if setting_of(load) == setting]
             draw_rupture_lines(axes, [e for pairs in found for k, e in pairs if k == kind], colour)
     for text, title in zip("ABCD", NAMES.values()):
-        panels[text].set_title(title)
+        panels[text].set_title(f"{title}: {panels[text].get_title()}")
     for text, kind in zip("AEI", alternation.KINDS):
         panels[text].set_ylabel(f"{kind}\nblock ruptures after [ms]")
     for text in "IJKL":

@@ -3,7 +3,6 @@
 import numpy as np
 import rupture
 
-from claims import paper
 from claims.judge import judged, unmet
 from data.records import report, values
 from data.tables import write_fronts, write_table
@@ -13,7 +12,8 @@ from events.event_claims import case_of_event, words_case, words_shown
 from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
 from maps.front_types import make_map
-from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
+from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
+from pictures.panels import ruptured_early, window_of
 from pictures.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save
 
 RUNS = {  # run: label, colour, marker
@@ -36,12 +36,8 @@ RATIOS = {"fast/slow before", "fast/slow after"}
 
 
 def ahead_of_front(front):
-    """Of each stencil, whether a block at its end ruptured so long before its neighbours that a
-    front of c_s/100 would have passed from it to them."""
-    t, x = values(front["t_rupture"]), front["x"]
-    beside = np.pad(t, 1, constant_values=np.inf)
-    early = np.minimum(beside[:-2], beside[2:]) - t > (x[1] - x[0]) / (paper.SLOW * front["c_s"])
-    ends = np.pad(early, ENDS)
+    """Of each stencil, whether a block at its end ruptured ahead of the front."""
+    ends = np.pad(ruptured_early(front), ENDS)
     return ends[: -2 * ENDS] | ends[2 * ENDS :]
 
 

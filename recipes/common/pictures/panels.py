@@ -10,6 +10,7 @@ from rupture.plotting import (  # noqa: F401  (for the recipes)
     name_line,
 )
 
+from claims import paper
 from data.records import values
 from events.fronts import LOADING_ZONE
 
@@ -21,6 +22,15 @@ def window_of(*fronts):
     ruptures = [values(front["t_rupture"]) for front in fronts]
     t_zero, last = np.nanmin(ruptures), np.nanmax(ruptures)
     return t_zero, (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
+
+
+def ruptured_early(front):
+    """Blocks that ruptured ahead of the front: so long before their neighbours that a front of
+    c_s/100 would have passed from them to these."""
+    t = values(front["t_rupture"])
+    spacing = front["L"] / (len(t) - 1)
+    beside = np.pad(t, 1, constant_values=np.inf)
+    return np.minimum(beside[:-2], beside[2:]) - t > spacing / (paper.SLOW * front["c_s"])
 
 
 def draw_front_speeds(axes, fronts, looks):
