@@ -21,7 +21,7 @@ NAMES = {  # setting: title
     "decaying": "decaying law",
     "exponential": "exponential $t_R$",
 }
-SHOWN = 5  # after the first one that is shown [ms]
+SHOWN = (-1, 5)  # after the first block that is shown [ms]
 FROM = 0.2  # of L; before, fronts begin in many ways
 OF_SLOW = {  # name in a report: for readers
     "x_from": "x_from [m]",
@@ -51,12 +51,12 @@ def setting_of(load):
 
 
 def draw_rupture_lines(axes, events, colour):
-    """After the first rupture beyond FROM, without blocks ahead of the front."""
+    """From the rupture of the block at FROM on, without blocks ahead of the front."""
     for event in events:
         t_rupture = values(event["t_rupture"])
         x = np.linspace(0, 1, len(t_rupture))
         beyond = (x >= FROM) & np.isfinite(t_rupture) & ~ruptured_early(event)
-        time = (t_rupture[beyond] - t_rupture[beyond].min()) * 1e3
+        time = (t_rupture[beyond] - t_rupture[beyond][0]) * 1e3
         axes.plot(x[beyond], time, color=colour, linewidth=0.5)
     axes.set_title(f"{len(events)} events")
 
@@ -76,7 +76,7 @@ def draw(loads, stem):
         panels[text].set_ylabel(f"{kind}\nblock ruptures after [ms]")
     for text in "IJKL":
         along_interface(panels[text])
-    panels["A"].set(xlim=(FROM, 1), ylim=(0, SHOWN))
+    panels["A"].set(xlim=(FROM, 1), ylim=SHOWN)
     save(fig, stem)
 
 
