@@ -11,25 +11,15 @@ from data.tables import write_fronts, write_table
 from events.event_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_ensemble, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
-from pictures.plotting import (
-    BLACK,
-    DOUBLE,
-    EVENT_I,
-    EVENT_II,
-    EVENT_III,
-    OF_PAPER,
-    lettered,
-    save,
-)
+from pictures.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save
 
 MOST_LIKE = "most-like"
 EVENTS = {  # label, colour, marker
-    "fast-slow-fast": ("event I", EVENT_I, "o"),
-    "second-slow": ("event II", EVENT_II, "v"),
-    "fast-only": ("event III", EVENT_III, "^"),
+    "fast-slow-fast": ("event I", EVENT["I"], "o"),
+    "second-slow": ("event II", EVENT["II"], "v"),
+    "fast-only": ("event III", EVENT["III"], "^"),
     MOST_LIKE: ("most like the paper's", BLACK, "s"),
 }
-BESIDE = "second-slow"  # the paper does not show it here
 PAPER_SPEEDS = {paper.FAST: "$c_s/3$", paper.SLOW: "$c_s/100$"}  # [c_s]
 
 
@@ -111,7 +101,7 @@ def make(data, results):
     names = [name for name in EVENTS if choice or name != MOST_LIKE]
     fronts = {name: report(data / f"{name}-front.json") for name in names}
     draw(data, fronts, results / "fig2")
-    write_fronts(results / "front-speed-II.csv", {BESIDE: fronts.pop(BESIDE)})
+    write_fronts(results / "front-speed-II.csv", {"second-slow": fronts.pop("second-slow")})
     write_fronts(results / "front-speed.csv", fronts)
     if choice:
         write_choice(results, choice)

@@ -14,7 +14,7 @@ from claims.judge import judged
 from data.fits import fit_through_origin
 from data.tables import numbers, write_columns
 from events.conventions import PRIMARY
-from pictures.plotting import AS_IT_IS, CHANGED, SINGLE, figure, save
+from pictures.plotting import AS_IT_IS, CHANGED, SINGLE, lettered, save
 import slow_fronts as slow
 
 NX = 57
@@ -73,12 +73,9 @@ def draw_points(axes, rows, x, label):
                 )
 
 
-def model_named(handle_and_label):
-    return handle_and_label[1].split(":")[0]
-
-
 def draw(rows, fits, stem):
-    fig, axes = figure(1.5 * SINGLE, 1.1 * SINGLE)
+    fig, panels = lettered("D", 1.5 * SINGLE, 1.1 * SINGLE)
+    axes = panels["D"]
     draw_points(axes, rows, lambda points: scale(points) * slip(points), label=True)
     end = 1.08 * max(scale(rows) * slip(rows))
     for model, (law, colour) in MODELS.items():
@@ -87,9 +84,9 @@ def draw(rows, fits, stem):
         axes.plot([0, end], [0, slope * end], **look)
     axes.set_xlabel(r"$v_\mathrm{slow\,slip}\,k_i l_0/(\tau_\mathrm{thres}-\tau_0)$ [m/s]")
     axes.set(ylabel=r"$v_{c,\mathrm{slow}}$ [m/s]", xlim=(0, end), ylim=(0, None))
-    named = sorted(zip(*axes.get_legend_handles_labels()), key=model_named, reverse=True)
+    by_law = sorted(zip(*axes.get_legend_handles_labels()), key=lambda of: of[1][0], reverse=True)
     look = {"columnspacing": 0.8, "handletextpad": 0.4, "handlelength": 1.2}
-    axes.legend(*zip(*named), loc="upper left", ncols=2, **look)
+    axes.legend(*zip(*by_law), loc="upper left", ncols=2, **look)
     inset = axes.inset_axes([0.68, 0.13, 0.3, 0.3])
     draw_points(inset, rows, lambda points: slip(points) * 1e3, label=False)
     inset.set(xlim=(0, None), ylim=(0, None))

@@ -13,7 +13,7 @@ from claims.judge import holds, judged
 from data.fits import fit_through_origin
 from data.tables import numbers, read_rows, write_columns
 from events.conventions import PRIMARY
-from pictures.plotting import BLUE, EVENT_II, OF_PAPER, SINGLE, figure, save
+from pictures.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
 import slow_fronts as slow
 
 MM = 1e3  # [mm/m]
@@ -113,7 +113,7 @@ def draw(prepared, event, prepared_fit, stem):
     for variant, (marker, label) in VARIED.items():
         rows = [row for row in prepared if row["varies"] == variant]
         draw_rows(axes, rows, marker, BLUE, f"prepared, {label}")
-    draw_rows(axes, event, "^", EVENT_II, r"event II, $\langle t_R\rangle$ varied")
+    draw_rows(axes, event, "^", EVENT["II"], r"event II, $\langle t_R\rangle$ varied")
     end = 1.08 * max(estimate_and_measured(prepared + event)[0])
     slope = prepared_fit.slope
     label = f"prepared: slope {slope:.2f}"

@@ -13,9 +13,9 @@ from events.fronts import LOADING_ZONE, SLOW_BELOW
 from events.units import of_ensemble
 from maps.front_map import load_map, map_of_seed, seeds_of, type_on_map, types_of
 from maps.map_conventions import ABOUT_UNITS, units_of_seeds
-from pictures.plotting import BLACK, EVENT_I, EVENT_II, SINGLE, figure, letter, save
+from pictures.plotting import BLACK, EVENT, SINGLE, figure, letter, save
 
-SHOWN = {"fast-slow-fast": ("I", EVENT_I), "second-slow": ("II", EVENT_II)}
+SHOWN = {"fast-slow-fast": ("I", EVENT["I"]), "second-slow": ("II", EVENT["II"])}
 BINS = (0.1, 0.05, 0.2)  # of tau_bar_0: blocks in one bin count as equally loaded; primary first
 WAYS = {
     PRIMARY: {"test": "van Elteren", "width": BINS[0]},

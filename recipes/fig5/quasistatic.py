@@ -57,9 +57,7 @@ def draw_maps(fig, axes, load, stopped, window, t_branch):
 
 def draw_tip(axes, stretch, L):
     time, tip = np.array(stretch["tip"]).T
-    axes.step(
-        tip / L, time, where="pre", color=AS_IT_IS, linewidth=1, label="tip of the front, driven"
-    )
+    axes.step(tip / L, time, where="pre", color=AS_IT_IS, linewidth=1, label="tip, driven")
     axes.legend(loc="lower right", bbox_to_anchor=(1, 0.1))
 
 

@@ -99,9 +99,8 @@ def draw_thresholds(axes, grid, slow_below):
     for ratio, colour, style in zip(slow_below, LINES, LINESTYLES):
         line = {"colors": [colour], "linestyles": [style], "linewidths": 1}
         draw_contours(axes, types_of(grid, slow_below=1 / ratio), line)
-        axes.plot(
-            [], [], color=colour, linestyle=style, linewidth=1, label=f"slow below $c_s/{ratio}$"
-        )
+        label = f"slow below $c_s/{ratio}$"
+        axes.plot([], [], color=colour, linestyle=style, linewidth=1, label=label)
     draw_regions(axes, types_of(grid), types_of(grid))
 
 

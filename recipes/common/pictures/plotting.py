@@ -26,7 +26,7 @@ DOUBLE = 183 * MM  # width of the page [inch]
 
 # The same thing has the same colour in all figures.
 FAST, SLOW, ARRESTED = VERMILION, BLUE, "#999999"  # fronts
-EVENT_I, EVENT_II, EVENT_III = GREEN, PURPLE, SKY
+EVENT = {"I": GREEN, "II": PURPLE, "III": SKY}
 AS_IT_IS, CHANGED = BLACK, ORANGE  # a run, and one in which something was changed
 OF_PAPER = {"color": BLACK, "linestyle": ":", "linewidth": 0.8}  # lines of the paper's numbers
 
