@@ -35,10 +35,11 @@ def test_draws_all_or_an_event_or_a_time(small):
 def test_names_no_event_that_has_no_speed():
     axes = plotting.pyplot_without_window().subplots()[1]
     short = {"v_c": [None, None], "x": [0.0, 0.07], "L": 0.14, "c_s": 1000.0}
-    long = short | {"v_c": [None, 1200.0]}
+    long = short | {"v_c": [-3.0, 1200.0]}  # backwards, forwards
     looks = {0: ("event 0", "k", "o"), 1: ("event 1", "k", "o")}
     plotting.draw_front_speeds(axes, {0: short, 1: long}, looks)
     assert axes.get_legend_handles_labels()[1] == ["event 1"]
+    np.testing.assert_equal(axes.lines[0].get_ydata(), [np.nan, 1200.0])
 
 
 @pytest.mark.parametrize("places", [3 * [0.0] + 3 * [10.0], 200 * [9.5]])

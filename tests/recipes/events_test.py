@@ -1,5 +1,7 @@
 """Kinds of events, and which of a load are shown (recipes/common/events)."""
 
+import numpy as np
+
 from claims.judge import holds
 from conftest import approx
 from events.choose_events import choose
@@ -8,6 +10,7 @@ from events.event_claims import case_3Cv, judged_event, slow_speeds, speeds_comp
 from events.product import combinations, range_of
 from events.slip import peak_speed, with_peak_speed
 from events.units import slips_3C
+from pictures.panels import ruptured_early
 
 
 def event(t_start, *, kind="slow", fast_slow_fast=True):
@@ -30,6 +33,13 @@ class TestChoice:
         chosen = choose([event(0.1)])
         assert chosen["second-slow"] is None
         assert chosen["fast-only"] is None
+
+
+def test_blocks_ahead_of_a_front_rupture_long_before_their_neighbours():
+    milliseconds = np.array([0, 5, 3, 5, np.nan, 9])  # a front of c_s/100 needs 1 ms per block
+    for unit, ahead in ((1e-3, [0, 2]), (1e-4, [])):
+        front = {"t_rupture": milliseconds * unit, "L": 0.05, "c_s": 1000.0}
+        assert np.flatnonzero(ruptured_early(front)).tolist() == ahead
 
 
 class TestConventions:

@@ -10,9 +10,9 @@ from maps.front_map import TYPES, axes_of, types_of, types_of_seeds
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 
 # Lighter than ARRESTED, SLOW and FAST, and apart in grey, too.
-COLOURS = {"arrested": "#DDDDDD", "slow": "#8CC0E3", "fast": "#EE9A6A"}
+COLOURS = {"arrested": "#E9E3BC", "slow": "#8CC0E3", "fast": "#E07F4A"}
 FINE = 12  # pixels per spacing of the grid
-LINES = (BLACK, GREEN, BLUE, "#7A3B00", PURPLE)  # seen on all regions
+LINES = (BLACK, GREEN, BLUE, "#5A2A00", PURPLE)  # seen on all regions
 LINESTYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 
 

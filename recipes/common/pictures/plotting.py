@@ -25,7 +25,7 @@ SINGLE = 89 * MM  # width of one column [inch]
 DOUBLE = 183 * MM  # width of the page [inch]
 
 # The same thing has the same colour in all figures.
-FAST, SLOW, ARRESTED = VERMILION, BLUE, "#999999"  # fronts
+FAST, SLOW, ARRESTED = VERMILION, BLUE, "#9A8F3C"  # fronts
 EVENT = {"I": GREEN, "II": PURPLE, "III": SKY}
 AS_IT_IS, CHANGED = BLACK, ORANGE  # a run, and one in which something was changed
 OF_PAPER = {"color": BLACK, "linestyle": ":", "linewidth": 0.8}  # lines of the paper's numbers
