@@ -90,18 +90,14 @@ class Event:
         return {run: with_peak_speed(report(path)) for run, path in paths.items()}
 
 
-def duration(event, t_zero):
-    """Until the front with V = 0 has arrived [ms]."""
-    return (np.nanmax(values(event.front("stopped")["t_rupture"])) - t_zero) * 1e3
-
-
 def draw(events, stem):
     """Event I above, event II, which the paper shows, below; the times of all maps are the same."""
     wide = {"width_ratios": (1, 1, 1.25)}
     fig, axes = figure(DOUBLE, 0.7 * DOUBLE, nrows=len(events), ncols=3, **wide)
     slips = {event: event.slips() for event in events}
     t_zero = {event: slips[event]["stopped"]["time"][0] for event in events}
-    window = (0, max(duration(*of_event) for of_event in t_zero.items()) + 0.5)
+    arrivals = {event: np.nanmax(values(event.front("stopped")["t_rupture"])) for event in events}
+    window = (0, max(arrivals[event] - t_zero[event] for event in events) * 1e3 + 0.5)
     for row, (event, name) in zip(axes, reversed(events.items())):
         draw_maps(fig, row[:2], event.data / event.name, t_zero[event], window)
         draw_slip(row[2], slips[event], t_zero[event])
