@@ -107,6 +107,7 @@ def make(data, results):
         write_choice(results, choice)
     write_own(results, [own_result(choice)] if choice else [])
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
-    again = [report(data / f"fast-slow-fast-front-{way}.json") for way in ("in-words", "with-ends")]
+    ways = ("in-words", "with-ends")
+    again, with_ends = (report(data / f"fast-slow-fast-front-{way}.json") for way in ways)
     units = of_loads(loads, case_of_event), in_words(loads)
-    return claims_of_fronts(slow, *again, fast, *units)
+    return claims_of_fronts(slow, again, with_ends, fast, *units)
