@@ -22,6 +22,7 @@ NAMES = {  # setting: title
     "exponential": "exponential $t_R$",
 }
 SHOWN = (-1, 5)  # after the first block that is shown [ms]
+BACK = 0.1  # lines break where they go back by more [ms]
 FROM = 0.2  # of L; before, fronts begin in many ways
 OF_SLOW = {  # name in a report: for readers
     "x_from": "x_from [m]",
@@ -57,6 +58,7 @@ def draw_rupture_lines(axes, events, colour):
         x = np.linspace(0, 1, len(t_rupture))
         beyond = (x >= FROM) & np.isfinite(t_rupture) & ~ruptured_early(event)
         time = (t_rupture[beyond] - t_rupture[beyond][0]) * 1e3
+        time[np.diff(time, prepend=0) < -BACK] = np.nan
         axes.plot(x[beyond], time, color=colour, linewidth=0.5)
     axes.set_title(f"{len(events)} events")
 
