@@ -61,8 +61,7 @@ def draw_strength(axes, strengths):
     for strength in strengths:
         line = LINES[strength.shape]
         axes.plot(strength.sigma_bar, strength.mu, line, color=BLACK)
-        marked = line + MARKERS[strength.shape]
-        axes.plot([], [], marked, color=BLACK, label=strength.shape)
+        axes.plot([], [], line + MARKERS[strength.shape], color=BLACK, label=strength.shape)
         for sigma_bar, colour in DRAWN.items():
             n = np.argmin(np.abs(strength.sigma_bar - sigma_bar))
             axes.plot(sigma_bar, strength.mu[n], MARKERS[strength.shape], color=colour)
