@@ -62,12 +62,53 @@ rule convergence_lammps:
         " > {output} 2> {log}"
 
 
+# Edges on finer lattices. On 449 x 241 blocks, four core-hours are enough only where nothing creeps.
+NO_SLOW_SLIP, HALF = EDGES["no-slow-slip"], "--set slider.edge_springs=half"
+LATTICE_EDGES = {  # setting: options of `prepare`, blocks along x
+    "reference": ("", [57, 113, 225]),
+    "reference-half": (HALF, [57, 113, 225]),
+    "no-slow-slip": (NO_SLOW_SLIP, [57, 113, 225, 449]),
+    "no-slow-slip-half": (f"{NO_SLOW_SLIP} {HALF}", [57, 113, 225]),
+    "no-slow-slip-per-length": (NO_SLOW_SLIP, [57, 113, 225]),
+}
+
+
+def junctions_per_block(setting, N_x):
+    return 104 * 56 // (int(N_x) - 1) if setting.endswith("-per-length") else 100
+
+
+rule convergence_edges:
+    input:
+        coarser=lambda wildcards: [
+            f"{DATA}/convergence/{wildcards.setting}-{wildcards.sigma}-{N_x}.json"
+            for N_x in LATTICE_EDGES[wildcards.setting][1]
+            if N_x < int(wildcards.N_x)
+        ],
+        **script("recipes/convergence/lattice.py"),
+    output: f"{DATA}/convergence/{{setting}}-{{sigma}}-{{N_x}}.json"
+    params:
+        code=CODE,
+        folder=f"{DATA}/convergence/{{setting}}-{{sigma}}-{{N_x}}-scratch",
+        N_s=lambda wildcards: junctions_per_block(wildcards.setting, wildcards.N_x),
+        options=lambda wildcards: LATTICE_EDGES[wildcards.setting][0],
+    wildcard_constraints: setting="|".join(LATTICE_EDGES), sigma="[0-9.]+", N_x="[0-9]+"
+    priority: 10  # long, and finer ones wait for it
+    log: f"{LOGS}/convergence/{{setting}}-{{sigma}}-{{N_x}}.log"
+    message: "convergence: bisect tau_bar_0, {wildcards.setting}-{wildcards.sigma}-{wildcards.N_x}"
+    shell:
+        "{PYTHON} {input.script} {BIN} {params.folder} {wildcards.N_x} {params.N_s} {wildcards.sigma}"
+        " '{params.options}' {input.coarser} > {output} 2> {log}"
+
+
 use rule figure as convergence with:
     input:
         lammps=f"{DATA}/convergence/lammps.json",
-        tables=[
-            f"{DATA}/convergence/{sweep}.csv"
-            for sweep in ("time-step", "lattice-113", "lattice-225")
+        table=f"{DATA}/convergence/time-step.csv",
+        edges=[
+            f"{DATA}/convergence/{setting}-{sigma}-{N_x}.json"
+            for setting, (_, lattices) in LATTICE_EDGES.items()
+            for sigma in ("0", "0.1", "0.285")
+            for N_x in lattices
         ],
         fronts=[f"{DATA}/{event}-front.json" for event in CONVERGENCE_EVENTS],
         finer=[
@@ -78,6 +119,6 @@ use rule figure as convergence with:
         **scripts_of("convergence"),
     output:
         results_of(
-            "convergence", pictures=["convergence"], tables=["convergence"], own=OWN_RESULTS
+            "convergence", pictures=["convergence"], tables=["convergence", "edges"], own=OWN_RESULTS
         ),
     log: f"{LOGS}/convergence.log"

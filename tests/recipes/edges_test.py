@@ -1,8 +1,11 @@
-"""Edges between types of fronts by bisection (maps/edges.py), and claim edge; all made up."""
+"""Edges between types of fronts by bisection (maps/edges.py), claim edge, and finer lattices; all
+made up."""
 
-from pytest import fixture
+from pytest import fixture, mark
 
+import continuum
 import edge
+import lattice
 from claims.judge import holds
 from conftest import approx
 from events.conventions import PRIMARY
@@ -40,7 +43,8 @@ class TestBisection:
             ("fast", {}, 0.1),
             ("fast", {"slow_below": 0.1}, 0.12),
         ):
-            assert interfaces.edge(kind, **how) == approx(expected - edges.STEP / 2)
+            for near in (None, 0.02, expected, 0.2):
+                assert interfaces.edge(kind, near, **how) == approx(expected - edges.STEP / 2)
 
 
 class TestClaim:
@@ -55,3 +59,34 @@ class TestClaim:
             assert case["largest difference of the edges"] == approx(abs(expected))
         assert holds("edge", [{"largest difference of the edges": 0.002}])
         assert not holds("edge", [{"largest difference of the edges": 0.0021}])
+
+
+class TestLattice:
+    def test_what_a_length_bears_is_kept(self):
+        for N_x, N_z, N_s, r, stencil in ((57, 31, 100, 1, 5), (225, 121, 26, 1 / 4, 17)):
+            of = lattice.scaled(N_x, N_s)
+            p_i, m = of["slider.F_N"] / N_x, of["slider.M"] / (N_x * N_z)
+            assert (of["slider.Nx"], of["slider.Nz"]) == (N_x, N_z)
+            assert (p_i, m) == (approx(1920 / 57 * r), approx(0.0756 / (57 * 31) * r**2))
+            assert of["slider.damping"] * m == approx(0.1 * 0.0756 / (57 * 31))
+            assert N_s * of["junctions.kappa"] * p_i == approx(39.2e9 * 100 * 1920 / 57 * r**2)
+            slow_below = 0.05 * (of["slider.M"] / 0.0756) ** 0.5
+            assert lattice.ways(N_x, of["slider.M"]) == (stencil, approx(slow_below))
+
+    def test_a_guess_follows_the_coarser_lattices(self):
+        for coarser, expected in (([], 0.1), ([0.2], 0.2), ([0.2, 0.16], 0.14)):
+            assert lattice.guess(coarser) == approx(expected)
+
+    @mark.parametrize(
+        "edges, limit, error",
+        [
+            ([0.18, 0.14, 0.12], 0.1, 0.0015),  # straight
+            ([0.2, 0.14, 0.12, 0.11], 0.1, 0.0015),  # the three finest count
+            ([0.2, 0.125, 0.10625], 0.0875, 0.039),  # order 2: far from the line before
+            ([0.102, 0.1, 0.097], 0.094, 0.0057),  # no order: 1/2
+            ([0.1, 0.1, 0.101], 0.102, 0.0035),
+            ([0.2, 0.15], continuum.MISSING, continuum.MISSING),
+        ],
+    )
+    def test_the_limit_is_on_a_line(self, edges, limit, error):
+        assert continuum.continuum(edges) == (limit, error)

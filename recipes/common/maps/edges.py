@@ -24,6 +24,7 @@ from maps.map_conventions import MEASURES
 
 STEP = 2.5e-4  # of tau_bar_0
 LOWEST, HIGHEST = 0, 1200  # in steps: arrested at sigma_bar up to 0.285, and fast
+NEAR = 4  # steps, to either side of a guess
 CROSSINGS = ",".join(map(str, COMMANDS))
 
 
@@ -35,14 +36,25 @@ def first(is_so, low, high):
     return high
 
 
-class Interfaces:
-    """Prepared interfaces of one sigma_bar, run in a folder."""
+def around(is_so, guess):
+    """A bracket for first() that begins at a guess, and doubles until it holds the change."""
+    so, near = is_so(guess), guess
+    width = -NEAR if so else NEAR
+    while is_so(near + width) == so:
+        near, width = near + width, 2 * width
+    return sorted((near, near + width))
 
-    def __init__(self, programs, folder, options):
+
+class Interfaces:
+    """Prepared interfaces of one sigma_bar, run in a folder; `measured`: options of `analyze`."""
+
+    def __init__(self, programs, folder, options, step=STEP, measured=()):
         self.programs = Path(programs).resolve()
         self.analyze = Analysis(programs)
         self.folder = folder
         self.options = options
+        self.step = step
+        self.measured = ["--skip-below-x", SKIP_BELOW_X, *measured]
 
     def run(self, tool, *words):
         command = [self.programs / tool, *words, "--quiet", "--force"]
@@ -52,21 +64,23 @@ class Interfaces:
     def front(self, steps):
         """With other pinned fractions, as read_map() has them."""
         start, end, record = (self.folder / f"{name}.h5" for name in ("start", "end", "record"))
-        self.run("prepare", "--tau-bar", f"{steps * STEP:g}", *self.options, "-o", start)
+        self.run("prepare", "--tau-bar", f"{steps * self.step:g}", *self.options, "-o", start)
         recorded = ["--record", record, "--record-every", "1e-3", "--crossings", CROSSINGS]
-        until = ["--until-quiet", "--arrived-below", min(COMMANDS)]
+        until = ["--until-quiet", "--arrived-below", min(COMMANDS), "--threads", 1]
         self.run("restart", start, "-o", end, *until, *recorded)
         ways: dict = {PRIMARY: {}} | {f: {"--ruptured-below": f} for f in COMMANDS}
-        found = self.analyze.each("front", record, ways, ["--skip-below-x", SKIP_BELOW_X])
+        found = self.analyze.each("front", record, ways, self.measured)
         return found.pop(PRIMARY) | {"at": found}
 
-    def edge(self, kind, **how):
-        """Halfway to the first front of this type, or of one that comes after it."""
+    def edge(self, kind, guess=None, **how):
+        """Halfway to the first front of this type, or of one that comes after it. With a guess, it
+        is sought from there."""
 
         def is_so(steps):
             return TYPES.index(front_type(self.front(steps), **how)) >= TYPES.index(kind)
 
-        return round((first(is_so, LOWEST, HIGHEST) - 0.5) * STEP, 6)
+        ends = (LOWEST, HIGHEST) if guess is None else around(is_so, round(guess / self.step))
+        return round((first(is_so, *ends) - 0.5) * self.step, 6)
 
 
 def main(programs, folder, sigma_bar, *options):

@@ -1,0 +1,100 @@
+"""Edges between types of fronts on finer lattices (lattice.py), and what they become in the
+continuum by the rule in README.md."""
+
+from itertools import product
+
+from data.records import report
+from lattice import STEP, spacing
+from pictures.plotting import BLACK, BLUE, VERMILION
+
+LATTICES = (57, 113, 225, 449)  # blocks along x
+SLIPS = {"without slow slip": "no-slow-slip", "with slow slip": "reference"}
+SPRINGS = {"": "", ", half edge springs": "-half", ", N_s per length": "-per-length"}
+SIGMAS = {0: BLACK, 0.1: BLUE, 0.285: VERMILION}
+KINDS = {"not arrested from": "slow", "fast from": "fast"}
+COLUMNS = ["interfaces", "sigma_bar", "front", *LATTICES, "continuum", "error"]
+ORDERS = (2, 0.5)  # most and least
+MISSING = "not computed"
+
+
+def read_edges(data):
+    """{(interfaces, sigma_bar, front): edges on the lattices that have been computed}"""
+    edges = {}
+    for slip, springs, sigma in product(SLIPS, SPRINGS, SIGMAS):
+        name = f"{SLIPS[slip]}{SPRINGS[springs]}-{sigma:g}"
+        paths = [data / f"convergence/{name}-{N_x}.json" for N_x in LATTICES]
+        found = [report(path) for path in paths if path.exists()]
+        for front, kind in KINDS.items():
+            edges[slip + springs, sigma, front] = [edge[kind] for edge in found]
+    return edges
+
+
+def continuum(edges, step=STEP):
+    """The limit of edges on lattices whose spacing halves, and its error. It takes three."""
+    if len(edges) < 3:
+        return MISSING, MISSING
+    before, last = edges[-2] - edges[-3], edges[-1] - edges[-2]
+    line, line_before = edges[-1] + last, edges[-2] + before
+    low, high = (2**-order for order in ORDERS)
+    ratio = min(max(last / before, low), high) if before else high
+    richardson = edges[-1] + last * ratio / (1 - ratio)
+    error = max(abs(line - line_before), abs(line - richardson)) + 1.5 * step
+    return round(line, 4), round(error, 4)
+
+
+def compared(high, low):
+    """Two edges: how far they are apart, and whether still so in the continuum."""
+    found = [a - b for a, b in zip(high, low)]
+    limit, error = continuum(found, 2 * STEP)
+    if limit == MISSING:
+        return MISSING, False
+    return f"{limit:.3f} +- {error:.3f} ({found[0]:.3f} on the paper's lattice)", limit > error
+
+
+def sentence(edges):
+    """What becomes of the paper's map."""
+    first, *_, last = SIGMAS
+    arrested, fast = KINDS
+    off, on = SLIPS
+    (low, at_low), (high, at_high) = (
+        compared(edges[on, sigma, fast], edges[on, sigma, arrested]) for sigma in (first, last)
+    )
+    moved, moves = compared(edges[off, first, arrested], edges[off, last, arrested])
+    return (
+        f"slow fronts {'remain' if at_low and at_high else 'need not remain'}: their band of"
+        f" tau_bar_0 is {low} wide at sigma_bar {first:g} and {high} at {last:g}. The width of phi"
+        f" {'matters' if moves else 'need not matter'}: between these sigma_bar, the edge of arrest"
+        f" without slow slip moves by {moved}"
+    )
+
+
+def measured(edges):
+    limits = {
+        f"lattice, {name}, sigma_bar {sigma:g}: {front}, and its error": [*continuum(found)]
+        for (name, sigma, front), found in edges.items()
+        if found
+    }
+    return limits | {"lattice: in the continuum": sentence(edges)}
+
+
+def rows(edges):
+    for key, found in edges.items():
+        missing = [MISSING] * (len(LATTICES) - len(found))
+        yield [*key, *found, *missing, *continuum(found)]
+
+
+def draw(panels, edges):
+    for axes, slip in zip(panels, SLIPS):
+        for (sigma, colour), (front, marker) in product(SIGMAS.items(), zip(KINDS, "o^")):
+            found, look = edges[slip, sigma, front], {"color": colour, "markersize": 3.5}
+            x = [spacing(N_x) for N_x in LATTICES[: len(found)]]
+            label = rf"$\bar\sigma$ = {sigma:g}" if marker == "o" else None
+            axes.plot(x, found, marker, label=label, **look)
+            limit, error = continuum(found)
+            if limit != MISSING:
+                axes.errorbar(0, limit, error, fmt=marker, capsize=2, **look)
+                axes.plot([0, x[-1]], [limit, found[-1]], ":", linewidth=0.8, **look)
+        axes.set(xlabel="spacing/that of the paper", xlim=(-0.06, 1.06), ylim=(0, None))
+        axes.set_title(slip)
+    panels[0].set_ylabel(r"$\bar\tau_0$")
+    panels[0].legend(loc="lower right")

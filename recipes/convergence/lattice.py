@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""Edges between types of fronts on prepared interfaces (maps/edges.py) on another lattice:
+
+    lattice.py PROGRAMS FOLDER N_X N_S SIGMA_BAR "OPTION ..." [COARSER ...]
+
+N_S junctions per block, options of `prepare`, and what this printed for the coarser lattices.
+README.md explains the scaling."""
+
+import json
+import sys
+from pathlib import Path
+
+from data.records import report
+from data.scratch import scratch
+from events.fronts import SLOW_BELOW
+from maps.edges import Interfaces
+from maps.front_map import STENCIL, TYPES
+
+STEP = 1e-3  # of tau_bar_0
+FIRST_GUESS = 0.1  # on the coarsest lattice
+
+
+def spacing(N_x):
+    """Over that of the paper's lattice."""
+    return 56 / (N_x - 1)
+
+
+def scaled(N_x, N_s):
+    """{parameter: value}"""
+    r = spacing(N_x)
+    N_z = round(30 / r) + 1
+    return {
+        "slider.Nx": N_x,
+        "slider.Nz": N_z,
+        "slider.M": 0.0756 * N_x * N_z / (57 * 31) * r**2,
+        "slider.F_N": 1920 * N_x / 57 * r,
+        "slider.foundation": 0.5 * r,
+        "slider.damping": 0.1 / r**2,
+        "junctions.N_s": N_s,
+        "junctions.kappa": 39.2e9 * r * 100 / N_s,
+        "numerics.dt": min(2e-7 * r, 8e-7 * r**2),
+    }
+
+
+def ways(N_x, M):
+    """The stencil [blocks] and the part of the program's c_s below which a front is slow: the same
+    length and speed on all lattices."""
+    return round((STENCIL - 1) / spacing(N_x)) + 1, SLOW_BELOW * (M / 0.0756) ** 0.5
+
+
+def guess(coarser):
+    """From an edge on coarser lattices: its last change halves."""
+    before, last = (2 * (coarser or [FIRST_GUESS]))[-2:]
+    return last + (last - before) / 2
+
+
+def main(programs, folder, N_x, N_s, sigma_bar, options, *coarser):
+    values, found = scaled(int(N_x), float(N_s)), [report(path) for path in coarser]
+    stencil, slow_below = ways(int(N_x), values["slider.M"])
+    words = [f"--set {name}={value:.12g}" for name, value in values.items()]
+    words = " ".join(["--sigma-bar", sigma_bar, *words, options]).split()
+    with scratch(Path(folder)) as folder:
+        fronts = Interfaces(programs, folder, words, STEP, ["--stencil", stencil])
+        guesses = {kind: guess([edges[kind] for edges in found]) for kind in TYPES[1:]}
+        edges = {
+            kind: fronts.edge(kind, near, slow_below=slow_below) for kind, near in guesses.items()
+        }
+    print(json.dumps(edges))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
