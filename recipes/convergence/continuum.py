@@ -8,8 +8,14 @@ from lattice import STEP, spacing
 from pictures.plotting import BLACK, BLUE, VERMILION
 
 LATTICES = (57, 113, 225, 449)  # blocks along x
-SLIPS = {"without slow slip": "no-slow-slip", "with slow slip": "reference"}
-SPRINGS = {"": "", ", half edge springs": "-half", ", N_s per length": "-per-length"}
+SETTINGS = {  # of rules.smk
+    "no-slow-slip": "without slow slip",
+    "no-slow-slip-half": "without slow slip, half edge springs",
+    "reference": "with slow slip",
+    "reference-half": "with slow slip, half edge springs",
+    "no-slow-slip-per-length": "without slow slip, N_s per length",
+}
+OFF, OFF_HALF, ON, *_ = SETTINGS.values()
 SIGMAS = {0: BLACK, 0.1: BLUE, 0.285: VERMILION}
 KINDS = {"not arrested from": "slow", "fast from": "fast"}
 COLUMNS = ["interfaces", "sigma_bar", "front", *LATTICES, "continuum", "error"]
@@ -20,12 +26,11 @@ MISSING = "not computed"
 def read_edges(data):
     """{(interfaces, sigma_bar, front): edges on the lattices that have been computed}"""
     edges = {}
-    for slip, springs, sigma in product(SLIPS, SPRINGS, SIGMAS):
-        name = f"{SLIPS[slip]}{SPRINGS[springs]}-{sigma:g}"
-        paths = [data / f"convergence/{name}-{N_x}.json" for N_x in LATTICES]
+    for (name, words), sigma in product(SETTINGS.items(), SIGMAS):
+        paths = [data / f"convergence/{name}-{sigma:g}-{N_x}.json" for N_x in LATTICES]
         found = [report(path) for path in paths if path.exists()]
         for front, kind in KINDS.items():
-            edges[slip + springs, sigma, front] = [edge[kind] for edge in found]
+            edges[words, sigma, front] = [edge[kind] for edge in found]
     return edges
 
 
@@ -55,11 +60,12 @@ def sentence(edges):
     """What becomes of the paper's map."""
     first, *_, last = SIGMAS
     arrested, fast = KINDS
-    off, on = SLIPS
     (low, at_low), (high, at_high) = (
-        compared(edges[on, sigma, fast], edges[on, sigma, arrested]) for sigma in (first, last)
+        compared(edges[ON, sigma, fast], edges[ON, sigma, arrested]) for sigma in (first, last)
     )
-    moved, moves = compared(edges[off, first, arrested], edges[off, last, arrested])
+    moved, moves = compared(edges[OFF, first, arrested], edges[OFF, last, arrested])
+    if MISSING in (low, high, moved):
+        return MISSING
     return (
         f"slow fronts {'remain' if at_low and at_high else 'need not remain'}: their band of"
         f" tau_bar_0 is {low} wide at sigma_bar {first:g} and {high} at {last:g}. The width of phi"
@@ -84,9 +90,9 @@ def rows(edges):
 
 
 def draw(panels, edges):
-    for axes, slip in zip(panels, SLIPS):
+    for axes, interfaces in zip(panels, (OFF, OFF_HALF, ON)):
         for (sigma, colour), (front, marker) in product(SIGMAS.items(), zip(KINDS, "o^")):
-            found, look = edges[slip, sigma, front], {"color": colour, "markersize": 3.5}
+            found, look = edges[interfaces, sigma, front], {"color": colour, "markersize": 3.5}
             x = [spacing(N_x) for N_x in LATTICES[: len(found)]]
             label = rf"$\bar\sigma$ = {sigma:g}" if marker == "o" else None
             axes.plot(x, found, marker, label=label, **look)
@@ -94,7 +100,7 @@ def draw(panels, edges):
             if limit != MISSING:
                 axes.errorbar(0, limit, error, fmt=marker, capsize=2, **look)
                 axes.plot([0, x[-1]], [limit, found[-1]], ":", linewidth=0.8, **look)
-        axes.set(xlabel="spacing/that of the paper", xlim=(-0.06, 1.06), ylim=(0, None))
-        axes.set_title(slip)
+        axes.set(xlabel="spacing/that of the paper", xlim=(-0.06, 1.06), ylim=(0, 0.24))
+        axes.set_title(interfaces.replace(", ", ",\n"))
     panels[0].set_ylabel(r"$\bar\tau_0$")
     panels[0].legend(loc="lower right")
