@@ -65,10 +65,14 @@ class TestClaim:
 
 class TestLattice:
     def test_what_a_length_bears_is_kept(self):
-        for N_x, N_z, N_s, r, stencil in ((57, 31, 100, 1, 5), (225, 121, 26, 1 / 4, 17)):
+        for N_x, N_z, N_s, r, stencil, dt in (
+            (57, 31, 100, 1, 5, 2e-7),
+            (225, 121, 26, 1 / 4, 17, 5e-8),
+            (449, 241, 100, 1 / 8, 33, 1.25e-8),
+        ):
             of = lattice.scaled(N_x, N_s)
             p_i, m = of["slider.F_N"] / N_x, of["slider.M"] / (N_x * N_z)
-            assert (of["slider.Nx"], of["slider.Nz"]) == (N_x, N_z)
+            assert (of["slider.Nx"], of["slider.Nz"], of["numerics.dt"]) == (N_x, N_z, approx(dt))
             assert (p_i, m) == (approx(1920 / 57 * r), approx(0.0756 / (57 * 31) * r**2))
             assert of["slider.damping"] * m == approx(0.1 * 0.0756 / (57 * 31))
             assert N_s * of["junctions.kappa"] * p_i == approx(39.2e9 * 100 * 1920 / 57 * r**2)
