@@ -14,8 +14,8 @@ from pictures.plotting import BLACK, DOUBLE, LINES, figure, letter, save
 EVENTS = {"I": "fast-slow-fast", "II": "second-slow", "III": "fast-only"}
 STEPS = ["2e-7", "1e-7", "5e-8"]  # [s]
 SPEED = "slow speed [m/s]"
-SLOW = {SPEED: "speed", "duration [s]": "duration"}
-SLOW |= {"slow from [m]": "x_from", "slow to [m]": "x_to"}
+OF_FRONT = ("speed", "duration", "x_from", "x_to")
+SLOW = dict(zip((SPEED, "duration [s]", "slow from [m]", "slow to [m]"), OF_FRONT))
 COLUMNS = ["type", *SLOW, "arrested at [m]", "speed with ends [m/s]", "duration with ends [s]"]
 
 
@@ -40,21 +40,15 @@ def read_events(data):
     }
 
 
-def row_front(row):
-    kind = type_on_map(row["type"]) if row["status"] == "done" else IMPOSSIBLE
-    return {"type": kind} | {n: float(row[n]) if row[n] else None for n in COLUMNS[1:]}
-
-
 def read_places(data):
-    """{name: case}"""
-    rows = read_rows(data / "convergence/time-step.csv")
-    levels = [
-        {place_of(row): row_front(row) for row in rows if row["numerics.dt"] == dt} for dt in STEPS
-    ]
-    return {
-        "tau_bar_0 {:g}, sigma_bar {:g}".format(*place): [level[place] for level in levels]
-        for place in levels[0]
-    }
+    """{name: case}. Of each place, the largest step comes first."""
+    cases: dict[str, list] = {}
+    for row in read_rows(data / "convergence/time-step.csv"):
+        kind = type_on_map(row["type"]) if row["status"] == "done" else IMPOSSIBLE
+        numbers = {name: float(row[name]) if row[name] else None for name in COLUMNS[1:]}
+        name = "tau_bar_0 {:g}, sigma_bar {:g}".format(*place_of(row))
+        cases.setdefault(name, []).append({"type": kind} | numbers)
+    return cases
 
 
 # --- what they say -------------------------------------------------------------------------
