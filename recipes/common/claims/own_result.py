@@ -1,10 +1,12 @@
-"""Results of our own, which no claim of the paper speaks of: measured, without verdict."""
+"""Results of our own, which no claim of the paper speaks of: measured, without verdict. Some
+have an expectation in numbers that was fixed before."""
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from claims.claim import measured_parts, plain
+from claims.judge import met, wanted
 from rupture.replacing import write_whole
 
 OWN = "own.json"  # beside a recipe's claims.json
@@ -12,24 +14,41 @@ OWN = "own.json"  # beside a recipe's claims.json
 
 @dataclass(frozen=True)
 class OwnResult:
-    """`measured` as in Claim: numbers by name and unit, or texts. `expected` is what was written
-    down before, and `met` whether it came out so."""
+    """`measured` as in Claim: numbers by name and unit, or texts. `expected`: conditions on some of
+    them, as in claims.toml."""
 
     id: str
     question: str
     measured: dict
-    expected: str = ""
-    met: bool | None = None
+    expected: dict = field(default_factory=dict)
+    met: bool | None = None  # whether all of them are
 
-    @property
-    def standing(self):
-        outcome = {True: ": met", False: ": not met", None: ""}[self.met]
-        return f"expected {self.expected}{outcome}" if self.expected else "without verdict"
+    def outcome(self):
+        return {None: "without verdict", True: "as expected", False: "not as expected"}[self.met]
+
+    def shown(self):
+        """`measured` for readers: names say what was expected."""
+        return {
+            f"{name} ({self.outcome_of(name)}: {wanted(asked)})" if asked else name: value
+            for name, value in self.measured.items()
+            for asked in [self.expected.get(name)]
+        }
+
+    def outcome_of(self, name):
+        return (
+            "as expected" if met(self.expected[name], self.measured[name]) else "expected, not met"
+        )
+
+
+def compared(name, question, measured, expected):
+    """With an expectation."""
+    held = all(met(condition, measured[of]) for of, condition in expected.items())
+    return OwnResult(name, question, measured, expected, held)
 
 
 def text_of(result):
-    lines = [f"{result.id} (ours, {result.standing}): {result.question}"]
-    return "\n".join([*lines, *(f"  {part}" for part in measured_parts(result.measured))])
+    lines = [f"{result.id} (ours, {result.outcome()}): {result.question}"]
+    return "\n".join([*lines, *(f"  {part}" for part in measured_parts(result.shown()))])
 
 
 def write_own(folder, results, before=""):

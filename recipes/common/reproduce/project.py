@@ -16,7 +16,7 @@ PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/common/profiles")
 READ = ("recipes", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 # Recipes that `all` leaves out: they judge no claim and take longer than ten minutes each.
-BESIDE_ALL = ("choices", "convergence")
+BESIDE_ALL = ("choices", "convergence", "speeds")
 
 
 def link(path, target):
