@@ -1,12 +1,11 @@
-# How fast blocks slip and fronts run (fronts.ini), and what the history of slip says about strength. The
-# chains of commands are in README.md.
-HISTORY_SEEDS = range(FIRST_SEED, FIRST_SEED + 5)
-HISTORY_LOAD = f"{DATA}/speeds/load-{{seed}}"
-HISTORY_STATES = checkpoints_of(HISTORY_LOAD, until=LOAD_UNTIL, every=CHECKPOINT_EVERY)
+# Slip and fronts on prepared interfaces (fronts.ini), and loads of which slip and strength are compared.
+# The chains of commands are in README.md.
+FINE_LOAD = f"{DATA}/speeds/load-{{seed}}"
+FINE_STATES = checkpoints_of(FINE_LOAD, until=LOAD_UNTIL, every=CHECKPOINT_EVERY)
 
 
 use rule load_recorded as speeds_load with:
-    output: **recorded(HISTORY_LOAD, checkpoints=HISTORY_STATES)
+    output: **recorded(FINE_LOAD, checkpoints=FINE_STATES)
     priority: 80  # long: before what is short
     params:
         **run_with(
@@ -14,18 +13,17 @@ use rule load_recorded as speeds_load with:
             changes=lambda wildcards: f"--set numerics.seed={wildcards.seed}",
             record_every="1e-4",
         ),
-    wildcard_constraints: seed="[0-9]{3}"
-    log: f"{HISTORY_LOAD.replace(DATA, LOGS)}.log"
-    message: f"speeds: drive the slider to t = {LOAD_UNTIL} s with seed {{wildcards.seed}} (about a minute)"
+    log: f"{LOGS}/speeds/load-{{seed}}.log"
+    message: "speeds: drive the slider with seed {wildcards.seed} (about a minute)"
 
 
 rule speeds_history:
     input:
-        **content_of(record=f"{HISTORY_LOAD}-record.h5", checkpoints=HISTORY_STATES),
+        **content_of(record=f"{FINE_LOAD}-record.h5", checkpoints=FINE_STATES),
         **script("recipes/speeds/slip_history.py"),
-    output: f"{HISTORY_LOAD}-history.json"
+    output: f"{FINE_LOAD}-history.json"
     params: code=CODE
-    log: f"{HISTORY_LOAD.replace(DATA, LOGS)}-history.log"
+    log: f"{LOGS}/speeds/load-{{seed}}-history.log"
     message: "speeds: measure slip and strength in the load with seed {wildcards.seed}"
     shell: "{PYTHON} {input.script} {input.record} {input.checkpoints} > {output} 2> {log}"
 
@@ -33,7 +31,7 @@ rule speeds_history:
 use rule figure as speeds with:
     input:
         fronts=f"{DATA}/speeds/fronts.csv",
-        histories=[f"{DATA}/speeds/load-{seed}-history.json" for seed in HISTORY_SEEDS],
+        histories=[f"{DATA}/speeds/load-{FIRST_SEED + n}-history.json" for n in range(5)],
         expected="recipes/speeds/expectations.toml",
         **scripts_of("speeds"),
     output:

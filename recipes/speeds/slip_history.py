@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How evenly the blocks of a load slipped after they ruptured, and how strong that left them:
+"""How unevenly the blocks of a load slipped after they ruptured, and how strong that left them:
 
     slip_history.py RECORD CHECKPOINT...
 
@@ -15,8 +15,7 @@ import rupture
 
 from events.fronts import LOADING_ZONE
 
-BINNED = 10e-3  # after the rupture [s]: 5 <t_R>
-EDGES = np.linspace(0, BINNED, 11)  # of the bins, <t_R>/2 each
+BINNED, BINS = 10e-3, 10  # after the rupture [s]: 5 <t_R>, so that a bin is <t_R>/2
 
 
 def gini(parts):
@@ -28,36 +27,23 @@ def gini(parts):
 
 def slip_in_bins(time, u_x, since):
     """Forward slip [m]."""
-    return np.clip(np.diff(np.interp(since + EDGES, time, u_x)), 0, None)
-
-
-def last_ruptures(ruptures, until):
-    """{block: time}"""
-    before = ruptures.time <= until
-    return dict(zip(ruptures.block[before].tolist(), ruptures.time[before]))
+    edges = since + np.linspace(0, BINNED, BINS + 1)
+    return np.clip(np.diff(np.interp(edges, time, u_x)), 0, None)
 
 
 def rows_of(record, checkpoints):
-    u_x, before = record["u_x"], -np.inf
+    ruptures, u_x, before = record.ruptures, record["u_x"], -np.inf
     for path in checkpoints:
-        now = rupture.open(path).time
-        strength = rupture.analyze("strength", path)["mu_bar_eff"]
-        for block, since in last_ruptures(record.ruptures, now).items():
-            slip = slip_in_bins(record.time, u_x[:, block], since)
+        now, strength = rupture.open(path).time, rupture.analyze("strength", path)["mu_bar_eff"]
+        past = ruptures.time <= now
+        last = dict(zip(ruptures.block[past], ruptures.time[past]))
+        for block, since in last.items():
             if record.x[block] >= LOADING_ZONE and before < since + BINNED <= now:
-                yield {
-                    "x [m]": record.x[block],
-                    "ruptured at [s]": since,
-                    "slip [m]": slip.sum(),
-                    "Gini coefficient": gini(slip),
-                    "mu_bar_eff": strength[block],
-                }
+                slip = slip_in_bins(record.time, u_x[:, block], since)
+                row = {"x [m]": record.x[block], "ruptured at [s]": since, "slip [m]": slip.sum()}
+                yield row | {"Gini coefficient": gini(slip), "mu_bar_eff": strength[block]}
         before = now
 
 
-def main(record, *checkpoints):
-    print(json.dumps(list(rows_of(rupture.open(record), checkpoints))))
-
-
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    print(json.dumps(list(rows_of(rupture.open(sys.argv[1]), sys.argv[2:]))))

@@ -29,18 +29,13 @@ class OwnResult:
     def shown(self):
         """`measured` for readers: names say what was expected."""
         return {
-            f"{name} ({self.outcome_of(name)}: {wanted(asked)})" if asked else name: value
+            f"{name} (expected: {wanted(name, asked)})" if asked else name: value
             for name, value in self.measured.items()
             for asked in [self.expected.get(name)]
         }
 
-    def outcome_of(self, name):
-        return (
-            "as expected" if met(self.expected[name], self.measured[name]) else "expected, not met"
-        )
 
-
-def compared(name, question, measured, expected):
+def compared(name, measured, question, expected):
     """With an expectation."""
     held = all(met(condition, measured[of]) for of, condition in expected.items())
     return OwnResult(name, question, measured, expected, held)

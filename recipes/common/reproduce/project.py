@@ -15,7 +15,7 @@ LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/common/profiles")
 READ = ("recipes", "checkpoints", "docs", "benchmarks", "CITATION.cff")
-# Recipes that `all` leaves out: they judge no claim and take longer than ten minutes each.
+# Recipes that `all` leaves out: they judge no claim and take minutes each.
 BESIDE_ALL = ("choices", "convergence", "speeds")
 
 

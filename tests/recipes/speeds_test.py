@@ -1,0 +1,52 @@
+"""How the recipe `speeds` measures, on made-up slip and fronts with known answers."""
+
+import numpy as np
+from front_slip import exponent, slip_speed, transient
+from pytest import mark
+from slip_history import gini, slip_in_bins
+
+from claims.own_result import compared, text_of
+from conftest import approx
+
+
+@mark.parametrize(
+    "parts, coefficient",
+    [([3, 3, 3, 3], 0), ([0, 0, 5, 0], 1 - 1 / 4), ([1, 3], 0.25), ([0, 0], None)],
+)
+def test_gini(parts, coefficient):
+    assert gini(parts) == approx(coefficient)
+
+
+def test_slip_is_binned_from_the_rupture_on():
+    time = np.linspace(0, 0.03, 301)
+    slip = slip_in_bins(time, np.clip(time, 0.0125, 0.0155), 0.0115)  # moves after 1 ms, for 3 ms
+    assert slip == approx([0, *[1e-3] * 3, *[0] * 6], abs=1e-12)
+    assert not slip_in_bins(time, -time, 0.0115).any()
+
+
+@mark.parametrize("us, speed", [(10, 0.25), (10.5, 1 / 3.5), (13, 0.5), (28, np.nan)])
+def test_slip_speed_is_over_one_micrometre_from_the_rupture_on(us, speed):
+    time = np.arange(30) * 1e-6
+    moved = 0.5 * np.clip(time - 12e-6, 0, None)
+    found = slip_speed({"time": time, "slip": moved, "t_rupture": us * 1e-6})
+    assert found == approx(speed, nan_ok=True)
+
+
+@mark.parametrize("before, length", [(100, 35), (170, 0), (250, 35)])
+def test_a_transient_ends_where_the_speed_stays_near_the_final_one(before, length):
+    x = np.arange(57) * 0.0025
+    v_c = np.where(x < 0.06, before, 200).tolist()
+    front = {"x": x, "v_c": [None, None, *v_c[2:-2], None, None], "L": 0.14}
+    assert transient(front) == approx(length)
+
+
+def test_exponent():
+    rows = [{"M": str(M), "v": M**-0.5} for M in (0.5, 1.0, 2.0)]
+    assert exponent(rows, "v", "M") == approx(-0.5)
+
+
+@mark.parametrize("found, outcome", [(0.6, "as expected"), (0.4, "not as expected")])
+def test_an_own_result_may_have_an_expectation(found, outcome):
+    result = compared("a", {"r": found, "n": 7}, "so?", {"r": {"at_least": 0.5}})
+    text = f"a (ours, {outcome}): so?\n  r = {found} (expected: at least 0.5)\n  n = 7"
+    assert text_of(result) == text
