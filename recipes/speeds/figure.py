@@ -13,9 +13,9 @@ from data.records import report
 from data.tables import numbers, points_of, write_columns
 from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
 
-KINDS = {"fast": ("0.3", VERMILION), "slow": ("0.1", BLUE)}  # tau_bar_0
-SPEEDS = {"fronts": (FRONT, "o"), "slip": (SLIP, "^")}
-# Variant, parameter, and which power of the quantity that is.
+# Exponents: tau_bar_0 of the fronts, speeds, and (variant, parameter, power of the quantity).
+KINDS = {"fast": "0.3", "slow": "0.1"}
+SPEEDS = {"fronts": FRONT, "slip": SLIP}
 VARIED = {"M": ("mass", "slider.M", 1), "eta": ("damping", "slider.damping", 2)}
 LENGTHS = {"prestress": ("", VERMILION), "long": (", slider twice as long", BLUE)}
 NAMES = "variant tau-bar sigma-bar numerics.seed slider.L slider.M slider.damping".split()
@@ -41,22 +41,23 @@ def proportional(rows):
     }
 
 
-def varied(pairs):
-    """(label, rows, column of the speed, parameter, power, colour, marker) of each series."""
-    for name, (variant, parameter, power) in VARIED.items():
-        for kind, (tau_bar, colour) in KINDS.items():
-            rows = select(pairs, variant=variant, **{"tau-bar": tau_bar})
-            for what, (speed, marker) in SPEEDS.items():
-                label = f"{kind} {what}, exponent of {name}"
-                yield label, rows, speed, parameter, power, colour, marker
+def inertia(pairs):
+    return {
+        f"{kind} {what}, exponent of {name}": power
+        * exponent(select(pairs, variant=variant, **{"tau-bar": tau_bar}), speed, parameter)
+        for name, (variant, parameter, power) in VARIED.items()
+        for kind, tau_bar in KINDS.items()
+        for what, speed in SPEEDS.items()
+    }
 
 
 def transients(rows):
-    measured = {}
-    for name, (text, _) in LENGTHS.items():
-        found = [row[LENGTH] for row in select(rows, variant=name)]
-        measured |= {f"fronts{text}": len(found), f"median transient{text} [mm]": np.median(found)}
-    return measured
+    return {
+        f"median transient{text} [mm]": np.median(
+            [row[LENGTH] for row in select(rows, variant=name)]
+        )
+        for name, (text, _) in LENGTHS.items()
+    }
 
 
 def correlation(rows, quantity=GINI):
@@ -83,19 +84,13 @@ def draw_pairs(axes, rows):
     axes.set(xlabel="$v_c$ [m/s]", ylabel=r"$v_\mathrm{slip}$ [m/s]")
 
 
-def draw_varied(axes, pairs):
-    """Geometric means, relative to the middle value."""
-    for label, rows, speed, parameter, power, colour, marker in varied(pairs):
-        x, logs = numbers(rows, parameter) ** (1 / power), np.log(numbers(rows, speed))
-        steps = np.unique(x)
-        means = np.array([logs[x == step].mean() for step in steps])
-        style = {"color": colour, "fillstyle": "full" if power == 1 else "none"}
-        text = label.replace("exponent of ", "").replace("eta", r"$\eta$")
-        axes.loglog(steps / steps[1], np.exp(means - means[1]), marker, label=text, **style)
-    for power in (0, -0.5):
-        axes.loglog([0.5, 2], [0.5**power, 2**power], color=BLACK, linewidth=0.8)
-    axes.set(xlabel=r"$M$ or $\eta$, relative", ylabel="speed, relative", ylim=(0.5, 4))
-    axes.legend(loc="upper right", ncols=2)
+def draw_exponents(axes, result):
+    """Lines: what was expected."""
+    for place, (name, bounds) in enumerate(result.expected.items()):
+        axes.plot(bounds.values(), [place] * 2, color=SKY, linewidth=5)
+        axes.plot(result.measured[name], place, "o", color=BLACK)
+    axes.set_yticks(range(len(result.expected)), result.expected)
+    axes.set(xlabel="exponent", ylim=(len(result.expected) - 0.5, -0.5))
 
 
 def draw_transients(axes, rows):
@@ -123,9 +118,18 @@ def make(data, results):
     ]
     loads = sorted(data.glob("speeds/*-history.json"))
     blocks = [{"load": path.stem, **row} for path in loads for row in report(path)]
+    measured = {
+        "proportional": proportional(select(pairs, variant="prestress")),
+        "inertia": inertia(pairs),
+        "transient": transients(homogeneous),
+        "gini": strength_by_slip(blocks),
+    }
+    fixed = tomllib.loads(Path(__file__).with_name("expectations.toml").read_text(encoding="utf-8"))
+    own = {name: compared(name, of, **fixed[name]) for name, of in measured.items()}
+    write_own(results, own.values())
     fig, panels = figure(DOUBLE, 0.75 * DOUBLE, nrows=2, ncols=2)
     draw_pairs(panels[0, 0], select(pairs, variant="prestress"))
-    draw_varied(panels[0, 1], pairs)
+    draw_exponents(panels[0, 1], own["inertia"])
     draw_transients(panels[1, 0], select(homogeneous, **{"sigma-bar": "0.1"}))
     draw_strength(panels[1, 1], blocks)
     for axes, text in zip(panels.flat, "ABCD"):
@@ -134,12 +138,4 @@ def make(data, results):
     write_columns(results / "speeds.csv", [*NAMES, "x [m]", FRONT, SLIP], pairs)
     write_columns(results / "transients.csv", [*NAMES, LENGTH], homogeneous)
     write_columns(results / "gini.csv", list(blocks[0]), blocks)
-    measured = {
-        "proportional": proportional(select(pairs, variant="prestress")),
-        "inertia": {label: power * exponent(*of) for label, *of, power, _, _ in varied(pairs)},
-        "transient": transients(homogeneous),
-        "gini": strength_by_slip(blocks),
-    }
-    fixed = tomllib.loads(Path(__file__).with_name("expectations.toml").read_text(encoding="utf-8"))
-    write_own(results, [compared(name, of, **fixed[name]) for name, of in measured.items()])
     return []
