@@ -41,9 +41,9 @@ def proportional(rows):
     }
 
 
-def inertia(pairs):
+def inertia(pairs, text=""):
     return {
-        f"{kind} {what}, exponent of {name}": power
+        f"{text}{kind} {what}, exponent of {name}": power
         * exponent(select(pairs, variant=variant, **{"tau-bar": tau_bar}), speed, parameter)
         for name, (variant, parameter, power) in VARIED.items()
         for kind, tau_bar in KINDS.items()
@@ -70,7 +70,7 @@ def strength_by_slip(rows):
         "blocks and ruptures": len(rows),
         "rank correlation": correlation(rows),
         "lowest of any load": min(map(correlation, loads)),
-        "rank correlation with the slip itself": correlation(rows, "slip [m]"),
+        "looked at afterwards: with the slip after 2 ms": correlation(rows, "slip after 2 ms [m]"),
     }
 
 
@@ -85,11 +85,12 @@ def draw_pairs(axes, rows):
 
 
 def draw_exponents(axes, result):
-    """Lines: what was expected."""
+    """Bars: what was expected."""
     for place, (name, bounds) in enumerate(result.expected.items()):
         axes.plot(bounds.values(), [place] * 2, color=SKY, linewidth=5)
         axes.plot(result.measured[name], place, "o", color=BLACK)
-    axes.set_yticks(range(len(result.expected)), result.expected)
+    names = [name.replace("exponent of ", "") for name in result.expected]
+    axes.set_yticks(range(len(names)), names)
     axes.set(xlabel="exponent", ylim=(len(result.expected) - 0.5, -0.5))
 
 
@@ -118,9 +119,10 @@ def make(data, results):
     ]
     loads = sorted(data.glob("speeds/*-history.json"))
     blocks = [{"load": path.stem, **row} for path in loads for row in report(path)]
+    near = select(pairs, **{"x [m]": 0.055})
     measured = {
         "proportional": proportional(select(pairs, variant="prestress")),
-        "inertia": inertia(pairs),
+        "inertia": inertia(pairs) | inertia(near, "looked at afterwards, x = 55 mm: "),
         "transient": transients(homogeneous),
         "gini": strength_by_slip(blocks),
     }

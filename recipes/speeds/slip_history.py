@@ -40,8 +40,14 @@ def rows_of(record, checkpoints):
         for block, since in last.items():
             if record.x[block] >= LOADING_ZONE and before < since + BINNED <= now:
                 slip = slip_in_bins(record.time, u_x[:, block], since)
-                row = {"x [m]": record.x[block], "ruptured at [s]": since, "slip [m]": slip.sum()}
-                yield row | {"Gini coefficient": gini(slip), "mu_bar_eff": strength[block]}
+                yield {
+                    "x [m]": record.x[block],
+                    "ruptured at [s]": since,
+                    "slip [m]": slip.sum(),
+                    "slip after 2 ms [m]": slip[2:].sum(),
+                    "Gini coefficient": gini(slip),
+                    "mu_bar_eff": strength[block],
+                }
         before = now
 
 
