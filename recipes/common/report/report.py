@@ -21,6 +21,7 @@ from caption import as_html, filled, of_files, seen
 from claims.claim import STANDINGS, Claim, number, read_claims
 from claims.own_result import OwnResult, read_own
 from rupture.replacing import write_whole
+from readme import update_readme
 from crate import CRATE, write_crate
 from picture import Picture, find_movie, glance_picture, picture
 from runs.recipes import label, listed_claims, natural, read_readme, recipe_names
@@ -186,8 +187,12 @@ def main(folder="."):
     path = (root / "results").resolve() / "index.html"
     try:
         take_names(root / "results", "index.html", "claims.png", "claims.pdf", CRATE)
-        write_whole(path, render(contents(root)))
+        content = contents(root)
+        write_whole(path, render(content))
         write_crate(root)
+        if len(content["rows"]) == content["listed"]:
+            own = [result for recipe in content["recipes"] for result in recipe.own]
+            update_readme(root, [claim for *_, claim in content["rows"]], own)
         print(f"Report: {path}", flush=True)
     except (Failure, FileExistsError) as problem:
         sys.exit(f"report.py: {problem}")

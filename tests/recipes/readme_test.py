@@ -1,0 +1,80 @@
+"""The results in README.md agree with the tables in docs/, and these with what programs compute."""
+
+import csv
+import hashlib
+import json
+import re
+
+import pytest
+
+import readme
+from claims.claim import Claim, Share
+from claims.judge import table
+from conftest import ROOT, run
+from data.tables import read_rows
+from fixture import spill
+
+EVENTS = (ROOT / readme.FRONTS).read_text(encoding="utf-8")
+
+
+def test_its_sentences_are_those_of_the_table_of_verdicts():
+    rows = read_rows(ROOT / readme.TABLE)
+    if not rows:
+        pytest.skip("There has been no report of all results yet.")
+    leading = [name for name, claim in table().items() if "closeness_of" not in claim]
+    assert [row["id"] for row in rows if row["verdict"]] == leading
+    [shown] = readme.BLOCK.findall((ROOT / readme.README).read_text(encoding="utf-8"))
+    assert shown == readme.sentences(rows)
+    assert "not run" not in shown and "{" not in shown
+
+
+def test_its_picture_is_drawn_from_the_table_of_events():
+    source = hashlib.sha256(EVENTS.encode()).hexdigest()
+    assert source.encode() in (ROOT / readme.PICTURE).read_bytes()
+
+
+@pytest.mark.parametrize("event", ["fast-slow-fast", "fast-only"])
+def test_events_are_those_that_the_programs_compute(event, folder):
+    start = ROOT / f"checkpoints/{event}.h5"
+    recorded = ("--record", "r.h5", "--record-every", "1e-5", "--quiet")
+    run("restart", start, "-o", "end.h5", "--for", "0.01", *recorded)
+    (folder / "front.json").write_text(run("analyze", "front", "r.h5", "--json").stdout)
+    rows = readme.front_rows(event, readme.report("front.json"))
+    expected = [["" if cell is None else str(cell) for cell in row] for row in rows]
+    assert [row for row in csv.reader(EVENTS.splitlines()) if row[0] == event] == expected
+
+
+FRONT = {"x": [0, 0.07], "L": 0.14, "c_s": 968, "t_rupture": [1.0, None], "v_c": [9.68, None]}
+
+
+def update(root, reason):
+    share = Share("primary", 19, 20, 0.8, 1.0)
+    claim = Claim("2Aw", "paper", "accepted", "text", True, [share], "reproduced", reason)
+    readme.update_readme(root, [claim], [])
+    return (root / readme.README).read_text()
+
+
+@pytest.fixture(name="clone")
+def made_up_clone(tmp_path):
+    for name in (readme.TABLE, readme.FRONTS, readme.PICTURE):
+        spill(tmp_path / name, "old")
+    for name in readme.EVENTS:
+        spill(tmp_path / f"results/data/{name}-front.json", json.dumps(FRONT))
+    spill(tmp_path / readme.README, "above\n<!-- results -->\nold\n<!-- /results -->\nbelow\n")
+    return tmp_path
+
+
+def test_a_report_of_all_results_writes_them(clone):
+    above, sentences, below = re.split(r"<!-- .* -->\n", update(clone, "holds"))
+    assert (above, below) == ("above\n", "below\n")
+    assert "19 of 20 independent loads" in sentences and "old" not in sentences
+    assert "2Aw,reproduced,19,20,{}" in (clone / readme.TABLE).read_text()
+    assert "most-like,v_c/c_s,0.01,\n" in (clone / readme.FRONTS).read_text()
+
+
+def test_one_of_some_results_or_behind_a_link_does_not(clone):
+    assert "old" in update(clone, "shown case only: holds")
+    (clone / readme.README).rename(clone / "mine")
+    (clone / readme.README).symlink_to("mine")
+    assert "old" in update(clone, "holds")
+    assert (clone / readme.TABLE).read_text() == "old"
