@@ -166,7 +166,7 @@ def test_a_deleted_or_damaged_result_is_computed_again(sweep, change):
     sweep.go()
     change(next((sweep.root / "results/data/points").glob("*.json")))
     preview = sweep.call("sweep", "my.ini", "--programs", "bin", "--dry-run").stdout
-    assert "2 points, 1 there, 1 to compute." in preview
+    assert "2 points: 1 done, 1 to compute\n" in preview
     assert "2 points: 2 done.\nComputed now: 1; there before: 1." in sweep.go()
 
 
@@ -258,7 +258,7 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(own):
 
     own.compute("0.2")
     said = own.sweep("--dry-run").stdout
-    assert said == "Prestress: 1 point, 1 there, 0 to compute.\n"
+    assert said == "Prestress: 1 point: 1 done, 0 to compute\n"
 
     last, computed = own.compute("0.2", needs="threads = 2\nmemory = 2 GB")
     assert computed == 0, "a point less, and other needs"

@@ -51,7 +51,7 @@ class Tiny(Project):
         done = self.call("tiny", *options)
         assert done.returncode == 0, done.stderr + done.stdout
         steps = re.findall(r"^\[.*\] \d+/\d+ (.*)", done.stdout, re.MULTILINE)
-        assert ("Nothing is to be computed" in done.stdout) == (not steps), done.stdout
+        assert ("Nothing to compute" in done.stdout) == (not steps), done.stdout
         return steps
 
 

@@ -52,8 +52,8 @@ def main(*words):
     if not request.words:
         print(make_parser().format_help(), file=sys.stderr)
         return 2
-    if request.command == "list":
-        print(listing())
+    if request.command in ("list", "help"):
+        print(listing() if request.command == "list" else make_parser().format_help())
         return 0
     enter_root()
     return RUN[request.command](request, Processes())
@@ -65,7 +65,7 @@ def discard_output():
 
 
 def main_or_sentence(*words):
-    """The exit code: 1 if a command failed, 2 if the command line makes no sense."""
+    """The exit code: 1 if a command failed, 2 if the command line is wrong."""
     try:
         try:
             return main(*words)

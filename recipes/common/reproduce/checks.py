@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import subprocess
 from pathlib import Path
 
@@ -16,19 +17,22 @@ CPPCHECK = (
     " -I include -I src -I src/tools -I tests include src tests benchmarks -j"
 )
 PYTHON = "python recipes src tests"
+TEXTS = f"{PYTHON} README.md CONTRIBUTING.md docs include benchmarks packaging reproduce.sh"
+SPELLING = "-q 3 -S *.h5,*.png,*/corpus/* -L coul,crate,kinf,libary,lod,nd,statics,untill"
 LAYOUT = {"clang-format": "14", "black": "23"}  # Debian 12's versions: others differ
 # By Debian's programs: other versions may demand another layout.
 CHECKS = {
     "/usr/bin/clang-format --dry-run -Werror": "clang-format would change the files above"
     " (clang-format -i FILE).",
     f"/usr/bin/black --check --diff --quiet {PYTHON}": "black would change this (black FILE).",
-    f"/usr/bin/flake8 {PYTHON}": "flake8 found the faults above (.flake8 has what it may not say).",
-    "/usr/bin/mypy --no-error-summary": "mypy found the faults above (pyproject.toml says how it is"
-    " run).",
-    "shellcheck": "shellcheck found the faults above.",
-    "reuse lint --quiet": "Some files have no licence (reuse lint names them): name it in"
+    f"/usr/bin/flake8 {PYTHON}": "flake8 reported the problems above (.flake8 lists exceptions).",
+    "/usr/bin/mypy --no-error-summary": "mypy reported the problems above.",
+    "shellcheck": "shellcheck reported the problems above.",
+    "reuse lint --quiet": "Some files have no licence (reuse lint lists them): add it to"
     " .reuse/dep5.",
-    CPPCHECK: "cppcheck found the faults above (.cppcheck has what it may not say).",
+    CPPCHECK: "cppcheck reported the problems above (.cppcheck lists exceptions).",
+    f"codespell {SPELLING} {TEXTS}": "codespell reported the typos above.",
+    f"bash -c '! grep -rnif .phrases {TEXTS}'": "The lines above are not plain English (.phrases).",
 }
 SHELL_SCRIPTS = (
     *("reproduce.sh", ".ci/run", "src/tools/reproduce"),
@@ -71,7 +75,7 @@ def test_slurm(request, processes):
     except SystemExit:
         if processes.received:
             raise
-        say("Going on without them.")
+        say("Continuing without them.")
     use_own_environment()
     return run_ctest(processes, "slurm", "slurm.log", 1)
 
@@ -83,12 +87,12 @@ def sources(*endings):
 
 
 def defines_layout(program):
-    """Whether this version does. Another is a fault in CI only, where nothing may be left out."""
+    """Whether this version does. Another one is an error in CI only, which must check all."""
     said = subprocess.run([program, "--version"], capture_output=True, check=True, text=True).stdout
     version, name = re.findall(r"\d+", said)[0], Path(program).name
     if version != LAYOUT[name]:
         sentence = (
-            f"The layout by {name} {LAYOUT[name]} is not checked: version {version} is installed."
+            f"Layout not checked: it needs {name} {LAYOUT[name]}, but {version} is installed."
         )
         if os.environ.get("CI"):
             raise Failure(sentence)
@@ -122,21 +126,21 @@ def compile_each_alone(request, processes):
     commands.write_text("\n".join(compile_commands()))
     each = f"xargs -P {request.cores} -d \\n -n 1 -a {commands} sh -c"
     if processes.run(each.split()):
-        raise Failure("The files above cannot be compiled by themselves.")
+        raise Failure("The files above do not compile on their own.")
 
 
 def check_sources(request, processes):
     """Without the headers of libraries, which the compiler sees, cppcheck takes seconds."""
     ensure_packages(processes, "build", "run", "check")
     for command, sentence in CHECKS.items():
-        program, *options = command.split()
+        program, *options = shlex.split(command)
         name = Path(program).name
         if name in LAYOUT and not defines_layout(program):
             continue
         if processes.run([program, *options, *words_behind(name, request.cores)]):
             raise Failure(sentence)
     compile_each_alone(request, processes)
-    say("The sources are laid out as they should be, and no fault was found in them.")
+    say("No problems were found in the sources.")
 
 
 def tidy_sources(request, processes):
@@ -149,5 +153,5 @@ def tidy_sources(request, processes):
         " 2> >(grep -v ' warnings\\? ' >&2)"
     )
     if processes.run(["bash", "-c", tidy, files]):
-        raise Failure("clang-tidy found the faults above (.clang-tidy has what it may not say).")
-    say("clang-tidy found no fault in the sources.")
+        raise Failure("clang-tidy reported the problems above (.clang-tidy lists exceptions).")
+    say("clang-tidy found no problems in the sources.")

@@ -1,4 +1,4 @@
-"""./reproduce.sh clean: deletes what was written and built here, and names what it leaves."""
+"""./reproduce.sh clean: deletes what was written and built here, and lists what it leaves."""
 
 import os
 import shutil
@@ -45,7 +45,7 @@ def left_in(path):
 
 
 def say_left(left):
-    say("Left, as links are not followed, and other files were not written by this program:")
+    say("Kept (links are not followed, and this program did not write the other files):")
     for path in left[:NAMED]:
         target = f" -> {os.readlink(path)}" if path.is_symlink() else ""
         say(f"  {path.relative_to(HOME)}{target}")

@@ -1,7 +1,9 @@
 """The command line of ./reproduce.sh."""
 
 import argparse
+import difflib
 import os
+import re
 from functools import partial
 from pathlib import Path
 
@@ -13,23 +15,24 @@ from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
 
 PROGRAM = "rupture reproduce" if WORK else "./reproduce.sh"
 PURPOSE = (
-    "Computes the figures that are named, or all, in results/ of the current folder;"
+    "Computes the figures that you name, or all, and writes them to results/ in the current folder."
     f" {PROGRAM} list lists them."
 )
 SUMMARY = "compute figures of the paper, their claims, and sweeps of your own"
 COMMANDS = {
-    "all": f"everything above but {' and '.join(BESIDE_ALL)}, and the report",
-    "sweep": "FILE.ini: the model for all values that the file lists (docs/sweeps.md)",
-    "report": "results/index.html: all figures and claims on one page",
-    "list": "this list",
-    "clean": "delete what these commands wrote and built, and name what is left",
+    "all": f"all of the above except {' and '.join(BESIDE_ALL)}, and the report",
+    "sweep": "FILE.ini: run the model for all values in the file (docs/sweeps.md)",
+    "report": "write results/index.html: all figures and claims on one page",
+    "list": "print this list",
+    "help": "print the options and this list",
+    "clean": "delete what these commands wrote and built, and list what is left",
 }
 if not WORK:
     COMMANDS |= {
         "test": "build and run the tests",
-        "test-slurm": "install SLURM, start it here and compute through it (some minutes)",
-        "check": "look for faults in the sources and in their layout",
-        "tidy": "look for more of them, with clang-tidy (some minutes)",
+        "test-slurm": "install SLURM, start it on this machine and test with it (some minutes)",
+        "check": "check the sources: formatters, linters, spelling",
+        "tidy": "check the sources with clang-tidy (some minutes)",
     }
 
 
@@ -59,10 +62,15 @@ class Parser(command_line.Parser):
         return super().description_json() | {"words": [*figures(), *COMMANDS], "outputs": []}
 
 
+def version(_):
+    citation = (SHARE / "CITATION.cff").read_text(encoding="utf-8")
+    return f"{PROGRAM} (rupture {re.findall('^version: (.*)$', citation, re.MULTILINE)[0]})"
+
+
 def profile_at(text):
     folder = Path(text) if "/" in text else SHARE / PROFILES / text
     if not text or not (folder / "config.yaml").exists():
-        raise argparse.ArgumentTypeError(f"'{text}' is none: {folder}/config.yaml does not exist")
+        raise argparse.ArgumentTypeError(f"there is no {folder}/config.yaml")
     return folder.resolve()
 
 
@@ -70,7 +78,7 @@ def programs_at(text):
     folder = Path.cwd() / text
     if not text or not os.access(folder / "load", os.X_OK):
         raise argparse.ArgumentTypeError(
-            f"'{text}' is no folder with rupture's programs: {folder}/load does not exist"
+            f"the programs are not in '{text}': there is no {folder}/load"
         )
     return folder
 
@@ -79,19 +87,16 @@ def make_parser():
     parser = Parser()
     add = parser.add_argument
     add("words", nargs="*")
-    text = "of a sweep: say how many points there are, and compute none"
+    text = "for a sweep: print the number of points, compute nothing"
     add("--dry-run", action="store_true", help=text)
-    text = (
-        "compute the checkpoints that the figures start from, too, instead of using those in"
-        " checkpoints/"
-    )
+    text = "also compute the checkpoints that figures start from, instead of using checkpoints/"
     add("--from-scratch", action="store_true", help=text)
     text = (
-        "where commands run: local, slurm, another folder of recipes/common/profiles/, or the"
-        " path of one (docs/cluster.md)"
+        "where commands run: local, slurm, or the path of another profile's folder"
+        " (docs/cluster.md)"
     )
     add("--profile", type=profile_at, metavar="NAME", default="local", help=text)
-    text = "use the programs there instead of building them"
+    text = "use the programs in this folder instead of building them"
     add("--programs", type=programs_at, metavar="FOLDER", help=text)
     text = "use N cores of this machine (default: all)"
     read_cores = partial(whole_number, what="number of cores", least=1)
@@ -100,17 +105,22 @@ def make_parser():
     text = "print name, options and input as one JSON object and stop"
     add("--describe", action=Answer, nargs=0, const=Parser.describe, help=text)
     add("-h", "--help", action=Answer, nargs=0, const=Parser.format_help, help="print this text")
+    add("--version", action=Answer, nargs=0, const=version, help="print the version and stop")
     return parser
 
 
 def check_sweep(request):
     if request.from_scratch:
         raise UsageError(
-            "--from-scratch is for figures; a sweep starts from what its file says. See --help."
+            "--from-scratch is for figures; the file of a sweep says where it starts. See --help."
         )
     if len(request.words) != 2:
         raise UsageError(f"'sweep' needs one file, as in {PROGRAM} sweep my.ini. See --help.")
     request.file = Path(request.words[1]).absolute()
+
+
+def lower_names():
+    return {name.lower(): name for name in [*figures(), *COMMANDS]}
 
 
 def check_commands(request):
@@ -119,11 +129,11 @@ def check_commands(request):
         raise UsageError("--dry-run is for 'sweep' only. See --help.")
     for word in set(request.words).difference(figures()):
         if word not in COMMANDS:
-            raise UsageError(f"there is no figure or command '{word}'. There are:\n{listing()}")
+            near = difflib.get_close_matches(word.lower(), by_lower := lower_names(), 1)
+            hint = f"did you mean {by_lower[near[0]]}?" if near else f"see {PROGRAM} list"
+            raise UsageError(f"there is no figure or command '{word}': {hint}")
         if len(request.words) > 1:
-            raise UsageError(
-                f"'{word}' cannot be combined with other commands. There are:\n{listing()}"
-            )
+            raise UsageError(f"'{word}' cannot be combined with other commands or figures")
 
 
 def read(words):

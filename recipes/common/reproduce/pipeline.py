@@ -67,7 +67,7 @@ def compute(targets, options):
     if rows is None:
         return 1
     if is_done(rows):
-        print("Nothing is to be computed: all results are up to date.")
+        print("Nothing to compute: all results are up to date.")
         return 0
     for stage in STAGES:
         if code := snakemake(stage, *options):

@@ -50,14 +50,14 @@ def take_lock(lock):
     except BlockingIOError:
         return False
     except OSError as error:  # of some shared file systems
-        complain(f"runs in this folder are not kept apart, as it has no locks ({error.strerror}).")
+        complain(f"cannot lock this folder ({error.strerror}): start no second run in it.")
     return True
 
 
 def wait_for(lock):
     if take_lock(lock):
         return
-    say("Waiting for the end of what an earlier run, which was killed, has left behind ...")
+    say("Waiting for programs of an earlier run, which was killed, to end ...")
     end = time.monotonic() + WAIT
     while not take_lock(lock):
         if time.monotonic() > end:

@@ -61,7 +61,7 @@ ensure_packages() {
   local wanted
   (($# > 0)) || return 0
   if ! command -v apt-get >/dev/null; then
-    echo "This is not a Debian system: what packages.txt names has to be installed already."
+    echo "This is not a Debian system: the packages in packages.txt must already be installed."
     return
   fi
   wanted=$(packages_for "$@")

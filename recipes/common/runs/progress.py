@@ -121,4 +121,4 @@ def log_handler(message):
         on_command(message)
     elif level == "info" and message["msg"].startswith("Trying to restart"):
         steps["started"] -= 1
-        complain("It is tried again.")
+        complain("Trying again.")

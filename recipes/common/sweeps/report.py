@@ -92,9 +92,9 @@ def preview(plan, folder_of_tools, results, code):
     """`code`: fingerprint of the sources or programs."""
     sweep, store = read_sweep(plan), PointStore(results / "data/points", code)
     to_compute = [point for point in sweep.points if store.result(point) is None]
-    there = len(sweep.points) - len(to_compute)
+    done = len(sweep.points) - len(to_compute)
     count = plural(len(sweep.points), "point")
-    print(f"{sweep.title}: {count}, {there} there, {len(to_compute)} to compute.")
+    print(f"{sweep.title}: {count}: {done} done, {len(to_compute)} to compute")
     if to_compute:
         print("The first of these (its files are deleted afterwards):")
         for command in to_compute[0].commands.values():
@@ -131,7 +131,7 @@ def print_sentences(table, status):
     for sentence, times in said.most_common(SHOWN):
         print(f"  {times} x {sentence}")
     if len(said) > SHOWN:
-        print(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has them all")
+        print(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has all")
 
 
 def print_without_value(sweep, table):

@@ -35,7 +35,7 @@ BATCHES = {
 }
 POINTS = f"{DATA}/points"
 
-# A result that was deleted, damaged, or replaced by that of other programs is to be computed again.
+# A result that was deleted, damaged, or replaced by that of other programs is computed again.
 STORE = PointStore(POINTS, CODE)
 for path, (_, batch) in BATCHES.items():
     note(RESULTS, *(f"{POINTS}/{point.id}.{ending}" for point in batch for ending in ("json", "why")))
