@@ -100,9 +100,18 @@ class Package(unittest.TestCase):
 
     def test_a_project_in_cpp_has_the_library_without_asking(self):
         self.replace("CMakeLists.txt", " COMPONENTS library", "")
+        page = (ROOT / "docs/library.md").read_text(encoding="utf-8")
+        program = "".join(re.findall("```cpp\n(.*?)```", page, re.DOTALL))
+        (self.source / "my_program.cpp").write_text(program, encoding="utf-8")
         result = self.configure()
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.done("cmake", "--build", self.build, "--target", "my_program")
+        stopped = self.build / "stopped.h5"
+        record = ROOT / "tests/compatibility/schema-3/reference-record.h5"
+        start = ROOT / "checkpoints/fast-only.h5"
+        said = self.done(self.build / "my_program", start, stopped, record)
+        self.assertEqual((said.count(" N\n"), said.count("arrested\n")), (11, 1))
+        self.assertRegex(self.done(BUILD / "bin/analyze", "show", stopped), r"driving.V +0 m/s")
 
     def test_any_version_of_eigen_is_taken(self):
         """By ours and by our users' projects: a version asked for excludes the next major one."""
