@@ -101,8 +101,8 @@ def claim_1D(events, paths):
             "drops of F_T in them [N]": drops,
             "largest drop in any other event [N]": max(others),
         },
-        note="'First events' are all before the first one that spans the interface. Arrested events"
-        " go on between the spanning ones later.",
+        note="'First events' are all before the first one that spans the interface. Later,"
+        " arrested events occur between the spanning ones.",
     )
 
 
@@ -169,7 +169,7 @@ def claim_1E(blocks, peaks, front, paths):
             "blocks within 0.1 ms": int((off <= NEAR).sum()),
             "the others are at [mm]": np.array(front["x"])[off > NEAR] * 1e3,
         },
-        note="Shown is the fast-slow-fast event of Figure 2, with all blocks beyond x = 2 cm; the"
+        note="The case shown is event I, with all blocks beyond x = 2 cm; the"
         " curve is that of the block in the middle. A block ruptures when 70 % of its junctions"
         " have broken, and tau/p is largest just before. Blocks farther off may be in the"
         " loading zone, where later loading exceeds it or junctions break gradually before the"

@@ -31,7 +31,7 @@ def claim_1G(steady, limits):
         },
         note="The law itself is run, without the slider. Renewal theory is derived in"
         " docs/tests.md, 'Friction at constant speed'. The limits are read at speeds at which"
-        " theory is within 1e-5 of them, and held to the same 1 %.",
+        " theory is within 1e-5 of them, and judged with the same 1 %.",
     )
 
 

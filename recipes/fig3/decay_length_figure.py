@@ -97,7 +97,7 @@ def claim(paths):
         note="The excess of the shear force over tau_0, when the block that ruptures next (x_0)"
         " carries its largest force; an exponential from x_0 to 3 blocks ahead, median over the"
         " blocks of the slow stretch, then over the fronts. Other conventions fit other blocks, or"
-        " take the distance at which the excess has fallen to 1/e. The excess is no exponential:"
+        " take the distance at which the excess has fallen to 1/e. The excess is not exponential:"
         " the farther a fit reaches, the longer l_0. The fit to 8 blocks ahead was added when the"
         " others were known, because it alone leaves the 25 %.",
     )

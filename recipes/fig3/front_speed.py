@@ -192,8 +192,8 @@ def claim(path, phi, l_0, others):
         note=f"Fronts that span, with at least {slow.BLOCKS} measured blocks; v_slow slip (mean)"
         f" and v_c (median) belong to the same blocks, in both models. {slow.WHERE} l_0 is the"
         " paper's 7 mm; it is a factor common to all points, so that with the fitted one R^2 and"
-        " the difference of the slopes are the same: no convention of its own. Full model at"
-        " sigma-bar = 0.1, simplified one without a width of phi, for it has one spring per block;"
+        " the difference of the slopes are the same: not a separate convention. Full model at"
+        " sigma-bar = 0.1, simplified one without a width of phi: it has one spring per block;"
         " at sigma-bar = 0 both have none. The scaling knows no width: v_c over the scaled slow"
         f" slip is {ratios(phi, threshold)}. With the strength that phi leaves in place of"
         f" tau_thres the full model's is {ratios(phi, strength_of_phi)}.",

@@ -66,7 +66,7 @@ def claim(seeds, bands):
         },
         note="mu_d = 0, so that tau_bar_0 = tau_0/(mu_s p); sigma_bar = 0 and 0.1, the same"
         " tau_bar_0 at each. A front is slow if one stencil beyond the trigger region is."
-        " Seeds act through the slipping times only.",
+        " Seeds only affect the slipping times.",
     )
 
 

@@ -169,10 +169,10 @@ def claim_3Ci(path, event, others):
             "event, slope": fit(event).slope if event else None,
             "event, measured/estimate": [np.min(y / x), np.max(y / x)] if event else None,
         },
-        note=f"{slow.WHERE} Event: blocks at x = 0.2-0.5 L, until the front leaves all that is"
+        note=f"{slow.WHERE} Event: blocks at x = 0.2-0.5 L, until the front is no longer"
         " slow. A change of tau_slip alone is nearly a change of units (p and k_i do not depend on"
-        " it). Where k_i varies, the trigger region's prestress stays as it is. Measured/estimate"
-        f" there: {beside_text(rows, K_I[PRIMARY])}; with a prestress that makes up for the"
+        " it). Where k_i varies, the trigger region's prestress does not change. Measured/estimate"
+        f" there: {beside_text(rows, K_I[PRIMARY])}; with a prestress that compensates for the"
         f" driving spring: {beside_text(rows, 'k_i')}; with a driving spring as much stiffer as"
         f" the slider instead: {beside_text(rows, 'k_i and K')}. At other prestresses of the"
         f" interface: {beside_text(rows, 'prestress')}.",
@@ -192,8 +192,8 @@ def claim_co(path, others):
             "fronts of all variants": len(rows),
             "of these it holds for": sum(holds("co", [each]) for each in cases),
         },
-        note="Judged by one front, that of the reference parameters; fronts of all variants stand"
-        " beside it. Speeds as for 3Ci: a block's time begins H/c_s after its rupture.",
+        note="Judged by the front with the reference parameters; fronts of all variants are"
+        " listed, too. Speeds as for 3Ci: a block's time begins H/c_s after its rupture.",
     )
 
 

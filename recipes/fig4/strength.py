@@ -243,11 +243,10 @@ def claim_4C(maps, points, lines, shown, ensemble):
             **measure_events(shown, ensemble, lines),
         },
         note="Prepared: van Elteren's test over the grid points of 4D with strata tau_bar_0; n is"
-        " the number of runs, one per place. Blocks of one event are no independent points: each"
+        " the number of runs, one per place. Blocks of one event are not independent: each"
         f" event gives one share, over pairs with tau_bar_0 in the same bin of {BINS[0]:g}, and n"
         " of the test over events is the number of events, the same for each seed. The permutation"
-        " test hands out slow and fast anew among the grid points of equal tau_bar_0. "
-        + ABOUT_UNITS,
+        " test shuffles slow and fast among the grid points of equal tau_bar_0. " + ABOUT_UNITS,
     )
 
 

@@ -113,7 +113,7 @@ def claim_5B(stretch, c_s, branches, others):
         " within 1 ms) and ends 10 ms before the second; the verdict is that of the branch in the"
         " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the"
         " checkpoints: in the last one the second event has begun to nucleate. The front creeps in"
-        " bursts of some ms; branched off within one, it goes on by some blocks before it"
+        " bursts of some ms; branched off within one, it continues for some blocks before it"
         " stops.",
     )
 

@@ -88,7 +88,7 @@ def claim_S2(fronts, pairs, others):
         note="Present: the front crosses the interface and runs at least 10 times as fast between"
         " the loading zone (x = 2 cm) and its slow stretch as within it. Absent: restarted with"
         " v_slow = 0 from 0.5 ms before its first rupture, it has no stencil below c_s/20 beyond"
-        " the loading zone. With this law a seed draws nothing, so there is one load.",
+        " the loading zone. With this law a seed has no effect, so there is one load.",
     )
 
 
