@@ -1,4 +1,4 @@
-# What hangs on choices that the model settles and the paper leaves open. The loads that are as settled are
+# What depends on choices that the paper leaves open. The loads with our choices are
 # those of the ensemble. The chain of commands is in README.md.
 BOTH = "--set slider.edge_springs=half --set slider.damping_along=spring"
 CHOICES = {  # name: kind of load, parameters
