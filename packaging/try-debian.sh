@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the README's two commands on the last commit in a bare Debian of another release, and compares
-# all checksums with those of this clone, where ./reproduce.sh fig3 has run before:
+# Runs ./reproduce.sh fig3 and test on the last commit in a bare Debian of another release, and compares
+# all checksums with those of this clone, in which ./reproduce.sh fig3 must have run:
 #
 #   packaging/try-debian.sh RELEASE    e.g. trixie; as root, with mmdebstrap
 # shellcheck disable=SC2016  # apt-get and an inner shell expand some words
@@ -18,7 +18,7 @@ make_debian() {
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Label: Debian' 'Component: main' | sed -n 1p)
   apt-config dump | grep -E '^Acquire::(http|Check)' >"$work/apt.conf" || true
   mmdebstrap --quiet --variant=minbase --aptopt="$work/apt.conf" "$1" "$debian" ${mirror:+"$mirror"} ||
-    die "mmdebstrap cannot make a Debian '$1'; its reasons are above."
+    die "mmdebstrap cannot make a Debian '$1'; the reason is above."
   cp /etc/hosts "$debian/etc/"
 }
 
@@ -36,18 +36,18 @@ compare() {
   local theirs different
   theirs=$(sums_of "$debian/rupture")
   different=$(comm -13 <(sums_of .) - <<<"$theirs")
-  echo "Of $(grep -c . <<<"$theirs") checksums these are not the same here: ${different:-none}"
+  echo "Checksums that differ here, of $(grep -c . <<<"$theirs"): ${different:-none}"
   [[ -n $theirs && -z $different ]]
 }
 
-(($# == 1)) || die "give the name of one Debian release, as in packaging/try-debian.sh trixie" 2
+(($# == 1)) || die "give one Debian release, as in packaging/try-debian.sh trixie" 2
 if ((EUID != 0)) || ! command -v mmdebstrap >/dev/null; then die "this needs root and mmdebstrap."; fi
-[[ -n $(sums_of .) ]] || die "there is nothing to compare with: run ./reproduce.sh fig3 first."
+[[ -n $(sums_of .) ]] || die "nothing to compare with: run ./reproduce.sh fig3 first."
 
 work=$(mktemp -d "${TMPDIR:-/var/tmp}/rupture-debian.XXXXXX")
 readonly work debian=$work/debian
 trap 'exit 130' INT TERM
-trap '[[ ! -d $work ]] || echo "What is left is in $work." >&2' EXIT
+trap '[[ ! -d $work ]] || echo "Files are kept in $work." >&2' EXIT
 make_debian "$1"
 git clone --quiet . "$debian/rupture"
 status=0
