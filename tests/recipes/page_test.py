@@ -188,13 +188,14 @@ def test_captions_hold_numbers_and_leave_out_sentences_without_any(project, capt
 
 def test_results_of_our_own_are_listed_below_the_claims(project):
     result = {"id": "near", "question": "how near?", "measured": {"off by [mm]": 1.5, "a": None}}
-    expected = result | {"expected": "2 mm", "met": False}
+    expected = result | {"expected": {"off by [mm]": {"at_most": 1}}, "met": False}
     spill(project.results / "fig2/own.json", json.dumps([result, expected]))
     shown = section(page_of(project), "fig2").partition("</table>")[2]
     numbers = '<th scope="row">off by [mm]</th><td>1.5</td></tr> <tr><th scope="row">a</th><td>none'
     assert 'without verdict: how near?</summary> <table class="numbers">' in shown
     assert numbers in shown
-    assert "expected 2 mm: not met: how near?</summary>" in shown
+    assert "not as expected: how near?</summary>" in shown
+    assert "(expected: at most 1)</th><td>1.5</td>" in shown
 
 
 @pytest.mark.parametrize("recipe", sorted((ROOT / "recipes").glob("*/rules.smk")))

@@ -48,5 +48,5 @@ def test_exponent():
 @mark.parametrize("found, outcome", [(0.6, "as expected"), (0.4, "not as expected")])
 def test_an_own_result_may_have_an_expectation(found, outcome):
     result = compared("a", {"r": found, "n": 7}, "so?", {"r": {"at_least": 0.5}})
-    text = f"a (ours, {outcome}): so?\n  r = {found} (expected: at least 0.5)\n  n = 7"
+    text = f"a (ours, {outcome}): so?\n  r (expected: at least 0.5) = {found}\n  n = 7"
     assert text_of(result) == text

@@ -102,10 +102,10 @@ def draw(path, table):
     for speed, text in ((paper.FAST, "1/3"), (paper.SLOW, "1/100")):
         panels[1].axhline(speed, **OF_PAPER)
         name_line(panels[1], text, speed)
-    panels[0].plot([], [], **OF_PAPER, label="paper: speeds and places")
+    panels[0].plot([], [], **OF_PAPER, label="paper")
     panels[0].set(ylabel="time after the first rupture [ms]", ylim=(0, None))
     panels[1].set(ylabel="front speed $v_c/c_s$", yscale="log")
-    panels[0].legend(loc="upper left")
+    panels[0].legend(loc="upper left", frameon=True, framealpha=1, edgecolor="none")
     with replacing(path) as temporary:
         fig.savefig(temporary, format="png", dpi=160, metadata={"Software": None, "Source": source})
 
