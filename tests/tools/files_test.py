@@ -19,7 +19,10 @@ LATTICE = (
     " --set driving.h=0.01 --set driving.V=1e-3 --set junctions.N_s=3 --set slider.E=7.5e8"
     " --set numerics.dt=1e-5"
 )
-DEADLY = "e.h5: the HDF5 library crashes when it reads the file (Segmentation fault), so the file is damaged or malicious; copy it again or recreate it"
+DEADLY = (
+    "e.h5: the HDF5 library crashes when it reads the file (Segmentation fault), so the file is"
+    " damaged or malicious; copy it again or recreate it"
+)
 # A run that has got to this step.
 RUN = (
     "put /state/step 1234567 ; put /state/drive/origin_step 1000 ; put /run/first_step 7 ;"

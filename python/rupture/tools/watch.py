@@ -25,8 +25,8 @@ def parser():
     made = Parser(
         "watch",
         "RECORD.part",
-        "Shows the interface while a run is in progress, in a window or, without a display, as text:"
-        " the fraction of pinned junctions along it. Ends when the record is finished.",
+        "Shows the interface while a run is in progress, in a window or, without a display, as"
+        " text: the fraction of pinned junctions along it. Ends when the record is finished.",
         "watch a run in progress, in a window or as text",
         "record",
     )

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "cli/option_values.hpp"
+#include "cli/text.hpp"
 #include "rupture/model/laws.hpp"
 
 namespace rupture::tools {
