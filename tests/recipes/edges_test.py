@@ -28,11 +28,11 @@ class TestBisection:
 
     @fixture(name="interfaces")
     def made_up_interfaces(self, monkeypatch):
-        """Arrested below 0.05, slow below 0.1 and, at the other threshold, below 0.12."""
+        """Arrested below 0.05, slow below 0.1 and, at the other thresholds, below 0.12 or 0.35."""
 
         def kind(steps, slow_below=0.05):
             tau = steps * edges.STEP
-            bounds = (0.05, 0.1 if slow_below == 0.05 else 0.12)
+            bounds = (0.05, {0.05: 0.1, 0.1: 0.12, 0.2: 0.35}[slow_below])
             return edges.TYPES[sum(tau >= bound for bound in bounds)]
 
         monkeypatch.setattr(edges.Interfaces, "front", lambda self, steps: steps)
@@ -44,6 +44,7 @@ class TestBisection:
             ("slow", {}, 0.05),
             ("fast", {}, 0.1),
             ("fast", {"slow_below": 0.1}, 0.12),
+            ("fast", {"slow_below": 0.2}, 0.35),  # beyond where edges are sought first
         ):
             for near in (None, 0.02, expected, 0.2):
                 assert interfaces.edge(kind, near, **how) == approx(expected - edges.STEP / 2)

@@ -23,7 +23,7 @@ from maps.front_map import COMMANDS, SKIP_BELOW_X, TYPES, front_type
 from maps.map_conventions import MEASURES
 
 STEP = 2.5e-4  # of tau_bar_0
-LOWEST, HIGHEST = 0, 1200  # in steps: arrested at sigma_bar up to 0.285, and fast
+LOWEST, HIGHEST = 0, 1200  # in steps: arrested at sigma_bar up to 0.285, and most often fast
 NEAR = 4  # steps, to either side of a guess
 CROSSINGS = ",".join(map(str, COMMANDS))
 
@@ -79,7 +79,10 @@ class Interfaces:
         def is_so(steps):
             return TYPES.index(front_type(self.front(steps), **how)) >= TYPES.index(kind)
 
-        ends = (LOWEST, HIGHEST) if guess is None else around(is_so, round(guess / self.step))
+        if guess is None and is_so(HIGHEST):
+            ends = [LOWEST, HIGHEST]
+        else:
+            ends = around(is_so, HIGHEST if guess is None else round(guess / self.step))
         return round((first(is_so, *ends) - 0.5) * self.step, 6)
 
 
