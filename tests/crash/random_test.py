@@ -113,7 +113,7 @@ def test_interruptions_are_saved_and_the_command_that_is_told_goes_on(whole):
             code, words = interrupt(folder, LOAD, number, moment)
             assert code in (0, -number), words
             told = re.fullmatch(r"load: [^\n]+ to continue: \S+/(load [^\n]+)\n", words)
-            if code != 0 and words and "everything was done" not in words:
+            if code != 0 and words and "everything had been written" not in words:
                 assert told, words
                 if "at its first step" not in words:
                     assert newest_checkpoint(folder.files()) is not None

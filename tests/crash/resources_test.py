@@ -72,7 +72,7 @@ def test_limit_of_file_size(scenario):
 def test_folder_that_may_not_be_written(scenario):
     with Folder(scenario.old) as folder:
         outcome = run_as_nobody(scenario.command, folder)
-        check_failure(scenario, outcome, "Permission denied")
+        check_failure(scenario, outcome, "no write permission")
         assert folder.files().keys() == scenario.old.keys()
         assert all(folder.files()[name] == data for name, data in scenario.old.items())
 
