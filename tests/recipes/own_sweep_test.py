@@ -178,8 +178,8 @@ REFUSED = [
             ("driving.V", "1mm/s, 1e-3"),
         )
     ),
-    (VALUES, f"{VALUES}\nshape = uniform, bel", "shape is one of uniform, bell, but not 'bel'"),
-    (VALUES, f"{VALUES}\nshape = uniform bell", "shape is one of uniform, bell, but not 'unif"),
+    (VALUES, f"{VALUES}\nshape = uniform, bel", r"one of uniform, bell \(got bel\)"),
+    (VALUES, f"{VALUES}\nshape = uniform bell", r"one of uniform, bell \(got unif"),
     # quantities
     ("front.type", "front.slow.sped", "no 'front.slow.sped'; did you mean 'front.slow.speed'"),
     ("front.type", "frnt.type", "no 'frnt'; did you mean 'front'"),
