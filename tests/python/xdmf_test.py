@@ -103,7 +103,7 @@ DIFFER = (
         (("none.h5", *TO), 1, "none.h5 does not exist"),
         (("small.h5", "small-record.h5", *TO), 1, "small-record.h5 is a record"),
         (("small.h5", "wider.h5", *TO), 1, DIFFER + ": leave one out"),
-        (("small.h5", "-o", "x.vtk"), 2, "has to end with .xdmf"),
+        (("small.h5", "-o", "x.vtk"), 2, "must end with .xdmf"),
         (("small.h5", "-o", OUTPUT), 1, "exists"),
         (("a:b.h5", *TO), 1, "colon"),
         ((ODD, *TO), 1, "has an unusual character in its name, which XDMF cannot refer to"),
