@@ -98,6 +98,9 @@ def draw_transients(axes, rows):
     for row in rows:
         x, v_c = smoothed(row["front"])
         axes.semilogy(x * 1e3, v_c, color=LENGTHS[row["variant"]][1], linewidth=0.6)
+    for (_, colour), label in zip(LENGTHS.values(), ("this slider", "twice as long")):
+        axes.plot([], [], color=colour, label=label)
+    axes.legend(loc="lower right")
     axes.set(xlabel="$x$ [mm]", ylabel="$v_c$ [m/s]", xlim=(0, None))
 
 
