@@ -108,11 +108,7 @@ DIFFER = (
         (("a:b.h5", *TO), 1, "colon"),
         ((ODD, *TO), 1, "has an unusual character in its name, which XDMF cannot refer to"),
         (("small.h5", "-o", ""), 2, "the name of an output is empty"),
-        (
-            ("own-derived.hdf5", "-o", "own.xdmf", "-f"),
-            2,
-            "is the input, which is never changed",
-        ),
+        (("own-derived.hdf5", "-o", "own.xdmf", "-f"), 2, "is the input, which is never changed"),
     ],
 )
 def test_refuses(series, arguments, code, part):

@@ -23,11 +23,7 @@ FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-ev
 # record.
 UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings")
 # Commands that no rule runs: scripts read these records, or call the program, themselves.
-ONLY_BY_HAND = (
-    "analyze loading --x",
-    "analyze events",
-    "analyze events --slow-below",
-)
+ONLY_BY_HAND = ("analyze loading --x", "analyze events", "analyze events --slow-below")
 RECIPES = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/rules.smk"))
 
 HANDLER = """

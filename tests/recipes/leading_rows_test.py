@@ -36,15 +36,9 @@ def front(kind="slow", arrest=None, in_words=True):
 
 def loaded(*events):
     """Events of a load: whether each spans, its drop of F_T, whether the leading edge ruptures."""
-    return [
-        {
-            "spanning": spans,
-            "F_T_before": drop,
-            "F_T_after": 0.0,
-            "t_rupture": [0, 1 if edge else None],
-        }
-        for spans, drop, edge in events
-    ]
+    names = ("spanning", "F_T_before", "F_T_after", "t_rupture")
+    values = ((spans, drop, 0.0, [0, 1 if edge else None]) for spans, drop, edge in events)
+    return [dict(zip(names, of_event)) for of_event in values]
 
 
 class TestLoads:

@@ -40,14 +40,9 @@ class TestReadMap:
         assert self.read(refused) == {(0.1, 0.0): {1: None}}
 
     def test_one_that_could_be_prepared_and_not_run_is_an_error(self):
+        failed = {"status": "failed", "sentence": "the time step is too long"}
         with raises(ValueError, match="time step is too long"):
-            self.read(
-                {
-                    "status": "failed",
-                    "sentence": "the time step is too long",
-                    "checksums": {"start.h5": "00"},
-                }
-            )
+            self.read(failed | {"checksums": {"start.h5": "00"}})
 
     def test_a_front_has_what_was_measured_with_other_pinned_fractions(self):
         fast, slow = front(), front({12: 1.0})
