@@ -11,14 +11,8 @@ COLUMNS = ("with slow slip: slow from tau_bar_0", "fast from", "without: not arr
 def edges_of(data):
     """[(sigma_bar, edges with slow slip, edges without)] under each convention."""
     paths = sorted((data / "edges").glob("no-slow-slip-*-1.json"), key=sigma_of)
-    return [
-        (
-            sigma_of(path),
-            report(path.with_name(f"reference-{sigma_of(path):g}-1.json")),
-            report(path),
-        )
-        for path in paths
-    ]
+    with_slip = (path.with_name(path.name.replace("no-slow-slip", "reference")) for path in paths)
+    return [(sigma_of(path), report(of), report(path)) for path, of in zip(paths, with_slip)]
 
 
 def sigma_of(path):

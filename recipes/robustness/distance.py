@@ -10,12 +10,7 @@ from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
-TITLES = {  # variant of the sweep
-    "d_R 0.3 um": r"$d_R = 0.3\,\mu$m",
-    "d_R 1 um": r"$d_R = 1\,\mu$m",
-    "d_R 3 um": r"$d_R = 3\,\mu$m",
-    "d_R 10 um": r"$d_R = 10\,\mu$m",
-}
+TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}  # variant of the sweep
 
 
 def reach(front):

@@ -62,34 +62,29 @@ def case_in_words(maps, **how):
     }
 
 
-def of_each_seed(maps, ways, case):
-    """The units, as the judge takes them."""
+def by_seed(maps, case):
+    """The seeds, and what measures the case of one of them."""
     seeds = sorted({seed for fronts in maps.values() for seed in front_map.seeds_of(fronts)})
     of_seed = {
         s: {name: front_map.map_of_seed(fronts, s) for name, fronts in maps.items()} for s in seeds
     }
-    return map_conventions.units_of_seeds(
-        seeds, ways, lambda seed, **way: case(of_seed[seed], **way)
-    )
+    return seeds, lambda seed, **way: case(of_seed[seed], **way)
 
 
 def claim_Geow(maps):
     shown = case_in_words(maps)
-    units = of_each_seed(maps, map_conventions.MEASURES, case_in_words)
+    seeds, case = by_seed(maps, case_in_words)
+    units = map_conventions.units_of_seeds(seeds, map_conventions.MEASURES, case)
     return judged("Geow", shown, shown, units, map_conventions.ABOUT_UNITS)
 
 
 def claim_Geo(maps):
-    def case(seed, **way):
-        of_seed = {name: front_map.map_of_seed(fronts, seed) for name, fronts in maps.items()}
-        return case_of(of_seed, **way)
-
     shown = case_of(maps)
-    seeds = sorted({seed for fronts in maps.values() for seed in front_map.seeds_of(fronts)})
+    seeds, case = by_seed(maps, case_of)
     return judged(
         "Geo",
         shown=shown,
-        units=of_each_seed(maps, map_conventions.WAYS, case_of),
+        units=map_conventions.units_of_seeds(seeds, map_conventions.WAYS, case),
         measured=shown
         | {k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()}
         | map_conventions.over_product("Geo", seeds, case),

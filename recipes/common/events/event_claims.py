@@ -10,12 +10,7 @@ import numpy as np
 from claims import paper
 from claims.judge import holds, judged, unmet
 from data.records import values
-from events.fronts import (
-    LOADING_ZONE,
-    front_spans,
-    is_fast_slow,
-    middle_of_slow_stretch,
-)
+from events.fronts import LOADING_ZONE, front_spans, is_fast_slow, middle_of_slow_stretch
 
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
 

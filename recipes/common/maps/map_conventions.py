@@ -10,12 +10,7 @@ from itertools import product
 from claims.judge import holds
 from events.conventions import CONVENTIONS
 from events.product import combinations
-from maps.front_map import (
-    fast_below_left_of_arrested,
-    steps_back,
-    types_of,
-    types_of_seeds,
-)
+from maps.front_map import fast_below_left_of_arrested, steps_back, types_of, types_of_seeds
 
 OPTIONS = {  # of `analyze`: of front_type()
     "--stencil": "stencil",
