@@ -79,12 +79,8 @@ def write_events(path, events):
         "fast after [m/s]": "fast_after",
     }
     rows = (
-        [
-            event["t_start"],
-            *map((event["slow"] or {}).get, names.values()),
-            "; ".join(event["unmet"]),
-        ]
-        for event in events
+        [e["t_start"], *map((e["slow"] or {}).get, names.values()), "; ".join(e["unmet"])]
+        for e in events
     )
     write_table(path, ["t_start [s]", *names, "conditions of S6A not met"], rows)
 

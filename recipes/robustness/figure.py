@@ -134,12 +134,9 @@ def claim_strict(events, unmodified, continued, loads):
 
 def make(data, results):
     loads = of_ensemble(data, "exponential", "events")
+    events = data / "ensemble/exponential-01-events.json"
     spanning, in_words = (
-        [
-            event
-            for event in read_events(data / "ensemble/exponential-01-events.json", convention)
-            if event["spanning"]
-        ]
+        [event for event in read_events(events, convention) if event["spanning"]]
         for convention in (PRIMARY, IN_WORDS)
     )
     draw(spanning, results / "exponential")
