@@ -3,7 +3,6 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/inputs.hpp"
-#include "analyze/lineage.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -37,7 +36,7 @@ int show(const Parsed& parsed) {
       json["parameters"][std::string(info.name)] = tools::json_of(parameters, info);
     }
     json["provenance"] = Json::array();
-    for (const auto& entry : chain) json["provenance"].push_back(entry_json(entry));
+    for (const auto& entry : chain) json["provenance"].push_back(tools::json_of(entry));
     say("{}\n", json_text(json));
     return kDone;
   }

@@ -101,6 +101,13 @@ Json json_of(const Parameters& parameters, const ParameterInfo& info) {
   return std::visit([&](auto member) { return Json(parameters.*member); }, info.member);
 }
 
+Json json_of(const ProvenanceEntry& entry) {
+  return {{"tool", entry.tool},         {"version", entry.version},
+          {"commit", entry.commit},     {"command_line", entry.command_line},
+          {"compiler", entry.compiler}, {"parent_checksum", entry.parent_checksum},
+          {"rebuild", entry.rebuild}};
+}
+
 Json json_of(const std::vector<ParameterInfo>& rows) {
   Json list = Json::array();
   for (const auto& info : rows) list.push_back(json_row(info));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "rupture/checkpoint/provenance.hpp"
 #include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
@@ -17,6 +18,9 @@ std::string json_text(const Json& json);
 
 /// The value of a parameter: a number, or the word that was chosen.
 Json json_of(const Parameters& parameters, const ParameterInfo& info);
+
+/// A provenance entry with all its members.
+Json json_of(const ProvenanceEntry& entry);
 
 /// Everything about these parameters (docs/schema.md).
 Json json_of(const std::vector<ParameterInfo>& rows);
