@@ -3,9 +3,7 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/common_quantities.hpp"
-#include "analyze/event_choice.hpp"
 #include "analyze/front_report.hpp"
-#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/analysis/front.hpp"

@@ -1,12 +1,37 @@
-// The report of a front that several commands give, and its criteria.
+// Which event of a record a command measures, its front, and the report of that.
 #pragma once
 
+#include <span>
 #include <string>
 
-#include "analyze/event_choice.hpp"
+#include "analyze/inputs.hpp"
 #include "rupture/analysis/front.hpp"
+#include "rupture/model/rupture.hpp"
 
 namespace rupture::tools {
+
+/// Adds --quiet-time.
+void add_quiet_time_option(po::options_description& options);
+
+/// Adds --event, --from, --to and --quiet-time.
+void add_event_options(po::options_description& options);
+
+/// Time without ruptures that separates events [s].
+double quiet_time(const RecordCommand& command);
+
+/// The block ruptures of one event, as find_events() splits them.
+struct ChosenEvent {
+  std::span<const Rupture> ruptures;  ///< empty if nothing ruptured
+  double from = 0, to = 0;            ///< those at other times do not count [s]
+  std::size_t number = 0;             ///< as analyze events counts, from 0
+  std::size_t in_window = 0;          ///< events between --from and --to, or in the whole record
+};
+
+/// The event that --event names, or the only one between --from and --to. Of a prepared interface,
+/// recorded since it was prepared, it is the one that the trigger started, even if others follow.
+/// Throws UsageError if --event names none, Failure if none spans the interface or several are in
+/// the window: first ruptures of several events make no front.
+ChosenEvent choose_event(const RecordCommand& command);
 
 /// --slow-below, --skip-below-x, --stencil, --stencils-at-ends and --ruptured-below, by which
 /// record_of() goes.
