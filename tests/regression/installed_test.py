@@ -21,17 +21,17 @@ class Package(unittest.TestCase):
         shutil.copytree(PROJECT, self.source)
         self.done("cmake", "--install", BUILD, "--prefix", self.prefix)
 
-    def done(self, *command):
-        result = run(*command)
+    def done(self, *command, **options):
+        result = run(*command, **options)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         return result.stdout
 
-    def configure(self, *options):
-        return run(
-            *("cmake", "-S", self.source, "-B", self.build, "-G", "Ninja"),
-            f"-DCMAKE_PREFIX_PATH={self.prefix}",
-            *options,
-        )
+    def configure(self, *options, call=run):
+        prefix = f"-DCMAKE_PREFIX_PATH={self.prefix}"
+        return call("cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", prefix, *options)
+
+    def configured(self, *options):
+        return self.configure(*options, call=self.done)
 
     def ctest(self):
         return run("ctest", "--test-dir", self.build, "--output-on-failure")
@@ -44,9 +44,16 @@ class Package(unittest.TestCase):
         self.assertIn(old, text)
         (self.source / file).write_text(text.replace(old, new), encoding="utf-8")
 
+    def write_project(self, languages):
+        (self.source / "CMakeLists.txt").write_text(
+            f"cmake_minimum_required(VERSION 3.25)\nproject(mine LANGUAGES {languages})\n"
+            "enable_testing()\nfind_package(rupture REQUIRED)\n"
+            "rupture_add_checkpoint_test(NAME mine PIPELINE my_pipeline.sh GOLDEN mine.sums)\n",
+            encoding="utf-8",
+        )
+
     def test_a_project_notices_that_its_results_changed(self):
-        result = self.configure()
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.configured()
         self.done("cmake", "--build", self.build)
         self.assertIn("there is no golden file", self.ctest().stdout)
 
@@ -78,8 +85,7 @@ class Package(unittest.TestCase):
         self.assertIn("  fig3 ", self.done(rupture, "reproduce", "list"))
         self.assertNotIn("tidy", self.done(rupture, "reproduce", "--help"))
         before = sorted(self.prefix.rglob("*"))
-        done = run(rupture, "reproduce", "figS1", cwd=folder)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.done(rupture, "reproduce", "figS1", cwd=folder)
         self.assertTrue((folder / "results/figS1/claims.json").exists())
         self.assertEqual(sorted(self.prefix.rglob("*")), before)
         done = run(rupture, "reproduce", "test")
@@ -87,14 +93,8 @@ class Package(unittest.TestCase):
         self.assertIn("there is no figure or command 'test'", done.stderr)
 
     def test_a_project_without_compiled_languages_needs_the_tools_alone(self):
-        (self.source / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.25)\nproject(mine LANGUAGES NONE)\nenable_testing()\n"
-            "find_package(rupture REQUIRED)\n"
-            "rupture_add_checkpoint_test(NAME mine PIPELINE my_pipeline.sh GOLDEN mine.sums)\n",
-            encoding="utf-8",
-        )
-        result = self.configure()
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.write_project("NONE")
+        self.configured()
         self.regenerate()
         self.assertIn("100% tests passed, 0 tests failed out of 1", self.ctest().stdout)
 
@@ -103,8 +103,7 @@ class Package(unittest.TestCase):
         page = (ROOT / "docs/library.md").read_text(encoding="utf-8")
         program = "".join(re.findall("```cpp\n(.*?)```", page, re.DOTALL))
         (self.source / "my_program.cpp").write_text(program, encoding="utf-8")
-        result = self.configure()
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.configured()
         self.done("cmake", "--build", self.build, "--target", "my_program")
         stopped = self.build / "stopped.h5"
         record = ROOT / "tests/compatibility/schema-3/reference-record.h5"
@@ -123,8 +122,7 @@ class Package(unittest.TestCase):
         options = (f"-DEigen3_DIR={config.parent}", f"-DCMAKE_IGNORE_PATH={installed}")
         for source in (self.source, ROOT):
             shutil.rmtree(self.build, ignore_errors=True)
-            result = self.configure("-S", source, "-DRUPTURE_TESTS=OFF", *options)
-            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            self.configured("-S", source, "-DRUPTURE_TESTS=OFF", *options)
 
     def test_without_its_dependencies_the_library_is_missed_only_if_asked_for(self):
         without = "-DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON"
@@ -132,15 +130,8 @@ class Package(unittest.TestCase):
         self.assertNotEqual(result.returncode, 0)
         said = " ".join(result.stderr.split())
         self.assertIn("it needs fmt, which cannot be found", said)
-        (self.source / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.25)\nproject(mine LANGUAGES CXX)\nenable_testing()\n"
-            "find_package(rupture REQUIRED)\n"
-            "rupture_add_checkpoint_test(NAME mine PIPELINE my_pipeline.sh GOLDEN mine.sums)\n",
-            encoding="utf-8",
-        )
-        result = self.configure(without)
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        self.assertIn("it needs fmt, which cannot be found", result.stdout)
+        self.write_project("CXX")
+        self.assertIn("it needs fmt, which cannot be found", self.configured(without))
 
     def test_wrong_arguments_are_named(self):
         for old, new, sentence in (
