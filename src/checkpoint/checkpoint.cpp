@@ -13,18 +13,6 @@ Content parameters_and_state(const Parameters& parameters, const State& state) {
   return content;
 }
 
-// Everything known has been read by now, so that what is left over is not ours.
-void refuse_leftovers(const Content& content, const Content& known) {
-  for (const auto& [path, dataset] : content) {
-    if (!known.contains(path)) {
-      fail(
-          "{} is not part of a checkpoint: use a newer rupture, or remove it if "
-          "another program added it",
-          path);
-    }
-  }
-}
-
 }  // namespace
 
 Content checkpoint_content(const Checkpoint& checkpoint) {
@@ -49,7 +37,9 @@ Checkpoint checkpoint_from(const Content& content) {
   checkpoint.state = read_state(content, checkpoint.parameters);
   checkpoint.provenance = read_provenance(content);
   checkpoint.run = read_run(content, checkpoint.parameters, checkpoint.state.step);
-  refuse_leftovers(content, checkpoint_content(checkpoint));
+  refuse_others(content, "", checkpoint_content(checkpoint),
+                "is not part of a checkpoint: use a newer rupture, or remove it if another "
+                "program added it");
   return checkpoint;
 }
 

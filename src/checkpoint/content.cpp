@@ -132,6 +132,13 @@ void expect_as_written(const Content& content, const Content& written) {
   }
 }
 
+void refuse_others(const Content& content, std::string_view group, const Content& known,
+                   std::string_view words) {
+  for (const auto& [path, dataset] : content) {
+    if (path.starts_with(group) && !known.contains(path)) fail("{} {}", path, words);
+  }
+}
+
 void read_array_bytes(const Content& content, const std::string& path, DataType type,
                       const Shape& shape, std::span<std::byte> out) {
   const Dataset& dataset = expect(content, path, type, shape);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
-#include "context.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
@@ -94,13 +92,8 @@ Content parameters_of_schema_2(const Content& content) {
 }
 
 void refuse_unknown_parameters(const Content& content) {
-  std::set<std::string> known;
-  for (const ParameterInfo& info : parameter_table()) known.insert(dataset_path(info));
-  for (const auto& [path, dataset] : content) {
-    if (path.starts_with(kParametersGroup) && !known.contains(path)) {
-      fail("{} is not a parameter of this version: use a newer rupture", path);
-    }
-  }
+  refuse_others(content, kParametersGroup, parameters_content({}),
+                "is not a parameter of this version: use a newer rupture");
 }
 
 Content parameters_content(const Parameters& parameters) {

@@ -5,7 +5,6 @@
 #include <array>
 #include <set>
 
-#include "context.hpp"
 #include "rupture/version.hpp"
 
 namespace rupture {
@@ -61,14 +60,6 @@ std::size_t count_entries(const Content& content) {
   return names.size();
 }
 
-void refuse_unknown(const Content& content, const Content& known) {
-  for (const auto& [path, dataset] : content) {
-    if (path.starts_with(kProvenanceGroup) && !known.contains(path)) {
-      fail("{} is not part of a provenance: use a newer rupture", path);
-    }
-  }
-}
-
 }  // namespace
 
 ProvenanceEntry make_provenance(const std::string& tool, const std::vector<std::string>& arguments,
@@ -105,7 +96,8 @@ std::vector<ProvenanceEntry> read_provenance(const Content& content) {
       chain[i].*member.value = read_text(content, path);
     }
   }
-  refuse_unknown(content, provenance_content(chain));
+  refuse_others(content, kProvenanceGroup, provenance_content(chain),
+                "is not part of a provenance: use a newer rupture");
   return chain;
 }
 

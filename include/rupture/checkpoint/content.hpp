@@ -131,6 +131,10 @@ bool is_same(const Dataset& a, const Dataset& b);
 /// units, which other programs lose when they replace a dataset.
 void expect_as_written(const Content& content, const Content& written);
 
+/// Throws Failure, "<path> <words>", for the first dataset below `group` that is not `known`.
+void refuse_others(const Content& content, std::string_view group, const Content& known,
+                   std::string_view words);
+
 /// Throws Failure, naming dataset and index, if a float anywhere is NaN or infinite.
 void check_finite(const Content& content);
 
