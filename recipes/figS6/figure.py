@@ -110,7 +110,7 @@ def claims_of(fronts, events, in_words, loads):
             shown=case_of_event(fronts["event"]),
             measured=measured(fronts, events),
             units=below_c_s_over_8(loads, case_of_event),
-            note="Slow means below c_s/8; the first event that is fast-slow-fast in words is shown.",
+            note="Slow means below c_s/8; shown is the first event fast-slow-fast in words.",
         ),
         judged("S6Aw", words_shown(first), words_case(first), units_in_words(loads)),
     ]
