@@ -156,8 +156,7 @@ const ParameterInfo& find_parameter(std::string_view name) {
   }
   std::vector<std::string_view> names;
   for (const auto& info : parameter_table()) names.push_back(info.name);
-  throw UsageError(
-      fmt::format("unknown parameter '{}': did you mean '{}'?", name, nearest(name, names)));
+  throw UsageError(unknown_text("parameter", name, names, "rupture parameters"));
 }
 
 bool is_used(const ParameterInfo& info, Law law) {

@@ -117,11 +117,13 @@ std::string units_taken(std::string_view unit) {
   return fmt::format("{} or {}", fmt::join(taken, ", "), last);
 }
 
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
-  return *std::min_element(candidates.begin(), candidates.end(),
-                           [&](std::string_view a, std::string_view b) {
-                             return distance(word, a) < distance(word, b);
-                           });
+std::string unknown_text(std::string_view what, std::string_view word,
+                         const std::vector<std::string_view>& candidates, std::string_view see) {
+  const auto distance_to = [&](std::string_view candidate) { return distance(word, candidate); };
+  const std::string_view near = *std::ranges::min_element(candidates, {}, distance_to);
+  if (distance_to(near) > word.size())
+    return fmt::format("unknown {} '{}'; see {}", what, word, see);
+  return fmt::format("unknown {} '{}': did you mean '{}'?", what, word, near);
 }
 
 }  // namespace rupture

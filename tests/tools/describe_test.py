@@ -106,8 +106,7 @@ def test_a_mistyped_option_is_told_the_nearest(name):
     isa = "(baseline|sse2|avx2|avx512|neon)"
     version = output_of(f"{name} --version")
     assert re.fullmatch(rf"{name} \(rupture .*, commit .*, {isa}\)\n", version)
-    sentence = "unknown option '--versoin': did you mean '--version'? See rupture"
-    refuses(f"{name} --versoin", 2, f"{sentence} {name} --help")
+    refuses(f"{name} --versoin", 2, "unknown option '--versoin': did you mean '--version'?")
 
 
 def test_what_restart_does():

@@ -17,8 +17,11 @@ std::optional<std::string> in_unit(std::string_view text, std::string_view unit)
 /// What may stand behind a number of this unit, such as "s, ms, us or ns"; "1" where nothing may.
 std::string units_taken(std::string_view unit);
 
-/// The candidate that needs the fewest single-character edits to become `word`; of a candidate
-/// "group.name" the part behind the dot counts too. `candidates` must not be empty.
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+/// "unknown tool 'lod': did you mean 'load'?", with the candidate that needs the fewest
+/// single-character edits to become `word`; of a candidate "group.name" the part behind the dot
+/// counts too. "unknown tool 'movement'; see rupture help" if half of the word or more would have
+/// to change. `candidates` must not be empty.
+std::string unknown_text(std::string_view what, std::string_view word,
+                         const std::vector<std::string_view>& candidates, std::string_view see);
 
 }  // namespace rupture

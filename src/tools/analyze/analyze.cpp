@@ -81,9 +81,7 @@ const Command& find(std::string_view name) {
   for (const Command* command : commands()) {
     if (command->name() == name) return *command;
   }
-  throw UsageError(
-      fmt::format("unknown command '{}': did you mean '{}'? See rupture analyze --help", name,
-                  nearest(name, names_of_commands())));
+  throw UsageError(unknown_text("command", name, names_of_commands(), "rupture analyze --help"));
 }
 
 bool asks_for_help(std::string_view word) {

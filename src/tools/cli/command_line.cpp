@@ -222,7 +222,7 @@ std::string single_input(const po::variables_map& values, const std::string& pos
   if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);
   const auto inputs = values[positional].as<std::vector<std::string>>();
   if (inputs.size() > 1) {
-    throw UsageError(fmt::format("unexpected file '{}': name only {}", inputs[1], wanted));
+    throw UsageError(fmt::format("unexpected file '{}': give only one file", inputs[1]));
   }
   refuse_empty_names(inputs);
   return inputs.front();

@@ -47,8 +47,8 @@ std::string unknown_option_text(const std::string& option,
   for (const auto& description : known.options()) {
     names.push_back("--" + description->long_name());
   }
-  return fmt::format("unknown option '{}': did you mean '{}'? See rupture {} --help", option,
-                     nearest(option, {names.begin(), names.end()}), tool);
+  return unknown_text("option", option, {names.begin(), names.end()},
+                      fmt::format("rupture {} --help", tool));
 }
 
 std::vector<std::string> split(std::string text, char separator) {

@@ -28,7 +28,7 @@ std::vector<std::string> split(std::string text, char separator);
 /// One line per parameter: name, symbol, default, unit, meaning.
 std::string parameter_help();
 
-/// "unknown option '--untill': did you mean '--until'? See rupture load --help".
+/// "unknown option '--untill': did you mean '--until'?"
 std::string unknown_option_text(const std::string& option,
                                 const boost::program_options::options_description& known,
                                 const std::string& tool);

@@ -77,8 +77,7 @@ std::vector<std::string_view> tool_names() {
 }
 
 /// The program of this name: in ../libexec/rupture if this one is installed, else beside it. Throws
-/// Failure if one of tool_names() is not there, UsageError with the nearest of them for other
-/// names.
+/// Failure if one of tool_names() is not there, UsageError for other names.
 fs::path tool_path(const std::string& name) {
   const fs::path folder = tool_folder(), program = folder / name;
   if (fs::path(name).filename() == name && can_run(program)) return program;
@@ -87,8 +86,7 @@ fs::path tool_path(const std::string& name) {
         "there is no program {} in {}: install rupture, or link to it instead of copying it", name,
         folder.string()));
   }
-  throw UsageError(fmt::format("unknown tool '{}': did you mean '{}'? See rupture help", name,
-                               nearest(name, tool_names())));
+  throw UsageError(unknown_text("tool", name, tool_names(), "rupture help"));
 }
 
 /// What each of tool_names() answers to --describe (docs/schema.md); of one that does not, only its

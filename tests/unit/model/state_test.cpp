@@ -99,10 +99,15 @@ TEST(State, keeps_its_clock_when_only_the_driving_speed_changes) {
   EXPECT_EQ(drive_position(after, state.drive, 8), 6.5);
 }
 
-TEST(Nearest, counts_insertions_deletions_and_substitutions) {
-  EXPECT_EQ(nearest("kitten", {"sitting", "mitten", "kit"}), "mitten");
-  EXPECT_EQ(nearest("x", {"abc", "x.y", "xy"}), "xy");
-  EXPECT_EQ(nearest("leaf", {"other.leaf", "leer"}), "other.leaf");
+TEST(UnknownText, suggests_the_nearest_name_if_most_of_it_was_written) {
+  const auto text = [](std::string_view word, const std::vector<std::string_view>& candidates) {
+    return unknown_text("name", word, candidates, "help");
+  };
+  EXPECT_EQ(text("kitten", {"sitting", "mitten"}), "unknown name 'kitten': did you mean 'mitten'?");
+  EXPECT_EQ(text("xyz", {"abc", "x.y", "xy"}), "unknown name 'xyz': did you mean 'xy'?");
+  EXPECT_EQ(text("leaf", {"a.leaf", "leer"}), "unknown name 'leaf': did you mean 'a.leaf'?");
+  EXPECT_EQ(text("ab", {"ax", "xy"}), "unknown name 'ab': did you mean 'ax'?");
+  EXPECT_EQ(text("abc", {"axy"}), "unknown name 'abc'; see help");
 }
 
 }  // namespace
