@@ -2,13 +2,16 @@
 left, for which share of its units each claim holds, on the right, under which convention."""
 
 import re
+from collections import Counter
 
 from claims.judge import PRIMARY, needed, table
 from pictures.plotting import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
 from runs.recipes import label
 
 ROW, HEAD = 3.9 * MM, 42 * MM  # heights of a claim, and of what is above all claims [inch]
-FIGURE_GAP, PRIMARY_GAP = 0.5, 0.5  # before the next figure, and behind the primary convention
+GAP = 0.5  # before the next figure, behind the primary convention, and before OTHERS
+SEVERAL = 4  # claims whose common convention has a column
+OTHERS = "least under others"
 CASES = {True: ("^", "the shown case: it holds"), False: ("v", "the shown case: it does not hold")}
 PRIMARY_LOOK = {"color": BLACK, "marker": "s", "linewidth": 0.8}
 OTHER_LOOK = {"color": SKY, "marker": "o", "linestyle": "", "markeredgecolor": BLUE}
@@ -20,15 +23,17 @@ def heights_of(claims):
     heights, at, before = {}, 0.0, ""
     for claim in claims:
         recipe = table()[claim.id]["recipe"]
-        at += FIGURE_GAP if before not in ("", recipe) else 0.0
+        at += GAP if before not in ("", recipe) else 0.0
         heights[claim.id], before, at = at, recipe, at + 1
     return heights
 
 
-def conventions_of(claims):
-    """All names, the primary one first, then those that most claims have."""
-    names = [share.convention for claim in claims for share in claim.shares]
-    return sorted(dict.fromkeys(names), key=lambda name: (name != PRIMARY, -names.count(name)))
+def places_of(claims):
+    """{convention: place of its column}: the primary one, then those of several claims."""
+    times = Counter(share.convention for claim in claims for share in claim.shares)
+    common = [name for name, count in times.most_common() if count >= SEVERAL and name != PRIMARY]
+    names = [PRIMARY, *common, OTHERS]
+    return {name: n + GAP * (n > 0) + GAP * (name == OTHERS) for n, name in enumerate(names)}
 
 
 def symbols_in(text):
@@ -47,17 +52,25 @@ def draw_shares(axes, claim, height):
         axes.plot(1.1, height, CASES[claim.shown][0], color=BLACK, markersize=4)
 
 
+def cells_of(claim, places):
+    """{column: share}; OTHERS has the least of those that have no column of their own."""
+    shares = {share.convention: share.part() for share in claim.shares}
+    others = [part for name, part in shares.items() if name not in places]
+    own = {name: part for name, part in shares.items() if name in places}
+    return own | ({OTHERS: min(others)} if others else {})
+
+
 def draw_conventions(axes, places, claim, height):
     """Cells as dark as the share is large."""
-    for share in claim.shares:
-        place, part = places[share.convention], share.part()
+    for name, part in cells_of(claim, places).items():
+        place = places[name]
         axes.barh(height, 0.94, height=0.9, left=place - 0.47, color=plt.cm.Blues(0.75 * part))
         colour = "white" if part > 0.7 else BLACK
         axes.text(place, height, f"{part:.2f}", color=colour, size=6, ha="center", va="center")
 
 
 def draw_legend(axes):
-    """Above the axes, beside the names of the conventions."""
+    """Above the axes and the names of the claims, beside the names of the conventions."""
     looks = {
         "primary convention, 90 % interval": PRIMARY_LOOK,
         "other conventions": OTHER_LOOK,
@@ -65,16 +78,16 @@ def draw_legend(axes):
         **{text: {"color": BLACK, "marker": m, "linestyle": ""} for m, text in CASES.values()},
     }
     lines = [plt.Line2D([], [], label=name, **look) for name, look in looks.items()]
-    axes.legend(handles=lines, loc="lower left", bbox_to_anchor=(0, 1))
+    legend = axes.legend(handles=lines, loc="lower right", bbox_to_anchor=(1.05, 1.01))
+    legend.set_in_layout(False)
 
 
 def draw_glance(claims, stem, source):
     """`source`: what it is drawn from, for the PNG."""
-    heights, names = heights_of(claims), conventions_of(claims)
-    places = {name: n + (PRIMARY_GAP if n else 0) for n, name in enumerate(names)}
+    heights, places = heights_of(claims), places_of(claims)
     last = max(heights.values())
     fig, (left, right) = figure(
-        DOUBLE, HEAD + (last + 1) * ROW, ncols=2, sharey=True, width_ratios=(5, len(names) + 1)
+        DOUBLE, HEAD + (last + 1) * ROW, ncols=2, sharey=True, width_ratios=(5, len(places) + 1)
     )
     for claim in claims:
         draw_shares(left, claim, heights[claim.id])
@@ -88,6 +101,6 @@ def draw_glance(claims, stem, source):
     left.tick_params(axis="y", length=0)
     right.spines[:].set_visible(False)
     right.tick_params(length=0, labeltop=True, labelbottom=False)
-    right.set_xticks([*places.values()], [symbols_in(name) for name in names], rotation=90)
+    right.set_xticks([*places.values()], [symbols_in(name) for name in places], rotation=90)
     draw_legend(left)
     save(fig, stem, source)
