@@ -1,13 +1,14 @@
 """Real signals at random (seeded) moments of a run, among calls and between them."""
 
+import functools
+import itertools
 import random
 import re
+import shlex
 import signal
 import subprocess
 import time
 from collections import namedtuple
-
-import pytest
 
 from conftest import BIN
 from scenario import (
@@ -18,27 +19,35 @@ from scenario import (
     check_files,
     made,
     readable_rows,
+    run,
     sums,
+    without_notes,
     without_temporaries,
 )
 
 LOAD = (
-    "load --config driven.ini --until 2e-3 --checkpoint-every 1e-4 --record r.h5"
-    " --record-every 2e-6 --fields 3e-6 -o b.h5 --sum"
+    "load --config driven.ini --until 2e-3 --checkpoint-every 1e-4 --record-every 2e-6"
+    " --fields 3e-6 --sum"
 )
-RESUME = LOAD + " --resume"
+NAMES = ("b.h5", "x --resume.h5", "a -- b.h5", "restart --until 1.h5", "it's.h5")
 TIMES = 500 if LONG else 40
 Whole = namedtuple("Whole", "scenario seconds rows")
 
 
-@pytest.fixture(scope="module")
-def whole():
+def load(name, *more):
+    """A run whose files have this name."""
+    return shlex.join([*LOAD.split(), "-o", name, "--record", f"r {name}", *more])
+
+
+@functools.cache
+def whole(name):
     """The run that nobody disturbs."""
-    scenario = made("load", LOAD, INPUTS)
+    scenario = made("load", load(name), INPUTS)
     with Folder(INPUTS) as folder:
         started = time.monotonic()
-        folder.must_run(LOAD)
-        return Whole(scenario, time.monotonic() - started, readable_rows(folder.files(), "r.h5"))
+        folder.must_run(load(name))
+        seconds = time.monotonic() - started
+        return Whole(scenario, seconds, readable_rows(folder.files(), f"r {name}"))
 
 
 def newest_checkpoint(files):
@@ -47,8 +56,9 @@ def newest_checkpoint(files):
 
 def interrupt(folder, command, number, moment):
     """Sends the command a signal after `moment` seconds; returns its end and last words."""
+    tool, *options = shlex.split(command)
     process = subprocess.Popen(
-        [BIN / command.split()[0], *command.split()[1:]],
+        [BIN / tool, *options],
         cwd=folder.path,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
@@ -60,64 +70,83 @@ def interrupt(folder, command, number, moment):
     return process.returncode, words
 
 
-def check_end(folder, whole):
+def check_end(folder, name):
     """The run has ended as if nothing had happened."""
     files = without_temporaries(folder.files())
-    wanted = sums(whole.scenario.new)
-    assert {name: files.get(name) for name in wanted} == wanted
-    for name in files.keys() - whole.scenario.new.keys():  # saved when interrupted
-        assert re.search(r"^b-t0\.00\d{7}\.h5(\.sum)?$", name), name
-    folder.must_run("analyze verify b.h5")
-    folder.must_run("analyze verify r.h5")
+    new = whole(name).scenario.new
+    assert {name: files.get(name) for name in sums(new)} == sums(new)
+    saved = re.compile(re.escape(name.removesuffix(".h5")) + r"-t0\.00\d{7}\.h5(\.sum)?")
+    for other in files.keys() - new.keys():  # saved when interrupted
+        assert saved.fullmatch(other), other
+    folder.must_run(shlex.join(["analyze", "verify", name]))
+    folder.must_run(shlex.join(["analyze", "verify", f"r {name}"]))
 
 
-def test_kills_leave_checkpoints_that_lead_to_the_same_end(whole):
+def test_kills_leave_checkpoints_that_lead_to_the_same_end():
     moments = random.Random(1)
     killed = 0
     for kill in range(TIMES):
         with case(kill), Folder(INPUTS) as folder:
-            moment = moments.uniform(0.0, whole.seconds)
-            code, _ = interrupt(folder, LOAD, signal.SIGKILL, moment)
+            moment = moments.uniform(0.0, whole("b.h5").seconds)
+            code, _ = interrupt(folder, load("b.h5"), signal.SIGKILL, moment)
             killed += code == -signal.SIGKILL
             files = folder.files()
-            check_files(whole.scenario, files)
-            if "r.h5.part" in files:
-                rows = readable_rows(files, "r.h5.part")
-                assert rows == whole.rows[: len(rows)]
+            check_files(whole("b.h5").scenario, files)
+            if "r b.h5.part" in files:
+                rows = readable_rows(files, "r b.h5.part")
+                assert rows == whole("b.h5").rows[: len(rows)]
             newest = newest_checkpoint(files)
             if newest is not None:
                 folder.must_run(f"restart {newest} --until 2e-3 -o c.h5 -q")
                 end = folder.must_run("analyze checksum c.h5").strip()
-                assert end == whole.scenario.new["b.h5.sum"].decode().split()[1]
+                assert end == whole("b.h5").scenario.new["b.h5.sum"].decode().split()[1]
     assert killed > 0, "every run was over before its signal"
 
 
-def test_kills_one_after_another_are_resumed(whole):
+def test_kills_one_after_another_are_resumed():
     moments = random.Random(2)
     for row in range(TIMES):
         with case(row), Folder(INPUTS) as folder:
             for _ in range(3):
-                moment = moments.uniform(0.0, whole.seconds)
-                code, words = interrupt(folder, RESUME, signal.SIGKILL, moment)
+                moment = moments.uniform(0.0, whole("b.h5").seconds)
+                code, words = interrupt(folder, load("b.h5", "--resume"), signal.SIGKILL, moment)
                 assert code in (0, -signal.SIGKILL), words
-            folder.must_run(RESUME)
-            check_end(folder, whole)
+            folder.must_run(load("b.h5", "--resume"))
+            check_end(folder, "b.h5")
 
 
-def test_interruptions_are_saved_and_the_command_that_is_told_goes_on(whole):
+def check_resumed(folder, name, words):
+    """The command that is told goes on; whether it began from a checkpoint that was saved."""
+    told = re.fullmatch(r"load: ([^\n]+) to continue: (\S+/load [^\n]+)\n", words)
+    assert told, words
+    tool, *options = shlex.split(load(name))
+    assert shlex.split(told[2]) == [str(BIN / tool), "--resume", *options]
+    saved = re.search("saved as (.+); *$", told[1])
+    assert saved or "at its first step" in words, words
+    resumed = run(told[2], folder.path)
+    assert (resumed.returncode, without_notes(resumed.stderr)) == (0, "")
+    assert not saved or f"resuming from {saved[1]}\n" in resumed.stdout
+    return bool(saved)
+
+
+def test_interruptions_are_saved_and_the_command_that_is_told_goes_on():
+    """Also where the names of files are words of a command."""
     moments = random.Random(3)
-    saved = 0
-    for number in (signal.SIGINT, signal.SIGTERM) * (TIMES // 2):
-        with case(number), Folder(INPUTS) as folder:
-            moment = moments.uniform(0.0, whole.seconds)
-            code, words = interrupt(folder, LOAD, number, moment)
+    saved: set = set()
+    numbers = itertools.cycle((signal.SIGINT, signal.SIGTERM))
+    for attempt, name, number in zip(range(10 * TIMES), itertools.cycle(NAMES), numbers):
+        if attempt >= TIMES and saved == {*NAMES}:
+            break
+        with case(number, name), Folder(INPUTS) as folder:
+            moment = moments.uniform(0.0, whole(name).seconds)
+            code, words = interrupt(folder, load(name), number, moment)
             assert code in (0, -number), words
-            told = re.fullmatch(r"load: [^\n]+ to continue: \S+/(load [^\n]+)\n", words)
-            if code != 0 and words and "everything had been written" not in words:
-                assert told, words
-                if "at its first step" not in words:
-                    assert newest_checkpoint(folder.files()) is not None
-                    saved += 1
-            folder.must_run(told[1] if told else RESUME)
-            check_end(folder, whole)
-    assert saved > 0, "every run was over before its signal"
+            if code and words and "everything had been written" not in words:
+                if check_resumed(folder, name, words):
+                    saved.add(name)
+            assert code or not words
+            folder.must_run(load(name, "--resume"))
+            check_end(folder, name)
+            complete = folder.must_run(load(name, "--resume"))
+            assert complete == f"{name} is complete\n"
+    assert saved == {*NAMES}, "every run was over before its signal"

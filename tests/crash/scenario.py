@@ -3,6 +3,7 @@
 import functools
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -53,7 +54,7 @@ def run(command, folder, options=None, **environment):
     """Runs a tool as a user in `folder` would; returns what subprocess knows of its end."""
     options = {"stdin": subprocess.DEVNULL, "timeout": 120} | (options or {})
     env = os.environ | {name: str(value) for name, value in environment.items()}
-    return conftest.run(*command.split(), cwd=folder, env=env, **options)
+    return conftest.run(*shlex.split(command), cwd=folder, env=env, **options)
 
 
 def run_with_fault(command, folder, fault="", at=0, log=""):
@@ -113,8 +114,8 @@ def made(name, command, old):
         new = folder.files()
         for file in new:
             if file.endswith(".h5"):
-                folder.must_run(f"analyze verify {file}")
-                content = folder.must_run(f"analyze checksum {file}").strip()
+                folder.must_run(f"analyze verify {shlex.quote(file)}")
+                content = folder.must_run(f"analyze checksum {shlex.quote(file)}").strip()
                 line = f"content-sha256 {content}  {file}\n".encode()
                 kept = new[file] == old.get(file)
                 wanted = kept or "--sum" in command.split()
@@ -213,7 +214,7 @@ def new_state(seen, files):
 def readable_rows(files, record):
     """The samples of a record, one line each; none if the tool says why there are none."""
     with Folder({record: files[record]}) as folder:
-        outcome = run(f"analyze loading {record} --csv", folder.path)
+        outcome = run(f"analyze loading {shlex.quote(record)} --csv", folder.path)
     assert re.fullmatch(r"|analyze: [^\n]+\n", outcome.stderr), outcome.stderr
     return outcome.stdout.splitlines()[1:]
 
