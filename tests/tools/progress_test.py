@@ -7,11 +7,11 @@ import re
 import signal
 import struct
 import subprocess
-import tempfile
 import termios
 import time
-import unittest
 from pathlib import Path
+
+import pytest
 
 from conftest import BIN
 
@@ -20,6 +20,20 @@ DONE = r" *(\d+) %"
 TIME = r"t = 0\.\d{4} s of 0\.3000 s"
 RATE = r" *[\d,]+ steps/s"
 LEFT = r" *\d+(\.\d+)? (min|s) left"
+FORMS = {  # by width of the terminal
+    100: f"{DONE}   {TIME}   {RATE}   {LEFT}",
+    50: f"{DONE}   {TIME}   {LEFT}",
+    24: f"{DONE}   {LEFT}",
+    10: DONE,
+    4: r" *\d+( %?)?",
+}
+LOAD = f"load {SMALL} --until 0.3 -o a.h5"
+pytestmark = pytest.mark.usefixtures("folder")
+
+
+def start(line, stderr):
+    tool, *words = line.split()
+    return subprocess.Popen([BIN / tool, *words], stdout=subprocess.PIPE, stderr=stderr)
 
 
 def set_width(terminal, width):
@@ -38,114 +52,79 @@ def all_of(terminal):
     return text.decode()
 
 
-class Progress(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def command(self, line):
-        tool, *words = line.split()
-        return [BIN / tool, *words]
-
-    def on_terminal(self, line, width):
-        """Standard error of a command on a terminal of this width: the lines one after another."""
-        ours, theirs = pty.openpty()
-        set_width(theirs, width)
-        process = subprocess.Popen(
-            self.command(line), cwd=self.folder, stdout=subprocess.PIPE, stderr=theirs
-        )
-        os.close(theirs)
-        text = all_of(ours)
-        process.communicate()
-        self.assertEqual(process.returncode, 0, text)
-        return text.split("\r")
-
-    def loaded(self, width):
-        return self.on_terminal(f"load {SMALL} --until 0.3 -o a.h5 --force", width)
-
-    def test_on_a_terminal_is_one_line_that_fits(self):
-        shown = {
-            100: f"{DONE}   {TIME}   {RATE}   {LEFT}",
-            50: f"{DONE}   {TIME}   {LEFT}",
-            24: f"{DONE}   {LEFT}",
-            10: DONE,
-            4: r" *\d+( %?)?",
-        }
-        for width, form in shown.items():
-            with self.subTest(width=width):
-                first, *lines, cleared, rest = self.loaded(width)
-                self.assertEqual((first, rest), ("", ""))
-                self.assertEqual(cleared, " " * (width - 1))
-                self.assertGreater(len(lines), 0)
-                for line in lines:
-                    self.assertRegex(line.rstrip(), f"^{form}$")
-                    self.assertEqual(len(line), width - 1)
-                done = [int(line.strip().split(" ")[0]) for line in lines]
-                self.assertEqual(done, sorted(done))
-                self.assertLess(done[-1], 100)
-
-    def test_follows_the_terminal_when_that_changes(self):
-        ours, theirs = pty.openpty()
-        set_width(theirs, 100)
-        line = f"load {SMALL} --until 0.3 -o a.h5"
-        process = subprocess.Popen(
-            self.command(line), cwd=self.folder, stdout=subprocess.PIPE, stderr=theirs
-        )
-        os.close(theirs)
+def on_terminal(line, width, later=None):
+    """Standard error of a command on a terminal of this width, and of another one once something
+    was written: the lines one after another."""
+    ours, theirs = pty.openpty()
+    set_width(theirs, width)
+    process = start(line, theirs)
+    os.close(theirs)
+    if later:
         os.read(ours, 1)
-        set_width(ours, 30)
-        *_, cleared, rest = all_of(ours).split("\r")
-        process.communicate()
-        self.assertEqual((cleared, rest), (" " * 29, ""))
-
-    def test_of_a_run_until_quiet_has_no_percentage(self):
-        self.on_terminal(f"load {SMALL} -o a.h5", 80)
-        _, *lines, _, _ = self.on_terminal("restart a.h5 -o b.h5 --until-quiet 0.3 --for 0.3", 80)
-        for line in lines:
-            self.assertRegex(line.rstrip(), rf"^t = \d\.\d+ s of at most 0\.3000 s   {RATE}$")
-
-    def test_quiet_runs_show_nothing(self):
-        self.assertEqual(self.on_terminal(f"load {SMALL} --until 0.1 -o a.h5 --quiet", 80), [""])
-
-    def test_an_alarm_begins_a_line(self):
-        self.on_terminal(f"load {SMALL} -o a.h5 --until 1e-4 --set driving.V=1", 80)
-        changes = "--set slider.damping=0 --set driving.K=1.6e11"  # unstable
-        lines = self.on_terminal(f"restart a.h5 -o b.h5 --for 3e-3 --on-alarm report {changes}", 80)
-        alarm = next(n for n, line in enumerate(lines) if "alarm" in line)
-        self.assertTrue(lines[alarm].startswith("restart: alarm: the energy account "))
-        self.assertEqual(lines[alarm - 1], " " * 79)
-
-    def stopped_for(self, pause, line):
-        """Standard error of a run that stands still for a while, once it has begun."""
-        process = subprocess.Popen(
-            self.command(line + " --checkpoint-at 1ms"),
-            cwd=self.folder,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        while not (self.folder / "a-t0.001000000.h5").exists():
-            time.sleep(0.01)
-        process.send_signal(signal.SIGSTOP)
-        time.sleep(pause)
-        process.send_signal(signal.SIGCONT)
-        _, err = process.communicate()
-        self.assertEqual(process.returncode, 0, err)
-        return err
-
-    def test_elsewhere_is_a_line_per_tenth_of_what_takes_long(self):
-        err = self.stopped_for(5, f"load {SMALL} --until 0.3 -o a.h5")
-        self.assertRegex(err, rf"^load: {DONE}   {TIME}   {RATE}   {LEFT}\n$")
-        self.assertEqual([int(done) % 10 for done in re.findall(DONE, err)], [0])
-
-    def test_elsewhere_short_and_quiet_runs_print_nothing(self):
-        for quiet in "", " --quiet":
-            with self.subTest(quiet=quiet):
-                pause = 5 if quiet else 0
-                line = f"load {SMALL} --until 0.1 -o a.h5 --force" + quiet
-                self.assertEqual(self.stopped_for(pause, line), "")
+        set_width(ours, later)
+    text = all_of(ours)
+    process.communicate()
+    assert process.returncode == 0, text
+    return text.split("\r")
 
 
-if __name__ == "__main__":
-    unittest.main()
+@pytest.mark.parametrize("width", FORMS)
+def test_on_a_terminal_is_one_line_that_fits(width):
+    first, *lines, cleared, rest = on_terminal(LOAD, width)
+    assert (first, cleared, rest) == ("", " " * (width - 1), "")
+    assert lines
+    for line in lines:
+        assert re.fullmatch(FORMS[width], line.rstrip())
+        assert len(line) == width - 1
+    done = [int(line.strip().split(" ")[0]) for line in lines]
+    assert done == sorted(done)
+    assert done[-1] < 100
+
+
+def test_follows_the_terminal_when_that_changes():
+    *_, cleared, rest = on_terminal(LOAD, 100, 30)
+    assert (cleared, rest) == (" " * 29, "")
+
+
+def test_of_a_run_until_quiet_has_no_percentage():
+    on_terminal(f"load {SMALL} -o a.h5", 80)
+    _, *lines, _, _ = on_terminal("restart a.h5 -o b.h5 --until-quiet 0.3 --for 0.3", 80)
+    for line in lines:
+        assert re.fullmatch(rf"t = \d\.\d+ s of at most 0\.3000 s   {RATE}", line.rstrip())
+
+
+def test_quiet_runs_show_nothing():
+    assert on_terminal(f"load {SMALL} --until 0.1 -o a.h5 --quiet", 80) == [""]
+
+
+def test_an_alarm_begins_a_line():
+    on_terminal(f"load {SMALL} -o a.h5 --until 1e-4 --set driving.V=1", 80)
+    changes = "--set slider.damping=0 --set driving.K=1.6e11"  # unstable
+    lines = on_terminal(f"restart a.h5 -o b.h5 --for 3e-3 --on-alarm report {changes}", 80)
+    alarm = next(n for n, line in enumerate(lines) if "alarm" in line)
+    assert lines[alarm].startswith("restart: alarm: the energy account ")
+    assert lines[alarm - 1] == " " * 79
+
+
+def stopped_for(pause, line):
+    """Standard error of a run that stands still for a while, once it has begun."""
+    process = start(f"{line} --checkpoint-at 1ms", subprocess.PIPE)
+    while not Path("a-t0.001000000.h5").exists():
+        time.sleep(0.01)
+    process.send_signal(signal.SIGSTOP)
+    time.sleep(pause)
+    process.send_signal(signal.SIGCONT)
+    err = process.communicate()[1].decode()
+    assert process.returncode == 0, err
+    return err
+
+
+def test_elsewhere_is_a_line_per_tenth_of_what_takes_long():
+    err = stopped_for(5, LOAD)
+    assert re.fullmatch(rf"load: {DONE}   {TIME}   {RATE}   {LEFT}\n", err)
+    assert [int(done) % 10 for done in re.findall(DONE, err)] == [0]
+
+
+@pytest.mark.parametrize(("pause", "quiet"), [(0, ""), (5, " --quiet")])
+def test_elsewhere_short_and_quiet_runs_print_nothing(pause, quiet):
+    assert stopped_for(pause, f"load {SMALL} --until 0.1 -o a.h5{quiet}") == ""
