@@ -1,4 +1,4 @@
-"""map: pictures of records, the window that they show, and refusals."""
+"""map: pictures of records, and the window that they show."""
 
 import os
 import struct
@@ -12,9 +12,6 @@ from conftest import SMALL
 from program import draws, refuses
 from rupture import plotting
 from rupture.tools.map import LINE, slip_speed, spread
-
-TO = ("-o", "x.png")
-RECORD = ("small-record.h5", *TO)
 
 
 def size_of_png(path):
@@ -56,35 +53,6 @@ def test_draws_a_record_without_events(folder):
     draws("map", "still-record.h5", "-o", "still.pdf")
 
 
-@pytest.mark.parametrize(
-    ("arguments", "code", "part"),
-    [
-        ((), 2, "are required: RECORD"),
-        (("none.h5", *TO), 1, "none.h5 does not exist"),
-        (("small.h5", *TO), 1, "is a checkpoint; give a record"),
-        (("small-record.h5", "-o", "x.gif"), 2, "must end with .png"),
-        (("small-record.h5", "-o", "no/x.png"), 1, "no is not an existing folder"),
-        (("small-record.h5", "-o", "there.png"), 1, "there.png exists"),
-        ((*RECORD, "--event", 9), 2, "there is no event 9"),
-        ((*RECORD, "--from", "5 parsec"), 2, "must be a time such as"),
-        ((*RECORD, "--from", 3), 2, "--from 3 is outside the record, which"),
-        ((*RECORD, "--event", 0, "--to", 1), 2, "--event cannot be combined with --from"),
-        ((*RECORD, "--event", -1), 2, "a whole number, 0 or more, or first-spanning (got '-1')"),
-        ((*RECORD, "--event", 1.5), 2, "a whole number, 0 or more, or first-spanning (got '1.5')"),
-        ((*RECORD, "--from=-1"), 2, "must be a finite time of at least 0 s (got"),
-        ((*RECORD, "--from", "1e999"), 2, "must be a finite time of at least 0 s (got"),
-        ((*RECORD, "--from", "1.2.3"), 2, "must be a time such as 0.8s or 800ms (got '1.2.3')"),
-        ((*RECORD, "--from", "2ms", "--to", "1ms"), 2, "window is empty: --to is before"),
-        ((*RECORD, "--to", 0), 2, "fewer than two samples lie between 0 s and 0 s: give a"),
-        ((*RECORD, "--to", 1, "--to", 2), 2, "--to: is given more than once"),
-    ],
-)
-def test_refuses(small, arguments, code, part):
-    Path("there.png").write_text("kept")
-    refuses("map", arguments, code, part)
-    assert Path("there.png").read_text() == "kept"
-
-
 @pytest.mark.parametrize("name", ["a$^$.h5", os.fsdecode(b"\xff.h5")])
 def test_draws_with_any_name_and_any_backend(small, name):
     Path(name).write_bytes(Path("small-record.h5").read_bytes())
@@ -95,7 +63,9 @@ def test_draws_with_any_name_and_any_backend(small, name):
 
 def test_refuses_a_backend_that_matplotlib_does_not_know(small):
     env = os.environ | {"MPLBACKEND": "none"}
-    refuses("map", RECORD, 1, "refuses its settings: Key backend", env=env)
+    refuses(
+        "map", ("small-record.h5", "-o", "x.png"), 1, "refuses its settings: Key backend", env=env
+    )
 
 
 def test_the_slip_speed_is_that_of_the_blocks(small):

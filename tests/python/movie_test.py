@@ -1,4 +1,4 @@
-"""movie and watch: frames, formats and refusals; a run that is watched to its end."""
+"""movie and watch: frames and formats; a run that is watched to its end."""
 
 import os
 import shutil
@@ -13,8 +13,6 @@ import rupture
 from conftest import BIN, SMALL, run
 from program import draws, refuses
 from rupture.tools.movie import SLOWEST, chosen_samples, values_of
-
-FILM = ("small-record.h5", "-o", "y.gif")
 
 
 def test_writes_as_many_frames_as_asked_for(small):
@@ -47,23 +45,6 @@ def test_frames_are_even_and_in_the_window():
     time = np.arange(101.0)
     assert list(chosen_samples(time, (20, 60), 5)) == [20, 30, 40, 50, 60]
     assert len(chosen_samples(time, (20, 22), 50)) == 3
-
-
-@pytest.mark.parametrize(
-    ("arguments", "code", "part"),
-    [
-        (("small-record.h5", "-o", "y.avi"), 2, "must end with .gif"),
-        (("small.h5", "-o", "y.gif"), 1, "is a checkpoint"),
-        ((*FILM, "--colour", "red"), 2, "invalid choice"),
-        ((*FILM, "--event", 7), 2, "there is no event 7"),
-        *[
-            ((*FILM, "--frames", n), 2, "must be a whole number, 1 or more (got")
-            for n in (0, -3, 1.5, "many")
-        ],
-    ],
-)
-def test_refuses(small, arguments, code, part):
-    refuses("movie", arguments, code, part)
 
 
 def test_fields_colour_the_slider_but_for_times_without_any(folder):
@@ -111,20 +92,3 @@ def test_watch_says_that_a_run_was_killed(folder):
         it.kill()
     sentence = "no run writes k-record.h5.part any more, and it is not finished; rupture finish"
     refuses("watch", ("k-record.h5.part",), 1, sentence, timeout=60)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "code", "part"),
-    [
-        ((), 2, "are required: RECORD"),
-        (("none.h5.part",), 1, "none.h5.part does not exist"),
-        (("small.h5",), 1, "is a checkpoint"),
-        (("small-record.h5", "--every", "often"), 2, "must be a time such as"),
-        (("small-record.h5", "--every", 0), 2, "of at least 0.01 s and at most 86400 s"),
-        (("small-record.h5", "--every", "1e999"), 2, "of at least 0.01 s and at most 86400 s"),
-        (("",), 1, "'' names no file; give the .part of a run that writes a record"),
-        ((".part",), 1, "'.part' names no file; give the .part of a run that writes a record"),
-    ],
-)
-def test_watch_refuses(small, arguments, code, part):
-    refuses("watch", arguments, code, part)

@@ -1,11 +1,8 @@
-"""What map, movie, watch and xdmf have in common: packages that are missing, files that are none,
-outputs that cannot be written, by their path or because the disk is full. One sentence, and nothing
-is left."""
+"""What map, movie, watch and xdmf have in common: packages that are missing, and files that appear
+whole or not at all. What they refuse is in tools/tables/drawing.txt."""
 
 import os
-import resource
 import sys
-from importlib import import_module
 from pathlib import Path
 from unittest import mock
 
@@ -18,11 +15,7 @@ from rupture.replacing import rename_to_new, replacing
 from rupture.tools.command_line import CLEAR
 from rupture.tools.output import progress
 
-WRITERS = {"map": ("small-record.h5", ".png"), "movie": ("small-record.h5", ".gif")}
-WRITERS["xdmf"] = ("small.h5", ".xdmf")
-PROGRAMS = (*WRITERS, "watch")
-writers = pytest.mark.parametrize("name", WRITERS)
-programs = pytest.mark.parametrize("name", PROGRAMS)
+programs = pytest.mark.parametrize("name", ["map", "movie", "watch", "xdmf"])
 
 
 @programs
@@ -51,80 +44,6 @@ def test_the_package_runs_programs_without_h5py(without_h5py):
         assert (done.returncode, done.stderr) == (0, ""), done.stderr
     with pytest.raises(AttributeError, match="has no attribute 'nix'"):
         getattr(rupture, "nix")
-
-
-@programs
-def test_inputs_that_are_no_files_of_rupture(folder, name):
-    Path("folder").mkdir()
-    Path("empty.h5").touch()
-    Path("text.h5").write_text("no HDF5\n")
-    Path("short.h5.part").write_text("rupture-record-part\nbytes 9000\n")
-    os.mkfifo("pipe")
-    sentences = [
-        ("", "the name of an input is empty; give the path of a checkpoint or record"),
-        ("folder", "folder is a folder; give the path of a checkpoint or record"),
-        ("pipe", "pipe is not a regular file; give the path of a checkpoint or record"),
-        ("text.h5/x", "text.h5/x does not exist; give the path of a checkpoint or record"),
-        ("empty.h5", "empty.h5 is empty; expected a checkpoint or record"),
-        ("text.h5", "text.h5 is not a rupture file: give one that rupture's programs wrote"),
-        ("short.h5.part", "is truncated: it ends within its 512-byte header; copy it again"),
-    ]
-    output = ("-o", f"x{WRITERS[name][1]}") if name in WRITERS else ()
-    for given, part in sentences if output else sentences[4:]:
-        refuses(name, (given, *output), 1, part)
-
-
-@writers
-def test_outputs_that_cannot_be_written(small, name):
-    given, ending = WRITERS[name]
-    folder = Path(f"folder{ending}")
-    folder.mkdir()
-    for output, code, part in (
-        ("", 2, "the name of an output is empty; give the path of a file"),
-        ("-", 2, f"- must end with {ending}"),
-        (folder, 1, f"{folder} is a folder; give the path of a file to write"),
-        (f"small.h5/x{ending}", 1, "small.h5 is not an existing folder; give another path"),
-        (f"/proc/x{ending}", 1, f"cannot write /proc/x{ending}: "),
-        (f"{'x' * 300}{ending}", 1, "File name too long"),
-    ):
-        refuses(name, (given, "-f", "-o", output), code, part)
-
-
-@writers
-def test_outputs_that_are_inputs(small, name):
-    given, ending = WRITERS[name]
-    own = Path(f"own{ending}")
-    own.write_bytes(Path(given).read_bytes())
-    sentence = f"{own} is the input, which is never changed: give another output"
-    refuses(name, (own, "-o", own, "-f"), 2, sentence)
-    assert own.read_bytes() == Path(given).read_bytes()
-
-
-@writers
-def test_outputs_for_which_the_disk_has_no_room(small, name):
-    import_module("matplotlib.font_manager")  # writes its cache now, while there is room
-    given, ending = WRITERS[name]
-    refused = "x-derived.hdf5" if name == "xdmf" else f"x{ending}"
-    refuses(
-        name,
-        (given, "-o", f"x{ending}"),
-        1,
-        f"cannot write {refused}: File too large",
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)),
-    )
-
-
-@pytest.mark.parametrize(
-    "command",
-    [f"{name} --{what}" for name in PROGRAMS for what in ("help", "describe")]
-    + ["watch --text small-record.h5"],
-)
-def test_outputs_of_text(small, command):
-    reasons = {"/dev/full": "No space left on device", "&-": "Bad file descriptor"}
-    for to, reason in reasons.items():
-        done = run("bash", "-c", f"{BIN}/{command} >{to}")
-        sentence = f"rupture {command.split()[0]}: standard output: {reason}\n"
-        assert (done.returncode, done.stderr) == (1, sentence)
 
 
 def test_all_streams_may_be_closed(small):

@@ -1,6 +1,5 @@
 """xdmf: both readers of VTK, as they are in ParaView, find the values of the checkpoints."""
 
-import os
 from pathlib import Path
 
 import h5py
@@ -9,7 +8,7 @@ import pytest
 
 import rupture
 from conftest import SMALL, run, skip
-from program import draws, refuses
+from program import draws
 
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -21,7 +20,6 @@ except ImportError:
 
 
 OUTPUT = Path("sub/run.xdmf")
-TO = ("-o", "x.xdmf")
 
 
 @pytest.fixture
@@ -88,33 +86,3 @@ def test_equal_checkpoints_count_once(series):
     Path("copy.h5").write_bytes(series[1].read_bytes())
     draws("xdmf", *series, "copy.h5", "-o", "once.xdmf")
     assert Path("once.xdmf").read_text().count("<Time ") == len(series)
-
-
-ODD = os.fsdecode(b"\xff.h5")
-DIFFER = (
-    "small.h5 and wider.h5 are different states of t = 0.002 s; a series has one state of a time"
-)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "code", "part"),
-    [
-        (TO, 2, "are required: CHECKPOINT"),
-        (("none.h5", *TO), 1, "none.h5 does not exist"),
-        (("small.h5", "small-record.h5", *TO), 1, "small-record.h5 is a record"),
-        (("small.h5", "wider.h5", *TO), 1, DIFFER + ": leave one out"),
-        (("small.h5", "-o", "x.vtk"), 2, "must end with .xdmf"),
-        (("small.h5", "-o", OUTPUT), 1, "exists"),
-        (("a:b.h5", *TO), 1, "colon"),
-        ((ODD, *TO), 1, "has an unusual character in its name, which XDMF cannot refer to"),
-        (("small.h5", "-o", ""), 2, "the name of an output is empty"),
-        (("own-derived.hdf5", "-o", "own.xdmf", "-f"), 2, "is the input, which is never changed"),
-    ],
-)
-def test_refuses(series, arguments, code, part):
-    rupture.run("modify-phi", "small.h5", output="wider.h5", shape="bell", force=True)
-    whole = Path("small.h5").read_bytes()
-    for name in ("a:b.h5", ODD, "own-derived.hdf5"):
-        Path(name).write_bytes(whole)
-    refuses("xdmf", arguments, code, part)
-    assert Path("own-derived.hdf5").read_bytes() == whole

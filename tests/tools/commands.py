@@ -89,7 +89,8 @@ def files():
             elif path.is_dir():
                 found[f"{path}/"] = ""
             else:
-                found[str(path)] = path.read_bytes() if os.access(path, os.R_OK) else b""
+                is_readable = path.is_file() and os.access(path, os.R_OK)
+                found[str(path)] = path.read_bytes() if is_readable else b""
     return found
 
 
