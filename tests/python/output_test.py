@@ -1,6 +1,7 @@
 """What map, movie, watch and xdmf have in common: packages that are missing, and files that appear
 whole or not at all. What they refuse is in tools/tables/drawing.txt."""
 
+import json
 import os
 import sys
 from pathlib import Path
@@ -9,8 +10,8 @@ from unittest import mock
 import pytest
 
 import rupture
+from commands import refuses
 from conftest import BIN, run
-from program import describes_itself, refuses
 from rupture.replacing import rename_to_new, replacing
 from rupture.tools.command_line import CLEAR
 from rupture.tools.output import progress
@@ -20,7 +21,12 @@ programs = pytest.mark.parametrize("name", ["map", "movie", "watch", "xdmf"])
 
 @programs
 def test_describes_itself(name):
-    describes_itself(name)
+    """--help and --describe name the same options."""
+    described = json.loads(run(name, "--describe").stdout)
+    assert described["name"] == name
+    text = run(name, "--help").stdout
+    assert all("--" + option["name"] in text for option in described["options"])
+    assert "rupture" in run(name, "--version").stdout
 
 
 @pytest.fixture
@@ -32,9 +38,8 @@ def without_h5py(folder):
 
 @programs
 def test_packages_that_are_missing_are_named(without_h5py, name):
-    env = without_h5py
-    sentence = "h5py is not installed; install it, on Debian with apt-get install"
-    refuses(name, ("--help",), 1, sentence, env=env)
+    sentence = "h5py is not installed; install it, on Debian with apt-get install python3-h5py"
+    refuses(f"{name} --help", 1, sentence, env=without_h5py)
 
 
 def test_the_package_runs_programs_without_h5py(without_h5py):

@@ -99,13 +99,19 @@ def changed(before, after):
     return sorted(n for n in before.keys() | after.keys() if before.get(n) != after.get(n))
 
 
+def name_of(tool):
+    """In front of its sentences."""
+    is_python = (BIN / tool).resolve().suffix == ".py"
+    return f"rupture {tool}" if is_python else tool
+
+
 def refuses(command, code, sentence, **options):
     """With just this sentence, and all files are as before."""
     before = files()
     done = run(command, **options)
     assert (done.code, changed(before, files())) == (code, []), (command, done)
     tool = command.split(" ")[0] if isinstance(command, str) else command[0]
-    assert is_like(done.err, f"{tool}: {sentence}\n"), (command, done.err)
+    assert is_like(done.err, f"{name_of(tool)}: {sentence}\n"), (command, done.err)
     return done
 
 

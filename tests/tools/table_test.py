@@ -43,6 +43,7 @@ from commands import (
     files,
     is_like,
     lines_of,
+    name_of,
     run,
     sum_line,
 )
@@ -204,8 +205,7 @@ def expect_output(out, said, step, first):
 
 def expect_texts(done, step, tool, chosen, first):
     is_done = step.exit[0] == "0" or step.exit.endswith(">")
-    name = f"rupture {tool}" if (BIN / tool).resolve().suffix == ".py" else tool
-    sentence = [] if is_done else [f"{name}:"]
+    sentence = [] if is_done else [f"{name_of(tool)}:"]
     said: dict = {"stdout: ": [], "stderr: ": []}
     for line in (filled(text, chosen) for text in step.said):
         if line[:8] in said:
