@@ -9,10 +9,11 @@ from pathlib import Path
 
 from PIL import Image
 
+from claims.judge import table
 from conftest import ROOT
-from runs.recipes import listed_claims
 
 NOT_RUN = ("5Aw", "5A", "5B")  # the fixture has no results of their recipe
+JUDGED = [claim_id for claim_id in table() if claim_id not in NOT_RUN]
 START = 1.7e9  # [s] since 1970
 POINTS = 1200
 
@@ -46,44 +47,38 @@ def spill(path, content):
 SHARE = {"convention": "primary", "holds": 7, "units": 20, "low": 0.2, "high": 0.53}
 
 
-def result(listed):
+def result(claim_id):
+    row = table()[claim_id]
     return {
-        "id": listed.id,
-        "paper": f"{listed.claim} <b>",
+        "id": claim_id,
+        "paper": f"{row['says']} <b>",
         "measured": {"speed [m/s]": 12.345678, "list [mm]": [1.0, None]},
-        "acceptance": listed.acceptance,
-        "shown": listed.id != "S1",
-        "shares": [SHARE] if listed.id == "2A" else [],
+        "acceptance": row["accepted"],
+        "shown": claim_id != "S1",
+        "shares": [SHARE] if claim_id == "2A" else [],
         "reason": "holds as it should",
-        "verdict": "differs" if listed.id == "S1" else "reproduced",
-        "note": "Measured <script>twice</script>." if listed.id == "2A" else "",
+        "verdict": "differs" if claim_id == "S1" else "reproduced",
+        "note": "Measured <script>twice</script>." if claim_id == "2A" else "",
     }
 
 
 class Project:
-    """At first, it has nothing but the list of claims and the page about it."""
+    """At first, it has nothing but the page about claims."""
 
     def __init__(self, root):
         self.root = Path(root)
         self.results = self.root / "results"
         self.page = self.results / "index.html"
-        table = "recipes/common/claims/claims.toml"
-        for path in (table, "docs/claims.md"):
-            spill(self.root / path, (ROOT / path).read_bytes())
-        self.listed = listed_claims(self.root)
-
-    def judged(self):
-        """The claims with results."""
-        return [listed for listed in self.listed if listed.id not in NOT_RUN]
+        spill(self.root / "docs/claims.md", (ROOT / "docs/claims.md").read_bytes())
 
     def make_recipes(self):
-        for name in {listed.recipe for listed in self.listed} | {"fig10"}:
+        for name in {row["recipe"] for row in table().values()} | {"fig10"}:
             self.make_recipe(name)
 
     def make_recipe(self, name):
         spill(self.root / f"recipes/{name}/rules.smk", "")
         spill(self.root / f"recipes/{name}/README.md", README.format(name=name))
-        claims = [result(c) for c in self.listed if c.recipe == name and c.id not in NOT_RUN]
+        claims = [result(claim) for claim in JUDGED if table()[claim]["recipe"] == name]
         if claims:
             results = self.results / name
             spill(results / "claims.json", json.dumps(claims))

@@ -1,5 +1,6 @@
 """The judge of claims: conditions, shares and the four verdicts, and the table of claims itself."""
 
+import tomllib
 from math import isfinite
 from unittest import mock
 
@@ -183,6 +184,10 @@ class TestJudge:
 
 
 class TestTable:
+    def test_no_claim_belongs_to_two_recipes(self):
+        recipes = tomllib.loads(judge.TABLE.read_text(encoding="utf-8"))
+        assert sum(map(len, recipes.values())) == len(table())
+
     def test_every_row_is_complete(self):
         for claim_id, row in table().items():
             assert {"recipe", "says", "accepted", "conditions"} <= set(row)

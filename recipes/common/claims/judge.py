@@ -27,6 +27,7 @@ from claims.claim import (
     plural,
     split_unit,
 )
+from rupture.errors import Failure
 
 TABLE = Path(__file__).with_name("claims.toml")
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
@@ -37,7 +38,12 @@ RELATIONS = {"at_least": ge, "at_most": le, "above": gt, "below": lt}
 
 @cache
 def table():
-    return tomllib.loads(TABLE.read_text(encoding="utf-8"))
+    """{claim id: its row, with its recipe}"""
+    try:
+        recipes = tomllib.loads(TABLE.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise Failure(f"The claims in {TABLE} cannot be read ({error}).") from error
+    return {name: row | {"recipe": r} for r, rows in recipes.items() for name, row in rows.items()}
 
 
 def in_order(claims):

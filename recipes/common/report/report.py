@@ -19,12 +19,13 @@ from markupsafe import Markup
 import origin
 from caption import as_html, filled, of_files, seen
 from claims.claim import STANDINGS, Claim, number, read_claims
+from claims.judge import table
 from claims.own_result import OwnResult, read_own
 from rupture.replacing import write_whole
 from readme import update_readme
 from crate import CRATE, write_crate
 from picture import Picture, find_movie, glance_picture, picture
-from runs.recipes import label, listed_claims, natural, read_readme, recipe_names
+from runs.recipes import label, natural, read_readme, recipe_names
 from rupture.errors import Failure
 from runs.written import take_names
 from symbols import typeset
@@ -104,19 +105,18 @@ def read_recipe(root, name, shown, accounts):
 # --- all claims ----------------------------------------------------------------------------
 
 
-def results_by_id(recipes, listed):
-    """{claim id: (its recipe, claim)}"""
-    known = {claim.id for claim in listed}
+def rows_of(recipes):
+    """[(recipe, claim), ...] in the order of claims.toml."""
     found = {}
     for recipe in recipes:
         for claim in recipe.claims:
             path = f"results/{recipe.name}/claims.json"
-            if claim.id not in known:
+            if claim.id not in table():
                 raise Failure(f"{path} has a claim '{claim.id}' that claims.toml does not list.")
             if claim.id in found:
                 raise Failure(f"Claim '{claim.id}' is in {path} although it was found before.")
             found[claim.id] = recipe, claim
-    return found
+    return [found[claim_id] for claim_id in table() if claim_id in found]
 
 
 def how_verdicts_come_about(root, shown):
@@ -138,18 +138,16 @@ def duration(seconds):
 
 def contents(root):
     accounts = origin.Accounts(root)
-    listed = listed_claims(root)
     names = [name for name in recipe_names(root) if claims_path(root, name).exists()]
     recipes = [read_recipe(root, name, names, accounts) for name in names]
-    results = results_by_id(recipes, listed)
-    rows = [(claim, *results[claim.id]) for claim in listed if claim.id in results]
+    rows = rows_of(recipes)
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs = accounts.jobs(files)
     return {
         "recipes": recipes,
         "rows": rows,
-        "listed": len(listed),
-        "counts": [(sum(result.standing == s for *_, result in rows), s) for s in STANDINGS],
+        "listed": len(table()),
+        "counts": [(sum(claim.standing == s for _, claim in rows), s) for s in STANDINGS],
         "movie": find_movie(root / "results"),
         "glance": glance_picture(root, [claim for recipe in recipes for claim in recipe.claims]),
         "verdicts": how_verdicts_come_about(root, names),
@@ -192,7 +190,7 @@ def main(folder="."):
         write_crate(root)
         if len(content["rows"]) == content["listed"]:
             own = [result for recipe in content["recipes"] for result in recipe.own]
-            update_readme(root, [claim for *_, claim in content["rows"]], own)
+            update_readme(root, [claim for _, claim in content["rows"]], own)
         print(f"Report: {path}", flush=True)
     except (Failure, FileExistsError) as problem:
         sys.exit(f"report.py: {problem}")

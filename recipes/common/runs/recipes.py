@@ -1,10 +1,7 @@
-"""The recipes, their READMEs, and the list of claims."""
+"""The recipes and their READMEs."""
 
 import re
-import tomllib
 from dataclasses import dataclass
-
-from reproduce.project import Failure
 
 
 def natural(name):
@@ -64,27 +61,3 @@ def read_readme(path):
         commands=commands_in(lines[:start] + lines[end:]),
         caption="\n".join(lines[start + 1 : end]).strip(),
     )
-
-
-# --- the list of claims --------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class ListedClaim:
-    id: str
-    recipe: str
-    claim: str
-    acceptance: str
-
-
-def listed_claims(root):
-    """All claims, in the order of recipes/common/claims/claims.toml."""
-    path = root / "recipes/common/claims/claims.toml"
-    try:
-        rows = tomllib.loads(path.read_text(encoding="utf-8"))
-        return [
-            ListedClaim(claim_id, row["recipe"], row["says"], row["accepted"])
-            for claim_id, row in rows.items()
-        ]
-    except (OSError, ValueError, KeyError) as error:
-        raise Failure(f"The claims in {path} cannot be read ({error}).") from error
