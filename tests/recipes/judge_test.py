@@ -4,7 +4,7 @@ import tomllib
 from math import isfinite
 from unittest import mock
 
-from pytest import raises
+from pytest import mark, raises
 
 from claims import judge
 from claims.claim import VERDICTS
@@ -33,6 +33,7 @@ MADE_UP = {
     "unstated": ROW | {"unit": "", "conditions": {}},
 }
 GOOD, BAD = {"x": 3}, {"x": 1}
+LOW, HIGH = {"x": 0}, {"x": 2}
 
 
 def is_finite(bound):
@@ -46,6 +47,53 @@ def units(good, bad, **others):
         for n, of_unit in enumerate(measured.values()):
             of_unit[name] = [GOOD if n < count else BAD]
     return measured
+
+
+def seeds(held, other):
+    return {
+        f"{n}": {PRIMARY: [LOW if n < held else HIGH], "other": [LOW if n < other else HIGH]}
+        for n in range(5)
+    }
+
+
+FEW = "(primary); too few loads for a verdict"
+OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
+    (GOOD, units(20, 0), "reproduced", "holds as shown and in at least 20 of 20 loads (primary)"),
+    (GOOD, units(14, 6), "reproduced", "14 of 20 loads (primary)"),  # one exists: above a half
+    (GOOD, units(13, 7), "depends", f"holds as shown; in 13 of 20 loads {FEW}"),
+    (GOOD, units(9, 11), "depends", "9 of 20 loads (primary)"),
+    (BAD, units(20, 0), "depends", "does not hold as shown; in 20 of 20 loads (primary)"),
+    (BAD, units(1, 19), "differs", "not hold as shown, and in at most 1 of 20 loads (primary)"),
+    (BAD, units(2, 18), "depends", f"2 of 20 loads {FEW}"),
+    (BAD, units(4, 16), "depends", f"4 of 20 loads {FEW}"),
+    (BAD, units(5, 15), "depends", "5 of 20 loads (primary)"),
+    (GOOD, units(20, 0, other=3), "depends", "holds as shown; in 3 of 20 loads (other)"),
+    (GOOD, units(20, 0, other=13), "depends", "(other); too few loads for a verdict"),
+    (GOOD, units(20, 0, other=14), "reproduced", "14 of 20 loads (other)"),
+    (BAD, units(0, 20, other=2), "depends", "2 of 20 loads (other); too few loads for a verdict"),
+]
+JUDGED = [  # a claim, the shown case, what was measured beside it, and the same
+    ("alone", LOW, {}, "reproduced", "holds"),
+    ("alone", HIGH, {}, "differs", "does not hold"),
+    ("one", GOOD, {}, "reproduced", "shown case only: holds"),
+    ("one", None, {}, "not comparable", "it could not be measured"),
+    ("unstated", None, {}, "not comparable", "states nothing to compare with; ours is reported"),
+    *(("one", shown, {"units": found}, *said) for shown, found, *said in OVER_UNITS),
+    ("state", LOW, {"units": seeds(3, 3)}, "reproduced", "holds under all 2 conventions"),
+    ("state", LOW, {"units": seeds(3, 2)}, "depends", "except under other (of 2 conventions)"),
+    ("state", LOW, {"units": seeds(2, 0)}, "differs", "does not hold under all 2 conventions"),
+    ("alone", LOW, {"others": {"other": LOW}}, "reproduced", "holds under all 2 conventions"),
+    ("alone", HIGH, {"others": {"other": HIGH}}, "differs", "not hold under all 2 conventions"),
+    ("alone", LOW, {"others": {"other": HIGH}}, "depends", "except under other (of 2 conventions)"),
+    (
+        "alone",
+        HIGH,
+        {"others": {"other": LOW}},
+        "depends",
+        "except under primary (of 2 conventions)",
+    ),
+    ("alone", None, {"others": {"other": LOW}}, "not comparable", "could not be measured"),
+]
 
 
 @mock.patch.object(judge, "table", lambda: MADE_UP)
@@ -88,87 +136,30 @@ class TestJudge:
         assert not holds("one", [BAD])
         assert not holds("one", [])
 
-    def test_without_units_the_shown_case_decides_and_says_so(self):
-        assert judged("alone", {}, {"x": 0}).verdict == "reproduced"
-        assert judged("alone", {}, {"x": 2}).verdict == "differs"
-        assert judged("one", {}, GOOD).reason == "shown case only: holds"
-        assert judged("one", {}, None).verdict == "not comparable"
+    @mark.parametrize("claim_id, shown, beside, verdict, reason", JUDGED)
+    def test_a_verdict_and_its_reason(self, claim_id, shown, beside, verdict, reason):
+        claim = judged(claim_id, {}, shown, **beside)
+        because, _, wanted = claim.reason.partition(" (wanted ")
+        assert (claim.verdict, because[-len(reason) :]) == (verdict, reason)
+        assert bool(wanted) == (claim.shown is False)
+        assert bool(claim.shares) == ("units" in beside)
 
-    def test_without_conditions_there_is_nothing_to_compare_with(self):
-        claim = judged("unstated", {"x": 3}, None)
-        assert claim.verdict == "not comparable"
-        assert "states nothing" in claim.reason
-
-    def test_verdicts_go_by_the_shown_case_and_the_shares(self):
-        for shown, measured, verdict in (
-            (GOOD, units(20, 0), "reproduced"),
-            (GOOD, units(14, 6), "reproduced"),  # one exists: the interval is above a half
-            (GOOD, units(13, 7), "depends"),
-            (BAD, units(20, 0), "depends"),
-            (BAD, units(1, 19), "differs"),
-            (BAD, units(2, 18), "depends"),
-            (GOOD, units(20, 0, other=13), "depends"),
-            (GOOD, units(20, 0, other=14), "reproduced"),
-            (BAD, units(0, 20, other=2), "depends"),
-        ):
-            claim = judged("one", {}, shown, measured)
-            assert claim.verdict == verdict, claim.reason
-
-    def test_says_when_there_are_too_few_units(self):
-        for shown, measured, few in (
-            (GOOD, units(13, 7), True),
-            (GOOD, units(9, 11), False),
-            (BAD, units(4, 16), True),
-            (BAD, units(5, 15), False),
-        ):
-            reason = judged("one", {}, shown, measured).reason
-            assert ("; too few loads for a verdict" in reason) == few, reason
+    def test_one_state_has_a_share_without_interval(self):
+        shares = judged("state", {}, LOW, seeds(3, 3)).shares
+        assert [(s.units, s.low, s.high) for s in shares] == 2 * [(1, None, None)]
 
     def test_a_unit_counts_under_its_conventions_only(self):
         measured = units(20, 0)
         for number in range(9):
             measured[f"{number}"]["other"] = [GOOD] if number else []
         claim = judged("one", {}, GOOD, measured)
-        assert (claim.shares[1].holds, claim.shares[1].units) == (8, 9)
+        _, other = claim.shares
+        assert (other.convention, other.holds, other.units) == ("other", 8, 9)
 
     def test_counts_spanning_events_where_one_is_enough(self):
         good, bad = GOOD | {"spans": "yes"}, BAD | {"spans": "yes"}
         loads = {f"{n}": {PRIMARY: [good, bad, bad, BAD | {"spans": "no"}]} for n in range(20)}
         assert judged("one", {}, GOOD, loads).reason.endswith("; 20 of 60 spanning events")
-
-    def test_the_majority_of_its_seeds_speaks_for_one_state(self):
-        low, high = [{"x": 0}], [{"x": 2}]
-        for held, other, verdict in ((3, 3, "reproduced"), (3, 2, "depends"), (2, 0, "differs")):
-            seeds = {
-                f"seed {n}": {
-                    PRIMARY: low if n < held else high,
-                    "other": low if n < other else high,
-                }
-                for n in range(5)
-            }
-            claim = judged("state", {}, low[0], seeds)
-            assert claim.verdict == verdict, claim.reason
-            assert [(s.units, s.low, s.high) for s in claim.shares] == 2 * [(1, None, None)]
-
-    def test_one_state_is_judged_under_each_convention(self):
-        low, high = {"x": 0}, {"x": 2}
-        for shown, other, verdict in (
-            (low, low, "reproduced"),
-            (high, high, "differs"),
-            (low, high, "depends"),
-            (high, low, "depends"),
-            (None, low, "not comparable"),
-        ):
-            claim = judged("alone", {}, shown, others={"other": other})
-            assert claim.verdict == verdict, claim.reason
-            assert claim.shares == []
-        claim = judged("alone", {}, low, others={"other": high})
-        assert claim.reason == "holds except under other (of 2 conventions)"
-
-    def test_names_the_convention_that_decides(self):
-        claim = judged("one", {}, GOOD, units(20, 0, other=3))
-        assert claim.reason == "holds as shown; in 3 of 20 loads (other)"
-        assert [share.convention for share in claim.shares] == [PRIMARY, "other"]
 
     def test_interval(self):
         assert interval(0, 20)[0] == 0
