@@ -47,7 +47,7 @@ FRONT = {"x": [0, 0.07], "L": 0.14, "c_s": 968, "t_rupture": [1.0, None], "v_c":
 
 def update(root, reason):
     share = Share("primary", 19, 20, 0.8, 1.0)
-    claim = Claim("2Aw", "paper", "accepted", "text", True, [share], "reproduced", reason)
+    claim = Claim("2Aw", "paper", "accepted", {}, True, [share], "reproduced", reason)
     readme.update_readme(root, [claim], [])
     return (root / readme.README).read_text()
 

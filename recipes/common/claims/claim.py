@@ -6,8 +6,10 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
+from rupture.errors import Failure
 from rupture.replacing import write_whole
 
+CLAIMS = "claims.json"  # a recipe has run if this is among its results
 REPRODUCED = "reproduced"
 DEPENDS = "depends"
 DIFFERS = "differs"
@@ -43,7 +45,7 @@ def plural(unit):
 
 @dataclass(frozen=True)
 class Claim:
-    """One row. `measured` is text, or numbers by name and unit: {"slow speed [m/s]": 9.8}. `shown`
+    """One row. `measured` has numbers by name and unit: {"slow speed [m/s]": 9.8}. `shown`
     says whether the claim holds for the case that the picture shows; None if that could not be
     measured. `note` says what a reader has to know to judge the verdict; where a claim differs,
     why."""
@@ -51,7 +53,7 @@ class Claim:
     id: str
     paper: str
     acceptance: str
-    measured: str | dict
+    measured: dict
     shown: bool | None
     shares: list  # of Share, the primary convention first
     verdict: str
@@ -84,9 +86,14 @@ def write_claims(path, claims):
 
 
 def read_claims(path):
-    with open(path, encoding="utf-8") as file:
-        claims = [Claim(**row) for row in json.load(file)]
-    return [replace(c, shares=[Share(**share) for share in c.shares]) for c in claims]
+    try:
+        claims = [Claim(**row) for row in json.loads(path.read_text(encoding="utf-8"))]
+        return [replace(c, shares=[Share(**share) for share in c.shares]) for c in claims]
+    except (OSError, ValueError, TypeError) as error:
+        recipe = path.parent.name
+        raise Failure(
+            f"{path} holds no table of claims ({error}): delete it and run ./reproduce.sh {recipe}."
+        ) from error
 
 
 # --- for readers ---------------------------------------------------------------------------
@@ -111,8 +118,6 @@ def split_unit(name):
 
 def measured_parts(measured):
     """{"speed [m/s]": 9.81} reads: speed = 9.81 m/s"""
-    if not isinstance(measured, dict):
-        return [str(measured)]
     parts = []
     for name, value in measured.items():
         quantity, unit = split_unit(name)

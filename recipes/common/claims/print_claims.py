@@ -1,13 +1,8 @@
-#!/usr/bin/env python3
-"""Prints claims as a table that fits into 100 columns: print_claims.py results/fig3/claims.json"""
+"""Claims on the terminal, as a table that fits into 100 columns."""
 
-import json
-import signal
-import sys
 import textwrap
-from pathlib import Path
 
-from claims.claim import STANDINGS, Share, read_claims
+from claims.claim import CLAIMS, STANDINGS, Share, read_claims
 
 SUMMARY = "summary.txt"  # what a recipe has to say beyond claims, beside its claims.json
 WIDTH = 100
@@ -51,22 +46,12 @@ def summary(claims):
     return ", ".join(f"{count} {name}" for name, count in counts.items() if count)
 
 
-def main(paths):
-    for path in map(Path, paths):
-        try:
-            claims = read_claims(path)
-        except (OSError, json.JSONDecodeError, TypeError, ValueError) as error:
-            sys.exit(f"print_claims.py: {path} holds no table of claims ({error}).")
-        folder = path.resolve().parent
-        print(f"\n{folder.name}: {summary(claims) or 'no claims of its own'}")
-        print()
-        if claims:
-            print_table(claims)
-        if (folder / SUMMARY).exists():
-            print((folder / SUMMARY).read_text(encoding="utf-8"))
-        print(f"Pictures and data: {folder}/")
-
-
-if __name__ == "__main__":
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `| head` is no error
-    main(sys.argv[1:])
+def print_claims(folder):
+    """Of the recipe with these results."""
+    claims = read_claims(folder / CLAIMS)
+    print(f"\n{folder.name}: {summary(claims) or 'no claims of its own'}\n")
+    if claims:
+        print_table(claims)
+    if (folder / SUMMARY).exists():
+        print((folder / SUMMARY).read_text(encoding="utf-8"))
+    print(f"Pictures and data: {folder}/")

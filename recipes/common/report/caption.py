@@ -23,8 +23,8 @@ LINK = re.compile(r'<a href="(?![a-z]+:|#)([^"]*)">(.*?)</a>', re.DOTALL)  # to 
 
 def value_text(claims, claim_id, name):
     """With its unit; NOT_RUN where the claim or the quantity is missing."""
-    measured = next((claim.measured for claim in claims if claim.id == claim_id), None)
-    if not isinstance(measured, dict) or name not in measured:
+    measured: dict = next((claim.measured for claim in claims if claim.id == claim_id), {})
+    if name not in measured:
         return NOT_RUN
     value, unit = measured[name], split_unit(name)[1]
     return number(value) if value is None else f"{number(value)}\u00a0{unit}".rstrip()

@@ -24,10 +24,6 @@ class Job:
     seconds: float
 
 
-def total(jobs):
-    return sum(job.seconds for job in jobs)
-
-
 def steps(jobs):
     """{rule: its jobs}, in the order in which the rules came first."""
     by_rule: dict[str, list] = {}

@@ -30,13 +30,6 @@ class Picture:
     alt: str  # what is seen, in words
 
 
-@dataclass(frozen=True)
-class Movie:
-    videos: list[tuple[str, str]]  # name and type, the preferred one first
-    animation: str | None
-    still: str | None
-
-
 def picture(path, alt):
     """Width and height stand in a PNG after its signature and the name of the first chunk."""
     with open(path, "rb") as file:
@@ -49,10 +42,12 @@ def picture(path, alt):
 
 
 def find_movie(results):
-    """The one in results/, whoever has made it; None if there is none."""
+    """The one in results/, whoever has made it; None if there is none. Of the videos, which have a
+    name and a type, the preferred one comes first."""
     videos = [(name, kind) for name, kind in VIDEOS.items() if (results / name).exists()]
     animation, still = (n if (results / n).exists() else None for n in (ANIMATION, STILL))
-    return Movie(videos, animation, still) if videos or animation else None
+    found = {"videos": videos, "animation": animation, "still": still}
+    return found if videos or animation else None
 
 
 def source_of(claims):

@@ -41,8 +41,8 @@ def short(value, digits=3):
 
 def row_of(result):
     """The share is that under the primary convention, the numbers those that sentences name."""
-    measured = result.measured if isinstance(result.measured, dict) else {}
-    numbers = {key: short(value) for key, value in measured.items() if (result.id, key) in PLACES}
+    found = result.measured.items()
+    numbers = {key: short(value) for key, value in found if (result.id, key) in PLACES}
     share = next(iter(getattr(result, "shares", [])), SimpleNamespace(holds="", units=""))
     verdict = getattr(result, "verdict", "")
     return [result.id, verdict, share.holds, share.units, json.dumps(numbers)]

@@ -10,21 +10,19 @@ import os
 import re
 import sys
 import time
-from dataclasses import dataclass
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
-from markupsafe import Markup
 
 import origin
 from caption import as_html, filled, of_files, seen
-from claims.claim import STANDINGS, Claim, number, read_claims
+from claims.claim import CLAIMS, STANDINGS, number, read_claims
 from claims.judge import table
-from claims.own_result import OwnResult, read_own
+from claims.own_result import read_own
 from rupture.replacing import write_whole
 from readme import update_readme
 from crate import CRATE, write_crate
-from picture import Picture, find_movie, glance_picture, picture
+from picture import find_movie, glance_picture, picture
 from runs.recipes import label, natural, read_readme, recipe_names
 from rupture.errors import Failure
 from runs.written import take_names
@@ -36,70 +34,32 @@ MANY_SUMS = 100
 SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
 
 
-@dataclass(frozen=True)
-class Recipe:
-    """One that has results."""
-
-    name: str
-    label: str  # of its figure; empty if it belongs to none
-    title: str
-    commands: str
-    caption: Markup
-    claims: list[Claim]
-    own: list[OwnResult]
-    pictures: list[Picture]
-    tables: list[str]
-    jobs: list[origin.Job]
-    sums: list[tuple[str, str]]
-
-
-# --- results of a recipe -------------------------------------------------------------------
-
-
-def claims_path(root, name):
-    """A recipe has run if this file is there."""
-    return root / "results" / name / "claims.json"
-
-
-def claims_of(root, name):
-    path = claims_path(root, name)
-    try:
-        return read_claims(path)
-    except (OSError, ValueError, TypeError) as error:
-        raise Failure(
-            f"{path} holds no table of claims ({error}): delete it and run ./reproduce.sh {name}."
-        ) from error
-
-
-def files_of(root, name, pattern):
+def files_of(folder, pattern):
     """The one with the name of the recipe comes first."""
-    paths = (root / "results" / name).glob(pattern)
-    return sorted(paths, key=lambda path: (path.stem != name, natural(path.name)))
+    return sorted(
+        folder.glob(pattern), key=lambda path: (path.stem != folder.name, natural(path.name))
+    )
 
 
-def read_recipe(root, name, shown, accounts):
-    readme = read_readme(root / "recipes" / name / "README.md")
-    claims = claims_of(root, name)
-    own = read_own(root / "results" / name)
-    folder = root / "results" / name
-    caption = filled(
-        of_files(readme.caption, {path.name for path in folder.iterdir()}), claims + own
-    )
-    files = accounts.files_behind(name)
-    pictures = files_of(root, name, "*.png")
-    return Recipe(
-        name=name,
-        label=label(name),
-        title=readme.title,
-        commands=readme.commands,
-        caption=as_html(caption, shown),
-        claims=claims,
-        own=own,
-        pictures=[picture(path, seen(path.name, readme.title, caption)) for path in pictures],
-        tables=[path.name for path in files_of(root, name, "*.csv")],
-        jobs=accounts.jobs(files),
-        sums=origin.checksums(root, files),
-    )
+class Recipe:
+    """One that has results, for its section; `shown` are all that have one."""
+
+    def __init__(self, root, name, shown, accounts):
+        folder = root / "results" / name
+        readme = read_readme(root / "recipes" / name / "README.md")
+        self.name, self.label = name, label(name)  # no label if it belongs to no figure
+        self.title, self.commands = readme.title, readme.commands
+        self.claims, self.own = read_claims(folder / CLAIMS), read_own(folder)
+        there = {path.name for path in folder.iterdir()}
+        caption = filled(of_files(readme.caption, there), self.claims + self.own)
+        self.caption = as_html(caption, shown)
+        self.pictures = [
+            picture(path, seen(path.name, readme.title, caption))
+            for path in files_of(folder, "*.png")
+        ]
+        self.tables = [path.name for path in files_of(folder, "*.csv")]
+        files = accounts.files_behind(name)
+        self.jobs, self.sums = accounts.jobs(files), origin.checksums(root, files)
 
 
 # --- all claims ----------------------------------------------------------------------------
@@ -138,8 +98,8 @@ def duration(seconds):
 
 def contents(root):
     accounts = origin.Accounts(root)
-    names = [name for name in recipe_names(root) if claims_path(root, name).exists()]
-    recipes = [read_recipe(root, name, names, accounts) for name in names]
+    names = [name for name in recipe_names(root) if (root / "results" / name / CLAIMS).exists()]
+    recipes = [Recipe(root, name, names, accounts) for name in names]
     rows = rows_of(recipes)
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs = accounts.jobs(files)
@@ -173,7 +133,6 @@ def render(content):
         duration=duration,
         number=number,
         steps=origin.steps,
-        total=origin.total,
         typeset=typeset,
     )
     environment.globals.update(SMALL=SMALL, MANY=MANY, MANY_SUMS=MANY_SUMS)

@@ -3,7 +3,6 @@
 import json
 import os
 import re
-import subprocess
 import sys
 import time
 from dataclasses import dataclass
@@ -111,14 +110,9 @@ def note_run(recipes, place, started):
         print(json.dumps(run), file=file)
 
 
-def print_claims(recipes):
-    tables = [RESULTS / recipe / "claims.json" for recipe in recipes]
-    command = [sys.executable, "recipes/common/claims/print_claims.py", *tables]
-    if subprocess.run(command, check=False).returncode:
-        raise Failure(f"the claims of {' '.join(recipes)} cannot be shown.")
-
-
 def reproduce(request, recipes, processes):
+    from claims.print_claims import print_claims  # here, because it loads NumPy
+
     place = prepare(request, processes)
     names = " ".join(recipes)
     say(f"Computing {names} {place.name} ...")
@@ -130,7 +124,8 @@ def reproduce(request, recipes, processes):
             f"{names} could not be completed; the message above says why (log: {LOGS}/recipes.log)."
         )
     note_run(recipes, place, started)
-    print_claims(recipes)
+    for name in recipes:
+        print_claims((RESULTS / name).resolve())
 
 
 def is_current(path):
