@@ -3,7 +3,6 @@
 import json
 import os
 import re
-import shlex
 import subprocess
 from pathlib import Path
 
@@ -11,34 +10,37 @@ from rupture.errors import Failure
 from reproduce.project import LOGS, say, use_own_environment
 from reproduce.processes import build, ensure_packages, set_up
 
-CPPCHECK = (
-    "cppcheck --quiet --std=c++20 --language=c++ --enable=warning,style,performance,portability"
-    " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"
-    " -I include -I src -I src/tools -I tests include src tests benchmarks -j"
+CPP = "find include src tests benchmarks -name '*.[ch]pp' -o -name '*.h' | sort"
+SHELL = (
+    "reproduce.sh .ci/run src/tools/reproduce recipes/common/*/*.sh packaging/*.sh"
+    " recipes/common/profiles/*/{job.sh,step} tests/*/*.sh tests/regression/project/*.sh"
 )
 PYTHON = "python recipes src tests"
 TEXTS = f"{PYTHON} README.md CONTRIBUTING.md docs include benchmarks packaging reproduce.sh"
-SPELLING = "-q 3 -S *.h5,*.png,*/corpus/* -L coul,crate,kinf,libary,lod,nd,statics,untill"
+CPPCHECK = (
+    "cppcheck --quiet --std=c++20 --language=c++ --enable=warning,style,performance,portability"
+    " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"
+    " -I include -I src -I src/tools -I tests include src tests benchmarks -j $0"
+)
+SPELLING = "-q 3 -S '*.h5,*.png,*/corpus/*' -L coul,crate,kinf,libary,lod,nd,statics,untill"
 LAYOUT = {"clang-format": "14", "black": "23"}  # Debian 12's versions: others differ
-# By Debian's programs: other versions may demand another layout.
+# In bash; $0 is the number of cores. By Debian's programs: others may demand another layout.
 CHECKS = {
-    "/usr/bin/clang-format --dry-run -Werror": "clang-format would change the files above"
-    " (clang-format -i FILE).",
+    f"{CPP} | xargs /usr/bin/clang-format --dry-run -Werror": "clang-format would change the files"
+    " above (clang-format -i FILE).",
     f"/usr/bin/black --check --diff --quiet {PYTHON}": "black would change this (black FILE).",
     f"/usr/bin/flake8 {PYTHON}": "flake8 reported the problems above (.flake8 lists exceptions).",
     "/usr/bin/mypy --no-error-summary": "mypy reported the problems above.",
-    "shellcheck": "shellcheck reported the problems above.",
+    f"shellcheck {SHELL}": "shellcheck reported the problems above.",
     "reuse lint --quiet": "Some files have no licence (reuse lint lists them): add it to"
     " .reuse/dep5.",
     CPPCHECK: "cppcheck reported the problems above (.cppcheck lists exceptions).",
     f"codespell {SPELLING} {TEXTS}": "codespell reported the typos above.",
-    f"bash -c '! grep -rnif .phrases {TEXTS}'": "The lines above are not plain English (.phrases).",
+    f"! grep -rnif .phrases {TEXTS}": "The lines above are not plain English (.phrases).",
 }
-SHELL_SCRIPTS = (
-    *("reproduce.sh", ".ci/run", "src/tools/reproduce"),
-    "recipes/common/*/*.sh",
-    *("recipes/common/profiles/*/job.sh", "recipes/common/profiles/*/step", "tests/*/*.sh"),
-    *("tests/regression/project/*.sh", "packaging/*.sh"),
+TIDY = (
+    "find src -name '*.cpp' | sort | xargs -P $0 -n 1 clang-tidy -p build/check --quiet"
+    " 2> >(grep -v ' warnings\\? ' >&2)"
 )
 
 
@@ -80,12 +82,6 @@ def test_slurm(request, processes):
     return run_ctest(processes, "slurm", "slurm.log", 1)
 
 
-def sources(*endings):
-    folders = ("include", "src", "tests", "benchmarks")
-    found = (path for folder in folders for path in Path(folder).rglob("*"))
-    return sorted(str(path) for path in found if path.suffix in endings and path.is_file())
-
-
 def defines_layout(program):
     """Whether this version does. Another one is an error in CI only, which must check all."""
     said = subprocess.run([program, "--version"], capture_output=True, check=True, text=True).stdout
@@ -100,19 +96,11 @@ def defines_layout(program):
     return version == LAYOUT[name]
 
 
-def words_behind(program, cores):
-    """What a command of CHECKS has behind its options."""
-    if program == "clang-format":
-        return sources(".cpp", ".hpp", ".h")
-    if program == "shellcheck":
-        return [str(path) for pattern in SHELL_SCRIPTS for path in sorted(Path().glob(pattern))]
-    return [str(cores)] if program == "cppcheck" else []
-
-
 def compile_commands():
     """Each C++ file and header by itself; a header that a source includes first, with that."""
     first = re.compile(r'#include ["<](.+)[">]')
-    found = [first.search(Path(path).read_text()) for path in sources(".cpp")]
+    sources = [path for one in ("src", "tests", "benchmarks") for path in Path(one).rglob("*.cpp")]
+    found = [first.search(path.read_text()) for path in sources]
     included = tuple(f"/{each[1]}" for each in found if each)
     for entry in json.loads(Path("build/check/compile_commands.json").read_text()):
         if Path(entry["file"]).exists() and not entry["file"].endswith(included):
@@ -133,11 +121,10 @@ def check_sources(request, processes):
     """Without the headers of libraries, which the compiler sees, cppcheck takes seconds."""
     ensure_packages(processes, "build", "run", "check")
     for command, sentence in CHECKS.items():
-        program, *options = shlex.split(command)
-        name = Path(program).name
-        if name in LAYOUT and not defines_layout(program):
+        layout = re.search("/usr/bin/(clang-format|black) ", command)
+        if layout and not defines_layout(layout[0].strip()):
             continue
-        if processes.run([program, *options, *words_behind(name, request.cores)]):
+        if processes.run(["bash", "-c", command, str(request.cores)]):
             raise Failure(sentence)
     compile_each_alone(request, processes)
     say("No problems were found in the sources.")
@@ -147,11 +134,6 @@ def tidy_sources(request, processes):
     """The counts of what clang-tidy found in the headers of libraries are left out."""
     ensure_packages(processes, "build", "run", "check")
     set_up(processes, "configure", "check")
-    files = "\n".join(path for path in sources(".cpp") if path.startswith("src/"))
-    tidy = (
-        f'xargs -P {request.cores} -n 1 clang-tidy -p build/check --quiet <<< "$0"'
-        " 2> >(grep -v ' warnings\\? ' >&2)"
-    )
-    if processes.run(["bash", "-c", tidy, files]):
+    if processes.run(["bash", "-c", TIDY, str(request.cores)]):
         raise Failure("clang-tidy reported the problems above (.clang-tidy lists exceptions).")
     say("clang-tidy found no problems in the sources.")
