@@ -41,13 +41,21 @@ OF_THE_PAGE = ("claims.pdf", "claims.png", *VIDEOS, ANIMATION)
 
 
 def entity(identity, kind, **properties):
-    """Without the properties that are None or empty."""
-    known = {name: value for name, value in properties.items() if value}
-    return {"@id": identity, "@type": kind, **known}
+    return {"@id": identity, "@type": kind, **properties}
 
 
-def references(entities):
-    return [{"@id": each["@id"]} for each in entities]
+def flat(value, graph):
+    """What stands in a property. Of an entity that is a reference; the entity itself, with what is
+    nested in it and without empty properties, joins the graph: {id: entity}."""
+    if isinstance(value, list):
+        return [flat(each, graph) for each in value]
+    if not isinstance(value, dict):
+        return value
+    identity = value["@id"]
+    if len(value) > 1 and identity not in graph:
+        graph[identity] = {}  # comes before what is nested in it
+        graph[identity] = {name: flat(one, graph) for name, one in value.items() if one}
+    return {"@id": identity}
 
 
 def moment(seconds):
@@ -62,31 +70,26 @@ def named(kind, name, **properties):
     return entity(f"#{quote(name.replace(' ', '-'), safe='')}", kind, name=name, **properties)
 
 
-def origin_of_results():
-    """Entities of the programs, the licence, the paper and all authors, from CITATION.cff."""
+def software():
+    """With its licence and the paper, from CITATION.cff."""
     cited = yaml.safe_load(CITATION.read_text(encoding="utf-8"))
     paper = cited["references"][0]
-    people = [
-        named("Person", f"{given} {family}", givenName=given, familyName=family)
-        for given, family in ((one["given-names"], one["family-names"]) for one in paper["authors"])
-    ]
-    journal = named("Periodical", paper["journal"])
+    people = [(one["given-names"], one["family-names"]) for one in paper["authors"]]
     article = entity(
         paper["url"],
         "ScholarlyArticle",
         name=paper["title"],
-        author=references(people),
-        isPartOf={"@id": journal["@id"]},
+        author=[named("Person", " ".join(n), givenName=n[0], familyName=n[1]) for n in people],
+        isPartOf=named("Periodical", paper["journal"]),
         datePublished=str(paper["year"]),
     )
-    authors = [named("Organization", author["name"]) for author in cited["authors"]]
     licence = entity(
         f"https://spdx.org/licenses/{cited['license']}",
         "CreativeWork",
         name=f"{cited['license']} License",
         description="Free to use, change and pass on, with the notice of the licence",
     )
-    software = entity(
+    return entity(
         SOFTWARE,
         "SoftwareSourceCode",
         name=cited["title"],
@@ -95,36 +98,28 @@ def origin_of_results():
         keywords=cited["keywords"],
         programmingLanguage=["C++", "Python"],
         operatingSystem="Linux",
-        author=references(authors),
-        license={"@id": licence["@id"]},
-        citation={"@id": article["@id"]},
-    )
-    return [software, licence, article, journal, *people, *authors]
-
-
-def build(number, text):
-    """`text` is that of origin.builds()."""
-    version = re.match(r"rupture ([^,]+), ", text)
-    return entity(
-        f"#programs-{number}",
-        "SoftwareApplication",
-        name="rupture's programs",
-        version=version and version[1],
-        description=text,
+        author=[named("Organization", author["name"]) for author in cited["authors"]],
+        license=licence,
+        citation=article,
     )
 
 
-# --- files ---------------------------------------------------------------------------------
+def programs(texts):
+    """Of the texts of origin.builds()."""
+    name = "rupture's programs"
+    for number, text in enumerate(dict.fromkeys(texts), 1):
+        version = re.match(r"rupture ([^,]+), |", text)[1]
+        about = {"name": name, "version": version, "description": text}
+        yield text, entity(f"#programs-{number}", "SoftwareApplication", **about)
+
+
+# --- files and recipes ---------------------------------------------------------------------
 
 
 def file_entity(results, path, **properties):
-    return entity(
-        quote(str(path.relative_to(results))),
-        "File",
-        name=path.name,
-        encodingFormat=FORMATS.guess_type(path.name)[0],
-        **properties,
-    )
+    name = str(path.relative_to(results))
+    kind = FORMATS.guess_type(name)[0]
+    return entity(quote(name), "File", name=path.name, encodingFormat=kind, **properties)
 
 
 def whole_file(results, path):
@@ -133,101 +128,76 @@ def whole_file(results, path):
     return file_entity(results, path, contentSize=str(len(content)), sha256=digest)
 
 
-def folder_entity(name, title, files):
-    return entity(f"{quote(name)}/", "Dataset", name=title, hasPart=references(files))
-
-
-def checkpoints_behind(results, files):
-    """Checkpoints and records, by the checksums of their content."""
-    return [
-        file_entity(results, results / "data" / name, identifier=f"content-sha256:{checksum}")
-        for name, checksum in checksums(results.parent, files)
-        if (results / "data" / name).exists()
-    ]
-
-
 def files_of_run(results):
-    described = [
-        file_entity(results, results / name, description=text)
-        for name, text in OF_THE_RUN.items()
-        if (results / name).exists()
+    found = {name: results / name for name in (*OF_THE_RUN, *OF_THE_PAGE)}
+    return [
+        file_entity(results, path, description=OF_THE_RUN[name])
+        if name in OF_THE_RUN
+        else whole_file(results, path)
+        for name, path in found.items()
+        if path.exists()
     ]
-    pictures = [results / name for name in OF_THE_PAGE if (results / name).exists()]
-    return described + [whole_file(results, path) for path in pictures]
-
-
-# --- recipes -------------------------------------------------------------------------------
-
-
-def times(jobs):
-    if not jobs:
-        return {}
-    end = max(job.started + job.seconds for job in jobs)
-    return {"startTime": moment(jobs[0].started), "endTime": moment(end)}
 
 
 class Recipe:
-    """One that has results; `of_build` is {text of a build: its entity}, which grows."""
+    """One that has results: its folder, and how it was made."""
 
-    def __init__(self, root, name, accounts, of_build):
-        results = root / "results"
-        readme = read_readme(root / "recipes" / name / "README.md")
-        paths = sorted(path for path in (results / name).iterdir() if path.is_file())
+    def __init__(self, root, name, accounts):
+        self.results, self.name = root / "results", name
+        self.readme = read_readme(root / "recipes" / name / "README.md")
         behind = accounts.files_behind(name)
-        programs = sorted(text for text, _ in builds(root, behind))
-        for text in programs:
-            of_build.setdefault(text, build(len(of_build) + 1, text))
-        self.files = [whole_file(results, path) for path in paths if path.suffix != ".part"]
-        self.checkpoints = checkpoints_behind(results, behind)
-        self.folder = folder_entity(name, readme.title, self.files)
-        self.action = entity(
-            f"#run-{name}",
+        self.jobs = accounts.jobs(behind)
+        self.programs = sorted(text for text, _ in builds(root, behind))
+        paths = sorted(path for path in (self.results / name).iterdir() if path.is_file())
+        files = [whole_file(self.results, path) for path in paths if path.suffix != ".part"]
+        self.folder = entity(f"{quote(name)}/", "Dataset", name=self.readme.title, hasPart=files)
+        self.checkpoints = [  # and records, by the checksums of their content
+            file_entity(self.results, path, identifier=f"content-sha256:{checksum}")
+            for each, checksum in checksums(root, behind)
+            if (path := self.results / "data" / each).exists()
+        ]
+
+    def action(self, source, built):
+        end = max((job.started + job.seconds for job in self.jobs), default=None)
+        return entity(
+            f"#run-{self.name}",
             "CreateAction",
-            name=f"./reproduce.sh {name}",
-            description=readme.commands,
-            **times(accounts.jobs(behind)),
-            instrument=[{"@id": SOFTWARE}, *references(of_build[text] for text in programs)],
-            object=references(self.checkpoints),
-            result=[{"@id": self.folder["@id"]}, *references(self.files)],
+            name=f"./reproduce.sh {self.name}",
+            description=self.readme.commands,
+            startTime=self.jobs and moment(self.jobs[0].started),
+            endTime=self.jobs and moment(end),
+            instrument=[source, *(built[text] for text in self.programs)],
+            object=self.checkpoints,
+            result=[self.folder, *self.folder["hasPart"]],
         )
-
-
-# --- the crate -----------------------------------------------------------------------------
 
 
 def crate(root, now):
     """The JSON-LD: a flat list of entities."""
-    results = root / "results"
-    software, *origin = origin_of_results()
-    accounts = Accounts(root)
-    of_build: dict[str, dict] = {}
+    results, source, accounts = root / "results", software(), Accounts(root)
     names = [name for name in recipe_names(root) if (results / name).is_dir()]
-    recipes = [Recipe(root, name, accounts, of_build) for name in names]
-    checkpoints = {each["@id"]: each for recipe in recipes for each in recipe.checkpoints}
+    recipes = [Recipe(root, name, accounts) for name in names]
+    built = dict(programs(text for recipe in recipes for text in recipe.programs))
     folders = [recipe.folder for recipe in recipes]
-    if checkpoints:
+    if checkpoints := {each["@id"]: each for one in recipes for each in one.checkpoints}:
         title = "Checkpoints and records, with the checksums of their content"
-        folders.append(folder_entity("data", title, checkpoints.values()))
-    of_run = files_of_run(results)
-    actions = [recipe.action for recipe in recipes]
-    descriptor = entity(
-        CRATE, "CreativeWork", conformsTo={"@id": SPECIFICATION}, about={"@id": "./"}
-    )
+        folders.append(entity("data/", "Dataset", name=title, hasPart=[*checkpoints.values()]))
     top = entity(
         "./",
         "Dataset",
-        name=f"Results of {software['name']}",
+        name=f"Results of {source['name']}",
         description="Figures, claims with their verdicts, and checkpoints, as ./reproduce.sh"
         " computed them to compare with the paper.",
         datePublished=moment(now),
-        license=software["license"],
-        citation=software["citation"],
-        hasPart=references(folders + of_run),
-        mentions=references(actions),
+        license=source["license"],
+        citation=source["citation"],
+        hasPart=folders + files_of_run(results),
+        mentions=[recipe.action(source, built) for recipe in recipes],
     )
-    files = [each for recipe in recipes for each in recipe.files]
-    entities = [descriptor, top, *folders, *of_run, *files, *checkpoints.values(), *actions]
-    return {"@context": CONTEXT, "@graph": [*entities, *of_build.values(), software, *origin]}
+    graph: dict[str, dict] = {}
+    about = {"conformsTo": {"@id": SPECIFICATION}, "about": {"@id": "./"}}
+    flat([entity(CRATE, "CreativeWork", **about), top, source], graph)
+    return {"@context": CONTEXT, "@graph": [*graph.values()]}
 
 
 def write_crate(root):
