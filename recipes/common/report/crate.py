@@ -31,13 +31,14 @@ CONTEXT = [f"{SPECIFICATION}/context", {"sha256": "http://schema.org/sha256"}]
 SOFTWARE = "#rupture"
 FORMATS = MimeTypes()  # Python's own table, whatever the machine has
 FORMATS.types_map[True][".jsonl"] = "application/jsonl"
-# Files of the whole run; those that hold times have no checksum here.
-OF_THE_RUN = {
+# Files of the whole run, with what they are. Those that hold times have no checksum here, the
+# pictures have one instead.
+OF_THE_RUN: dict[str, str | None] = {
     "index.html": "All figures and claims on one page",
     "jobs.jsonl": "Each job that was run: rule, command, inputs, outputs, start and time",
     "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
+    **dict.fromkeys(("claims.pdf", "claims.png", *VIDEOS, ANIMATION)),
 }
-OF_THE_PAGE = ("claims.pdf", "claims.png", *VIDEOS, ANIMATION)
 
 
 def entity(identity, kind, **properties):
@@ -104,13 +105,16 @@ def software():
     )
 
 
-def programs(texts):
-    """Of the texts of origin.builds()."""
-    name = "rupture's programs"
-    for number, text in enumerate(dict.fromkeys(texts), 1):
-        version = re.match(r"rupture ([^,]+), |", text)[1]
-        about = {"name": name, "version": version, "description": text}
-        yield text, entity(f"#programs-{number}", "SoftwareApplication", **about)
+def program(number, text):
+    """`text` is that of origin.builds()."""
+    version = re.match(r"rupture ([^,]+), ", text)
+    return entity(
+        f"#programs-{number}",
+        "SoftwareApplication",
+        name="rupture's programs",
+        version=version and version[1],
+        description=text,
+    )
 
 
 # --- files and recipes ---------------------------------------------------------------------
@@ -129,57 +133,51 @@ def whole_file(results, path):
 
 
 def files_of_run(results):
-    found = {name: results / name for name in (*OF_THE_RUN, *OF_THE_PAGE)}
     return [
-        file_entity(results, path, description=OF_THE_RUN[name])
-        if name in OF_THE_RUN
-        else whole_file(results, path)
-        for name, path in found.items()
-        if path.exists()
+        file_entity(results, path, description=text) if text else whole_file(results, path)
+        for name, text in OF_THE_RUN.items()
+        if (path := results / name).exists()
     ]
 
 
-class Recipe:
-    """One that has results: its folder, and how it was made."""
-
-    def __init__(self, root, name, accounts):
-        self.results, self.name = root / "results", name
-        self.readme = read_readme(root / "recipes" / name / "README.md")
-        behind = accounts.files_behind(name)
-        self.jobs = accounts.jobs(behind)
-        self.programs = sorted(text for text, _ in builds(root, behind))
-        paths = sorted(path for path in (self.results / name).iterdir() if path.is_file())
-        files = [whole_file(self.results, path) for path in paths if path.suffix != ".part"]
-        self.folder = entity(f"{quote(name)}/", "Dataset", name=self.readme.title, hasPart=files)
-        self.checkpoints = [  # and records, by the checksums of their content
-            file_entity(self.results, path, identifier=f"content-sha256:{checksum}")
-            for each, checksum in checksums(root, behind)
-            if (path := self.results / "data" / each).exists()
-        ]
-
-    def action(self, source, built):
-        end = max((job.started + job.seconds for job in self.jobs), default=None)
-        return entity(
-            f"#run-{self.name}",
-            "CreateAction",
-            name=f"./reproduce.sh {self.name}",
-            description=self.readme.commands,
-            startTime=self.jobs and moment(self.jobs[0].started),
-            endTime=self.jobs and moment(end),
-            instrument=[source, *(built[text] for text in self.programs)],
-            object=self.checkpoints,
-            result=[self.folder, *self.folder["hasPart"]],
-        )
+def run_of(root, name, accounts, source, built):
+    """A recipe that has results: what they were made from, and its folder. `built` are programs by
+    the texts of origin.builds()."""
+    results, behind = root / "results", accounts.files_behind(name)
+    readme = read_readme(root / "recipes" / name / "README.md")
+    paths = sorted(path for path in (results / name).iterdir() if path.is_file())
+    files = [whole_file(results, path) for path in paths if path.suffix != ".part"]
+    checkpoints = [  # and records, by the checksums of their content
+        file_entity(results, results / "data" / each, identifier=f"content-sha256:{checksum}")
+        for each, checksum in checksums(root, behind)
+        if (results / "data" / each).exists()
+    ]
+    programs = [
+        built.setdefault(text, program(len(built) + 1, text))
+        for text, _ in sorted(builds(root, behind))
+    ]
+    jobs = accounts.jobs(behind)
+    return entity(
+        f"#run-{name}",
+        "CreateAction",
+        name=f"./reproduce.sh {name}",
+        description=readme.commands,
+        startTime=jobs and moment(jobs[0]["started"]),
+        endTime=jobs and moment(max(job["started"] + job["seconds"] for job in jobs)),
+        instrument=[source, *programs],
+        object=checkpoints,
+        result=[entity(f"{quote(name)}/", "Dataset", name=readme.title, hasPart=files), *files],
+    )
 
 
 def crate(root, now):
     """The JSON-LD: a flat list of entities."""
     results, source, accounts = root / "results", software(), Accounts(root)
     names = [name for name in recipe_names(root) if (results / name).is_dir()]
-    recipes = [Recipe(root, name, accounts) for name in names]
-    built = dict(programs(text for recipe in recipes for text in recipe.programs))
-    folders = [recipe.folder for recipe in recipes]
-    if checkpoints := {each["@id"]: each for one in recipes for each in one.checkpoints}:
+    built: dict[str, dict] = {}
+    runs = [run_of(root, name, accounts, source, built) for name in names]
+    folders = [run["result"][0] for run in runs]
+    if checkpoints := {each["@id"]: each for run in runs for each in run["object"]}:
         title = "Checkpoints and records, with the checksums of their content"
         folders.append(entity("data/", "Dataset", name=title, hasPart=[*checkpoints.values()]))
     top = entity(
@@ -192,7 +190,7 @@ def crate(root, now):
         license=source["license"],
         citation=source["citation"],
         hasPart=folders + files_of_run(results),
-        mentions=[recipe.action(source, built) for recipe in recipes],
+        mentions=runs,
     )
     graph: dict[str, dict] = {}
     about = {"conformsTo": {"@id": SPECIFICATION}, "about": {"@id": "./"}}

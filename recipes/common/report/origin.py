@@ -7,7 +7,7 @@ import platform
 import re
 import subprocess
 from collections import Counter
-from dataclasses import dataclass
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -16,38 +16,25 @@ import h5py
 from runs.recipes import natural
 
 
-@dataclass(frozen=True)
-class Job:
-    rule: str
-    command: str
-    started: float  # [s] since 1970
-    seconds: float
-
-
 def steps(jobs):
     """{rule: its jobs}, in the order in which the rules came first."""
-    by_rule: dict[str, list] = {}
-    for job in jobs:
-        by_rule.setdefault(job.rule, []).append(job)
-    return by_rule
+    rules = dict.fromkeys(job["rule"] for job in jobs)
+    return {rule: [job for job in jobs if job["rule"] == rule] for rule in rules}
 
 
-def read_accounts(path):
-    """{output: what is noted of the job that made it last}"""
-    accounts: dict[str, dict] = {}
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    for line in lines:
-        try:
-            job = json.loads(line)
-        except ValueError:
-            continue  # its end is missing: the run was killed
-        accounts |= {output: job for output in job["output"]}
-    return accounts
+def noted(path):
+    """The JSON in each line of a file. Where the end of a line is missing, the run was killed."""
+    for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else []:
+        with suppress(ValueError):
+            yield json.loads(line)
 
 
 class Accounts:
+    """What is noted of the job that made a file last, by file."""
+
     def __init__(self, root):
-        self.by_output = read_accounts(root / "results/jobs.jsonl")
+        jobs = noted(root / "results/jobs.jsonl")
+        self.by_output = {output: job for job in jobs for output in job["output"]}
 
     def files_behind(self, recipe):
         """The results of a recipe and all files they were made from, directly or not."""
@@ -64,8 +51,7 @@ class Accounts:
         """The jobs that made the files, in the order in which they started."""
         accounts = [self.by_output[path] for path in files if path in self.by_output]
         found = {(job["rule"], *job["output"]): job for job in accounts}
-        jobs = [Job(*map(job.get, Job.__annotations__)) for job in found.values()]
-        return sorted(jobs, key=lambda job: (job.started, job.rule))
+        return sorted(found.values(), key=lambda job: (job["started"], job["rule"]))
 
 
 @cache
@@ -121,13 +107,9 @@ def processor():
 def last_run(root, jobs):
     """The last run that computed any of the jobs, as ./reproduce.sh noted it, and how many; None
     if there was none."""
-    try:
-        lines = (root / "results/runs.jsonl").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return None
-    for run in map(json.loads, reversed(lines)):
+    for run in reversed([*noted(root / "results/runs.jsonl")]):
         end = run["started"] + run["seconds"] + 1  # both are whole seconds
-        count = sum(run["started"] <= job.started < end for job in jobs)
+        count = sum(run["started"] <= job["started"] < end for job in jobs)
         if count > 0:
             return run | {"jobs": count}
     return None
