@@ -14,31 +14,25 @@ from symbols import typeset_html
 
 NOT_RUN = "not run"
 PLACE = re.compile(r"\{(\w+):\s([^{}]+)\}")  # {claim: quantity [unit]}
-SENTENCE = re.compile(r"(?<=\.)\s+(?=[A-Z{])|\n\s*\n|\n(?=- )")  # what ends one, or an item
+SENTENCE = re.compile(r"((?<=\.)\s+(?=[A-Z{])|\n\s*\n|\n(?=- ))")  # what ends one, or an item
 LINK = re.compile(r'<a href="(?![a-z]+:|#)([^"]*)">(.*?)</a>', re.DOTALL)  # to a file
 
 
 # --- measured numbers ----------------------------------------------------------------------
 
 
-def value_text(claims, claim_id, name):
-    """With its unit; NOT_RUN where the claim or the quantity is missing."""
-    measured: dict = next((claim.measured for claim in claims if claim.id == claim_id), {})
-    if name not in measured:
-        return NOT_RUN
-    value, unit = measured[name], split_unit(name)[1]
+def value_text(name, value):
+    unit = split_unit(name)[1]
     return number(value) if value is None else f"{number(value)}\u00a0{unit}".rstrip()
 
 
-def filled_sentence(text, claims):
+def filled_sentence(text, known):
     """Nothing if it has places and none of them can be filled."""
-    values = [
-        value_text(claims, place[1], " ".join(place[2].split())) for place in PLACE.finditer(text)
-    ]
-    if values and set(values) == {NOT_RUN}:
+    places = [(claim_id, " ".join(name.split())) for claim_id, name in PLACE.findall(text)]
+    if places and not known.keys() & {*places}:
         return ""
-    remaining = iter(values)
-    return PLACE.sub(lambda _: next(remaining), text)
+    values = (known.get(place, NOT_RUN) for place in places)
+    return PLACE.sub(lambda _: next(values), text)
 
 
 def of_files(text, names):
@@ -50,9 +44,9 @@ def of_files(text, names):
 
 def filled(text, claims):
     """A place may go over the end of a line."""
-    ends = [end[0] for end in SENTENCE.finditer(text)] + [""]
-    sentences = [filled_sentence(sentence, claims) for sentence in SENTENCE.split(text)]
-    return "".join(sentence + end for sentence, end in zip(sentences, ends))
+    known = {(one.id, k): value_text(k, v) for one in claims for k, v in one.measured.items()}
+    parts = SENTENCE.split(text)  # sentences, and between them what ends one
+    return "".join(p if n % 2 else filled_sentence(p, known) for n, p in enumerate(parts))
 
 
 # --- as HTML -------------------------------------------------------------------------------
