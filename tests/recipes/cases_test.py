@@ -1,0 +1,158 @@
+"""Claims about events and about single blocks: cases, and which events are units; all made up."""
+
+import runpy
+
+import numpy as np
+from pytest import mark
+
+import curves
+from claims.judge import holds
+from conftest import ROOT, approx
+from events.continuations import BRANCHES, OWN_BLOCK
+from events.conventions import IN_WORDS, PRIMARY
+from events.event_claims import case_3Bw, case_5Aw, case_of_event, ratios_3Cr
+from events.units import OF_EVENT
+
+L, C_S = 0.14, 968.0
+SLOW = dict(x_from=0.07, x_to=0.098, t_from=1e-3, t_to=2e-3, duration=1e-3, speed=25.0)
+SLOW |= dict(slowest=10.0, mean=28.0, fast_before=C_S / 3, fast_after=400.0)
+
+
+def front(kind="slow", arrest=None, in_words=True):
+    return {
+        "type": kind,
+        "c_s": C_S,
+        "L": L,
+        "x_arrest": arrest,
+        "fast_slow_fast": in_words,
+        "slow": SLOW if kind == "slow" else None,
+        "t_rupture": [0.0, 1e-3, 2e-3, 3e-3],
+    }
+
+
+class TestLoads:
+    """An event of a load: whether it spans, its drop of F_T, whether the leading edge ruptures."""
+
+    @mark.parametrize(
+        "events, expected",
+        [
+            ([(False, 1, False), *[(True, 10, True)] * 5], True),
+            ([(False, 1, True), *[(True, 10, True)] * 5], False),  # an early one reaches the edge
+            ([*[(True, 10, True)] * 5, (False, 1, True)], True),  # a later one may
+            ([*[(True, 10, True)] * 5, (False, 5, False)], False),  # half the largest is large
+            ([*[(True, 10, True)] * 4, (True, 4, True)], False),  # four large drops
+        ],
+    )
+    def test_1Dw(self, events, expected):
+        names = ("spanning", "F_T_before", "F_T_after", "t_rupture")
+        values = ((spans, drop, 0.0, [0, 1 if edge else None]) for spans, drop, edge in events)
+        case = curves.case_1Dw([dict(zip(names, of_event)) for of_event in values])
+        assert holds("1Dw", [case]) == expected
+
+    def test_2Cw_compares_length_over_duration_with_28_m_per_s(self):
+        case = case_of_event(front())
+        assert case["length/duration/c_s"] == approx(28 / C_S)
+        assert holds("2Cw", [case])
+        assert not holds("2Cw", [case | {"length/duration/c_s": 1 / 71}])
+        assert case_of_event(front("fast"))["length/duration/c_s"] is None
+
+
+class TestContinuations:
+    @mark.parametrize(
+        "arrest, expected", [(0.084, True), (0.0565, True), (0.0855, False), (None, False)]
+    )
+    def test_3Bw(self, arrest, expected):
+        assert holds("3Bw", [case_3Bw(front(), front("arrested", arrest))]) == expected
+
+    @mark.parametrize("last, expected", [(3.04e-3, approx(0.05)), (None, None)])
+    def test_5Aw_goes_by_the_time_below_c_s_over_10(self, last, expected):
+        later = front() | {"t_rupture": [0.0, 9.0, 2e-3, last]}  # the 9 s come before the stop
+        in_words = front() | {"slow": SLOW | {"duration": 0.8e-3}}
+        case = case_5Aw(in_words, front(), later, 1.5e-3)
+        assert case == {"difference/time below c_s/10": expected}
+
+    def test_3Cr_takes_the_peak_of_every_step(self):
+        slip = {"slow_speed": 2e-3, "fast_slip": 6e-6, "slow_slip": 3e-6, "peak_speed": 1.0}
+        assert list(ratios_3Cr({"stopped": slip}, 0.07).values()) == approx([70, 35, 2])
+
+
+class TestUnits:
+    @staticmethod
+    def event(unmodified="slow"):
+        fronts = {"unmodified": front(unmodified), "stopped": front(), "wider": front("fast")}
+        slips = {run: {"fast_slip": 1.0, "slow_r_squared": 0.96} for run in ("t_R-half", "stopped")}
+        slips["t_R-double"] = {"fast_slip": 1.05, "slow_r_squared": 0.96}
+        of_branch = fronts | {
+            "no-slow-slip": front("arrested", 0.07),
+            IN_WORDS: {"stopped": front(in_words=False)},
+            "slip": {OWN_BLOCK: slips},
+        }
+        return {
+            "unmodified": front(unmodified),
+            IN_WORDS: front(),
+            "branches": dict.fromkeys(BRANCHES, of_branch) | {"0.25": None},
+            "conventions": {
+                "stencil 3": fronts | {"unmodified": front("fast")},
+                "stencil 7": fronts,
+            },
+            "undriven": front(),
+            "undriven_from": 1.5e-3,
+        }
+
+    @mark.parametrize(
+        "claim, unmodified, names",
+        [
+            ("3A", "slow", [PRIMARY, "branch at 0.2 L", "branch at 0.25 L", "stencil 7"]),
+            ("3A", "fast", []),
+            ("5A", "fast", []),
+            ("5Aw", "fast", [PRIMARY]),
+        ],
+    )
+    def test_an_event_is_a_unit_where_its_front_is_slow(self, claim, unmodified, names):
+        assert sorted(OF_EVENT[claim](self.event(unmodified))) == sorted(names)
+
+    @mark.parametrize("claim, held", [("3Aw", False), ("3Bw", True), ("3Cw", True)])
+    def test_a_branch_without_a_front_counts_against_the_claim(self, claim, held):
+        units = OF_EVENT[claim](self.event())
+        found = {name: holds(claim, cases) for name, cases in units.items()}
+        assert found == {PRIMARY: held, "branch at 0.2 L": held, "branch at 0.25 L": False}
+
+
+# Five blocks, two of them in the loading zone; the third is in the middle of 0.12 m.
+T_RUPTURE = [0.0, 1e-3, 2e-3, 3e-3, 4e-3]
+BLOCKS = {"x": [0.0, 0.02, 0.06, 0.09, 0.12], "L": 0.12}
+
+
+class TestBlocks:
+    @mark.parametrize(
+        "t_peak, last, after, off, expected",
+        [  # that of the last block, friction in the end, and how far the peak is off [ms]
+            ([5.0, 5.0, 2e-3, 3.09e-3, 3.91e-3], 4e-3, 0.1, 0.09, (True, True)),
+            ([5.0, 5.0, 2e-3, 3.09e-3, 4.2e-3], 4e-3, 0.1, 0.2, (False, True)),
+            (T_RUPTURE, None, 0.1, None, (False, True)),  # it does not rupture
+            (T_RUPTURE, 4e-3, 0.3, 0, (False, False)),  # friction does not fall again
+        ],
+    )
+    def test_1E(self, t_peak, last, after, off, expected):
+        levels = {"before": 0.2, "at_peak": 0.3, "after": after}
+        peaks = {"t_peak": t_peak} | {name: [level] * 5 for name, level in levels.items()}
+        cases = curves.cases_1E(peaks, BLOCKS | {"t_rupture": [*T_RUPTURE[:4], last]})
+        held = {name: holds("1E", of_convention) for name, of_convention in cases.items()}
+        assert held == dict(zip((PRIMARY, "the middle block"), expected))
+        [case] = cases[PRIMARY]
+        assert case["peak minus rupture [ms]"] == (None if off is None else approx(off))
+
+    def test_what_comes_later_than_the_end_does_not_count(self):
+        blocks = curves.Blocks.__new__(curves.Blocks)
+        blocks.time = np.array([0.0, 1.0, 2.0, 3.0])
+        blocks.ratio = np.array([[0.1], [0.3], [0.2], [0.9]])
+        found = blocks.peaks(2.0)
+        assert [found[n][0] for n in ("t_peak", "at_peak", "after")] == [1.0, 0.3, 0.2]
+
+    def test_slip_counts_until_two_t_R_or_until_nothing_slips(self):
+        names = ("slip_after_two_t_R_over_f_slip_per_k_ij", "net_slip_over_f_slip_per_k_ij")
+        reference, unbreakable = (dict(zip(names, slips)) for slips in ((7.0, 8.5), (5.0, 5.187)))
+        script = runpy.run_path(str(ROOT / "recipes/estimate/figure.py"))
+        cases = script["cases_SI"](reference, unbreakable)
+        held = {until: holds("SI", [case]) for until, case in cases.items()}
+        assert held == {"until 2 <t_R>": False, "until nothing slips": True}
