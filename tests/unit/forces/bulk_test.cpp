@@ -1,4 +1,5 @@
-// Springs and dampers between blocks: invariances, a plain second account, energy and padding.
+// Springs and dampers between blocks, with each choice of them: invariances, a plain second
+// account, energy, and the limit of small displacements.
 #include "rupture/forces/bulk.hpp"
 
 #include <gtest/gtest.h>
@@ -10,17 +11,17 @@
 namespace rupture {
 namespace {
 
-using testing::Noise;
 using testing::small_slider;
+using testing::with_other_bulk;
 
 struct Vector {
   double x, z;
 };
 
-/// Displacements, velocities and forces of one lattice, and what they add up to.
+/// A lattice that is displaced and moves, and the forces of its springs or of its dampers.
 struct Lattice {
   explicit Lattice(const Parameters& parameters)
-      : p(parameters), bulk(p), x(p.Nx, p.Nz), z(x), f_x(x), f_z(x) {}
+      : p(parameters), state(p), f_x(p.Nx, p.Nz), f_z(f_x) {}
 
   template <class Visit>
   void each(const Visit& visit) const {
@@ -28,290 +29,163 @@ struct Lattice {
       for (Eigen::Index i = 0; i < p.Nx; ++i) visit(i, j);
     }
   }
-  /// Sets the vector field (x, z) from the position of the undeformed block.
+  /// Sets a vector field from the position of the undeformed block.
   template <class Map>
-  void set(const Map& map) {
+  void set(Field& x, Field& z, const Map& map) const {
     each([&](Eigen::Index i, Eigen::Index j) {
       const Vector value = map(static_cast<double>(i) * l(), static_cast<double>(j) * l());
       x(i, j) = value.x;
       z(i, j) = value.z;
     });
   }
-  void set_noise(double size) {
-    Noise noise(size);
-    noise.fill(x);
-    noise.fill(z);
+  template <class Map>
+  void displace(const Map& map) {
+    set(state.u_x, state.u_z, map);
   }
-  void elastic() { bulk.elastic(x, z, f_x, f_z); }
-  void damping() {
-    State state(p);
-    state.v_x = x;
-    state.v_z = z;
-    bulk.damping(state, f_x, f_z);
+  template <class Map>
+  void move(const Map& map) {
+    set(state.v_x, state.v_z, map);
   }
-  double largest_force() const {
-    return std::max(f_x.blocks().abs().maxCoeff(), f_z.blocks().abs().maxCoeff());
+  /// Displacements of up to `size` [m].
+  void shake(double size) {
+    testing::Noise noise(size);
+    for (Field* u : {&state.u_x, &state.u_z}) noise.fill(*u);
+  }
+  void elastic() { Bulk(p).elastic(state.u_x, state.u_z, f_x, f_z); }
+  void damping() { Bulk(p).damping(state, f_x, f_z); }
+  double energy() const { return Bulk(p).elastic_energy(state.u_x, state.u_z); }
+
+  void expect_force(Eigen::Index i, Eigen::Index j, Vector f, double tolerance) const {
+    EXPECT_NEAR(f_x(i, j), f.x, tolerance) << i << ", " << j;
+    EXPECT_NEAR(f_z(i, j), f.z, tolerance) << i << ", " << j;
+  }
+  double largest_force() const { return largest_distance(Lattice(p), 1.0); }
+  /// Of the forces, `factor` times as large, from those of another one.
+  double largest_distance(const Lattice& other, double factor) const {
+    return std::max((factor * f_x.blocks() - other.f_x.blocks()).abs().maxCoeff(),
+                    (factor * f_z.blocks() - other.f_z.blocks()).abs().maxCoeff());
   }
   double l() const { return block_spacing(p); }
   double k() const { return bulk_stiffness(p); }
+  double eta() const { return damping_coefficient(p); }
 
   Parameters p;
-  Bulk bulk;
-  Field x, z, f_x, f_z;
+  State state;
+  Field f_x, f_z;
 };
+
+/// Turned by an angle, and turning so fast that neighbours pass at 1 m/s.
+Lattice turning(const Parameters& p, double angle) {
+  Lattice a(p);
+  const double c = std::cos(angle), s = std::sin(angle), rate = 1.0 / a.l();
+  a.displace([&](double x, double z) { return Vector{(c - 1) * x - s * z, s * x + (c - 1) * z}; });
+  a.move([&](double x, double z) {
+    return Vector{-rate * (s * x + c * z), rate * (c * x - s * z)};
+  });
+  return a;
+}
 
 TEST(Springs, do_not_resist_a_translation) {
   Lattice a(small_slider(9, 6));
-  a.set([](double, double) { return Vector{0.125, -0.5}; });  // differences vanish exactly
+  a.displace([](double, double) { return Vector{0.125, -0.5}; });  // differences vanish exactly
   a.elastic();
   EXPECT_EQ(a.largest_force(), 0.0);
-  EXPECT_EQ(a.bulk.elastic_energy(a.x, a.z), 0.0);
+  EXPECT_EQ(a.energy(), 0.0);
 }
 
 TEST(Springs, do_not_resist_a_finite_rotation) {
-  Lattice a(small_slider(9, 6));
   for (const double angle : {0.3, -2.0, 3.1}) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    a.set([&](double x, double z) { return Vector{(c - 1) * x - s * z, s * x + (c - 1) * z}; });
+    Lattice a = turning(small_slider(9, 6), angle);
     a.elastic();
     // positions reach 2e-2 m and are rounded to 2e-18 m, or 1e-15 l
     EXPECT_LT(a.largest_force(), 2e-14 * a.k() * a.l()) << angle;
-    EXPECT_LT(a.bulk.elastic_energy(a.x, a.z), 1e-26 * a.k() * a.l() * a.l()) << angle;
+    EXPECT_LT(a.energy(), 1e-26 * a.k() * a.l() * a.l()) << angle;
+  }
+}
+
+TEST(DampingAlongSpring, does_not_resist_a_rigid_rotation_unlike_damping_along_the_velocity) {
+  for (const DampingAlong along : {DampingAlong::velocity, DampingAlong::spring}) {
+    Parameters p = small_slider(9, 6);
+    p.damping_along = along;
+    Lattice a = turning(p, 0.3);
+    a.damping();
+    if (along == DampingAlong::spring) {
+      EXPECT_LT(a.largest_force(), 1e-13 * a.eta());
+    } else {
+      EXPECT_GT(a.largest_force(), a.eta()) << "at the faces";
+    }
   }
 }
 
 TEST(Springs, pull_along_the_gradient_of_their_energy) {
   Lattice a(small_slider(5, 4));
-  a.set_noise(0.1 * a.l());
+  a.shake(0.1 * a.l());
   a.elastic();
   const double step = 1e-5 * a.l();  // truncation 1e-10, rounding 1e-16 / 1e-5 of k l
   const auto force = [&](Field& u, Eigen::Index i, Eigen::Index j) {
     const double here = u(i, j);
     u(i, j) = here + step;
-    const double above = a.bulk.elastic_energy(a.x, a.z);
+    const double above = a.energy();
     u(i, j) = here - step;
-    const double below = a.bulk.elastic_energy(a.x, a.z);
+    const double below = a.energy();
     u(i, j) = here;
     return -(above - below) / (2.0 * step);
   };
   a.each([&](Eigen::Index i, Eigen::Index j) {
-    EXPECT_NEAR(a.f_x(i, j), force(a.x, i, j), 1e-8 * a.k() * a.l());
-    EXPECT_NEAR(a.f_z(i, j), force(a.z, i, j), 1e-8 * a.k() * a.l());
+    const Vector f = {force(a.state.u_x, i, j), force(a.state.u_z, i, j)};
+    a.expect_force(i, j, f, 1e-8 * a.k() * a.l());
   });
 }
 
 TEST(Bulk, knows_the_kinetic_energy) {
   Lattice a(small_slider(4, 3));
-  a.set([](double, double) { return Vector{3.0, 4.0}; });
-  EXPECT_DOUBLE_EQ(a.bulk.kinetic_energy(a.x, a.z), 0.5 * a.p.M * 25.0);
+  a.move([](double, double) { return Vector{3.0, 4.0}; });
+  EXPECT_DOUBLE_EQ(Bulk(a.p).kinetic_energy(a.state.v_x, a.state.v_z), 0.5 * a.p.M * 25.0);
 }
 
-/// Sum of `bond(di, dj)` over the up to 8 neighbours of block (i, j).
-template <class Bond>
-Vector over_neighbours(const Lattice& a, Eigen::Index i, Eigen::Index j, const Bond& bond) {
+/// Sum over the up to 8 neighbours of block (i, j): springs, or dampers.
+Vector plain_sum(const Lattice& a, Eigen::Index i, Eigen::Index j, bool dampers) {
+  const Parameters& p = a.p;
+  const State& s = a.state;
+  const bool half_edges = p.edge_springs == EdgeSprings::half;
   Vector sum = {0.0, 0.0};
-  for (int dj = -1; dj <= 1; ++dj) {
-    for (int di = -1; di <= 1; ++di) {
-      const bool exists = i + di >= 0 && i + di < a.p.Nx && j + dj >= 0 && j + dj < a.p.Nz;
-      if (!exists || (di == 0 && dj == 0)) continue;
-      const Vector f = bond(di, dj);
-      sum.x += f.x;
-      sum.z += f.z;
+  for (Eigen::Index n = std::max<Eigen::Index>(j - 1, 0); n < std::min(j + 2, p.Nz); ++n) {
+    for (Eigen::Index m = std::max<Eigen::Index>(i - 1, 0); m < std::min(i + 2, p.Nx); ++m) {
+      if (m == i && n == j) continue;
+      const double x = static_cast<double>(m - i) * a.l() + s.u_x(m, n) - s.u_x(i, j);
+      const double z = static_cast<double>(n - j) * a.l() + s.u_z(m, n) - s.u_z(i, j);
+      const Vector v = {s.v_x(m, n) - s.v_x(i, j), s.v_z(m, n) - s.v_z(i, j)};
+      const bool along_row = n == j && (j == 0 || j == p.Nz - 1);
+      const bool along_column = m == i && (i == 0 || i == p.Nx - 1);
+      const bool diagonal = m != i && n != j;
+      const bool half = diagonal || (half_edges && (along_row || along_column));
+      const double r = std::hypot(x, z), l_0 = diagonal ? std::sqrt(2.0) * a.l() : a.l();
+      const double stretching = a.k() * (half ? 0.5 : 1.0) * (r - l_0);
+      const double force = dampers ? a.eta() * (v.x * x + v.z * z) / r : stretching;
+      const bool along_velocity = dampers && p.damping_along == DampingAlong::velocity;
+      sum.x += along_velocity ? a.eta() * v.x : force * x / r;
+      sum.z += along_velocity ? a.eta() * v.z : force * z / r;
     }
   }
   return sum;
 }
 
-/// Vector loops read and write 2, 4 or 8 blocks at once; whatever the length of a row, nothing may
-/// leak over its end.
-template <class Check>
-void for_row_lengths(const Check& check) {
+// Vector loops read and write 2, 4 or 8 blocks at once: rows of every length.
+TEST(Bulk, gives_the_forces_of_a_plain_sum_over_neighbours) {
   for (Eigen::Index Nx = 3; Nx <= 20; ++Nx) {
-    SCOPED_TRACE(Nx);
-    check(Nx);
-  }
-}
-
-/// Elastic and damping forces, of displacements or velocities, against plain sums.
-template <class Bond>
-void expect_plain_sum(Lattice& a, double scale, const Bond& bond) {
-  a.each([&](Eigen::Index i, Eigen::Index j) {
-    const Vector f = over_neighbours(a, i, j, [&](int di, int dj) {
-      return bond(di, dj, a.x(i + di, j + dj) - a.x(i, j), a.z(i + di, j + dj) - a.z(i, j));
-    });
-    EXPECT_NEAR(a.f_x(i, j), f.x, 1e-14 * scale);
-    EXPECT_NEAR(a.f_z(i, j), f.z, 1e-14 * scale);
-  });
-}
-
-TEST(RowLengths, give_the_forces_of_a_plain_sum_over_neighbours) {
-  for_row_lengths([](Eigen::Index Nx) {
     for (const Eigen::Index Nz : {2, 3, 5}) {
-      Lattice a(small_slider(Nx, Nz));
-      a.set_noise(0.1 * a.l());
-      a.elastic();
-      expect_plain_sum(a, a.k() * a.l(), [&](int di, int dj, double dx, double dz) {
-        const double k = di != 0 && dj != 0 ? a.k() / 2.0 : a.k();
-        const double r_x = di * a.l() + dx, r_z = dj * a.l() + dz, r = std::hypot(r_x, r_z);
-        const double f = k * (r - std::hypot(di, dj) * a.l());
-        return Vector{f * r_x / r, f * r_z / r};
-      });
-      a.set_noise(1.0);
-      a.damping();
-      const double eta = damping_coefficient(a.p);
-      expect_plain_sum(a, eta, [&](int, int, double dx, double dz) {
-        return Vector{eta * dx, eta * dz};
-      });
-    }
-  });
-}
-
-void expect_zero_padding(const Field& field) {
-  for (Eigen::Index j = -1; j <= field.Nz(); ++j) {
-    const bool row = j >= 0 && j < field.Nz();
-    for (Eigen::Index i = row ? field.Nx() : 0; i < field.stride(); ++i) {
-      ASSERT_EQ(field.row(j)[i], 0.0) << i << ", " << j;
-    }
-  }
-}
-
-/// A shaken slider and boundary forces that differ on every block.
-struct Shaken {
-  explicit Shaken(const Parameters& parameters)
-      : p(parameters), state(p), normal(static_cast<std::size_t>(p.Nx)), tau(normal), top(normal) {
-    Noise displacements(0.01 * block_spacing(p)), velocities(1.0), forces(30.0);
-    displacements.fill(state.u_x);
-    displacements.fill(state.u_z);
-    velocities.fill(state.v_x);
-    velocities.fill(state.v_z);
-    for (double& force : normal) force = forces();
-    for (double& force : tau) force = forces();
-    for (double& force : top) force = forces();
-  }
-  Boundary boundary() const { return {normal.data(), tau.data(), top.data(), 1, 55.0}; }
-
-  Parameters p;
-  State state;
-  std::vector<double> normal, tau, top;
-};
-
-/// With either bulk, for each height.
-std::vector<Shaken> shaken(Eigen::Index Nx, const std::vector<Eigen::Index>& heights) {
-  std::vector<Shaken> sliders;
-  for (const Eigen::Index Nz : heights) {
-    sliders.emplace_back(small_slider(Nx, Nz));
-    sliders.emplace_back(testing::with_other_bulk(small_slider(Nx, Nz)));
-  }
-  return sliders;
-}
-
-TEST(RowLengths, leave_the_padding_zero) {
-  for_row_lengths([](Eigen::Index Nx) {
-    for (Shaken s : shaken(Nx, {4})) {
-      Bulk bulk(s.p);
-      Field f_x(s.p.Nx, s.p.Nz), f_z(f_x);
-      for (const Then then : {Then::stop, Then::go_on, Then::stop}) {
-        bulk.kick_drift(0, s.state);
-        bulk.prepare(0, s.state);
-        bulk.finish(0, s.boundary(), then, s.state);
-        for (const Field* field :
-             {&s.state.u_x, &s.state.u_z, &s.state.v_x, &s.state.v_z, &s.state.f_x, &s.state.f_z}) {
-          expect_zero_padding(*field);
+      for (const Parameters& p : {small_slider(Nx, Nz), with_other_bulk(small_slider(Nx, Nz))}) {
+        Lattice a(p);
+        a.shake(0.1 * a.l());
+        testing::Noise velocities(1.0);
+        for (Field* v : {&a.state.v_x, &a.state.v_z}) velocities.fill(*v);
+        for (const bool dampers : {false, true}) {
+          dampers ? a.damping() : a.elastic();
+          const double scale = dampers ? a.eta() : a.k() * a.l();
+          a.each([&](Eigen::Index i, Eigen::Index j) {
+            a.expect_force(i, j, plain_sum(a, i, j, dampers), 1e-14 * scale);
+          });
         }
-        bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
-        expect_zero_padding(f_x);
-        expect_zero_padding(f_z);
-        bulk.damping(s.state, f_x, f_z);
-        expect_zero_padding(f_x);
-        expect_zero_padding(f_z);
-      }
-    }
-  });
-}
-
-TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
-  for_row_lengths([](Eigen::Index Nx) {
-    for (Shaken s : shaken(Nx, {2, 3, 5})) {
-      const Eigen::Index Nz = s.p.Nz;
-      Bulk bulk(s.p);
-      Field f_x(s.p.Nx, s.p.Nz), f_z(f_x), d_x(f_x), d_z(f_x);
-      bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
-      bulk.damping(s.state, d_x, d_z);
-      f_x.blocks() += d_x.blocks();
-      f_z.blocks() += d_z.blocks();
-      for (Eigen::Index i = 0; i < Nx; ++i) {
-        f_x(i, 0) -= s.tau[static_cast<std::size_t>(i)];
-        f_z(i, 0) += s.normal[static_cast<std::size_t>(i)];
-        f_z(i, Nz - 1) -= s.top[static_cast<std::size_t>(i)];
-      }
-      f_x(0, 1) += 55.0;
-      const double half_kick = s.p.dt / (2.0 * block_mass(s.p));
-      Field v_x = s.state.v_x, v_z = s.state.v_z;
-      v_x.blocks() += half_kick * f_x.blocks();
-      v_z.blocks() += half_kick * f_z.blocks();
-      const double expected =
-          (d_x.blocks() * v_x.blocks()).sum() + (d_z.blocks() * v_z.blocks()).sum();
-
-      bulk.prepare(0, s.state);
-      bulk.finish(0, s.boundary(), Then::stop, s.state);
-      EXPECT_NEAR(bulk.damping_power(), expected, 1e-12 * std::abs(expected));
-      for (Eigen::Index i = 0; i < Nx; ++i) {
-        EXPECT_EQ(bulk.bottom_velocity()[i], s.state.v_x(i, 0));
-      }
-      const auto differs = [](const Field& a, const Field& b) {
-        return (a.blocks() - b.blocks()).abs().maxCoeff() / a.blocks().abs().maxCoeff();
-      };
-      // only the order of the sums may differ
-      EXPECT_LT(differs(f_x, s.state.f_x), 1e-14);
-      EXPECT_LT(differs(f_z, s.state.f_z), 1e-14);
-      EXPECT_LT(differs(v_x, s.state.v_x), 1e-14);
-      EXPECT_LT(differs(v_z, s.state.v_z), 1e-14);
-    }
-  });
-}
-
-void expect_equal(const State& a, const State& b) {
-  const auto equal = [](const Field& x, const Field& y) {
-    return (x.blocks() == y.blocks()).all();
-  };
-  EXPECT_TRUE(equal(a.u_x, b.u_x) && equal(a.u_z, b.u_z)) << "displacements";
-  EXPECT_TRUE(equal(a.v_x, b.v_x) && equal(a.v_z, b.v_z)) << "velocities";
-  EXPECT_TRUE(equal(a.f_x, b.f_x) && equal(a.f_z, b.f_z)) << "forces";
-}
-
-/// Three steps with the rows in `bands` bands, which are worked on in turn.
-State three_steps(Shaken s, int bands, Then between) {
-  Bulk bulk(s.p, bands);
-  EXPECT_LE(bulk.bands(), bands);
-  const auto each_band = [&](const auto& work) {
-    for (int band = bulk.bands() - 1; band >= 0; --band) work(band);
-  };
-  each_band([&](int band) { bulk.kick_drift(band, s.state); });
-  for (int n = 0; n < 3; ++n) {
-    const Then then = n < 2 ? between : Then::stop;
-    each_band([&](int band) { bulk.prepare(band, s.state); });
-    each_band([&](int band) { bulk.finish(band, s.boundary(), then, s.state); });
-    if (n < 2 && then == Then::stop) {
-      each_band([&](int band) { bulk.kick_drift(band, s.state); });
-    }
-  }
-  return s.state;
-}
-
-TEST(RowLengths, steps_in_one_sweep_give_the_bits_of_single_steps) {
-  for_row_lengths([](Eigen::Index Nx) {
-    for (const Shaken& s : shaken(Nx, {5})) {
-      expect_equal(three_steps(s, 1, Then::go_on), three_steps(s, 1, Then::stop));
-    }
-  });
-}
-
-TEST(Bands, change_no_bit) {
-  for (const Eigen::Index Nx : {9, 70, 130}) {  // in one chunk, two and three
-    for (const Shaken& s : shaken(Nx, {7})) {
-      const State whole = three_steps(s, 1, Then::go_on);
-      for (int bands = 2; bands <= 9; ++bands) {
-        expect_equal(three_steps(s, bands, Then::go_on), whole);
       }
     }
   }
@@ -319,9 +193,8 @@ TEST(Bands, change_no_bit) {
 
 /// Force on the right one of two blocks that have been drawn apart to (1 + e) times their distance.
 double pull(double e) {
-  Parameters p = small_slider(3, 2);
-  Lattice a(p);
-  for (Eigen::Index j = 0; j < 2; ++j) a.x(2, j) = e * a.l();
+  Lattice a(small_slider(3, 2));
+  for (Eigen::Index j = 0; j < 2; ++j) a.state.u_x(2, j) = e * a.l();
   a.elastic();
   return a.f_x(2, 1);
 }
@@ -343,6 +216,136 @@ TEST(Springs, keep_their_digits_where_the_series_ends) {
                          -1.2515e-3, 2e-3, -0.01, 0.1, -0.3}) {
     EXPECT_NEAR(pull(e) / exact_pull(e), 1.0, 8e-16) << e;
   }
+}
+
+/// Of 2 x 2 blocks, the upper right one is drawn to the right by 3/4 l, and moves there with 1 m/s:
+/// the spring of its column is 5/4 l long, that of its diagonal sqrt(65)/4 l.
+Lattice drawn(const Parameters& p) {
+  Lattice a(p);
+  a.state.u_x(1, 1) = 0.75 * a.l();
+  a.state.v_x(1, 1) = 1.0;
+  return a;
+}
+
+TEST(EdgeSprings, of_two_by_two_blocks_are_half_as_stiff_unlike_diagonals) {
+  for (const EdgeSprings edge : {EdgeSprings::full, EdgeSprings::half}) {
+    Parameters p = small_slider(2, 2);
+    p.edge_springs = edge;
+    Lattice a = drawn(p);
+    a.elastic();
+    const double l = a.l(), kl = a.k() * l, rounding = 1e-14 * kl;
+    const double face = edge == EdgeSprings::half ? kl / 2.0 : kl;
+    const double root = std::sqrt(65.0), stretch = root / 4.0 - std::sqrt(2.0);
+    const Vector top = {face * 0.75, 0.0}, column = {face * 0.25 * 0.6, face * 0.25 * 0.8};
+    const Vector diagonal = {kl / 2.0 * stretch * 7.0 / root, kl / 2.0 * stretch * 4.0 / root};
+    a.expect_force(0, 0, diagonal, rounding);
+    a.expect_force(1, 0, column, rounding);
+    a.expect_force(0, 1, top, rounding);
+    a.expect_force(1, 1, {-top.x - column.x - diagonal.x, -column.z - diagonal.z}, rounding);
+    const double energy =
+        face * l / 2.0 * (0.75 * 0.75 + 0.25 * 0.25) + kl * l / 4.0 * stretch * stretch;
+    EXPECT_NEAR(a.energy(), energy, 1e-14 * kl * l);
+  }
+}
+
+// Along (1, 0), (3, 4)/5 and (7, 4)/sqrt(65) now; linearised springs keep (0, 1) and (1,
+// 1)/sqrt(2).
+TEST(DampingAlongSpring, of_two_by_two_blocks_follows_the_direction_of_the_springs) {
+  for (const BulkSprings springs : {BulkSprings::exact, BulkSprings::linearised}) {
+    Parameters p = with_other_bulk(small_slider(2, 2));  // half springs, which change no damper
+    p.springs = springs;
+    Lattice a = drawn(p);
+    a.damping();
+    const bool exact = springs == BulkSprings::exact;
+    const double eta = a.eta(), rounding = 1e-14 * eta;
+    const Vector column = exact ? Vector{9.0 / 25.0, 12.0 / 25.0} : Vector{0.0, 0.0};
+    const Vector diagonal = exact ? Vector{49.0 / 65.0, 28.0 / 65.0} : Vector{0.5, 0.5};
+    a.expect_force(0, 0, {eta * diagonal.x, eta * diagonal.z}, rounding);
+    a.expect_force(1, 0, {eta * column.x, eta * column.z}, rounding);
+    a.expect_force(0, 1, {eta, 0.0}, rounding);
+    a.expect_force(1, 1, {-eta * (1.0 + column.x + diagonal.x), -eta * (column.z + diagonal.z)},
+                   rounding);
+  }
+}
+
+Parameters linearised(Parameters p) {
+  p.springs = BulkSprings::linearised;
+  return p;
+}
+
+// Stretched along one axis by e and across it by -e/3, only its ends pull back: with E e on
+// the area of each block, l B inside and half of that at the corners.
+TEST(EdgeSprings, of_half_stiffness_leave_E_and_nu_as_they_are_up_to_the_faces) {
+  for (const bool along_x : {true, false}) {
+    Parameters p = linearised(small_slider(7, 5));
+    p.edge_springs = EdgeSprings::half;
+    Lattice a(p);
+    const double e = 1e-3, pull = p.E * e * a.l() * p.B;
+    a.displace([&](double x, double z) {
+      return along_x ? Vector{e * x, -e / 3.0 * z} : Vector{-e / 3.0 * x, e * z};
+    });
+    a.elastic();
+    a.each([&](Eigen::Index i, Eigen::Index j) {
+      const double side = (i == 0 ? 1.0 : 0.0) - (i == p.Nx - 1 ? 1.0 : 0.0);
+      const double end = (j == 0 ? 1.0 : 0.0) - (j == p.Nz - 1 ? 1.0 : 0.0);
+      const double corner = side != 0.0 && end != 0.0 ? 0.5 : 1.0;
+      const Vector f = {along_x ? side * corner * pull : 0.0, along_x ? 0.0 : end * corner * pull};
+      a.expect_force(i, j, f, 1e-12 * pull);
+    });
+  }
+}
+
+// --- springs that are linearised for small displacements
+
+TEST(LinearisedSprings, pull_a_displaced_block_back_along_the_undeformed_bonds) {
+  Lattice a(linearised(small_slider(3, 3)));
+  const double d = 5e-4, kd = a.k() * d, rounding = 1e-12 * kd;  // a fifth of the spacing
+  a.state.u_x(1, 1) = d;
+  a.elastic();
+  a.expect_force(1, 1, {-3.0 * kd, 0.0}, rounding);  // two along x, four diagonals of k/4
+  a.expect_force(2, 1, {kd, 0.0}, rounding);
+  EXPECT_NEAR(a.f_x(1, 2), 0.0, rounding) << "a spring that is drawn aside does not pull";
+  a.expect_force(2, 2, {0.25 * kd, 0.25 * kd}, rounding);
+}
+
+/// 9 x 6 blocks that are shaken by up to `size` [m], and the forces of the springs.
+Lattice after_shaking(Parameters p, double size) {
+  Lattice a(p);
+  a.shake(size);
+  a.elastic();
+  return a;
+}
+
+TEST(LinearisedSprings, pull_in_proportion_to_the_displacement) {
+  const Parameters p = linearised(small_slider(9, 6));
+  const Lattice a = after_shaking(p, 1e-4), a_8 = after_shaking(p, 8e-4);
+  EXPECT_LT(a.largest_distance(a_8, 8.0), 1e-13 * a_8.largest_force());
+  const Lattice exact = after_shaking(small_slider(9, 6), 8e-4);
+  EXPECT_GT(a_8.largest_distance(exact, 1.0), 0.1 * exact.largest_force());
+}
+
+TEST(LinearisedSprings, are_the_limit_of_small_displacements) {
+  for (const double size : {1e-7, 1e-8}) {
+    const Lattice exact = after_shaking(small_slider(9, 6), size);
+    const Lattice a = after_shaking(linearised(exact.p), size);
+    EXPECT_LT(a.largest_distance(exact, 1.0), 10.0 * size / a.l() * exact.largest_force());
+  }
+}
+
+TEST(LinearisedSprings, store_half_the_work_of_their_final_forces) {
+  const Lattice a = after_shaking(linearised(small_slider(9, 6)), 8e-4);
+  const State& s = a.state;
+  const double work = -(a.f_x.blocks() * s.u_x.blocks() + a.f_z.blocks() * s.u_z.blocks()).sum();
+  EXPECT_NEAR(a.energy(), 0.5 * work, 1e-12 * work);
+}
+
+TEST(LinearisedSprings, have_an_equilibrium_in_which_nothing_moves) {
+  Parameters p = linearised(small_slider(9, 5));
+  p.V = 0.0;
+  Simulation simulation(p, normal_load_equilibrium(p));
+  simulation.advance(1000);
+  EXPECT_LT(simulation.state().v_x.blocks().abs().maxCoeff(), 1e-12);
+  EXPECT_LT(simulation.state().v_z.blocks().abs().maxCoeff(), 1e-12);
 }
 
 }  // namespace

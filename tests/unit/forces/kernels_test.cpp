@@ -1,4 +1,5 @@
-// All instruction sets that this processor can run give the same bits.
+// The loops over rows: whatever the length of a row, the number of bands or the instruction set,
+// the padding stays zero and the bits stay the same.
 #include "rupture/forces/kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,170 @@ namespace rupture {
 namespace {
 
 using testing::Noise;
+using testing::small_slider;
+
+/// Vector loops read and write 2, 4 or 8 blocks at once; whatever the length of a row, nothing may
+/// leak over its end.
+template <class Check>
+void for_row_lengths(const Check& check) {
+  for (Eigen::Index Nx = 3; Nx <= 20; ++Nx) {
+    SCOPED_TRACE(Nx);
+    check(Nx);
+  }
+}
+
+void expect_zero_padding(const Field& field) {
+  for (Eigen::Index j = -1; j <= field.Nz(); ++j) {
+    const bool row = j >= 0 && j < field.Nz();
+    for (Eigen::Index i = row ? field.Nx() : 0; i < field.stride(); ++i) {
+      ASSERT_EQ(field.row(j)[i], 0.0) << i << ", " << j;
+    }
+  }
+}
+
+/// A shaken slider and boundary forces that differ on every block.
+struct Shaken {
+  explicit Shaken(const Parameters& parameters, double size = 0.01)  // in units of the spacing
+      : p(parameters), state(p), normal(static_cast<std::size_t>(p.Nx)), tau(normal), top(normal) {
+    Noise displacements(size * block_spacing(p)), velocities(1.0), forces(30.0);
+    displacements.fill(state.u_x);
+    displacements.fill(state.u_z);
+    velocities.fill(state.v_x);
+    velocities.fill(state.v_z);
+    for (double& force : normal) force = forces();
+    for (double& force : tau) force = forces();
+    for (double& force : top) force = forces();
+  }
+  Boundary boundary() const { return {normal.data(), tau.data(), top.data(), 1, 55.0}; }
+
+  Parameters p;
+  State state;
+  std::vector<double> normal, tau, top;
+};
+
+/// With either bulk, for each height.
+std::vector<Shaken> shaken(Eigen::Index Nx, const std::vector<Eigen::Index>& heights) {
+  std::vector<Shaken> sliders;
+  for (const Eigen::Index Nz : heights) {
+    sliders.emplace_back(small_slider(Nx, Nz));
+    sliders.emplace_back(testing::with_other_bulk(small_slider(Nx, Nz)));
+  }
+  return sliders;
+}
+
+TEST(RowLengths, leave_the_padding_zero) {
+  for_row_lengths([](Eigen::Index Nx) {
+    for (Shaken s : shaken(Nx, {4})) {
+      Bulk bulk(s.p);
+      Field f_x(s.p.Nx, s.p.Nz), f_z(f_x);
+      for (const Then then : {Then::stop, Then::go_on, Then::stop}) {
+        bulk.kick_drift(0, s.state);
+        bulk.prepare(0, s.state);
+        bulk.finish(0, s.boundary(), then, s.state);
+        for (const Field* field :
+             {&s.state.u_x, &s.state.u_z, &s.state.v_x, &s.state.v_z, &s.state.f_x, &s.state.f_z}) {
+          expect_zero_padding(*field);
+        }
+        bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
+        expect_zero_padding(f_x);
+        expect_zero_padding(f_z);
+        bulk.damping(s.state, f_x, f_z);
+        expect_zero_padding(f_x);
+        expect_zero_padding(f_z);
+      }
+    }
+  });
+}
+
+TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
+  for_row_lengths([](Eigen::Index Nx) {
+    for (Shaken s : shaken(Nx, {2, 3, 5})) {
+      const Eigen::Index Nz = s.p.Nz;
+      Bulk bulk(s.p);
+      Field f_x(s.p.Nx, s.p.Nz), f_z(f_x), d_x(f_x), d_z(f_x);
+      bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
+      bulk.damping(s.state, d_x, d_z);
+      f_x.blocks() += d_x.blocks();
+      f_z.blocks() += d_z.blocks();
+      for (Eigen::Index i = 0; i < Nx; ++i) {
+        f_x(i, 0) -= s.tau[static_cast<std::size_t>(i)];
+        f_z(i, 0) += s.normal[static_cast<std::size_t>(i)];
+        f_z(i, Nz - 1) -= s.top[static_cast<std::size_t>(i)];
+      }
+      f_x(0, 1) += 55.0;
+      const double half_kick = s.p.dt / (2.0 * block_mass(s.p));
+      Field v_x = s.state.v_x, v_z = s.state.v_z;
+      v_x.blocks() += half_kick * f_x.blocks();
+      v_z.blocks() += half_kick * f_z.blocks();
+      const double expected =
+          (d_x.blocks() * v_x.blocks()).sum() + (d_z.blocks() * v_z.blocks()).sum();
+
+      bulk.prepare(0, s.state);
+      bulk.finish(0, s.boundary(), Then::stop, s.state);
+      EXPECT_NEAR(bulk.damping_power(), expected, 1e-12 * std::abs(expected));
+      for (Eigen::Index i = 0; i < Nx; ++i) {
+        EXPECT_EQ(bulk.bottom_velocity()[i], s.state.v_x(i, 0));
+      }
+      const auto differs = [](const Field& a, const Field& b) {
+        return (a.blocks() - b.blocks()).abs().maxCoeff() / a.blocks().abs().maxCoeff();
+      };
+      // only the order of the sums may differ
+      EXPECT_LT(differs(f_x, s.state.f_x), 1e-14);
+      EXPECT_LT(differs(f_z, s.state.f_z), 1e-14);
+      EXPECT_LT(differs(v_x, s.state.v_x), 1e-14);
+      EXPECT_LT(differs(v_z, s.state.v_z), 1e-14);
+    }
+  });
+}
+
+void expect_equal(const State& a, const State& b) {
+  const auto equal = [](const Field& x, const Field& y) {
+    return (x.blocks() == y.blocks()).all();
+  };
+  EXPECT_TRUE(equal(a.u_x, b.u_x) && equal(a.u_z, b.u_z)) << "displacements";
+  EXPECT_TRUE(equal(a.v_x, b.v_x) && equal(a.v_z, b.v_z)) << "velocities";
+  EXPECT_TRUE(equal(a.f_x, b.f_x) && equal(a.f_z, b.f_z)) << "forces";
+}
+
+/// Three steps with the rows in `bands` bands, which are worked on in turn.
+State three_steps(Shaken s, int bands, Then between) {
+  Bulk bulk(s.p, bands);
+  EXPECT_LE(bulk.bands(), bands);
+  const auto each_band = [&](const auto& work) {
+    for (int band = bulk.bands() - 1; band >= 0; --band) work(band);
+  };
+  each_band([&](int band) { bulk.kick_drift(band, s.state); });
+  for (int n = 0; n < 3; ++n) {
+    const Then then = n < 2 ? between : Then::stop;
+    each_band([&](int band) { bulk.prepare(band, s.state); });
+    each_band([&](int band) { bulk.finish(band, s.boundary(), then, s.state); });
+    if (n < 2 && then == Then::stop) {
+      each_band([&](int band) { bulk.kick_drift(band, s.state); });
+    }
+  }
+  return s.state;
+}
+
+TEST(RowLengths, steps_in_one_sweep_give_the_bits_of_single_steps) {
+  for_row_lengths([](Eigen::Index Nx) {
+    for (const Shaken& s : shaken(Nx, {5})) {
+      expect_equal(three_steps(s, 1, Then::go_on), three_steps(s, 1, Then::stop));
+    }
+  });
+}
+
+TEST(Bands, change_no_bit) {
+  for (const Eigen::Index Nx : {9, 70, 130}) {  // in one chunk, two and three
+    for (const Shaken& s : shaken(Nx, {7})) {
+      const State whole = three_steps(s, 1, Then::go_on);
+      for (int bands = 2; bands <= 9; ++bands) {
+        expect_equal(three_steps(s, bands, Then::go_on), whole);
+      }
+    }
+  }
+}
+
+// --- all instruction sets that this processor can run give the same bits
 
 #if defined(__x86_64__)
 constexpr std::array kNames = {"sse2", "avx2", "avx512"};
@@ -40,27 +205,17 @@ void append(Bits& bits, const Field& field) {
   }
 }
 
-/// Twenty steps of a shaken lattice under made-up boundary forces. Some springs are strained beyond
-/// the reach of the series.
+/// Twenty steps. Some springs are strained beyond the reach of the series.
 Bits bulk_bits(const Kernels& kernels, const Parameters& p) {
-  State state(p);
-  Noise displacements(0.003 * block_spacing(p)), velocities(0.1), forces(30.0);
-  displacements.fill(state.u_x);
-  displacements.fill(state.u_z);
-  velocities.fill(state.v_x);
-  velocities.fill(state.v_z);
-  std::vector<double> normal(static_cast<std::size_t>(p.Nx)), tau(normal), top(normal);
-  for (double& force : normal) force = forces();
-  for (double& force : tau) force = forces();
-  for (double& force : top) force = forces();
-  const Boundary boundary = {normal.data(), tau.data(), top.data(), 1, 55.0};
+  Shaken shaken(p, 0.003);
+  State& state = shaken.state;
   Field e_x(p.Nx, p.Nz), e_z(e_x), d_x(e_x), d_z(e_x);
   Bulk bulk(p, 1, kernels);
   Bits bits;
   bulk.kick_drift(0, state);
   for (int n = 0; n < 20; ++n) {
     bulk.prepare(0, state);
-    bulk.finish(0, boundary, n % 2 == 0 ? Then::go_on : Then::stop, state);
+    bulk.finish(0, shaken.boundary(), n % 2 == 0 ? Then::go_on : Then::stop, state);
     if (n % 2 == 1) bulk.kick_drift(0, state);
     bulk.elastic(state.u_x, state.u_z, e_x, e_z);
     bulk.damping(state, d_x, d_z);
@@ -111,7 +266,7 @@ class InstructionSets : public ::testing::TestWithParam<const char*> {
 
 TEST_P(InstructionSets, agree_to_the_last_bit_on_the_bulk) {
   for (const Eigen::Index Nx : {3, 4, 5, 6, 7, 8, 9, 10, 15, 16, 17, 20, 63, 64, 65, 66, 130}) {
-    const Parameters p = testing::small_slider(Nx, 4), other = testing::with_other_bulk(p);
+    const Parameters p = small_slider(Nx, 4), other = testing::with_other_bulk(p);
     EXPECT_EQ(bulk_bits(*found_, p), bulk_bits(kernels(), p)) << Nx << " blocks per row";
     EXPECT_EQ(bulk_bits(*found_, other), bulk_bits(kernels(), other)) << Nx << " blocks per row";
   }
