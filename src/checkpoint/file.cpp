@@ -193,10 +193,6 @@ ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name
   });
 }
 
-Content read_content(const fs::path& path) {
-  return read_file(path).content;
-}
-
 EditedFile read_edited(const fs::path& path) {
   const auto bytes = bytes_of_file(path);
   if (bytes.empty()) {

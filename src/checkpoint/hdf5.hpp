@@ -79,9 +79,6 @@ using Labels = std::map<std::string, Label>;  ///< by path
 std::vector<std::byte> make_image(const RootAttributes& attributes, const Content& content,
                                   const Labels& labels = {});
 
-/// Adds `labels` to datasets of `content`, which were written before. Nothing of ours reads them.
-void write_labels(Id file, const Content& content, const Labels& labels);
-
 /// Whether only files are read that are stored as rupture does, or also what other programs make of
 /// them: chunks, compression, texts of any form, no units.
 enum class Accept { own, edited };

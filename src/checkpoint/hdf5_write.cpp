@@ -2,6 +2,7 @@
 #include <hdf5.h>
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <type_traits>
 
@@ -41,12 +42,15 @@ Handle create_space(const Shape& shape) {
           "create an array"};
 }
 
-void write_attribute(Id object, const std::string& name, const Dataset& value) {
-  const Handle type = stored_type(value.type, value.bytes.size());
-  const Handle space = create_space(value.shape);
+void write_attribute(Id object, const std::string& name, Id type, Id space, const void* value) {
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
                          fmt::format("create the attribute {}", name));
-  check(H5Awrite(attribute, type, value.bytes.data()), fmt::format("write {}", name));
+  check(H5Awrite(attribute, type, value), fmt::format("write {}", name));
+}
+
+void write_attribute(Id object, const std::string& name, const Dataset& value) {
+  write_attribute(object, name, stored_type(value.type, value.bytes.size()),
+                  create_space(value.shape), value.bytes.data());
 }
 
 void create_groups(Id file, const std::string& path) {
@@ -113,6 +117,82 @@ void write_content(Id file, const Content& content) {
     }
   }
 }
+
+// --- attributes `units` and `long_name` of the CF conventions, and HDF5's dimension scales
+//
+// H5DSattach_scale of hdf5_hl would leave four bytes of each entry of a REFERENCE_LIST as they
+// happen to be in memory. Here equal contents give equal bytes.
+
+constexpr const char* kLabelling = "label a dataset";
+
+// A dataset that goes along a scale, as an entry of that scale's REFERENCE_LIST.
+struct [[gnu::packed]] User {
+  hobj_ref_t dataset;
+  std::int32_t dimension;
+};
+
+Handle open(Id file, const std::string& path) {
+  return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), kLabelling};
+}
+
+hobj_ref_t reference_to(Id file, const std::string& path) {
+  hobj_ref_t reference{};
+  check(H5Rcreate(&reference, file, path.c_str(), H5R_OBJECT, -1), kLabelling);
+  return reference;
+}
+
+// With a null at the end: h5netcdf takes texts of length 1 for bytes.
+void write_text(Id object, const char* name, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), kLabelling);
+  check(H5Tset_size(type, text.size() + 1), kLabelling);
+  write_attribute(object, name, type, create_space({}), text.c_str());
+}
+
+// In the dataset: for each dimension a list of the one scale that belongs to it.
+void write_dimension_list(Id dataset, std::vector<hobj_ref_t> scales) {
+  std::vector<hvl_t> lists;
+  for (hobj_ref_t& scale : scales) lists.push_back({1, &scale});
+  const Handle type(H5Tvlen_create(H5T_STD_REF_OBJ), kLabelling);
+  write_attribute(dataset, "DIMENSION_LIST", type, create_space({lists.size()}), lists.data());
+}
+
+// In the scale: who goes along it.
+void write_reference_list(Id scale, const std::vector<User>& users) {
+  const Handle type(H5Tcreate(H5T_COMPOUND, sizeof(User)), kLabelling);
+  check(H5Tinsert(type, "dataset", offsetof(User, dataset), H5T_STD_REF_OBJ), kLabelling);
+  check(H5Tinsert(type, "dimension", offsetof(User, dimension), H5T_STD_I32LE), kLabelling);
+  write_attribute(scale, "REFERENCE_LIST", type, create_space({users.size()}), users.data());
+}
+
+void write_scale(Id file, const std::string& path, const std::vector<User>& users) {
+  const Handle scale = open(file, path);
+  write_text(scale, "CLASS", "DIMENSION_SCALE");
+  write_text(scale, "NAME", path.substr(path.rfind('/') + 1));
+  if (!users.empty()) write_reference_list(scale, users);
+}
+
+// Of datasets that were written before. Nothing of ours reads them.
+void write_labels(Id file, const Content& content, const Labels& labels) {
+  std::map<std::string, std::vector<User>> scales;
+  for (const auto& [path, label] : labels) {
+    const Handle dataset = open(file, path);
+    write_text(dataset, "units", content.at(path).unit);
+    write_text(dataset, "long_name", label.long_name);
+    if (label.axes == std::vector{path}) {
+      scales[path];
+      continue;
+    }
+    std::vector<hobj_ref_t> along;
+    for (const std::string& axis : label.axes) {
+      scales[axis].push_back({reference_to(file, path), static_cast<std::int32_t>(along.size())});
+      along.push_back(reference_to(file, axis));
+    }
+    if (!along.empty()) write_dimension_list(dataset, std::move(along));
+  }
+  for (const auto& [path, users] : scales) write_scale(file, path, users);
+}
+
+// --- the file
 
 Handle file_creation_properties() {
   Handle properties(H5Pcreate(H5P_FILE_CREATE), "prepare a file");

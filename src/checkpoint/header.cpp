@@ -49,6 +49,15 @@ std::string_view line_after(std::string_view header, std::string_view key) {
   return rest.substr(0, rest.find('\n'));
 }
 
+// The size of the file that its header states [bytes]; 0 if it states none.
+std::uint64_t stated_size(std::span<const std::byte> header) {
+  const std::string_view digits =
+      line_after(as_text(header.first(std::min(header.size(), kHeaderSize))), "\nbytes ");
+  std::uint64_t size = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), size);
+  return std::min(size, kLargestFile);
+}
+
 [[noreturn]] void refuse_foreign(std::string_view start, const std::string& name) {
   if (start.starts_with("\x89HDF\r\n")) {
     fail(
@@ -94,14 +103,6 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
         name, start.size());
   }
   return row->kind;
-}
-
-std::uint64_t stated_size(std::span<const std::byte> header) {
-  const std::string_view digits =
-      line_after(as_text(header.first(std::min(header.size(), kHeaderSize))), "\nbytes ");
-  std::uint64_t size = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), size);
-  return std::min(size, kLargestFile);
 }
 
 std::size_t intact_piece(std::span<const std::byte> bytes) {

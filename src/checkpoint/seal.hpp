@@ -13,9 +13,6 @@
 
 namespace rupture {
 
-/// The size of the file that its header states [bytes]; 0 if it states none.
-std::uint64_t stated_size(std::span<const std::byte> header);
-
 /// Length in bytes, header included, of the intact piece of an open record that `bytes` starts
 /// with; 0 if there is none. Each flush of a record appends a piece, a small sealed record, so that
 /// whatever happens to the process or the disk, the pieces before stay as they are, and what is not

@@ -98,9 +98,6 @@ ContentFile read_file(const std::filesystem::path& path, Opening opening = Openi
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name,
                        Opening opening = Opening::here);
 
-/// The datasets of any of our files, verified.
-Content read_content(const std::filesystem::path& path);
-
 /// What a file holds that another program may have changed since rupture sealed it. How it is
 /// stored does not matter: it may be cut into chunks and compressed, its texts may have any form,
 /// units may be missing.

@@ -148,7 +148,7 @@ TEST_F(CheckpointFile, with_nan_is_not_written) {
 
 TEST_F(CheckpointFile, of_a_build_without_a_later_parameter_has_its_default) {
   write(small_checkpoint());
-  Content content = read_content(file("x.h5"));
+  Content content = read_file(file("x.h5")).content;
   for (const char* name :
        {"slider/support", "junctions/law", "junctions/mu_new", "junctions/v_slow"}) {
     content.erase(std::string("/parameters/") + name);

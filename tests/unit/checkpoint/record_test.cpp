@@ -1,9 +1,12 @@
+// Records: their series, what they may hold besides (crossings of other pinned fractions, and
+// fields), and those in the making.
 #include "rupture/checkpoint/record.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
-#include "record_fixture.hpp"
+#include "fixtures.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 
 namespace rupture {
@@ -12,11 +15,63 @@ namespace {
 namespace fs = std::filesystem;
 using testing::expect_contains;
 using testing::failure_of;
-using testing::RecordFile;
 using testing::slurp;
 using testing::small_parameters;
 using testing::small_sample;
 using testing::spill;
+
+/// Small ones, of which every number is known.
+class RecordFile : public testing::InFolder {
+ protected:
+  static constexpr std::size_t kNx = 5, kBlocks = 20;  // of small_parameters()
+
+  RecordWriter writer(const char* name, std::size_t flush_every = 256,
+                      IfExists if_exists = IfExists::refuse) {
+    return {file(name), small_parameters(), testing::small_checkpoint().provenance, if_exists,
+            {},         flush_every};
+  }
+
+  static FieldSample field_sample(int n) {
+    FieldSample sample{0.001 * n, 100 * n, {}, {}};
+    for (std::size_t i = 0; i < kBlocks; ++i) {
+      sample.u_x.push_back(static_cast<float>(n) + static_cast<float>(i) / 32.0F);
+      sample.u_z.push_back(-sample.u_x.back());
+    }
+    return sample;
+  }
+
+  /// Fields are sampled half as often.
+  static void append(RecordWriter& record, int from, int to, const RecordParts& parts = {}) {
+    for (int n = from; n < to; ++n) {
+      record.append(small_sample(kNx, n));
+      if (n % 4 == 0) record.append(std::vector<Rupture>{{100 * n, 0.001 * n, n % 5}});
+      if (!parts.crossing_levels.empty()) {
+        record.append(std::vector<Rupture>{{100 * n, 0.001 * n, n % 5, n % 3 == 0 ? 0.2 : 0.5}});
+      }
+      if (parts.fields == Fields::record && n % 2 == 0) record.append(field_sample(n));
+    }
+  }
+
+  static void expect_samples(const Record& record, int count) {
+    ASSERT_EQ(record.time.size(), static_cast<std::size_t>(count));
+    ASSERT_EQ(record.u_x.rows(), count);
+    for (int n = 0; n < count; ++n) {
+      const Sample sample = small_sample(kNx, n);
+      const auto at = static_cast<std::size_t>(n);
+      EXPECT_EQ(record.time[at], sample.time);
+      EXPECT_EQ(record.step[at], sample.step);
+      EXPECT_EQ(record.F_T[at], sample.F_T);
+      EXPECT_EQ(record.x_drive[at], sample.x_drive);
+      for (std::size_t i = 0; i < kNx; ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        EXPECT_EQ(record.pinned(n, column), sample.pinned[i]);
+        EXPECT_EQ(record.p(n, column), sample.p[i]);
+        EXPECT_EQ(record.tau(n, column), sample.tau[i]);
+        EXPECT_EQ(record.u_x(n, column), sample.u_x[i]);
+      }
+    }
+  }
+};
 
 TEST_F(RecordFile, returns_what_was_appended) {
   auto out = writer("r.h5", 7);
@@ -48,7 +103,7 @@ TEST_F(RecordFile, says_where_the_blocks_are_outside_its_checksum) {
   auto out = writer("r.h5");
   append(out, 0, 3);
   out.finish();
-  Content content = read_content(file("r.h5"));
+  Content content = read_file(file("r.h5")).content;
   EXPECT_EQ(read_array<double>(content, "/series/x", {5}),
             (std::vector<double>{0, 0.01, 0.02, 0.03, 0.04}));
   const std::string checksum = content_checksum(content);
@@ -224,6 +279,117 @@ TEST_F(RecordFile, has_one_writer_at_a_time) {
   expect_contains(failure_of([&] { writer("r.h5", 4, IfExists::replace); }),
                   "another run is writing " + file("r.h5.part").string());
   expect_samples(read_record(file("r.h5.part")), 4);
+}
+
+// --- with crossings of other pinned fractions, and fields
+
+class RecordWithParts : public RecordFile {
+ protected:
+  const RecordParts crossings = {.crossing_levels = {0.2, 0.5}};
+  const RecordParts fields = {.fields = Fields::record};
+  const RecordParts both = {{0.2, 0.5}, Fields::record};
+
+  RecordWriter writer_of(const char* name, const RecordParts& parts, const Content& rows = {}) {
+    return {file(name), small_parameters(), {}, IfExists::replace, rows, 8, parts};
+  }
+  std::string write(const char* name, const RecordParts& parts) {
+    auto out = writer_of(name, parts);
+    append(out, 0, 20, parts);
+    return out.finish();
+  }
+};
+
+TEST_F(RecordWithParts, returns_crossings_by_their_level) {
+  write("r.h5", both);
+  const Record record = read_record(file("r.h5"));
+  expect_samples(record, 20);
+  EXPECT_EQ(record.crossing_levels, (std::vector<double>{0.2, 0.5}));
+  EXPECT_EQ(record.crossings.size(), 20U);
+  EXPECT_EQ(ruptures_below(record, kRupturedFraction), record.ruptures);
+  EXPECT_EQ(ruptures_below(record, kRupturedFraction).size(), 5U);
+  const auto low = ruptures_below(record, 0.2);
+  ASSERT_EQ(low.size(), 7U);
+  EXPECT_EQ(low[6], (Rupture{1800, 0.001 * 18, 3, 0.2}));
+  EXPECT_EQ(ruptures_below(record, 0.5).size(), 13U);
+  EXPECT_EQ(failure_of([&] { ruptures_below(record, 0.4); }),
+            "the record has no crossings of a pinned fraction of 0.4, only of 0.2, "
+            "0.5, 0.3: record it with --crossings 0.4");
+}
+
+TEST_F(RecordWithParts, knows_its_levels_without_any_crossing) {
+  auto out = writer_of("r.h5", crossings);
+  append(out, 0, 4);
+  out.finish();
+  EXPECT_TRUE(ruptures_below(read_record(file("r.h5")), 0.5).empty());
+}
+
+TEST_F(RecordWithParts, returns_fields_and_their_positions) {
+  write("r.h5", both);
+  const auto [record, content, ignored_bytes] = read_record_file(file("r.h5"));
+  EXPECT_EQ(ignored_bytes, 0U);
+  EXPECT_EQ(record.fields, Fields::record);
+  EXPECT_EQ(record.field_step.size(), 10U);
+  EXPECT_EQ(record.field_step[9], 1800);
+  EXPECT_EQ(read_array<double>(content, "/fields/time", {10})[9], 0.001 * 18);
+  const auto u_z = read_array<float>(content, "/fields/u_z", {10, 4, 5});
+  EXPECT_EQ(std::vector<float>(u_z.end() - kBlocks, u_z.end()), field_sample(18).u_z);
+  EXPECT_EQ(read_array<double>(content, "/fields/z", {4}),
+            (std::vector<double>{0, 0.01, 0.02, 0.03}));
+}
+
+TEST_F(RecordWithParts, that_begins_with_the_rows_of_another_continues_it) {
+  for (const RecordParts& parts : {RecordParts{}, crossings, fields, both}) {
+    const std::string checksum = write("whole.h5", parts);
+    for (const int kept : {0, 1, 8, 13}) {
+      const Content rows = rows_until(read_file(file("whole.h5")).content, 100 * (kept - 1));
+      auto out = writer_of("r.h5", parts, rows);
+      const Record part = read_record(file("r.h5.part"));
+      expect_samples(part, kept);
+      EXPECT_EQ(std::ssize(part.crossings), parts.crossing_levels.empty() ? 0 : kept);
+      append(out, kept, 20, parts);
+      EXPECT_EQ(out.finish(), checksum) << kept;
+    }
+  }
+}
+
+TEST_F(RecordWithParts, adds_nothing_but_them_and_they_count) {
+  const std::string checksum_without = write("q.h5", {});
+  EXPECT_EQ(read_record(file("q.h5")).fields, Fields::omit);
+  for (const auto& [group, parts] : {std::pair("/crossings/", crossings), {"/fields/", fields}}) {
+    EXPECT_NE(write("r.h5", parts), checksum_without);
+    Content content = read_file(file("r.h5")).content;
+    std::erase_if(content, [&group = group](const auto& item) {  // clang 14 captures no binding
+      return item.first.starts_with(group);
+    });
+    EXPECT_EQ(content_checksum(content), checksum_without);
+  }
+}
+
+TEST_F(RecordWithParts, of_large_sliders_are_flushed_by_their_size) {
+  Parameters large = small_parameters();
+  large.Nx = 401;
+  large.L = 4.0;
+  large.Nz = 401;
+  FieldSample sample{0.0, 0, std::vector<float>(401 * 401), std::vector<float>(401 * 401)};
+  RecordWriter out(file("r.h5"), large, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
+                   {.fields = Fields::record});
+  const auto begun = fs::file_size(file("r.h5.part"));
+  out.append(sample);
+  EXPECT_GT(fs::file_size(file("r.h5.part")), begun + 8 * 401 * 401);
+}
+
+TEST_F(RecordWithParts, with_impossible_values_is_refused) {
+  auto out = writer_of("r.h5", fields);
+  FieldSample bad = field_sample(0);
+  bad.u_x.pop_back();
+  EXPECT_EQ(failure_of([&] { out.append(bad); }),
+            "a sample has 19 values of u_x; expected Nx Nz = 20");
+  auto infinite = writer_of("i.h5", fields);
+  bad = field_sample(0);
+  bad.u_z[7] = std::numeric_limits<float>::infinity();
+  infinite.append(bad);
+  expect_contains(failure_of([&] { infinite.flush(); }),
+                  "/fields/u_z holds inf at index 7 of [1][4][5]; only finite numbers are stored");
 }
 
 }  // namespace
