@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string_view>
 
@@ -14,50 +14,38 @@
 namespace rupture::tools {
 namespace {
 
-const ToolText kText = {
-    "analyze",
-    "analyze COMMAND [FILE...] [options]",
-    "Measures, compares and checks checkpoints and records; never changes them.",
-    {},
-    "measure, compare and check checkpoints and records"};
+constexpr std::string_view kSynopsis = "analyze COMMAND [FILE...] [options]";
+constexpr std::string_view kPurpose =
+    "Measures, compares and checks checkpoints and records; never changes them.";
+constexpr std::string_view kSummary = "measure, compare and check checkpoints and records";
+
+/// Its name without "analyze".
+std::string_view word_for(const Command& command) {
+  return command.name.substr(command.name.find(' ') + 1);
+}
 
 std::string help() {
   std::string text = fmt::format(
       "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND describes one):\n"
       "  help         show this list, or the help of a command\n",
-      kText.synopsis, kText.purpose);
+      kSynopsis, kPurpose);
   for (const Command* command : commands()) {
-    text += fmt::format("  {:<12} {}\n", command->name(), command->summary);
+    text += fmt::format("  {:<12} {}\n", word_for(*command), command->summary);
   }
   return text;
 }
 
-Parsed parse(const Command& command, int argc, const char* const* argv) {
-  po::options_description options("Options");
-  for (const AddOptions add : command.options) {
-    if (add != nullptr) add(options);
-  }
-  return parse(argc, argv,
-               {"analyze " + command.name(),
-                fmt::format("analyze {} [options]", command.call),
-                command.purpose,
-                {},
-                command.summary},
-               options, command.input, command.uses_parameters);
-}
-
 [[noreturn]] void answer(const Command& command, const char* question) {
-  const std::string name = command.name();
-  const std::array<const char*, 2> asked = {name.c_str(), question};
+  const std::array<const char*, 2> asked = {"analyze", question};
   parse(command, asked.size(), asked.data());
-  throw std::logic_error(fmt::format("{} does not answer {}", name, question));
+  throw std::logic_error(fmt::format("{} does not answer {}", command.name, question));
 }
 
 std::string describe() {
-  Json json = {{"name", kText.name},
-               {"summary", kText.summary},
-               {"synopsis", kText.synopsis},
-               {"purpose", kText.purpose},
+  Json json = {{"name", "analyze"},
+               {"summary", kSummary},
+               {"synopsis", kSynopsis},
+               {"purpose", kPurpose},
                {"commands", Json::array()}};
   for (const Command* command : commands()) {
     try {
@@ -71,15 +59,13 @@ std::string describe() {
 
 std::vector<std::string_view> names_of_commands() {
   std::vector<std::string_view> names = {"help"};
-  for (const Command* command : commands()) {
-    names.push_back(command->call.substr(0, command->name().size()));
-  }
+  for (const Command* command : commands()) names.push_back(word_for(*command));
   return names;
 }
 
 const Command& find(std::string_view name) {
   for (const Command* command : commands()) {
-    if (command->name() == name) return *command;
+    if (word_for(*command) == name) return *command;
   }
   throw UsageError(unknown_text("command", name, names_of_commands(), "rupture analyze --help"));
 }

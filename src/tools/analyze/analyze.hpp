@@ -1,31 +1,11 @@
 // The commands of the analyze tool.
 #pragma once
 
-#include <array>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/command_line.hpp"
-#include "cli/quantity.hpp"
 
 namespace rupture::tools {
-
-using AddOptions = void (*)(po::options_description&);
-
-/// Everything about one command; --help, --describe and `analyze quantities` come from it.
-struct Command {
-  std::string_view call;  ///< its name, and its arguments in the synopsis
-  const char* input;      ///< kind of the positional arguments; empty: none are taken
-  const char* summary;    ///< a line for lists of commands
-  const char* purpose;
-  std::array<AddOptions, 4> options;  ///< in the order of --help
-  int (*run)(const Parsed&);
-  Quantities (*quantities)() = nullptr;  ///< rows of what it measures, whatever their values
-  UsesParameters uses_parameters = UsesParameters::no;
-
-  std::string name() const { return std::string(call.substr(0, call.find(' '))); }
-};
 
 // of records
 extern const Command events_command, front_command, classify_command, slip_command,

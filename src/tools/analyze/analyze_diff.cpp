@@ -183,7 +183,8 @@ int compare(const Parsed& parsed) {
 }  // namespace
 
 constinit const Command diff_command = {
-    "diff A B",
+    "analyze diff",
+    "A B",
     "file",
     "where and by how much two files differ",
     R"(Compares the parameters and the state of two checkpoints, or the series of two records, dataset

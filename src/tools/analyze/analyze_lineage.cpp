@@ -195,7 +195,8 @@ void check_combination(const po::variables_map& values) {
 }  // namespace
 
 constinit const Command lineage_command = {
-    "lineage FILE",
+    "analyze lineage",
+    "FILE",
     "file",
     "the steps that led to a file, also as a script",
     "Prints the steps that led to FILE, one line each: the content checksum of the file that was\n"

@@ -6,25 +6,21 @@
 #include "analyze/analyze.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
-#include "run/summary.hpp"
+#include "run/programs.hpp"
 
 namespace rupture::tools {
 namespace {
 
-std::vector<NamedQuantity> all_quantities() {
-  std::vector<NamedQuantity> all;
-  for (const Command* command : commands()) {
-    if (command->quantities == nullptr) continue;
-    const auto measured = named(command->name(), command->quantities());
-    all.insert(all.end(), measured.begin(), measured.end());
-  }
-  return all;
-}
+const std::vector<const Command*> kWriters = {&load_command,    &restart_command,
+                                              &prepare_command, &modify_phi_command,
+                                              &finish_command,  &seal_command};
 
-std::vector<NamedQuantity> all_of_summaries() {
+std::vector<NamedQuantity> quantities_of(const std::vector<const Command*>& commands) {
   std::vector<NamedQuantity> all;
-  for (const auto& [program, rows] : summary_quantities()) {
-    const auto reported = named(program, rows);
+  for (const Command* command : commands) {
+    if (command->quantities == nullptr) continue;
+    const std::string word(command->name.substr(command->name.find(' ') + 1));
+    const auto reported = named(word, command->quantities());
     all.insert(all.end(), reported.begin(), reported.end());
   }
   return all;
@@ -49,15 +45,16 @@ void print_text() {
   say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
   say("\nQuantities: name (command, then field of its --json; * is an index), unit, "
       "meaning\n");
-  print_lines(all_quantities());
+  print_lines(quantities_of(commands()));
   say("\nSummaries: name (program that writes files, then field of its --json), unit, meaning\n");
-  print_lines(all_of_summaries());
+  print_lines(quantities_of(kWriters));
 }
 
 }  // namespace
 
 constinit const Command quantities_command = {
-    "quantities",
+    "analyze quantities",
+    "",
     "",
     "names and units of all parameters and of all measured quantities",
     "Lists all parameters, and everything that the commands of analyze and the programs that\n"
@@ -66,8 +63,8 @@ constinit const Command quantities_command = {
     [](const Parsed& parsed) {
       if (parsed.values.count("json") > 0) {
         say("{}\n", json_text({{"parameters", tools::json_of(parameter_table())},
-                               {"quantities", json_of(all_quantities())},
-                               {"summaries", json_of(all_of_summaries())}}));
+                               {"quantities", json_of(quantities_of(commands()))},
+                               {"summaries", json_of(quantities_of(kWriters))}}));
       } else {
         print_text();
       }

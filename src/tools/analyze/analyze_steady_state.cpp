@@ -81,7 +81,8 @@ void add_steady_options(po::options_description& options) {
 }  // namespace
 
 constinit const Command steady_state_command = {
-    "steady-state",
+    "analyze steady-state",
+    "",
     "",
     "friction of a block that slides at constant speed",
     "Friction coefficient of a block that slides at constant speed under the mean normal force\n"

@@ -15,7 +15,6 @@
 #include "cli/option_values.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
-#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
@@ -39,11 +38,10 @@ po::options_description common_options(UsesParameters uses_parameters) {
   return common;
 }
 
-std::string help_text(const ToolText& text, const po::options_description& shown,
-                      UsesParameters uses_parameters) {
+std::string help_text(const Command& command, const po::options_description& shown) {
   std::ostringstream out;
-  out << "Usage: rupture " << text.synopsis << "\n\n" << text.purpose << "\n\n" << shown;
-  if (uses_parameters == UsesParameters::yes) {
+  out << "Usage: rupture " << command.synopsis() << "\n\n" << command.purpose << "\n\n" << shown;
+  if (command.uses_parameters == UsesParameters::yes) {
     out << "\nParameters for --set and --config: rupture parameters lists them, with units and "
            "defaults;\nrupture parameters NAME describes one.\n";
   }
@@ -68,14 +66,20 @@ int complain(const std::string& name, const std::string& message, ExitCode code)
 
 }  // namespace
 
-Parsed parse(int argc, const char* const* argv, const ToolText& text,
-             const po::options_description& options, const std::string& positional,
-             UsesParameters uses_parameters) {
+std::string Command::synopsis() const {
+  return fmt::format("{}{}{} [options]", name, arguments.empty() ? "" : " ", arguments);
+}
+
+Parsed parse(const Command& command, int argc, const char* const* argv) {
+  po::options_description options("Options");
+  for (const AddOptions add : command.own) {
+    if (add != nullptr) add(options);
+  }
   po::options_description shown;
-  shown.add(options).add(common_options(uses_parameters));
+  shown.add(options).add(common_options(command.uses_parameters));
   po::options_description all;
   all.add(shown);
-  const std::string inputs = positional.empty() ? "unexpected" : positional;
+  const std::string inputs = *command.input == '\0' ? "unexpected" : command.input;
   all.add_options()(inputs.c_str(), po::value<std::vector<std::string>>());
   po::positional_options_description positions;
   positions.add(inputs.c_str(), -1);
@@ -89,20 +93,19 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
         po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run();
     po::store(given, parsed.values);
     if (parsed.values.count("help") > 0) {
-      throw HelpRequested{help_text(text, shown, uses_parameters)};
+      throw HelpRequested{help_text(command, shown)};
     }
     if (parsed.values.count("describe") > 0) {
-      const Json json = description(text, shown, positional, uses_parameters);
-      throw HelpRequested{json_text(json) + "\n"};
+      throw HelpRequested{json_text(description(command, shown)) + "\n"};
     }
     if (parsed.values.count("version") > 0) {
-      throw HelpRequested{version_text(text.name)};
+      throw HelpRequested{version_text(std::string(command.name))};
     }
     if (parsed.values.count("unexpected") > 0) {
       const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
       throw UsageError(
           fmt::format("unexpected argument '{}': {} reads no files; see rupture {} --help",
-                      words.front(), text.name, text.name));
+                      words.front(), command.name, command.name));
     }
     if (parsed.values.count("config") > 0) {
       parsed.parameters =
@@ -112,9 +115,9 @@ Parsed parse(int argc, const char* const* argv, const ToolText& text,
     const auto changes = changes_by(given);
     parsed.parameters.insert(parsed.parameters.end(), changes.begin(), changes.end());
   } catch (const po::unknown_option& error) {
-    throw UsageError(unknown_option_text(error.get_option_name(), all, text.name));
+    throw UsageError(unknown_option_text(error.get_option_name(), all, command.name));
   } catch (const po::error& error) {
-    throw UsageError(fmt::format("{}; see rupture {} --help", error.what(), text.name));
+    throw UsageError(fmt::format("{}; see rupture {} --help", error.what(), command.name));
   }
   return parsed;
 }
@@ -142,6 +145,10 @@ void add_output_options(po::options_description& options, const std::string& hol
       "json", "print a summary as one JSON object; text goes to standard error");
 }
 
+void add_checkpoint_options(po::options_description& options) {
+  add_output_options(options, "checkpoint");
+}
+
 OutputOptions output_options(const po::variables_map& values) {
   OutputOptions options;
   options.output = file_to_write(values, "output");
@@ -159,10 +166,6 @@ std::filesystem::path file_to_write(const po::variables_map& values, const std::
   throw UsageError(fmt::format(
       "--{} needs the path of a file (got -): checkpoints and records cannot go to standard output",
       option));
-}
-
-std::string wrote_text(const std::filesystem::path& path, const std::string& checksum) {
-  return fmt::format("wrote {}  {}\n", in_one_line(path.string()), labelled(checksum));
 }
 
 void check_distinct(const std::vector<std::filesystem::path>& outputs,
@@ -248,6 +251,11 @@ int run_tool(const std::string& name, const std::function<int()>& body) {
   } catch (const std::exception& error) {
     return complain(name, error.what(), kFailed);
   }
+}
+
+int run_tool(const Command& command, int argc, const char* const* argv) {
+  return run_tool(std::string(command.name),
+                  [&] { return command.run(parse(command, argc, argv)); });
 }
 
 }  // namespace rupture::tools

@@ -1,14 +1,15 @@
 // The command line of all tools: parsing, --help, parameters, errors and exit codes.
 #pragma once
 
-#include <boost/program_options.hpp>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
+#include "cli/quantity.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/model/parameters.hpp"
@@ -16,19 +17,8 @@
 
 namespace rupture::tools {
 
-namespace po = boost::program_options;
-
 /// Exit codes: 0 done, 1 failed, 2 usage.
 enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2 };
-
-/// The text of --help and --describe besides the options.
-struct ToolText {
-  std::string name;                          ///< e.g. "restart"
-  std::string synopsis;                      ///< e.g. "restart CHECKPOINT -o OUT [options]"
-  std::string purpose;                       ///< a sentence or two
-  std::vector<std::string> one_needed = {};  ///< options of which one must be given
-  std::string summary = {};                  ///< a line for lists of programs
-};
 
 /// Thrown by parse() when --help, --describe or --version was given; holds the text for standard
 /// output.
@@ -54,12 +44,28 @@ struct Parsed {
 
 enum class UsesParameters { yes, no };
 
-/// Parses argv. `options` are the tool's own; positional arguments go to the option `positional`
-/// (empty: none are taken). Touches no file but the one --config names. Throws UsageError, Failure
-/// (unreadable --config) or HelpRequested.
-Parsed parse(int argc, const char* const* argv, const ToolText& text,
-             const po::options_description& options, const std::string& positional,
-             UsesParameters uses_parameters);
+using AddOptions = void (*)(po::options_description&);
+
+/// Everything about one program, or one command of analyze: --help, --describe, the man pages and
+/// `analyze quantities` come from it.
+struct Command {
+  std::string_view name;          ///< such as "restart" or "analyze front"
+  std::string_view arguments;     ///< in the synopsis, before [options]
+  const char* input;              ///< kind of the positional arguments; empty: none are taken
+  const char* summary;            ///< a line for lists of programs and commands
+  const char* purpose;            ///< a sentence or two
+  std::array<AddOptions, 4> own;  ///< options, in the order of --help
+  int (*run)(const Parsed&);      ///< all of it but the parsing; returns the exit code
+  Quantities (*quantities)() = nullptr;  ///< rows of what it reports, whatever their values
+  UsesParameters uses_parameters = UsesParameters::no;
+  std::array<const char*, 3> one_needed = {};  ///< options of which one must be given
+
+  std::string synopsis() const;
+};
+
+/// Parses argv; positional arguments go to the option that is called as `input`. Touches no file
+/// but the one --config names. Throws UsageError, Failure (unreadable --config) or HelpRequested.
+Parsed parse(const Command& command, int argc, const char* const* argv);
 
 /// The text of --version: the last word names the instruction set that the time steps use here.
 std::string version_text(const std::string& tool);
@@ -82,14 +88,12 @@ struct OutputOptions {
   std::FILE* text() const { return summary == Summary::json ? stderr : stdout; }
 };
 void add_output_options(po::options_description& options, const std::string& holds);
+void add_checkpoint_options(po::options_description& options);  ///< the same, of a checkpoint
 OutputOptions output_options(const po::variables_map& values);
 
 /// The file to write that an option names. Throws UsageError for "-", by which other programs mean
 /// standard output.
 std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option);
-
-/// "wrote x.h5  content-sha256 4f2c…", with the end of the line.
-std::string wrote_text(const std::filesystem::path& path, const std::string& checksum);
 
 /// Throws UsageError if two outputs, their .sum files included, have the same name or one is the
 /// input, which no tool ever changes.
@@ -118,5 +122,8 @@ std::string single_input(const po::variables_map& values, const std::string& pos
 /// Runs a tool's body and turns exceptions into one line on standard error and an exit code. If the
 /// reader of standard output goes away, the body goes on; then SIGPIPE ends the process.
 int run_tool(const std::string& name, const std::function<int()>& body);
+
+/// Runs a program that is one command.
+int run_tool(const Command& command, int argc, const char* const* argv);
 
 }  // namespace rupture::tools

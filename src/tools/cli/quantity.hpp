@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/command_line.hpp"
+#include "cli/option_values.hpp"
 
 namespace rupture::tools {
 

@@ -66,9 +66,9 @@ Json option_json(const po::option_description& option) {
 }
 
 /// Groups of options: one of each group must be given.
-Json needed_json(const ToolText& text, const po::options_description& options) {
+Json needed_json(const Command& command, const po::options_description& options) {
   Json groups = Json::array();
-  if (!text.one_needed.empty()) groups.push_back(text.one_needed);
+  if (command.one_needed.front() != nullptr) groups.push_back(command.one_needed);
   for (const auto& option : options.options()) {
     if (option->semantic()->is_required()) groups.push_back(Json::array({option->long_name()}));
   }
@@ -114,17 +114,16 @@ Json json_of(const std::vector<ParameterInfo>& rows) {
   return list;
 }
 
-Json description(const ToolText& text, const po::options_description& options,
-                 const std::string& positional, UsesParameters uses_parameters) {
-  Json json = {{"name", text.name},
-               {"synopsis", text.synopsis},
-               {"purpose", without_line_breaks(text.purpose)},
-               {"input", positional.empty() ? Json() : Json(positional)},
+Json description(const Command& command, const po::options_description& options) {
+  Json json = {{"name", command.name},
+               {"synopsis", command.synopsis()},
+               {"purpose", without_line_breaks(command.purpose)},
+               {"input", *command.input == '\0' ? Json() : Json(command.input)},
                {"outputs", outputs_json(options)},
-               {"parameters", uses_parameters == UsesParameters::yes},
-               {"one_needed", needed_json(text, options)},
-               {"options", Json::array()}};
-  if (!text.summary.empty()) json["summary"] = text.summary;
+               {"parameters", command.uses_parameters == UsesParameters::yes},
+               {"one_needed", needed_json(command, options)},
+               {"options", Json::array()},
+               {"summary", command.summary}};
   for (const auto& option : options.options()) json["options"].push_back(option_json(*option));
   return json;
 }

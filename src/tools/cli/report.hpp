@@ -27,7 +27,6 @@ Json json_of(const std::vector<ParameterInfo>& rows);
 
 /// Name, purpose, input, outputs and options of a program or command, for --describe
 /// (docs/schema.md). `options` are all that it takes, with values of cli/option_values.hpp.
-Json description(const ToolText& text, const po::options_description& options,
-                 const std::string& positional, UsesParameters uses_parameters);
+Json description(const Command& command, const po::options_description& options);
 
 }  // namespace rupture::tools

@@ -42,7 +42,7 @@ std::string parameter_help() {
 
 std::string unknown_option_text(const std::string& option,
                                 const boost::program_options::options_description& known,
-                                const std::string& tool) {
+                                std::string_view tool) {
   std::vector<std::string> names;
   for (const auto& description : known.options()) {
     names.push_back("--" + description->long_name());

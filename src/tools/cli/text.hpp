@@ -31,7 +31,7 @@ std::string parameter_help();
 /// "unknown option '--untill': did you mean '--until'?"
 std::string unknown_option_text(const std::string& option,
                                 const boost::program_options::options_description& known,
-                                const std::string& tool);
+                                std::string_view tool);
 
 /// 6000000 as "6,000,000".
 std::string grouped(double whole_number);

@@ -12,18 +12,10 @@
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 
+namespace rupture::tools {
 namespace {
 
-using namespace rupture;
-using namespace rupture::tools;
-
 using Rows = std::vector<ParameterInfo>;
-
-struct Options {
-  Rows rows;
-  bool in_full;  ///< not a line for each
-  bool json;
-};
 
 bool is_of_group(const ParameterInfo& info, std::string_view group) {
   return info.name.substr(0, info.name.find('.')) == group;
@@ -38,27 +30,13 @@ Rows rows_called(const std::string& name) {
   return rows.empty() ? Rows{find_parameter(name)} : rows;
 }
 
-Options setup(int argc, char** argv) {
-  po::options_description options("Options");
-  options.add_options()("json", "print one JSON object");
-  const Parsed parsed = parse(
-      argc, argv,
-      {"parameters",
-       "parameters [NAME...] [options]",
-       "Lists all parameters. With names, or a group such as junctions, prints units, defaults,\n"
-       "ranges and meanings of these, and the laws that use them.",
-       {},
-       "units, defaults, ranges and meanings of the parameters"},
-      options, "parameter", UsesParameters::no);
-  Options result = {{}, parsed.values.count("parameter") > 0, parsed.values.count("json") > 0};
-  if (!result.in_full) result.rows = parameter_table();
-  if (result.in_full) {
-    for (const auto& name : parsed.values["parameter"].as<std::vector<std::string>>()) {
-      const Rows rows = rows_called(name);
-      result.rows.insert(result.rows.end(), rows.begin(), rows.end());
-    }
+Rows rows_called(const std::vector<std::string>& names) {
+  Rows all;
+  for (const auto& name : names) {
+    const Rows rows = rows_called(name);
+    all.insert(all.end(), rows.begin(), rows.end());
   }
-  return result;
+  return all;
 }
 
 std::string text_of(const ParameterInfo& info) {
@@ -83,11 +61,15 @@ void print_text(const Rows& rows) {
   }
 }
 
-int run(const Options& options) {
-  if (options.json) {
-    say("{}\n", json_text({{"parameters", json_of(options.rows)}}));
-  } else if (options.in_full) {
-    print_text(options.rows);
+int print_parameters(const Parsed& parsed) {
+  const bool are_named = parsed.values.count("parameter") > 0;
+  const Rows rows = are_named
+                        ? rows_called(parsed.values["parameter"].as<std::vector<std::string>>())
+                        : parameter_table();
+  if (parsed.values.count("json") > 0) {
+    say("{}\n", json_text({{"parameters", tools::json_of(rows)}}));
+  } else if (are_named) {
+    print_text(rows);
   } else {
     say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
   }
@@ -96,6 +78,15 @@ int run(const Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_tool("parameters", [&] { return run(setup(argc, argv)); });
-}
+extern const Command parameters_command;
+constinit const Command parameters_command = {
+    "parameters",
+    "[NAME...]",
+    "parameter",
+    "units, defaults, ranges and meanings of the parameters",
+    "Lists all parameters. With names, or a group such as junctions, prints units, defaults,\n"
+    "ranges and meanings of these, and the laws that use them.",
+    {add_json_option},
+    print_parameters};
+
+}  // namespace rupture::tools

@@ -79,9 +79,10 @@ std::vector<std::string> rebuild_command(const std::string& tool, const Paramete
   return command;
 }
 
-std::vector<std::string> with_options(std::vector<std::string> command,
-                                      const po::options_description& own,
+std::vector<std::string> with_options(std::vector<std::string> command, AddOptions add_own,
                                       const po::variables_map& values) {
+  po::options_description own;
+  add_own(own);
   for (const auto& option : own.options()) {
     const auto found = values.find(option->long_name());
     if (found == values.end()) continue;

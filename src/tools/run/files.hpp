@@ -87,8 +87,7 @@ std::vector<std::string> rebuild_command(const std::string& tool, const Paramete
 
 /// The command with all the tool's `own` options that have a value, defaults included. Their values
 /// are numbers or texts, or they have none at all.
-std::vector<std::string> with_options(std::vector<std::string> command,
-                                      const po::options_description& own,
+std::vector<std::string> with_options(std::vector<std::string> command, AddOptions add_own,
                                       const po::variables_map& values);
 
 /// The chain of a checkpoint that a run writes at `step`. Its last entry, which names the run,

@@ -1,38 +1,14 @@
 // finish: the record of a run that was killed, or still runs, as an ordinary record.
 #include <fmt/core.h>
 
-#include "cli/command_line.hpp"
-#include "cli/text.hpp"
 #include "run/files.hpp"
+#include "run/programs.hpp"
 #include "run/summary.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
 
+namespace rupture::tools {
 namespace {
-
-using namespace rupture;
-using namespace rupture::tools;
-
-struct Options {
-  std::filesystem::path part;
-  OutputOptions output;
-};
-
-Options setup(int argc, char** argv) {
-  po::options_description options("Options");
-  add_output_options(options, "record");
-  const Parsed parsed = parse(
-      argc, argv,
-      {"finish",
-       "finish RECORD.h5.part -o OUT [options]",
-       "Makes an ordinary record from an unfinished one, up to its last sample. The run may have\n"
-       "been killed or may still be going on; it is not disturbed, and RECORD.h5.part stays.",
-       {},
-       "make an ordinary record from an unfinished one"},
-      options, "record", UsesParameters::no);
-  return {single_input(parsed.values, "record", "an unfinished record (RECORD.h5.part)"),
-          output_options(parsed.values)};
-}
 
 /// Its run may end, and complete its record, at any moment.
 bool has_become_record(const std::filesystem::path& part) {
@@ -59,51 +35,71 @@ RecordFile read_part(const std::filesystem::path& path) try {
 }
 
 /// The run refuses to replace at its end what it did not find at its start.
-void refuse_name_of_run(const Options& options) {
+void refuse_name_of_run(const std::filesystem::path& part, const std::filesystem::path& output) {
   namespace fs = std::filesystem;
-  const fs::path& output = options.output.output;
-  if (!is_being_written(options.part) || fs::weakly_canonical(part_path(fs::absolute(output))) !=
-                                             fs::weakly_canonical(fs::absolute(options.part))) {
+  if (!is_being_written(part) || fs::weakly_canonical(part_path(fs::absolute(output))) !=
+                                     fs::weakly_canonical(fs::absolute(part))) {
     return;
   }
   throw Failure(
       fmt::format("a run is writing {} and will write {} when it ends: give another output",
-                  options.part.string(), output.string()));
+                  part.string(), output.string()));
 }
 
-void print(const FinishedSummary& summary, std::FILE* to) {
-  say_on(to, "{} samples up to t = {:.9g} s\n", summary.samples, summary.time);
-  if (summary.ignored_bytes > 0) {
-    say_on(to,
-           "ignored {} bytes at the end, an incomplete piece: the run was killed while writing it, "
-           "is still writing it, or it is damaged\n",
-           summary.ignored_bytes);
-  }
-  const WrittenFile& file = summary.files.front();
-  say_on(to, "{}", wrote_text(file.path, file.checksum));
+struct Finished {
+  std::int64_t samples = 0;
+  double time = 0.0;               ///< of the last one [s]
+  std::int64_t ignored_bytes = 0;  ///< at the end of the unfinished record
+};
+
+Quantities quantities_of(const Finished& finished) {
+  return {
+      {"samples", "1", "samples in the record", finished.samples},
+      {"time", "s", "time of the last sample", finished.time},
+      {"ignored_bytes", "1",
+       "bytes of an incomplete piece at the end of the unfinished record, as after a kill",
+       finished.ignored_bytes},
+  };
 }
 
-int run(const Options& options) {
-  const OutputOptions& output = options.output;
-  const RecordFile part = read_part(options.part);
-  check_outputs({output.output}, output.if_exists, options.part);
-  refuse_name_of_run(options);
+std::string text_of(const Finished& finished) {
+  std::string text =
+      fmt::format("{} samples up to t = {:.9g} s\n", finished.samples, finished.time);
+  if (finished.ignored_bytes == 0) return text;
+  return text + fmt::format(
+                    "ignored {} bytes at the end, an incomplete piece: the run was killed while "
+                    "writing it, is still writing it, or it is damaged\n",
+                    finished.ignored_bytes);
+}
+
+int finish(const Parsed& parsed) {
+  const std::string path =
+      single_input(parsed.values, "record", "an unfinished record (RECORD.h5.part)");
+  const OutputOptions output = output_options(parsed.values);
+
+  const RecordFile part = read_part(path);
+  check_outputs({output.output}, output.if_exists, path);
+  refuse_name_of_run(path, output.output);
   const Record& record = part.record;
-  const double t = record.time.back();
-  const auto chain = cut_at(record.provenance, record.parameters, t, record.step.back());
-  const std::string checksum = write_content(
-      output.output, FileKind::record, finished_content(part, chain), output.if_exists, output.sum);
-  const FinishedSummary summary = {.samples = std::ssize(record.time),
-                                   .time = t,
-                                   .ignored_bytes = static_cast<std::int64_t>(part.ignored_bytes),
-                                   .files = {{output.output, "record", checksum}}};
-  if (output.verbosity == Verbosity::normal) print(summary, output.text());
-  print_if_asked(quantities_of(summary), output);
-  return kDone;
+  const Finished finished = {std::ssize(record.time), record.time.back(),
+                             static_cast<std::int64_t>(part.ignored_bytes)};
+  const auto chain =
+      cut_at(record.provenance, record.parameters, finished.time, record.step.back());
+  const WrittenFile file = write(FileKind::record, finished_content(part, chain), output);
+  return report(quantities_of(finished), text_of(finished), file, output);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_tool("finish", [&] { return run(setup(argc, argv)); });
-}
+constinit const Command finish_command = {
+    "finish",
+    "RECORD.h5.part -o OUT",
+    "record",
+    "make an ordinary record from an unfinished one",
+    "Makes an ordinary record from an unfinished one, up to its last sample. The run may have\n"
+    "been killed or may still be going on; it is not disturbed, and RECORD.h5.part stays.",
+    {[](po::options_description& options) { add_output_options(options, "record"); }},
+    finish,
+    [] { return with_files(quantities_of(Finished{})); }};
+
+}  // namespace rupture::tools

@@ -4,31 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/command_line.hpp"
 #include "cli/option_values.hpp"
-#include "cli/text.hpp"
 #include "run/files.hpp"
+#include "run/programs.hpp"
 #include "run/summary.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 
+namespace rupture::tools {
 namespace {
 
-using namespace rupture;
-using namespace rupture::tools;
-
-struct Options {
-  std::string checkpoint;
-  PhiChange change;
-  OutputOptions output;
-  std::vector<std::string> arguments;
-  std::string rebuild;
-};
-
-Options setup(int argc, char** argv) {
-  po::options_description options("Options");
+void add_change_options(po::options_description& options) {
   auto add = options.add_options();
   add("shape", one_of("uniform|bell")->default_value("uniform"), "shape of the new distribution");
   add("sigma-bar", number("S"),
@@ -37,34 +25,29 @@ Options setup(int argc, char** argv) {
   add("x-to", number("X", "m"), "change blocks up to this x");
   add("slipping", one_of("keep|pin")->default_value("keep"),
       "slipping junctions: keep them slipping, or pin them and include them");
-  const po::options_description own = options;
-  add_output_options(options, "checkpoint");
-  const Parsed parsed = parse(
-      argc, argv,
-      {"modify-phi",
-       "modify-phi CHECKPOINT -o OUT [options]",
-       "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
-       "keeps the mean force of each block, so that the stress state stays the same. Prints the\n"
-       "width of each block's phi and the histogram of all changed blocks, before and after.",
-       {},
-       "replace the distribution of junction forces in a region"},
-      options, "checkpoint", UsesParameters::no);
-  const auto& values = parsed.values;
-  Options result;
-  result.checkpoint = single_input(values, "checkpoint", "a checkpoint to modify");
-  result.change.shape = shape_named(values["shape"].as<std::string>());
-  if (values["slipping"].as<std::string>() == "pin") result.change.slipping = Slipping::pin;
-  result.change.sigma_bar = optional_non_negative(values, "sigma-bar");
-  result.change.x_from = non_negative(values, "x-from");
-  if (const auto x_to = optional_non_negative(values, "x-to")) result.change.x_to = *x_to;
-  if (result.change.x_to < result.change.x_from) {
+}
+
+PhiChange change_of(const po::variables_map& values) {
+  PhiChange change;
+  change.shape = shape_named(values["shape"].as<std::string>());
+  if (values["slipping"].as<std::string>() == "pin") change.slipping = Slipping::pin;
+  change.sigma_bar = optional_non_negative(values, "sigma-bar");
+  change.x_from = non_negative(values, "x-from");
+  if (const auto x_to = optional_non_negative(values, "x-to")) change.x_to = *x_to;
+  if (change.x_to < change.x_from) {
     throw UsageError("the region is empty: --x-to is below --x-from");
   }
-  result.output = output_options(values);
-  result.arguments = parsed.arguments;
-  result.rebuild = shell_line(with_options({"modify-phi"}, own, values));
-  return result;
+  return change;
 }
+
+/// Of all blocks, before and after.
+struct ChangedPhi {
+  std::vector<BlockForces> before = {}, after = {};
+  std::vector<ImpossibleBlock> impossible = {};
+  double largest_change = 0.0;  ///< of a block's friction force, over the largest of them
+
+  bool has_changed(std::size_t i) const { return before[i].forces != after[i].forces; }
+};
 
 /// Largest relative change of a block's friction force [1].
 double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
@@ -76,19 +59,20 @@ double largest_change(const std::vector<double>& before, const std::vector<doubl
   return scale > 0.0 ? largest / scale : largest;
 }
 
-void print_widths(const PhiSummary& summary, std::FILE* to) {
-  say_on(to, "   x [m]   mean/f_thres   slipping   sigma-bar before   after\n");
-  for (std::size_t i = 0; i < summary.before.size(); ++i) {
-    const auto& b = summary.before[i];
-    say_on(to, "{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x, b.mean / b.f_thres,
-           b.slipping, b.sigma_bar(), summary.after[i].sigma_bar());
+std::string widths_text(const ChangedPhi& phi) {
+  std::string text = "   x [m]   mean/f_thres   slipping   sigma-bar before   after\n";
+  for (std::size_t i = 0; i < phi.before.size(); ++i) {
+    const auto& b = phi.before[i];
+    text += fmt::format("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x,
+                        b.mean / b.f_thres, b.slipping, b.sigma_bar(), phi.after[i].sigma_bar());
   }
+  return text;
 }
 
-using Counts = std::vector<std::int64_t>;
+using Histogram = std::vector<std::int64_t>;
 
-void add_histogram(Counts& sum, const BlockForces& block) {
-  const Counts counts = histogram(block, static_cast<int>(sum.size()));
+void add_histogram(Histogram& sum, const BlockForces& block) {
+  const Histogram counts = histogram(block, static_cast<int>(sum.size()));
   for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += counts[n];
 }
 
@@ -98,28 +82,30 @@ std::string bar(std::int64_t count, std::int64_t largest) {
 }
 
 /// phi(f_T/f_thres) of the blocks that were changed, all together.
-void print_histograms(const PhiSummary& summary, std::FILE* to) {
+std::string histograms_text(const ChangedPhi& phi) {
   constexpr int kBins = 20;
-  Counts old_counts(kBins), new_counts(kBins);
+  Histogram old_counts(kBins), new_counts(kBins);
   int changed = 0;
-  for (std::size_t i = 0; i < summary.before.size(); ++i) {
-    if (summary.before[i].forces == summary.after[i].forces) continue;
+  for (std::size_t i = 0; i < phi.before.size(); ++i) {
+    if (!phi.has_changed(i)) continue;
     ++changed;
-    add_histogram(old_counts, summary.before[i]);
-    add_histogram(new_counts, summary.after[i]);
+    add_histogram(old_counts, phi.before[i]);
+    add_histogram(new_counts, phi.after[i]);
   }
-  say_on(to, "junctions of the {} changed blocks by the force they carry\n", changed);
-  if (changed == 0) return;
+  std::string text =
+      fmt::format("junctions of the {} changed blocks by the force they carry\n", changed);
+  if (changed == 0) return text;
   const auto largest = std::max(*std::max_element(old_counts.begin(), old_counts.end()),
                                 *std::max_element(new_counts.begin(), new_counts.end()));
-  say_on(to, "   f_T/f_thres   before                            after\n");
+  text += "   f_T/f_thres   before                            after\n";
   for (std::size_t n = 0; n < kBins; ++n) {
     const double low = 2.0 * static_cast<double>(n) / kBins - 1.0;
     const auto line =
         fmt::format("  {:5.2f} {:6.2f} {:8} {:24} {:8} {}", low, low + 2.0 / kBins, old_counts[n],
                     bar(old_counts[n], largest), new_counts[n], bar(new_counts[n], largest));
-    say_on(to, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
+  return text;
 }
 
 /// Of the blocks between --x-from and --x-to.
@@ -167,45 +153,80 @@ void refuse_unchanged(const Parameters& p, const State& before, const PhiChange&
                   std::floor(widest_of(impossible) * 1e4) * 1e-4));
 }
 
-void print(const PhiSummary& summary, std::FILE* to) {
-  print_widths(summary, to);
-  print_histograms(summary, to);
-  say_on(to, "largest change of a block's friction force: {:.1e} of the largest friction force\n",
-         summary.largest_change);
-  for (const auto& block : summary.impossible) {
-    say_on(to, "not changed: block at x = {:.4f} m, whose sigma-bar can be at most {:.4f}\n",
-           block.x, block.largest_sigma_bar);
+std::string text_of(const ChangedPhi& phi) {
+  std::string text = widths_text(phi) + histograms_text(phi);
+  text += fmt::format(
+      "largest change of a block's friction force: {:.1e} of the largest friction force\n",
+      phi.largest_change);
+  for (const auto& block : phi.impossible) {
+    text +=
+        fmt::format("not changed: block at x = {:.4f} m, whose sigma-bar can be at most {:.4f}\n",
+                    block.x, block.largest_sigma_bar);
   }
-  const WrittenFile& file = summary.files.front();
-  say_on(to, "{}", wrote_text(file.path, file.checksum));
+  return text;
 }
 
-int run(const Options& options) {
-  Checkpoint checkpoint = read_checkpoint(options.checkpoint);
-  check_outputs({options.output.output}, options.output.if_exists, options.checkpoint);
+Quantities row_of(const ImpossibleBlock& block) {
+  return {
+      {"x", "m", "position of the block", block.x},
+      {"largest_sigma_bar", "1", "widest phi that it can have", if_finite(block.largest_sigma_bar)},
+  };
+}
+
+Quantities quantities_of(const ChangedPhi& phi) {
+  const auto width = [](const BlockForces& block) { return if_finite(block.sigma_bar()); };
+  std::int64_t changed = 0;
+  for (std::size_t i = 0; i < phi.before.size(); ++i) changed += phi.has_changed(i) ? 1 : 0;
+  List impossible{row_of(ImpossibleBlock{}), {}};
+  for (const auto& block : phi.impossible) impossible.elements.push_back(row_of(block));
+  return {
+      {"x", "m", "position of each interface block", each(phi.before, &BlockForces::x)},
+      {"slipping", "1", "fraction of slipping junctions of each block, before",
+       each(phi.before, &BlockForces::slipping)},
+      {"sigma_bar_before", "1", "width of phi of each block, before", each(phi.before, width)},
+      {"sigma_bar_after", "1", "width of phi of each block, after", each(phi.after, width)},
+      {"changed", "1", "blocks that were changed", changed},
+      {"largest_change", "1", "largest change of a friction force, over the largest friction force",
+       phi.largest_change},
+      {"impossible", "", "blocks that cannot have this phi and were not changed", impossible},
+  };
+}
+
+int modify_phi(const Parsed& parsed) {
+  const std::string path = single_input(parsed.values, "checkpoint", "a checkpoint to modify");
+  const PhiChange change = change_of(parsed.values);
+  const OutputOptions output = output_options(parsed.values);
+  const auto command = with_options({"modify-phi"}, add_change_options, parsed.values);
+
+  Checkpoint checkpoint = read_checkpoint(path);
+  check_outputs({output.output}, output.if_exists, path);
   const Parameters& p = checkpoint.parameters;
   const State before = checkpoint.state;
-  const auto impossible = change_phi(p, checkpoint.state, options.change);
-  refuse_unchanged(p, before, options.change, impossible);
-  const double change =
+  ChangedPhi phi = {.impossible = change_phi(p, checkpoint.state, change)};
+  refuse_unchanged(p, before, change, phi.impossible);
+  phi.largest_change =
       largest_change(friction_forces(p, before), friction_forces(p, checkpoint.state));
   checkpoint.run.reset();  // what follows is not the run that the input came from
   checkpoint.provenance.push_back(
-      make_provenance("modify-phi", options.arguments, checkpoint.checksum, options.rebuild));
-  const auto checksum = write_checkpoint(options.output.output, checkpoint,
-                                         options.output.if_exists, options.output.sum);
-  const PhiSummary summary = {.before = block_forces(p, before),
-                              .after = block_forces(p, checkpoint.state),
-                              .impossible = impossible,
-                              .largest_change = change,
-                              .files = {{options.output.output, "checkpoint", checksum}}};
-  if (options.output.verbosity == Verbosity::normal) print(summary, options.output.text());
-  print_if_asked(quantities_of(summary), options.output);
-  return kDone;
+      make_provenance("modify-phi", parsed.arguments, checkpoint.checksum, shell_line(command)));
+  const WrittenFile file = write(checkpoint, output);
+  phi.before = block_forces(p, before);
+  phi.after = block_forces(p, checkpoint.state);
+  return report(quantities_of(phi), text_of(phi), file, output);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_tool("modify-phi", [&] { return run(setup(argc, argv)); });
-}
+constinit const Command modify_phi_command = {
+    "modify-phi",
+    "CHECKPOINT -o OUT",
+    "checkpoint",
+    "replace the distribution of junction forces in a region",
+    "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
+    "keeps the mean force of each block, so that the stress state stays the same. Prints the\n"
+    "width of each block's phi and the histogram of all changed blocks, before and after.",
+    {add_change_options, add_checkpoint_options},
+    modify_phi,
+    [] { return with_files(quantities_of(ChangedPhi{})); }};
+
+}  // namespace rupture::tools

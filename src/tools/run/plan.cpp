@@ -100,8 +100,8 @@ void leave_out_what_was_written(RunPlan& plan) {
   steps.erase(steps.begin(), later);
 }
 
-void check_outputs(const RunPlan& plan, const RunOptions& options, const OutputOptions& output,
-                   const fs::path& input) {
+void check_files(const RunPlan& plan, const RunOptions& options, const OutputOptions& output,
+                 const fs::path& input) {
   auto checkpoints = paths_at(plan.checkpoint_steps, plan);
   checkpoints.push_back(plan.files.output);
   auto all = checkpoints;
@@ -209,7 +209,7 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
   plan.begin.checkpoint.run->arrived_below = rule.arrived_below;
   if (plan.is_resumed()) leave_out_what_was_written(plan);
   if (!plan.is_complete) {
-    check_outputs(plan, options, output, input);
+    check_files(plan, options, output, input);
   } else if (plan.files.record) {
     plan.written_before.push_back(*plan.files.record);
   }

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/command_line.hpp"
 #include "cli/option_values.hpp"
-#include "cli/text.hpp"
 #include "run/files.hpp"
+#include "run/programs.hpp"
 #include "run/summary.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -15,18 +14,8 @@
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 
+namespace rupture::tools {
 namespace {
-
-using namespace rupture;
-using namespace rupture::tools;
-
-struct Options {
-  Parameters parameters;
-  Prestress prestress;
-  OutputOptions output;
-  std::vector<std::string> arguments;
-  std::string rebuild;
-};
 
 void add_prestress_options(po::options_description& options) {
   auto add = options.add_options();
@@ -74,80 +63,88 @@ Parameters prepared_parameters(const ParameterChanges& changes) {
   return p;
 }
 
-Options setup(int argc, char** argv) {
-  po::options_description options("Options");
-  add_prestress_options(options);
-  const po::options_description own = options;
-  add_output_options(options, "checkpoint");
-  const Parsed parsed = parse(
-      argc, argv,
-      {"prepare",
-       "prepare --tau-bar T -o OUT [options]",
-       "Writes a checkpoint of a slider at rest whose interface carries a prescribed prestress,\n"
-       "with its trigger region just depinned; restart then runs the event. The normal force is\n"
-       "the same on all interface blocks (slider.support = ceiling), and driving.V is 0.",
-       {},
-       "make an interface with a prescribed prestress, ready to break"},
-      options, "", UsesParameters::yes);
-  const Parameters parameters = prepared_parameters(parsed.parameters);
-  const auto command = rebuild_command("prepare", default_parameters(), parameters);
-  return {parameters, prestress_of(parsed.values), output_options(parsed.values), parsed.arguments,
-          shell_line(with_options(command, own, parsed.values))};
-}
-
 /// How well the pinned blocks carry what was asked for, and how wide phi could be.
-PreparedSummary summary_of(const Options& options, const State& state) {
-  const Parameters& p = options.parameters;
-  const auto wanted = prescribed_friction(p, options.prestress);
+struct Prepared {
+  double prestress = 0.0;          ///< tau/p beyond the trigger region
+  double error = 0.0;              ///< relative, the largest of all pinned blocks
+  double sigma_bar = 0.0;          ///< of the last block
+  double largest_sigma_bar = 0.0;  ///< that is possible
+  double F_T = 0.0;                ///< [N]
+  std::int64_t blocks = 0, depinned = 0;
+};
+
+Prepared measured(const Parameters& p, const Prestress& prestress, const State& state) {
+  const auto wanted = prescribed_friction(p, prestress);
   const auto blocks = block_forces(p, state);
-  PreparedSummary summary;
+  Prepared result;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (blocks[i].slipping > 0.0) {
-      ++summary.depinned;
+      ++result.depinned;
       continue;
     }
     const double tau = blocks[i].mean * static_cast<double>(springs_per_block(p));
-    summary.error = std::max(summary.error, std::abs(tau / wanted[i] - 1.0));
+    result.error = std::max(result.error, std::abs(tau / wanted[i] - 1.0));
   }
   const auto& last = blocks.back();
-  summary.prestress = last.mean / last.f_thres * p.mu_s;
-  summary.sigma_bar = last.sigma_bar();
-  summary.largest_sigma_bar = largest_sigma_bar(p, options.prestress);
-  summary.F_T = driving_force(p, state);
-  summary.blocks = static_cast<std::int64_t>(blocks.size());
-  return summary;
+  result.prestress = last.mean / last.f_thres * p.mu_s;
+  result.sigma_bar = last.sigma_bar();
+  result.largest_sigma_bar = largest_sigma_bar(p, prestress);
+  result.F_T = driving_force(p, state);
+  result.blocks = static_cast<std::int64_t>(blocks.size());
+  return result;
 }
 
-void print(const PreparedSummary& summary, const Prestress& prestress, std::FILE* to) {
-  say_on(to, "tau/p = {:.6f} beyond x = {:g} m, within {:.1e} of the requested value\n",
-         summary.prestress, prestress.x_trigger, summary.error);
-  say_on(to, "sigma-bar = {:.6f}; the largest possible is {:.6f}\n", summary.sigma_bar,
-         summary.largest_sigma_bar);
-  say_on(to, "F_T = {:.6f} N balances the prestress; {} of {} blocks are depinned\n", summary.F_T,
-         summary.depinned, summary.blocks);
-  const WrittenFile& file = summary.files.front();
-  say_on(to, "{}", wrote_text(file.path, file.checksum));
+Quantities quantities_of(const Prepared& s) {
+  return {
+      {"prestress", "1", "tau/p beyond the trigger region", if_finite(s.prestress)},
+      {"error", "1", "largest relative error of a pinned block's prestress", if_finite(s.error)},
+      {"sigma_bar", "1", "width of phi beyond the trigger region", if_finite(s.sigma_bar)},
+      {"largest_sigma_bar", "1", "largest possible width of phi", if_finite(s.largest_sigma_bar)},
+      {"F_T", "N", "driving force, which balances the prestress", s.F_T},
+      {"blocks", "1", "interface blocks", s.blocks},
+      {"depinned", "1", "blocks whose junctions slip", s.depinned},
+  };
 }
 
-int run(const Options& options) {
-  check_output(options.output.output, options.output.if_exists);
+std::string text_of(const Prepared& s, const Prestress& prestress) {
+  return fmt::format(
+      "tau/p = {:.6f} beyond x = {:g} m, within {:.1e} of the requested value\n"
+      "sigma-bar = {:.6f}; the largest possible is {:.6f}\n"
+      "F_T = {:.6f} N balances the prestress; {} of {} blocks are depinned\n",
+      s.prestress, prestress.x_trigger, s.error, s.sigma_bar, s.largest_sigma_bar, s.F_T,
+      s.depinned, s.blocks);
+}
+
+int prepare(const Parsed& parsed) {
+  const Parameters p = prepared_parameters(parsed.parameters);
+  const Prestress prestress = prestress_of(parsed.values);
+  const OutputOptions output = output_options(parsed.values);
+  const auto command = with_options(rebuild_command("prepare", default_parameters(), p),
+                                    add_prestress_options, parsed.values);
+
+  check_output(output.output, output.if_exists);
   const Checkpoint prepared = {
-      options.parameters,
-      prepared_state(options.parameters, options.prestress),
-      {make_provenance("prepare", options.arguments, "", options.rebuild)}};
-  const auto checksum = write_checkpoint(options.output.output, prepared, options.output.if_exists,
-                                         options.output.sum);
-  PreparedSummary summary = summary_of(options, prepared.state);
-  summary.files = {{options.output.output, "checkpoint", checksum}};
-  if (options.output.verbosity == Verbosity::normal) {
-    print(summary, options.prestress, options.output.text());
-  }
-  print_if_asked(quantities_of(summary), options.output);
-  return kDone;
+      p,
+      prepared_state(p, prestress),
+      {make_provenance("prepare", parsed.arguments, "", shell_line(command))}};
+  const WrittenFile file = write(prepared, output);
+  const Prepared result = measured(p, prestress, prepared.state);
+  return report(quantities_of(result), text_of(result, prestress), file, output);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_tool("prepare", [&] { return run(setup(argc, argv)); });
-}
+constinit const Command prepare_command = {
+    "prepare",
+    "--tau-bar T -o OUT",
+    "",
+    "make an interface with a prescribed prestress, ready to break",
+    "Writes a checkpoint of a slider at rest whose interface carries a prescribed prestress,\n"
+    "with its trigger region just depinned; restart then runs the event. The normal force is\n"
+    "the same on all interface blocks (slider.support = ceiling), and driving.V is 0.",
+    {add_prestress_options, add_checkpoint_options},
+    prepare,
+    [] { return with_files(quantities_of(Prepared{})); },
+    UsesParameters::yes};
+
+}  // namespace rupture::tools

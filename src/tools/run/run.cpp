@@ -11,7 +11,6 @@
 #include "cli/interruption.hpp"
 #include "cli/text.hpp"
 #include "run/observers.hpp"
-#include "run/summary.hpp"
 #include "rupture/analysis/front.hpp"
 #include "rupture/model/error.hpp"
 
@@ -23,7 +22,7 @@ using std::chrono::steady_clock;
 
 void announce(const OutputOptions& output, const WrittenFile& file) {
   if (output.verbosity == Verbosity::normal) {
-    say_on(output.text(), "{}", wrote_text(file.path, file.checksum));
+    say_on(output.text(), "{}", wrote_text(file));
     std::fflush(output.text());
   }
 }
@@ -283,18 +282,29 @@ void carry_out(const RunPlan& plan, const RunOptions& options, const OutputOptio
 
 }  // namespace
 
-void simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
-              const OutputOptions& output, const fs::path& input) {
+Quantities quantities_of_run() {
+  return quantities_of(RunSummary{});
+}
+
+int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
+             const OutputOptions& output, const fs::path& input) {
   const RunPlan plan = plan_run(std::move(start), rule, options, output, input);
   const bool is_dry = options.dry_run != DryRun::no;
   if (options.resume == Resume::yes && output.verbosity == Verbosity::normal &&
       options.dry_run != DryRun::json && !(is_dry && plan.is_complete)) {
     say_where_it_begins(output.text(), plan);
   }
-  if (is_dry) return print_forecast(plan, options.dry_run);
+  if (is_dry) {
+    print_forecast(plan, options.dry_run);
+    return kDone;
+  }
   restore_sums(plan.written_before, output);
-  if (!plan.is_complete) return carry_out(plan, options, output);
-  print_if_asked(quantities_of(summary_of_complete(plan.begin.checkpoint)), output);
+  if (plan.is_complete) {
+    print_if_asked(quantities_of(summary_of_complete(plan.begin.checkpoint)), output);
+  } else {
+    carry_out(plan, options, output);
+  }
+  return kDone;
 }
 
 }  // namespace rupture::tools

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run/plan.hpp"
+#include "run/summary.hpp"
 
 namespace rupture::tools {
 
@@ -10,8 +11,11 @@ namespace rupture::tools {
 /// Nothing is run if an output may not be written or would replace `input` (empty for none: the run
 /// begins with an equilibrium, which costs something, too). The
 /// provenance of `start` already names this tool. Throws Interrupted if a signal came; the run can
-/// then be resumed.
-void simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
-              const OutputOptions& output, const std::filesystem::path& input);
+/// then be resumed. Returns kDone.
+int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
+             const OutputOptions& output, const std::filesystem::path& input);
+
+/// The rows of its summary.
+Quantities quantities_of_run();
 
 }  // namespace rupture::tools

@@ -3,47 +3,16 @@
 
 #include <array>
 
-#include "cli/command_line.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
+#include "run/programs.hpp"
 #include "run/summary.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
 
+namespace rupture::tools {
 namespace {
-
-using namespace rupture;
-using namespace rupture::tools;
-
-struct Options {
-  std::string file;
-  std::string original;  // empty if none is given
-  OutputOptions output;
-  std::vector<std::string> arguments;
-};
-
-Options setup(int argc, char** argv) {
-  po::options_description options("Options");
-  options.add_options()("original", input_file("checkpoint or record"),
-                        "the file before it was edited; the datasets that differ are named");
-  add_output_options(options, "checkpoint or record");
-  const Parsed parsed = parse(
-      argc, argv,
-      {"seal",
-       "seal FILE -o OUT [options]",
-       "Checks a checkpoint or record that was edited or repacked by another program, such as "
-       "h5py\n"
-       "or MATLAB, and writes a sealed one, whose provenance says that it was edited outside.\n"
-       "Attributes other than unit, and how datasets are stored, are not kept.",
-       {},
-       "check and seal a file that another program edited"},
-      options, "file", UsesParameters::no);
-  const auto& values = parsed.values;
-  return {single_input(values, "file", "a checkpoint or record to seal"),
-          values.count("original") > 0 ? values["original"].as<std::string>() : "",
-          output_options(values), parsed.arguments};
-}
 
 void refuse_what_needs_no_seal(const std::string& path) {
   FileKind kind{};
@@ -86,46 +55,86 @@ std::string line_about(const Difference& difference, const Content& edited) {
   return text + "\n";
 }
 
-void print(const SealSummary& summary, const Content& edited, std::FILE* to) {
-  if (summary.content_is_as_sealed) {
-    say_on(to, "the content is unchanged; only something outside it was changed\n");
-  } else if (summary.sealed_checksum.empty()) {
-    say_on(to, "the checksum before the edit is unknown\n");
-  } else {
-    say_on(to, "the content has changed; its checksum was {}\n", summary.sealed_checksum);
-  }
-  for (const Difference& difference : summary.differences) {
-    say_on(to, "{}", line_about(difference, edited));
-  }
-  const WrittenFile& file = summary.files.front();
-  say_on(to, "{}", wrote_text(file.path, file.checksum));
+struct Sealed {
+  std::string checksum_before;  ///< of the content, before it was edited; empty if unknown
+  bool content_is_as_sealed = false;
+  std::vector<Difference> differences = {};  ///< from the original, if one was given
+};
+
+Quantities row_of(const Difference& difference) {
+  return {
+      {"path", "", "dataset", difference.path},
+      {"change", "", "values, type, shape, only_in_a (the original) or only_in_b (the edited file)",
+       std::string(name_of(difference.change))},
+      {"count", "1", "elements with other values; 0 for other changes",
+       static_cast<std::int64_t>(difference.count)},
+  };
 }
 
-int run(const Options& options) {
-  const OutputOptions& output = options.output;
-  refuse_what_needs_no_seal(options.file);
-  const EditedFile edited = read_edited(options.file);
-  check_outputs({output.output}, output.if_exists, options.file);
-  if (!options.original.empty()) check_distinct({output.output}, options.original);
-  SealSummary summary = {.sealed_checksum = edited.sealed_checksum,
-                         .content_is_as_sealed = edited.content_is_as_sealed};
-  if (!options.original.empty()) {
-    const ContentFile original = read_original(options.original, edited, options.file);
-    summary.differences = diff(original.content, edited.content);
+Quantities quantities_of(const Sealed& sealed) {
+  List differences{row_of(Difference{}), {}};
+  for (const auto& difference : sealed.differences) {
+    differences.elements.push_back(row_of(difference));
+  }
+  return {
+      {"content_is_as_sealed", "", "whether only something outside the content was changed",
+       sealed.content_is_as_sealed},
+      {"sealed_checksum", "", "content checksum before the edit; empty if it is unknown",
+       sealed.checksum_before},
+      {"differences", "", "changes from --original, dataset by dataset; empty without it",
+       differences},
+  };
+}
+
+std::string text_of(const Sealed& sealed, const Content& edited) {
+  std::string text = "the content is unchanged; only something outside it was changed\n";
+  if (!sealed.content_is_as_sealed) {
+    text =
+        sealed.checksum_before.empty()
+            ? "the checksum before the edit is unknown\n"
+            : fmt::format("the content has changed; its checksum was {}\n", sealed.checksum_before);
+  }
+  for (const Difference& difference : sealed.differences) text += line_about(difference, edited);
+  return text;
+}
+
+int seal(const Parsed& parsed) {
+  const auto& values = parsed.values;
+  const std::string path = single_input(values, "file", "a checkpoint or record to seal");
+  const std::string original =
+      values.count("original") > 0 ? values["original"].as<std::string>() : "";
+  const OutputOptions output = output_options(values);
+
+  refuse_what_needs_no_seal(path);
+  const EditedFile edited = read_edited(path);
+  check_outputs({output.output}, output.if_exists, path);
+  Sealed sealed = {edited.sealed_checksum, edited.content_is_as_sealed};
+  if (!original.empty()) {
+    check_distinct({output.output}, original);
+    sealed.differences = diff(read_original(original, edited, path).content, edited.content);
   }
   const auto entry =
-      make_provenance("seal", options.arguments, edited.sealed_checksum, kEditedOutside);
-  const std::string checksum = write_content(
-      output.output, edited.kind, checked_content(edited, entry), output.if_exists, output.sum);
-  const std::string holds = edited.kind == FileKind::record ? "record" : "checkpoint";
-  summary.files = {{output.output, holds, checksum}};
-  if (output.verbosity == Verbosity::normal) print(summary, edited.content, output.text());
-  print_if_asked(quantities_of(summary), output);
-  return kDone;
+      make_provenance("seal", parsed.arguments, edited.sealed_checksum, kEditedOutside);
+  const WrittenFile file = write(edited.kind, checked_content(edited, entry), output);
+  return report(quantities_of(sealed), text_of(sealed, edited.content), file, output);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return run_tool("seal", [&] { return run(setup(argc, argv)); });
-}
+constinit const Command seal_command = {
+    "seal",
+    "FILE -o OUT",
+    "file",
+    "check and seal a file that another program edited",
+    "Checks a checkpoint or record that was edited or repacked by another program, such as h5py\n"
+    "or MATLAB, and writes a sealed one, whose provenance says that it was edited outside.\n"
+    "Attributes other than unit, and how datasets are stored, are not kept.",
+    {[](po::options_description& options) {
+      options.add_options()("original", input_file("checkpoint or record"),
+                            "the file before it was edited; the datasets that differ are named");
+      add_output_options(options, "checkpoint or record");
+    }},
+    seal,
+    [] { return with_files(quantities_of(Sealed{})); }};
+
+}  // namespace rupture::tools
