@@ -21,7 +21,7 @@ constexpr std::string_view kSummary = "measure, compare and check checkpoints an
 
 /// Its name without "analyze".
 std::string_view word_for(const Command& command) {
-  return command.name.substr(command.name.find(' ') + 1);
+  return command.name().substr(command.name().find(' ') + 1);
 }
 
 std::string help() {
@@ -38,7 +38,7 @@ std::string help() {
 [[noreturn]] void answer(const Command& command, const char* question) {
   const std::array<const char*, 2> asked = {"analyze", question};
   parse(command, asked.size(), asked.data());
-  throw std::logic_error(fmt::format("{} does not answer {}", command.name, question));
+  throw std::logic_error(fmt::format("{} does not answer {}", command.name(), question));
 }
 
 std::string describe() {

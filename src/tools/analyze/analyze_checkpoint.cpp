@@ -100,8 +100,7 @@ Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {
 }  // namespace
 
 constinit const Command stress_command = {
-    "analyze stress",
-    "CHECKPOINT",
+    "analyze stress CHECKPOINT",
     "checkpoint",
     "normal and friction forces along the interface of a checkpoint",
     "Normal force p and friction force tau on each interface block; tau > 0 where friction\n"
@@ -118,8 +117,7 @@ constinit const Command stress_command = {
     [] { return quantities_of(Stress{}); }};
 
 constinit const Command phi_command = {
-    "analyze phi",
-    "CHECKPOINT",
+    "analyze phi CHECKPOINT",
     "checkpoint",
     "distribution of junction forces in a checkpoint",
     "Forces in the junctions of each block: mean, standard deviation, histogram.",

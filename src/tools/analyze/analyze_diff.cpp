@@ -183,8 +183,7 @@ int compare(const Parsed& parsed) {
 }  // namespace
 
 constinit const Command diff_command = {
-    "analyze diff",
-    "A B",
+    "analyze diff A B",
     "file",
     "where and by how much two files differ",
     R"(Compares the parameters and the state of two checkpoints, or the series of two records, dataset

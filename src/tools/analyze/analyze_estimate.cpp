@@ -122,8 +122,7 @@ std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation)
 }  // namespace
 
 constinit const Command estimate_command = {
-    "analyze estimate",
-    "CHECKPOINT",
+    "analyze estimate CHECKPOINT",
     "checkpoint",
     "slow slip expected from a checkpoint's parameters",
     R"(Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), at the mean normal force and of

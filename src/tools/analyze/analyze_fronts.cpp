@@ -87,7 +87,7 @@ po::variables_map with_criteria(const Parsed& parsed, const std::string& words) 
   std::vector<const char*> argv;
   for (const std::string& word : split) argv.push_back(word.c_str());
   const std::string tool = "analyze " + parsed.arguments.front();
-  const Command taking = {tool, "", "", "", "", {add_criteria_options}, nullptr};
+  const Command taking = {tool, "", "", "", {add_criteria_options}, nullptr};
   const auto criteria = parse(taking, static_cast<int>(argv.size()), argv.data());
   po::variables_map values = parsed.values;
   for (const auto& [name, value] : criteria.values) {
@@ -147,8 +147,7 @@ Report report_of_front(const RecordCommand& command) {
 }  // namespace
 
 constinit const Command events_command = {
-    "analyze events",
-    "RECORD",
+    "analyze events RECORD",
     "record",
     "rupture events in a record",
     "Splits the block ruptures of a record into events, numbered from 0.",
@@ -157,8 +156,7 @@ constinit const Command events_command = {
     [] { return quantities_of(Parameters{}, std::vector<Event>{}); }};
 
 constinit const Command front_command = {
-    "analyze front",
-    "RECORD",
+    "analyze front RECORD",
     "record",
     "rupture line, speed and type of the front in a record",
     "Rupture line, speed and type of one event's front: the first rupture of each block, and\n"
@@ -169,8 +167,7 @@ constinit const Command front_command = {
     [] { return quantities_of(Front{}, Parameters{}); }};
 
 constinit const Command classify_command = {
-    "analyze classify",
-    "RECORD",
+    "analyze classify RECORD",
     "record",
     "only the type of the front: none, arrested, slow or fast",
     "Prints only the type of one event's front: none (nothing ruptured), arrested, slow, fast or\n"

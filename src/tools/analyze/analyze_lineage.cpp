@@ -9,6 +9,7 @@
 #include "cli/option_values.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
+#include "run/output.hpp"
 #include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
 
@@ -195,8 +196,7 @@ void check_combination(const po::variables_map& values) {
 }  // namespace
 
 constinit const Command lineage_command = {
-    "analyze lineage",
-    "FILE",
+    "analyze lineage FILE",
     "file",
     "the steps that led to a file, also as a script",
     "Prints the steps that led to FILE, one line each: the content checksum of the file that was\n"

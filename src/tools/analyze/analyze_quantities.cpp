@@ -19,8 +19,9 @@ std::vector<NamedQuantity> quantities_of(const std::vector<const Command*>& comm
   std::vector<NamedQuantity> all;
   for (const Command* command : commands) {
     if (command->quantities == nullptr) continue;
-    const std::string word(command->name.substr(command->name.find(' ') + 1));
-    const auto reported = named(word, command->quantities());
+    const std::string_view name = command->name();
+    const auto reported =
+        named(std::string(name.substr(name.find(' ') + 1)), command->quantities());
     all.insert(all.end(), reported.begin(), reported.end());
   }
   return all;
@@ -54,7 +55,6 @@ void print_text() {
 
 constinit const Command quantities_command = {
     "analyze quantities",
-    "",
     "",
     "names and units of all parameters and of all measured quantities",
     "Lists all parameters, and everything that the commands of analyze and the programs that\n"

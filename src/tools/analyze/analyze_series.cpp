@@ -132,8 +132,7 @@ Quantities quantities_of(const BlockSeries& block) {
 }  // namespace
 
 constinit const Command slip_command = {
-    "analyze slip",
-    "RECORD",
+    "analyze slip RECORD",
     "record",
     "fast and slow slip of one block in a record",
     "Slip of one block: displacement since the start of the window, split into the fast\n"
@@ -153,8 +152,7 @@ constinit const Command slip_command = {
     [] { return quantities_of(Slip{}); }};
 
 constinit const Command loading_command = {
-    "analyze loading",
-    "RECORD",
+    "analyze loading RECORD",
     "record",
     "driving force against time in a record",
     "Driving force against time; with --x also one block's forces.",

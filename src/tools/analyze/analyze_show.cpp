@@ -65,8 +65,7 @@ int show(const Parsed& parsed) {
 
 }  // namespace
 
-constinit const Command show_command = {"analyze show",
-                                        "FILE",
+constinit const Command show_command = {"analyze show FILE",
                                         "file",
                                         "parameters, time and provenance of a file",
                                         "Prints a file's kind, its parameters and its provenance.",

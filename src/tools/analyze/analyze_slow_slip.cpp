@@ -154,8 +154,7 @@ void add_slow_slip_options(po::options_description& options) {
 }  // namespace
 
 constinit const Command slow_slip_command = {
-    "analyze slow-slip",
-    "RECORD",
+    "analyze slow-slip RECORD",
     "record",
     "slip speed of the blocks behind the slow front in a record",
     "Slip speed of blocks while the front ahead of them is slow. Their slow slip begins H/c_s\n"

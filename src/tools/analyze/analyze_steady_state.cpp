@@ -83,7 +83,6 @@ void add_steady_options(po::options_description& options) {
 constinit const Command steady_state_command = {
     "analyze steady-state",
     "",
-    "",
     "friction of a block that slides at constant speed",
     "Friction coefficient of a block that slides at constant speed under the mean normal force\n"
     "F_N/Nx: simulated with the interface law, with its standard error, and by renewal theory.",

@@ -92,8 +92,7 @@ int report(const Parsed& parsed) {
 }  // namespace
 
 constinit const Command strength_command = {
-    "analyze strength",
-    "CHECKPOINT | --shape uniform|bell --sigma-bar S",
+    "analyze strength CHECKPOINT | --shape uniform|bell --sigma-bar S",
     "checkpoint",
     "effective static friction of a shape of phi or of a checkpoint's blocks",
     "Effective static friction, mu-bar = (tau_max/p - mu_d) / (mu_s - mu_d): tau_max is the "

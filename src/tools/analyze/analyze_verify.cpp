@@ -259,8 +259,7 @@ int verify(const Parsed& parsed) {
 }  // namespace
 
 constinit const Command checksum_command = {
-    "analyze checksum",
-    "FILE",
+    "analyze checksum FILE",
     "file",
     "content checksum of a file",
     "Verifies the file and prints its content checksum, 64 hex digits.",
@@ -277,8 +276,7 @@ constinit const Command checksum_command = {
     }};
 
 constinit const Command verify_command = {
-    "analyze verify",
-    "FILE|FOLDER...",
+    "analyze verify FILE|FOLDER...",
     "file",
     "check that files and folders are intact, also against a manifest",
     R"(Checks that files are intact. In a folder it checks all *.h5 files, also in folders below; it

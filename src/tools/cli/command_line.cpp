@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
-#include <map>
+#include <fstream>
 #include <new>
-#include <set>
+#include <optional>
 #include <sstream>
 
-#include "cli/config_file.hpp"
 #include "cli/interruption.hpp"
 #include "cli/option_values.hpp"
 #include "cli/report.hpp"
@@ -48,6 +48,97 @@ std::string help_text(const Command& command, const po::options_description& sho
   return out.str();
 }
 
+/// The parameter that an option sets: --set, --seed, or in an INI file a name of no option.
+std::optional<ParameterChange> change_by(const po::option& option, const std::string& where) {
+  const std::string value = option.value.empty() ? "" : option.value.front();
+  if (option.string_key == "seed") return ParameterChange{"numerics.seed", value, where};
+  if (option.unregistered) return ParameterChange{option.string_key, value, where};
+  if (option.string_key != "set") return std::nullopt;
+  const auto equals = value.find('=');
+  if (equals == std::string::npos) {
+    throw UsageError(fmt::format("{}--set {} has no '=': write --set NAME=VALUE", where, value));
+  }
+  return ParameterChange{value.substr(0, equals), value.substr(equals + 1), where};
+}
+
+void add_once(ParameterChange change, ParameterChanges& changes) {
+  const auto is_same = [&](const auto& other) { return other.name == change.name; };
+  if (std::any_of(changes.begin(), changes.end(), is_same)) {
+    throw UsageError(fmt::format("{}{} is given twice: give it once", change.where, change.name));
+  }
+  changes.push_back(std::move(change));
+}
+
+/// The text of an INI file, without a byte order mark.
+std::string config_text(const std::string& path) {
+  constexpr std::size_t longest = 100'000;  // bytes
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path)) {
+    throw Failure(fmt::format(
+        "cannot read the configuration file {}; give the path of a readable INI file", path));
+  }
+  std::string text(longest + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > longest) {
+    throw Failure(fmt::format(
+        "the configuration file {} is longer than {} bytes; give the path of an INI file", path,
+        longest));
+  }
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+/// What a line of an INI file gives in the group that is open, or none; it may open another one.
+std::vector<po::option> options_in(std::string line, std::string& group,
+                                   const po::options_description& options) {
+  if (const auto begin = line.find_first_not_of(" \t"); line.substr(0, 1 + begin).ends_with('[')) {
+    group = std::exchange(line, "");
+  }
+  std::istringstream lines(group + "\n" + line);
+  return po::parse_config_file(lines, options, /*allow_unregistered=*/true).options;
+}
+
+/// What --set and --seed change. Throws UsageError if a parameter is given twice.
+ParameterChanges changes_by(const po::parsed_options& given) {
+  ParameterChanges changes;
+  for (const po::option& option : given.options) {
+    if (auto change = change_by(option, "")) add_once(*std::move(change), changes);
+  }
+  return changes;
+}
+
+/// Options in the file go to `values` unless the command line gave them; other names are
+/// parameters. Throws UsageError with the line, or Failure if the file cannot be read.
+ParameterChanges read_config(const std::string& path, const po::options_description& options,
+                             po::variables_map& values) {
+  std::istringstream lines(config_text(path));
+  ParameterChanges changes;
+  po::parsed_options known(&options);
+  std::string group, line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const std::string where = fmt::format("{}:{}: ", path, number);
+    try {
+      for (const po::option& option : options_in(line, group, options)) {
+        if (auto change = change_by(option, where)) {
+          add_once(*std::move(change), changes);
+        } else {
+          known.options.push_back(option);
+          po::variables_map so_far;  // an impossible value, or a second one, throws
+          po::store(known, so_far);
+        }
+      }
+    } catch (const po::invalid_syntax& error) {
+      throw UsageError(
+          fmt::format("{}{}; write lines NAME = VALUE and [GROUP]", where, error.what()));
+    } catch (const po::error& error) {
+      throw po::error(where + error.what());
+    }
+  }
+  po::store(known, values);
+  return changes;
+}
+
 /// The exit code of a tool's body, or kDone after the help that was asked for.
 int body_or_help(const std::function<int()>& body) {
   try {
@@ -66,8 +157,11 @@ int complain(const std::string& name, const std::string& message, ExitCode code)
 
 }  // namespace
 
-std::string Command::synopsis() const {
-  return fmt::format("{}{}{} [options]", name, arguments.empty() ? "" : " ", arguments);
+std::string_view Command::name() const {
+  std::size_t end = call.find(' ');
+  while (end < call.size() && std::islower(static_cast<unsigned char>(call[end + 1])) != 0)
+    end = call.find(' ', end + 1);
+  return call.substr(0, end);
 }
 
 Parsed parse(const Command& command, int argc, const char* const* argv) {
@@ -99,13 +193,13 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
       throw HelpRequested{json_text(description(command, shown)) + "\n"};
     }
     if (parsed.values.count("version") > 0) {
-      throw HelpRequested{version_text(std::string(command.name))};
+      throw HelpRequested{version_text(std::string(command.name()))};
     }
     if (parsed.values.count("unexpected") > 0) {
       const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
       throw UsageError(
           fmt::format("unexpected argument '{}': {} reads no files; see rupture {} --help",
-                      words.front(), command.name, command.name));
+                      words.front(), command.name(), command.name()));
     }
     if (parsed.values.count("config") > 0) {
       parsed.parameters =
@@ -115,9 +209,9 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
     const auto changes = changes_by(given);
     parsed.parameters.insert(parsed.parameters.end(), changes.begin(), changes.end());
   } catch (const po::unknown_option& error) {
-    throw UsageError(unknown_option_text(error.get_option_name(), all, command.name));
+    throw UsageError(unknown_option_text(error.get_option_name(), all, command.name()));
   } catch (const po::error& error) {
-    throw UsageError(fmt::format("{}; see rupture {} --help", error.what(), command.name));
+    throw UsageError(fmt::format("{}; see rupture {} --help", error.what(), command.name()));
   }
   return parsed;
 }
@@ -134,71 +228,6 @@ void apply(const ParameterChanges& changes, Parameters& parameters) {
       throw UsageError(where + error.what());
     }
   }
-}
-
-void add_output_options(po::options_description& options, const std::string& holds) {
-  const std::string help = holds + " to write";
-  options.add_options()("output,o", output_file(holds)->required(), help.c_str())(
-      "force,f", "replace existing files")(
-      "sum", "beside each file, write FILE.sum with its content checksum, for workflows")(
-      "quiet,q", "print errors only")(
-      "json", "print a summary as one JSON object; text goes to standard error");
-}
-
-void add_checkpoint_options(po::options_description& options) {
-  add_output_options(options, "checkpoint");
-}
-
-OutputOptions output_options(const po::variables_map& values) {
-  OutputOptions options;
-  options.output = file_to_write(values, "output");
-  if (values.count("force") > 0) options.if_exists = IfExists::replace;
-  if (values.count("quiet") > 0) options.verbosity = Verbosity::quiet;
-  if (values.count("sum") > 0) options.sum = SumFile::write;
-  if (values.count("json") > 0) options.summary = Summary::json;
-  return options;
-}
-
-std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option) {
-  const auto name = values[option].as<std::string>();
-  if (name.empty()) throw UsageError("the name of an output is empty; give the path of a file");
-  if (name != "-") return name;
-  throw UsageError(fmt::format(
-      "--{} needs the path of a file (got -): checkpoints and records cannot go to standard output",
-      option));
-}
-
-void check_distinct(const std::vector<std::filesystem::path>& outputs,
-                    const std::filesystem::path& input) {
-  namespace fs = std::filesystem;
-  std::map<fs::path, fs::path> folders;  // a run can have thousands of files in one
-  const auto place = [&folders](const fs::path& path) {
-    std::error_code ignored;  // is met again when the file is written
-    if (fs::is_symlink(path, ignored)) return fs::weakly_canonical(fs::absolute(path));
-    fs::path& folder = folders[path.parent_path()];
-    if (folder.empty()) folder = fs::weakly_canonical(fs::absolute(path).parent_path());
-    return folder / path.filename();
-  };
-  const fs::path place_of_input = input.empty() ? input : place(input);
-  std::set<fs::path> taken;
-  for (const fs::path& output : outputs) {
-    for (const fs::path& file : {output, sum_path(output)}) {
-      const fs::path place_of_file = place(file);
-      if (place_of_file == place_of_input) {
-        throw UsageError(fmt::format("{} is the input, which is never changed: give another output",
-                                     file.string()));
-      }
-      if (taken.insert(place_of_file).second) continue;
-      throw UsageError(
-          fmt::format("two outputs would have the name {}: give different names", file.string()));
-    }
-  }
-}
-
-void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
-                   const std::filesystem::path& input) {
-  check_distinct(outputs, input);
-  for (const auto& output : outputs) check_output(output, if_exists);
 }
 
 PhiShape shape_named(const std::string& name) {
@@ -254,7 +283,7 @@ int run_tool(const std::string& name, const std::function<int()>& body) {
 }
 
 int run_tool(const Command& command, int argc, const char* const* argv) {
-  return run_tool(std::string(command.name),
+  return run_tool(std::string(command.name()),
                   [&] { return command.run(parse(command, argc, argv)); });
 }
 

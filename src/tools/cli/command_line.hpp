@@ -49,8 +49,7 @@ using AddOptions = void (*)(po::options_description&);
 /// Everything about one program, or one command of analyze: --help, --describe, the man pages and
 /// `analyze quantities` come from it.
 struct Command {
-  std::string_view name;          ///< such as "restart" or "analyze front"
-  std::string_view arguments;     ///< in the synopsis, before [options]
+  std::string_view call;          ///< "analyze front RECORD": its name in small letters, arguments
   const char* input;              ///< kind of the positional arguments; empty: none are taken
   const char* summary;            ///< a line for lists of programs and commands
   const char* purpose;            ///< a sentence or two
@@ -60,7 +59,8 @@ struct Command {
   UsesParameters uses_parameters = UsesParameters::no;
   std::array<const char*, 3> one_needed = {};  ///< options of which one must be given
 
-  std::string synopsis() const;
+  std::string_view name() const;
+  std::string synopsis() const { return std::string(call) + " [options]"; }
 };
 
 /// Parses argv; positional arguments go to the option that is called as `input`. Touches no file
@@ -72,38 +72,6 @@ std::string version_text(const std::string& tool);
 
 /// Applies the changes one by one. Throws UsageError as set_parameter() does, with the place.
 void apply(const ParameterChanges& changes, Parameters& parameters);
-
-enum class Verbosity { normal, quiet };
-enum class Summary { text, json };
-
-/// Options of every tool that writes a file, which `holds` a checkpoint or record.
-struct OutputOptions {
-  std::filesystem::path output;
-  IfExists if_exists = IfExists::refuse;
-  Verbosity verbosity = Verbosity::normal;
-  SumFile sum = SumFile::omit;
-  Summary summary = Summary::text;
-
-  /// Where text goes: standard output, unless that is for JSON.
-  std::FILE* text() const { return summary == Summary::json ? stderr : stdout; }
-};
-void add_output_options(po::options_description& options, const std::string& holds);
-void add_checkpoint_options(po::options_description& options);  ///< the same, of a checkpoint
-OutputOptions output_options(const po::variables_map& values);
-
-/// The file to write that an option names. Throws UsageError for "-", by which other programs mean
-/// standard output.
-std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option);
-
-/// Throws UsageError if two outputs, their .sum files included, have the same name or one is the
-/// input, which no tool ever changes.
-void check_distinct(const std::vector<std::filesystem::path>& outputs,
-                    const std::filesystem::path& input);
-
-/// Throws unless all outputs may be written: UsageError as check_distinct(), Failure as
-/// check_output().
-void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
-                   const std::filesystem::path& input);
 
 /// The shape that --shape names.
 PhiShape shape_named(const std::string& name);

@@ -115,7 +115,7 @@ Json json_of(const std::vector<ParameterInfo>& rows) {
 }
 
 Json description(const Command& command, const po::options_description& options) {
-  Json json = {{"name", command.name},
+  Json json = {{"name", command.name()},
                {"synopsis", command.synopsis()},
                {"purpose", without_line_breaks(command.purpose)},
                {"input", *command.input == '\0' ? Json() : Json(command.input)},

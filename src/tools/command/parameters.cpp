@@ -80,8 +80,7 @@ int print_parameters(const Parsed& parsed) {
 
 extern const Command parameters_command;
 constinit const Command parameters_command = {
-    "parameters",
-    "[NAME...]",
+    "parameters [NAME...]",
     "parameter",
     "units, defaults, ranges and meanings of the parameters",
     "Lists all parameters. With names, or a group such as junctions, prints units, defaults,\n"

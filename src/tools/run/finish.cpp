@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include "run/files.hpp"
+#include "run/output.hpp"
 #include "run/programs.hpp"
-#include "run/summary.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
 
@@ -92,8 +92,7 @@ int finish(const Parsed& parsed) {
 }  // namespace
 
 constinit const Command finish_command = {
-    "finish",
-    "RECORD.h5.part -o OUT",
+    "finish RECORD.h5.part -o OUT",
     "record",
     "make an ordinary record from an unfinished one",
     "Makes an ordinary record from an unfinished one, up to its last sample. The run may have\n"

@@ -18,28 +18,26 @@ int load(const Parsed& parsed) {
   validate(p);
   const double until = non_negative(parsed.values, "until");
   const RunOptions options = run_options(parsed);
-  const OutputOptions output = output_options(parsed.values);
 
-  if (options.resume == Resume::no) check_output(output.output, output.if_exists);
+  if (options.resume == Resume::no) check_output(options.output.output, options.output.if_exists);
   const bool dry = options.dry_run != DryRun::no;
   Checkpoint start = {p,
                       dry ? roughly_loaded(p) : normal_load_equilibrium(p),
                       {make_provenance("load", parsed.arguments, "",
                                        shell_line(rebuild_command("load", Parameters{}, p)))}};
-  return simulate(std::move(start), {steps_in(p, until), {}}, options, output, {});
+  return simulate(std::move(start), {steps_in(p, until), {}}, options, {});
 }
 
 }  // namespace
 
 constinit const Command load_command = {
-    "load",
-    "-o OUT [--until T]",
+    "load -o OUT [--until T]",
     "",
     "put the slider under its normal load, then drive it from the side",
     "Finds the equilibrium of the slider under its normal load F_N, then moves the driving\n"
     "point at speed V, and writes a checkpoint from which the run can be continued.\n"
     "It ends with the energy account: supplied = stored + lost to damping and junctions.",
-    {add_load_options, add_run_options, add_checkpoint_options},
+    {add_load_options, add_run_options},
     load,
     quantities_of_run,
     UsesParameters::yes};

@@ -6,8 +6,8 @@
 
 #include "cli/option_values.hpp"
 #include "run/files.hpp"
+#include "run/output.hpp"
 #include "run/programs.hpp"
-#include "run/summary.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
@@ -218,8 +218,7 @@ int modify_phi(const Parsed& parsed) {
 }  // namespace
 
 constinit const Command modify_phi_command = {
-    "modify-phi",
-    "CHECKPOINT -o OUT",
+    "modify-phi CHECKPOINT -o OUT",
     "checkpoint",
     "replace the distribution of junction forces in a region",
     "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"

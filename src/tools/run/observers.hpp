@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "run/files.hpp"
+#include "run/output.hpp"
 #include "rupture/dynamics/guard.hpp"
 #include "rupture/dynamics/run.hpp"
 

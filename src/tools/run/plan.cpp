@@ -100,30 +100,29 @@ void leave_out_what_was_written(RunPlan& plan) {
   steps.erase(steps.begin(), later);
 }
 
-void check_files(const RunPlan& plan, const RunOptions& options, const OutputOptions& output,
-                 const fs::path& input) {
+void check_files(const RunPlan& plan, const fs::path& input) {
   auto checkpoints = paths_at(plan.checkpoint_steps, plan);
   checkpoints.push_back(plan.files.output);
   auto all = checkpoints;
   if (plan.files.record) all.push_back(*plan.files.record);
   check_distinct(all, input);
   for (const fs::path& path : checkpoints) {
-    check_output(path, plan.replaceable.contains(path) ? IfExists::replace : output.if_exists);
+    check_output(path, plan.replaceable.contains(path) ? IfExists::replace : plan.files.if_exists);
   }
   if (plan.files.record) {
-    check_record(*plan.files.record, plan.start.parameters, if_record_exists(options, output));
+    check_record(*plan.files.record, plan.start.parameters, if_record_exists(plan.options));
   }
 }
 
 /// What is left to be done.
-Workload work_of(const RunPlan& plan, const RunOptions& options, const fs::path& input) {
+Workload work_of(const RunPlan& plan, const fs::path& input) {
   const Parameters& p = plan.start.parameters;
   const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
   Workload work = {.parameters = p,
                    .from = input.empty() ? RunsFrom::equilibrium : RunsFrom::checkpoint,
                    .first_step = last,
                    .last_step = last,
-                   .threads = options.threads.value_or(default_thread_count(p))};
+                   .threads = plan.options.threads.value_or(default_thread_count(p))};
   if (plan.is_complete) return work;
   work.first_step = plan.begin.checkpoint.state.step;
   work.end = plan.rule.quiet_steps ? End::at_the_latest : End::known;
@@ -161,6 +160,7 @@ void add_run_options(po::options_description& options) {
       "write nothing: check the command and estimate the time, memory and disk space that it "
       "needs. The time per step is measured for half a second, from the checkpoint or, for load, "
       "near the equilibrium, which is not computed");
+  add_output_options(options, "checkpoint");
 }
 
 RunOptions run_options(const Parsed& parsed) {
@@ -183,25 +183,28 @@ RunOptions run_options(const Parsed& parsed) {
   run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
   run.dry_run = dry_run(values);
   if (values.count("threads") > 0) run.threads = int_between(values, "threads", 1, 1024);
+  run.output = output_options(values);
   return run;
 }
 
-RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& options,
-                 const OutputOptions& output, const fs::path& input) {
+RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
+                 const fs::path& input) {
   const Parameters& p = start.parameters;
   start.run = run_from(p, start.state.step);
   start.run->id = id_of_run(start);
   const Clock& clock = start.state.clock;
   RunPlan plan;
   plan.rule = rule;
-  plan.files = {output.output, options.record, {}, output.if_exists, options.crossings, {}};
+  plan.files = {options.output.output,    options.record,    {},
+                options.output.if_exists, options.crossings, {}};
   if (options.record)
     plan.files.record_every = interval(p, clock, options.record_every, "record-every");
   if (options.fields) plan.files.fields_every = interval(p, clock, *options.fields, "fields");
   plan.checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options);
+  plan.options = std::move(options);
   plan.start = std::move(start);
   Found found =
-      options.resume == Resume::yes ? find_run(plan.start, plan.rule, plan.files) : Found{};
+      plan.options.resume == Resume::yes ? find_run(plan.start, plan.rule, plan.files) : Found{};
   plan.replaceable = std::move(found.replaceable);
   plan.is_complete = found.is_complete;
   plan.begin = beginning(plan, std::move(found.newest));
@@ -209,24 +212,23 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& optio
   plan.begin.checkpoint.run->arrived_below = rule.arrived_below;
   if (plan.is_resumed()) leave_out_what_was_written(plan);
   if (!plan.is_complete) {
-    check_files(plan, options, output, input);
+    check_files(plan, input);
   } else if (plan.files.record) {
     plan.written_before.push_back(*plan.files.record);
   }
-  plan.work = work_of(plan, options, input);
+  plan.work = work_of(plan, input);
   return plan;
 }
 
-IfExists if_checkpoint_exists(const RunPlan& plan, const RunOptions& options,
-                              const fs::path& path) {
+IfExists if_checkpoint_exists(const RunPlan& plan, const fs::path& path) {
   const bool may_replace = path == plan.files.output
                                ? plan.replaceable.contains(path)
-                               : options.resume == Resume::yes && may_write(path, plan.start);
+                               : plan.options.resume == Resume::yes && may_write(path, plan.start);
   return may_replace ? IfExists::replace : plan.files.if_exists;
 }
 
-IfExists if_record_exists(const RunOptions& options, const OutputOptions& output) {
-  return options.resume == Resume::yes ? IfExists::replace : output.if_exists;
+IfExists if_record_exists(const RunOptions& options) {
+  return options.resume == Resume::yes ? IfExists::replace : options.output.if_exists;
 }
 
 }  // namespace rupture::tools

@@ -9,6 +9,7 @@
 
 #include "run/forecast.hpp"
 #include "run/observers.hpp"
+#include "run/output.hpp"
 #include "run/resume.hpp"
 
 namespace rupture::tools {
@@ -19,6 +20,7 @@ enum class DryRun { no, text, json };
 enum class Resume { no, yes };
 
 struct RunOptions {
+  OutputOptions output;
   std::vector<double> checkpoint_at;       ///< [s]
   std::optional<double> checkpoint_every;  ///< [s]
   std::optional<std::filesystem::path> record;
@@ -32,11 +34,12 @@ struct RunOptions {
   std::vector<std::string> arguments;  ///< argv, of which the command that goes on is made
 };
 
-void add_run_options(po::options_description& options);
+void add_run_options(po::options_description& options);  ///< with those of outputs
 RunOptions run_options(const Parsed& parsed);
 
 /// A run that has not begun. Its provenance already names the program that runs.
 struct RunPlan {
+  RunOptions options;
   Checkpoint start;  ///< where the whole run begins,
   Resumption begin;  ///< and where this part of it does, if it was interrupted: else the same
   StopRule rule;
@@ -53,14 +56,13 @@ struct RunPlan {
 /// Looks at what is there already, and writes nothing. `input` is the file that `start` comes from;
 /// empty if it is an equilibrium, which costs something, too. Throws UsageError or Failure if a
 /// file would have to be replaced that is neither the run's nor may be.
-RunPlan plan_run(Checkpoint start, const StopRule& rule, const RunOptions& options,
-                 const OutputOptions& output, const std::filesystem::path& input);
+RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
+                 const std::filesystem::path& input);
 
 /// Whether to replace a checkpoint that is there already.
-IfExists if_checkpoint_exists(const RunPlan& plan, const RunOptions& options,
-                              const std::filesystem::path& path);
+IfExists if_checkpoint_exists(const RunPlan& plan, const std::filesystem::path& path);
 
 /// Whether to replace a record that is there already; that of another run was refused.
-IfExists if_record_exists(const RunOptions& options, const OutputOptions& output);
+IfExists if_record_exists(const RunOptions& options);
 
 }  // namespace rupture::tools

@@ -6,8 +6,8 @@
 
 #include "cli/option_values.hpp"
 #include "run/files.hpp"
+#include "run/output.hpp"
 #include "run/programs.hpp"
-#include "run/summary.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
@@ -135,8 +135,7 @@ int prepare(const Parsed& parsed) {
 }  // namespace
 
 constinit const Command prepare_command = {
-    "prepare",
-    "--tau-bar T -o OUT",
+    "prepare --tau-bar T -o OUT",
     "",
     "make an interface with a prescribed prestress, ready to break",
     "Writes a checkpoint of a slider at rest whose interface carries a prescribed prestress,\n"

@@ -89,7 +89,6 @@ int restart(const Parsed& parsed) {
   const std::string path = single_input(parsed.values, "checkpoint", "a checkpoint to continue");
   const RunEnd end = run_end(parsed.values);
   const RunOptions options = run_options(parsed);
-  const OutputOptions output = output_options(parsed.values);
 
   Checkpoint checkpoint = read_checkpoint(path);
   const Parameters before = checkpoint.parameters;
@@ -99,20 +98,19 @@ int restart(const Parsed& parsed) {
       make_provenance("restart", parsed.arguments, checkpoint.checksum,
                       shell_line(rebuild_command("restart", before, checkpoint.parameters))));
   const StopRule rule = stop_rule(end, checkpoint);
-  return simulate(std::move(checkpoint), rule, options, output, path);
+  return simulate(std::move(checkpoint), rule, options, path);
 }
 
 }  // namespace
 
 constinit const Command restart_command = {
-    "restart",
-    "CHECKPOINT -o OUT (--until T | --for T | --until-quiet)",
+    "restart CHECKPOINT -o OUT (--until T | --for T | --until-quiet)",
     "checkpoint",
     "continue a checkpoint, also with other parameters",
     "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
     "the\nuninterrupted run; --set changes parameters from now on, e.g. --set driving.V=0.\n"
     "It ends with the energy account: supplied = stored + lost to damping and junctions.",
-    {add_restart_options, add_run_options, add_checkpoint_options},
+    {add_restart_options, add_run_options},
     restart,
     quantities_of_run,
     UsesParameters::yes,

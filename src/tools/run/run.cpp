@@ -84,10 +84,9 @@ void announce_events(const OutputOptions& output, const fs::path& path) {
 /// A run with everything that it writes on its way. The objects it is made with must outlive it.
 class Run {
  public:
-  Run(const RunPlan& plan, const RunOptions& options, const OutputOptions& output)
+  explicit Run(const RunPlan& plan)
       : plan_(plan),
-        options_(options),
-        output_(output),
+        output_(plan.options.output),
         begin_(plan.begin.checkpoint),
         saved_(plan.begin.file),
         simulation_(begin_.parameters, begin_.state, plan.work.threads, plan.files.crossings) {
@@ -118,7 +117,6 @@ class Run {
   }
 
   const RunPlan& plan_;
-  const RunOptions& options_;
   const OutputOptions& output_;
   const Checkpoint& begin_;
   fs::path saved_;  // the latest checkpoint
@@ -134,7 +132,7 @@ void Run::begin_record() {
                              recorded_run(begin_.run->id, files)};
   const std::int64_t last = plan_.rule.last_step;
   writer_.emplace(*files.record, begin_.parameters, record_provenance(last),
-                  if_record_exists(options_, output_), plan_.begin.rows, RecordWriter::kFlushEvery,
+                  if_record_exists(plan_.options), plan_.begin.rows, RecordWriter::kFlushEvery,
                   parts);
   recorder_.emplace(*writer_, files, plan_.begin.rows, begin_.state.step, last);
 }
@@ -142,7 +140,7 @@ void Run::begin_record() {
 /// With all observers, in the order in which they see a step.
 Ending Run::observed() {
   const std::string& tool = begin_.provenance.back().tool;
-  Alarms alarms(simulation_, plan_.rule.last_step, options_.on_alarm, output_, tool);
+  Alarms alarms(simulation_, plan_.rule.last_step, plan_.options.on_alarm, output_, tool);
   std::vector<Observer*> observers = {&alarms};
   if (recorder_) observers.push_back(&*recorder_);  // checkpoints include its sample
   CheckpointSchedule schedule(plan_.checkpoint_steps, [&](const Simulation& now) {
@@ -221,8 +219,7 @@ void Run::save(const fs::path& path) {
   const State& state = simulation_.state();
   const Checkpoint now = {
       p, state, run_until(begin_.provenance, p, state.clock, state.step), simulation_.run(), {}};
-  const auto checksum =
-      write_checkpoint(path, now, if_checkpoint_exists(plan_, options_, path), output_.sum);
+  const auto checksum = write_checkpoint(path, now, if_checkpoint_exists(plan_, path), output_.sum);
   summary_.files.push_back({path, "checkpoint", checksum});
   saved_ = path;
 }
@@ -260,9 +257,9 @@ void print_forecast(const RunPlan& plan, DryRun how) {
 }
 
 /// Runs and writes what the plan says.
-void carry_out(const RunPlan& plan, const RunOptions& options, const OutputOptions& output) {
+void carry_out(const RunPlan& plan) {
   const InterruptionNoted interruption;
-  Run run(plan, options, output);
+  Run run(plan);
   const bool is_interrupted = run.go() == Ending::interrupted;
   std::string where = " at its first step";
   if (!is_interrupted) {
@@ -270,10 +267,11 @@ void carry_out(const RunPlan& plan, const RunOptions& options, const OutputOptio
   } else if (run.has_moved()) {
     where = fmt::format(", and saved as {}", run.save_on_the_way().string());
   }
-  print_if_asked(quantities_of(run.summary()), output);
+  print_if_asked(quantities_of(run.summary()), plan.options.output);
   if (is_interrupted) {
-    throw Interrupted{InterruptionNoted::signal(), fmt::format("interrupted{}; to continue: {}",
-                                                               where, resuming_command(options))};
+    throw Interrupted{
+        InterruptionNoted::signal(),
+        fmt::format("interrupted{}; to continue: {}", where, resuming_command(plan.options))};
   }
   if (const int signal = InterruptionNoted::signal()) {
     throw Interrupted{signal, "interrupted after everything had been written"};
@@ -287,8 +285,9 @@ Quantities quantities_of_run() {
 }
 
 int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
-             const OutputOptions& output, const fs::path& input) {
-  const RunPlan plan = plan_run(std::move(start), rule, options, output, input);
+             const fs::path& input) {
+  const RunPlan plan = plan_run(std::move(start), rule, options, input);
+  const OutputOptions& output = options.output;
   const bool is_dry = options.dry_run != DryRun::no;
   if (options.resume == Resume::yes && output.verbosity == Verbosity::normal &&
       options.dry_run != DryRun::json && !(is_dry && plan.is_complete)) {
@@ -302,7 +301,7 @@ int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
   if (plan.is_complete) {
     print_if_asked(quantities_of(summary_of_complete(plan.begin.checkpoint)), output);
   } else {
-    carry_out(plan, options, output);
+    carry_out(plan);
   }
   return kDone;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "run/plan.hpp"
-#include "run/summary.hpp"
 
 namespace rupture::tools {
 
@@ -13,7 +12,7 @@ namespace rupture::tools {
 /// provenance of `start` already names this tool. Throws Interrupted if a signal came; the run can
 /// then be resumed. Returns kDone.
 int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
-             const OutputOptions& output, const std::filesystem::path& input);
+             const std::filesystem::path& input);
 
 /// The rows of its summary.
 Quantities quantities_of_run();

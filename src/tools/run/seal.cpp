@@ -5,8 +5,8 @@
 
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
+#include "run/output.hpp"
 #include "run/programs.hpp"
-#include "run/summary.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
@@ -122,8 +122,7 @@ int seal(const Parsed& parsed) {
 }  // namespace
 
 constinit const Command seal_command = {
-    "seal",
-    "FILE -o OUT",
+    "seal FILE -o OUT",
     "file",
     "check and seal a file that another program edited",
     "Checks a checkpoint or record that was edited or repacked by another program, such as h5py\n"

@@ -1,4 +1,5 @@
-// What the programs that write files have done, as they say it in words or with --json.
+// The outputs of programs that write files: their options, which files may be written, and what was
+// done, in words or with --json.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,38 @@
 #include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
+
+enum class Verbosity { normal, quiet };
+enum class Summary { text, json };
+
+/// Options of every tool that writes a file, which `holds` a checkpoint or record.
+struct OutputOptions {
+  std::filesystem::path output;
+  IfExists if_exists = IfExists::refuse;
+  Verbosity verbosity = Verbosity::normal;
+  SumFile sum = SumFile::omit;
+  Summary summary = Summary::text;
+
+  /// Where text goes: standard output, unless that is for JSON.
+  std::FILE* text() const { return summary == Summary::json ? stderr : stdout; }
+};
+void add_output_options(po::options_description& options, const std::string& holds);
+void add_checkpoint_options(po::options_description& options);  ///< the same, of a checkpoint
+OutputOptions output_options(const po::variables_map& values);
+
+/// The file to write that an option names. Throws UsageError for "-", by which other programs mean
+/// standard output.
+std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option);
+
+/// Throws UsageError if two outputs, their .sum files included, have the same name or one is the
+/// input, which no tool ever changes.
+void check_distinct(const std::vector<std::filesystem::path>& outputs,
+                    const std::filesystem::path& input);
+
+/// Throws unless all outputs may be written: UsageError as check_distinct(), Failure as
+/// check_output().
+void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
+                   const std::filesystem::path& input);
 
 struct WrittenFile {
   std::filesystem::path path;
