@@ -18,6 +18,7 @@
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
+#include "rupture/model/user_text.hpp"
 #include "rupture/version.hpp"
 
 namespace rupture::tools {
@@ -137,6 +138,17 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
   }
   po::store(known, values);
   return changes;
+}
+
+/// "unknown option '--untill': did you mean '--until'? See rupture load --help".
+std::string unknown_option_text(const std::string& option, const po::options_description& known,
+                                std::string_view tool) {
+  std::vector<std::string> names;
+  for (const auto& description : known.options()) {
+    names.push_back("--" + description->long_name());
+  }
+  return fmt::format("unknown option '{}': did you mean '{}'? See rupture {} --help", option,
+                     nearest(option, {names.begin(), names.end()}), tool);
 }
 
 /// The exit code of a tool's body, or kDone after the help that was asked for.

@@ -12,7 +12,6 @@
 
 #include "rupture/model/laws.hpp"
 #include "rupture/model/parameters.hpp"
-#include "rupture/model/user_text.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -38,17 +37,6 @@ std::string parameter_help() {
                     unit, info.help, info.symbol, laws_text(info));
   }
   return text;
-}
-
-std::string unknown_option_text(const std::string& option,
-                                const boost::program_options::options_description& known,
-                                std::string_view tool) {
-  std::vector<std::string> names;
-  for (const auto& description : known.options()) {
-    names.push_back("--" + description->long_name());
-  }
-  return unknown_text("option", option, {names.begin(), names.end()},
-                      fmt::format("rupture {} --help", tool));
 }
 
 std::vector<std::string> split(std::string text, char separator) {

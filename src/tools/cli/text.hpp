@@ -1,9 +1,8 @@
-// Text that the tools show: parameter help, suggestions, aligned lines.
+// Text that the tools show: parameter help, numbers with units, lines without control characters.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <boost/program_options.hpp>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -27,11 +26,6 @@ std::vector<std::string> split(std::string text, char separator);
 
 /// One line per parameter: name, symbol, default, unit, meaning.
 std::string parameter_help();
-
-/// "unknown option '--untill': did you mean '--until'?"
-std::string unknown_option_text(const std::string& option,
-                                const boost::program_options::options_description& known,
-                                std::string_view tool);
 
 /// 6000000 as "6,000,000".
 std::string grouped(double whole_number);

@@ -39,7 +39,7 @@ constinit const Command load_command = {
     "It ends with the energy account: supplied = stored + lost to damping and junctions.",
     {add_load_options, add_run_options},
     load,
-    quantities_of_run,
+    [] { return quantities_of(RunSummary{}); },
     UsesParameters::yes};
 
 }  // namespace rupture::tools

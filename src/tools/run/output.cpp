@@ -103,20 +103,6 @@ std::string wrote_text(const WrittenFile& file) {
   return fmt::format("wrote {}  {}\n", in_one_line(file.path.string()), labelled(file.checksum));
 }
 
-std::string name_of(Ending ending) {
-  switch (ending) {
-    case Ending::quiet:
-      return "quiet";
-    case Ending::spanned:
-      return "spanned";
-    case Ending::interrupted:
-      return "interrupted";
-    case Ending::last_step:
-      break;
-  }
-  return "end";
-}
-
 RunSummary summary_of_complete(const Checkpoint& end) {
   return {.ending = "complete", .time = time(end.parameters, end.state), .run = *end.run};
 }

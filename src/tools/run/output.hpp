@@ -11,7 +11,6 @@
 #include "cli/command_line.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/energy.hpp"
-#include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
 
@@ -58,7 +57,7 @@ std::string wrote_text(const WrittenFile& file);
 
 /// Of load and restart.
 struct RunSummary {
-  std::string ending;                   ///< see name_of()
+  std::string ending;                   ///< in the words of kEndings, or "complete"
   double time = 0.0;                    ///< simulated, at the end [s]
   std::int64_t steps = 0;               ///< taken now, as is all that follows
   double simulated_time = 0.0;          ///< [s]
@@ -67,9 +66,6 @@ struct RunSummary {
   RunSoFar run = {};                    ///< since the run began, before an interruption too
   std::vector<WrittenFile> files = {};  ///< in their order
 };
-
-/// The word for it in JSON.
-std::string name_of(Ending ending);
 
 /// Of a run that was complete before: nothing was done.
 RunSummary summary_of_complete(const Checkpoint& end);

@@ -112,7 +112,7 @@ constinit const Command restart_command = {
     "It ends with the energy account: supplied = stored + lost to damping and junctions.",
     {add_restart_options, add_run_options},
     restart,
-    quantities_of_run,
+    [] { return quantities_of(RunSummary{}); },
     UsesParameters::yes,
     {"until", "for", "until-quiet"}};
 

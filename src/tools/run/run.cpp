@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <exception>
 #include <optional>
@@ -27,23 +28,20 @@ void announce(const OutputOptions& output, const WrittenFile& file) {
   }
 }
 
-std::string_view reason(Ending ending) {
-  switch (ending) {
-    case Ending::quiet:
-      return "no more junctions broke";
-    case Ending::spanned:
-      return "an event spanned the interface";
-    case Ending::interrupted:
-      return "interrupted";
-    case Ending::last_step:
-      break;
-  }
-  return "end of the run";
+/// How a run ended, in JSON and in the text, in the order of Ending.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kEndings = {
+    {{"end", "end of the run"},
+     {"quiet", "no more junctions broke"},
+     {"spanned", "an event spanned the interface"},
+     {"interrupted", "interrupted"}}};
+
+const auto& words_for(Ending ending) {
+  return kEndings.at(static_cast<std::size_t>(ending));
 }
 
 void print_invariants(std::FILE* to, Ending ending, const RunSummary& summary) {
   const EnergyBalance& balance = summary.energy;
-  say_on(to, "t = {:.7g} s ({}), {} steps", summary.time, reason(ending), summary.steps);
+  say_on(to, "t = {:.7g} s ({}), {} steps", summary.time, words_for(ending).second, summary.steps);
   if (summary.steps > 0 && summary.wall_time > 0.0) {
     say_on(to, ", {:.0f} steps/s", static_cast<double>(summary.steps) / summary.wall_time);
   }
@@ -176,7 +174,7 @@ Ending Run::go() {
 }
 
 void Run::summarise(const Energies& before, steady_clock::time_point begin, Ending ending) {
-  summary_.ending = name_of(ending);
+  summary_.ending = words_for(ending).first;
   summary_.time = simulation_.time();
   summary_.steps = simulation_.state().step - begin_.state.step;
   summary_.simulated_time = summary_.time - time(begin_.parameters, begin_.state);
@@ -279,10 +277,6 @@ void carry_out(const RunPlan& plan) {
 }
 
 }  // namespace
-
-Quantities quantities_of_run() {
-  return quantities_of(RunSummary{});
-}
 
 int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
              const fs::path& input) {

@@ -14,7 +14,4 @@ namespace rupture::tools {
 int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
              const std::filesystem::path& input);
 
-/// The rows of its summary.
-Quantities quantities_of_run();
-
 }  // namespace rupture::tools
