@@ -140,15 +140,15 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
   return changes;
 }
 
-/// "unknown option '--untill': did you mean '--until'? See rupture load --help".
+/// "unknown option '--untill': did you mean '--until'?"
 std::string unknown_option_text(const std::string& option, const po::options_description& known,
                                 std::string_view tool) {
   std::vector<std::string> names;
   for (const auto& description : known.options()) {
     names.push_back("--" + description->long_name());
   }
-  return fmt::format("unknown option '{}': did you mean '{}'? See rupture {} --help", option,
-                     nearest(option, {names.begin(), names.end()}), tool);
+  return unknown_text("option", option, {names.begin(), names.end()},
+                      fmt::format("rupture {} --help", tool));
 }
 
 /// The exit code of a tool's body, or kDone after the help that was asked for.
