@@ -35,7 +35,6 @@ use rule load_once as choices_start with:
             f"--until {BEFORE_FIRST_BREAK}",
             changes=lambda wildcards: CHOICES[wildcards.choice][1],
         ),
-    log: f"{LOGS}/choices/{{choice}}-start.log"
     message: f"choices: drive the slider to t = {BEFORE_FIRST_BREAK} s, {{wildcards.choice}}"
 
 
@@ -48,7 +47,6 @@ use rule load_of_seed as choices_load with:
             f"{DATA}/choices/{{choice}}-{{seed}}",
             checkpoints=checkpoints_of_load(f"{DATA}/choices/{{choice}}-{{seed}}"),
         ),
-    log: f"{LOGS}/choices/{{choice}}-{{seed}}.log"
     message: "choices: load {wildcards.choice}-{wildcards.seed} (about a minute)"
 
 
@@ -58,7 +56,6 @@ use rule events as choices_events with:
         script="recipes/ensemble/measure_events.py",
         conventions="recipes/common/events/conventions.py",
     output: f"{DATA}/choices/{{choice}}-{{seed}}-events.json"
-    log: f"{LOGS}/choices/{{choice}}-{{seed}}-events.log"
     message: "choices: find the rupture events of {wildcards.choice}-{wildcards.seed}"
 
 
@@ -71,15 +68,15 @@ use rule continued as choices_continued with:
         shared=rules.continued.input.shared,
     output: f"{DATA}/choices/{{choice}}-{{seed}}-continued.json"
     params: code=CODE, run=f"{DATA}/choices/{{choice}}-{{seed}}", crossings=CROSSINGS
-    log: f"{LOGS}/choices/{{choice}}-{{seed}}-continued.log"
     message: "choices: continue the events of {wildcards.choice}-{wildcards.seed} in other ways"
 
 
-use rule figure as choices with:
-    input:
-        settled=[of_choice("ensemble", kind, kind) for kind in OF_KIND],
-        changed=[of_choice("choices", name, kind) for name, (kind, _) in CHOICES.items()],
-        prepared=f"{DATA}/choices/choices.csv",
-        **scripts_of("choices"),
-    output: results_of("choices", pictures=["choices"], tables=["choices"], own=OWN_RESULTS)
-    log: f"{LOGS}/choices.log"
+figure(
+    "choices",
+    pictures=["choices"],
+    tables=["choices"],
+    own=OWN_RESULTS,
+    settled=[of_choice("ensemble", kind, kind) for kind in OF_KIND],
+    changed=[of_choice("choices", name, kind) for name, (kind, _) in CHOICES.items()],
+    prepared=f"{DATA}/choices/choices.csv",
+)

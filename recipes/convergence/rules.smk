@@ -3,22 +3,11 @@ import shutil
 # Convergence with the time step and the lattice. It decides nothing, and `all` leaves it out.
 CONVERGENCE_STEPS = ["1e-7", "5e-8"]  # beside the unchanged 2e-7 s
 CONVERGENCE_EVENTS = ["fast-slow-fast", "second-slow", "fast-only"]  # I, II, III
-
-
-STAGES["start"]["convergence"] = [f"{DATA}/{event}.compared" for event in CONVERGENCE_EVENTS]
-
-
-use rule restart_recorded as convergence_event with:
-    input: **content_of(h5=f"{DATA}/{{event}}.h5")
-    output: **recorded(f"{DATA}/convergence/{{event}}-{{dt}}")
-    params:
-        **run_with(
-            f"--for {DURATION}",
-            changes=lambda wildcards: f"--set numerics.dt={wildcards.dt}",
-        ),
-    wildcard_constraints: dt="|".join(CONVERGENCE_STEPS)
-    log: f"{LOGS}/convergence/{{event}}-{{dt}}.log"
-    message: "convergence: run {wildcards.event} with a time step of {wildcards.dt} s"
+RUNS |= {
+    f"convergence/{event}-{dt}": run(event, f"--for {DURATION}", f"--set numerics.dt={dt}")
+    for event in CONVERGENCE_EVENTS
+    for dt in CONVERGENCE_STEPS
+}
 
 
 # The slider of event I is let go: without load, foundation, drive and junctions its blocks swing freely.
@@ -33,7 +22,6 @@ use rule restart as convergence_free_start with:
     input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")
     output: **with_sums(h5=f"{DATA}/convergence/free-start.h5")
     params: **run_with("--for 2e-7", changes=LET_GO)
-    log: f"{LOGS}/convergence/free-start.log"
     message: "convergence: let the slider go"
 
 
@@ -41,7 +29,6 @@ use rule restart as convergence_free_end with:
     input: **content_of(h5=f"{DATA}/convergence/free-start.h5")
     output: **with_sums(h5=f"{DATA}/convergence/free-end.h5")
     params: **run_with(f"--for {FREE_STEPS * 2e-7:.9g}")
-    log: f"{LOGS}/convergence/free-end.log"
     message: "convergence: run its free blocks"
 
 
@@ -55,7 +42,6 @@ rule convergence_lammps:
         **script("recipes/convergence/lammps.py"),
     output: f"{DATA}/convergence/lammps.json"
     params: lmp=shutil.which("lmp") or ""
-    log: f"{LOGS}/convergence/lammps.log"
     message: "convergence: run them in LAMMPS"
     shell:
         "{PYTHON} {input.script} '{params.lmp}' {input.bulk} {input.compare} {input.start} {input.end}"
@@ -93,32 +79,30 @@ rule convergence_edges:
         options=lambda wildcards: LATTICE_EDGES[wildcards.setting][0],
     wildcard_constraints: setting="|".join(LATTICE_EDGES), sigma="[0-9.]+", N_x="[0-9]+"
     priority: 10  # long, and finer ones wait for it
-    log: f"{LOGS}/convergence/{{setting}}-{{sigma}}-{{N_x}}.log"
     message: "convergence: bisect tau_bar_0, {wildcards.setting}-{wildcards.sigma}-{wildcards.N_x}"
     shell:
         "{PYTHON} {input.script} {BIN} {params.folder} {wildcards.N_x} {params.N_s} {wildcards.sigma}"
         " '{params.options}' {input.coarser} > {output} 2> {log}"
 
 
-use rule figure as convergence with:
-    input:
-        lammps=f"{DATA}/convergence/lammps.json",
-        table=f"{DATA}/convergence/time-step.csv",
-        edges=[
-            f"{DATA}/convergence/{setting}-{sigma}-{N_x}.json"
-            for setting, (_, lattices) in LATTICE_EDGES.items()
-            for sigma in ("0", "0.1", "0.285")
-            for N_x in lattices
-        ],
-        fronts=[f"{DATA}/{event}-front.json" for event in CONVERGENCE_EVENTS],
-        finer=[
-            f"{DATA}/convergence/{event}-{dt}-front.json"
-            for event in CONVERGENCE_EVENTS
-            for dt in CONVERGENCE_STEPS
-        ],
-        **scripts_of("convergence"),
-    output:
-        results_of(
-            "convergence", pictures=["convergence"], tables=["convergence", "edges"], own=OWN_RESULTS
-        ),
-    log: f"{LOGS}/convergence.log"
+figure(
+    "convergence",
+    pictures=["convergence"],
+    tables=["convergence", "edges"],
+    own=OWN_RESULTS,
+    events=CONVERGENCE_EVENTS,
+    lammps=f"{DATA}/convergence/lammps.json",
+    table=f"{DATA}/convergence/time-step.csv",
+    edges=[
+        f"{DATA}/convergence/{setting}-{sigma}-{N_x}.json"
+        for setting, (_, lattices) in LATTICE_EDGES.items()
+        for sigma in ("0", "0.1", "0.285")
+        for N_x in lattices
+    ],
+    fronts=[f"{DATA}/{event}-front.json" for event in CONVERGENCE_EVENTS],
+    finer=[
+        f"{DATA}/convergence/{event}-{dt}-front.json"
+        for event in CONVERGENCE_EVENTS
+        for dt in CONVERGENCE_STEPS
+    ],
+)

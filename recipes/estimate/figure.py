@@ -99,7 +99,7 @@ def course_rows(**estimates):
 
 def make(data, results):
     reference, unbreakable = (
-        report(data / f"estimate/{junctions}.json") for junctions in ("reference", "unbreakable")
+        report(data / f"{state}-estimate.json") for state in ("fast-slow-fast", "estimate/unbreakable")
     )
     draw(reference, unbreakable, results / "estimate")
     names = ["junctions", "time [<t_R>]", "slip [f_slip/k_ij]"]

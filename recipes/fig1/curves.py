@@ -203,7 +203,7 @@ def write_tables(results, loading, events, blocks, front):
 
 
 def make(data, results):
-    loading = report(data / "fig1/loading.json")
+    loading = report(data / "ensemble/load-01-loading.json")
     events = read_events(data / "ensemble/load-01-events.json")
     front = report(data / "fig1/event-front.json")
     blocks = Blocks(data / "fig1/event-record.h5")

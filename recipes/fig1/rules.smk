@@ -13,32 +13,12 @@ FIG1_SPEEDS = {
     "range": "--v-from 1e-4 --v-to 1 --points 17",
     "limits": "--v-from 1e-9 --v-to 1e3 --points 2",
 }
-
-
-STAGES["start"]["fig1"] = [f"{DATA}/fast-slow-fast.compared"]
-
-
-use rule analyze as fig1_loading with:
-    input: **content_of(h5=f"{SHOWN_LOAD}-record.h5")
-    output: f"{FIG1}/loading.json"
-    params: **analysis("loading")
-    log: f"{LOGS}/fig1/loading.log"
-    message: "fig1: read the loading curve"
-
-
-# fig1/event-front.json comes from this record by rule front.
-use rule restart_recorded as fig1_event with:
-    input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")
-    output: **recorded(f"{FIG1}/event")
-    params: **run_with("--for 0.005", record_every="1e-6")
-    log: f"{LOGS}/fig1/event.log"
-    message: "fig1: run the fast-slow-fast event with a sample each microsecond"
+RUNS["fig1/event"] = run("fast-slow-fast", "--for 0.005", record_every="1e-6")
 
 
 rule fig1_junctions:
     output: **with_sums(h5=f"{FIG1}/junctions.h5")
     params: code=CODE
-    log: f"{LOGS}/fig1/junctions.log"
     message: "fig1: prepare blocks with one junction each"
     shell: "{BIN}/prepare {FIG1_JUNCTION} -o {output.h5} --force --quiet --sum 2> {log}"
 
@@ -56,7 +36,6 @@ use rule restart_recorded as fig1_pull with:
             changes="--set driving.V=1e-3",
             record_every="2e-7",
         ),
-    log: f"{LOGS}/fig1/pulled.log"
     message: "fig1: pull them at 1 mm/s with a sample in each step"
 
 
@@ -66,31 +45,26 @@ rule fig1_steady:
         code=CODE,
         speeds=lambda wildcards: FIG1_SPEEDS[wildcards.speeds],
     wildcard_constraints: speeds="|".join(FIG1_SPEEDS)
-    log: f"{LOGS}/fig1/steady-{{speeds}}.log"
     message: "fig1: slide a block at constant speeds ({params.speeds})"
     shell:
         "{BIN}/analyze steady-state {params.speeds} --steps-per-cycle 20000 --json"
         " > {output} 2> {log}"
 
 
-use rule figure as fig1 with:
-    input:
-        loading=f"{FIG1}/loading.json",
-        events=f"{SHOWN_LOAD}-events.json",
-        front=f"{FIG1}/event-front.json",
-        prepared=ancient(f"{FIG1}/junctions.h5"),
-        **content_of(
-            record=f"{FIG1}/event-record.h5",
-            pulled=f"{FIG1}/pulled-record.h5",
-            slipping=[f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING],
-        ),
-        steady=[f"{FIG1}/steady-{speeds}.json" for speeds in FIG1_SPEEDS],
-        loads=of_ensemble("load", "events", "continued"),
-        **scripts_of("fig1"),
-    output:
-        results_of(
-            "fig1",
-            pictures=["fig1"],
-            tables=["loading", "events", "block", "junction", "steady-state"],
-        ),
-    log: f"{LOGS}/fig1.log"
+figure(
+    "fig1",
+    pictures=["fig1"],
+    tables=["loading", "events", "block", "junction", "steady-state"],
+    events=["fast-slow-fast"],
+    loading=f"{SHOWN_LOAD}-loading.json",
+    all_events=f"{SHOWN_LOAD}-events.json",
+    front=f"{FIG1}/event-front.json",
+    **content_of(
+        prepared=f"{FIG1}/junctions.h5",
+        record=f"{FIG1}/event-record.h5",
+        pulled=f"{FIG1}/pulled-record.h5",
+        slipping=[f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING],
+    ),
+    steady=[f"{FIG1}/steady-{speeds}.json" for speeds in FIG1_SPEEDS],
+    loads=of_ensemble("load", "events", "continued"),
+)

@@ -10,9 +10,11 @@ if shutil.which("ffmpeg"):
     FIG2_FILM = [f"{RESULTS}/movie.webm", f"{RESULTS}/movie.png"]
     FIG2_STILL = "&& ffmpeg -v error -y -ss 6 -i {output[0]} -frames:v 1 {output[1]}"
 FIG2_EVENTS = [*EVENTS, *(["most-like"] if FIG2_OF_ALL else [])]
-
-
-STAGES["start"]["fig2"] = [f"{DATA}/{event}.compared" for event in EVENTS]
+RUNS["most-like"] = run("most-like", f"--for {DURATION}")
+# Event I as a film of the slider. What happens later than in 4 ms is not slow any more.
+RUNS["fast-slow-fast/filmed"] = run(
+    "fast-slow-fast", "--for 0.004 --fields 2e-5", record_every="2e-5"
+)
 
 
 rule fig2_choice:
@@ -20,7 +22,6 @@ rule fig2_choice:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS],
         **script("recipes/fig2/most_like.py"),
     output: f"{DATA}/most-like.json"
-    log: f"{LOGS}/most-like.log"
     message: "fig2: choose the event most like the paper's"
     shell: "{PYTHON} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
 
@@ -39,25 +40,7 @@ use rule restart_before_event as fig2_before with:
     output: **with_sums(h5=f"{DATA}/most-like.h5")
     params:
         **event_of(lambda wildcards, input: f"{DATA}/ensemble/$({VALUE} {input.choice} load)")
-    log: f"{LOGS}/most-like-start.log"
     message: "fig2: go to 0.5 ms before the event most like the paper's"
-
-
-use rule restart_recorded as fig2_most_like with:
-    input: **content_of(h5=f"{DATA}/most-like.h5")
-    output: **with_sums(h5=f"{DATA}/most-like-after.h5", record=f"{DATA}/most-like-record.h5")
-    params: **run_with(f"--for {DURATION}")
-    log: f"{LOGS}/most-like-record.log"
-    message: "fig2: run the event most like the paper's"
-
-
-# Event I as a film of the slider. What happens later than in 4 ms is not slow any more.
-use rule restart_recorded as fig2_filmed with:
-    input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")
-    output: **recorded(f"{DATA}/fast-slow-fast/filmed")
-    params: **run_with("--for 0.004 --fields 2e-5", record_every="2e-5")
-    log: f"{LOGS}/fast-slow-fast/filmed.log"
-    message: "fig2: run event I with the displacements of all blocks"
 
 
 rule fig2_film:
@@ -66,25 +49,20 @@ rule fig2_film:
         drawn_by=sorted(map(str, Path("python/rupture").rglob("*.py"))),
     output: FIG2_FILM
     params: code=CODE
-    log: f"{LOGS}/fig2-film.log"
     message: "fig2: film event I"
     shell: "({BIN}/movie {input.record} -o {output[0]} --event 0 --force " + FIG2_STILL + ") > {log} 2>&1"
 
 
-use rule figure as fig2 with:
-    input:
-        film=FIG2_FILM,
-        fronts=[f"{DATA}/{event}-front.json" for event in FIG2_EVENTS],
-        **content_of(records=[f"{DATA}/{event}-record.h5" for event in FIG2_EVENTS]),
-        ways=[f"{DATA}/fast-slow-fast-front-{way}.json" for way in FRONT_WAYS],
-        choice=[f"{DATA}/most-like.json"] if FIG2_OF_ALL else [],
-        loads=FIG2_LOADS,
-        **scripts_of("fig2"),
-    output:
-        results_of(
-            "fig2",
-            pictures=["fig2"],
-            tables=["front-speed", "front-speed-II", *(["most-like"] if FIG2_OF_ALL else [])],
-            own=OWN_RESULTS,
-        ),
-    log: f"{LOGS}/fig2.log"
+figure(
+    "fig2",
+    pictures=["fig2"],
+    tables=["front-speed", "front-speed-II", *(["most-like"] if FIG2_OF_ALL else [])],
+    own=OWN_RESULTS,
+    events=EVENTS,
+    film=FIG2_FILM,
+    fronts=[f"{DATA}/{event}-front.json" for event in FIG2_EVENTS],
+    **content_of(records=[f"{DATA}/{event}-record.h5" for event in FIG2_EVENTS]),
+    ways=[f"{DATA}/fast-slow-fast-front-{way}.json" for way in FRONT_WAYS],
+    choice=[f"{DATA}/most-like.json"] if FIG2_OF_ALL else [],
+    loads=FIG2_LOADS,
+)

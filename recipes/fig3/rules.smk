@@ -2,14 +2,12 @@
 # and D: slow slip and speed of slow fronts in sweeps. Beside them the decay length l_0 ahead of slow
 # fronts, and fronts without a slipping force. See README.md.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
-FIG3_EVENTS = [f"{DATA}/{event}" for event in ("fast-slow-fast", "second-slow")]  # I, II
+FIG3_SHOWN = ("fast-slow-fast", "second-slow")  # I, II
+FIG3_EVENTS = [f"{DATA}/{event}" for event in FIG3_SHOWN]
 FIG3_SWEEPS = ["slow_slip", "slow_slip_event", "front_speed", "front_speed_phi", "no_slip_force"]
 FIG3_OF_SEEDS = ["slow_slip", "front_speed", "front_speed_widths", "no_slip_force"]
 L0_SEEDS = range(1, 6)  # the first is shown
 L0_REPORTS = [f"{DATA}/fig3/l0-seed-{seed}.json" for seed in L0_SEEDS]
-
-
-STAGES["start"]["fig3"] = [f"{event}.compared" for event in FIG3_EVENTS]
 
 
 rule fig3_l0_seed:
@@ -20,39 +18,32 @@ rule fig3_l0_seed:
     priority: 80  # long: before what is short
     params: code=CODE, folder=f"{DATA}/fig3/l0-seed-{{seed}}-scratch"
     wildcard_constraints: seed="|".join(map(str, L0_SEEDS))
-    log: f"{LOGS}/fig3-l0-seed-{{seed}}.log"
     message: "fig3: run slow fronts with seed {wildcards.seed}, fit the decay length ahead of them"
     shell: "{PYTHON} {input.script} {BIN} {wildcards.seed} {params.folder} > {output} 2> {log}"
 
 
-use rule figure as fig3 with:
-    input:
-        fronts=[f"{event}/{run}-front.json" for event in FIG3_EVENTS for run in FIG3_RUNS],
-        **content_of(
-            records=[
-                f"{event}/{run}-record.h5" for event in FIG3_EVENTS for run in (*FIG3_RUNS, "every-step")
-            ]
-        ),
-        slips=[f"{event}/{run}-slip.json" for event in FIG3_EVENTS for run in SLIPS],
-        unmodified=[f"{event}-front.json" for event in FIG3_EVENTS],
-        in_words=[f"{event}{run}-front-in-words.json" for event in FIG3_EVENTS for run in ("", "/stopped")],
-        continued=of_ensemble("load", "continued"),
-        sweeps=[f"{DATA}/fig3/{sweep}.csv" for sweep in FIG3_SWEEPS],
-        widths=repeated([f"{DATA}/fig3/front_speed_widths.csv"]),
-        seeds=repeated(
-            table for sweep in FIG3_OF_SEEDS for table in tables_of_seeds(f"fig3/{sweep}")
-        ),
-        edges=[
-            *edges("reference", SIGMA_BARS),
-            *edges("no-slip-force", SIGMA_BARS),
-            *repeated(edges("no-slip-force", SIGMA_BARS, range(2, 6))),
-        ],
-        l_0=[L0_REPORTS[0], *repeated(L0_REPORTS[1:])],
-        **scripts_of("fig3"),
-    output:
-        results_of(
-            "fig3",
-            pictures=["fig3", "fig3-l0", "fig3C-inset", "fig3D"],
-            tables=["slip", "decay-length", "slow-slip-speed", "front-speed", "no-slip-force"],
-        ),
-    log: f"{LOGS}/fig3.log"
+figure(
+    "fig3",
+    pictures=["fig3", "fig3-l0", "fig3C-inset", "fig3D"],
+    tables=["slip", "decay-length", "slow-slip-speed", "front-speed", "no-slip-force"],
+    events=FIG3_SHOWN,
+    fronts=[f"{event}/{run}-front.json" for event in FIG3_EVENTS for run in FIG3_RUNS],
+    **content_of(
+        records=[
+            f"{event}/{run}-record.h5" for event in FIG3_EVENTS for run in (*FIG3_RUNS, "every-step")
+        ]
+    ),
+    slips=[f"{event}/{run}-slip.json" for event in FIG3_EVENTS for run in SLIPS],
+    unmodified=[f"{event}-front.json" for event in FIG3_EVENTS],
+    in_words=[f"{event}{run}-front-in-words.json" for event in FIG3_EVENTS for run in ("", "/stopped")],
+    continued=of_ensemble("load", "continued"),
+    sweeps=[f"{DATA}/fig3/{sweep}.csv" for sweep in FIG3_SWEEPS],
+    widths=repeated([f"{DATA}/fig3/front_speed_widths.csv"]),
+    seeds=repeated(table for sweep in FIG3_OF_SEEDS for table in tables_of_seeds(f"fig3/{sweep}")),
+    edges=[
+        *edges("reference", SIGMA_BARS),
+        *edges("no-slip-force", SIGMA_BARS),
+        *repeated(edges("no-slip-force", SIGMA_BARS, range(2, 6))),
+    ],
+    l_0=[L0_REPORTS[0], *repeated(L0_REPORTS[1:])],
+)

@@ -10,9 +10,6 @@ QUASISTATIC_BRANCHES = range(9)  # at each tenth of the stretch
 QUASISTATIC_MIDDLE = 4  # the one that decides, and that is shown until the next dynamic event
 
 
-STAGES["start"]["fig5"] = [f"{DATA}/fast-slow-fast.compared"]
-
-
 use rule load_recorded as quasistatic_load with:
     output: **recorded(f"{DATA}/fig5/quasistatic-load", checkpoints=QUASISTATIC_LOADED)
     priority: 110  # long, and the other seeds wait for it: first
@@ -22,7 +19,6 @@ use rule load_recorded as quasistatic_load with:
             changes="--set driving.h=0",
             record_every="1e-3",
         ),
-    log: f"{LOGS}/fig5/quasistatic-load.log"
     message: f"fig5: drive the slider at h = 0 to t = {QUASISTATIC_UNTIL} s"
 
 
@@ -31,7 +27,6 @@ rule quasistatic_stretch:
         **content_of(h5=f"{DATA}/fig5/quasistatic-load-record.h5"),
         **script("recipes/fig5/quasistatic_stretch.py"),
     output: f"{DATA}/fig5/quasistatic-stretch.json"
-    log: f"{LOGS}/fig5/quasistatic-stretch.log"
     message: "fig5: find the quasi-static front"
     shell: "{PYTHON} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
 
@@ -45,7 +40,6 @@ rule quasistatic_stopped:
         code=CODE,
         duration=lambda wildcards: 0.08 if int(wildcards.n) == QUASISTATIC_MIDDLE else 0.02,
     wildcard_constraints: n=r"\d"
-    log: f"{LOGS}/fig5/quasistatic-stopped-{{n}}.log"
     message: "fig5: stop the driving at branch {wildcards.n} of the quasi-static front"
     shell:
         "{BIN}/restart"
@@ -71,33 +65,25 @@ rule quasistatic_seed:
     params: code=CODE, folder=f"{DATA}/ensemble/h0-{{seed}}-scratch"
     priority: 90  # long: first
     wildcard_constraints: seed="|".join(H0_SEEDS)
-    log: f"{LOGS}/ensemble/h0-{{seed}}.log"
     message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}, stop the driving"
     shell:
         "{PYTHON} {input.script} {BIN} {input.h5} {wildcards.seed} {H0_UNTIL} {QUASISTATIC_EVERY}"
         " {params.folder} > {output} 2> {log}"
 
 
-use rule figure as fig5 with:
-    input:
-        fronts=[f"{DATA}/{run}-front.json" for run in FIG5_RUNS],
-        in_words=f"{DATA}/{FIG5_RUNS[0]}-front-in-words.json",
-        **content_of(
-            records=[f"{DATA}/{run}-record.h5" for run in FIG5_RUNS],
-            load=f"{DATA}/fig5/quasistatic-load-record.h5",
-            stopped=[
-                f"{DATA}/fig5/quasistatic-stopped-{n}-record.h5"
-                for n in QUASISTATIC_BRANCHES
-            ],
-        ),
-        continued=of_ensemble("load", "continued"),
-        stretch=f"{DATA}/fig5/quasistatic-stretch.json",
-        others=repeated(f"{DATA}/ensemble/h0-{seed}.json" for seed in H0_SEEDS),
-        **scripts_of("fig5"),
-    output:
-        results_of(
-            "fig5",
-            pictures=["fig5A", "fig5B"],
-            tables=["rupture-lines", "quasistatic-tip", "quasistatic-branches"],
-        ),
-    log: f"{LOGS}/fig5.log"
+figure(
+    "fig5",
+    pictures=["fig5A", "fig5B"],
+    tables=["rupture-lines", "quasistatic-tip", "quasistatic-branches"],
+    events=["fast-slow-fast"],
+    fronts=[f"{DATA}/{run}-front.json" for run in FIG5_RUNS],
+    in_words=f"{DATA}/{FIG5_RUNS[0]}-front-in-words.json",
+    **content_of(
+        records=[f"{DATA}/{run}-record.h5" for run in FIG5_RUNS],
+        load=f"{DATA}/fig5/quasistatic-load-record.h5",
+        stopped=[f"{DATA}/fig5/quasistatic-stopped-{n}-record.h5" for n in QUASISTATIC_BRANCHES],
+    ),
+    continued=of_ensemble("load", "continued"),
+    stretch=f"{DATA}/fig5/quasistatic-stretch.json",
+    others=repeated(f"{DATA}/ensemble/h0-{seed}.json" for seed in H0_SEEDS),
+)

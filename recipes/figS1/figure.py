@@ -104,7 +104,7 @@ def draw(unloaded, before, stem):
 def make(data, results):
     levers = Levers(data / "fast-slow-fast.h5")
     unloaded, before = (
-        Stress(data / f"figS1/{state}-stress.json") for state in ("unloaded", "before-event")
+        Stress(data / f"{state}-stress.json") for state in ("figS1/unloaded", "fast-slow-fast")
     )
     draw(unloaded, before, results / "figS1")
     names = ["p [N]", "tau [N]"]

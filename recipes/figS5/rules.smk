@@ -9,7 +9,6 @@ rule figS5_strength:
         code=CODE,
         sigmas=FIGS5_SIGMAS,
     wildcard_constraints: shape="|".join(FIGS5_SHAPES)
-    log: f"{LOGS}/figS5/{{shape}}.log"
     message: "figS5: effective static friction of the {wildcards.shape} shape at 61 widths"
     shell:
         "for sigma in {params.sigmas}; do"
@@ -17,9 +16,9 @@ rule figS5_strength:
         " done > {output} 2> {log}"
 
 
-use rule figure as figS5 with:
-    input:
-        strength=[f"{DATA}/figS5/{shape}.jsonl" for shape in FIGS5_SHAPES],
-        **scripts_of("figS5"),
-    output: results_of("figS5", pictures=["figS5"], tables=["strength", "displacement"])
-    log: f"{LOGS}/figS5.log"
+figure(
+    "figS5",
+    pictures=["figS5"],
+    tables=["strength", "displacement"],
+    strength=[f"{DATA}/figS5/{shape}.jsonl" for shape in FIGS5_SHAPES],
+)

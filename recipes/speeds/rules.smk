@@ -13,7 +13,6 @@ use rule load_recorded as speeds_load with:
             changes=lambda wildcards: f"--set numerics.seed={wildcards.seed}",
             record_every="1e-4",
         ),
-    log: f"{LOGS}/speeds/load-{{seed}}.log"
     message: "speeds: drive the slider with seed {wildcards.seed} (about a minute)"
 
 
@@ -23,19 +22,16 @@ rule speeds_history:
         **script("recipes/speeds/slip_history.py"),
     output: f"{FINE_LOAD}-history.json"
     params: code=CODE
-    log: f"{LOGS}/speeds/load-{{seed}}-history.log"
     message: "speeds: measure slip and strength in the load with seed {wildcards.seed}"
     shell: "{PYTHON} {input.script} {input.record} {input.checkpoints} > {output} 2> {log}"
 
 
-use rule figure as speeds with:
-    input:
-        fronts=f"{DATA}/speeds/fronts.csv",
-        histories=[f"{DATA}/speeds/load-{FIRST_SEED + n}-history.json" for n in range(5)],
-        expected="recipes/speeds/expectations.toml",
-        **scripts_of("speeds"),
-    output:
-        results_of(
-            "speeds", pictures=["speeds"], tables=["speeds", "transients", "gini"], own=OWN_RESULTS
-        ),
-    log: f"{LOGS}/speeds.log"
+figure(
+    "speeds",
+    pictures=["speeds"],
+    tables=["speeds", "transients", "gini"],
+    own=OWN_RESULTS,
+    fronts=f"{DATA}/speeds/fronts.csv",
+    histories=[f"{DATA}/speeds/load-{FIRST_SEED + n}-history.json" for n in range(5)],
+    expected="recipes/speeds/expectations.toml",
+)

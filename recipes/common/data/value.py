@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints one value of a JSON file, for use in a command: value.py choice.json fast_slow_fast.t
+"""Prints one value of a JSON file, for use in a command: value.py choice.json fast-slow-fast.until
 
 Several names stand for the first of them that has a value:
 

@@ -26,7 +26,6 @@ rule edges:
         folder=f"{DATA}/edges/{{setting}}-{{sigma}}-{{seed}}-scratch",
         options=lambda wildcards: EDGES[wildcards.setting],
     wildcard_constraints: setting="|".join(EDGES), sigma="[0-9.]+", seed="[0-9]+"
-    log: f"{LOGS}/edges/{{setting}}-{{sigma}}-{{seed}}.log"
     message: "edges: bisect tau_bar_0 at sigma_bar = {wildcards.sigma}, {wildcards.setting}"
     shell:
         "{PYTHON} {input.script} {BIN} {params.folder} {wildcards.sigma} {params.options}"

@@ -58,7 +58,6 @@ use rule load_recorded as load with:
             changes=lambda wildcards: SETTINGS[wildcards.setting][0],
             record_every="1e-3",
         ),
-    log: f"{LOGS}/ensemble/{{setting}}-01.log"
     message:
         f"load: drive the slider to t = {LOAD_UNTIL} s, {{wildcards.setting}}-01 (about a minute)"
 
@@ -70,7 +69,6 @@ rule nothing_drawn:
         script="recipes/ensemble/nothing_drawn.py",
     output: touch(f"{DATA}/{{state}}.undrawn")
     params: code=CODE
-    log: f"{LOGS}/{{state}}-undrawn.log"
     message: "{wildcards.state}: make sure that no slipping time has been drawn yet"
     shell: "{PYTHON} {input.script} {input.h5} 2> {log}"
 
@@ -93,7 +91,6 @@ use rule restart_recorded as load_of_seed with:
             record_every="1e-3",
         ),
     wildcard_constraints: seed="[0-9]{3}"
-    log: f"{LOGS}/ensemble/{{setting}}-{{seed}}.log"
     message:
         f"load: drive the slider to t = {LOAD_UNTIL} s, {{wildcards.setting}}-{{wildcards.seed}}"
         " (about a minute)"
@@ -106,7 +103,6 @@ rule events:
         conventions="recipes/common/events/conventions.py",
     output: f"{DATA}/ensemble/{{load}}-events.json"
     params: code=CODE
-    log: f"{LOGS}/ensemble/{{load}}-events.log"
     message: "events: find the rupture events of {wildcards.load}, under each convention"
     shell: "{PYTHON} {input.script} {BIN} {input.h5} > {output} 2> {log}"
 
@@ -117,7 +113,6 @@ rule product:
         **script("recipes/ensemble/measure_events.py"),
     output: f"{DATA}/ensemble/{{setting}}-{{seed}}-product.json"
     params: code=CODE
-    log: f"{LOGS}/ensemble/{{setting}}-{{seed}}-product.log"
     wildcard_constraints: seed="[0-9]{3}"
     message: "product: measure the fronts of {wildcards.setting}-{wildcards.seed} under all combinations of conventions"
     shell: "{PYTHON} {input.script} {BIN} {input.h5} {wildcards.setting} > {output} 2> {log}"
@@ -142,7 +137,6 @@ rule continued:
     priority: 80  # long: before what is short
     params: code=CODE, run=f"{DATA}/ensemble/{{load}}", crossings=CROSSINGS
     wildcard_constraints: load="|".join(CONTINUED_LOADS)
-    log: f"{LOGS}/ensemble/{{load}}-continued.log"
     message: "continued: continue the events of {wildcards.load} in other ways"
     shell:
         "{PYTHON} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} '{params.crossings}'"

@@ -1,13 +1,33 @@
-# The parts that rules have in common, written once: how a file follows content, and a rule per program.
-# A recipe says what differs:
+# The parts that rules have in common, written once: how a file follows content, a rule per program, and
+# tables of what is run and measured in the same way (tables.smk has their rules). A row of a table:
 #
-#     use rule restart_recorded as fig1_event with:
-#         input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")  # h5 (ancient), h5_sum
-#         output: **recorded(f"{DATA}/fig1/event")  # h5, h5_sum, record, record_sum
-#         params: **run_with("--for 0.005", record_every="1e-6")
+#     RUNS["fig1/event"] = run("fast-slow-fast", "--for 0.005", record_every="1e-6")
 #
-# with `log` and `message` as in any rule. Snakemake replaces a section as a whole, so `params` are given
-# by the functions below, and the `shell` of a base rule is never replaced.
+# It goes on from fast-slow-fast.h5, and makes fig1/event-record.h5 and fig1/event-end.h5; with REPORTS,
+# fig1/event-front.json follows. What no table has is a rule, in which a recipe says what differs:
+#
+#     use rule load_recorded as speeds_load with:
+#         output: **recorded(f"{DATA}/speeds/load")  # h5, h5_sum, record, record_sum
+#         params: **run_with("--until 1.2", record_every="1e-4")
+#
+# with `message` as in any rule. Snakemake replaces a section as a whole, so `params` are given by the
+# functions below, and the `shell` of a base rule is never replaced. Messages of a command ({log}) go to a
+# file that is named for the first output of the rule.
+from collections import namedtuple
+
+Figure = namedtuple("Figure", "inputs outputs")
+FIGURES = {}  # recipe: its Figure
+PLACES = {}  # table of places: which of map_points.py, tables
+EVENTS_OF = {}  # folder: load, and by which rule one of its events is chosen (choose_events.py)
+RUNS = {}  # recorded run: what run() says
+REPORTS = {  # name: ending of the file that is measured, command of `analyze`
+    "estimate": ("", "estimate --ensemble 1000"),
+    "front": ("-record", "front --event 0"),
+    "loading": ("-record", "loading"),
+    "phi": ("", "phi"),
+    "strength": ("", "strength"),
+    "stress": ("", "stress"),
+}
 
 
 def sums_of(paths):
@@ -40,37 +60,32 @@ def script(path):
     return {"script": path, "common": COMMON}
 
 
-def scripts_of(name):
-    """Inputs of rule `figure`: the scripts of a recipe, and what scripts share."""
-    scripts = sorted(map(str, Path("recipes", name).glob("*.py")))
-    return {"script": f"recipes/{name}/figure.py", "beside": scripts, "common": COMMON}
-
-
-def results_of(name, *, pictures=(), tables=(), own=()):
-    """Outputs of rule `figure`: claims, pictures, the tables behind them, and results of our own."""
-    files = [f"{picture}.{ending}" for picture in pictures for ending in ("png", "pdf")]
-    files += [*(f"{table}.csv" for table in tables), *own, "claims.json"]
-    return [f"{RESULTS}/{name}/{file}" for file in files]
-
-
-def events_of(run):
-    return {"events": f"{run}-events.json"} | script("recipes/common/events/choose_events.py")
-
-
-def places():
-    return script("recipes/common/maps/map_points.py")
-
-
 OWN_RESULTS = ("own.json", "summary.txt")
+
+
+def figure(name, *, pictures, tables=(), own=(), events=(), start=(), refine=(), **inputs):
+    """The rule NAME, which makes all that a recipe makes of its inputs, with its scripts: claims,
+    pictures, the tables behind them, and results of our own. `events` are those that it shows, the
+    other two are files that it needs before the rest is planned (STAGES)."""
+    STAGES["start"][name] = [*start, *(f"{DATA}/{event}.compared" for event in events)]
+    STAGES["refine"][name] = refine
+    scripts = sorted(map(str, Path("recipes", name).glob("*.py")))
+    files = [f"{picture}.{ending}" for picture in pictures for ending in ("png", "pdf")]
+    files = ["claims.json", *files, *(f"{table}.csv" for table in tables), *own]
+    FIGURES[name] = Figure(
+        inputs | script(f"recipes/{name}/figure.py") | {"beside": scripts},
+        [f"{RESULTS}/{name}/{file}" for file in files],
+    )
+
+
+def run(start, options, changes="", record_every="1e-5"):
+    """A row of RUNS: the checkpoint to go on from, and the rest as for run_with()."""
+    return {"start": start} | run_with(options, changes=changes, record_every=record_every)
 
 
 def run_with(options, *, changes="", record_every="1e-5"):
     """Params of a run: how long, other parameters, and the time between samples [s]."""
     return {"code": CODE, "options": options, "changes": changes, "record_every": record_every}
-
-
-def analysis(command):
-    return {"code": CODE, "analysis": command}
 
 
 def event_of(run, name=""):
@@ -108,24 +123,3 @@ rule restart_before_event:
         "{BIN}/restart {params.run}-t$({VALUE} {input.choice} {params.event}from).h5"
         " -o {output.h5} --force --quiet --sum"
         " --until $({VALUE} {input.choice} {params.event}until) 2> {log}"
-
-
-rule analyze:
-    shell: "{BIN}/analyze {params.analysis} {input.h5} --json > {output} 2> {log}"
-
-
-rule choose:
-    message: "{rule}: choose the events to be shown"
-    shell: "{PYTHON} {input.script} {params.by} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
-
-
-# Where a map of front types needs more points (map_points.py).
-rule places:
-    message: "{rule}: find the places of a map that need more points"
-    shell: "{PYTHON} {input.script} {params.which} {input.tables} {output} 2> {log}"
-
-
-# All that a recipe makes of what was run and measured.
-rule figure:
-    message: "{rule}: draw, compare with the claims"
-    shell: "{PYTHON} recipes/common/pictures/make.py {input.script} 2> {log}"
