@@ -73,7 +73,6 @@ use rule continued as choices_continued with:
 
 figure(
     "choices",
-    pictures=["choices"],
     tables=["choices"],
     own=OWN_RESULTS,
     settled=[of_choice("ensemble", kind, kind) for kind in OF_KIND],

@@ -87,7 +87,6 @@ rule convergence_edges:
 
 figure(
     "convergence",
-    pictures=["convergence"],
     tables=["convergence", "edges"],
     own=OWN_RESULTS,
     events=CONVERGENCE_EVENTS,

@@ -9,7 +9,6 @@ use rule load_once as estimate_unbreakable with:
 
 figure(
     "estimate",
-    pictures=["estimate"],
     tables=["relaxation", "blocks"],
     events=["fast-slow-fast"],
     estimates=[f"{DATA}/{of}-estimate.json" for of in ("fast-slow-fast", "estimate/unbreakable")],

@@ -53,7 +53,6 @@ rule fig1_steady:
 
 figure(
     "fig1",
-    pictures=["fig1"],
     tables=["loading", "events", "block", "junction", "steady-state"],
     events=["fast-slow-fast"],
     loading=f"{SHOWN_LOAD}-loading.json",

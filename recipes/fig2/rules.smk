@@ -55,7 +55,6 @@ rule fig2_film:
 
 figure(
     "fig2",
-    pictures=["fig2"],
     tables=["front-speed", "front-speed-II", *(["most-like"] if FIG2_OF_ALL else [])],
     own=OWN_RESULTS,
     events=EVENTS,

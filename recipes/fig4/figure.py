@@ -7,7 +7,7 @@ import strength
 from data.records import report
 from events.event_claims import judged_event
 from events.units import of_ensemble, of_events
-from maps.front_types import make_map
+from maps.map_claims import make_map
 from pictures.panels import draw_pinned, draw_pinned_scale, window_of
 from pictures.plotting import DOUBLE, figure, letter, save
 

@@ -8,7 +8,6 @@ use rule load_once as figS1_unloaded with:
 
 figure(
     "figS1",
-    pictures=["figS1"],
     tables=["stress"],
     events=["fast-slow-fast"],
     stress=[f"{DATA}/{state}-stress.json" for state in ("figS1/unloaded", "fast-slow-fast")],

@@ -9,7 +9,6 @@ RUNS |= {f"figS2/{name}": run("figS2/before", options) for name, options in FIGS
 # The other fast-slow events of the load are run without slow slip by ensemble/without_slow_slip.py.
 figure(
     "figS2",
-    pictures=["figS2"],
     tables=["front-speed", "events"],
     fronts=[f"{DATA}/figS2/{run}-front.json" for run in FIGS2_RUNS],
     **content_of(records=[f"{DATA}/figS2/{run}-record.h5" for run in FIGS2_RUNS]),

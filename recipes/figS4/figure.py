@@ -1,5 +1,6 @@
 """Figure S4, its data and its claim."""
 
+import h5py
 import numpy as np
 import rupture
 from scipy import stats
@@ -8,7 +9,6 @@ from claims.judge import judged
 from data.records import report
 from data.tables import write_table
 from events.event_claims import largest_change_of_mean
-from events.junctions import Junctions
 from pictures.panels import draw_pinned, draw_pinned_scale, window_of
 from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
 
@@ -18,6 +18,26 @@ TITLES = ("event II, as it is", r"event II, wider $\varphi$ beyond $0.25\,L$")
 REGION = 0.25  # phi was changed from here on, this block included [L]
 BINS = 30
 MN = 1e3  # [mN/N]
+
+
+class Junctions:
+    """Of a checkpoint, and of what `analyze phi --json` says of it: [blocks][junctions]: force [N],
+    slipping; per block: f_thres [N], x / L."""
+
+    def __init__(self, checkpoint, phi):
+        self.f_thres = np.array(phi["f_thres"])
+        with h5py.File(checkpoint) as file:
+            parameters = file["parameters/junctions"]
+            k_ij = np.sqrt(parameters["kappa"][()] * self.f_thres / parameters["mu_s"][()])
+            stretch = file["state/u_x"][0][:, None] - file["state/junctions/attachment"][()]
+            self.slipping = file["state/junctions/slipping"][()] == 1
+            self.x_over_L = np.array(phi["x"]) / file["parameters/slider/L"][()]
+        self.force = k_ij[:, None] * stretch
+        np.testing.assert_allclose(self.force.mean(axis=1), phi["mean"], rtol=1e-9)
+
+    def pinned(self, block):
+        """Forces in the pinned junctions of one block, ascending [N]."""
+        return np.sort(self.force[block][~self.slipping[block]])
 
 
 def wide_uniform(junctions, block):

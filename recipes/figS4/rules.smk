@@ -5,7 +5,6 @@ FIGS4_RECORDS = ["second-slow", "second-slow/wider"]
 
 figure(
     "figS4",
-    pictures=["figS4"],
     tables=["phi"],
     events=["second-slow"],
     **content_of(

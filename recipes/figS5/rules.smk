@@ -18,7 +18,6 @@ rule figS5_strength:
 
 figure(
     "figS5",
-    pictures=["figS5"],
     tables=["strength", "displacement"],
     strength=[f"{DATA}/figS5/{shape}.jsonl" for shape in FIGS5_SHAPES],
 )

@@ -11,7 +11,7 @@ from events.conventions import IN_WORDS
 from events.event_claims import case_of_event, words_case, words_shown
 from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
-from maps.front_types import make_map
+from maps.map_claims import make_map
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from pictures.panels import ruptured_early, window_of
 from pictures.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save

@@ -28,7 +28,6 @@ rule speeds_history:
 
 figure(
     "speeds",
-    pictures=["speeds"],
     tables=["speeds", "transients", "gini"],
     own=OWN_RESULTS,
     fronts=f"{DATA}/speeds/fronts.csv",

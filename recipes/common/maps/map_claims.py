@@ -1,13 +1,15 @@
-"""Measured values, units and verdicts of the claims about maps of front types (4D, S6B)."""
+"""A map of front types, its data and its claims: Figures 4 D and S6 B."""
 
 import numpy as np
 
 from claims.judge import judged
+from data.tables import write_table
 from maps.front_map import (
     TYPES,
     axes_of,
     band,
     fast_below_left_of_arrested,
+    load_map,
     map_of_seed,
     order_in_words,
     seeds_of,
@@ -15,6 +17,7 @@ from maps.front_map import (
     steps_back,
     types_of,
     types_of_seeds,
+    write_types,
 )
 from maps.map_conventions import (
     ABOUT_UNITS,
@@ -26,6 +29,7 @@ from maps.map_conventions import (
     over_product,
     units_of_seeds,
 )
+from maps.map_panels import draw_map
 
 
 def thresholds_compared(fronts, grid, slow_below):
@@ -145,3 +149,17 @@ def map_claims(leading, strict, fronts, grid, boundary, thresholds, note):
             f"{note} {ABOUT_UNITS}",
         ),
     ]
+
+
+def make_map(data, results, *, panel, tables, slow_below, claims, note):
+    """Everything that the recipe writes about its map, of map.csv and these tables. Slow is below
+    c_s over one of `slow_below`, of which the first is the default. Returns the claims: the
+    leading one and the one that asks for more."""
+    recipe = results.name
+    fronts, grid, boundary = load_map(data, recipe, tables)
+    thresholds = list(thresholds_compared(fronts, grid, slow_below))
+    draw_map(fronts, grid, slow_below, panel, results / f"{recipe}{panel}")
+    write_types(results / "front-types.csv", fronts)
+    write_table(results / "thresholds.csv", list(thresholds[0]), map(dict.values, thresholds))
+    leading, strict = claims
+    return map_claims(leading, strict, fronts, grid, boundary, thresholds, note)

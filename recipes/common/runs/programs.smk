@@ -63,14 +63,14 @@ def script(path):
 OWN_RESULTS = ("own.json", "summary.txt")
 
 
-def figure(name, *, pictures, tables=(), own=(), events=(), start=(), refine=(), **inputs):
+def figure(name, *, pictures=(), tables=(), own=(), events=(), start=(), refine=(), **inputs):
     """The rule NAME, which makes all that a recipe makes of its inputs, with its scripts: claims,
-    pictures, the tables behind them, and results of our own. `events` are those that it shows, the
-    other two are files that it needs before the rest is planned (STAGES)."""
+    pictures (NAME if no others are listed), the tables behind them, and results of our own. `events`
+    are those that it shows, the other two are files that it needs before the rest is planned (STAGES)."""
     STAGES["start"][name] = [*start, *(f"{DATA}/{event}.compared" for event in events)]
     STAGES["refine"][name] = refine
     scripts = sorted(map(str, Path("recipes", name).glob("*.py")))
-    files = [f"{picture}.{ending}" for picture in pictures for ending in ("png", "pdf")]
+    files = [f"{picture}.{ending}" for picture in pictures or [name] for ending in ("png", "pdf")]
     files = ["claims.json", *files, *(f"{table}.csv" for table in tables), *own]
     FIGURES[name] = Figure(
         inputs | script(f"recipes/{name}/figure.py") | {"beside": scripts},
