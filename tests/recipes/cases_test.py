@@ -11,7 +11,7 @@ from conftest import ROOT, approx
 from events.continuations import BRANCHES, OWN_BLOCK
 from events.conventions import IN_WORDS, PRIMARY
 from events.event_claims import case_3Bw, case_5Aw, case_of_event, ratios_3Cr
-from events.units import OF_EVENT
+from events.units import of_event
 
 L, C_S = 0.14, 968.0
 SLOW = dict(x_from=0.07, x_to=0.098, t_from=1e-3, t_to=2e-3, duration=1e-3, speed=25.0)
@@ -46,7 +46,7 @@ class TestLoads:
     def test_1Dw(self, events, expected):
         names = ("spanning", "F_T_before", "F_T_after", "t_rupture")
         values = ((spans, drop, 0.0, [0, 1 if edge else None]) for spans, drop, edge in events)
-        case = curves.case_1Dw([dict(zip(names, of_event)) for of_event in values])
+        case = curves.case_1Dw([dict(zip(names, each)) for each in values])
         assert holds("1Dw", [case]) == expected
 
     def test_2Cw_compares_length_over_duration_with_28_m_per_s(self):
@@ -109,11 +109,11 @@ class TestUnits:
         ],
     )
     def test_an_event_is_a_unit_where_its_front_is_slow(self, claim, unmodified, names):
-        assert sorted(OF_EVENT[claim](self.event(unmodified))) == sorted(names)
+        assert sorted(of_event(claim, self.event(unmodified))) == sorted(names)
 
     @mark.parametrize("claim, held", [("3Aw", False), ("3Bw", True), ("3Cw", True)])
     def test_a_branch_without_a_front_counts_against_the_claim(self, claim, held):
-        units = OF_EVENT[claim](self.event())
+        units = of_event(claim, self.event())
         found = {name: holds(claim, cases) for name, cases in units.items()}
         assert found == {PRIMARY: held, "branch at 0.2 L": held, "branch at 0.25 L": False}
 

@@ -9,7 +9,7 @@ from events.conventions import CONVENTIONS, PRIMARY
 from events.event_claims import case_3Cv, judged_event, slow_speeds, speeds_compared
 from events.product import combinations, range_of
 from events.slip import peak_speed, with_peak_speed
-from events.units import slips_3C
+from events.units import of_event
 from pictures.panels import ruptured_early
 
 
@@ -117,7 +117,7 @@ class TestSlip:
             return {"slip": {x: {"stopped": {"peak_speed": speed}} for x in ("0.34", "0.30")}}
 
         branches = {"0.14": slips(0.1), "0.2": slips(0.3), "0.25": None}
-        cases = slips_3C({"branches": branches}, case_3Cv)
+        cases = of_event("3Cv", {"branches": branches})
         speed = "peak slip speed [mm/s]"
         assert cases[PRIMARY] == [{speed: 100.0}]
         assert cases["branch at 0.2 L"] == [{speed: 300.0}]

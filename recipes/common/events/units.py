@@ -6,7 +6,7 @@ without_slow_slip.py); those that there are. A unit that lacks what is asked for
 counts against the claim.
 """
 
-from functools import partial
+from dataclasses import dataclass
 from pathlib import Path
 
 from claims.judge import holds
@@ -85,114 +85,78 @@ def without_slow_slip(path):
 # --- events of loads -----------------------------------------------------------------------
 
 
-def cases(case, *measured):
-    """The case of these fronts or slips; none if one of them is missing."""
-    return [] if None in measured else [case(*measured)]
+@dataclass(frozen=True)
+class View:
+    """An event and what became of it, under one convention."""
+
+    event: dict
+    way: str = PRIMARY  # to measure its fronts
+    branch: str = FIRST_BRANCH
+    block: str = FIRST_BLOCK
+
+    def of_branch(self, *keys):
+        """None where there is nothing, such as a front where nothing ruptures."""
+        found = self.event["branches"][self.branch]
+        for key in keys:
+            found = found and found.get(key)
+        return found
+
+    def front(self, run):
+        if self.way != PRIMARY:
+            return self.event["conventions"][self.way][run]
+        return self.event["unmodified"] if run == "unmodified" else self.of_branch(run)
+
+    def fronts(self, run):
+        return self.front("unmodified"), self.front(run)
+
+    def widened(self):
+        return *self.fronts("wider"), *(self.of_branch("phi", n) for n in ("before", "after"))
+
+    def undriven(self):
+        return tuple(self.event[name] for name in ("unmodified", "undriven", "undriven_from"))
 
 
-def of_branch(event, branch, run):
-    return (event["branches"][branch] or {}).get(run)
+# Conventions beside the primary one: fields of a View.
+AT_BRANCHES = {f"branch at {branch} L": {"branch": branch} for branch in LATER_BRANCHES}
+OF_FRONTS = {name: {"way": name} for name in CONVENTIONS if name != PRIMARY} | AT_BRANCHES
+OF_SLIP = AT_BRANCHES | {f"block at {block} L": {"block": block} for block in OTHER_BLOCKS}
 
-
-def of_fronts(event, run, case_at):
-    """Under each way to measure a front at the first branch, and at the later ones; `case_at` is
-    given the branch. An event whose unmodified front is not slow in one way is no unit there."""
-    conventions = event["conventions"] or {}
-    measured = {
-        name: (FIRST_BRANCH, fronts["unmodified"], fronts[run])
-        for name, fronts in conventions.items()
-        if name in CONVENTIONS
-    }
-    measured[PRIMARY] = FIRST_BRANCH, event["unmodified"], of_branch(event, FIRST_BRANCH, run)
-    for branch in LATER_BRANCHES:
-        measured[f"branch at {branch} L"] = (
-            branch,
-            event["unmodified"],
-            of_branch(event, branch, run),
-        )
-    return {
-        name: cases(case_at(branch), *fronts)
-        for name, (branch, *fronts) in measured.items()
-        if has_slow_stretch(fronts[0])
-    }
-
-
-def at_branches(case):
-    """{convention: cases} of what case() says at each branch; None where it has nothing."""
-    names = {FIRST_BRANCH: PRIMARY} | {b: f"branch at {b} L" for b in LATER_BRANCHES}
-    found = {name: case(branch) for branch, name in names.items()}
-    return {name: [] if measured is None else [measured] for name, measured in found.items()}
-
-
-def words_3A(event):
-    def case(branch):
-        front = (of_branch(event, branch, "in words") or {}).get("stopped")
-        return front and words_case(front)
-
-    return at_branches(case)
-
-
-def words_3B(event):
-    def case(branch):
-        front = of_branch(event, branch, "no-slow-slip")
-        return front and case_3Bw(event["in words"], front)
-
-    return at_branches(case)
-
-
-def own_block_3C(event):
-    def case(branch):
-        slips = (of_branch(event, branch, "slip") or {}).get(OWN_BLOCK)
-        return slips and case_3C(slips)
-
-    return at_branches(case)
-
-
-def undriven(event, case, original):
-    """Where the original is slow."""
-    runs = event["unmodified"], event["undriven"], event["undriven_from"]
-    return {PRIMARY: cases(case, *runs)} if has_slow_stretch(original) else {}
-
-
-def slips_3C(event, case):
-    """Of claims 3C and 3Cv, at each branch and of each block."""
-
-    def slips(branch, block):
-        return cases(case, (of_branch(event, branch, "slip") or {}).get(block))
-
-    return {
-        PRIMARY: slips(FIRST_BRANCH, FIRST_BLOCK),
-        **{f"branch at {branch} L": slips(branch, FIRST_BLOCK) for branch in LATER_BRANCHES},
-        **{f"block at {block} L": slips(FIRST_BRANCH, block) for block in OTHER_BLOCKS},
-    }
-
-
-def wider_4AB(event):
-    def with_phi(branch):
-        phi = of_branch(event, branch, "phi") or {"before": None, "after": None}
-        return lambda one, wider: case_4AB(one, wider, phi["before"], phi["after"])
-
-    return of_fronts(event, "wider", with_phi)
-
-
-OF_EVENT = {
-    "3A": lambda event: of_fronts(event, "stopped", lambda _: case_3A),
-    "3B": lambda event: of_fronts(event, "no-slow-slip", lambda _: case_3B),
-    "3C": lambda event: slips_3C(event, case_3C),
-    "3Cv": lambda event: slips_3C(event, case_3Cv),
-    "4AB": wider_4AB,
-    "3Aw": words_3A,
-    "3Bw": words_3B,
-    "3Cw": own_block_3C,
-    "5A": lambda event: undriven(event, case_5A, event["unmodified"]),
-    "5Aw": lambda event: undriven(event, partial(case_5Aw, event["in words"]), event["in words"]),
+OF_EVENT = {  # conventions, case, what it is made of
+    "3A": (OF_FRONTS, case_3A, lambda view: view.fronts("stopped")),
+    "3B": (OF_FRONTS, case_3B, lambda view: view.fronts("no-slow-slip")),
+    "3C": (OF_SLIP, case_3C, lambda view: [view.of_branch("slip", view.block)]),
+    "3Cv": (OF_SLIP, case_3Cv, lambda view: [view.of_branch("slip", view.block)]),
+    "4AB": (OF_FRONTS, case_4AB, View.widened),
+    "3Aw": (AT_BRANCHES, words_case, lambda view: [view.of_branch("in words", "stopped")]),
+    "3Bw": (
+        AT_BRANCHES,
+        case_3Bw,
+        lambda view: (view.event["in words"], view.of_branch("no-slow-slip")),
+    ),
+    "3Cw": (AT_BRANCHES, case_3C, lambda view: [view.of_branch("slip", OWN_BLOCK)]),
+    "5A": ({}, case_5A, View.undriven),
+    "5Aw": ({}, case_5Aw, lambda view: (view.event["in words"], *view.undriven())),
 }
+FROM_SLOW = ("3A", "3B", "4AB", "5A", "5Aw")  # made of an original first, which has to be slow
+
+
+def of_event(claim_id, event):
+    """An event whose original is not slow in one way to measure it is no unit there."""
+    conventions, case, made_of = OF_EVENT[claim_id]
+    found = {}
+    for name, fields in ({PRIMARY: {}} | conventions).items():
+        if "way" in fields and name not in (event["conventions"] or {}):
+            continue
+        parts = made_of(View(event, **fields))
+        if claim_id not in FROM_SLOW or has_slow_stretch(parts[0]):
+            found[name] = [] if None in parts else [case(*parts)]
+    return found
 
 
 def of_events(paths, claim_id):
     """Of every fast-slow-fast event of the loads."""
     return {
-        f"{name_of(path)}, event {number}": OF_EVENT[claim_id](event)
+        f"{name_of(path)}, event {number}": of_event(claim_id, event)
         for path in paths
         for number, event in report(path).items()
     }
