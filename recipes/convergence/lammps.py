@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Compares the bulk with LAMMPS: lammps.py LMP BULK.in COMPARE.in start.h5 end.h5
 
 start.h5 and end.h5 are checkpoints of free blocks, without load, foundation, drive or junctions.
@@ -6,7 +5,6 @@ LAMMPS takes the first one as many steps further as lie between them. Prints {"s
 displacement [m]", "largest difference [m]"} as JSON; {} if LMP is empty: LAMMPS is not installed.
 """
 
-import json
 import os
 import subprocess
 import sys
@@ -101,8 +99,4 @@ def compared(lmp, bulk, compare, start, end):
 
 
 def main(lmp, *paths):
-    print(json.dumps(compared(lmp, *paths) if lmp else {}))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return compared(lmp, *paths) if lmp else {}

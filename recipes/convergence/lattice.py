@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Edges between types of fronts on prepared interfaces (maps/edges.py) on another lattice:
 
     lattice.py PROGRAMS FOLDER N_X N_S SIGMA_BAR "OPTION ..." [COARSER ...]
@@ -6,8 +5,6 @@
 N_S junctions per block, options of `prepare`, and what this printed for the coarser lattices.
 README.md explains the scaling."""
 
-import json
-import sys
 from pathlib import Path
 
 from data.records import report
@@ -62,11 +59,6 @@ def main(programs, folder, N_x, N_s, sigma_bar, options, *coarser):
     with scratch(Path(folder)) as folder:
         fronts = Interfaces(programs, folder, words, STEP, ["--stencil", stencil])
         guesses = {kind: guess([edges[kind] for edges in found]) for kind in TYPES[1:]}
-        edges = {
+        return {
             kind: fronts.edge(kind, near, slow_below=slow_below) for kind, near in guesses.items()
         }
-    print(json.dumps(edges))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -44,7 +44,7 @@ rule convergence_lammps:
     params: lmp=shutil.which("lmp") or ""
     message: "convergence: run them in LAMMPS"
     shell:
-        "{PYTHON} {input.script} '{params.lmp}' {input.bulk} {input.compare} {input.start} {input.end}"
+        "{CALL} {input.script} '{params.lmp}' {input.bulk} {input.compare} {input.start} {input.end}"
         " > {output} 2> {log}"
 
 
@@ -81,7 +81,7 @@ rule convergence_edges:
     priority: 10  # long, and finer ones wait for it
     message: "convergence: bisect tau_bar_0, {wildcards.setting}-{wildcards.sigma}-{wildcards.N_x}"
     shell:
-        "{PYTHON} {input.script} {BIN} {params.folder} {wildcards.N_x} {params.N_s} {wildcards.sigma}"
+        "{CALL} {input.script} {BIN} {params.folder} {wildcards.N_x} {params.N_s} {wildcards.sigma}"
         " '{params.options}' {input.coarser} > {output} 2> {log}"
 
 

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Chooses the event most like the paper's of independent loads:
 
     most_like.py CHECKPOINT_EVERY load-01-events.json ...
@@ -8,7 +7,6 @@ slowest stencil, both transitions and the duration to the paper's. Prints the lo
 continue it from, the number of loads, and all candidates in order: the first is the one chosen.
 """
 
-import json
 import sys
 
 import numpy as np
@@ -70,8 +68,4 @@ def choice_of(loads, checkpoint_every):
 
 def main(checkpoint_every, *paths):
     loads = {name_of(path): read_events(path) for path in paths}
-    print(json.dumps(choice_of(loads, float(checkpoint_every)), indent=2))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return choice_of(loads, float(checkpoint_every))

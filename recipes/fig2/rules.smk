@@ -23,7 +23,7 @@ rule fig2_choice:
         **script("recipes/fig2/most_like.py"),
     output: f"{DATA}/most-like.json"
     message: "fig2: choose the event most like the paper's"
-    shell: "{PYTHON} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
 
 
 # Which load it is of is known when the command runs, so that all of them have to be there.

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """How far ahead of a slow front the shear force is raised: l_0 of Eq. S2,
 tau(x) = A f((x - x_0)/l_0) + tau_0.
 
@@ -6,7 +5,7 @@ x_0 is a block at its threshold: the one that ruptures next, when it carries its
 profile is the excess tau - tau_0 on it and on the REACH blocks ahead. What f is the paper leaves
 open, and so which blocks count and how; METHODS are the ways to measure, each from one profile.
 
-    decay_length.py PROGRAMS SEED FOLDER
+    decay_length.py SEED FOLDER
 
 runs fronts over prepared interfaces, those of Figure 3 D that have the reference parameters. Works
 in FOLDER, which is deleted at the end. Prints
@@ -15,10 +14,7 @@ in FOLDER, which is deleted at the end. Prints
     "fronts"    {tau_bar_0: what of_front() says}
 """
 
-import json
 import math
-import os
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -149,12 +145,7 @@ def measure(seed, tau_bar, folder):
     return of_front(front, run.record.time, run.record["tau"])
 
 
-def main(programs, seed, folder):
-    os.environ["RUPTURE_BIN"] = programs
+def main(seed, folder):
     with scratch(Path(folder)) as folder:
         fronts = {tau_bar: measure(int(seed), tau_bar, folder) for tau_bar in TAU_BARS}
-    print(json.dumps({"l_0": of_seed(fronts.values()), "fronts": fronts}))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return {"l_0": of_seed(fronts.values()), "fronts": fronts}

@@ -19,7 +19,7 @@ rule fig3_l0_seed:
     params: code=CODE, folder=f"{DATA}/fig3/l0-seed-{{seed}}-scratch"
     wildcard_constraints: seed="|".join(map(str, L0_SEEDS))
     message: "fig3: run slow fronts with seed {wildcards.seed}, fit the decay length ahead of them"
-    shell: "{PYTHON} {input.script} {BIN} {wildcards.seed} {params.folder} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {wildcards.seed} {params.folder} > {output} 2> {log}"
 
 
 figure(

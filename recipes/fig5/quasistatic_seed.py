@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """The quasi-static front of another seed:
 
-    quasistatic_seed.py PROGRAMS START SEED UNTIL EVERY FOLDER
+    quasistatic_seed.py START SEED UNTIL EVERY FOLDER
 
 Drives the slider at h = 0 from START, the checkpoint of the load that the figure shows from before
 any junction broke, until the second dynamic event is over, or to the time UNTIL; then stops the
@@ -9,9 +8,6 @@ driving at the checkpoint in the middle of the quasi-static stretch, as for the 
 shows. Runs in FOLDER, which is deleted at the end. Prints what quasistatic_stretch.measured() says.
 """
 
-import json
-import os
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -70,11 +66,6 @@ def measure(start, seed, until, every, folder):
     return stretches.measured(stretch, rupture.open(records[0]).c_s, moved)
 
 
-def main(programs, start, seed, until, every, folder):
-    os.environ["RUPTURE_BIN"] = programs
+def main(start, seed, until, every, folder):
     with scratch(Path(folder)) as folder:
-        print(json.dumps(measure(start, int(seed), float(until), float(every), folder)))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+        return measure(start, int(seed), float(until), float(every), folder)

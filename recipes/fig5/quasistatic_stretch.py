@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Finds a quasi-static front: quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
 
 Dynamic events are times at which more than half of the blocks rupture within 1 ms. Between the
@@ -8,7 +7,6 @@ Prints when the tip was where, and the checkpoints nearest to each tenth of the 
 with the driving stopped can branch off.
 """
 
-import json
 import sys
 
 import numpy as np
@@ -98,8 +96,4 @@ def measured(stretch, c_s, branch):
 
 
 def main(path, checkpoint_every):
-    print(json.dumps(quasistatic_stretch(read_ruptures(path), float(checkpoint_every)), indent=2))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return quasistatic_stretch(read_ruptures(path), float(checkpoint_every))

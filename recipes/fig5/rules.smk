@@ -28,7 +28,7 @@ rule quasistatic_stretch:
         **script("recipes/fig5/quasistatic_stretch.py"),
     output: f"{DATA}/fig5/quasistatic-stretch.json"
     message: "fig5: find the quasi-static front"
-    shell: "{PYTHON} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
 
 
 rule quasistatic_stopped:
@@ -67,7 +67,7 @@ rule quasistatic_seed:
     wildcard_constraints: seed="|".join(H0_SEEDS)
     message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}, stop the driving"
     shell:
-        "{PYTHON} {input.script} {BIN} {input.h5} {wildcards.seed} {H0_UNTIL} {QUASISTATIC_EVERY}"
+        "{CALL} {input.script} {input.h5} {wildcards.seed} {H0_UNTIL} {QUASISTATIC_EVERY}"
         " {params.folder} > {output} 2> {log}"
 
 

@@ -23,7 +23,7 @@ rule speeds_history:
     output: f"{FINE_LOAD}-history.json"
     params: code=CODE
     message: "speeds: measure slip and strength in the load with seed {wildcards.seed}"
-    shell: "{PYTHON} {input.script} {input.record} {input.checkpoints} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {input.record} {input.checkpoints} > {output} 2> {log}"
 
 
 figure(

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """How unevenly the blocks of a load slipped after they ruptured, and how strong that left them:
 
     slip_history.py RECORD CHECKPOINT...
@@ -6,9 +5,6 @@
 Prints a row for each block and rupture, measured at the first checkpoint that is BINNED later, if
 the block has not ruptured again by then.
 """
-
-import json
-import sys
 
 import numpy as np
 import rupture
@@ -51,5 +47,5 @@ def rows_of(record, checkpoints):
         before = now
 
 
-if __name__ == "__main__":
-    print(json.dumps(list(rows_of(rupture.open(sys.argv[1]), sys.argv[2:]))))
+def main(record, *checkpoints):
+    return list(rows_of(rupture.open(record), checkpoints))

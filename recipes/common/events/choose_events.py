@@ -1,11 +1,9 @@
-#!/usr/bin/env python3
 """Chooses the events that figures show: choose_events.py RULE events.json CHECKPOINT_EVERY
 
 RULE is one of RULES below. Each event is to be continued from 0.5 ms before its first rupture:
-prints that time and the last checkpoint before it.
+returns that time and the last checkpoint before it.
 """
 
-import json
 import math
 import sys
 
@@ -74,8 +72,4 @@ RULES = {"shown": shown, "fast-slow": fast_slow, "decaying": decaying}
 
 
 def main(rule, path, checkpoint_every):
-    print(json.dumps(RULES[rule](path, float(checkpoint_every))))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return RULES[rule](path, float(checkpoint_every))

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Prints the time in the middle of a front's slow stretch [s]: middle.py front.json"""
 
 import sys
@@ -11,8 +10,4 @@ def main(path):
     front = report(path)
     if front["slow"] is None:
         sys.exit(f"middle.py: the front in {path} has no slow stretch.")
-    print(f"{middle_of_slow_stretch(front):.7f}")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return f"{middle_of_slow_stretch(front):.7f}"

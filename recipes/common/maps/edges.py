@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Where fronts on prepared interfaces change from arrested to slow and from slow to fast:
 
     edges.py PROGRAMS FOLDER SIGMA_BAR [OPTION ...]
@@ -11,7 +10,6 @@ FOLDER, which is deleted at the end. Prints, under each convention of a map,
 each halfway between two fronts STEP apart.
 """
 
-import json
 import subprocess
 import sys
 from functools import cache
@@ -89,12 +87,7 @@ class Interfaces:
 def main(programs, folder, sigma_bar, *options):
     with scratch(Path(folder)) as folder:
         interfaces = Interfaces(programs, folder, ["--sigma-bar", sigma_bar, *options])
-        edges = {
+        return {
             name: {kind: interfaces.edge(kind, **how) for kind in TYPES[1:]}
             for name, how in MEASURES.items()
         }
-    print(json.dumps(edges))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,12 +1,9 @@
-#!/usr/bin/env python3
 """Places that a map of front types needs more points at, as the table of another sweep:
 
 map_points.py between MAP.csv OUTPUT                  halfway between two, of which one is fast
 map_points.py boundary MAP.csv [BETWEEN.csv] OUTPUT   next to another type, given the former, too
 map_points.py variants MAPS.csv OUTPUT                next to another type on one of several maps
 """
-
-import sys
 
 from data.tables import read_rows, write_table
 from maps.front_map import IMPOSSIBLE, boundary, place_of, to_refine, type_on_map
@@ -34,7 +31,3 @@ def main(which, grid, *rest):
     }[which]()
     rows = ([f"{number:.12g}" for number in place] for place in places)
     write_table(output, ["tau-bar", "sigma-bar"], rows)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -57,5 +57,5 @@ use rule restart as event_amid_slow with:
         front=f"{DATA}/{{event}}-front.json",
         script="recipes/common/events/middle.py",
     output: **with_sums(h5=f"{DATA}/{{event}}/amid-slow.h5")
-    params: **run_with(lambda wildcards, input: f"--until $({PYTHON} {input.script} {input.front})")
+    params: **run_with(lambda wildcards, input: f"--until $({CALL} {input.script} {input.front})")
     message: "{wildcards.event}: go to the middle of the slow stretch"

@@ -35,7 +35,7 @@ rule choose:
     params: by=lambda wildcards: EVENTS_OF[wildcards.folder][1]
     wildcard_constraints: folder=names(EVENTS_OF)
     message: "{wildcards.folder}: choose the events to be shown"
-    shell: "{PYTHON} {input.script} {params.by} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {params.by} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
 
 use rule restart_before_event as before_event with:
@@ -57,7 +57,7 @@ rule places:
     params: which=lambda wildcards: PLACES[wildcards.places][0]
     wildcard_constraints: places=names(PLACES)
     message: "{wildcards.places}: find the places of a map that need more points"
-    shell: "{PYTHON} {input.script} {params.which} {input.tables} {output} 2> {log}"
+    shell: "{CALL} {input.script} {params.which} {input.tables} {output} 2> {log}"
 
 
 for recipe, made in FIGURES.items():
