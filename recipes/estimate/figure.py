@@ -98,9 +98,8 @@ def course_rows(**estimates):
 
 
 def make(data, results):
-    reference, unbreakable = (
-        report(data / f"{state}-estimate.json") for state in ("fast-slow-fast", "estimate/unbreakable")
-    )
+    states = ("fast-slow-fast", "estimate/unbreakable")
+    reference, unbreakable = (report(data / f"{state}-estimate.json") for state in states)
     draw(reference, unbreakable, results / "estimate")
     names = ["junctions", "time [<t_R>]", "slip [f_slip/k_ij]"]
     rows = course_rows(reference=reference, unbreakable=unbreakable)
