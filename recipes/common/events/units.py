@@ -121,7 +121,7 @@ AT_BRANCHES = {f"branch at {branch} L": {"branch": branch} for branch in LATER_B
 OF_FRONTS = {name: {"way": name} for name in CONVENTIONS if name != PRIMARY} | AT_BRANCHES
 OF_SLIP = AT_BRANCHES | {f"block at {block} L": {"block": block} for block in OTHER_BLOCKS}
 
-OF_EVENT = {  # conventions, case, what it is made of
+OF_EVENT: dict[str, tuple] = {  # conventions, case, what it is made of
     "3A": (OF_FRONTS, case_3A, lambda view: view.fronts("stopped")),
     "3B": (OF_FRONTS, case_3B, lambda view: view.fronts("no-slow-slip")),
     "3C": (OF_SLIP, case_3C, lambda view: [view.of_branch("slip", view.block)]),
