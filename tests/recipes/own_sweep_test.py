@@ -16,7 +16,8 @@ import numpy as np
 import pytest
 
 from conftest import BIN, ROOT, run
-from sweeps.picture import axis_of, draw, edges, limits, middle
+from pictures.plotting import figure
+from sweeps.picture import draw, draw_line, edges, middle
 from sweeps.plan import plan_sweep
 from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
 from sweeps.sweep import Needs, Point, Sweep, SweepError, read_sweep
@@ -409,7 +410,7 @@ def test_other_numbers_of_values_have_no_picture_and_a_former_one_goes(drawn, tm
 
 def test_a_logarithmic_axis_where_positive_numbers_span_decades_or_are_geometric():
     def scale(*cells, unit="1"):
-        return axis_of(Column("a", unit, [*cells])).scale
+        return Column("a", unit, [*cells]).scale
 
     assert scale("1", "100") == scale(None, 1, 200) == "log"
     assert scale("1", "2", "4", "8") == "log"
@@ -419,20 +420,22 @@ def test_a_logarithmic_axis_where_positive_numbers_span_decades_or_are_geometric
 
 
 def test_medians_and_most_frequent_texts():
-    numbers = axis_of(Column("a", "1", [1.0, None, 2.0, 9.0]))
+    numbers = Column("a", "1", [1.0, None, 2.0, 9.0])
     assert middle(numbers, numbers.positions) == 2.0
-    texts = axis_of(Column("a", "", ["x", "y", "y", None]))
+    texts = Column("a", "", ["x", "y", "y", None])
     assert texts.categories[int(middle(texts, texts.positions))] == "y"
 
 
 def test_types_of_fronts_are_in_order():
-    texts = axis_of(Column("a", "", ["fast", "b", "arrested", "a", None]))
+    texts = Column("a", "", ["fast", "b", "arrested", "a", None])
     assert texts.categories == ["arrested", "fast", "b", "a"]
 
 
-def test_cells_meet_halfway_as_the_axis_shows_it():
-    linear = axis_of(Column("a", "1", [1, 2, 4]))
+def test_cells_and_margins_are_as_the_axis_shows_them():
+    linear = Column("a", "1", [1, 2, 4])
     np.testing.assert_allclose(edges(linear, linear.positions), [0.5, 1.5, 3, 5])
-    log = axis_of(Column("a", "1", [1, 10, 100]))
+    log = Column("a", "1", [1, 10, 100])
     np.testing.assert_allclose(edges(log, log.positions), np.sqrt([0.1, 10, 1000, 1e5]))
-    np.testing.assert_allclose(limits(log), [10**-0.1, 10**2.1])
+    _, axes = figure()
+    draw_line(axes, log, Column("b", "1", [None, 2.0, None]), np.array([True, True, False]))
+    np.testing.assert_allclose(axes.get_xlim(), [10**-0.1, 10**2.1])

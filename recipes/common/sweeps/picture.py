@@ -1,20 +1,18 @@
 """The default picture of a user's sweep: every measured quantity against the one or two values that
-vary. Seeds are repetitions: single ones and their median are shown."""
+vary, each a Column (report.py). Seeds are repetitions: single ones and their median are shown."""
 
 from collections import Counter
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from matplotlib.colors import ListedColormap
 
-from maps.front_map import TYPES
 from maps.map_panels import COLOURS
 from pictures.plotting import BLACK, DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, save
 
 SEEDS = ("seed", "numerics.seed")
-TWO_DECADES = 100
 PANEL = 62 * MM  # height [inch]
+HATCHED = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
 
 
 def plain(text):
@@ -22,45 +20,8 @@ def plain(text):
     return text.replace("$", r"\$")
 
 
-def is_geometric(places):
-    even, even_logs = (
-        np.ptp(steps) / steps.mean() for steps in map(np.diff, (places, np.log(places)))
-    )
-    return even_logs < min(0.1, even)
-
-
-@dataclass(frozen=True)
-class Axis:
-    """A quantity along an axis: numbers; or texts, first those of fronts from arrested to fast,
-    then others in the order in which they appear."""
-
-    label: str
-    positions: np.ndarray  # of each point
-    categories: list  # texts at 0, 1, ...; empty for numbers
-
-    @property
-    def scale(self):
-        """Logarithmic where positive numbers span two decades, or four or more of them are spaced
-        by a factor."""
-        places = np.unique(self.positions[np.isfinite(self.positions)])
-        if self.categories or not len(places) or places[0] <= 0:
-            return "linear"
-        spans = places[-1] >= TWO_DECADES * places[0]
-        return "log" if spans or (len(places) > 3 and is_geometric(places)) else "linear"
-
-
-def axis_of(column):
-    if column.unit:
-        return Axis(plain(column.heading), column.numbers, [])
-    present = [text for text in dict.fromkeys(column.texts) if text]
-    categories = [text for text in dict.fromkeys(("none", *TYPES, *present)) if text in present]
-    places = {text: place for place, text in enumerate(categories)}
-    positions = np.array([places.get(text, np.nan) for text in column.texts])
-    return Axis(plain(column.heading), positions, categories)
-
-
 def set_axis(axes, which, axis):
-    axes.set(**{f"{which}label": axis.label, f"{which}scale": axis.scale})
+    axes.set(**{f"{which}label": plain(axis.heading), f"{which}scale": axis.scale})
     if axis.categories:
         axes.set(**{f"{which}ticks": range(len(axis.categories))})
         axes.set(**{f"{which}ticklabels": axis.categories})
@@ -96,14 +57,6 @@ def draw_numbers(axes, x, y):
     axes.plot(places[known], medians[known], color=LINES[0])
 
 
-def limits(axis):
-    """Of all points, measured or not, with a margin."""
-    shown = np.log(axis.positions) if axis.scale == "log" else axis.positions
-    margin = 0.05 * (max(shown) - min(shown))
-    ends = np.array([min(shown) - margin, max(shown) + margin])
-    return np.exp(ends) if axis.scale == "log" else ends
-
-
 def mark(axes, places, marker, colour):
     """At the bottom, below all dots."""
     axes.margins(y=0.12)
@@ -118,8 +71,6 @@ def draw_line(axes, x, y, done):
         draw_numbers(axes, x, y)
     set_axis(axes, "x", x)
     set_axis(axes, "y", y)
-    if not x.categories:
-        axes.set_xlim(limits(x))
     if not done.all():
         mark(axes, np.unique(x.positions[~done]), "x", VERMILION)
     if (empty := done & np.isnan(y.positions)).any():
@@ -141,12 +92,12 @@ def edges(axis, places):
 
 def cells(x, y, value_at):
     """The values of a map: value_at(which points) for each pair of places that has points."""
-    x_places, y_places = np.unique(x.positions), np.unique(y.positions)
+    (x_places, columns), (y_places, rows) = (
+        np.unique(axis.positions, return_inverse=True) for axis in (x, y)
+    )
     grid = np.full((len(y_places), len(x_places)), np.nan)
-    for row, column in np.ndindex(grid.shape):
-        here = (x.positions == x_places[column]) & (y.positions == y_places[row])
-        if here.any():
-            grid[row, column] = value_at(here)
+    for row, column in {*zip(rows, columns)}:
+        grid[row, column] = value_at((rows == row) & (columns == column))
     return edges(x, x_places), edges(y, y_places), grid
 
 
@@ -162,21 +113,16 @@ def draw_values(fig, axes, borders, z, grid):
         scale.set_ticks(range(len(z.categories)), labels=z.categories)
 
 
-def hatch(axes, borders, grid):
-    look = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
-    axes.pcolor(*borders, np.ma.masked_invalid(grid), **look)
-
-
 def draw_map(fig, axes, x, y, z, done):
     """Medians as colours; hatched where no point is done."""
     *borders, medians = cells(x, y, lambda here: middle(z, z.positions[here]))
     not_done = cells(x, y, lambda here: np.nan if done[here].any() else 0.0)[2]
     measured = np.isfinite(medians).any()
-    axes.set_title(z.label if measured else f"{z.label}: no value")
+    axes.set_title(plain(z.heading) + ("" if measured else ": no value"))
     if measured:
         draw_values(fig, axes, borders, z, medians)
     if np.isfinite(not_done).any():
-        hatch(axes, borders, not_done)
+        axes.pcolor(*borders, np.ma.masked_invalid(not_done), **HATCHED)
     empty = done & np.isnan(z.positions)
     axes.plot(x.positions[empty], y.positions[empty], "_", color=BLACK, markersize=6)
     set_axis(axes, "x", x)
@@ -207,10 +153,10 @@ def draw_columns(stem, sweep, columns):
         if None in by_name[name].cells:
             return f"No picture: some points have no {name}."
     done = np.array([status == "done" for status in by_name["status"].cells])
-    over = [axis_of(by_name[name]) for name in varied]
-    measured = {name: axis_of(by_name[name]) for name in sweep.columns}
+    over = [by_name[name] for name in varied]
+    measured = [by_name[name] for name in sweep.columns]
     fig, all_axes = panels(len(measured))
-    for axes, quantity in zip(all_axes, measured.values()):
+    for axes, quantity in zip(all_axes, measured):
         if len(varied) == 1:
             draw_line(axes, over[0], quantity, done)
         else:
@@ -219,7 +165,7 @@ def draw_columns(stem, sweep, columns):
     notes = {
         f"{'line' if len(varied) == 1 else 'colour'}: median of {seeds} seeds": seeds > 1,
         f"{'crosses' if len(varied) == 1 else 'hatched'}: not done": not done.all(),
-        "dashes: no value": any(np.isnan(q.positions[done]).any() for q in measured.values()),
+        "dashes: no value": any(np.isnan(q.positions[done]).any() for q in measured),
     }
     note = "; ".join(text for text, applies in notes.items() if applies)
     fig.suptitle(plain(sweep.title) + (f" ({note})" if note else ""), fontsize=8)

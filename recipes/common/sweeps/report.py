@@ -9,12 +9,14 @@ import os
 import sys
 from collections import Counter
 from dataclasses import dataclass
+from functools import cached_property
 
 import h5py
 import numpy as np
 
 from rupture.replacing import replacing
 from data.tables import write_table
+from maps.front_map import TYPES
 from sweeps.collect import rows
 from sweeps.picture import draw
 from sweeps.points import PointStore
@@ -22,6 +24,7 @@ from sweeps.sweep import names_of_values, read_sweep
 from sweeps.values import without_unit
 
 SHOWN = 5  # sentences of failed points
+TWO_DECADES = 100
 NOT_REACHED = "it was not reached, or its process was ended"
 
 
@@ -46,6 +49,31 @@ class Column:
     def numbers(self):
         return np.array([np.nan if cell is None else float(cell) for cell in self.cells])
 
+    @cached_property
+    def categories(self):
+        """Texts at 0, 1, ... of an axis: those of fronts from arrested to fast, then others in the
+        order in which they appear. Empty for numbers."""
+        present = [] if self.unit else [text for text in self.texts if text]
+        return [text for text in dict.fromkeys(("none", *TYPES, *present)) if text in present]
+
+    @cached_property
+    def positions(self):
+        """Of each point along an axis."""
+        if self.unit:
+            return self.numbers
+        places = {text: place for place, text in enumerate(self.categories)}
+        return np.array([places.get(text, np.nan) for text in self.texts])
+
+    @property
+    def scale(self):
+        """Logarithmic where positive numbers span two decades, or four or more of them are spaced
+        by a factor."""
+        places = np.unique(self.positions[np.isfinite(self.positions)])
+        if not self.unit or not len(places) or places[0] <= 0:
+            return "linear"
+        spans = places[-1] >= TWO_DECADES * places[0]
+        return "log" if spans or (len(places) > 3 and is_geometric(places)) else "linear"
+
 
 def text_of(cell):
     if cell is None:
@@ -53,31 +81,34 @@ def text_of(cell):
     return str(cell).lower() if isinstance(cell, bool) else str(cell)
 
 
+def is_geometric(places):
+    even, even_logs = (
+        np.ptp(steps) / steps.mean() for steps in map(np.diff, (places, np.log(places)))
+    )
+    return even_logs < min(0.1, even)
+
+
 def write_csv(path, columns):
     rows = zip(*(column.texts for column in columns))
     write_table(path, [column.heading for column in columns], rows)
 
 
-def text_type(*texts):
+def fixed(texts):
     """UTF-8 of the length of the longest one."""
-    return h5py.string_dtype("utf-8", max([1, *(len(text.encode()) for text in texts)]))
-
-
-def array_of(column):
-    if column.unit:
-        return column.numbers
-    return np.array([text.encode() for text in column.texts], text_type(*column.texts))
+    encoded = [text.encode() for text in texts]
+    return np.array(encoded, h5py.string_dtype("utf-8", max([1, *map(len, encoded)])))
 
 
 def set_attribute(item, name, text):
-    item.attrs.create(name, text.encode(), dtype=text_type(text))
+    item.attrs[name] = fixed([text]).reshape(())
 
 
 def write_hdf5(path, title, columns):
     with replacing(path) as part, h5py.File(part, "w") as file:
         set_attribute(file, "title", title)
         for column in columns:
-            dataset = file.create_dataset(column.name, data=array_of(column), track_times=False)
+            cells = column.numbers if column.unit else fixed(column.texts)
+            dataset = file.create_dataset(column.name, data=cells, track_times=False)
             set_attribute(dataset, "unit", column.unit or "1")
 
 
