@@ -20,7 +20,7 @@ from pictures.plotting import figure
 from sweeps.picture import draw, draw_line, edges, middle
 from sweeps.plan import plan_sweep
 from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
-from sweeps.sweep import Needs, Point, Sweep, SweepError, read_sweep
+from sweeps.sweep import Point, Sweep, SweepError, read_sweep
 
 BASE = ROOT / "checkpoints/fast-only.h5"
 RECORD = ROOT / "tests/compatibility"
@@ -297,7 +297,7 @@ def test_a_table_is_written_whole_or_not_at_all(tmp_path):
 def test_numbers_are_in_the_unit_of_their_column():
     values = [{"V": text, "law": "1mm"} for text in ("1mm/s", "2e-3")]
     points = [Point(each, {}, "") for each in values]
-    sweep = Sweep("A", points, {}, Needs(1, 1), [], {"V": "m/s", "law": ""})
+    sweep = Sweep("A", points, {}, [], {"V": "m/s", "law": ""})
     V, law, *_ = columns_of(sweep, [dict(each) for each in values])
     assert (V.texts, V.heading, law.texts) == (["0.001", "2e-3"], "V [m/s]", ["1mm", "1mm"])
 
@@ -322,7 +322,7 @@ def test_numbers_are_in_the_unit_of_their_column():
 )
 def test_summary(capsys, rows, computed, sentence):
     table = [dict(zip(("status", "sentence", "v"), row)) for row in rows]
-    sweep = Sweep("A", [], {"v": "front.v_c.9"}, Needs(1, 1), [], {})
+    sweep = Sweep("A", [], {"v": "front.v_c.9"}, [], {})
     unfinished = print_summary(sweep, table, computed)
     said = capsys.readouterr().out
     assert sentence in said if sentence else "No point has" not in said
@@ -343,7 +343,7 @@ def sweep_of(values, results, status):
     columns.append(Column("status", "", status))
     varied = [name for (name, _), cells in values.items() if len(set(cells)) > 1]
     names = {name: name for name, _ in results}
-    return Sweep("A sweep", [], names, Needs(1, 1), varied, {}), columns
+    return Sweep("A sweep", [], names, varied, {}), columns
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import pytest
 
 from conftest import ROOT, run
 from sweeps.points import PointStore
-from sweeps.sweep import Needs, Point, SweepError, batches_of, files_of, read_sweep, seeds_of
+from sweeps.sweep import Point, SweepError, batches_of, files_of, read_sweep, seeds_of
 from sweeps.values import number_in, values_of
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
@@ -245,7 +245,8 @@ def test_varied_are_values_that_differ_and_do_not_follow_others(read):
     "text, needs", [("", (1000, 1)), ("memory = 2.5 GB\nthreads = 4", (2500, 4))]
 )
 def test_needs_of_a_point(read, text, needs):
-    assert read(f"[sweep]\n{text}\n{COMMANDS}").needs == Needs(*needs)
+    sweep = read(f"[sweep]\n{text}\n{COMMANDS}")
+    assert (sweep.megabytes, sweep.threads) == needs
 
 
 def test_a_recipe_reads_tables_of_its_own_sweeps_only():

@@ -43,14 +43,6 @@ MEGABYTES = {"MB": 1, "GB": 1000}
 
 
 @dataclass(frozen=True)
-class Needs:
-    """Memory and threads of each point."""
-
-    megabytes: int
-    threads: int
-
-
-@dataclass(frozen=True)
 class Point:
     values: dict  # name: text, as the commands have it
     commands: dict  # name: command line
@@ -66,9 +58,10 @@ class Sweep:
     title: str
     points: list
     columns: dict  # heading: path inside the point's file
-    needs: Needs
     varied: list  # names of the values that differ between points, without those that follow others
     units: dict  # of values and columns, where the file has them
+    megabytes: int = 1000  # that each point needs
+    threads: int = 1
 
 
 # --- points --------------------------------------------------------------------------------
@@ -208,6 +201,7 @@ def check_form(ini):
 
 
 def needs_of(section):
+    """Megabytes and threads of each point."""
     memory = re.fullmatch(r"(\d*\.?\d+)\s*(MB|GB)", section.get("memory", "1 GB"))
     megabytes = math.ceil(float(memory[1]) * MEGABYTES[memory[2]]) if memory else 0
     threads = section.get("threads", "1")
@@ -218,23 +212,16 @@ def needs_of(section):
         )
     if not re.fullmatch("[1-9][0-9]{0,3}", threads):
         raise SweepError(f"'threads = {threads}' is not understood: give a whole number from 1")
-    return Needs(megabytes, int(threads))
-
-
-class Ini(configparser.RawConfigParser):
-    """Names in it are case-sensitive."""
-
-    def __init__(self):
-        super().__init__(None, default_section="", delimiters="=", inline_comment_prefixes="#;")
-
-    def optionxform(self, optionstr):
-        return optionstr
+    return megabytes, int(threads)
 
 
 def parse_ini(path):
     """Sections that it lacks are those of the file `like`, variants only if it has none. Paths in
     [sweep], which are relative to the file's folder, become relative to the working directory."""
-    ini = Ini()
+    ini = configparser.RawConfigParser(
+        default_section="", delimiters="=", inline_comment_prefixes="#;"
+    )
+    ini.optionxform = str  # type: ignore[method-assign, assignment]  # names are case-sensitive
     with open(path, encoding="utf-8-sig") as file:
         ini.read_file(file)
     if "sweep" not in ini:
@@ -261,7 +248,8 @@ def sweep_of(ini, name):
     points = [make_point(commands, values, base) for lists in products for values in product(lists)]
     title = ini["sweep"].get("title", name)
     columns, units = (dict(ini[name]) if name in ini else {} for name in ("quantities", "units"))
-    return Sweep(title, points, columns, needs_of(ini["sweep"]), varied_in(products, points), units)
+    varied = varied_in(products, points)
+    return Sweep(title, points, columns, varied, units, *needs_of(ini["sweep"]))
 
 
 def file_and_seed(name):

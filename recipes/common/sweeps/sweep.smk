@@ -27,7 +27,7 @@ SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
 
 MOST_BATCHES = BATCHES_OF_ONE if OWN else BATCHES_OF_MANY
 BATCHES = {
-    f"{DATA}/batches/{name}-{number:04d}.sum": (name, batch)
+    f"{name}-{number:04d}": (name, batch)
     for name, sweep in SWEEPS.items()
     for number, batch in enumerate(
         batches_of(list({point.id: point for point in sweep.points}.values()), most=MOST_BATCHES), 1
@@ -37,14 +37,15 @@ POINTS = f"{DATA}/points"
 
 # A result that was deleted, damaged, or replaced by that of other programs is computed again.
 STORE = PointStore(POINTS, CODE)
-for path, (_, batch) in BATCHES.items():
-    note(RESULTS, *(f"{POINTS}/{point.id}.{ending}" for point in batch for ending in ("json", "why")))
-    if Path(path).exists() and any(STORE.result(point) is None for point in batch):
-        Path(path).unlink()
+for batch, (_, points) in BATCHES.items():
+    note(RESULTS, *(f"{POINTS}/{point.id}.{ending}" for point in points for ending in ("json", "why")))
+    path = Path(f"{DATA}/batches/{batch}.sum")
+    if path.exists() and any(STORE.result(point) is None for point in points):
+        path.unlink()
 
 
 def batches_of_sweep(name):
-    return [path for path, (of, _) in BATCHES.items() if of == name]
+    return [f"{DATA}/batches/{batch}.sum" for batch, (of, _) in BATCHES.items() if of == name]
 
 
 def tables_of_seeds(name):
@@ -52,15 +53,12 @@ def tables_of_seeds(name):
     return [f"{DATA}/{table}.csv" for table in SWEEP_FILES if table.startswith(f"{name}-seed-")]
 
 
-def batch_at(wildcards):
-    return BATCHES[f"{DATA}/batches/{wildcards.batch}.sum"][1]
+def of_batch(get):
+    """An input or parameter of the rule batch: get(name of its sweep, its points)."""
+    return lambda wildcards: get(*BATCHES[wildcards.batch])
 
 
-def sweep_at(wildcards):
-    return BATCHES[f"{DATA}/batches/{wildcards.batch}.sum"][0]
-
-
-def base_of(batch):
+def base_of(_, batch):
     """The checkpoint its points start from. One that the recipes make counts by content (Snakefile)."""
     base = batch[0].base
     if base.startswith(f"{DATA}/"):
@@ -76,17 +74,17 @@ def described(name, batch):
 
 rule batch:
     input:
-        base=lambda wildcards: base_of(batch_at(wildcards)),
+        base=of_batch(base_of),
         script="recipes/common/sweeps/points.py",
     output: f"{DATA}/batches/{{batch}}.sum"
     params:
         code=CODE,
-        sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[sweep_at(wildcards)])),
-        ids=lambda wildcards: [point.id for point in batch_at(wildcards)],
-    threads: lambda wildcards: SWEEPS[sweep_at(wildcards)].needs.threads
+        sweep=of_batch(lambda name, _: shlex.quote(str(SWEEP_FILES[name]))),
+        ids=of_batch(lambda _, batch: [point.id for point in batch]),
+    threads: of_batch(lambda name, _: SWEEPS[name].threads)
     resources:
-        mem_mb=lambda wildcards: SWEEPS[sweep_at(wildcards)].needs.megabytes,
-        points=lambda wildcards: described(sweep_at(wildcards), batch_at(wildcards)),  # message
+        mem_mb=of_batch(lambda name, _: SWEEPS[name].megabytes),
+        points=of_batch(described),  # message
     log: f"{LOGS}/batches/{{batch}}.log"
     message: "{resources.points}"
     shell:
