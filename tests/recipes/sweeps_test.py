@@ -347,16 +347,18 @@ def test_the_digest_tells_results_apart_and_not_what_computed_them(computing, na
     assert (other["digest"] != point["digest"]) == told_apart
 
 
-def test_a_crash_leaves_no_point_and_keeps_the_others(computing):
+def test_a_crash_is_kept_as_unfinished_and_keeps_the_others(computing):
+    def states():
+        found = (json.loads(path.read_text()) for path in computing.folder.glob("*.json"))
+        return sorted((each["status"], each["sentence"][-13:]) for each in found)
+
     done = computing.batch("a, b, c", crash="b")
     assert (done.returncode, computing.computed) == (1, ["a", "b", "c"])
     assert "ended with -9" in done.stderr
-    assert len(list(computing.folder.glob("*.json"))) == 2
+    assert states() == [("done", ""), ("done", ""), ("unfinished", "ended with -9")]
     assert not (computing.folder / "batch.sum").exists()
-    (why,) = computing.folder.glob("*.why")
-    assert "ended with -9" in why.read_text()
     assert (computing.batch("a, b, c").returncode, computing.computed) == (0, ["b"])
-    assert list(computing.folder.glob("*.why")) == []
+    assert states() == [("done", "")] * 3
 
 
 def test_only_what_is_not_there_of_these_sources_and_this_base_is_computed(computing):
@@ -375,7 +377,7 @@ def test_only_what_is_not_there_of_these_sources_and_this_base_is_computed(compu
 
 @pytest.mark.parametrize("text", ["", "[]", "null", '{"status": "done"}'])
 def test_a_damaged_result_counts_as_none(tmp_path, text):
-    store, point = PointStore(tmp_path, "code"), Point({}, {}, "")
+    store, point = PointStore(tmp_path / "none/yet", "code"), Point({}, {}, "")
     store.save(point, {"status": "done"})
     assert store.result(point) == {"status": "done"}
     store.path(point).write_text(text)
@@ -384,12 +386,3 @@ def test_a_damaged_result_counts_as_none(tmp_path, text):
 
 def test_an_interruption_ends_it_at_once(computing):
     assert (computing.batch("stop, b").returncode, computing.computed) == (130, ["stop"])
-
-
-def test_the_first_point_of_all_may_crash(tmp_path):
-    store = PointStore(tmp_path / "none/yet", "code")
-    point = Point({}, {}, "")
-    store.note_crash(point, "why")
-    assert store.crash(point) == "why"
-    store.save(point, {})
-    assert store.crash(point) == ""

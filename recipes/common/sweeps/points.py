@@ -5,13 +5,13 @@
 
 The commands of a point run in an empty folder, which is deleted at the end. The result has the
 commands, the checksum of every file that they wrote, what those with --json reported, under their
-names, and a status: done, or failed with the tool's sentence.
+names, and a status: done, failed with the tool's sentence, or unfinished if a program crashed.
 
 Each result is kept when it is there, in results/data/points/ID.json, with its `origin`: a digest
 of the sources (or programs), of this file and of the base. Only points without a result of this
-origin are computed, so a batch that is interrupted goes on where it was. One whose process crashes
-does not keep the others from being computed; ID.why says how, until it is. OUTPUT is written when
-all are there: a line for each, with a digest of its result.
+origin, and unfinished ones, are computed, so a batch that is interrupted goes on where it was, and
+a crash does not keep the other points from being computed. OUTPUT is written when none is
+unfinished: a line for each, with a digest of its result.
 """
 
 import hashlib
@@ -29,13 +29,10 @@ from rupture.replacing import replacing, write_whole
 from sweeps.sweep import read_sweep
 
 USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request cannot be met
+UNFINISHED = "unfinished"
 INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
 WRITERS = ("load", "modify-phi", "prepare", "restart")
 COMPUTED_BY = Path(__file__).read_text(encoding="utf-8")
-
-
-class Crash(Exception):
-    """A program ended without an exit code that is a tool's own."""
 
 
 # --- computing ---------------------------------------------------------------------------------
@@ -49,7 +46,7 @@ def arguments_of(command, base):
 
 
 def run(folder_of_tools, command, base, folder):
-    """The finished command. Raises Crash."""
+    """The finished command."""
     tool, *arguments = arguments_of(command, base)
     program = Path(folder_of_tools).resolve() / tool
     done = subprocess.run(
@@ -57,21 +54,26 @@ def run(folder_of_tools, command, base, folder):
     )
     if -done.returncode in INTERRUPTIONS:
         sys.exit(128 - done.returncode)  # the signal was for all that runs
-    if done.returncode not in (0, *USER_ERRORS):
-        said = done.stderr.strip()
-        raise Crash(f"'{command}' ended with {done.returncode}{': ' if said else ''}{said}")
     return done
 
 
+def fault(command, done):
+    """The status of a point whose command ended so: the tool says why, or it crashed."""
+    said = done.stderr.strip()
+    if done.returncode in USER_ERRORS:
+        return {"status": "failed", "sentence": said.splitlines()[-1] if said else command}
+    sentence = f"'{command}' ended with {done.returncode}{': ' if said else ''}{said}"
+    return {"status": UNFINISHED, "sentence": sentence}
+
+
 def compute(folder_of_tools, point):
-    """The result of a point. Raises Crash."""
+    """The result of a point."""
     result: dict = {"commands": list(point.commands.values()), "status": "done", "sentence": ""}
     with tempfile.TemporaryDirectory(prefix="rupture-point-") as folder:
         for name, command in point.commands.items():
             done = run(folder_of_tools, command, point.base, folder)
             if done.returncode:
-                sentence = done.stderr.strip().splitlines()
-                result |= {"status": "failed", "sentence": sentence[-1] if sentence else command}
+                result |= fault(command, done)
                 break
             if "--json" in shlex.split(command):
                 result[name] = json.loads(done.stdout)
@@ -103,48 +105,39 @@ class PointStore:
         """`code`: fingerprint of the sources or programs."""
         self.folder, self.code = Path(folder), code
 
-    def path(self, point, ending="json"):
-        return self.folder / f"{point.id}.{ending}"
+    def path(self, point):
+        return self.folder / f"{point.id}.json"
 
     def origin(self, point):
         return digest(self.code, COMPUTED_BY, content_of(point.base))
 
-    def result(self, point):
-        """The result of the point; None if it has to be computed."""
+    def stored(self, point):
+        """What is there of the point, if it has this origin."""
         try:
             stored = json.loads(self.path(point).read_text(encoding="utf-8"))
             is_current = stored.pop("origin", None) == self.origin(point)
         except (OSError, ValueError, AttributeError, TypeError):
-            return None
-        return stored if is_current else None
+            return {}
+        return stored if is_current else {}
+
+    def result(self, point):
+        """The result of the point; None if it has to be computed."""
+        stored = self.stored(point)
+        return None if stored.get("status", UNFINISHED) == UNFINISHED else stored
 
     def save(self, point, result):
         content = json.dumps({**result, "origin": self.origin(point)}) + "\n"
         write_whole(self.path(point), content)
-        self.path(point, "why").unlink(missing_ok=True)
-
-    def note_crash(self, point, sentence):
-        """Why the point is unfinished."""
-        write_whole(self.path(point, "why"), f"{sentence}\n")
-
-    def crash(self, point):
-        path = self.path(point, "why")
-        return path.read_text(encoding="utf-8").strip() if path.exists() else ""
 
 
 # --- a batch -----------------------------------------------------------------------------------
 
 
 def result_of(point, store, folder_of_tools):
-    """The stored result, or else the one computed now; None after a crash."""
+    """The stored result, or else the one computed now."""
     result = store.result(point)
     if result is None:
-        try:
-            result = compute(folder_of_tools, point)
-        except Crash as crash:
-            print(f"points.py: {crash}", file=sys.stderr)
-            store.note_crash(point, str(crash))
-            return None
+        result = compute(folder_of_tools, point)
         store.save(point, result)
     return result
 
@@ -155,8 +148,9 @@ def main(folder_of_tools, sweep, points_folder, code, output, *ids):
     store = PointStore(points_folder, code)
     points = {point.id: point for point in read_sweep(sweep).points}
     results = {each: result_of(points[each], store, folder_of_tools) for each in ids}
-    if None in results.values():
-        sys.exit(1)
+    crashes = [r["sentence"] for r in results.values() if r["status"] == UNFINISHED]
+    if crashes:
+        sys.exit("\n".join(f"points.py: {sentence}" for sentence in crashes))
     with replacing(output) as part, part.open("w", encoding="utf-8") as file:
         for each, result in results.items():
             print(digest(json.dumps(result)), each, file=file)

@@ -19,7 +19,7 @@ from data.tables import write_table
 from maps.front_map import TYPES
 from sweeps.collect import rows
 from sweeps.picture import draw
-from sweeps.points import PointStore
+from sweeps.points import UNFINISHED, PointStore
 from sweeps.sweep import names_of_values, read_sweep
 from sweeps.values import without_unit
 
@@ -134,10 +134,9 @@ def preview(plan, folder_of_tools, results, code):
 
 def result_of(point, store):
     """The result of the point. Paths in a sentence are those of this folder."""
-    result = store.result(point)
-    if result is None:
-        result = {"status": "unfinished", "sentence": store.crash(point) or NOT_REACHED}
-    return result | {"sentence": result["sentence"].replace(f"{os.getcwd()}/", "")}
+    sentence = store.stored(point).get("sentence", NOT_REACHED)
+    result = store.result(point) or {"status": UNFINISHED}
+    return result | {"sentence": sentence.replace(f"{os.getcwd()}/", "")}
 
 
 def columns_of(sweep, table):
@@ -151,7 +150,7 @@ def columns_of(sweep, table):
 
 def count_computed(sweep, table, store, started):
     """How many results are younger than `started` [s]."""
-    finished = (p for p, row in zip(sweep.points, table) if row["status"] != "unfinished")
+    finished = (p for p, row in zip(sweep.points, table) if row["status"] != UNFINISHED)
     return sum(store.path(point).stat().st_mtime >= started for point in finished)
 
 

@@ -38,7 +38,7 @@ POINTS = f"{DATA}/points"
 # A result that was deleted, damaged, or replaced by that of other programs is computed again.
 STORE = PointStore(POINTS, CODE)
 for batch, (_, points) in BATCHES.items():
-    note(RESULTS, *(f"{POINTS}/{point.id}.{ending}" for point in points for ending in ("json", "why")))
+    note(RESULTS, *(STORE.path(point) for point in points))
     path = Path(f"{DATA}/batches/{batch}.sum")
     if path.exists() and any(STORE.result(point) is None for point in points):
         path.unlink()
