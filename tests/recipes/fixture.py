@@ -3,14 +3,13 @@
 import io
 import json
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 from PIL import Image
 
 from claims.judge import table
-from conftest import ROOT
+from conftest import ROOT, run
 
 NOT_RUN = ("5Aw", "5A", "5B")  # the fixture has no results of their recipe
 JUDGED = [claim_id for claim_id in table() if claim_id not in NOT_RUN]
@@ -112,9 +111,6 @@ class Project:
 
     def report(self):
         """Runs report.py: exit code, standard output and standard error."""
-        return subprocess.run(
-            [sys.executable, ROOT / "recipes/common/report/report.py", self.root],
-            env=os.environ | {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/python"},
-            capture_output=True,
-            text=True,
-        )
+        paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/python"}
+        script = ROOT / "recipes/common/report/report.py"
+        return run(sys.executable, script, self.root, env=os.environ | paths)

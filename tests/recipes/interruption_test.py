@@ -7,13 +7,12 @@ import json
 import os
 import re
 import signal
-import time
 from pathlib import Path
 
 import pytest
 
 from conftest import BIN
-from stand_ins import SWEEP, WITHIN, Project
+from stand_ins import SWEEP, WITHIN, Project, wait_for
 
 # Small and fast. A prestress of 2 is more than junctions can carry.
 SMALL = "--set slider.Nx=15 --set slider.Nz=9 --set slider.H=0.08 --set driving.h=0.01"
@@ -65,13 +64,6 @@ def stat_of(number):
         return Path(f"/proc/{number}/stat").read_text().rsplit(")", 1)[1].split()
     except OSError:
         return []
-
-
-def wait_for(condition):
-    end = time.monotonic() + WITHIN
-    while not condition():
-        assert time.monotonic() < end
-        time.sleep(0.05)
 
 
 class Sweep(Project):

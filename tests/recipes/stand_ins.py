@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import time
 from pathlib import Path
 
 from conftest import ROOT
@@ -19,11 +20,22 @@ F_T = stress.F_T
 """
 
 
+def wait_for(condition, within=WITHIN):
+    end = time.monotonic() + within
+    while not (met := condition()):
+        assert time.monotonic() < end
+        time.sleep(0.05)
+    return met
+
+
 class Project:
     """The stand-ins are in bin/, first on the PATH."""
 
-    def __init__(self, root):
+    within = WITHIN
+
+    def __init__(self, root, environment=os.environ):
         self.root, self.bin = root, root / "bin"
+        self.environment = environment  # when a program starts
         self.program("apt-get", "")  # nothing is missing
         for name in ("recipes", "python"):
             shutil.copytree(ROOT / name, root / name)
@@ -34,21 +46,21 @@ class Project:
         """In bash; `name` may lead to another folder."""
         self.write(self.bin / name, f"#!/bin/bash\n{text}\n").chmod(0o755)
 
-    def start(self, *words, command="reproduce.sh", **options):
+    def start(self, *words, command="./reproduce.sh", stderr=subprocess.PIPE, **options):
         return subprocess.Popen(
-            [self.root / command, *words],
+            [command, *words],
             cwd=self.root,
-            env=os.environ | {"PATH": f"{self.bin}:{os.environ['PATH']}"},
+            env=self.environment | {"PATH": f"{self.bin}:{self.environment['PATH']}"},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
+            stderr=stderr,
             text=True,
             **options,
         )
 
     def call(self, *words, **options):
         process = self.start(*words, **options)
-        output, errors = process.communicate(timeout=WITHIN)
+        output, errors = process.communicate(timeout=self.within)
         return subprocess.CompletedProcess(words, process.returncode, output, errors)
 
     def write(self, name, text=""):

@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 PROGRAMS = "munged slurmctld slurmd srun scancel sinfo squeue sbatch salloc".split()
@@ -138,10 +139,7 @@ class Cluster:
 
     def run(self, *command):
         """Standard output of a command of SLURM's."""
-        done = subprocess.run(
-            command, env=self.environment, capture_output=True, text=True, check=False
-        )
-        return done.stdout
+        return subprocess.run(command, env=self.environment, capture_output=True, text=True).stdout
 
     def kill(self, name):
         """At once, as a power cut would."""
@@ -151,37 +149,35 @@ class Cluster:
     def stop(self):
         self.run("scancel", "--full", f"--user={os.getuid()}")
         for name in ("slurmd", "slurmctld", "munged"):
-            process = self.processes.pop(name, None)
-            if process:
+            if process := self.processes.pop(name, None):
                 process.terminate()
-                try:
+                with suppress(subprocess.TimeoutExpired):
                     process.wait(20)
-                except subprocess.TimeoutExpired:
-                    process.kill()
-                    process.wait()
+                process.kill()
+                process.wait()
         # such as a srun whose run was killed
         for number in processes_with(f"SLURM_CONF={self.environment['SLURM_CONF']}\0".encode()):
             os.kill(number, signal.SIGKILL)
 
-    def __enter__(self):
-        try:
-            self.start()
-        except BaseException:
-            self.stop()
-            raise
-        return self
 
-    def __exit__(self, *_):
-        self.stop()
+@contextmanager
+def running_cluster(cores):
+    """In a folder for temporary files."""
+    with tempfile.TemporaryDirectory(prefix="rupture-slurm-") as folder:
+        cluster = Cluster(folder, cores)
+        try:
+            cluster.start()
+            yield cluster
+        finally:
+            cluster.stop()
 
 
 def main(*command):
     if missing_programs():
         sys.exit(f"cluster.py: {', '.join(missing_programs())}: install slurm-wlm and munge")
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
-    with tempfile.TemporaryDirectory(prefix="rupture-slurm-") as folder:
-        with Cluster(folder, os.cpu_count()) as cluster:
-            return subprocess.run(command, env=cluster.environment, check=False).returncode
+    with running_cluster(os.cpu_count()) as cluster:
+        return subprocess.run(command, env=cluster.environment, check=False).returncode
 
 
 if __name__ == "__main__":

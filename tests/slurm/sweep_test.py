@@ -3,24 +3,25 @@
 Each run has a copy of the project's recipes, so that no result is found twice.
 """
 
+import functools
 import json
 import os
 import re
 import shutil
 import signal
 import subprocess
-import tempfile
 import time
 from pathlib import Path
 
 import pytest
 
-from cluster import Cluster, missing_programs, processes_with
+import stand_ins
+from cluster import missing_programs, processes_with, running_cluster
 from conftest import BIN as PROGRAMS, ROOT, skip
+from stand_ins import Project
 
 if missing_programs():
     skip(f"SLURM cannot be started without {', '.join(missing_programs())}.")
-COPIED = ("reproduce.sh", "packages.txt", "CITATION.cff", "recipes", "python", "checkpoints")
 CORES = 2
 SWEEP = """\
 [sweep]
@@ -43,45 +44,32 @@ slow speed = front.slow.speed
 POINTS = 32
 REFUSED = 8  # no distribution of junction forces carries tau-bar = 5
 WITHIN = 600  # [s] a run, however slow the machine
+wait_for = functools.partial(stand_ins.wait_for, within=WITHIN)
 
 
-class Project:
-    """A copy of what a run needs; `environment` is that of the cluster, if it has one."""
+class Sweep(Project):
+    """`environment` is that of the cluster, if it has one."""
 
-    seconds = 0.0  # that its sweep took
+    seconds = 0.0  # that it took
+    within = WITHIN
 
-    def __init__(self, folder, environment=None):
-        self.root, self.environment = folder, environment
-        for name in COPIED:
-            if (ROOT / name).is_dir():
-                shutil.copytree(ROOT / name, folder / name)
-            else:
-                shutil.copy2(ROOT / name, folder / name)
-        (folder / "my.ini").write_text(SWEEP)
+    def __init__(self, folder, environment=os.environ):
+        super().__init__(folder, environment)
+        shutil.copytree(ROOT / "checkpoints", folder / "checkpoints")
+        self.write("my.ini", SWEEP)
 
-    def start(self, *command):
-        return subprocess.Popen(
-            command,
-            cwd=self.root,
-            env=self.environment,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            start_new_session=True,
-        )
-
-    def run(self, *command):
+    def run(self, command, *words):
         """What was printed, and seconds."""
         started = time.monotonic()
-        process = self.start(*command)
-        output = process.communicate(timeout=WITHIN)[0]
-        assert process.returncode == 0, output
-        return output, time.monotonic() - started
+        done = self.call(*words, command=command, stderr=subprocess.STDOUT)
+        assert done.returncode == 0, done.stdout
+        return done.stdout, time.monotonic() - started
 
     def points(self):
-        folder = self.root / "results/data/points"
-        return {path.name: path.read_bytes() for path in folder.glob("*.json")}
+        """Those that are not unfinished."""
+        paths = (self.root / "results/data/points").glob("*.json")
+        contents = {path.name: path.read_bytes() for path in paths}
+        return {name: text for name, text in contents.items() if b'"unfinished"' not in text}
 
     def checksums(self):
         """Of every checkpoint and record that the points wrote."""
@@ -109,25 +97,16 @@ def in_allocation(*arguments):
     return (*allocation, *reproduce(*arguments), "--profile", "slurm")
 
 
-def wait_for(condition):
-    end = time.monotonic() + WITHIN
-    while not (met := condition()):
-        assert time.monotonic() < end
-        time.sleep(0.05)
-    return met
-
-
 @pytest.fixture(scope="module")
 def cluster():
-    with tempfile.TemporaryDirectory(prefix="rupture-slurm-") as folder:
-        with Cluster(folder, CORES) as cluster:
-            yield cluster
+    with running_cluster(CORES) as cluster:
+        yield cluster
 
 
 @pytest.fixture(scope="module")
 def local(tmp_path_factory):
     """The sweep without SLURM."""
-    project = Project(tmp_path_factory.mktemp("local"))
+    project = Sweep(tmp_path_factory.mktemp("local"))
     _, project.seconds = project.run(*reproduce("sweep", "my.ini"))
     assert len(project.points()) == POINTS
     return project
@@ -135,7 +114,7 @@ def local(tmp_path_factory):
 
 @pytest.fixture(name="project")
 def project_on_slurm(tmp_path, cluster):
-    return Project(tmp_path, cluster.environment)
+    return Sweep(tmp_path, cluster.environment)
 
 
 def demand_equal_sweeps(project, local):
@@ -219,7 +198,8 @@ def test_a_sweep_survives_everything(project, local, cluster):
 
 @pytest.mark.parametrize("name, code", [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
 def test_an_interruption_ends_all_steps(project, cluster, name, code):
-    process = project.start(*in_allocation("sweep", "my.ini"))
+    salloc, *words = in_allocation("sweep", "my.ini")
+    process = project.start(*words, command=salloc, start_new_session=True)
     wait_for(lambda: project.points() or process.poll() is not None)
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
     os.kill(int(children[0]), signal.Signals[name])
