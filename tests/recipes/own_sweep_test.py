@@ -17,7 +17,7 @@ import pytest
 
 from conftest import BIN, ROOT, run
 from pictures.plotting import figure
-from sweeps.picture import draw, draw_line, edges, middle
+from sweeps.picture import cells, draw, draw_line, edges, middle
 from sweeps.plan import plan_sweep
 from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
 from sweeps.sweep import Point, Sweep, SweepError, read_sweep
@@ -436,6 +436,8 @@ def test_cells_and_margins_are_as_the_axis_shows_them():
     np.testing.assert_allclose(edges(linear, linear.positions), [0.5, 1.5, 3, 5])
     log = Column("a", "1", [1, 10, 100])
     np.testing.assert_allclose(edges(log, log.positions), np.sqrt([0.1, 10, 1000, 1e5]))
+    *_, grid = cells(linear, Column("b", "1", [1, 1, 2]), lambda here: np.flatnonzero(here)[0])
+    np.testing.assert_array_equal(grid, [[0, 1, np.nan], [np.nan, np.nan, 2]])
     _, axes = figure()
     draw_line(axes, log, Column("b", "1", [None, 2.0, None]), np.array([True, True, False]))
     np.testing.assert_allclose(axes.get_xlim(), [10**-0.1, 10**2.1])
