@@ -58,6 +58,7 @@ def result(claim_id):
         "reason": "holds as it should",
         "verdict": "differs" if claim_id == "S1" else "reproduced",
         "note": "Measured <script>twice</script>." if claim_id == "2A" else "",
+        "closeness_of": row.get("closeness_of", ""),
     }
 
 

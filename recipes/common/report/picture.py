@@ -15,7 +15,8 @@ STILL = "movie.png"  # shown before a video is started, and on paper
 
 GLANCE = (
     "A row per claim, figure by figure. Left: for which share of its units it holds, and whether it"
-    " holds for the shown case; right: the share under each convention."
+    " holds for the shown case; right: the share under each convention that several claims have,"
+    " and the least under others."
 )
 COMMON = Path(__file__).resolve().parents[1]
 DRAWN_BY = ("report/glance.py", "pictures/plotting.py", "claims/judge.py", "claims/claims.toml")

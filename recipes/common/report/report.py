@@ -101,13 +101,15 @@ def contents(root):
     names = [name for name in recipe_names(root) if (root / "results" / name / CLAIMS).exists()]
     recipes = [Recipe(root, name, names, accounts) for name in names]
     rows = rows_of(recipes)
+    leading = [claim for _, claim in rows if not claim.closeness_of]
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs = accounts.jobs(files)
     return {
         "recipes": recipes,
         "rows": rows,
-        "listed": len(table()),
-        "counts": [(sum(claim.standing == s for _, claim in rows), s) for s in STANDINGS],
+        "leading": leading,
+        "listed": sum("closeness_of" not in row for row in table().values()),
+        "counts": [(sum(claim.standing == s for claim in leading), s) for s in STANDINGS],
         "movie": find_movie(root / "results"),
         "glance": glance_picture(root, [claim for recipe in recipes for claim in recipe.claims]),
         "verdicts": how_verdicts_come_about(root, names),
