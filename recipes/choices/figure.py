@@ -205,7 +205,7 @@ def summary(found):
 def draw_found(axes, one, y):
     colour = VERMILION if one.moved else BLUE
     axes.plot([one.least, one.most], [y, y], linewidth=0.5, color=colour)
-    axes.plot([one.low, one.high], [y, y], linewidth=1.5, color=colour)
+    axes.plot([one.low, one.high], [y, y], "|-", markersize=3, linewidth=1.5, color=colour)
     axes.plot([one.value], [y], "o", markersize=2.5, color=colour)
 
 
