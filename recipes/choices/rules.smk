@@ -29,6 +29,7 @@ wildcard_constraints:
 
 use rule load_once as choices_start with:
     output: **with_sums(h5=f"{DATA}/choices/{{choice}}-start.h5")
+    log: f"{LOGS}/choices/{{choice}}-start.log"
     priority: 110  # the loads wait for it
     params:
         **run_with(
@@ -47,6 +48,7 @@ use rule load_of_seed as choices_load with:
             f"{DATA}/choices/{{choice}}-{{seed}}",
             checkpoints=checkpoints_of_load(f"{DATA}/choices/{{choice}}-{{seed}}"),
         ),
+    log: f"{LOGS}/choices/{{choice}}-{{seed}}.log"
     message: "choices: load {wildcards.choice}-{wildcards.seed} (about a minute)"
 
 
@@ -56,6 +58,7 @@ use rule events as choices_events with:
         script="recipes/ensemble/measure_events.py",
         conventions="recipes/common/events/conventions.py",
     output: f"{DATA}/choices/{{choice}}-{{seed}}-events.json"
+    log: f"{LOGS}/choices/{{choice}}-{{seed}}-events.log"
     message: "choices: find the rupture events of {wildcards.choice}-{wildcards.seed}"
 
 
@@ -67,6 +70,7 @@ use rule continued as choices_continued with:
         script="recipes/ensemble/continue_events.py",
         shared=rules.continued.input.shared,
     output: f"{DATA}/choices/{{choice}}-{{seed}}-continued.json"
+    log: f"{LOGS}/choices/{{choice}}-{{seed}}-continued.log"
     params: code=CODE, run=f"{DATA}/choices/{{choice}}-{{seed}}", crossings=CROSSINGS
     message: "choices: continue the events of {wildcards.choice}-{wildcards.seed} in other ways"
 

@@ -21,6 +21,7 @@ FREE_STEPS = 2000  # of 0.2 us
 use rule restart as convergence_free_start with:
     input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")
     output: **with_sums(h5=f"{DATA}/convergence/free-start.h5")
+    log: f"{LOGS}/convergence/free-start.log"
     params: **run_with("--for 2e-7", changes=LET_GO)
     message: "convergence: let the slider go"
 
@@ -28,6 +29,7 @@ use rule restart as convergence_free_start with:
 use rule restart as convergence_free_end with:
     input: **content_of(h5=f"{DATA}/convergence/free-start.h5")
     output: **with_sums(h5=f"{DATA}/convergence/free-end.h5")
+    log: f"{LOGS}/convergence/free-end.log"
     params: **run_with(f"--for {FREE_STEPS * 2e-7:.9g}")
     message: "convergence: run its free blocks"
 
@@ -41,6 +43,7 @@ rule convergence_lammps:
         compare="benchmarks/lammps/compare.in",
         **script("recipes/convergence/lammps.py"),
     output: f"{DATA}/convergence/lammps.json"
+    log: f"{LOGS}/convergence/lammps.log"
     params: lmp=shutil.which("lmp") or ""
     message: "convergence: run them in LAMMPS"
     shell:
@@ -72,6 +75,7 @@ rule convergence_edges:
         ],
         **script("recipes/convergence/lattice.py"),
     output: f"{DATA}/convergence/{{setting}}-{{sigma}}-{{N_x}}.json"
+    log: f"{LOGS}/convergence/{{setting}}-{{sigma}}-{{N_x}}.log"
     params:
         code=CODE,
         folder=f"{DATA}/convergence/{{setting}}-{{sigma}}-{{N_x}}-scratch",

@@ -18,6 +18,7 @@ RUNS["fig1/event"] = run("fast-slow-fast", "--for 0.005", record_every="1e-6")
 
 rule fig1_junctions:
     output: **with_sums(h5=f"{FIG1}/junctions.h5")
+    log: f"{LOGS}/fig1/junctions.log"
     params: code=CODE
     message: "fig1: prepare blocks with one junction each"
     shell: "{BIN}/prepare {FIG1_JUNCTION} -o {output.h5} --force --quiet --sum 2> {log}"
@@ -30,6 +31,7 @@ use rule restart_recorded as fig1_pull with:
             f"{FIG1}/pulled",
             slipping=[f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING],
         ),
+    log: f"{LOGS}/fig1/pulled.log"
     params:
         **run_with(
             f"--for 6e-3 --checkpoint-at {' '.join(FIG1_SLIPPING)}",
@@ -41,6 +43,7 @@ use rule restart_recorded as fig1_pull with:
 
 rule fig1_steady:
     output: f"{FIG1}/steady-{{speeds}}.json"
+    log: f"{LOGS}/fig1/steady-{{speeds}}.log"
     params:
         code=CODE,
         speeds=lambda wildcards: FIG1_SPEEDS[wildcards.speeds],

@@ -22,6 +22,7 @@ rule fig2_choice:
         events=[f"{DATA}/ensemble/{load}-events.json" for load in REFERENCE_LOADS],
         **script("recipes/fig2/most_like.py"),
     output: f"{DATA}/most-like.json"
+    log: f"{LOGS}/most-like.log"
     message: "fig2: choose the event most like the paper's"
     shell: "{CALL} {input.script} {CHECKPOINT_EVERY} {input.events} > {output} 2> {log}"
 
@@ -38,6 +39,7 @@ use rule restart_before_event as fig2_before with:
             ]
         ),
     output: **with_sums(h5=f"{DATA}/most-like.h5")
+    log: f"{LOGS}/most-like-before.log"
     params:
         **event_of(lambda wildcards, input: f"{DATA}/ensemble/$({VALUE} {input.choice} load)")
     message: "fig2: go to 0.5 ms before the event most like the paper's"
@@ -48,6 +50,7 @@ rule fig2_film:
         **content_of(record=f"{DATA}/fast-slow-fast/filmed-record.h5"),
         drawn_by=sorted(map(str, Path("python/rupture").rglob("*.py"))),
     output: FIG2_FILM
+    log: f"{LOGS}/fig2-film.log"
     params: code=CODE
     message: "fig2: film event I"
     shell: "({BIN}/movie {input.record} -o {output[0]} --event 0 --force " + FIG2_STILL + ") > {log} 2>&1"

@@ -15,6 +15,7 @@ rule fig3_l0_seed:
         script="recipes/fig3/decay_length.py",
         shared=["recipes/common/events/conventions.py", "recipes/common/maps/front_map.py"],
     output: f"{DATA}/fig3/l0-seed-{{seed}}.json"
+    log: f"{LOGS}/fig3/l0-seed-{{seed}}.log"
     priority: 80  # long: before what is short
     params: code=CODE, folder=f"{DATA}/fig3/l0-seed-{{seed}}-scratch"
     wildcard_constraints: seed="|".join(map(str, L0_SEEDS))

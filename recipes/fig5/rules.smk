@@ -12,6 +12,7 @@ QUASISTATIC_MIDDLE = 4  # the one that decides, and that is shown until the next
 
 use rule load_recorded as quasistatic_load with:
     output: **recorded(f"{DATA}/fig5/quasistatic-load", checkpoints=QUASISTATIC_LOADED)
+    log: f"{LOGS}/fig5/quasistatic-load.log"
     priority: 110  # long, and the other seeds wait for it: first
     params:
         **run_with(
@@ -27,6 +28,7 @@ rule quasistatic_stretch:
         **content_of(h5=f"{DATA}/fig5/quasistatic-load-record.h5"),
         **script("recipes/fig5/quasistatic_stretch.py"),
     output: f"{DATA}/fig5/quasistatic-stretch.json"
+    log: f"{LOGS}/fig5/quasistatic-stretch.log"
     message: "fig5: find the quasi-static front"
     shell: "{CALL} {input.script} {input.h5} {QUASISTATIC_EVERY} > {output} 2> {log}"
 
@@ -36,6 +38,7 @@ rule quasistatic_stopped:
         stretch=f"{DATA}/fig5/quasistatic-stretch.json",
         **content_of(checkpoints=QUASISTATIC_LOADED),
     output: **recorded(f"{DATA}/fig5/quasistatic-stopped-{{n}}")
+    log: f"{LOGS}/fig5/quasistatic-stopped-{{n}}.log"
     params:
         code=CODE,
         duration=lambda wildcards: 0.08 if int(wildcards.n) == QUASISTATIC_MIDDLE else 0.02,
@@ -62,6 +65,7 @@ rule quasistatic_seed:
         script="recipes/fig5/quasistatic_seed.py",
         stretch_script="recipes/fig5/quasistatic_stretch.py",
     output: f"{DATA}/ensemble/h0-{{seed}}.json"
+    log: f"{LOGS}/ensemble/h0-{{seed}}.log"
     params: code=CODE, folder=f"{DATA}/ensemble/h0-{{seed}}-scratch"
     priority: 90  # long: first
     wildcard_constraints: seed="|".join(H0_SEEDS)

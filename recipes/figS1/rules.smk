@@ -2,6 +2,7 @@
 # README.md.
 use rule load_once as figS1_unloaded with:
     output: **with_sums(h5=f"{DATA}/figS1/unloaded.h5")
+    log: f"{LOGS}/figS1/unloaded.log"
     params: **run_with("--until 0")
     message: "figS1: find the equilibrium under the normal load"
 

@@ -5,6 +5,7 @@ FIGS5_SIGMAS = [f"{0.02 * n:.2f}" for n in range(61)]  # up to 1.2, beyond the l
 
 rule figS5_strength:
     output: f"{DATA}/figS5/{{shape}}.jsonl"
+    log: f"{LOGS}/figS5/{{shape}}.log"
     params:
         code=CODE,
         sigmas=FIGS5_SIGMAS,

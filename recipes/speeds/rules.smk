@@ -6,6 +6,7 @@ FINE_STATES = checkpoints_of(FINE_LOAD, until=LOAD_UNTIL, every=CHECKPOINT_EVERY
 
 use rule load_recorded as speeds_load with:
     output: **recorded(FINE_LOAD, checkpoints=FINE_STATES)
+    log: f"{LOGS}/speeds/load-{{seed}}.log"
     priority: 80  # long: before what is short
     params:
         **run_with(
@@ -21,6 +22,7 @@ rule speeds_history:
         **content_of(record=f"{FINE_LOAD}-record.h5", checkpoints=FINE_STATES),
         **script("recipes/speeds/slip_history.py"),
     output: f"{FINE_LOAD}-history.json"
+    log: f"{LOGS}/speeds/load-{{seed}}-history.log"
     params: code=CODE
     message: "speeds: measure slip and strength in the load with seed {wildcards.seed}"
     shell: "{CALL} {input.script} {input.record} {input.checkpoints} > {output} 2> {log}"

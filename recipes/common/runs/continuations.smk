@@ -19,6 +19,7 @@ use rule restart as event_branch with:
         **content_of(h5=f"{DATA}/{{event}}.h5"),
         front=f"{DATA}/{{event}}-front.json",
     output: **with_sums(h5=f"{DATA}/{{event}}/branch.h5")
+    log: f"{LOGS}/{{event}}/branch.log"
     params: **run_with(lambda wildcards, input: f"--until $({VALUE} {input.front} t_rupture.8)")
     message: "{wildcards.event}: go to the moment when the front is at 0.14 L"
 
@@ -30,6 +31,7 @@ rule event_slip:
         **content_of(h5=f"{DATA}/{{event}}/{{continuation}}-record.h5"),
         front=f"{DATA}/{{event}}/{{continuation}}-front.json",
     output: f"{DATA}/{{event}}/{{continuation}}-slip.json"
+    log: f"{LOGS}/{{event}}/{{continuation}}-slip.log"
     params: code=CODE
     wildcard_constraints: continuation="|".join(SLIPS)
     message: "{wildcards.event}: measure the slip at x = 0.34 L ({wildcards.continuation})"
@@ -44,6 +46,7 @@ rule event_wider_phi:
     output:
         **with_sums(h5=f"{DATA}/{{event}}/wider-start.h5"),
         histogram=f"{DATA}/{{event}}/wider-start.txt",
+    log: f"{LOGS}/{{event}}/wider-start.log"
     params: code=CODE
     message: "{wildcards.event}: make phi uniform and as wide as each block allows for x > 0.25 L"
     shell:
@@ -57,5 +60,6 @@ use rule restart as event_amid_slow with:
         front=f"{DATA}/{{event}}-front.json",
         script="recipes/common/events/middle.py",
     output: **with_sums(h5=f"{DATA}/{{event}}/amid-slow.h5")
+    log: f"{LOGS}/{{event}}/amid-slow.log"
     params: **run_with(lambda wildcards, input: f"--until $({CALL} {input.script} {input.front})")
     message: "{wildcards.event}: go to the middle of the slow stretch"

@@ -21,6 +21,7 @@ def edges(setting, sigmas, seeds=(1,)):
 rule edges:
     input: **script("recipes/common/maps/edges.py")
     output: f"{DATA}/edges/{{setting}}-{{sigma}}-{{seed}}.json"
+    log: f"{LOGS}/edges/{{setting}}-{{sigma}}-{{seed}}.log"
     params:
         code=CODE,
         folder=f"{DATA}/edges/{{setting}}-{{sigma}}-{{seed}}-scratch",

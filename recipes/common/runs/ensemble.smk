@@ -51,6 +51,7 @@ use rule load_recorded as load with:
             ),
             shared=f"{DATA}/ensemble/{{setting}}-01{SHARED}",
         ),
+    log: f"{LOGS}/ensemble/{{setting}}-01.log"
     priority: 110  # long, and the others wait for it: first
     params:
         **run_with(
@@ -68,6 +69,7 @@ rule nothing_drawn:
         **content_of(h5=f"{DATA}/{{state}}.h5"),
         script="recipes/ensemble/nothing_drawn.py",
     output: touch(f"{DATA}/{{state}}.undrawn")
+    log: f"{LOGS}/{{state}}.undrawn.log"
     params: code=CODE
     message: "{wildcards.state}: make sure that no slipping time has been drawn yet"
     shell: "{PYTHON} {input.script} {input.h5} 2> {log}"
@@ -83,6 +85,7 @@ use rule restart_recorded as load_of_seed with:
             f"{DATA}/ensemble/{{setting}}-{{seed}}",
             checkpoints=checkpoints_of_load(f"{DATA}/ensemble/{{setting}}-{{seed}}"),
         ),
+    log: f"{LOGS}/ensemble/{{setting}}-{{seed}}.log"
     priority: 100  # long: before what is short
     params:
         **run_with(
@@ -102,6 +105,7 @@ rule events:
         script="recipes/ensemble/measure_events.py",
         conventions="recipes/common/events/conventions.py",
     output: f"{DATA}/ensemble/{{load}}-events.json"
+    log: f"{LOGS}/ensemble/{{load}}-events.log"
     params: code=CODE
     message: "events: find the rupture events of {wildcards.load}, under each convention"
     shell: "{PYTHON} {input.script} {BIN} {input.h5} > {output} 2> {log}"
@@ -112,6 +116,7 @@ rule product:
         **content_of(h5=f"{DATA}/ensemble/{{setting}}-{{seed}}-record.h5"),
         **script("recipes/ensemble/measure_events.py"),
     output: f"{DATA}/ensemble/{{setting}}-{{seed}}-product.json"
+    log: f"{LOGS}/ensemble/{{setting}}-{{seed}}-product.log"
     params: code=CODE
     wildcard_constraints: seed="[0-9]{3}"
     message: "product: measure the fronts of {wildcards.setting}-{wildcards.seed} under all combinations of conventions"
@@ -134,6 +139,7 @@ rule continued:
             *(f"recipes/common/events/{name}.py" for name in ("conventions", "continuations", "fronts", "slip")),
         ],
     output: f"{DATA}/ensemble/{{load}}-continued.json"
+    log: f"{LOGS}/ensemble/{{load}}-continued.log"
     priority: 80  # long: before what is short
     params: code=CODE, run=f"{DATA}/ensemble/{{load}}", crossings=CROSSINGS
     wildcard_constraints: load="|".join(CONTINUED_LOADS)

@@ -31,6 +31,7 @@ if FROM_SCRATCH:
             choice=f"{DATA}/shown/choice.json",
             **content_of(checkpoints=checkpoints_of_load(SHOWN_LOAD)),
         output: **with_sums(h5=f"{DATA}/{{event}}.h5")
+        log: f"{LOGS}/{{event}}.log"
         params: **event_of(SHOWN_LOAD, "{event}")
         message: "{wildcards.event}: go to 0.5 ms before the event"
 
@@ -39,6 +40,7 @@ else:
     rule event_start:
         input: h5="checkpoints/{event}.h5"
         output: **with_sums(h5=f"{DATA}/{{event}}.h5")
+        log: f"{LOGS}/{{event}}.log"
         params: code=CODE
         message: "{wildcards.event}: verify the shipped checkpoint"
         shell:
@@ -52,6 +54,7 @@ rule event_compared:
         sum=f"{DATA}/{{event}}.h5.sum",
         manifest="checkpoints/manifest",
     output: f"{DATA}/{{event}}.compared"
+    log: f"{LOGS}/{{event}}.compared.log"
     message: "{wildcards.event}: compare its checksum with checkpoints/manifest"
     shell:
         "{{ grep -xFf {input.sum} {input.manifest} > {output}"

@@ -8,11 +8,11 @@
 #
 #     use rule load_recorded as speeds_load with:
 #         output: **recorded(f"{DATA}/speeds/load")  # h5, h5_sum, record, record_sum
+#         log: f"{LOGS}/speeds/load.log"  # messages of the command
 #         params: **run_with("--until 1.2", record_every="1e-4")
 #
 # with `message` as in any rule. Snakemake replaces a section as a whole, so `params` are given by the
-# functions below, and the `shell` of a base rule is never replaced. Messages of a command ({log}) go to a
-# file that is named for the first output of the rule.
+# functions below, and the `shell` of a base rule is never replaced.
 from collections import namedtuple
 
 Figure = namedtuple("Figure", "inputs outputs")

@@ -7,6 +7,7 @@ def names(table):
 use rule restart_recorded as recorded_run with:
     input: unpack(lambda wildcards: content_of(h5=f"{DATA}/{RUNS[wildcards.run]['start']}.h5"))
     output: **with_sums(h5=f"{DATA}/{{run}}-end.h5", record=f"{DATA}/{{run}}-record.h5")
+    log: f"{LOGS}/{{run}}-end.log"
     params: **{name: lambda wildcards, name=name: RUNS[wildcards.run][name] for name in run_with("")}
     wildcard_constraints: run=names(RUNS)
     message: "{wildcards.run}: restart {input.h5} {params.changes} {params.options}"
@@ -16,6 +17,7 @@ rule analysis:
     input:
         unpack(lambda wildcards: content_of(h5=f"{DATA}/{wildcards.of}{REPORTS[wildcards.report][0]}.h5")),
     output: f"{DATA}/{{of}}-{{report}}.json"
+    log: f"{LOGS}/{{of}}-{{report}}.log"
     params: code=CODE, analysis=lambda wildcards: REPORTS[wildcards.report][1]
     wildcard_constraints: report=names(REPORTS)
     message: "{wildcards.of}: analyze {params.analysis}"
@@ -32,6 +34,7 @@ rule choose:
         events=lambda wildcards: f"{load_of(wildcards)}-events.json",
         **script("recipes/common/events/choose_events.py"),
     output: f"{DATA}/{{folder}}/choice.json"
+    log: f"{LOGS}/{{folder}}/choice.log"
     params: by=lambda wildcards: EVENTS_OF[wildcards.folder][1]
     wildcard_constraints: folder=names(EVENTS_OF)
     message: "{wildcards.folder}: choose the events to be shown"
@@ -43,6 +46,7 @@ use rule restart_before_event as before_event with:
         unpack(lambda wildcards: content_of(checkpoints=checkpoints_of_load(load_of(wildcards)))),
         choice=f"{DATA}/{{folder}}/choice.json",
     output: **with_sums(h5=f"{DATA}/{{folder}}/before.h5")
+    log: f"{LOGS}/{{folder}}/before.log"
     params: **event_of(load_of)
     wildcard_constraints: folder=names(EVENTS_OF)
     message: "{wildcards.folder}: go to 0.5 ms before the event"
@@ -54,6 +58,7 @@ rule places:
         tables=lambda wildcards: [f"{DATA}/{table}.csv" for table in PLACES[wildcards.places][1:]],
         **script("recipes/common/maps/map_points.py"),
     output: f"{DATA}/{{places}}.csv"
+    log: f"{LOGS}/{{places}}.log"
     params: which=lambda wildcards: PLACES[wildcards.places][0]
     wildcard_constraints: places=names(PLACES)
     message: "{wildcards.places}: find the places of a map that need more points"
@@ -65,11 +70,6 @@ for recipe, made in FIGURES.items():
         name: recipe
         input: **made.inputs
         output: made.outputs
+        log: f"{LOGS}/{recipe}.log"
         message: "{rule}: draw, compare with the claims"
         shell: "{PYTHON} recipes/common/pictures/make.py {input.script} 2> {log}"
-
-
-for each in workflow.rules:
-    if each.output and not each.log:
-        each.log_modifier = each.output_modifier
-        each.set_log(f"{LOGS}/{Path(each.output[0]).relative_to(RESULTS)}.log")
