@@ -5,9 +5,10 @@ import re
 
 import pytest
 
+import report
 from claims.judge import table
 from conftest import ROOT
-from fixture import JUDGED, NOT_RUN, POINTS, START, Project, spill
+from fixture import JUDGED, NOT_RUN, POINTS, START, Project, result, spill
 
 FIGURES = [*(f"fig{n}" for n in range(1, 5)), *(f"figS{n}" for n in range(1, 7))]
 RECIPES = [*FIGURES, "estimate", "robustness"]
@@ -84,6 +85,22 @@ def page_of(project):
 def section(page, name):
     """In one line."""
     return " ".join(re.findall(rf'<section id="{name}".*?</section>', page, re.S)[0].split())
+
+
+CLOSENESS = [claim_id for claim_id, row in table().items() if "closeness_of" in row]
+
+
+@pytest.mark.parametrize("left_out, updates", [((), True), (NOT_RUN, False), (CLOSENESS, False)])
+def test_the_readme_is_updated_if_every_row_is_judged(project, monkeypatch, left_out, updates):
+    claims: dict[str, list] = {row["recipe"]: [] for row in table().values()}
+    for claim_id in table().keys() - {*left_out}:
+        claims[table()[claim_id]["recipe"]].append(result(claim_id))
+    for recipe, rows in claims.items():
+        spill(project.results / recipe / "claims.json", json.dumps(rows))
+    updated = []
+    monkeypatch.setattr(report, "update_readme", lambda *arguments: updated.append(arguments))
+    report.main(project.root)
+    assert len(updated) == updates
 
 
 @pytest.fixture(name="whole", scope="module")

@@ -19,7 +19,7 @@ std::string units_taken(std::string_view unit);
 
 /// "unknown tool 'lod': did you mean 'load'?", with the candidate that needs the fewest
 /// single-character edits to become `word`; of a candidate "group.name" the part behind the dot
-/// counts too. "unknown tool 'movement'; see rupture help" if half of the word or more would have
+/// counts too. "unknown tool 'movement'; see rupture help" if more than half of the word would have
 /// to change. `candidates` must not be empty.
 std::string unknown_text(std::string_view what, std::string_view word,
                          const std::vector<std::string_view>& candidates, std::string_view see);

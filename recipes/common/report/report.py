@@ -149,7 +149,7 @@ def main(folder="."):
         content = contents(root)
         write_whole(path, render(content))
         write_crate(root)
-        if len(content["rows"]) == content["listed"]:
+        if len(content["rows"]) == len(table()):
             own = [result for recipe in content["recipes"] for result in recipe.own]
             update_readme(root, [claim for _, claim in content["rows"]], own)
         print(f"Report: {path}", flush=True)
