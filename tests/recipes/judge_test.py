@@ -8,19 +8,8 @@ from pytest import mark, raises
 
 from claims import judge
 from claims.claim import VERDICTS
-from claims.judge import (
-    PRIMARY,
-    RELATIONS,
-    as_number,
-    conditions_of,
-    holds,
-    interval,
-    judged,
-    met,
-    table,
-    unmet,
-    unmet_text,
-)
+from claims.judge import PRIMARY, RELATIONS, as_number, conditions_of, holds, interval, judged
+from claims.judge import met, table, unmet, unmet_text
 from conftest import ROOT, approx
 
 ROW = {"recipe": "fig0", "says": "something", "accepted": "if it is", "unit": "load"}

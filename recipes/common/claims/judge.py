@@ -14,19 +14,8 @@ from pathlib import Path
 
 from scipy.stats import beta
 
-from claims.claim import (
-    DEPENDS,
-    DIFFERS,
-    NOT_COMPARABLE,
-    PRIMARY,
-    REPRODUCED,
-    SHOWN_ONLY,
-    Claim,
-    Share,
-    number,
-    plural,
-    split_unit,
-)
+from claims.claim import DEPENDS, DIFFERS, NOT_COMPARABLE, PRIMARY, REPRODUCED, SHOWN_ONLY
+from claims.claim import Claim, Share, number, plural, split_unit
 from rupture.errors import Failure
 
 TABLE = Path(__file__).with_name("claims.toml")

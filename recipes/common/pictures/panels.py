@@ -2,13 +2,8 @@
 
 import numpy as np
 from rupture import plotting
-from rupture.plotting import (  # noqa: F401  (for the recipes)
-    along_interface,
-    draw_image,
-    draw_pinned,
-    draw_pinned_scale,
-    name_line,
-)
+from rupture.plotting import along_interface, draw_image  # noqa: F401  (for the recipes)
+from rupture.plotting import draw_pinned, draw_pinned_scale, name_line  # noqa: F401
 
 from claims import paper
 from data.records import values

@@ -2,23 +2,12 @@
 
 from pathlib import Path
 
-import matplotlib
+from rupture.plotting import BLACK, BLUE, GREEN, LINES, ORANGE, PURPLE, SKY, VERMILION
+from rupture.plotting import MAP  # noqa: F401  (for the recipes)
+from rupture.plotting import STYLE as LOOK
+from rupture.plotting import pyplot_without_window
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend has to be chosen first)
-from rupture.plotting import (  # noqa: E402, F401  (for the recipes, which import them from here)
-    BLACK,
-    BLUE,
-    GREEN,
-    LINES,
-    MAP,
-    ORANGE,
-    PURPLE,
-    SKY,
-    VERMILION,
-    YELLOW,
-)
-from rupture.plotting import STYLE as LOOK  # noqa: E402
+plt = pyplot_without_window()
 
 MM = 1 / 25.4  # [inch]
 SINGLE = 89 * MM  # width of one column [inch]
