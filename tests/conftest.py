@@ -31,6 +31,15 @@ def run(program, *words, **options):
     return subprocess.run(command, capture_output=True, text=True, check=False, **options)
 
 
+def draws(name, *arguments, **options):
+    """Whether a program of the package succeeds and only says what it wrote."""
+    done = run(name, *arguments, **options)
+    output = Path(arguments[arguments.index("-o") + 1])
+    written = [output.with_name(f"{output.stem}-derived.hdf5")] if name == "xdmf" else []
+    said = "".join(f"wrote {path}\n" for path in (*written, output))
+    assert (done.returncode, done.stdout, done.stderr) == (0, said, "")
+
+
 def skip(reason):
     """All tests of a file, or the one that calls this; a failure where CI is set."""
     if os.environ.get("CI"):

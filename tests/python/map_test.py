@@ -9,8 +9,7 @@ import pytest
 
 import rupture
 from commands import refuses
-from conftest import SMALL
-from program import draws
+from conftest import SMALL, draws
 from rupture import plotting
 from rupture.tools.map import LINE, slip_speed, spread
 

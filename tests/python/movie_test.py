@@ -11,8 +11,7 @@ import pytest
 
 import rupture
 from commands import refuses
-from conftest import BIN, SMALL, run
-from program import draws
+from conftest import BIN, SMALL, draws, run
 from rupture.tools.movie import SLOWEST, chosen_samples, values_of
 
 

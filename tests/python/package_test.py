@@ -1,5 +1,6 @@
-"""`import rupture`: files, `.part` files, checksums and programs."""
+"""`import rupture`: files, `.part` files, checksums, programs, and the examples in docstrings."""
 
+import doctest
 import json
 import shutil
 import subprocess
@@ -176,3 +177,12 @@ def test_files_that_are_open_are_inputs(small):
     made = rupture.run("modify-phi", small.checkpoint, output="phi.h5", shape="uniform")
     assert made.checkpoint.provenance[-1]["tool"] == "modify-phi"
     assert made.checkpoints == []
+
+
+@pytest.mark.parametrize("module", [rupture.files, rupture.programs])
+def test_the_examples_in_docstrings_give_what_they_say(module, small):
+    need_modules("pandas", "xarray")
+    names = {"rupture": rupture, "checkpoint": rupture.open("small.h5")}
+    names["record"] = rupture.open("small-record.h5")
+    found = doctest.testmod(module, extraglobs=names, optionflags=doctest.ELLIPSIS)
+    assert found.attempted and not found.failed

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 import rupture
-from conftest import SMALL, run, skip
-from program import draws
+from conftest import SMALL, draws, run, skip
 
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -116,8 +116,8 @@ class Parser(argparse.ArgumentParser):
         add("--describe", const=Parser.describe, help=text)
         add("--version", const=version_text, help="show version and exit")
 
-    def add_output(self, text, needed=True):
-        self.add_argument("-o", "--output", metavar="FILE", required=needed, help=text)
+    def add_output(self, text):
+        self.add_argument("-o", "--output", metavar="FILE", required=True, help=text)
         self.add_argument("-f", "--force", action="store_true", help="replace an existing file")
 
     def error(self, message):

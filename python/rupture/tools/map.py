@@ -26,7 +26,7 @@ def parser():
         "picture of a record in space and time",
         "record",
     )
-    made.add_argument("record", metavar="RECORD", help="record, or the .part of one")
+    made.add_argument("record", metavar="RECORD")
     made.add_output("picture to write: .png, .pdf or .svg")
     add_window(made)
     made.add_common()
@@ -134,8 +134,7 @@ def figure_of(record, path, events, window):
 
 
 def run():
-    made = parser()
-    options = made.parse_args()
+    options = parser().parse_args()
     check_output(options.output, options.force, (".png", ".pdf", ".svg"), [options.record])
     record = open_record(options.record)
     events = analyze("events", options.record)["events"]

@@ -36,7 +36,7 @@ def parser():
         "film of a record",
         "record",
     )
-    made.add_argument("record", metavar="RECORD", help="record, or the .part of one")
+    made.add_argument("record", metavar="RECORD")
     made.add_output("film to write: .gif, or .mp4 or .webm with ffmpeg")
     text = "quantity that colours the slider"
     made.add_argument("--colour", choices=(*COLOURS,), default="speed", help=text)

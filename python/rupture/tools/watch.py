@@ -30,7 +30,7 @@ def parser():
         "watch a run in progress, in a window or as text",
         "record",
     )
-    made.add_argument("record", metavar="RECORD.part", help="record that a run writes")
+    made.add_argument("record", metavar="RECORD.part")
     made.add_time("--every", "time between updates", least=0.01, most=86400, default=1.0)
     made.add_argument("--text", action="store_true", help="text, even if there is a display")
     made.add_common()

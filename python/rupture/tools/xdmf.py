@@ -30,12 +30,7 @@ def parser():
         "series of checkpoints for ParaView and VTK",
         "checkpoint",
     )
-    made.add_argument(
-        "checkpoints",
-        metavar="CHECKPOINT",
-        nargs="+",
-        help="checkpoints, in any order; equal ones count once",
-    )
+    made.add_argument("checkpoints", metavar="CHECKPOINT", nargs="+")
     made.add_output("file to write: .xdmf")
     made.add_common()
     return made
