@@ -1,9 +1,8 @@
-#!/usr/bin/env python3
-"""Prints one value of a JSON file, for use in a command: value.py choice.json fast-slow-fast.until
+"""One value of a JSON file, for use in a command: {VALUE} choice.json fast-slow-fast.until
 
 Several names stand for the first of them that has a value:
 
-    value.py front.json slow.t_to t_rupture.56
+    {VALUE} front.json slow.t_to t_rupture.56
 """
 
 import json
@@ -26,8 +25,4 @@ def main(path, *names):
     found = [value for value in (find(tree, name) for name in names) if value is not None]
     if not found:
         sys.exit(f"value.py: {path} has no value {' or '.join(names)}.")
-    print(found[0] if isinstance(found[0], str) else json.dumps(found[0]))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return found[0]
