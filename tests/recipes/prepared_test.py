@@ -4,6 +4,7 @@
 import math
 
 import numpy as np
+from pytest import mark
 
 import decay_length
 import no_slip_force
@@ -17,28 +18,25 @@ BLOCKS = 16
 TAU_0 = 3.0
 
 
-class TestOneProfile:
-    def test_an_exponential_has_its_own_decay_length_by_each_method(self):
-        excess = 5 * np.exp(-np.arange(9) / 2.0)
-        for name in (PRIMARY, "5 blocks ahead", "without the block at the tip"):
-            assert decay_length.METHODS[name](excess) == approx(2.0)
-        assert decay_length.METHODS["fall to 1/e"](excess) == approx(2.0)
+EXPONENTIAL = 5 * np.exp(-np.arange(9) / 2.0)
+UNEVEN = np.exp(-np.array([0, 1, 2, 4, 14, 24.0]))  # each fit uses its own blocks
+LENGTHS = [  # the method, the excess ahead of the tip, and its decay length [blocks]
+    *((method, EXPONENTIAL, 2.0) for method in decay_length.METHODS.values()),
+    # 1, 0.5, 0: falls to 1/e at 1 + (0.5 - 1/e)/0.5, on a straight line between blocks
+    (decay_length.distance_to_1_over_e, [2.0, 1.0, 0.0], 2 - 2 / math.e),
+    # slope: (1.5 * 0 + 0.5 * 1 - 0.5 * 2 - 1.5 * 4)/(2 * 1.5^2 + 2 * 0.5^2) = -1.3
+    (decay_length.exponential(0, 3), UNEVEN, 1 / 1.3),
+    (decay_length.exponential(3, 5), UNEVEN, 0.1),
+    # What does not decay has none.
+    (decay_length.exponential(0, 3), [1.0, 0.5, 0.0, 0.1], None),
+    (decay_length.exponential(0, 3), [1.0, 2, 3, 4], None),
+    (decay_length.distance_to_1_over_e, [1.0, 0.9, 0.8], None),
+]
 
-    def test_1_over_e_lies_on_a_straight_line_between_blocks(self):
-        # 1, 0.5, 0: falls to 1/e at 1 + (0.5 - 1/e)/0.5
-        found = decay_length.distance_to_1_over_e(np.array([2.0, 1.0, 0.0]))
-        assert found == approx(2 - 2 / math.e)
 
-    def test_each_fit_uses_its_own_blocks(self):
-        excess = np.exp(-np.array([0, 1, 2, 4, 14, 24.0]))
-        # slope: (1.5 * 0 + 0.5 * 1 - 0.5 * 2 - 1.5 * 4)/(2 * 1.5^2 + 2 * 0.5^2) = -1.3
-        assert decay_length.exponential(0, 3)(excess) == approx(1 / 1.3)
-        assert decay_length.exponential(3, 5)(excess) == approx(0.1)
-
-    def test_what_does_not_decay_has_no_length(self):
-        assert decay_length.exponential(0, 3)(np.array([1.0, 0.5, 0.0, 0.1])) is None
-        assert decay_length.exponential(0, 3)(np.array([1.0, 2, 3, 4])) is None
-        assert decay_length.distance_to_1_over_e(np.array([1.0, 0.9, 0.8])) is None
+@mark.parametrize("method, excess, length", LENGTHS)
+def test_the_decay_length_of_a_profile(method, excess, length):
+    assert method(np.array(excess)) == (length and approx(length))
 
 
 def record(rupture_of):
