@@ -122,6 +122,7 @@ def test_recipes_and_commands_of_reproduce():
         ("prep", "prepare"),
         ("load --unt", "--until"),
         ("analyze front --rupt", "--ruptured-below"),
+        ("help analyze ver", "verify"),
         ("load --set junctions.la", "junctions.law="),
         ("load --set junctions.law=dec", "decaying"),
         ("load --config m", "my.ini"),

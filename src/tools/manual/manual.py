@@ -20,7 +20,6 @@ PATTERNS = {
     "checkpoint": "*.h5",
     "record": "*.h5",
     "file": "*.h5",
-    "part": "*.h5.part",
     "options and parameters": "*.ini",
 }
 EXAMPLES = Path(__file__).with_name("examples.sh")
@@ -31,17 +30,6 @@ def roff(text):
     """Text that troff prints as it is."""
     escaped = "".join(ROFF.get(letter, letter) for letter in " ".join(text.split()))
     return f"\\&{escaped}" if escaped.startswith(".") else escaped
-
-
-def pattern(holds):
-    return PATTERNS.get(holds, "*")
-
-
-def zsh_help(text):
-    """An explanation within the brackets of _arguments, in single quotes."""
-    for letter in "\\[]:":
-        text = text.replace(letter, f"\\{letter}")
-    return text.replace("'", "'\\''")
 
 
 def answer(program, *words):
@@ -67,6 +55,57 @@ def leaves(tools):
     return [leaf for tool in tools for leaf in tool["commands"] or [tool]]
 
 
+def explained(things, before="", after="", key="name"):
+    texts = ((one[key], one.get("summary") or one["help"]) for one in things if one[key])
+    return [f"{before}{name.split()[-1]}{after}:{text}" for name, text in texts]
+
+
+def files(holds):
+    return [f":{PATTERNS.get(holds, '*')}"]
+
+
+def values_of(option, parameters):
+    if "|" in option["value"]:
+        return option["words"] or option["value"].split("|")[1:]
+    if option["kind"] == "parameter":
+        return explained(parameters, after="=")
+    return files(option["holds"]) if option["kind"] in ("input file", "output file") else []
+
+
+def arguments_of(leaf, parameters):
+    """Any file behind words, and of what describes neither options nor input."""
+    if leaf["input"] == "parameter":
+        return explained(parameters)
+    if leaf["input"] == "word":
+        return [*leaf["words"], *files("any")]
+    return files(leaf["input"]) if leaf["input"] or not leaf["options"] else []
+
+
+def completions(tools, parameters):
+    """What may follow, by the words before: WORD:EXPLANATION or WORD, and last :PATTERN of files,
+    which may follow if no word fits."""
+    found = {"help": explained(tools)}
+    found[""] = ["help:say how a tool is used", *found["help"], "--help", "--version"]
+    for tool in tools:
+        if tool["commands"]:
+            found[tool["name"]] = ["help", *explained(tool["commands"])]
+            found[f"help {tool['name']} "] = found[tool["name"]]
+    for leaf in leaves(tools):
+        name = leaf["name"]
+        shorts = explained(leaf["options"], before="-", key="short")
+        found[f"{name} -"] = explained(leaf["options"], before="--") + shorts
+        found[f"{name} *"] = arguments_of(leaf, parameters)
+        for option in leaf["options"]:
+            if option["kind"] != "flag":
+                found[f"{name} --{option['name']}"] = values_of(option, parameters)
+                if option["short"]:
+                    found[f"{name} -{option['short']}"] = values_of(option, parameters)
+    found |= {f"{row['name']}=": row["words"] for row in parameters}
+    found["reproduce sweep"] = files("options and parameters")
+    found["golden check"] = found["golden regenerate"] = files("any")
+    return found
+
+
 def templates():
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(Path(__file__).parent),
@@ -75,12 +114,7 @@ def templates():
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    environment.filters |= {
-        "roff": roff,
-        "pattern": pattern,
-        "quoted": shlex.quote,
-        "zsh_help": zsh_help,
-    }
+    environment.filters |= {"roff": roff, "quoted": shlex.quote}
     return environment
 
 
@@ -93,12 +127,13 @@ def main(programs, output, version):
     rupture = answer(programs / "rupture", "--describe")
     tools = [with_defaults(tool) for tool in rupture.pop("tools")]
     rows = answer(programs / "parameters", "--json")["parameters"]
+    parameters = [{"words": []} | row for row in rows]
     environment = templates()
     environment.globals |= {
         "rupture": with_defaults(rupture),
         "tools": tools,
-        "leaves": leaves(tools),
-        "parameters": [{"words": []} | row for row in rows],
+        "completions": completions(tools, parameters),
+        "parameters": parameters,
         "examples": EXAMPLES.read_text(encoding="utf-8").splitlines(),
         "version": version,
     }
