@@ -79,6 +79,7 @@ def complete(line):
         ("analyze front --event ''", ["first-spanning"]),
         ("golden ''", ["check", "regenerate"]),
         ("golden check no", ["note.txt"]),
+        ("golden check golden.sums no", ["note.txt"]),
         ("reproduce --pro", ["--profile", "--programs"]),
         ("restart folder/", ["folder/c.h5"]),
         ("load ''", []),

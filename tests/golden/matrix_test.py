@@ -1,0 +1,70 @@
+"""Builds the programs that make states as a line of matrix.txt says. They go on from the files of
+tests/compatibility, and give the golden checksums. The `analyze` that is tested reads both."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from conftest import BIN, BUILD, ROOT, SKIPPED, need, skip
+
+HERE = Path(__file__).parent
+LINES = [line.split() for line in (HERE / "matrix.txt").read_text().splitlines()]
+BUILDS = {name: words for name, *words in LINES if name != "#"}
+PROGRAMS = ("load", "prepare", "restart", "modify-phi")
+# As fast as it can be compiled: the states come from the library, so the programs need no
+# optimisation, and all files of a target are one.
+FAST = """-G Ninja -DCMAKE_BUILD_TYPE=None -DRUPTURE_PROGRAM_FLAGS=-O0 -DCMAKE_UNITY_BUILD=ON
+    -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DRUPTURE_WERROR=OFF
+    -DRUPTURE_TESTS=OFF -DRUPTURE_BENCHMARKS=OFF"""
+
+
+def succeeds(*command):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode == SKIPPED:
+        skip(done.stdout)
+    print(done.stdout)
+    assert done.returncode == 0
+
+
+def build(folder, level, *choice):
+    flags = f"-DCMAKE_CXX_FLAGS={level}", f"-DRUPTURE_KERNEL_FLAGS={level}"
+    succeeds("cmake", "-S", ROOT, "-B", folder, *FAST.split(), *flags, *choice)
+    succeeds("cmake", "--build", folder, "--parallel", "1", "--target", *PROGRAMS)
+    return folder / "bin"
+
+
+def build_native(folder, compiler, level):
+    need(compiler)
+    c_compiler = compiler.replace("clang++", "clang").replace("g++", "gcc")
+    choice = f"-DCMAKE_C_COMPILER={c_compiler}", f"-DCMAKE_CXX_COMPILER={compiler}"
+    return build(folder, level, *choice)
+
+
+def build_cross(folder, compiler, level, architecture):
+    """In place of each program for another processor, a script that runs it."""
+    processor = compiler.partition("-")[0]
+    need(compiler, f"qemu-{processor}")
+    succeeds(HERE / "sysroot.sh", architecture, folder.parent)
+    sysroot = folder.with_name(f"sysroot-{architecture}")
+    toolchain = ROOT / f"cmake/{processor}.cmake"
+    programs = build(folder, level, f"--toolchain={toolchain}", f"-DCMAKE_SYSROOT={sysroot}")
+    scripts = folder / "emulated"
+    scripts.mkdir(exist_ok=True)
+    for name in PROGRAMS:
+        run_it = f"exec qemu-{processor} -L '{sysroot}' '{programs}/{name}' \"$@\""
+        (scripts / name).write_text(f"#!/bin/bash\n{run_it}\n")
+        (scripts / name).chmod(0o755)
+    return scripts
+
+
+@pytest.mark.parametrize("name", BUILDS)
+def test_gives_the_golden_checksums(name):
+    folder = BUILD.resolve() / "matrix" / name
+    make = build_cross if BUILDS[name][2:] else build_native
+    programs = make(folder, *BUILDS[name])  # type: ignore[operator]
+    (programs / "analyze").unlink(missing_ok=True)
+    (programs / "analyze").symlink_to((BIN / "analyze").resolve())
+    succeeds(ROOT / "tests/compatibility/compatibility.sh", "check", programs)
+    golden = BIN / "golden", "check", "--tools", programs, "--work", folder / "golden"
+    succeeds(*golden, HERE / "checksums.txt", HERE / "chain.sh")
