@@ -59,6 +59,8 @@ def test_all_options_and_commands_are_explained(tool):
     for option in tool.get("options", []):
         assert f"--{option['name']}" in text and words(option["help"]) in text
     assert f"EXAMPLES rupture {tool['name']}" in text
+    others = [f"rupture-{other['name']}(1)," for other in TOOLS if other is not tool]
+    assert f"SEE ALSO {' '.join(others)} rupture(1)" in text
 
 
 def test_the_examples_run(folder):

@@ -118,10 +118,6 @@ def templates():
     return environment
 
 
-def write_page(path, text):
-    path.write_bytes(gzip.compress(text.encode(), 9, mtime=0))
-
-
 def main(programs, output, version):
     programs, output = Path(programs), Path(output)
     rupture = answer(programs / "rupture", "--describe")
@@ -130,7 +126,6 @@ def main(programs, output, version):
     parameters = [{"words": []} | row for row in rows]
     environment = templates()
     environment.globals |= {
-        "rupture": with_defaults(rupture),
         "tools": tools,
         "completions": completions(tools, parameters),
         "parameters": parameters,
@@ -138,10 +133,12 @@ def main(programs, output, version):
         "version": version,
     }
     (output / "man").mkdir(parents=True, exist_ok=True)
-    write_page(output / "man/rupture.1.gz", environment.get_template("rupture.1.j2").render())
-    for tool in [*tools, *leaves(tools)]:
-        page = environment.get_template("tool.1.j2").render(tool=tool)
-        write_page(output / f"man/rupture-{tool['name'].replace(' ', '-')}.1.gz", page)
+    top = with_defaults(rupture | {"name": "", "commands": tools})
+    for tool in [top, *tools, *leaves(tools)]:
+        page = f"rupture-{tool['name']}".replace(" ", "-").removesuffix("-")
+        text = environment.get_template("page.1.j2").render(tool=tool, page=page)
+        path = output / f"man/{page}.1.gz"
+        path.write_bytes(gzip.compress(text.encode(), 9, mtime=0))
     for name in ("rupture", "_rupture"):
         text = environment.get_template(f"{name}.j2").render()
         (output / name).write_text(text, encoding="utf-8")
