@@ -29,23 +29,6 @@ Parameters with_law(Law law, std::int64_t N_s) {
   return p;
 }
 
-TEST(SlippingTimes, each_break_draws_the_next_number_of_its_junction) {
-  Parameters p = hand_made(3);
-  p.delta_t_R = 0.6e-3;
-  Interface block(p);
-  double t = 0.0;
-  for (std::uint32_t n = 0; n < 4; ++n) {
-    block.move(block.u() + 0.21, t);
-    for (std::uint32_t j = 0; j < 3; ++j) {
-      EXPECT_EQ(block.junctions().draws(0, j), n + 1);
-      EXPECT_EQ(block.junctions().repin_time(0, j), t + slipping_time(p, 0, j, n));
-    }
-    t += 1.0;  // all are pinned again
-    block.move(block.u(), t);
-    EXPECT_EQ(block.pinned(), 3);
-  }
-}
-
 TEST(Claim1F, one_junction_rises_to_mu_s_drops_to_mu_d_and_is_zero_after_t_R) {
   Parameters p;  // the reference junction
   p.Nx = 1;
@@ -87,19 +70,6 @@ TEST(SeveralBlocks, draw_and_rub_independently) {
   }
 }
 
-TEST(DecayingLaw, lets_each_junction_decay_in_its_own_slipping_time) {
-  Parameters p = with_law(Law::decaying, 9);
-  p.delta_t_R = 0.2e-3;
-  Interface block(p);
-  block.move(kBrokenAt, 0.0);
-  const double t = 0.7e-3;  // all still slip
-  block.move(0.4, t);
-  double expected = 0.0;
-  for (std::uint32_t j = 0; j < 9; ++j) expected += 0.2 - 0.08 * t / slipping_time(p, 0, j, 0);
-  EXPECT_EQ(block.pinned(), 0);
-  EXPECT_NEAR(block.friction(), expected, 20 * kRounding);
-}
-
 TEST(DecayingLaw, stays_between_mu_d_and_mu_new_when_t_R_has_changed) {
   Parameters p = with_law(Law::decaying, 1);
   Interface block(p);
@@ -115,15 +85,6 @@ TEST(DecayingLaw, stays_between_mu_d_and_mu_new_when_t_R_has_changed) {
   }
 }
 
-TEST(SimplifiedLaw, has_the_stiffness_and_strength_of_all_junctions_together) {
-  Interface block(with_law(Law::simplified, 50));  // f_N = 1 N on each of 50
-  EXPECT_EQ(block.junctions().attachment.cols(), 1);
-  block.move(0.1, 0.0);
-  EXPECT_NEAR(block.friction(), 50 * 0.2, 1e-13);
-  EXPECT_EQ(block.move(0.21, 0.0).broken, 1);
-  EXPECT_NEAR(block.friction(), 50 * kSlipForce, 1e-13);
-}
-
 TEST(SimplifiedLaw, pulls_a_sliding_block_forwards_no_harder_than_mu_d_p) {
   for (const double sign : {1.0, -1.0}) {
     Interface block(with_law(Law::simplified, 1));
@@ -133,33 +94,6 @@ TEST(SimplifiedLaw, pulls_a_sliding_block_forwards_no_harder_than_mu_d_p) {
     EXPECT_NEAR(block.friction(), -sign * kSlipForce, kRounding);
     EXPECT_EQ(block.pinned(), 0);
   }
-}
-
-TEST(DistanceLaw, breaks_again_with_the_next_distance) {
-  Parameters p = with_law(Law::distance, 1);
-  p.delta_d_R = 0.1;
-  Interface block(p);
-  for (const std::uint32_t n : {0U, 1U}) {
-    block.move(block.u() + kBrokenAt, 0.0);
-    EXPECT_EQ(block.junctions().slip_left(0, 0),
-              folded_gaussian(p.d_R, p.delta_d_R, p.seed, 0, 0, n));
-    block.move(block.u() + 5.0, 1e-3);
-  }
-}
-
-TEST(DistanceLaw, pins_each_junction_after_its_own_distance) {
-  Parameters p = with_law(Law::distance, 9);
-  p.delta_d_R = 0.1;
-  Interface block(p);
-  block.move(kBrokenAt, 0.0);
-  block.move(kBrokenAt + kDistance, 1e-3);
-  std::int32_t expected = 0;
-  for (std::uint32_t j = 0; j < 9; ++j) {
-    expected += folded_gaussian(p.d_R, p.delta_d_R, p.seed, 0, j, 0) <= kDistance ? 1 : 0;
-  }
-  EXPECT_GT(expected, 0);
-  EXPECT_LT(expected, 9);
-  EXPECT_EQ(block.pinned(), expected);
 }
 
 /// Of two junctions that have broken, the first is pinned again.
