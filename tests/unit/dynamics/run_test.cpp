@@ -25,66 +25,61 @@ class Every : public Observer {
 };
 
 /// With ten blocks beyond the loading zone; ruptures from end to end between steps 1,700 and 2,850.
-Parameters quickly_ruptured_slider() {
-  Parameters p = testing::small_slider(19, 5);
-  p.V = 0.1;
-  return p;
-}
+class Run : public ::testing::Test {
+ protected:
+  static Parameters quickly_ruptured() {
+    Parameters p = testing::small_slider(19, 5);
+    p.V = 0.1;
+    return p;
+  }
+  const Parameters p_ = quickly_ruptured();
+  const State start_ = normal_load_equilibrium(p_);
+  Simulation simulation_{p_, start_};
+};
 
 using Steps = std::vector<std::int64_t>;
 
-TEST(Run, shows_observers_the_steps_they_ask_for) {
-  const Parameters p = quickly_ruptured_slider();
-  Simulation simulation(p, normal_load_equilibrium(p));
+TEST_F(Run, shows_observers_the_steps_they_ask_for) {
   Every seven(7), ten(10);
-  EXPECT_EQ(run(simulation, {30, std::nullopt}, {&seven, &ten}), Ending::last_step);
-  EXPECT_EQ(simulation.state().step, 30);
+  EXPECT_EQ(run(simulation_, {30, std::nullopt}, {&seven, &ten}), Ending::last_step);
+  EXPECT_EQ(simulation_.state().step, 30);
   EXPECT_EQ(seven.seen, (Steps{0, 7, 14, 21, 28}));
   EXPECT_EQ(ten.seen, (Steps{0, 10, 20, 30}));
 }
 
-TEST(Run, goes_on_from_a_later_step) {
-  const Parameters p = quickly_ruptured_slider();
-  Simulation simulation(p, normal_load_equilibrium(p));
-  run(simulation, {25, std::nullopt}, {});
+TEST_F(Run, goes_on_from_a_later_step) {
+  run(simulation_, {25, std::nullopt}, {});
   Every ten(10);
-  run(simulation, {50, std::nullopt}, {&ten});
+  run(simulation_, {50, std::nullopt}, {&ten});
   EXPECT_EQ(ten.seen, (Steps{25, 30, 40, 50}));
 }
 
-TEST(Run, does_nothing_when_the_last_step_is_reached_already) {
-  const Parameters p = quickly_ruptured_slider();
-  Simulation simulation(p, normal_load_equilibrium(p));
-  EXPECT_EQ(run(simulation, {0, std::nullopt}, {}), Ending::last_step);
-  EXPECT_EQ(simulation.state().step, 0);
+TEST_F(Run, never_passes_the_last_step) {
+  EXPECT_EQ(run(simulation_, {0, std::nullopt}, {}), Ending::last_step);
+  EXPECT_EQ(simulation_.state().step, 0) << "which is reached already";
+  EXPECT_EQ(run(simulation_, {150, 1000}, {}), Ending::last_step);
+  EXPECT_EQ(simulation_.state().step, 150);
 }
 
-TEST(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
-  Parameters p = quickly_ruptured_slider();
-  p.V = 0.0;  // nothing breaks
-  Simulation simulation(p, normal_load_equilibrium(p));
-  EXPECT_EQ(run(simulation, {10000, 250}, {}), Ending::quiet);
-  EXPECT_EQ(simulation.state().step, 300);
+TEST_F(Run, ends_at_a_whole_hundred_after_an_event_has_spanned) {
+  EXPECT_EQ(run(simulation_, {10000, 5000}, {}), Ending::spanned);
+  const std::int64_t edge = simulation_.ruptures().back().step;
+  EXPECT_EQ(simulation_.ruptures().back().block, 18);
+  EXPECT_EQ(simulation_.state().step, (edge + 99) / 100 * 100);
 }
 
-TEST(Run, ends_at_a_whole_hundred_after_an_event_has_spanned) {
-  const Parameters p = quickly_ruptured_slider();
-  Simulation simulation(p, normal_load_equilibrium(p));
-  EXPECT_EQ(run(simulation, {10000, 5000}, {}), Ending::spanned);
-  const std::int64_t edge = simulation.ruptures().back().step;
-  EXPECT_EQ(simulation.ruptures().back().block, 18);
-  EXPECT_EQ(simulation.state().step, (edge + 99) / 100 * 100);
-}
-
-TEST(Run, does_not_end_where_the_leading_edge_ruptures_alone) {
-  Parameters p = quickly_ruptured_slider();
+TEST_F(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
+  Parameters p = p_;
   p.V = 0.0;
-  State state = normal_load_equilibrium(p);
+  State state = continued(start_, p);
+  Simulation quiet(p, state);
+  EXPECT_EQ(run(quiet, {10000, 250}, {}), Ending::quiet);
+  EXPECT_EQ(quiet.state().step, 300);
   state.junctions.attachment.row(18) -= 1e-5;
-  Simulation simulation(p, state);
-  EXPECT_EQ(run(simulation, {10000, 250}, {}), Ending::quiet);
-  EXPECT_EQ(simulation.ruptures().size(), 1U);
-  EXPECT_TRUE(simulation.run().leading_edge_ruptured);
+  Simulation edge_alone(p, state);  // which is no event that spans
+  EXPECT_EQ(run(edge_alone, {10000, 250}, {}), Ending::quiet);
+  EXPECT_EQ(edge_alone.ruptures().size(), 1U);
+  EXPECT_TRUE(edge_alone.run().leading_edge_ruptured);
 }
 
 TEST(RunSoFar, tells_whether_one_of_its_events_has_spanned) {
@@ -101,21 +96,14 @@ TEST(RunSoFar, tells_whether_one_of_its_events_has_spanned) {
   EXPECT_TRUE(has_spanned_after(3.0102, 36, 56)) << "9.85 ms later: the same event, 5 t_R = 10 ms";
 }
 
-TEST(Run, asks_more_often_whether_it_is_interrupted_where_there_are_many_junctions) {
-  Parameters p = quickly_ruptured_slider();
+TEST_F(Run, asks_more_often_whether_it_is_interrupted_where_there_are_many_junctions) {
+  Parameters p = p_;
   p.N_s = 100000;
   Simulation simulation(p, normal_load_equilibrium(p));
   int questions = 0;
   const auto interrupted = [&] { return ++questions > 1; };
   EXPECT_EQ(run(simulation, {.last_step = 100, .quiet_steps = {}, .interrupted = interrupted}, {}),
             Ending::interrupted);
-}
-
-TEST(Run, never_passes_the_last_step) {
-  const Parameters p = quickly_ruptured_slider();
-  Simulation simulation(p, normal_load_equilibrium(p));
-  EXPECT_EQ(run(simulation, {150, 1000}, {}), Ending::last_step);
-  EXPECT_EQ(simulation.state().step, 150);
 }
 
 }  // namespace
