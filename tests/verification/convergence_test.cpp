@@ -67,27 +67,19 @@ Orders orders(double dt, const Run& run) {
   return {order(&State::u_x), order(&State::v_x)};
 }
 
-TEST(VelocityVerlet, is_of_second_order_without_damping) {
-  Parameters p = testing::small_slider(9, 5);
-  p.damping = 0.0;
-  const Orders found = orders(1e-7, [&](double dt) { return slider_after_80_us(p, dt); });
-  EXPECT_NEAR(found.displacement, 2.0, 0.02);
-  EXPECT_NEAR(found.velocity, 2.0, 0.02);
+void expect_order(const Orders& found, double order, double tolerance) {
+  EXPECT_NEAR(found.displacement, order, tolerance);
+  EXPECT_NEAR(found.velocity, order, tolerance);
 }
 
-TEST(VelocityVerlet, is_of_first_order_with_damping) {
-  const Parameters p = testing::small_slider(9, 5);
-  const Orders found = orders(1e-7, [&](double dt) { return slider_after_80_us(p, dt); });
-  EXPECT_NEAR(found.displacement, 1.0, 0.05);
-  EXPECT_NEAR(found.velocity, 1.0, 0.05);
-}
-
-TEST(VelocityVerlet, is_of_second_order_from_a_state_whose_time_step_was_changed) {
+TEST(VelocityVerlet, is_of_second_order_without_damping_and_of_first_order_with_it) {
   Parameters p = testing::small_slider(9, 5);
+  const auto run = [&](double dt) { return slider_after_80_us(p, dt); };
+  expect_order(orders(1e-7, run), 1.0, 0.05);
   p.damping = 0.0;
-  const Orders found = orders(1e-7, [&](double dt) { return continued(p, 2e-7, dt); });
-  EXPECT_NEAR(found.displacement, 2.0, 0.02);
-  EXPECT_NEAR(found.velocity, 2.0, 0.02);
+  expect_order(orders(1e-7, run), 2.0, 0.02);
+  const auto after_other_steps = [&](double dt) { return continued(p, 2e-7, dt); };
+  expect_order(orders(1e-7, after_other_steps), 2.0, 0.02);
 }
 
 }  // namespace

@@ -22,38 +22,21 @@ const std::vector<double> kSpeeds = {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 1e-1, 1.0};  
 // scatter at most; a step is 1/4000 of a cycle, and events come up to a step late twice in a cycle.
 constexpr double kTolerance = 0.002, kStep = 2.0 / 4000.0;
 
-void expect_renewal_theory(const Parameters& p) {
-  for (const double v : kSpeeds) {
-    const double expected = renewal_friction(block_of(p), v);
-    const Mean measured = measured_friction(block_of(p), v);
-    EXPECT_NEAR(measured.value, expected, kTolerance * expected) << v << " m/s";
-    EXPECT_NEAR(measured.value, expected, 4.0 * measured.standard_error + kStep * expected);
-    EXPECT_LT(measured.standard_error, kTolerance / 2.0 * expected) << v << " m/s";
-  }
-}
-
-TEST(SteadySliding, follows_renewal_theory) {
-  expect_renewal_theory(Parameters{});
-}
-
-TEST(SteadySliding, follows_renewal_theory_with_exponential_slipping_times) {
-  Parameters p;
-  p.slipping_times = SlippingTimes::exponential;
-  expect_renewal_theory(p);
-}
-
-TEST(SteadySliding, follows_renewal_theory_when_junctions_keep_f_slip) {
-  Parameters p;
-  p.f_new = NewForce::f_slip;
-  expect_renewal_theory(p);
-}
-
-TEST(SteadySliding, friction_falls_monotonically_with_speed) {
-  double before = 1.0;
-  for (const double v : kSpeeds) {
-    const double now = measured_friction(block_of(Parameters{}), v).value;
-    EXPECT_LT(now, before) << v << " m/s";
-    before = now;
+TEST(SteadySliding, follows_renewal_theory_and_falls_monotonically_with_speed) {
+  Parameters exponential, keeping_f_slip;
+  exponential.slipping_times = SlippingTimes::exponential;
+  keeping_f_slip.f_new = NewForce::f_slip;
+  for (const Parameters& p : {Parameters{}, exponential, keeping_f_slip}) {
+    double before = 1.0;
+    for (const double v : kSpeeds) {
+      const double expected = renewal_friction(block_of(p), v);
+      const Mean measured = measured_friction(block_of(p), v);
+      EXPECT_NEAR(measured.value, expected, kTolerance * expected) << v << " m/s";
+      EXPECT_NEAR(measured.value, expected, 4.0 * measured.standard_error + kStep * expected);
+      EXPECT_LT(measured.standard_error, kTolerance / 2.0 * expected) << v << " m/s";
+      EXPECT_LT(measured.value, before) << v << " m/s";
+      before = measured.value;
+    }
   }
 }
 
