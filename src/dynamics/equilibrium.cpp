@@ -14,10 +14,6 @@
 namespace rupture {
 namespace {
 
-void place_driving_point(const Parameters& p, State& state) {
-  state.drive = {state.step, state.u_x(0, driving_row(p))};
-}
-
 void check_strength(const Parameters& p, const State& state) {
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto friction = interface_forces(p, {}, state, i);
@@ -156,7 +152,7 @@ State normal_load_equilibrium(const Parameters& p) {
                     p.F_N, p.E));
   }
   check_strength(p, *state);
-  place_driving_point(p, *state);
+  state->drive = {state->step, state->u_x(0, driving_row(p))};
   return *std::move(state);
 }
 

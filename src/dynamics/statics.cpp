@@ -67,19 +67,15 @@ class Dissection {
   std::vector<Eigen::Index> places_;
 };
 
-/// The blocks one after the other: row by row, or in the order of nested dissection.
-std::vector<Eigen::Index> places_of_blocks(const Parameters& p, Elimination elimination) {
-  if (elimination == Elimination::nested_dissection) return nested_dissection(p.Nx, p.Nz);
-  std::vector<Eigen::Index> places(static_cast<std::size_t>(p.Nx * p.Nz));
-  std::iota(places.begin(), places.end(), 0);
-  return places;
-}
-
-/// Index of u_x of block (i, j) among the unknowns; that of u_z is one more.
+/// Index of u_x of block (i, j) among the unknowns; that of u_z is one more. The blocks come one
+/// after the other: row by row, or in the order of nested dissection.
 class Unknowns {
  public:
   Unknowns(const Parameters& p, Elimination elimination)
-      : Nx_(p.Nx), places_(places_of_blocks(p, elimination)) {}
+      : Nx_(p.Nx), places_(static_cast<std::size_t>(p.Nx * p.Nz)) {
+    std::iota(places_.begin(), places_.end(), 0);
+    if (elimination == Elimination::nested_dissection) places_ = nested_dissection(p.Nx, p.Nz);
+  }
   Eigen::Index operator()(Eigen::Index i, Eigen::Index j) const {
     return 2 * places_[static_cast<std::size_t>(j * Nx_ + i)];
   }
@@ -270,17 +266,14 @@ double largest(const Field& f_x, const Field& f_z) {
 }
 
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
-                                   Elimination elimination) {
-  if (elimination == Elimination::column_minimum_degree) {
-    return newton<Eigen::COLAMDOrdering<int>>(p, load_case, elimination);
+                                   std::optional<Elimination> elimination) {
+  const bool is_large = p.Nx * p.Nz > kBlocksOfDissection;
+  const Elimination order = elimination.value_or(is_large ? Elimination::nested_dissection
+                                                          : Elimination::column_minimum_degree);
+  if (order == Elimination::column_minimum_degree) {
+    return newton<Eigen::COLAMDOrdering<int>>(p, load_case, order);
   }
-  return newton<Eigen::NaturalOrdering<int>>(p, load_case, elimination);  // that of Unknowns
-}
-
-std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case) {
-  return solve_statics(p, load_case,
-                       p.Nx * p.Nz > kBlocksOfDissection ? Elimination::nested_dissection
-                                                         : Elimination::column_minimum_degree);
+  return newton<Eigen::NaturalOrdering<int>>(p, load_case, order);  // that of Unknowns
 }
 
 std::vector<Eigen::Index> nested_dissection(Eigen::Index Nx, Eigen::Index Nz) {

@@ -45,11 +45,6 @@ std::optional<Place> passed_block(const Parameters& p, const State& state);
 /// Largest component of a vector field.
 double largest(const Field& f_x, const Field& f_z);
 
-/// The slider at rest, by Newton's method with a sparse LU factorisation, until the largest net
-/// force on a block is below 1e-11 F_N / N_x. Nothing if that is not reached or the lattice turns
-/// inside out.
-std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case);
-
 /// Order of elimination of a lattice of Nx x Nz blocks by nested dissection: a line of blocks
 /// cuts the lattice into halves, which are cut in turn, and comes after both. Returns the place of
 /// block (i, j) in that order at [j Nx + i]. Integers and coordinates only.
@@ -58,8 +53,10 @@ std::vector<Eigen::Index> nested_dissection(Eigen::Index Nx, Eigen::Index Nz);
 /// The order in which the factorisation takes the blocks. It moves the last bits of the solution.
 enum class Elimination { column_minimum_degree, nested_dissection };
 
-/// The same in the given order.
+/// The slider at rest, by Newton's method with a sparse LU factorisation, until the largest net
+/// force on a block is below 1e-11 F_N / N_x. Nothing if that is not reached or the lattice turns
+/// inside out. Without a given order, that of the number of blocks (kBlocksOfDissection).
 std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_case,
-                                   Elimination elimination);
+                                   std::optional<Elimination> elimination = {});
 
 }  // namespace rupture
