@@ -158,5 +158,31 @@ TEST(StandingWave, along_a_narrow_free_bar_has_the_bar_speed) {
   EXPECT_NEAR(static_cast<double>(p.Nx) * l / t / bar_speed, 1.0, 0.001);
 }
 
+TEST(StaticStretch, SLOW_has_poisson_ratio_one_third_and_youngs_modulus_E) {
+  // Both ends of a free strip are pulled until the mean strain is 1e-6; relaxed with a drag on
+  // every block.
+  const Parameters p = small_slider(41, 7);
+  const double l = block_spacing(p);
+  const double pull = 1e-6 * p.E * p.B * l * effective_rows(p);
+  const double drag = 0.1 * damping_coefficient(p);
+  Bulk bulk(p);
+  State state(p);
+  for (int n = 0; n < 20000; ++n) {
+    testing::plain_step(p, p.dt, bulk, state, [&](State& s) {
+      s.f_x.blocks().col(0) -= pull / static_cast<double>(p.Nz);
+      s.f_x.blocks().col(p.Nx - 1) += pull / static_cast<double>(p.Nz);
+      s.f_x.blocks() -= drag * s.v_x.blocks();
+      s.f_z.blocks() -= drag * s.v_z.blocks();
+    });
+  }
+  ASSERT_LT(state.v_x.blocks().abs().maxCoeff(), 1e-15) << "not at rest";
+  // in the middle, three heights from the ends
+  const Eigen::Index i = p.Nx / 2;
+  const double strain_x = (state.u_x(i + 1, 3) - state.u_x(i - 1, 3)) / (2.0 * l);
+  const double strain_z = (state.u_z(i, p.Nz - 1) - state.u_z(i, 0)) / p.H;
+  EXPECT_NEAR(-strain_z / strain_x, 1.0 / 3.0, 1e-5);
+  EXPECT_NEAR(strain_x, 1e-6, 1e-6 * 1e-5);
+}
+
 }  // namespace
 }  // namespace rupture

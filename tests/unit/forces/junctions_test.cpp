@@ -85,6 +85,15 @@ TEST(DecayingLaw, stays_between_mu_d_and_mu_new_when_t_R_has_changed) {
   }
 }
 
+TEST(SimplifiedLaw, has_the_stiffness_and_strength_of_all_junctions_together) {
+  Interface block(with_law(Law::simplified, 50));  // f_N = 1 N on each of 50
+  EXPECT_EQ(block.junctions().attachment.cols(), 1);
+  block.move(0.1, 0.0);
+  EXPECT_NEAR(block.friction(), 50 * 0.2, 1e-13);
+  EXPECT_EQ(block.move(0.21, 0.0).broken, 1);
+  EXPECT_NEAR(block.friction(), 50 * kSlipForce, 1e-13);
+}
+
 TEST(SimplifiedLaw, pulls_a_sliding_block_forwards_no_harder_than_mu_d_p) {
   for (const double sign : {1.0, -1.0}) {
     Interface block(with_law(Law::simplified, 1));
