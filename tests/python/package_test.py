@@ -1,9 +1,12 @@
-"""`import rupture`: files, `.part` files, checksums, programs, and the examples in docstrings."""
+"""`import rupture`: files, `.part` files, checksums, programs, and the examples in docstrings; h5py
+and xarray, which need no package of ours."""
 
 import doctest
 import json
+import re
 import shutil
 import subprocess
+import sys
 import time
 from pathlib import Path
 from unittest import mock
@@ -15,8 +18,28 @@ import pytest
 import rupture
 from conftest import BIN, ROOT, SMALL, need_modules
 from rupture.envelope import sealed_header
+from rupture.tables import imported
 
 ORACLE = ROOT / "tests/support/checksum.py"
+SCHEMAS = ROOT / "tests/compatibility"
+DIMENSIONS: dict = {
+    "series": {"F_T": ("time",), "pinned": ("time", "x")},
+    "ruptures": {"block": ("time",)},
+    "crossings": {"levels": ("levels",), "pinned_below": ("time",)},
+    "fields": {"step": ("time",), "u_z": ("time", "z", "x")},
+}
+
+
+def recomputed(path):
+    """The content checksum by h5py alone."""
+    return subprocess.check_output(["/usr/bin/python3", ORACLE, path], text=True).strip()
+
+
+def said_by_page(heading, path):
+    """What the script below this heading of the schema page prints about a file."""
+    page = (ROOT / "docs/schema.md").read_text(encoding="utf-8")
+    script = re.split("```(?:python)?\n", page.split(f"\n{heading}\n")[1])[1]
+    return subprocess.check_output([sys.executable, "-B", "-c", script, path], text=True)
 
 
 def killed(name, pieces):
@@ -27,8 +50,12 @@ def killed(name, pieces):
     run = subprocess.Popen([*command, *record, "--checkpoint-every", "1e-4"])
     while not part.exists() or part.read_bytes().count(b"rupture-record-part\n") < pieces:
         time.sleep(0.01)
+    with h5py.File(part, "r") as first:  # while it is written
+        blocks, samples = first["parameters/slider/Nx"][()], first["series/time"].shape
+        note = first.attrs["note"].decode()
     run.kill()
     run.wait()
+    assert (blocks, samples) == (17, (0,)) and "rupture finish" in note
     return part
 
 
@@ -47,6 +74,7 @@ def test_a_part_is_the_beginning_of_the_record(small):
         assert np.array_equal(part[array][:shared], whole[array][:shared]), array
     assert part.units("tau") == "N"
     assert part.parameters == whole.parameters
+    assert said_by_page("#### While it grows", name) == f"{len(part.time)} samples\n"
     fails("cannot be verified: its run has not ended", rupture.verify, name)
 
 
@@ -99,12 +127,26 @@ def test_contains_without_listing_all(small):
     fails("has no ", record.dataset, "")
 
 
-@pytest.mark.parametrize("path", sorted(ROOT.glob("tests/compatibility/schema-*/*.h5")), ids=str)
+@pytest.mark.parametrize("path", sorted(SCHEMAS.glob("schema-*/*.h5")), ids=str)
 def test_verifies_files_of_every_schema(path):
     with rupture.open(path) as file:
-        stated = file.checksum
-    oracle = subprocess.check_output(["/usr/bin/python3", ORACLE, path], text=True)
-    assert rupture.verify(path) == stated == oracle.strip()
+        assert rupture.verify(path) == file.checksum == recomputed(path)
+
+
+@pytest.mark.parametrize("law", ["reference", "simplified", "decaying", "distance"])
+def test_h5py_recomputes_the_checksum_under_each_law(law, folder):
+    """All parameters of some laws, and all later ones, are away from their defaults; f_new only
+    where the programs accept that."""
+    known = json.loads(rupture.output_of("parameters", "--json"))["parameters"]
+    earlier = rupture.open(SCHEMAS / "schema-2/reference.h5").parameters
+    odd = {
+        row["name"]: row.get("words", [0.01])[-1]
+        for row in known
+        if (len(row["laws"]) < 4 or row["name"] not in earlier)
+        and (law in row["laws"] or row["name"] != "junctions.f_new")
+    }
+    made = rupture.run("load", output="x.h5", config=SMALL, set=odd | {"junctions.law": law})
+    assert recomputed("x.h5") == made.checksum
 
 
 def test_a_content_that_is_not_as_stated_is_damaged(small):
@@ -148,6 +190,25 @@ def test_xarray_and_pandas_hold_the_arrays(small):
     assert state["junctions_attachment"].dims == ("x", "junction")
     where = (checkpoint.z[2], checkpoint.x[4])
     assert checkpoint.to_dataframe().loc[where, "u_z"] == checkpoint["u_z"][2, 4]
+
+
+@pytest.mark.filterwarnings("error")
+def test_xarray_alone_finds_dimensions_positions_and_units(folder):
+    need_modules("xarray", "h5netcdf")
+    times = {"until": 4e-4, "record_every": 2e-5, "crossings": 0.5, "fields": 1e-4}
+    record = rupture.run("load", output="x.h5", record="r.h5", config=SMALL, **times).record
+    assert recomputed("r.h5") == record.checksum
+    said = f"Frozen({{'time': 21, 'x': 17}}) N\n{record['tau'][-1, 2]}\n"
+    assert said_by_page("#### Labels", "r.h5") == said
+    for group, dimensions in DIMENSIONS.items():
+        with imported("xarray").open_dataset("r.h5", group=group, engine="h5netcdf") as found:
+            assert {name: found[name].dims for name in dimensions} == dimensions
+            for name, array in found.variables.items():
+                assert np.allclose(array, record[f"{group}/{name}"], rtol=0, atol=0)
+                assert array.attrs["units"] == record.units(f"{group}/{name}")
+                assert len(array.attrs["long_name"]) > 3
+            for name in {"x", "z"} & {*found.sizes}:
+                assert np.allclose(found[name], getattr(record, name))
 
 
 def test_programs_that_draw_give_the_path_of_the_picture(small):
