@@ -1,4 +1,4 @@
-"""Room and permissions that really run out: full disks, file-size limits, read-only places."""
+"""Room that really runs out: full disks, file-size limits, read-only places."""
 
 import errno
 import os
@@ -9,9 +9,8 @@ from functools import partial
 
 import pytest
 
-from scenario import Folder, case, check_ended, check_failure, each_scenario, run
+from scenario import Folder, case, check_ended, each_scenario, run
 
-NOBODY = {"user": 65534, "group": 65534, "extra_groups": []}
 PAGE = 4096
 
 
@@ -29,17 +28,6 @@ def mounted(files, options):
             yield folder
         finally:
             subprocess.run(["umount", folder.path], check=True)
-
-
-def run_as_nobody(command, folder):
-    """Where the system's mask keeps other users out, too."""
-    for entry in folder.path.iterdir():
-        entry.chmod(0o666)
-    folder.path.chmod(0o555)
-    try:
-        return run(command, folder.path, NOBODY if os.geteuid() == 0 else None)
-    except PermissionError:
-        pytest.skip("another user cannot be become, or cannot run the tools in this folder")
 
 
 @each_scenario()
@@ -66,15 +54,6 @@ def test_limit_of_file_size(scenario):
             outcome = run(scenario.command, folder.path, {"preexec_fn": limit})
             codes.add(check_ended(scenario, outcome, folder.files(), errno.EFBIG))
     assert codes == {0, 1}, "both with and without enough room"
-
-
-@each_scenario()
-def test_folder_that_may_not_be_written(scenario):
-    with Folder(scenario.old) as folder:
-        outcome = run_as_nobody(scenario.command, folder)
-        check_failure(scenario, outcome, "no write permission")
-        assert folder.files().keys() == scenario.old.keys()
-        assert all(folder.files()[name] == data for name, data in scenario.old.items())
 
 
 @each_scenario()
