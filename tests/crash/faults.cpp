@@ -9,10 +9,10 @@
 //   FAULT=<errno>+       the same, and so do all later calls that need room on the disk
 //   FAULT_LOG=file       one line per call, in order, by which power_cut.py replays them
 //
-// Paths of the working folder are the relative ones: the tests start the tools in it.
+// Paths of the working folder are the relative ones: the tests start the tools in it. These are the
+// calls that the tools make; power_cut_test.py fails if they change files by others.
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <sys/uio.h>
 #include <unistd.h>
 
 #include <array>
@@ -122,58 +122,6 @@ int logged(int done, const char* call, const char* a, const char* b = "") {
   return done;
 }
 
-int opened(int fd, const char* path, int flags) {
-  const bool reads = (flags & O_ACCMODE) == O_RDONLY;
-  const char* how = reads ? "read" : (flags & O_TRUNC) != 0 ? "truncate" : "write";
-  log("%s %d %s %s\n", fd < 0 ? "failed-open" : "open", fd, path, how);
-  if (fd >= 0) watched.at(static_cast<std::size_t>(fd)) = true;
-  return fd;
-}
-
-// A call that opens `path`.
-template <class Call>
-int open_with(const char* path, int flags, const Call& call) {
-  if (!is_watched(path)) return call();
-  if (fails((flags & O_CREAT) != 0 ? Needs::room : Needs::nothing)) return -1;
-  return opened(call(), path, flags);
-}
-
-using PWrite = ssize_t(int, const void*, size_t, off_t);
-
-ssize_t write_at(PWrite* real, int fd, const void* bytes, std::size_t size, off_t offset) {
-  const bool now = calls + 1 == plan().at;
-  const bool half = now && (plan().fault == Fault::tear || plan().fault == Fault::shorten);
-  if (half && size > 1) size /= 2;
-  if (now && plan().fault == Fault::tear) real(fd, bytes, size, offset);
-  if (fails(Needs::room)) return -1;
-  const ssize_t written = real(fd, bytes, size, offset);
-  if (written < 0) {
-    log("failed-write %d\n", fd);
-  } else {
-    log("write %d %lld %s\n", fd, static_cast<long long>(offset),
-        hexadecimal(bytes, static_cast<std::size_t>(written)).c_str());
-  }
-  return written;
-}
-
-PWrite* real_pwrite() {
-  static auto* real = next<PWrite>("pwrite64");
-  return real;
-}
-
-// Where a write without an offset goes.
-off_t offset_of(int fd) {
-  const bool appends = (::fcntl(fd, F_GETFL) & O_APPEND) != 0;
-  return ::lseek(fd, 0, appends ? SEEK_END : SEEK_CUR);
-}
-
-ssize_t write_on(int fd, const void* bytes, std::size_t size) {
-  const off_t offset = offset_of(fd);
-  const ssize_t written = write_at(real_pwrite(), fd, bytes, size, offset);
-  if (written > 0) ::lseek(fd, offset + written, SEEK_SET);
-  return written;
-}
-
 // A call on an open file that gives 0, with its arguments in the log.
 template <class Call>
 int call_on(int fd, Needs needs, const char* name, const std::string& arguments, const Call& call) {
@@ -190,49 +138,43 @@ int change_name(const char* name, const char* from, const char* to, const Call& 
   return logged(call(), name, from, to);
 }
 
-mode_t mode_of(int flags, va_list arguments) {
-  return (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
-}
-
 }  // namespace
 
 // NOLINTBEGIN: the names and signatures are those of the C library
 extern "C" {
 
-#define FAULTS_OPEN(name, parameters, ...)                                         \
-  int name parameters {                                                            \
-    static auto* real = next<int parameters>(#name);                               \
-    va_list arguments;                                                             \
-    va_start(arguments, flags);                                                    \
-    const mode_t mode = mode_of(flags, arguments);                                 \
-    va_end(arguments);                                                             \
-    return open_with(path, flags, [&] { return real(__VA_ARGS__, flags, mode); }); \
-  }
-FAULTS_OPEN(open, (const char* path, int flags, ...), path)
-FAULTS_OPEN(open64, (const char* path, int flags, ...), path)
-FAULTS_OPEN(openat, (int folder, const char* path, int flags, ...), folder, path)
-FAULTS_OPEN(openat64, (int folder, const char* path, int flags, ...), folder, path)
+int open(const char* path, int flags, ...) {
+  static auto* real = next<int(const char*, int, ...)>("open");
+  va_list arguments;
+  va_start(arguments, flags);
+  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+  va_end(arguments);
+  if (!is_watched(path)) return real(path, flags, mode);
+  if (fails((flags & O_CREAT) != 0 ? Needs::room : Needs::nothing)) return -1;
+  const int fd = real(path, flags, mode);
+  const bool reads = (flags & O_ACCMODE) == O_RDONLY;
+  const char* how = reads ? "read" : (flags & O_TRUNC) != 0 ? "truncate" : "write";
+  log("%s %d %s %s\n", fd < 0 ? "failed-open" : "open", fd, path, how);
+  if (fd >= 0) watched.at(static_cast<std::size_t>(fd)) = true;
+  return fd;
+}
 
 ssize_t write(int fd, const void* bytes, size_t size) {
   static auto* real = next<ssize_t(int, const void*, size_t)>("write");
-  return is_watched(fd) ? write_on(fd, bytes, size) : real(fd, bytes, size);
-}
-
-// As far as its first part: a caller must be able to take a short write anyway.
-ssize_t writev(int fd, const iovec* parts, int count) {
-  static auto* real = next<ssize_t(int, const iovec*, int)>("writev");
-  if (!is_watched(fd)) return real(fd, parts, count);
-  while (count > 1 && parts->iov_len == 0) ++parts, --count;
-  return write_on(fd, parts->iov_base, parts->iov_len);
-}
-
-ssize_t pwrite(int fd, const void* bytes, size_t size, off_t offset) {
-  return is_watched(fd) ? write_at(real_pwrite(), fd, bytes, size, offset)
-                        : real_pwrite()(fd, bytes, size, offset);
-}
-
-ssize_t pwrite64(int fd, const void* bytes, size_t size, off_t offset) {
-  return pwrite(fd, bytes, size, offset);
+  if (!is_watched(fd)) return real(fd, bytes, size);
+  const bool now = calls + 1 == plan().at;
+  const bool half = now && (plan().fault == Fault::tear || plan().fault == Fault::shorten);
+  if (half && size > 1) size /= 2;
+  if (now && plan().fault == Fault::tear) real(fd, bytes, size);
+  if (fails(Needs::room)) return -1;
+  const ssize_t written = real(fd, bytes, size);
+  if (written < 0) {
+    log("failed-write %d\n", fd);
+  } else {
+    log("write %d %lld %s\n", fd, static_cast<long long>(::lseek(fd, 0, SEEK_CUR) - written),
+        hexadecimal(bytes, static_cast<std::size_t>(written)).c_str());
+  }
+  return written;
 }
 
 ssize_t read(int fd, void* bytes, size_t size) {
@@ -244,22 +186,15 @@ ssize_t read(int fd, void* bytes, size_t size) {
 }
 
 int ftruncate(int fd, off_t length) {
-  static auto* real = next<int(int, off_t)>("ftruncate64");
+  static auto* real = next<int(int, off_t)>("ftruncate");
   const std::string arguments = std::to_string(fd) + " " + std::to_string(length);
   return call_on(fd, Needs::room, "truncate", arguments, [&] { return real(fd, length); });
 }
 
-int ftruncate64(int fd, off_t length) {
-  return ftruncate(fd, length);
+int fsync(int fd) {
+  static auto* real = next<int(int)>("fsync");
+  return call_on(fd, Needs::nothing, "fsync", std::to_string(fd), [&] { return real(fd); });
 }
-
-#define FAULTS_SYNC(name)                                                                      \
-  int name(int fd) {                                                                           \
-    static auto* real = next<int(int)>(#name);                                                 \
-    return call_on(fd, Needs::nothing, "fsync", std::to_string(fd), [&] { return real(fd); }); \
-  }
-FAULTS_SYNC(fsync)
-FAULTS_SYNC(fdatasync)
 
 int close(int fd) {
   static auto* real = next<int(int)>("close");
@@ -284,12 +219,9 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to, 
                      [&] { return real(from_folder, from, to_folder, to, flags); });
 }
 
-#define FAULTS_REMOVE(name)                                             \
-  int name(const char* path) {                                          \
-    static auto* real = next<int(const char*)>(#name);                  \
-    return change_name("unlink", path, "", [&] { return real(path); }); \
-  }
-FAULTS_REMOVE(unlink)
-FAULTS_REMOVE(remove)
+int unlink(const char* path) {
+  static auto* real = next<int(const char*)>("unlink");
+  return change_name("unlink", path, "", [&] { return real(path); });
+}
 }
 // NOLINTEND
