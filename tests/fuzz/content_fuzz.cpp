@@ -5,21 +5,61 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <limits>
 
-#include "bytes.hpp"
 #include "rupture/analysis/front.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/error.hpp"
-#include "valid_content.hpp"
 
 using namespace rupture;
-using namespace rupture::fuzz;
 
 namespace {
+
+// The bytes that a fuzzer made up, taken one after another.
+class Bytes {
+ public:
+  explicit Bytes(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
+
+  bool empty() const { return rest_.empty(); }
+
+  // The next number; zeros stand in for what is missing at the end.
+  template <class T>
+  T take() {
+    T value{};
+    const auto bytes = next(sizeof(T));
+    if (!bytes.empty()) std::memcpy(&value, bytes.data(), bytes.size());
+    return value;
+  }
+
+  // One of `choices`, which must not be empty.
+  template <class Choices>
+  const auto& pick(const Choices& choices) {
+    return *std::next(std::begin(choices),
+                      static_cast<std::ptrdiff_t>(take<std::uint8_t>() % std::size(choices)));
+  }
+
+  // A text of up to 255 bytes, its length first.
+  std::string text() {
+    const auto bytes = next(take<std::uint8_t>());
+    return {bytes.begin(), bytes.end()};
+  }
+
+ private:
+  // Fewer if they end before.
+  std::span<const std::uint8_t> next(std::size_t size) {
+    const auto bytes = rest_.first(std::min(size, rest_.size()));
+    rest_ = rest_.subspan(bytes.size());
+    return bytes;
+  }
+
+  std::span<const std::uint8_t> rest_;
+};
 
 constexpr std::size_t kLargest = 1U << 20U;  // [bytes] of a dataset
 
@@ -112,6 +152,28 @@ void edit(Content& content, Edit edit, Bytes& input) {
   if (fit(changed)) dataset = std::move(changed);
 }
 
+Content content_of(const char* name) {
+  const auto folder = std::filesystem::path(__FILE__).parent_path() / "../compatibility/schema-3";
+  return read_file(folder / name).content;
+}
+
+Content checkpoint_of(const char* name) {
+  Checkpoint checkpoint = checkpoint_from(content_of(name));
+  checkpoint.run.reset();
+  return checkpoint_content(checkpoint);
+}
+
+// What all records hold, and crossings.
+Content record_of(const char* name) {
+  Content content = content_of(name);
+  content.merge(parameters_content(read_parameters(content)));
+  std::erase_if(content, [](const auto& item) {
+    const std::string_view path = item.first;
+    return path.starts_with("/run/") || path.starts_with("/fields/") || path.ends_with("/x");
+  });
+  return content;
+}
+
 void demand(bool holds) {
   if (!holds) std::abort();
 }
@@ -155,10 +217,10 @@ void use(const Content& content, const Content& original, bool is_record) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::array originals = {checkpoint_content(Law::reference),
-                                       checkpoint_content(Law::simplified),
-                                       checkpoint_content(Law::decaying), record_content()};
-  Bytes input(data, size);
+  static const std::array originals = {checkpoint_of("reference.h5"),
+                                       checkpoint_of("simplified.h5"), checkpoint_of("decaying.h5"),
+                                       record_of("parts-record.h5")};
+  Bytes input({data, size});
   const std::size_t chosen = input.take<std::uint8_t>() % originals.size();
   Content content = originals[chosen];
   while (!input.empty()) edit(content, input.pick(kEdits), input);
