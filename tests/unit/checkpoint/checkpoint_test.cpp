@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using testing::expect_contains;
-using testing::failure_of;
+using testing::message_of;
 using testing::single_springs;
 using testing::slurp;
 using testing::small_checkpoint;
@@ -113,36 +113,16 @@ TEST_F(CheckpointFile, names_every_parameter_by_its_table_row_with_its_unit) {
   EXPECT_EQ(content.at("/parameters/junctions/f_new"), make_text("f_slip"));
 }
 
-TEST_F(CheckpointFile, stores_pinned_junctions_with_repin_time_zero) {
-  const Content content = state_content(small_checkpoint().state);
-  const auto slipping = read_array<std::uint8_t>(content, "/state/junctions/slipping", {5, 3});
-  const auto repin = read_array<double>(content, "/state/junctions/repin_time", {5, 3});
-  EXPECT_EQ(slipping[0], 1);
-  EXPECT_GT(repin[0], 0);
-  EXPECT_EQ(slipping[1], 0);
-  EXPECT_EQ(repin[1], 0);
-}
-
-TEST_F(CheckpointFile, stores_the_origin_of_a_clock_that_was_changed_and_of_no_other) {
-  Checkpoint checkpoint = small_checkpoint();
-  EXPECT_FALSE(state_content(checkpoint.state).contains("/state/clock/origin_step"));
-  checkpoint.state.clock = {1000, 1.0 / 3.0};
-  const Content content = state_content(checkpoint.state);
-  EXPECT_EQ(content.at("/state/clock/origin_step"), make_scalar<std::int64_t>(1000, "1"));
-  EXPECT_EQ(content.at("/state/clock/origin_time"), make_scalar(1.0 / 3.0, "s"));
-  EXPECT_NE(write(checkpoint), content_checksum(checkpoint.parameters, small_checkpoint().state));
-  EXPECT_EQ(read_checkpoint(file("x.h5")).state.clock, checkpoint.state.clock);
-}
-
 TEST_F(CheckpointFile, with_nan_is_not_written) {
   Checkpoint checkpoint = small_checkpoint();
   checkpoint.state.v_x(2, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(failure_of([&] { write(checkpoint); }),
+  EXPECT_EQ(message_of<Failure>([&] { write(checkpoint); }),
             file("x.h5").string() +
                 ": /state/v_x holds nan at index 7 of [4][5]; only finite numbers are stored");
   checkpoint = small_checkpoint();
   checkpoint.state.junctions.repin_time(0, 1) = std::numeric_limits<double>::quiet_NaN();
-  expect_contains(failure_of([&] { write(checkpoint); }), "/state/junctions/repin_time holds nan");
+  expect_contains(message_of<Failure>([&] { write(checkpoint); }),
+                  "/state/junctions/repin_time holds nan");
   EXPECT_TRUE(names().empty());
 }
 
@@ -179,13 +159,6 @@ TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {
                  .arrived_below = 0.25};
   EXPECT_EQ(write(written), without) << "it is no part of the content that is checksummed";
   EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);
-}
-
-TEST_F(CheckpointFile, of_single_springs_alone_holds_the_end_of_slow_slip) {
-  const char* path = "/state/junctions/slow_until";
-  const auto slow_until = read_array<double>(state_content(single_springs().state), path, {5, 1});
-  EXPECT_EQ(slow_until, (std::vector<double>{0.1, 0.0, -0.2, -0.3, 0.4}));
-  EXPECT_FALSE(state_content(small_checkpoint().state).contains(path));
 }
 
 }  // namespace

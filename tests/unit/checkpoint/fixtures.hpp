@@ -14,6 +14,7 @@
 #include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
 #include "support/files.hpp"
+#include "support/sliders.hpp"
 
 namespace rupture::testing {
 
@@ -49,17 +50,6 @@ inline void spill(const fs::path& path, const std::string& bytes) {
 
 inline std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text));
-}
-
-/// The message of the Failure that `work` throws; a note that it threw none otherwise.
-template <class Work>
-std::string failure_of(const Work& work) {
-  try {
-    work();
-  } catch (const Failure& failure) {
-    return failure.what();
-  }
-  return "(no failure)";
 }
 
 inline void expect_contains(const std::string& text, const std::string& part) {
