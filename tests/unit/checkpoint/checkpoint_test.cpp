@@ -27,14 +27,6 @@ class CheckpointFile : public testing::InFolder {
   }
 };
 
-double sum_with_padding(const Field& field) {
-  double sum = 0;
-  for (Eigen::Index j = -1; j <= field.Nz(); ++j) {
-    for (Eigen::Index i = 0; i < field.stride(); ++i) sum += std::abs(field.row(j)[i]);
-  }
-  return sum;
-}
-
 TEST_F(CheckpointFile, returns_the_same_bits) {
   for (const Checkpoint& written : {small_checkpoint(), single_springs()}) {
     const std::string checksum = write(written);
@@ -70,20 +62,6 @@ TEST_F(CheckpointFile, grows_by_little_with_each_step_of_its_provenance) {
   write(checkpoint);
   EXPECT_LT(fs::file_size(file("x.h5")), before + 100 * (1100 + 2 * 20));
   EXPECT_EQ(read_checkpoint(file("x.h5")).provenance, checkpoint.provenance);
-}
-
-TEST_F(CheckpointFile, leaves_the_padding_of_fields_zero) {
-  write(small_checkpoint());
-  const State state = read_checkpoint(file("x.h5")).state;
-  for (const Field* field : {&state.u_x, &state.v_z, &state.f_z}) {
-    EXPECT_EQ(sum_with_padding(*field), [&] {
-      double sum = 0;
-      for (Eigen::Index j = 0; j < field->Nz(); ++j) {
-        for (Eigen::Index i = 0; i < field->Nx(); ++i) sum += std::abs((*field)(i, j));
-      }
-      return sum;
-    }());
-  }
 }
 
 TEST_F(CheckpointFile, of_the_reference_lattice_survives) {
