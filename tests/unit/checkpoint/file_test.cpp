@@ -50,6 +50,15 @@ TEST_F(File, never_takes_the_place_of_a_device) {
             "/dev/null is not a regular file; give another path");
 }
 
+TEST_F(File, has_a_header_of_512_bytes_that_people_can_read) {
+  const std::string header = header_text(FileKind::checkpoint, testing::bytes_of("abc"));
+  EXPECT_EQ(header.size(), kHeaderSize);
+  EXPECT_TRUE(header.starts_with(
+      "rupture-checkpoint\nbytes 515\n"
+      "sha256 ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\n"));
+  EXPECT_EQ(header.find_first_not_of('\n', header.find("sha256sum") + 9), std::string::npos);
+}
+
 TEST_F(File, whose_data_do_not_fill_their_shape_is_not_written) {
   const Content content = {{"/state/a", Dataset{"m", DataType::uint8, {3}, {std::byte{1}}}}};
   const auto write_it = [&] {
