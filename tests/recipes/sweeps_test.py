@@ -10,7 +10,7 @@ import pytest
 
 from conftest import ROOT, run
 from sweeps.points import PointStore
-from sweeps.sweep import Point, SweepError, batches_of, files_of, read_sweep, seeds_of
+from sweeps.sweep import Point, SweepError, batches_of, read_sweep
 from sweeps.values import number_in, values_of
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
@@ -127,12 +127,12 @@ def test_the_same_again_with_another_seed(read, tmp_path):
     )
     first = read(text)
     again = read_sweep(f"{tmp_path}/sweep.ini#3")
-    assert seeds_of(tmp_path / "sweep.ini") == ["2", "3"]
+    assert first.seeds == ["2", "3"]
     for one, other in zip(first.points, again.points, strict=True):
         assert other.values == one.values | {"numerics.seed": "3"}
     without = read(text.replace("seeds = 2, 3\n", ""))
     assert [p.id for p in without.points] == [p.id for p in first.points]
-    assert seeds_of(tmp_path / "sweep.ini") == []
+    assert not without.seeds
 
 
 def test_options_and_parameters(read):
@@ -178,9 +178,7 @@ def test_sections_that_a_file_lacks_are_those_of_the_file_it_is_like(read, tmp_p
     other = read(f"{like}[values]\nc = 5\n", "x/other")
     assert [p.values for p in other.points] == [{"variant": "v", "c": "5", "b": "3"}]
     assert (other.title, other.columns) == ("other", {"q": "start.q"})
-    assert files_of(tmp_path / "x/other.ini") == [
-        f"{tmp_path}/{n}.ini" for n in ("x/other", "sweep")
-    ]
+    assert other.files == (f"{tmp_path}/x/other.ini", f"{tmp_path}/sweep.ini")
     own = read(f"{like}[variant w]\nA = 7\n[commands]\nx = load {{values}}\n", "x/own")
     assert [p.values for p in own.points] == [{"variant": "w", "A": "7"}]
     assert own.points[0].commands == {"x": "load --A 7"}

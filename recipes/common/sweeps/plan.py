@@ -6,7 +6,6 @@ content, so that the name of a point follows from that; a table of points is a c
 column has a unit.
 """
 
-import configparser
 import io
 import os
 import re
@@ -16,7 +15,7 @@ from pathlib import Path
 from rupture.replacing import replacing
 from runs.written import note
 from sweeps.check import Programs, check_columns, check_points
-from sweeps.sweep import SweepError, check_form, parse_ini, sentence_of, sweep_of
+from sweeps.sweep import SweepError, check_form, errors_of, parse_ini, sweep_of
 
 ENDINGS = (".csv", ".hdf5", ".png", ".pdf")
 
@@ -88,8 +87,6 @@ def write_plan(ini, output, results):
 
 
 def plan_sweep(path, tools, results):
-    """The path of the plan. Raises SweepError, with the file and one sentence."""
-    try:
+    """The path of the plan."""
+    with errors_of(path):
         return make_plan(path, tools, results)
-    except (OSError, ValueError, configparser.Error) as error:
-        raise SweepError(f"{path}: {sentence_of(error)}") from None

@@ -20,6 +20,8 @@ import os
 import re
 import shlex
 import string
+from collections.abc import Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -62,6 +64,8 @@ class Sweep:
     units: dict  # of values and columns, where the file has them
     megabytes: int = 1000  # that each point needs
     threads: int = 1
+    seeds: Sequence = ()  # with which it is run again, in tables of their own
+    files: Sequence = ()  # its own, and those that it is like
 
 
 # --- points --------------------------------------------------------------------------------
@@ -133,10 +137,11 @@ def is_values(section):
     return section == "values" or section.startswith("variant ")
 
 
-def combinations(ini):
-    """The products whose elements are the points."""
+def combinations(ini, seed):
+    """The products whose elements are the points, all with the seed if there is one."""
+    repeated = {SEED: [seed]} if seed else {}
     lists = {
-        section: {name: values_of(text) for name, text in ini[section].items()}
+        section: {name: values_of(text) for name, text in ini[section].items()} | repeated
         for section in filter(is_values, ini.sections())
     }
     common = lists.pop("values", {})
@@ -212,7 +217,7 @@ def needs_of(section):
         )
     if not re.fullmatch("[1-9][0-9]{0,3}", threads):
         raise SweepError(f"'threads = {threads}' is not understood: give a whole number from 1")
-    return megabytes, int(threads)
+    return {"megabytes": megabytes, "threads": int(threads)}
 
 
 def parse_ini(path):
@@ -222,6 +227,7 @@ def parse_ini(path):
         default_section="", delimiters="=", inline_comment_prefixes="#;"
     )
     ini.optionxform = str  # type: ignore[method-assign, assignment]  # names are case-sensitive
+    ini.files = (str(path),)  # type: ignore[attr-defined]
     with open(path, encoding="utf-8-sig") as file:
         ini.read_file(file)
     if "sweep" not in ini:
@@ -231,60 +237,50 @@ def parse_ini(path):
         section[key] = os.path.normpath(Path(path).parent / section[key])
     if "like" in section:
         other = parse_ini(section.pop("like"))
+        ini.files += other.files  # type: ignore[attr-defined]
         present = {name.partition(" ")[0] for name in ini.sections()}
         ini.read_dict({n: other[n] for n in other.sections() if n.partition(" ")[0] not in present})
     return ini
 
 
-def sweep_of(ini, name):
-    """The sweep that a parsed file of this name describes."""
+def sweep_of(ini, name, seed=""):
+    """The sweep that a parsed file of this name describes; with a seed, the same for that one."""
     check_form(ini)
-    base = ini["sweep"].get("base", "")
+    section = ini["sweep"]
+    base = section.get("base", "")
     commands = dict(ini["commands"])
-    products = combinations(ini)
+    products = combinations(ini, seed)
     count = sum(math.prod(len(texts) for texts in lists.values()) for lists in products)
     if count > LIMIT:
         raise SweepError(f"there are {count:,} points; at most {LIMIT:,} are possible")
     points = [make_point(commands, values, base) for lists in products for values in product(lists)]
-    title = ini["sweep"].get("title", name)
     columns, units = (dict(ini[name]) if name in ini else {} for name in ("quantities", "units"))
-    varied = varied_in(products, points)
-    return Sweep(title, points, columns, varied, units, *needs_of(ini["sweep"]))
+    return Sweep(
+        title=section.get("title", name),
+        points=points,
+        columns=columns,
+        varied=varied_in(products, points),
+        units=units,
+        seeds=values_of(section["seeds"]) if "seeds" in section else (),
+        files=ini.files,
+        **needs_of(section),
+    )
 
 
-def file_and_seed(name):
-    """("SWEEP.ini", "2") of SWEEP.ini#2; ("SWEEP.ini", "") of SWEEP.ini."""
-    match = re.fullmatch(r"(.*\.ini)#(\d+)", str(name), re.DOTALL)
-    return match.groups() if match else (str(name), "")
-
-
-def files_of(name):
-    """The file of a sweep, and those that it is like."""
-    path = Path(file_and_seed(name)[0])
-    match = re.search(r"(?m)^like *= *(\S+)", path.read_text(encoding="utf-8"))
-    return [str(path), *(files_of(os.path.normpath(path.parent / match[1])) if match else [])]
-
-
-def seeds_of(path):
-    """Those with which the sweep is run again, in tables of their own."""
-    text = parse_ini(path)["sweep"].get("seeds")
-    return values_of(text) if text else []
-
-
-def with_seed(ini, seed):
-    """The same for another seed, as the last value of each point."""
-    for section in filter(is_values, ini.sections() if seed else []):
-        ini[section][SEED] = seed
-    return ini
+@contextmanager
+def errors_of(path):
+    """Raises SweepErrors: the file and one sentence."""
+    try:
+        yield
+    except (OSError, ValueError, configparser.Error) as error:
+        raise SweepError(f"{path}: {sentence_of(error)}") from None
 
 
 def read_sweep(path):
-    """The sweep that an INI file describes, or SWEEP.ini#2. SweepErrors name the file."""
-    try:
-        file, seed = file_and_seed(path)
-        return sweep_of(with_seed(parse_ini(file), seed), Path(file).stem)
-    except (OSError, ValueError, configparser.Error) as error:
-        raise SweepError(f"{path}: {sentence_of(error)}") from None
+    """The sweep that an INI file describes, or SWEEP.ini#2."""
+    file, _, seed = str(path).partition("#")
+    with errors_of(path):
+        return sweep_of(parse_ini(file), Path(file).stem, seed)
 
 
 def sentence_of(error):

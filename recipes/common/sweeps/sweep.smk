@@ -6,26 +6,26 @@
 # results themselves are no outputs of the job, so that those that are done outlive one that is ended.
 from runs.written import note
 from sweeps.points import PointStore
-from sweeps.sweep import BATCHES_OF_MANY, BATCHES_OF_ONE, batches_of, files_of, read_sweep, seeds_of
+from sweeps.sweep import BATCHES_OF_MANY, BATCHES_OF_ONE, batches_of, read_sweep
 
 # A recipe reads the tables of its own sweeps only, so those of recipes that are not asked for need no look.
 SWEEP_FILES = {
     f"{path.parent.name}/{path.stem}": path
     for path in sorted(Path("recipes").glob("*/*.ini"))
-    if (not ASKED or path.parent.name in ASKED) and "sweep" not in config
+    if not ASKED or path.parent.name in ASKED
 }
-SWEEP_FILES |= {
+if "sweep" in config:
+    SWEEP_FILES = {f"sweeps/{Path(config['sweep']).stem}": config["sweep"]}
+SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
+OF_SEEDS = {
     f"{name}-seed-{seed}": f"{path}#{seed}"
     for name, path in SWEEP_FILES.items()
-    for seed in seeds_of(path)
+    for seed in SWEEPS[name].seeds
 }
-TABLES = list(SWEEP_FILES)
-OWN = [f"sweeps/{Path(config['sweep']).stem}"] if "sweep" in config else []
-SWEEP_FILES |= {name: Path(config["sweep"]) for name in OWN}
-SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
+SWEEP_FILES |= OF_SEEDS
+SWEEPS |= {name: read_sweep(path) for name, path in OF_SEEDS.items()}
 
-
-MOST_BATCHES = BATCHES_OF_ONE if OWN else BATCHES_OF_MANY
+MOST_BATCHES = BATCHES_OF_ONE if "sweep" in config else BATCHES_OF_MANY
 BATCHES = {
     f"{name}-{number:04d}": (name, batch)
     for name, sweep in SWEEPS.items()
@@ -95,15 +95,15 @@ rule batch:
 rule table:
     input:
         points=lambda wildcards: batches_of_sweep(wildcards.sweep),
-        sweep=lambda wildcards: files_of(SWEEP_FILES[wildcards.sweep]),
+        sweep=lambda wildcards: SWEEPS[wildcards.sweep].files,
         **script("recipes/common/sweeps/collect.py"),
     output: f"{DATA}/{{sweep}}.csv"
     params: sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[wildcards.sweep]))
-    wildcard_constraints: sweep="|".join(TABLES) or "none"
+    wildcard_constraints: sweep="|".join(SWEEP_FILES) or "none"
     log: f"{LOGS}/{{sweep}}.log"
     message: "{wildcards.sweep}: collect the points"
     shell: "{PYTHON} {input.script} {params.sweep} {POINTS} {output} 2> {log}"
 
 
 rule sweep:
-    input: [path for name in OWN for path in batches_of_sweep(name)]
+    input: [f"{DATA}/batches/{batch}.sum" for batch in BATCHES]
