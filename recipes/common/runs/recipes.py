@@ -38,26 +38,20 @@ class Readme:
     caption: str  # Markdown
 
 
-def commands_in(lines):
+def commands_in(text):
     """The indented code blocks."""
-    blocks: list[str] = []
-    block: list[str] = []
-    for line in [*lines, "end"]:
-        if line.startswith("    ") or (block and not line.strip()):
-            block.append(line[4:].rstrip())
-        elif block:
-            blocks.append("\n".join(block).strip("\n"))
-            block = []
-    return "\n\n".join(blocks)
+    blocks = re.findall(r"^ {4}.*(?:\n(?: {4}.*| *$))*", text, re.MULTILINE)
+    return "\n\n".join(
+        re.sub("^ {4}| +$", "", each, 0, re.MULTILINE).strip("\n") for each in blocks
+    )
 
 
 def read_readme(path):
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    headings = [n for n, line in enumerate(lines) if line.startswith("## ")] + [len(lines)]
-    start = next((n for n in headings[:-1] if lines[n].strip() == "## Caption"), len(lines))
-    end = next((n for n in headings if n > start), len(lines))
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    sections = re.split("^(?=## )", text, flags=re.MULTILINE)
+    caption = next((each for each in sections if each.startswith("## Caption\n")), "")
     return Readme(
-        title=lines[0].lstrip("# ").strip() if lines else path.parent.name,
-        commands=commands_in(lines[:start] + lines[end:]),
-        caption="\n".join(lines[start + 1 : end]).strip(),
+        title=text.partition("\n")[0].lstrip("# ").strip() if text else path.parent.name,
+        commands=commands_in("".join(each for each in sections if each != caption)),
+        caption=caption.removeprefix("## Caption").strip(),
     )
