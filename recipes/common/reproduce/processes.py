@@ -11,6 +11,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 
 from rupture.errors import Failure
@@ -30,10 +31,8 @@ kill -KILL "-$0" 2>/dev/null
 
 
 def end_group(group, number):
-    try:
+    with suppress(ProcessLookupError):
         os.killpg(group, number)
-    except ProcessLookupError:
-        pass
 
 
 def open_lock(name):
