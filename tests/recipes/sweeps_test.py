@@ -373,7 +373,7 @@ def test_only_what_is_not_there_of_these_sources_and_this_base_is_computed(compu
     assert computing.sum() == first, "equal results say so"
 
 
-@pytest.mark.parametrize("text", ["", "[]", "null", '{"status": "done"}'])
+@pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"status": "done"}'])
 def test_a_damaged_result_counts_as_none(tmp_path, text):
     store, point = PointStore(tmp_path / "none/yet", "code"), Point({}, {}, "")
     store.save(point, {"status": "done"})
