@@ -52,29 +52,6 @@ use rule load_of_seed as choices_load with:
     message: "choices: load {wildcards.choice}-{wildcards.seed} (about a minute)"
 
 
-use rule events as choices_events with:
-    input:
-        **content_of(h5=f"{DATA}/choices/{{choice}}-{{seed}}-record.h5"),
-        script="recipes/ensemble/measure_events.py",
-        conventions="recipes/common/events/conventions.py",
-    output: f"{DATA}/choices/{{choice}}-{{seed}}-events.json"
-    log: f"{LOGS}/choices/{{choice}}-{{seed}}-events.log"
-    message: "choices: find the rupture events of {wildcards.choice}-{wildcards.seed}"
-
-
-# A checkpoint holds its parameters, so that an event goes on under its choice.
-use rule continued as choices_continued with:
-    input:
-        events=f"{DATA}/choices/{{choice}}-{{seed}}-events.json",
-        **content_of(checkpoints=checkpoints_of_load(f"{DATA}/choices/{{choice}}-{{seed}}")),
-        script="recipes/ensemble/continue_events.py",
-        shared=rules.continued.input.shared,
-    output: f"{DATA}/choices/{{choice}}-{{seed}}-continued.json"
-    log: f"{LOGS}/choices/{{choice}}-{{seed}}-continued.log"
-    params: code=CODE, run=f"{DATA}/choices/{{choice}}-{{seed}}", crossings=CROSSINGS
-    message: "choices: continue the events of {wildcards.choice}-{wildcards.seed} in other ways"
-
-
 figure(
     "choices",
     tables=["choices"],

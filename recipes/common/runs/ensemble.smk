@@ -37,7 +37,7 @@ def checkpoints_of_load(run):
 
 
 wildcard_constraints:
-    load="|".join(LOADS),
+    load="(ensemble|choices)/[a-z-]+[0-9]+",
     setting="|".join(SETTINGS),
 
 
@@ -101,11 +101,11 @@ use rule restart_recorded as load_of_seed with:
 
 rule events:
     input:
-        **content_of(h5=f"{DATA}/ensemble/{{load}}-record.h5"),
+        **content_of(h5=f"{DATA}/{{load}}-record.h5"),
         script="recipes/ensemble/measure_events.py",
         conventions="recipes/common/events/conventions.py",
-    output: f"{DATA}/ensemble/{{load}}-events.json"
-    log: f"{LOGS}/ensemble/{{load}}-events.log"
+    output: f"{DATA}/{{load}}-events.json"
+    log: f"{LOGS}/{{load}}-events.log"
     params: code=CODE
     message: "events: find the rupture events of {wildcards.load}, under each convention"
     shell: "{PYTHON} {input.script} {BIN} {input.h5} > {output} 2> {log}"
@@ -125,24 +125,25 @@ rule product:
 
 # The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
 # fast-slow-fast event of the reference slider, Figure S2 for the fast-slow ones with the simplified law.
-CONTINUED = {"load": "continue_events", "simplified": "without_slow_slip"}  # setting: script
-CONTINUED_LOADS = [load for setting in CONTINUED for load in LOADS_OF[setting]]
+# A checkpoint holds its parameters, so that an event goes on under the choice of its load (recipes/choices).
+CONTINUED_LOADS = [*LOADS_OF["load"], *LOADS_OF["simplified"]]
 
 
 rule continued:
     input:
-        events=f"{DATA}/ensemble/{{load}}-events.json",
-        **content_of(checkpoints=checkpoints_of_load(f"{DATA}/ensemble/{{load}}")),
-        script=lambda wildcards: f"recipes/ensemble/{CONTINUED[wildcards.load.split('-')[0]]}.py",
+        events=f"{DATA}/{{load}}-events.json",
+        **content_of(checkpoints=checkpoints_of_load(f"{DATA}/{{load}}")),
+        script=lambda wildcards: "recipes/ensemble/without_slow_slip.py"
+        if "simplified" in wildcards.load
+        else "recipes/ensemble/continue_events.py",
         shared=[
             "recipes/ensemble/workshop.py",
             *(f"recipes/common/events/{name}.py" for name in ("conventions", "continuations", "fronts", "slip")),
         ],
-    output: f"{DATA}/ensemble/{{load}}-continued.json"
-    log: f"{LOGS}/ensemble/{{load}}-continued.log"
+    output: f"{DATA}/{{load}}-continued.json"
+    log: f"{LOGS}/{{load}}-continued.log"
     priority: 80  # long: before what is short
-    params: code=CODE, run=f"{DATA}/ensemble/{{load}}", crossings=CROSSINGS
-    wildcard_constraints: load="|".join(CONTINUED_LOADS)
+    params: code=CODE, run=f"{DATA}/{{load}}", crossings=CROSSINGS
     message: "continued: continue the events of {wildcards.load} in other ways"
     shell:
         "{PYTHON} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} '{params.crossings}'"
