@@ -50,7 +50,6 @@ wait_for = functools.partial(stand_ins.wait_for, within=WITHIN)
 class Sweep(Project):
     """`environment` is that of the cluster, if it has one."""
 
-    seconds = 0.0  # that it took
     within = WITHIN
 
     def __init__(self, folder, environment=os.environ):
@@ -59,11 +58,10 @@ class Sweep(Project):
         self.write("my.ini", SWEEP)
 
     def run(self, command, *words):
-        """What was printed, and seconds."""
-        started = time.monotonic()
+        """What was printed."""
         done = self.call(*words, command=command, stderr=subprocess.STDOUT)
         assert done.returncode == 0, done.stdout
-        return done.stdout, time.monotonic() - started
+        return done.stdout
 
     def points(self):
         """Those that are not unfinished."""
@@ -107,7 +105,7 @@ def cluster():
 def local(tmp_path_factory):
     """The sweep without SLURM."""
     project = Sweep(tmp_path_factory.mktemp("local"))
-    _, project.seconds = project.run(*reproduce("sweep", "my.ini"))
+    project.run(*reproduce("sweep", "my.ini"))
     assert len(project.points()) == POINTS
     return project
 
@@ -126,9 +124,8 @@ def demand_equal_sweeps(project, local):
 
 
 def test_a_sweep_gives_what_it_gives_locally(project, local):
-    output, seconds = project.run(*in_allocation("sweep", "my.ini"))
+    output = project.run(*in_allocation("sweep", "my.ini"))
     demand_equal_sweeps(project, local)
-    print(f"sweep: local {local.seconds:.1f} s, SLURM {seconds:.1f} s")
     assert f"{POINTS} points: {POINTS - REFUSED} done, {REFUSED} failed." in output
     assert f"{POINTS}/{POINTS} point: " in output
 
@@ -140,7 +137,7 @@ class Job:
         self.project, self.cluster = project, cluster
         job = ("sbatch", "--parsable", f"--ntasks={CORES}", "--output=job.out")
         script = ("recipes/common/profiles/slurm/job.sh", "sweep", "my.ini", "--programs", PROGRAMS)
-        self.number = project.run(*job, *script)[0].strip()
+        self.number = project.run(*job, *script).strip()
 
     def is_in_queue(self):
         return self.number in self.cluster.run("squeue", "--noheader", "--format=%A").split()
@@ -210,13 +207,10 @@ def test_an_interruption_ends_all_steps(project, cluster, name, code):
 
 def test_figures_give_what_they_give_locally(project, local):
     figures = ("fig2", "figS3", "figS4", "estimate")  # events, points, widened phi: in seconds
-    _, seconds = project.run(*in_allocation(*figures))
-    _, local_seconds = local.run(*reproduce(*figures))
+    project.run(*in_allocation(*figures))
+    local.run(*reproduce(*figures))
     assert len(local.sums()) > 15
     assert project.sums() == local.sums()
     for path in (f"results/{figure}/claims.json" for figure in figures):
         assert (project.root / path).read_bytes() == (local.root / path).read_bytes()
-    ratio = seconds / local_seconds
-    times = f"local {local_seconds:.1f} s, SLURM {seconds:.1f} s, {ratio:.2f} times"
-    print(f"{' '.join(figures)}: {times}")
     print(f"{len(local.sums())} files of checksums and all tables of claims are equal")
