@@ -13,11 +13,6 @@ from reproduce.project import BESIDE_ALL, complain, enter_root, say
 from reproduce.processes import Processes, ensure_packages
 
 
-def duration(seconds):
-    seconds = round(seconds)
-    return f"{seconds} s" if seconds < 60 else f"{seconds // 60} min {seconds % 60} s"
-
-
 def recipes(request, processes):
     """Those that are named, or all with their report."""
     started = time.monotonic()
@@ -25,7 +20,8 @@ def recipes(request, processes):
     named = [name for name in figures() if name not in BESIDE_ALL] if is_all else request.words
     compute.reproduce(request, named, processes)
     code = (compute.write_report_if_needed if is_all else compute.write_crate)(processes)
-    say(f"\nDone in {duration(time.monotonic() - started)}.")
+    minutes, seconds = divmod(round(time.monotonic() - started), 60)
+    say(f"\nDone in {f'{minutes} min ' if minutes else ''}{seconds} s.")
     return code
 
 

@@ -119,17 +119,14 @@ def check_sweep(request):
     request.file = Path(request.words[1]).absolute()
 
 
-def lower_names():
-    return {name.lower(): name for name in [*figures(), *COMMANDS]}
-
-
 def check_commands(request):
     """One command, or several figures."""
     if request.dry_run:
         raise UsageError("--dry-run is for 'sweep' only. See --help.")
     for word in set(request.words).difference(figures()):
         if word not in COMMANDS:
-            near = difflib.get_close_matches(word.lower(), by_lower := lower_names(), 1)
+            by_lower = {name.lower(): name for name in [*figures(), *COMMANDS]}
+            near = difflib.get_close_matches(word.lower(), by_lower, 1)
             hint = f"did you mean {by_lower[near[0]]}?" if near else f"see {PROGRAM} list"
             raise UsageError(f"there is no figure or command '{word}': {hint}")
         if len(request.words) > 1:

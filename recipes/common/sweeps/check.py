@@ -17,13 +17,12 @@ VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others ar
 STATE = ("status", "sentence", "point")  # columns of every table
 KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # points.py
 HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")
-NOTHING_COMPUTED = "it computes nothing then"
-NO_FILES_OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"
+OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"
 REFUSED = {
     "config": "points would not follow what is in that file;"
     " give the parameters with --set or in [values]",
-    **dict.fromkeys(("f", "force", "resume"), NO_FILES_OUTSIDE),
-    **dict.fromkeys(("h", "help", "describe", "version", "dry-run"), NOTHING_COMPUTED),
+    **dict.fromkeys(("f", "force", "resume"), OUTSIDE),
+    **dict.fromkeys(("h", "help", "describe", "version", "dry-run"), "it computes nothing then"),
 }
 
 

@@ -272,8 +272,14 @@ def errors_of(path):
     """Raises SweepErrors: the file and one sentence."""
     try:
         yield
-    except (OSError, ValueError, configparser.Error) as error:
-        raise SweepError(f"{path}: {sentence_of(error)}") from None
+        return
+    except OSError as error:
+        sentence = f"{error.filename} cannot be read ({error.strerror})"
+    except UnicodeDecodeError:
+        sentence = "it is no text in UTF-8"
+    except (ValueError, configparser.Error) as error:  # configparser's have several lines
+        sentence = " ".join(str(error).split())
+    raise SweepError(f"{path}: {sentence}")
 
 
 def read_sweep(path):
@@ -281,12 +287,3 @@ def read_sweep(path):
     file, _, seed = str(path).partition("#")
     with errors_of(path):
         return sweep_of(parse_ini(file), Path(file).stem, seed)
-
-
-def sentence_of(error):
-    """One line; the caller has named the file."""
-    if isinstance(error, OSError):
-        return f"{error.filename} cannot be read ({error.strerror})"
-    if isinstance(error, UnicodeDecodeError):
-        return "it is no text in UTF-8"
-    return " ".join(str(error).split())  # of configparser, several lines
