@@ -34,10 +34,6 @@ StateSaveLocation={folder}/state
 SlurmdSpoolDir={folder}/spool
 SlurmctldPidFile={folder}/slurmctld.pid
 SlurmdPidFile={folder}/slurmd.pid
-SlurmctldLogFile={folder}/slurmctld.log
-SlurmdLogFile={folder}/slurmd.log
-JobCompType=jobcomp/filetxt
-JobCompLoc={folder}/jobs.log
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SelectType=select/cons_tres
@@ -114,7 +110,7 @@ class Cluster:
             time.sleep(0.1)
 
     def logs(self):
-        files = [*self.folder.glob("*.log"), *self.folder.glob("*.out")]
+        files = self.folder.glob("*.out")
         return "\n".join(path.read_text(errors="replace")[-2000:] for path in files)
 
     def run(self, *command):
