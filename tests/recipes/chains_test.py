@@ -26,31 +26,22 @@ UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings")
 ONLY_BY_HAND = ("analyze loading --x", "analyze events", "analyze events --slow-below")
 RECIPES = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/rules.smk"))
 
-HANDLER = """
-import json
-def log_handler(message):
-    if message["level"] == "shellcmd" and message["msg"]:
-        with open("commands.jsonl", "a") as file:
-            print(json.dumps(message["msg"]), file=file)
-"""
-
 
 def planned(folder):
     """All commands of all recipes from scratch, in which events have been found."""
     for name in ("recipes", "python", "checkpoints", "docs", "benchmarks"):
         (folder / name).symlink_to(ROOT / name)
-    (folder / "handler.py").write_text(HANDLER)
     done = run(
         *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile"),
         *(*RECIPES, "--dryrun", "--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
-        *("--log-handler-script", "handler.py"),
+        *("--log-handler-script", "recipes/common/runs/progress.py"),
         *("--config", "bin=bin", "code=none", "from_scratch=1"),
         cwd=folder,
-        env=os.environ | {"XDG_CACHE_HOME": str(folder)},
+        env=os.environ | {"XDG_CACHE_HOME": str(folder), "PYTHONPATH": "recipes/common:python"},
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    lines = (folder / "commands.jsonl").read_text().splitlines()
-    return [json.loads(line) for line in lines]
+    lines = (folder / "build/log/recipes.log").read_text().splitlines()
+    return [line.split(maxsplit=2)[2] for line in lines]  # behind the time
 
 
 def of_sweeps():
