@@ -70,15 +70,15 @@ class Event:
         return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front-in-words.json")
 
     def own_slips(self):
-        """Of the block 0.06 L before the event's own transition."""
+        """Of the block 0.06 L before the event's own transition, as rule event_slip measures it:
+        while the front is slow, or until it has arrived."""
         front = self.in_words()
         x = front["slow"]["x_from"] - BEFORE_TRANSITION * front["L"]
-        return {run: self.slip_of(run, x) for run in SLIPS}
-
-    def slip_of(self, run, x):
-        """As rule event_slip measures it: while the front is slow, or until it has arrived."""
-        record = self.data / f"{self.name}/{run}-record.h5"
-        return rupture.analyze("slip", record, x=x, to=until(self.front(run)))
+        records = {run: self.data / f"{self.name}/{run}-record.h5" for run in SLIPS}
+        return {
+            run: rupture.analyze("slip", record, x=x, to=until(self.front(run)))
+            for run, record in records.items()
+        }
 
     def peak_speed(self):
         """Of the block that panel C shows, between steps [m/s]."""
@@ -116,26 +116,27 @@ def rows(events):
                 yield [name, run, *row]
 
 
-def claims_of(events, continued):
-    def fronts(run):
-        return {name: (event.front(), event.front(run)) for event, name in events.items()}
+MADE_OF = {  # what the case of a claim is measured from
+    "3Aw": lambda event: (event.in_words("stopped"),),
+    "3A": lambda event: (event.front(), event.front("stopped")),
+    "3Bw": lambda event: (event.in_words(), event.front("no-slow-slip")),
+    "3B": lambda event: (event.front(), event.front("no-slow-slip")),
+    "3Cw": lambda event: (event.own_slips(),),
+    "3C": lambda event: (event.slips(),),
+    "3Cv": lambda event: (event.slips(),),
+}
 
-    slips = {name: (event.slips(),) for event, name in events.items()}
-    measured = {
-        "3Aw": {name: (event.in_words("stopped"),) for event, name in events.items()},
-        "3A": fronts("stopped"),
-        "3Bw": {n: (event.in_words(), event.front("no-slow-slip")) for event, n in events.items()},
-        "3B": fronts("no-slow-slip"),
-        "3Cw": {name: (event.own_slips(),) for event, name in events.items()},
-        "3C": slips,
-        "3Cv": slips,
-    }
+
+def claims_of(events, continued):
+    claims = [
+        judged_event(c, {n: made_of(e) for e, n in events.items()}, of_events(continued, c))
+        for c, made_of in MADE_OF.items()
+    ]
     ratios = {
         f"{name}: {key}": value
         for event, name in events.items()
         for key, value in ratios_3Cr(event.slips(), event.peak_speed()).items()
     }
-    claims = [judged_event(claim, m, of_events(continued, claim)) for claim, m in measured.items()]
     return [*claims, judged("3Cr", ratios, None)]
 
 

@@ -33,14 +33,6 @@ VARIED = {  # marker and label
 }
 
 
-def model_of(row):
-    return row["variant"].split(", ")[0]
-
-
-def varied_in(row):
-    return row["variant"].split(", ")[1]
-
-
 def scale(rows, strength=1.0):
     """k_i l_0 / (tau_max - tau_0), tau_max in the form of tau-bar: tau_thres is 1."""
     p = numbers(rows, "slider.F_N") / NX
@@ -57,8 +49,10 @@ def fit(rows):
     return fit_through_origin(scale(rows) * slip(rows), slow.speeds(rows))
 
 
-def chosen(rows, model, variants):
-    return [row for row in rows if model_of(row) == model and varied_in(row) in variants]
+def chosen(rows, model, variants=VARIED):
+    """A row is of a variant such as "full, k_i, wide": the model, and what varies."""
+    variant_of = ((row, row["variant"].split(", ")) for row in rows)
+    return [row for row, (of, name, *_) in variant_of if of == model and name in variants]
 
 
 def draw_points(axes, rows, x, label):
@@ -107,31 +101,19 @@ def write_points(path, rows):
 
 def fit_with_other_widths(rows, phi):
     """The full model's fit if the points at other widths of phi count, too."""
-    parts = [chosen(rows, "full", VARIED), [row for row in phi if float(row["sigma-bar"]) != 0.1]]
-    x = np.concatenate([scale(part) * slip(part) for part in parts])
-    return fit_through_origin(x, np.concatenate([slow.speeds(part) for part in parts]))
+    return fit(chosen(rows, "full") + [row for row in phi if float(row["sigma-bar"]) != 0.1])
 
 
-def threshold(rows):
-    return np.ones(len(rows))
-
-
-def strength_of_phi(rows):
-    return numbers(rows, "strength")
-
-
-def ratios(rows, strength):
+def ratios(rows, strength=1.0):
     """Front speed over scaled slow slip at each width of phi, as text."""
-    texts = []
-    for width in sorted({row["sigma-bar"] for row in rows}):
-        points = [row for row in rows if row["sigma-bar"] == width]
-        ratio = np.mean(slow.speeds(points) / (scale(points, strength(points)) * slip(points)))
-        texts.append(f"{ratio:.2f} at sigma-bar {width}")
-    return ", ".join(texts)
+    ratio = slow.speeds(rows) / (scale(rows, strength) * slip(rows))
+    width = np.array([row["sigma-bar"] for row in rows])
+    means = {of: np.mean(ratio[width == of]) for of in np.unique(width)}
+    return ", ".join(f"{mean:.2f} at sigma-bar {of}" for of, mean in means.items())
 
 
 def fits_of(rows):
-    return {model: fit(chosen(rows, model, VARIED)) for model in ("full", "simplified")}
+    return {model: fit(chosen(rows, model)) for model in ("full", "simplified")}
 
 
 def case_3D(rows):
@@ -148,7 +130,7 @@ def case_3D(rows):
 def with_width(rows, widths, sigma_bar):
     """The full model's fronts at this width of phi instead; the simplified one has none."""
     others = [row for row in widths if float(row["sigma-bar"]) == sigma_bar]
-    return [row for row in rows if model_of(row) == "simplified"] + others
+    return chosen(rows, "simplified") + others
 
 
 def conventions(path, widths_path):
@@ -161,12 +143,8 @@ def conventions(path, widths_path):
     return {name: [case] for name, case in cases.items()}
 
 
-def with_l_0(fits, l_0):
-    """The slopes if l_0 [m] took the place of the paper's; None if it could not be fitted."""
-    return l_0 and [fit.slope * paper.L_0 / l_0 for fit in fits.values()]
-
-
 def claim(path, phi, l_0, others):
+    """`l_0`: as it was fitted [m]; None if it could not be."""
     rows = slow.fronts(path)
     fits = fits_of(rows)
     full, simplified = fits.values()
@@ -180,7 +158,8 @@ def claim(path, phi, l_0, others):
             "slope, full": full.slope,
             "slope, simplified": simplified.slope,
             **case,
-            "slopes with l_0 as fitted (claim l0)": with_l_0(fits, l_0),
+            "slopes with l_0 as fitted (claim l0)": l_0
+            and [f.slope * paper.L_0 / l_0 for f in fits.values()],
             "points": [full.points, simplified.points],
             f"slow fronts left out, with fewer than {slow.BLOCKS} blocks": slow.too_short(path),
             "R^2, both on one line": fit(rows).r_squared,
@@ -195,8 +174,8 @@ def claim(path, phi, l_0, others):
         " the difference of the slopes are the same: not a separate convention. Full model at"
         " sigma-bar = 0.1, simplified one without a width of phi: it has one spring per block;"
         " at sigma-bar = 0 both have none. The scaling knows no width: v_c over the scaled slow"
-        f" slip is {ratios(phi, threshold)}. With the strength that phi leaves in place of"
-        f" tau_thres the full model's is {ratios(phi, strength_of_phi)}.",
+        f" slip is {ratios(phi)}. With the strength that phi leaves in place of"
+        f" tau_thres the full model's is {ratios(phi, numbers(phi, 'strength'))}.",
     )
 
 

@@ -5,7 +5,7 @@ from data.records import values
 from data.tables import points_of, write_table
 from events.conventions import PRIMARY
 from maps.bands import bands_of, width
-from maps.front_map import IMPOSSIBLE, SKIP_BELOW_X, TYPES, front_type, read_map
+from maps.front_map import SKIP_BELOW_X, TYPES, front_type, read_map, seeds_of
 from maps.map_conventions import MEASURES
 from slow_fronts import tables_of
 
@@ -23,14 +23,11 @@ def slowest(front):
     return min((v for x, v in x_v_c if x > SKIP_BELOW_X and v > 0), default=None)
 
 
-def counts(kinds):
-    return {f"{kind} fronts": kinds.count(kind) for kind in TYPES}
-
-
 def case_under(convention, fronts, bands):
     of_width = [width(ours, convention) / width(ref, convention) for ours, ref in bands.values()]
     kinds = [front_type(front, **MEASURES[convention]) for front in fronts]
-    return counts(kinds) | {"slow band/the reference's": max(of_width)}
+    counts = {f"{kind} fronts": kinds.count(kind) for kind in TYPES}
+    return counts | {"slow band/the reference's": max(of_width)}
 
 
 def units_of(seeds, bands):
@@ -44,7 +41,6 @@ def units_of(seeds, bands):
 def claim(seeds, bands):
     """`seeds`: {seed: fronts}, the shown one first; `bands`: bands_of() each."""
     first, shown = next(iter(seeds.items()))
-    kinds = [types_of(front)[PRIMARY] for front in shown]
     speeds = [v for front in shown if (v := slowest(front)) is not None]
     slow_somehow = [front for front in shown if "slow" in types_of(front).values()]
     case = case_under(PRIMARY, shown, bands[first])
@@ -60,7 +56,7 @@ def claim(seeds, bands):
             "interfaces": len(shown),
             **case,
             **widths,
-            "interfaces that cannot be prepared": kinds.count(IMPOSSIBLE),
+            "interfaces that cannot be prepared": shown.count(None),
             "fronts that are slow under any convention": len(slow_somehow),
             "lowest speed of fronts that span [m/s]": min(speeds, default=None),
         },
@@ -71,20 +67,15 @@ def claim(seeds, bands):
 
 
 def make(data, results):
-    maps = [read_map(points_of(table)) for table in tables_of(data, "no_slip_force")]
-    fronts = [
-        (seed, place, front)
-        for of_table in maps
-        for place, seeds in of_table.items()
-        for seed, front in seeds.items()
-    ]
+    tables = tables_of(data, "no_slip_force")
+    fronts = read_map([point for table in tables for point in points_of(table)])
+    of_seed = {s: [front[s] for front in fronts.values()] for s in seeds_of(fronts)}
     rows = (
-        [seed, *place, slowest(front), *types_of(front).values()] for seed, place, front in fronts
+        [seed, *place, slowest(front), *types_of(front).values()]
+        for seed, of_places in of_seed.items()
+        for place, front in zip(fronts, of_places)
     )
     names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *MEASURES]
     write_table(results / "no-slip-force.csv", names, rows)
-    of_seed: dict[int, list] = {}
-    for seed, _, front in fronts:
-        of_seed.setdefault(seed, []).append(front)
     bands = {seed: bands_of(data.parent, "no-slip-force", seed) for seed in of_seed}
     return [claim(of_seed, bands)]

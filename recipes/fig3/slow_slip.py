@@ -38,8 +38,7 @@ VARIED = {  # marker and label
 
 def event_fronts(path):
     """Those of the event, in which blocks at given places were measured."""
-    rows = [row | {"blocks": int(row["blocks"] or 0)} for row in read_rows(path)]
-    return [row for row in rows if row["type"] == "slow" and row["blocks"] >= slow.BLOCKS]
+    return slow.usable([row | {"blocks": int(row["blocks"] or 0)} for row in read_rows(path)])
 
 
 def varied(rows, k_i=K_I[PRIMARY]):
@@ -94,10 +93,6 @@ def largest_ratio(row):
 def case_co(rows):
     ratios = [largest_ratio(row) for row in rows if row["variant"] == "reference"]
     return {"largest ratio of neighbours": ratios[0] if ratios else None}
-
-
-def conventions_co(path):
-    return {PRIMARY: [case_co(slow.fronts(path))]}
 
 
 def draw_rows(axes, rows, marker, colour, label):
@@ -186,7 +181,9 @@ def claim_co(path, others):
     return judged(
         "co",
         shown=shown,
-        units=slow.of_seeds([path, *others], conventions_co, ["slow_slip"]),
+        units=slow.of_seeds(
+            [path, *others], lambda of: {PRIMARY: [case_co(slow.fronts(of))]}, ["slow_slip"]
+        ),
         measured={
             **shown,
             "fronts of all variants": len(rows),
