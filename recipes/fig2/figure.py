@@ -7,7 +7,7 @@ import rupture
 from claims import paper
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
-from data.tables import write_fronts, write_table
+from data.tables import write_columns, write_fronts
 from events.event_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_ensemble, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
@@ -23,15 +23,11 @@ EVENTS = {  # label, colour, marker
 PAPER_SPEEDS = {paper.FAST: "$c_s/3$", paper.SLOW: "$c_s/100$"}  # [c_s]
 
 
-def first_rupture(front):
-    return np.nanmin(values(front["t_rupture"]))
-
-
 def draw_slow_of_paper(axes, front):
     """The paper's slow stretch, 0.4 L to 0.6 L in 1 ms, from when this front is at 0.4 L."""
-    x_over_L = np.array(front["x"]) / front["L"]
-    t_from = np.interp(paper.TRANSITIONS[0], x_over_L, values(front["t_rupture"]))
-    start = (t_from - first_rupture(front)) * 1e3
+    x_over_L, t_rupture = np.array(front["x"]) / front["L"], values(front["t_rupture"])
+    t_from = np.interp(paper.TRANSITIONS[0], x_over_L, t_rupture)
+    start = (t_from - np.nanmin(t_rupture)) * 1e3
     end = start + paper.SLOW_FOR * 1e3
     axes.plot(paper.TRANSITIONS, [start, end], color="white", linewidth=2.5)
     axes.plot(paper.TRANSITIONS, [start, end], **OF_PAPER)
@@ -90,11 +86,6 @@ def own_result(choice):
     )
 
 
-def write_choice(results, choice):
-    rows = choice["candidates"]
-    write_table(results / "most-like.csv", rows[0].keys(), [row.values() for row in rows])
-
-
 def make(data, results):
     loads = of_ensemble(data, "load", "events")
     choice = report(data / "most-like.json") if (data / "most-like.json").exists() else None
@@ -104,7 +95,9 @@ def make(data, results):
     write_fronts(results / "front-speed-II.csv", {"second-slow": fronts.pop("second-slow")})
     write_fronts(results / "front-speed.csv", fronts)
     if choice:
-        write_choice(results, choice)
+        write_columns(
+            results / "most-like.csv", list(choice["candidates"][0]), choice["candidates"]
+        )
     write_own(results, [own_result(choice)] if choice else [])
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
     ways = ("in-words", "with-ends")

@@ -41,14 +41,10 @@ def unlikeness(ratios):
     return float(np.sum(np.log(list(ratios.values())) ** 2))
 
 
-def row_of(load, event, ratios):
-    return {"load": load, "t_start [s]": event["t_start"], **ratios, SUM: unlikeness(ratios)}
-
-
 def candidates(loads):
     """[(event, row), ...], the most like one first. `loads`: {name: events}."""
     found = [
-        (event, row_of(load, event, ratios))
+        (event, {"load": load, "t_start [s]": event["t_start"], **ratios, SUM: unlikeness(ratios)})
         for load, events in loads.items()
         for event in events
         if (ratios := ratios_of(event))

@@ -1,6 +1,5 @@
 """Figure S4, its data and its claim."""
 
-import h5py
 import numpy as np
 import rupture
 from scipy import stats
@@ -26,12 +25,11 @@ class Junctions:
 
     def __init__(self, checkpoint, phi):
         self.f_thres = np.array(phi["f_thres"])
-        with h5py.File(checkpoint) as file:
-            parameters = file["parameters/junctions"]
-            k_ij = np.sqrt(parameters["kappa"][()] * self.f_thres / parameters["mu_s"][()])
-            stretch = file["state/u_x"][0][:, None] - file["state/junctions/attachment"][()]
-            self.slipping = file["state/junctions/slipping"][()] == 1
-            self.x_over_L = np.array(phi["x"]) / file["parameters/slider/L"][()]
+        state = rupture.open(checkpoint)
+        k_ij = np.sqrt(state["junctions.kappa"] * self.f_thres / state["junctions.mu_s"])
+        stretch = state["u_x"][0][:, None] - state["junctions/attachment"]
+        self.slipping = state["junctions/slipping"] == 1
+        self.x_over_L = np.array(phi["x"]) / state["slider.L"]
         self.force = k_ij[:, None] * stretch
         np.testing.assert_allclose(self.force.mean(axis=1), phi["mean"], rtol=1e-9)
 
