@@ -19,16 +19,15 @@ def sigma_of(path):
     return float(path.stem.split("-")[-2])
 
 
-def difference(with_slip, without, convention):
-    """Between the edges of fast fronts with slow slip and of arrested ones without it."""
-    return with_slip[convention]["fast"] - without[convention]["slow"]
-
-
 def cases(edges):
-    """{convention: case}"""
+    """{convention: case}: between the edges of fast fronts with slow slip and of arrested ones
+    without it."""
     return {
         name: {
-            "largest difference of the edges": max(abs(difference(w, o, name)) for _, w, o in edges)
+            "largest difference of the edges": max(
+                abs(with_slip[name]["fast"] - without[name]["slow"])
+                for _, with_slip, without in edges
+            )
         }
         for name in edges[0][1]
     }

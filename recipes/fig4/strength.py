@@ -95,12 +95,17 @@ def types_by_seed(data):
     return {seed: types_of(map_of_seed(at_grid, seed)) for seed in seeds_of(at_grid)}
 
 
-def map_strata(types):
-    """sigma_bar of slow and of fast grid points, by tau_bar_0."""
+def strata_of(points):
+    """sigma_bar of slow and of fast points by stratum. `points`: (stratum, sigma_bar, kind)."""
     return [
-        tuple([s for (t, s), k in sorted(types.items()) if (t, k) == (tau, kind)] for kind in KINDS)
-        for tau in sorted({tau for tau, _ in types})
+        tuple([s for of, s, k in points if (of, k) == (stratum, kind)] for kind in KINDS)
+        for stratum in sorted({of for of, *_ in points})
     ]
+
+
+def map_strata(types):
+    """Of grid points, by tau_bar_0."""
+    return strata_of([(*place, kind) for place, kind in sorted(types.items())])
 
 
 TESTS = {
@@ -110,19 +115,14 @@ TESTS = {
 
 
 def block_strata(blocks, width):
-    """sigma_bar of slow and of fast blocks beyond the loading zone, by bins of tau_bar_0."""
-    bins = {np.floor(block.tau_bar_0 / width) for block in blocks}
-    for number in sorted(bins):
-        inside = [b for b in blocks if np.floor(b.tau_bar_0 / width) == number]
-        yield tuple([b.sigma_bar for b in inside if b.kind == kind] for kind in KINDS)
+    """Of blocks beyond the loading zone, by bins of tau_bar_0."""
+    return strata_of([(np.floor(b.tau_bar_0 / width), b.sigma_bar, b.kind) for b in blocks])
 
 
 def shares_of(events, width=BINS[0]):
     """{event: share of its pairs of a slow and a fast block in which the slow one has the lower
     sigma_bar}"""
-    shares = {
-        event: share_of_lower(list(block_strata(blocks, width))) for event, blocks in events.items()
-    }
+    shares = {name: share_of_lower(block_strata(of, width)) for name, of in events.items()}
     return {event: share for event, share in shares.items() if share is not None}
 
 
