@@ -13,18 +13,7 @@ from claims.judge import holds
 from data.records import report
 from events.continuations import BRANCHES, OWN_BLOCK, SLIP_AT
 from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
-from events.event_claims import (
-    case_3A,
-    case_3B,
-    case_3C,
-    case_3Cv,
-    case_4AB,
-    case_3Bw,
-    case_5A,
-    case_5Aw,
-    case_S2,
-    words_case,
-)
+from events.event_claims import EVENT_CLAIMS, case_S2, words_case
 from events.fronts import has_slow_stretch
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
@@ -121,28 +110,24 @@ AT_BRANCHES = {f"branch at {branch} L": {"branch": branch} for branch in LATER_B
 OF_FRONTS = {name: {"way": name} for name in CONVENTIONS if name != PRIMARY} | AT_BRANCHES
 OF_SLIP = AT_BRANCHES | {f"block at {block} L": {"block": block} for block in OTHER_BLOCKS}
 
-OF_EVENT: dict[str, tuple] = {  # conventions, case, what it is made of
-    "3A": (OF_FRONTS, case_3A, lambda view: view.fronts("stopped")),
-    "3B": (OF_FRONTS, case_3B, lambda view: view.fronts("no-slow-slip")),
-    "3C": (OF_SLIP, case_3C, lambda view: [view.of_branch("slip", view.block)]),
-    "3Cv": (OF_SLIP, case_3Cv, lambda view: [view.of_branch("slip", view.block)]),
-    "4AB": (OF_FRONTS, case_4AB, View.widened),
-    "3Aw": (AT_BRANCHES, words_case, lambda view: [view.of_branch("in words", "stopped")]),
-    "3Bw": (
-        AT_BRANCHES,
-        case_3Bw,
-        lambda view: (view.event["in words"], view.of_branch("no-slow-slip")),
-    ),
-    "3Cw": (AT_BRANCHES, case_3C, lambda view: [view.of_branch("slip", OWN_BLOCK)]),
-    "5A": ({}, case_5A, View.undriven),
-    "5Aw": ({}, case_5Aw, lambda view: (view.event["in words"], *view.undriven())),
+OF_EVENT: dict[str, tuple] = {  # conventions, what the case is made of
+    "3A": (OF_FRONTS, lambda view: view.fronts("stopped")),
+    "3B": (OF_FRONTS, lambda view: view.fronts("no-slow-slip")),
+    "3C": (OF_SLIP, lambda view: [view.of_branch("slip", view.block)]),
+    "3Cv": (OF_SLIP, lambda view: [view.of_branch("slip", view.block)]),
+    "4AB": (OF_FRONTS, View.widened),
+    "3Aw": (AT_BRANCHES, lambda view: [view.of_branch(IN_WORDS, "stopped")]),
+    "3Bw": (AT_BRANCHES, lambda view: (view.event[IN_WORDS], view.of_branch("no-slow-slip"))),
+    "3Cw": (AT_BRANCHES, lambda view: [view.of_branch("slip", OWN_BLOCK)]),
+    "5A": ({}, View.undriven),
+    "5Aw": ({}, lambda view: (view.event[IN_WORDS], *view.undriven())),
 }
 FROM_SLOW = ("3A", "3B", "4AB", "5A", "5Aw")  # made of an original first, which has to be slow
 
 
 def of_event(claim_id, event):
     """An event whose original is not slow in one way to measure it is no unit there."""
-    conventions, case, made_of = OF_EVENT[claim_id]
+    (conventions, made_of), (case, *_) = OF_EVENT[claim_id], EVENT_CLAIMS[claim_id]
     found = {}
     for name, fields in ({PRIMARY: {}} | conventions).items():
         if "way" in fields and name not in (event["conventions"] or {}):
