@@ -4,31 +4,9 @@ import numpy as np
 
 from claims.judge import judged
 from data.tables import write_table
-from maps.front_map import (
-    TYPES,
-    axes_of,
-    band,
-    fast_below_left_of_arrested,
-    load_map,
-    map_of_seed,
-    order_in_words,
-    seeds_of,
-    spread_of_crossing,
-    steps_back,
-    types_of,
-    types_of_seeds,
-    write_types,
-)
-from maps.map_conventions import (
-    ABOUT_UNITS,
-    ALONG_SIGMA,
-    ALONG_TAU,
-    MEASURES,
-    WAYS,
-    out_of_order,
-    over_product,
-    units_of_seeds,
-)
+from maps import front_map, map_conventions
+from maps.front_map import TYPES, types_of, types_of_seeds
+from maps.map_conventions import ABOUT_UNITS, ALONG_SIGMA, ALONG_TAU, MEASURES, WAYS, units_of_seeds
 from maps.map_panels import draw_map
 
 
@@ -44,12 +22,12 @@ def thresholds_compared(fronts, grid, slow_below):
             "slow": sum(kind == "slow" for kind in types.values()),
             "fast": sum(kind == "fast" for kind in types.values()),
             "changed": sum(types[place] != reference[place] for place in types),
-            "fast below-left of arrested": len(fast_below_left_of_arrested(seeds)),
+            "fast below-left of arrested": len(front_map.fast_below_left_of_arrested(seeds)),
         }
 
 
 def median_spread(fronts, places):
-    spreads = [spread_of_crossing(fronts[place]) for place in places]
+    spreads = [front_map.spread_of_crossing(fronts[place]) for place in places]
     return float(np.median(spreads)) if spreads else None
 
 
@@ -80,13 +58,14 @@ def seeds_measured(fronts, boundary):
 
 def measured(fronts, grid, boundary, thresholds):
     types = types_of(grid)
-    taus, sigmas = axes_of(grid)
+    taus, sigmas = front_map.axes_of(grid)
+    below_left = front_map.fast_below_left_of_arrested(types_of_seeds(fronts))
     kinds = {
         f"{kind} grid points": sum(t == kind for t in types.values())
         for kind in ("arrested", "slow", "fast", "impossible")
     }
     bands = {
-        f"slow tau_bar_0 at sigma_bar = {s:.3g}": band(types, s)
+        f"slow tau_bar_0 at sigma_bar = {s:.3g}": front_map.band(types, s)
         for s in (sigmas[0], sigmas[len(sigmas) // 2], sigmas[-1])
     }
     others = {
@@ -98,11 +77,9 @@ def measured(fronts, grid, boundary, thresholds):
         "smaller side of the grid": min(len(taus), len(sigmas)),
         **kinds,
         "points with all seeds": sum(map(len, fronts.values())),
-        "fast points below-left of an arrest point": len(
-            {pair[0] for pair in fast_below_left_of_arrested(types_of_seeds(fronts))}
-        ),
-        "grid points that step back along tau_bar_0": len(steps_back(types, ALONG_TAU)),
-        "grid points that step back along sigma_bar": len(steps_back(types, ALONG_SIGMA)),
+        "fast points below-left of an arrest point": len({fast for fast, _ in below_left}),
+        "grid points that step back along tau_bar_0": len(front_map.steps_back(types, ALONG_TAU)),
+        "grid points that step back along sigma_bar": len(front_map.steps_back(types, ALONG_SIGMA)),
         **seeds_measured(fronts, boundary),
         **bands,
         **others,
@@ -115,8 +92,8 @@ def case_of_map(fronts, grid, boundary_seeds, axis=ALONG_TAU, **how):
     kinds = [types[place] for place in grid]
     return {
         **{f"{kind} grid points": kinds.count(kind) for kind in TYPES},
-        "places out of order": len(out_of_order(fronts, grid, axis, **how)),
-        "smaller side of the grid": min(map(len, axes_of(grid))),
+        "places out of order": len(map_conventions.out_of_order(fronts, grid, axis, **how)),
+        "smaller side of the grid": min(map(len, front_map.axes_of(grid))),
         "fewest seeds at one of them": boundary_seeds,
     }
 
@@ -124,26 +101,27 @@ def case_of_map(fronts, grid, boundary_seeds, axis=ALONG_TAU, **how):
 def case_in_words(fronts, grid, **how):
     """Of the leading row."""
     types = types_of(fronts, **how)
-    present, out_of_order = order_in_words({place: types[place] for place in grid})
+    present, out_of_order = front_map.order_in_words({place: types[place] for place in grid})
     return {"types present": present, "sigma_bar out of order": out_of_order}
 
 
 def map_claims(leading, strict, fronts, grid, boundary, thresholds, note):
     """Shown is the map of all seeds."""
-    boundary_seeds, seeds = fewest_seeds(fronts, boundary), seeds_of(fronts)
+    boundary_seeds, seeds = fewest_seeds(fronts, boundary), front_map.seeds_of(fronts)
 
     def in_words(seed, **way):
-        return case_in_words(map_of_seed(fronts, seed), grid, **way)
+        return case_in_words(front_map.map_of_seed(fronts, seed), grid, **way)
 
     def case(seed, **way):
-        return case_of_map(map_of_seed(fronts, seed), grid, boundary_seeds, **way)
+        return case_of_map(front_map.map_of_seed(fronts, seed), grid, boundary_seeds, **way)
 
     shown = case_in_words(fronts, grid)
     return [
         judged(leading, shown, shown, units_of_seeds(seeds, MEASURES, in_words), ABOUT_UNITS),
         judged(
             strict,
-            measured(fronts, grid, boundary, thresholds) | over_product(strict, seeds, case),
+            measured(fronts, grid, boundary, thresholds)
+            | map_conventions.over_product(strict, seeds, case),
             case_of_map(fronts, grid, boundary_seeds),
             units_of_seeds(seeds, WAYS, case),
             f"{note} {ABOUT_UNITS}",
@@ -156,10 +134,10 @@ def make_map(data, results, *, panel, tables, slow_below, claims, note):
     c_s over one of `slow_below`, of which the first is the default. Returns the claims: the
     leading one and the one that asks for more."""
     recipe = results.name
-    fronts, grid, boundary = load_map(data, recipe, tables)
+    fronts, grid, boundary = front_map.load_map(data, recipe, tables)
     thresholds = list(thresholds_compared(fronts, grid, slow_below))
     draw_map(fronts, grid, slow_below, panel, results / f"{recipe}{panel}")
-    write_types(results / "front-types.csv", fronts)
+    front_map.write_types(results / "front-types.csv", fronts)
     write_table(results / "thresholds.csv", list(thresholds[0]), map(dict.values, thresholds))
     leading, strict = claims
     return map_claims(leading, strict, fronts, grid, boundary, thresholds, note)
