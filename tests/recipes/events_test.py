@@ -1,6 +1,7 @@
 """Kinds of events, and which of a load are shown (recipes/common/events)."""
 
 import numpy as np
+from pytest import mark
 
 from claims.judge import holds
 from conftest import approx
@@ -40,6 +41,12 @@ def test_blocks_ahead_of_a_front_rupture_long_before_their_neighbours():
     for unit, ahead in ((1e-3, [0, 2]), (1e-4, [])):
         front = {"t_rupture": milliseconds * unit, "L": 0.05, "c_s": 1000.0}
         assert np.flatnonzero(ruptured_early(front)).tolist() == ahead
+
+
+@mark.parametrize("kind, spans", [("slow", True), ("arrested", False), ("none", False)])
+def test_a_front_that_arrests_or_never_starts_does_not_span(kind, spans):
+    slow = {"slow": {"speed": 10.0}}
+    assert judged_event("3A", {"event": (slow, slow | {"type": kind})}, {}).shown == spans
 
 
 class TestConventions:

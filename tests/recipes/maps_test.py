@@ -8,32 +8,19 @@ from claims.judge import holds
 from conftest import approx
 from data.rank_test import permutation, share_of_lower, van_elteren
 from events.conventions import PRIMARY
-from made_up_front import front
-from maps.front_map import (
-    boundary,
-    changes,
-    fast_below_left_of_arrested,
-    front_type,
-    map_of_seed,
-    medians_ascend,
-    middle,
-    neighbours,
-    order_in_words,
-    read_map,
-    speeds,
-    steps_back,
-    to_refine,
-)
+from made_up_front import SPACING, front
+from maps import front_map
+from maps.front_map import front_type, speeds
 from maps.map_claims import case_of_map, fewest_seeds, map_claims
 from maps.map_conventions import WAYS, out_of_order
-from maps.map_points import boundary_of_variants
+from maps.map_points import boundary_of_variants, types_in
 
 
 class TestReadMap:
     ROW = {"point": "p", "tau-bar": "0.1", "sigma-bar": "0", "numerics.seed": "1"}
 
     def read(self, result):
-        return read_map([(self.ROW, result)])
+        return front_map.read_map([(self.ROW, result)])
 
     def test_an_interface_that_cannot_be_prepared_has_no_front(self):
         refused = {"status": "failed", "sentence": "no such phi", "checksums": {}}
@@ -86,16 +73,31 @@ class TestTypes:
         line["t_rupture"][10:15] = [t - 1.0 for t in line["t_rupture"][10:15]]
         line["t_rupture"][15:] = [t - 2.0 for t in line["t_rupture"][15:]]
         assert front_type(line, stencil=5) == "slow"
+        line, step = front(), SPACING / 300  # blocks 12 to 14 at 300 m/s
+        line["t_rupture"][13:] = [t - 4 * step for t in line["t_rupture"][13:]]
+        line["t_rupture"][13] += 2 * step
+        assert front_type(line, stencil=3) == "fast"
 
     def test_what_does_not_arrive_is_arrested(self):
         assert front_type(front(arrives=False)) == "arrested"
-        edge = front() | {"t_rupture": [None] * 19 + [1.0]}
-        assert front_type(edge) == "arrested", "one block"
+        edge = front() | {"t_rupture": [None] * 18 + [0.5, 1.0]}
+        assert front_type(edge) == "arrested", "two blocks"
         backwards = front() | {"t_rupture": front()["t_rupture"][::-1]}
         assert front_type(backwards) == "arrested", "from the edge"
 
     def test_what_cannot_be_prepared_has_no_type(self):
         assert front_type(None) == "impossible"
+
+    def test_the_type_none_of_analyze_counts_as_arrested(self):
+        kinds = ("arrested", "slow", "fast", "", "none")
+        assert [*map(front_map.type_on_map, kinds)] == [*kinds[:-1], "arrested"]
+        nothing = front() | {"t_rupture": [None] * 20}
+        assert front_map.is_like_analyze(nothing | {"type": "none"})
+        assert not front_map.is_like_analyze(nothing | {"type": "fast"})
+        places = (("0", "none"), ("0.1", "fast"), ("2", ""))
+        rows = [{"tau-bar": tau, "sigma-bar": "0", "type": kind} for tau, kind in places]
+        types = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast", (2.0, 0.0): "impossible"}
+        assert types_in(rows) == types
 
 
 class TestBoundary:
@@ -104,28 +106,28 @@ class TestBoundary:
     GRID = {(0.0, 0.0): "arrested", (0.0, 0.2): "slow", (0.1, 0.0): "slow", (0.1, 0.2): "fast"}
 
     def test_neighbours_are_along_both_axes(self):
-        assert len(list(neighbours(self.GRID))) == 4
+        assert len(list(front_map.neighbours(self.GRID))) == 4
 
     def test_halfway_places_are_free_of_rounding_noise(self):
-        assert middle(((0.1, 0.2), (0.2, 0.2))) == (0.15, 0.2)
+        assert front_map.middle(((0.1, 0.2), (0.2, 0.2))) == (0.15, 0.2)
 
     def test_all_neighbours_of_other_type_are_changes(self):
-        assert len(changes(self.GRID)) == 4
+        assert len(front_map.changes(self.GRID)) == 4
 
     def test_only_the_edge_of_the_fast_region_is_refined(self):
-        assert to_refine(self.GRID) == [(0.05, 0.2), (0.1, 0.1)]
+        assert front_map.to_refine(self.GRID) == [(0.05, 0.2), (0.1, 0.1)]
 
     def test_nothing_changes_towards_what_cannot_be_prepared(self):
-        assert changes({(0.0, 0.0): "fast", (0.1, 0.0): "impossible"}) == []
+        assert front_map.changes({(0.0, 0.0): "fast", (0.1, 0.0): "impossible"}) == []
 
     def test_the_place_halfway_decides_which_neighbour_is_at_the_boundary(self):
         pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "slow"}
-        assert boundary(pair, {}) == [(0.0, 0.0), (0.1, 0.0)]
-        assert boundary(pair, {(0.05, 0.0): "slow"}) == [(0.0, 0.0), (0.05, 0.0)]
+        assert front_map.boundary(pair, {}) == [(0.0, 0.0), (0.1, 0.0)]
+        assert front_map.boundary(pair, {(0.05, 0.0): "slow"}) == [(0.0, 0.0), (0.05, 0.0)]
 
     def test_a_third_type_halfway_makes_two_boundaries(self):
         pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast"}
-        assert len(boundary(pair, {(0.05, 0.0): "slow"})) == 3
+        assert len(front_map.boundary(pair, {(0.05, 0.0): "slow"})) == 3
 
     def test_a_place_at_the_boundary_of_one_variant_is_enough(self):
         kinds = {"longer": ["slow", "fast", "fast"], "shorter": ["fast", "fast", "fast"]}
@@ -140,25 +142,25 @@ class TestBoundary:
 class TestOrder:
     def test_a_fast_seed_below_left_of_an_arrested_one_is_found(self):
         seeds = {(0.0, 0.1): {1: "slow", 2: "fast"}, (0.1, 0.1): {1: "arrested"}}
-        assert fast_below_left_of_arrested(seeds) == [((0.0, 0.1), (0.1, 0.1))]
+        assert front_map.fast_below_left_of_arrested(seeds) == [((0.0, 0.1), (0.1, 0.1))]
 
     def test_seeds_of_one_place_count(self):
-        assert fast_below_left_of_arrested({(0.0, 0.0): {1: "fast", 2: "arrested"}})
+        assert front_map.fast_below_left_of_arrested({(0.0, 0.0): {1: "fast", 2: "arrested"}})
 
     def test_a_fast_point_at_wider_phi_is_in_order(self):
         seeds = {(0.0, 0.2): {1: "fast"}, (0.1, 0.1): {1: "arrested"}}
-        assert fast_below_left_of_arrested(seeds) == []
+        assert front_map.fast_below_left_of_arrested(seeds) == []
 
     def test_a_step_back_is_seen_along_its_axis_only(self):
         types = {
             **{(0.0, 0.0): "arrested", (0.1, 0.0): "slow", (0.2, 0.0): "slow"},
             **{(0.0, 0.1): "slow", (0.1, 0.1): "impossible", (0.2, 0.1): "arrested"},
         }
-        assert steps_back(types, 0) == {(0.2, 0.1)}
-        assert steps_back(types, 1) == {(0.2, 0.1)}
+        assert front_map.steps_back(types, 0) == {(0.2, 0.1)}
+        assert front_map.steps_back(types, 1) == {(0.2, 0.1)}
         types[0.2, 0.0] = "arrested"
-        assert steps_back(types, 0) == {(0.2, 0.0), (0.2, 0.1)}
-        assert steps_back(types, 1) == set()
+        assert front_map.steps_back(types, 0) == {(0.2, 0.0), (0.2, 0.1)}
+        assert front_map.steps_back(types, 1) == set()
 
 
 ARRESTED, SLOW, FAST = front(arrives=False), front({12: 1.0}), front()
@@ -167,7 +169,7 @@ ARRESTED, SLOW, FAST = front(arrives=False), front({12: 1.0}), front()
 class TestSeeds:
     def test_a_map_has_its_own_fronts_or_those_of_the_first_seed(self):
         fronts = {(0.0, 0.0): {1: SLOW}, (0.1, 0.0): {1: SLOW, 2: FAST}}
-        assert map_of_seed(fronts, 2) == {(0.0, 0.0): {2: SLOW}, (0.1, 0.0): {2: FAST}}
+        assert front_map.map_of_seed(fronts, 2) == {(0.0, 0.0): {2: SLOW}, (0.1, 0.0): {2: FAST}}
 
     def test_a_seed_without_a_front_is_missing(self):
         assert fewest_seeds({(0.0, 0.0): {1: SLOW, 2: None}}, [(0.0, 0.0)]) == 1
@@ -216,11 +218,11 @@ class TestOrderInWords:
     def test_medians_ascend_from_arrested_over_slow_to_fast(self):
         types = dict.fromkeys(((0.1, 0), (0.3, 0), (0.9, 0)), "arrested")  # median 0.3
         types |= dict.fromkeys(((0.2, 0), (0.6, 0)), "slow")  # median 0.4
-        assert medians_ascend(types, 0)
-        assert not medians_ascend(types | {(0.35, 0): "fast"}, 0)
-        assert not medians_ascend(types | {(0.4, 0): "fast"}, 0)  # equal is no ascent
-        assert medians_ascend(types | {(0.5, 0): "fast"}, 0)
-        assert order_in_words(types | {(0.1, 1): "slow", (0.2, 1): "arrested"}) == (2, 1)
+        assert front_map.medians_ascend(types, 0)
+        assert not front_map.medians_ascend(types | {(0.35, 0): "fast"}, 0)
+        assert not front_map.medians_ascend(types | {(0.4, 0): "fast"}, 0)  # equal is no ascent
+        assert front_map.medians_ascend(types | {(0.5, 0): "fast"}, 0)
+        assert front_map.order_in_words(types | {(0.1, 1): "slow", (0.2, 1): "arrested"}) == (2, 1)
 
 
 class TestRankTests:
