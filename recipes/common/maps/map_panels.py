@@ -34,15 +34,9 @@ def regions(types, taus, sigmas):
 def draw_regions(axes, types, grid_types):
     """Regions coloured by type, a dot per place. `grid_types` are those of the regular grid."""
     (tau, sigma), kinds = regions(types, *axes_of(grid_types))
-    axes.pcolormesh(
-        sigma,
-        tau,
-        kinds,
-        cmap=ListedColormap([COLOURS[kind] for kind in TYPES]),
-        vmin=-0.5,
-        vmax=len(TYPES) - 0.5,
-        rasterized=True,
-    )
+    colours = ListedColormap([COLOURS[kind] for kind in TYPES])
+    look = {"cmap": colours, "vmin": -0.5, "vmax": len(TYPES) - 0.5, "rasterized": True}
+    axes.pcolormesh(sigma, tau, kinds, **look)
     taus, sigmas = zip(*(place for place, kind in types.items() if kind in TYPES))
     axes.plot(sigmas, taus, ".", color=BLACK, markersize=2, markeredgewidth=0, label="run")
     axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\tau_0$")
@@ -54,16 +48,8 @@ def draw_several_types(axes, seed_types):
     mixed = [place for place, seeds in seed_types.items() if len(set(seeds.values())) > 1]
     if mixed:
         taus, sigmas = zip(*mixed)
-        axes.plot(
-            sigmas,
-            taus,
-            "o",
-            color=BLACK,
-            markerfacecolor="none",
-            markersize=4,
-            markeredgewidth=0.6,
-            label="type depends\non the seed",
-        )
+        look = {"markerfacecolor": "none", "markersize": 4, "markeredgewidth": 0.6}
+        axes.plot(sigmas, taus, "o", color=BLACK, label="type depends\non the seed", **look)
 
 
 def name_regions(axes, types):
@@ -86,19 +72,15 @@ def draw_key(axes):
     axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5), handlelength=1)
 
 
-def draw_contours(axes, types, style):
-    """The line above which fronts are fast, on a regular grid; `style` as for contour()."""
-    taus, sigmas = axes_of(types)
-    fast = np.array([[types[tau, sigma] == "fast" for sigma in sigmas] for tau in taus], float)
-    if 0 < fast.mean() < 1:
-        axes.contour(sigmas, taus, fast, levels=[0.5], **style)
-
-
 def draw_thresholds(axes, grid, slow_below):
-    """The lines of draw_contours() for several thresholds c_s/ratio."""
+    """The lines above which fronts are fast, for several thresholds c_s/ratio."""
+    taus, sigmas = axes_of(grid)
     for ratio, colour, style in zip(slow_below, LINES, LINESTYLES):
-        line = {"colors": [colour], "linestyles": [style], "linewidths": 1}
-        draw_contours(axes, types_of(grid, slow_below=1 / ratio), line)
+        types = types_of(grid, slow_below=1 / ratio)
+        fast = np.array([[types[tau, sigma] == "fast" for sigma in sigmas] for tau in taus], float)
+        if 0 < fast.mean() < 1:
+            line = {"colors": [colour], "linestyles": [style], "linewidths": 1}
+            axes.contour(sigmas, taus, fast, levels=[0.5], **line)
         label = f"slow below $c_s/{ratio}$"
         axes.plot([], [], color=colour, linestyle=style, linewidth=1, label=label)
     draw_regions(axes, types_of(grid), types_of(grid))
