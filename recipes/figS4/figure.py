@@ -69,15 +69,9 @@ def draw_phi(axes, junctions, edges):
     """Histogram of the pinned junctions' forces per block. Returns the image."""
     blocks = range(len(junctions.f_thres))
     counts = np.array([np.histogram(junctions.pinned(block), edges)[0] for block in blocks]).T
-    image = axes.pcolormesh(
-        block_edges(junctions),
-        edges * MN,
-        counts / counts.sum(axis=0),
-        cmap="cividis",
-        vmin=0,
-        vmax=0.2,
-    )
-    image.set_rasterized(True)
+    places, shares = (block_edges(junctions), edges * MN), counts / counts.sum(axis=0)
+    look = {"cmap": "cividis", "vmin": 0, "vmax": 0.2, "rasterized": True}
+    image = axes.pcolormesh(*places, shares, **look)
     axes.stairs(junctions.f_thres * MN, block_edges(junctions), baseline=None, color="white")
     axes.axhline(0, color="white", linewidth=0.9)
     axes.set(ylim=(edges[0] * MN, edges[-1] * MN))
