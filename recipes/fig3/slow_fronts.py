@@ -76,19 +76,15 @@ def tables_of(data, sweep):
     return [*data.glob(f"{sweep}.csv"), *sorted(data.glob(f"{sweep}-seed-*.csv"))]
 
 
-def name_and_seed(path):
-    """("slow_slip", 2) of .../slow_slip-seed-2.csv; without seed it is 1."""
-    sweep, _, seed = Path(path).stem.partition("-seed-")
-    return sweep, int(seed or 1)
-
-
 def of_seeds(tables, conventions, sweeps):
-    """The units: {seed: {convention: [case]}}, of seeds with the tables of all sweeps.
-    `conventions`: a function of these tables, in the order of `sweeps`."""
-    found = {name_and_seed(table): table for table in tables}
-    of_seed = {seed: [found.get((sweep, seed)) for sweep in sweeps] for _, seed in sorted(found)}
+    """The units: {seed: {convention: [case]}}, of seeds with the tables of all sweeps; one that has
+    none in its name is of seed 1. `conventions`: a function of these, in the order of `sweeps`."""
+    of_seed: dict[int, dict] = {}
+    for table in tables:
+        sweep, _, seed = Path(table).stem.partition("-seed-")
+        of_seed.setdefault(int(seed or 1), {})[sweep] = table
     return {
-        f"seed {seed}": conventions(*their)
+        f"seed {seed}": conventions(*map(their.get, sweeps))
         for seed, their in sorted(of_seed.items())
-        if None not in their
+        if their.keys() >= set(sweeps)
     }
