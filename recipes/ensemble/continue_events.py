@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Continues every fast-slow-fast event of a load in other ways, and measures what becomes of it:
 
     continue_events.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
@@ -17,9 +16,7 @@ commands run in the folder RUN-scratch, which is deleted at the end. Prints, by 
 A branch is null where the front does not rupture its block; a front where nothing ruptures.
 """
 
-import json
 import shutil
-import sys
 from pathlib import Path
 
 import h5py
@@ -146,8 +143,4 @@ def main(programs, run, *options):
             with scratch(Path(f"{run}-scratch")) as folder:
                 workshop = Workshop(programs, run, *options, folder)
                 found[event["number"]] = measure(workshop, event)
-    print(json.dumps(found))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return found

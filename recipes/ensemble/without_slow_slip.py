@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Runs the fast-slow events of a load with the simplified law without slow slip:
 
     without_slow_slip.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
@@ -8,8 +7,6 @@ convention. Prints, by the events' numbers, {convention: {"with", "without"}}: t
 front without slow slip, null where nothing ruptures.
 """
 
-import json
-import sys
 from pathlib import Path
 
 from workshop import Workshop, without_lines
@@ -52,9 +49,4 @@ def main(programs, run, *options):
     }
     with scratch(Path(f"{run}-scratch")) as folder:
         workshop = Workshop(programs, run, *options, folder)
-        found = {number: measure(workshop, event) for number, event in chosen.items()}
-    print(json.dumps(found))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+        return {number: measure(workshop, event) for number, event in chosen.items()}

@@ -108,7 +108,7 @@ rule events:
     log: f"{LOGS}/{{load}}-events.log"
     params: code=CODE
     message: "events: find the rupture events of {wildcards.load}, under each convention"
-    shell: "{PYTHON} {input.script} {BIN} {input.h5} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {BIN} {input.h5} > {output} 2> {log}"
 
 
 rule product:
@@ -120,7 +120,7 @@ rule product:
     params: code=CODE
     wildcard_constraints: seed="[0-9]{3}"
     message: "product: measure the fronts of {wildcards.setting}-{wildcards.seed} under all combinations of conventions"
-    shell: "{PYTHON} {input.script} {BIN} {input.h5} {wildcards.setting} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {BIN} {input.h5} {wildcards.setting} > {output} 2> {log}"
 
 
 # The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
@@ -146,7 +146,7 @@ rule continued:
     params: code=CODE, run=f"{DATA}/{{load}}", crossings=CROSSINGS
     message: "continued: continue the events of {wildcards.load} in other ways"
     shell:
-        "{PYTHON} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} '{params.crossings}'"
+        "{CALL} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} '{params.crossings}'"
         " > {output} 2> {log}"
 
 
