@@ -110,11 +110,24 @@ def test_all_commands_of_analyze_are_described():
     assert lines == ["help", *(name.removeprefix("analyze ") for name in COMMANDS)]
 
 
-def test_help_of_analyze_is_a_command_too():
+def test_help_is_a_command_too():
     for words in ("help", "help help"):
         assert output_of(f"analyze {words}") == output_of("analyze --help")
     for command in ("events", "slow-slip", "diff"):
-        assert output_of(f"analyze help {command}") == output_of(f"analyze {command} --help")
+        own = output_of(f"analyze {command} --help")
+        assert output_of(f"analyze help {command}") == own
+        assert output_of(f"rupture help analyze {command}") == own
+    assert output_of("rupture help load") == output_of("load --help")
+
+
+def test_rupture_lists_every_program_with_its_summary():
+    tools, text = json_of("rupture --describe")["tools"], output_of("rupture help")
+    assert {"analyze", *PROGRAMS} < {tool["name"] for tool in tools}
+    for tool in tools:
+        assert f"\n  {tool['name']} " in text and tool["summary"] in text
+        assert tool == json_of(f"{tool['name']} --describe")
+    assert output_of("rupture --help") == output_of("rupture help help") == text
+    assert run("rupture") == (2, "", text)
 
 
 # --- parameters
