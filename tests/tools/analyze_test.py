@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from commands import checksum_of, json_of, lines_of, output_of
+from commands import json_of, lines_of, output_of
 
 pytestmark = pytest.mark.usefixtures("small_ini")
 
@@ -35,11 +35,6 @@ def test_several_ways_are_measured_by_one_call(crossings, command):
         high = f"{measure} --ruptured-below 0.7"
         expected = output_of(high) + output_of(f"{high} --stencil 3") + output_of(measure)
         assert output_of(f"{high} --also=--stencil=3;--ruptured-below=0.3") == expected
-
-
-def test_the_checksum_is_shown():
-    output_of("load --config small.ini -o a.h5")
-    assert json_of("analyze show a.h5 --json")["checksum"] == checksum_of("a.h5")
 
 
 @pytest.mark.parametrize("law", ["reference", "simplified", "decaying", "distance"])
@@ -117,14 +112,6 @@ def test_the_estimate_follows_the_slip_of_one_block():
     assert slip[0] == 1, "the first pinned junction alone makes up for f_slip"
     net = estimate["net_slip_over_f_slip_per_k_ij"]
     assert slip[-1] == pytest.approx(net, rel=0, abs=1e-12), "equal for all seeds"
-
-
-def test_the_estimate_depends_on_the_seed_alone():
-    output_of("load --config small.ini -o a.h5 -q")
-    command = "analyze estimate a.h5 --json --ensemble 5"
-    said = output_of(command)
-    assert said == output_of(command) == output_of(f"{command} --seed 1"), "the checkpoint's"
-    assert said != output_of(f"{command} --seed 2")
 
 
 def test_modify_phi_prints_the_histogram_of_the_changed_blocks_before_and_after():
