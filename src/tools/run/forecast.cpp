@@ -17,6 +17,26 @@ namespace {
 
 constexpr double kMB = 1e6;  // [bytes]
 
+/// The needs of what is left of a run. Ruptures in the record, 24 bytes each, are not counted.
+struct Forecast {
+  const RunPlan& plan;
+  const Parameters& parameters;
+  std::int64_t steps = 0;
+  std::int64_t checkpoints = 0;    ///< that at the end included
+  std::int64_t samples = 0;        ///< of the record; 0 without one
+  std::int64_t field_samples = 0;  ///< of its fields; 0 without them
+  double memory = 0;               ///< peak of the process [bytes]
+  double checkpoint = 0;           ///< size of one checkpoint [bytes]
+  double record = 0;               ///< size of the record, 0 without one [bytes]
+  double equilibrium_time = 0;     ///< 0 if none is looked for [s]
+  double time_per_step = 0;        ///< [s]
+
+  bool at_most() const { return plan.rule.quiet_steps && !plan.is_complete; }
+  double simulated_time() const { return static_cast<double>(steps) * parameters.dt; }  ///< [s]
+  double disk() const { return static_cast<double>(checkpoints) * checkpoint + record; }
+  double time() const { return equilibrium_time + static_cast<double>(steps) * time_per_step; }
+};
+
 /// The slider with which the equilibrium's time is compared: of reference size, with 85 x 46
 /// blocks.
 Parameters reference_slider() {
@@ -48,12 +68,11 @@ double checkpoint_size(const Parameters& p) {
 
 /// Per sample four numbers, and three and a count per interface block; per sample of the fields two
 /// numbers, and two of four bytes per block.
-double record_size(const Workload& work) {
-  if (work.samples == 0) return 0.0;
-  const Parameters& p = work.parameters;
-  return 0.035 * kMB +
-         static_cast<double>(work.samples) * (32.0 + 26.0 * static_cast<double>(p.Nx)) +
-         static_cast<double>(work.field_samples) * (16.0 + 8.0 * blocks(p));
+double record_size(const Forecast& f) {
+  if (f.samples == 0) return 0.0;
+  const Parameters& p = f.parameters;
+  return 0.035 * kMB + static_cast<double>(f.samples) * (32.0 + 26.0 * static_cast<double>(p.Nx)) +
+         static_cast<double>(f.field_samples) * (16.0 + 8.0 * blocks(p));
 }
 
 /// Reading and writing keep several copies of a checkpoint, and of the record when it is completed.
@@ -80,36 +99,6 @@ double equilibrium_time(const Parameters& p, double reference) {
   return reference * std::pow(bandwidth_sum(p) / bandwidth_sum(reference_slider()), 0.9);
 }
 
-// --- words
-
-std::string size_text(double bytes) {
-  return bytes < 1000.0 * kMB ? rounded(bytes / kMB) + " MB"
-                              : rounded(bytes / (1000.0 * kMB)) + " GB";
-}
-
-std::string disk_text(const Forecast& f) {
-  std::string text = fmt::format("{}: {} checkpoint{} of {}", size_text(f.disk()),
-                                 grouped(static_cast<double>(f.work.checkpoints)),
-                                 f.work.checkpoints == 1 ? "" : "s", size_text(f.checkpoint));
-  if (f.work.samples > 0) {
-    const auto fields = static_cast<double>(f.work.field_samples);
-    text += fmt::format("; record of {} samples{}, {}, and 24 bytes for each rupture of a block",
-                        grouped(static_cast<double>(f.work.samples)),
-                        fields > 0 ? fmt::format(" and {} of all blocks", grouped(fields)) : "",
-                        size_text(f.record));
-  }
-  return text;
-}
-
-std::string time_account(const Forecast& f) {
-  std::string text =
-      fmt::format("{}: {} per step, measured now", time_text(f.time()), time_text(f.time_per_step));
-  if (f.work.from == RunsFrom::equilibrium) {
-    text += fmt::format("; {} for the equilibrium", time_text(f.equilibrium_time));
-  }
-  return text;
-}
-
 template <class Work>
 double seconds_of(const Work& work) {
   const auto begin = std::chrono::steady_clock::now();
@@ -131,30 +120,22 @@ double time_per_step(Simulation& simulation) {
   return sum / static_cast<double>(steps);
 }
 
-}  // namespace
-
-double Forecast::simulated_time() const {
-  return static_cast<double>(steps()) * work.parameters.dt;
-}
-
-double Forecast::disk() const {
-  return static_cast<double>(work.checkpoints) * checkpoint + record;
-}
-
-double Forecast::time() const {
-  return equilibrium_time + static_cast<double>(steps()) * time_per_step;
-}
-
-Forecast forecast(const Workload& work, const State& state) {
-  const Parameters& p = work.parameters;
-  Simulation simulation(p, state, work.threads);
-  const double record = record_size(work);
-  Forecast f = {.work = work,
-                .memory = run_memory(p, record),
-                .checkpoint = checkpoint_size(p),
-                .record = record,
-                .time_per_step = time_per_step(simulation)};
-  if (work.from == RunsFrom::equilibrium) {
+Forecast forecast_of(const RunPlan& plan) {
+  const Parameters& p = plan.start.parameters;
+  Forecast f = {plan, p};
+  if (!plan.is_complete) {
+    const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
+    f.steps = last - plan.begin.checkpoint.state.step;
+    f.checkpoints = std::ssize(plan.checkpoint_steps) + 1;
+    if (plan.files.record) f.samples = plan.files.record_every.samples(first, last);
+    if (plan.files.fields_every) f.field_samples = plan.files.fields_every->samples(first, last);
+  }
+  f.checkpoint = checkpoint_size(p);
+  f.record = record_size(f);
+  f.memory = run_memory(p, f.record);
+  Simulation simulation(p, plan.begin.checkpoint.state, plan.threads);
+  f.time_per_step = time_per_step(simulation);
+  if (plan.finds_equilibrium) {
     const double reference = seconds_of([] { normal_load_equilibrium(reference_slider()); });
     f.memory = std::max(f.memory, equilibrium_memory(p));
     f.equilibrium_time = equilibrium_time(p, reference);
@@ -162,10 +143,39 @@ Forecast forecast(const Workload& work, const State& state) {
   return f;
 }
 
+// --- words
+
+std::string size_text(double bytes) {
+  return bytes < 1000.0 * kMB ? rounded(bytes / kMB) + " MB"
+                              : rounded(bytes / (1000.0 * kMB)) + " GB";
+}
+
+std::string disk_text(const Forecast& f) {
+  std::string text = fmt::format("{}: {} checkpoint{} of {}", size_text(f.disk()),
+                                 grouped(static_cast<double>(f.checkpoints)),
+                                 f.checkpoints == 1 ? "" : "s", size_text(f.checkpoint));
+  if (f.samples > 0) {
+    const auto fields = static_cast<double>(f.field_samples);
+    text += fmt::format("; record of {} samples{}, {}, and 24 bytes for each rupture of a block",
+                        grouped(static_cast<double>(f.samples)),
+                        fields > 0 ? fmt::format(" and {} of all blocks", grouped(fields)) : "",
+                        size_text(f.record));
+  }
+  return text;
+}
+
+std::string time_account(const Forecast& f) {
+  std::string text =
+      fmt::format("{}: {} per step, measured now", time_text(f.time()), time_text(f.time_per_step));
+  if (f.plan.finds_equilibrium) {
+    text += fmt::format("; {} for the equilibrium", time_text(f.equilibrium_time));
+  }
+  return text;
+}
+
 std::string text_of(const Forecast& f) {
-  const Parameters& p = f.work.parameters;
-  const bool known = f.work.end == End::known;
-  const char* about = known ? "about" : "at most about";
+  const Parameters& p = f.parameters;
+  const char* about = f.at_most() ? "at most about" : "about";
   return fmt::format(
       "steps    {}{}, {:.6g} s simulated{}\n"
       "slider   {} blocks, {} junctions\n"
@@ -173,26 +183,32 @@ std::string text_of(const Forecast& f) {
       "memory   {} {}\n"
       "disk     {} {}\n"
       "time     {} {}\n",
-      known ? "" : "at most ", grouped(static_cast<double>(f.steps())), f.simulated_time(),
-      known ? "" : "; the run ends earlier if it becomes quiet", grouped(blocks(p)),
-      grouped(junctions(p)), f.work.threads, about, size_text(f.memory), about, disk_text(f), about,
+      f.at_most() ? "at most " : "", grouped(static_cast<double>(f.steps)), f.simulated_time(),
+      f.at_most() ? "; the run ends earlier if it becomes quiet" : "", grouped(blocks(p)),
+      grouped(junctions(p)), f.plan.threads, about, size_text(f.memory), about, disk_text(f), about,
       time_account(f));
 }
 
-std::string json_text(const Forecast& f) {
+Json json_of(const Forecast& f) {
   const auto whole = [](double value) { return std::llround(value); };
-  const Json json = {{"steps", f.steps()},
-                     {"simulated_time", f.simulated_time()},
-                     {"at_most", f.work.end == End::at_the_latest},
-                     {"blocks", whole(blocks(f.work.parameters))},
-                     {"junctions", whole(junctions(f.work.parameters))},
-                     {"threads", f.work.threads},
-                     {"memory", whole(f.memory)},
-                     {"disk", whole(f.disk())},
-                     {"checkpoints", f.work.checkpoints},
-                     {"time", f.time()},
-                     {"time_per_step", f.time_per_step}};
-  return json_text(json);
+  return {{"steps", f.steps},
+          {"simulated_time", f.simulated_time()},
+          {"at_most", f.at_most()},
+          {"blocks", whole(blocks(f.parameters))},
+          {"junctions", whole(junctions(f.parameters))},
+          {"threads", f.plan.threads},
+          {"memory", whole(f.memory)},
+          {"disk", whole(f.disk())},
+          {"checkpoints", f.checkpoints},
+          {"time", f.time()},
+          {"time_per_step", f.time_per_step}};
+}
+
+}  // namespace
+
+std::string forecast(const RunPlan& plan, DryRun how) {
+  const Forecast needs = forecast_of(plan);
+  return how == DryRun::json ? json_text(json_of(needs)) + "\n" : text_of(needs);
 }
 
 State roughly_loaded(const Parameters& p) {

@@ -1,7 +1,7 @@
 // load: the slider under its normal load, then driven from the side.
 #include "cli/option_values.hpp"
+#include "run/forecast.hpp"
 #include "run/programs.hpp"
-#include "run/run.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 
 namespace rupture::tools {

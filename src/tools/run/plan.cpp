@@ -114,25 +114,6 @@ void check_files(const RunPlan& plan, const fs::path& input) {
   }
 }
 
-/// What is left to be done.
-Workload work_of(const RunPlan& plan, const fs::path& input) {
-  const Parameters& p = plan.start.parameters;
-  const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
-  Workload work = {.parameters = p,
-                   .from = input.empty() ? RunsFrom::equilibrium : RunsFrom::checkpoint,
-                   .first_step = last,
-                   .last_step = last,
-                   .threads = plan.options.threads.value_or(default_thread_count(p))};
-  if (plan.is_complete) return work;
-  work.first_step = plan.begin.checkpoint.state.step;
-  work.end = plan.rule.quiet_steps ? End::at_the_latest : End::known;
-  work.checkpoints = std::ssize(plan.checkpoint_steps) + 1;
-  if (!plan.files.record) return work;
-  work.samples = plan.files.record_every.samples(first, last);
-  if (plan.files.fields_every) work.field_samples = plan.files.fields_every->samples(first, last);
-  return work;
-}
-
 }  // namespace
 
 void add_run_options(po::options_description& options) {
@@ -216,7 +197,8 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   } else if (plan.files.record) {
     plan.written_before.push_back(*plan.files.record);
   }
-  plan.work = work_of(plan, input);
+  plan.finds_equilibrium = input.empty();
+  plan.threads = plan.options.threads.value_or(default_thread_count(plan.start.parameters));
   return plan;
 }
 

@@ -7,7 +7,6 @@
 #include <set>
 #include <vector>
 
-#include "run/forecast.hpp"
 #include "run/observers.hpp"
 #include "run/output.hpp"
 #include "run/resume.hpp"
@@ -48,7 +47,8 @@ struct RunPlan {
   std::vector<std::filesystem::path> written_before;  ///< files of the run that are there already
   std::set<std::filesystem::path> replaceable;        ///< checkpoints of the run, or damaged ones
   bool is_complete = false;                           ///< and nothing is left to do
-  Workload work;                                      ///< as far as it costs something
+  bool finds_equilibrium = false;                     ///< first, which costs something, too
+  int threads = 1;
 
   bool is_resumed() const { return !begin.file.empty(); }
 };
@@ -58,6 +58,12 @@ struct RunPlan {
 /// file would have to be replaced that is neither the run's nor may be.
 RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
                  const std::filesystem::path& input);
+
+/// Runs what a plan of these says and prints the invariants. With DryRun, prints what that would
+/// need instead, and writes nothing. Throws as plan_run(), or Interrupted if a signal came; the run
+/// can then be resumed. Returns kDone.
+int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
+             const std::filesystem::path& input);
 
 /// Whether to replace a checkpoint that is there already.
 IfExists if_checkpoint_exists(const RunPlan& plan, const std::filesystem::path& path);

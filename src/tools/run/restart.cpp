@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "cli/option_values.hpp"
+#include "run/plan.hpp"
 #include "run/programs.hpp"
-#include "run/run.hpp"
 #include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/rupture.hpp"

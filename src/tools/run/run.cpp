@@ -1,5 +1,3 @@
-#include "run/run.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,9 @@
 
 #include "cli/interruption.hpp"
 #include "cli/text.hpp"
+#include "run/forecast.hpp"
 #include "run/observers.hpp"
+#include "run/plan.hpp"
 #include "rupture/analysis/front.hpp"
 #include "rupture/model/error.hpp"
 
@@ -87,7 +87,7 @@ class Run {
         output_(plan.options.output),
         begin_(plan.begin.checkpoint),
         saved_(plan.begin.file),
-        simulation_(begin_.parameters, begin_.state, plan.work.threads, plan.files.crossings) {
+        simulation_(begin_.parameters, begin_.state, plan.threads, plan.files.crossings) {
     simulation_.resume_from(*begin_.run);
     if (plan.files.record) begin_record();
   }
@@ -248,12 +248,6 @@ void say_where_it_begins(std::FILE* to, const RunPlan& plan) {
   }
 }
 
-/// Prints what the run needs.
-void print_forecast(const RunPlan& plan, DryRun how) {
-  const Forecast needs = forecast(plan.work, plan.begin.checkpoint.state);
-  say("{}", how == DryRun::json ? json_text(needs) + "\n" : text_of(needs));
-}
-
 /// Runs and writes what the plan says.
 void carry_out(const RunPlan& plan) {
   const InterruptionNoted interruption;
@@ -288,7 +282,7 @@ int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
     say_where_it_begins(output.text(), plan);
   }
   if (is_dry) {
-    print_forecast(plan, options.dry_run);
+    say("{}", forecast(plan, options.dry_run));
     return kDone;
   }
   restore_sums(plan.written_before, output);
