@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "analyze/analyze.hpp"
-#include "analyze/common_quantities.hpp"
 #include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
@@ -63,7 +62,7 @@ Quantities quantities_of(const Stress& stress) {
        Csv::yes, forces},
       text_only(tau_over_p, {8, "{:.4f}", "tau/p"}),
       {"F_T", "N", "driving force", stress.F_T},
-      load_quantity(stress.F_N),
+      {"F_N", "N", "normal load", stress.F_N},
       {"p_centroid", "m", "centroid of the normal forces, from the middle of the interface",
        stress.p_centroid},
   };

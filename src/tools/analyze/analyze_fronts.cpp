@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include "analyze/analyze.hpp"
-#include "analyze/common_quantities.hpp"
 #include "analyze/front_report.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
@@ -13,8 +12,36 @@
 namespace rupture::tools {
 namespace {
 
+/// The type, and what stands beside it.
+Quantities kind_quantities(const Front& front) {
+  return {
+      type_quantity(front),
+      {"reached_edge", "", "whether the block at the leading edge ruptured", front.reached_edge},
+      {"fast_slow_fast", "",
+       "whether it spans and is below c_s/10 over three stencils or more, with medians of at least "
+       "c_s/10 before and after",
+       front.fast_slow_fast},
+      {"backward_stencils", "1", "stencils beyond the loading zone where the front runs backwards",
+       static_cast<std::int64_t>(front.backward_stencils)},
+  };
+}
+
 Quantities classification_of(const Front& front) {
-  return join({kind_quantities(front), {arrest_quantity(front)}});
+  const Quantity arrest = {"x_arrest", "m", "furthest ruptured block of an arrested front",
+                           front.x_arrest};
+  return join({kind_quantities(front), {arrest}});
+}
+
+Quantity rupture_times(const RuptureLine& line) {
+  return {"t_rupture", "s", "first rupture of each block", line.t_rupture};
+}
+
+/// With which speeds and positions are compared.
+Quantities scales_of(const Parameters& p) {
+  return {
+      {"c_s", "m/s", "speed of shear waves", shear_wave_speed(p)},
+      {"L", "m", "length of the interface", p.L},
+  };
 }
 
 Quantities quantities_of(const Front& front, const Parameters& p) {
@@ -24,12 +51,7 @@ Quantities quantities_of(const Front& front, const Parameters& p) {
       in_csv(rupture_times(front.line), times),
       {"v_c", "m/s", "front speed at each block", front.v_c, Csv::yes, speeds},
   };
-  const Quantities slow = {
-      slow_quantity(front.slow),
-      shear_wave_quantity(p),
-      length_quantity(p),
-  };
-  return join({line, classification_of(front), slow});
+  return join({line, classification_of(front), {slow_quantity(front.slow)}, scales_of(p)});
 }
 
 Quantities event_quantities(const Parameters& p, const Event& event, std::int64_t number) {
@@ -57,11 +79,8 @@ Quantities event_quantities(const Parameters& p, const Event& event, std::int64_
       {"F_T_after", "N", "lowest driving force until the event is over", event.F_T_after, Csv::yes},
       text_only(drop, {18, "{:.1f}", "drop of F_T [N]"}),
       text_only(slow, {0}),
-      shear_wave_quantity(p),
-      length_quantity(p),
-      rupture_times(event.front.line),
   };
-  return join({before, kind, after});
+  return join({before, kind, after, scales_of(p), {rupture_times(event.front.line)}});
 }
 
 Quantities quantities_of(const Parameters& p, const std::vector<Event>& events) {

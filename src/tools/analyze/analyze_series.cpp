@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "analyze/analyze.hpp"
-#include "analyze/common_quantities.hpp"
 #include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/front.hpp"
@@ -98,7 +97,7 @@ std::string text_of(const Slip& slip) {
 
 Quantities quantities_of(const Record& record) {
   return {
-      load_quantity(record.parameters.F_N),
+      {"F_N", "N", "normal load", record.parameters.F_N},
       {"time", "s", "time of each sample", record.time, Csv::yes},
       {"F_T", "N", "driving force at each sample", record.F_T, Csv::yes},
       {"x_drive", "m", "position of the driving point at each sample", record.x_drive, Csv::yes},

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "analyze/analyze.hpp"
-#include "analyze/common_quantities.hpp"
 #include "analyze/front_report.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"

@@ -184,6 +184,29 @@ Front front_of(const RecordCommand& command, const ChosenEvent& event) {
   return measure_front(p, rupture_line(p, event.ruptures, event.from, event.to), criteria(command));
 }
 
+Quantity type_quantity(const Front& front) {
+  return {"type", "", "none, arrested, slow or fast", std::string(front_type_name(front.type))};
+}
+
+Quantity slow_quantity(const std::optional<SlowStretch>& slow) {
+  const SlowStretch s = slow.value_or(SlowStretch{});
+  const auto known = [&](double value) { return slow ? std::optional(value) : std::nullopt; };
+  const Quantities rows = {
+      {"x_from", "m", "first block of the slow stretch", known(s.x_from)},
+      {"x_to", "m", "last block of the slow stretch", known(s.x_to)},
+      {"t_from", "s", "time at which the slow stretch begins", known(s.t_from)},
+      {"t_to", "s", "time at which the slow stretch ends", known(s.t_to)},
+      {"duration", "s", "duration of the slow stretch", known(s.duration())},
+      {"speed", "m/s", "median front speed in the slow stretch", known(s.speed)},
+      {"slowest", "m/s", "smallest front speed in the slow stretch", known(s.slowest)},
+      {"stencils", "1", "consecutive slow stencils", known(static_cast<double>(s.stencils))},
+      {"mean", "m/s", "length of the slow stretch over its duration", s.mean()},
+      {"fast_before", "m/s", "median front speed before the slow stretch", s.fast_before},
+      {"fast_after", "m/s", "median front speed after the slow stretch", s.fast_after},
+  };
+  return {"slow", "", "", Group{rows, slow.has_value()}};
+}
+
 std::string kind_name(const Front& front) {
   return front.fast_slow_fast ? "fast-slow-fast" : std::string(front_type_name(front.type));
 }

@@ -43,6 +43,9 @@ FrontCriteria criteria(const RecordCommand& command);
 /// The front of the chosen event.
 Front front_of(const RecordCommand& command, const ChosenEvent& event);
 
+Quantity type_quantity(const Front& front);
+Quantity slow_quantity(const std::optional<SlowStretch>& slow);  ///< null without a slow stretch
+
 /// The type, or fast-slow-fast.
 std::string kind_name(const Front& front);
 

@@ -168,6 +168,14 @@ Quantity in_csv(Quantity quantity, const std::optional<TextColumn>& text) {
   return quantity;
 }
 
+Quantity text_only(Value value, const TextColumn& column) {
+  return {"", "", "", std::move(value), Csv::no, column};
+}
+
+Quantity positions(Value x) {
+  return {"x", "m", "position of each block", std::move(x), Csv::yes, TextColumn{9, "{:.4f}"}};
+}
+
 Quantities join(const std::vector<Quantities>& lists) {
   Quantities all;
   for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());

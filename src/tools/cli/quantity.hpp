@@ -60,6 +60,12 @@ struct Quantity {
 /// "group.key".
 Quantity in_csv(Quantity quantity, const std::optional<TextColumn>& text = {});
 
+/// A row that the table in the text shows, and nothing else.
+Quantity text_only(Value value, const TextColumn& column);
+
+/// Positions of blocks, also in CSV and text.
+Quantity positions(Value x);
+
 /// One number of each element: a member, or what `of` makes of it.
 template <class T, class Of>
 Numbers each(const std::vector<T>& elements, Of of) {
