@@ -94,12 +94,19 @@ def checksum_of(file, tools):
     return done.stdout.strip()
 
 
+def text_of(path):
+    try:
+        return path.read_text(encoding="utf-8")
+    except (UnicodeDecodeError, IsADirectoryError):
+        raise Failure(f"{path} is not a golden file: give the path of a text file") from None
+
+
 def read_golden(path):
     """Checksums by names."""
     if not path.exists():
         raise Failure(f"there is no golden file {path}; write it with: {regenerate_command()}")
     wanted = {}
-    for line in path.read_text(encoding="utf-8").splitlines():
+    for line in text_of(path).splitlines():
         if not (found := LINE.fullmatch(line)):
             form = "'content-sha256 <64 hex digits>  <file>.h5'"
             raise Failure(f"{path} has a line that is not {form}: {line}")
@@ -154,14 +161,14 @@ def check(wanted, found, work, tools):
     return sys.exit(1)
 
 
-def regenerate(golden, found, work):
+def regenerate(golden, before, found, work):
     if damaged := [name for name, checksum in found.items() if not checksum]:
         raise Failure(f"{work}/found/{damaged[0]} is damaged, so {golden} was not changed")
     keep_as_equal(work)
     text = "".join(f"content-sha256 {found[name]}  {name}\n" for name in sorted(found))
-    if golden.exists() and golden.read_text(encoding="utf-8") == text:
+    if before == text:
         return print(f"{golden} is current: nothing to change.")
-    if golden.exists():
+    if before is not None:
         names = (Path(f"{golden}.old{number}") for number in itertools.count(1))
         old = next(name for name in names if not name.exists())
         shutil.copy2(golden, old)
@@ -178,10 +185,11 @@ def run():
     golden = options.golden.resolve()
     work = Path(options.work or f"{golden.name}.files").resolve()
     wanted = read_golden(golden) if options.command == "check" else {}
+    before = text_of(golden) if golden.exists() else None
     with take(work):
         run_pipeline([options.program, *options.arguments], tools, work / "found")
         found = {f.name: checksum_of(f, tools) for f in (work / "found").glob("*.h5")}
         if options.command == "check":
             check(wanted, found, work, tools)
         else:
-            regenerate(golden, found, work)
+            regenerate(golden, before, found, work)
