@@ -1,5 +1,6 @@
 // load: the slider under its normal load, then driven from the side.
 #include "cli/option_values.hpp"
+#include "cli/text.hpp"
 #include "run/forecast.hpp"
 #include "run/programs.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
@@ -20,6 +21,9 @@ int load(const Parsed& parsed) {
   const RunOptions options = run_options(parsed);
 
   if (options.resume == Resume::no) check_output(options.output.output, options.output.if_exists);
+  if (parsed.values["until"].defaulted() && options.output.verbosity == Verbosity::normal) {
+    say_on(options.output.text(), "no --until T was given: the slider is loaded, but not driven\n");
+  }
   const bool dry = options.dry_run != DryRun::no;
   Checkpoint start = {p,
                       dry ? roughly_loaded(p) : normal_load_equilibrium(p),
