@@ -121,7 +121,7 @@ std::string unknown_text(std::string_view what, std::string_view word,
                          const std::vector<std::string_view>& candidates, std::string_view see) {
   const auto distance_to = [&](std::string_view candidate) { return distance(word, candidate); };
   const std::string_view near = *std::ranges::min_element(candidates, {}, distance_to);
-  if (distance_to(near) > word.size())
+  if (distance_to(near) > std::max<std::size_t>(word.size(), 3))  // V or v is driving.V, nx Nx
     return fmt::format("unknown {} '{}'; see {}", what, word, see);
   return fmt::format("unknown {} '{}': did you mean '{}'?", what, word, near);
 }
