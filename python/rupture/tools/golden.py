@@ -94,19 +94,12 @@ def checksum_of(file, tools):
     return done.stdout.strip()
 
 
-def text_of(path):
-    try:
-        return path.read_text(encoding="utf-8")
-    except (UnicodeDecodeError, IsADirectoryError):
-        raise Failure(f"{path} is not a golden file: give the path of a text file") from None
-
-
-def read_golden(path):
+def read_golden(path, text):
     """Checksums by names."""
-    if not path.exists():
+    if text is None:
         raise Failure(f"there is no golden file {path}; write it with: {regenerate_command()}")
     wanted = {}
-    for line in text_of(path).splitlines():
+    for line in text.splitlines():
         if not (found := LINE.fullmatch(line)):
             form = "'content-sha256 <64 hex digits>  <file>.h5'"
             raise Failure(f"{path} has a line that is not {form}: {line}")
@@ -184,8 +177,11 @@ def run():
         raise Failure(f"no rupture tools in {tools}: give their folder with --tools")
     golden = options.golden.resolve()
     work = Path(options.work or f"{golden.name}.files").resolve()
-    wanted = read_golden(golden) if options.command == "check" else {}
-    before = text_of(golden) if golden.exists() else None
+    try:
+        before = golden.read_text(encoding="utf-8") if golden.exists() else None
+    except (UnicodeDecodeError, IsADirectoryError):
+        raise Failure(f"{golden} is not a golden file: give the path of a text file") from None
+    wanted = read_golden(golden, before) if options.command == "check" else {}
     with take(work):
         run_pipeline([options.program, *options.arguments], tools, work / "found")
         found = {f.name: checksum_of(f, tools) for f in (work / "found").glob("*.h5")}

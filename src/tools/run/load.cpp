@@ -21,15 +21,16 @@ int load(const Parsed& parsed) {
   const RunOptions options = run_options(parsed);
 
   if (options.resume == Resume::no) check_output(options.output.output, options.output.if_exists);
-  if (parsed.values["until"].defaulted() && options.output.verbosity == Verbosity::normal) {
-    say_on(options.output.text(), "no --until T was given: the slider is loaded, but not driven\n");
-  }
   const bool dry = options.dry_run != DryRun::no;
   Checkpoint start = {p,
                       dry ? roughly_loaded(p) : normal_load_equilibrium(p),
                       {make_provenance("load", parsed.arguments, "",
                                        shell_line(rebuild_command("load", Parameters{}, p)))}};
-  return simulate(std::move(start), {steps_in(p, until), {}}, options, {});
+  const int code = simulate(std::move(start), {steps_in(p, until), {}}, options, {});
+  if (parsed.values["until"].defaulted() && options.output.verbosity == Verbosity::normal) {
+    say_on(options.output.text(), "no --until T was given: the slider is loaded, but not driven\n");
+  }
+  return code;
 }
 
 }  // namespace
