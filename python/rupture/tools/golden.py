@@ -161,7 +161,7 @@ def regenerate(golden, before, found, work):
     text = "".join(f"content-sha256 {found[name]}  {name}\n" for name in sorted(found))
     if before == text:
         return print(f"{golden} is current: nothing to change.")
-    if before is not None:
+    if golden.exists():
         names = (Path(f"{golden}.old{number}") for number in itertools.count(1))
         old = next(name for name in names if not name.exists())
         shutil.copy2(golden, old)
