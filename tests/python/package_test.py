@@ -16,6 +16,8 @@ import numpy as np
 import pytest
 
 import rupture
+import rupture.files
+import rupture.programs
 from conftest import BIN, ROOT, SMALL, need_modules
 from rupture.envelope import sealed_header
 from rupture.tables import imported
