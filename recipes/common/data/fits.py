@@ -12,6 +12,7 @@ class ProportionalFit:
 
     slope: float
     r_squared: float
+    points: int
 
 
 def fit_through_origin(x, y):
@@ -20,4 +21,4 @@ def fit_through_origin(x, y):
         return None
     slope = (x @ y) / (x @ x)
     residual = ((y - slope * x) ** 2).sum()
-    return ProportionalFit(slope, 1 - residual / ((y - y.mean()) ** 2).sum())
+    return ProportionalFit(slope, 1 - residual / ((y - y.mean()) ** 2).sum(), len(x))
