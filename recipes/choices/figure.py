@@ -222,6 +222,7 @@ def draw_panel(axes, found, name):
     axes.margins(x=0.1)
     axes.set_xlim(*(-0.05, 1.05) if name in SHARES else (0, None))
     axes.locator_params("x", nbins=2)
+    axes.xaxis.set_major_formatter("{x:g}")
     heading = f"{name}, {ALIKE[name]}" if name in ALIKE else name
     for plain, shown in ((" ", "\n"), ("c_s", "$c_s$"), ("sigma", r"$\bar\sigma$")):
         heading = heading.replace(plain, shown)
