@@ -169,6 +169,9 @@ def choices_of(found):
 
 
 def own_result(found):
+    def medians(choice):
+        return [of and of.value for of in (found.get((choice, name)) for name in NUMBERS)]
+
     moved: dict[str, list] = {choice: [] for (choice, _), one in found.items() if one.moved == ""}
     for (choice, name), one in found.items():
         if one.moved:
@@ -178,6 +181,10 @@ def own_result(found):
             f"{choice}: {', '.join(what) or 'nothing'}" for choice, what in moved.items()
         ),
         "a choice moves what is measured if": RULE,
+        "same medians under": ", ".join(
+            choice for choice in moved if medians(choice) == medians(settled_of(choice))
+        )
+        or None,
         "comparisons": sum(one.moved is not None for one in found.values()),
         "moved": sum(map(len, moved.values())),
     }
