@@ -133,6 +133,8 @@ def test_the_same_again_with_another_seed(read, tmp_path):
     without = read(text.replace("seeds = 2, 3\n", ""))
     assert [p.id for p in without.points] == [p.id for p in first.points]
     assert not without.seeds
+    (tmp_path / "a#1").mkdir()
+    assert read(text, "a#1/b#2").seeds == ["2", "3"], "a file may have any name"
 
 
 def test_options_and_parameters(read):

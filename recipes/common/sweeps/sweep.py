@@ -284,6 +284,7 @@ def errors_of(path):
 
 def read_sweep(path):
     """The sweep that an INI file describes, or SWEEP.ini#2."""
-    file, _, seed = str(path).partition("#")
+    match = re.fullmatch(r"(.*\.ini)#(\d+)", str(path), re.DOTALL)
+    file, seed = match.groups() if match else (str(path), "")
     with errors_of(path):
         return sweep_of(parse_ini(file), Path(file).stem, seed)
