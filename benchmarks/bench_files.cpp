@@ -1,9 +1,10 @@
 // Benchmarks of rare operations: equilibrium, checkpoints, records; at reference size.
 #include <benchmark/benchmark.h>
-#include <fmt/core.h>
-#include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
+#include <string>
 
 #include "run/observers.hpp"
 #include "rupture/analysis/statistics.hpp"
@@ -15,14 +16,24 @@
 namespace rupture::bench {
 namespace {
 
-/// The file of one benchmark, removed with it. The disk is that of TMPDIR.
-struct File {
-  File() = default;
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() { std::filesystem::remove(path); }
-  const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / fmt::format("rupture-bench-{}.h5", getpid());
+/// A folder for the files of one benchmark, removed with them. The disk is that of TMPDIR.
+class Folder {
+ public:
+  Folder() {
+    std::string name = std::filesystem::temp_directory_path() / "rupture-bench-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path file(const char* name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
 };
 
 void equilibrium_solve(benchmark::State& bench) {
@@ -31,16 +42,16 @@ void equilibrium_solve(benchmark::State& bench) {
 }
 
 void checkpoint_write(benchmark::State& bench) {
-  const File file;
+  const Folder folder;
   const Checkpoint checkpoint = {Parameters{}, loading_state(), {}};
-  for (auto _ : bench) write_checkpoint(file.path, checkpoint, IfExists::replace);
+  for (auto _ : bench) write_checkpoint(folder.file("c.h5"), checkpoint, IfExists::replace);
   bench.SetItemsProcessed(bench.iterations());
 }
 
 void checkpoint_read(benchmark::State& bench) {
-  const File file;
-  write_checkpoint(file.path, {Parameters{}, loading_state(), {}}, IfExists::refuse);
-  for (auto _ : bench) benchmark::DoNotOptimize(read_checkpoint(file.path));
+  const Folder folder;
+  write_checkpoint(folder.file("c.h5"), {Parameters{}, loading_state(), {}}, IfExists::refuse);
+  for (auto _ : bench) benchmark::DoNotOptimize(read_checkpoint(folder.file("c.h5")));
   bench.SetItemsProcessed(bench.iterations());
 }
 
@@ -63,8 +74,9 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
   const auto [parts, every, stretch] = recording;
   const Parameters p;
   Simulation run_a(p, loading_state()), run_b(p, loading_state());
-  const File file;
-  RecordWriter writer(file.path, p, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery, parts);
+  const Folder folder;
+  RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
+                      parts);
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
   tools::RunFiles files;
   files.record_every = {static_cast<double>(every)};
