@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Compares what the programs of two builds compute, byte for byte: the state of checkpoints, and
-the series and ruptures of records. Parameters, provenance and checksums may differ.
+"""Compares what the programs of two builds compute, byte for byte: the state of checkpoints, and the
+series of records. Parameters, provenance and checksums may differ; the new ones read both.
 
     compare.py OLD_BIN NEW_BIN [FOLDER]
 
@@ -9,13 +9,12 @@ recipes/fig4/map.ini with the programs in both folders. Exit code 0: all are equ
 programs refuse a command because they lack what is new, that job's later files are reported as
 written by one of the two."""
 
+import json
 import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
-
-import h5py
 
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(PROJECT / "recipes/common"), str(PROJECT / "python")]
@@ -44,29 +43,14 @@ def jobs():
         yield f"map {name}", "\n".join(steps)
 
 
-def computed(path):
-    """Type, shape and bytes of each dataset that a run computed, by name."""
-    datasets = {}
-
-    def keep(name, item):
-        computes = name.split("/")[0] in ("state", "series", "ruptures")
-        if computes and isinstance(item, h5py.Dataset):
-            datasets[name] = (str(item.dtype), item.shape, item[()].tobytes())
-
-    with h5py.File(path, "r") as file:
-        file.visititems(keep)
-    return datasets
-
-
-def compare(old, new):
-    """The fault of `new`, or nothing."""
-    if not old.exists() or not new.exists():
-        return "only one of the two was written"
-    a, b = computed(old), computed(new)
-    differing = sorted(name for name in a.keys() | b.keys() if a.get(name) != b.get(name))
-    if not a:
-        return "nothing was computed"
-    return "differs in " + ", ".join(differing) if differing else ""
+def compare(old, new, analyze):
+    """What differs in `new` besides parameters, or nothing."""
+    command = [analyze, "diff", old, new, "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if not done.stdout:
+        return done.stderr.strip()
+    paths = [found["path"] for found in json.loads(done.stdout)["differences"]]
+    return ", ".join(path for path in paths if not path.startswith("/parameters/"))
 
 
 def main():
@@ -79,7 +63,7 @@ def main():
         if run(commands, programs[1], folders[1]):
             sys.exit(f"{name}: the new programs failed")
         for file in sorted({path.name for folder in folders for path in folder.glob("*.h5")}):
-            wrong = compare(folders[0] / file, folders[1] / file)
+            wrong = compare(*(folder / file for folder in folders), programs[1] / "analyze")
             print(f"{wrong or 'equal'}: {name}: {file}", flush=True)
             bad += bool(wrong)
     print("all are equal" if not bad else f"{bad} differ")
