@@ -24,13 +24,13 @@ struct Largest {
   std::uint64_t index = 0;
 };
 
-/// One dataset that differs. The numbers are zero unless `change` is `values`; for a text there are
-/// only `count` and `first`.
+/// One dataset that differs. The numbers are zero unless `change` is `values`; for a text there is
+/// only `count`.
 struct Difference {
   std::string path;
   Change change = Change::values;
   std::uint64_t count = 0;          ///< elements whose bits differ; 1 for a text
-  std::uint64_t first = 0;          ///< index of the first one in storage order; byte for a text
+  std::uint64_t first = 0;          ///< index of the first one in storage order
   Largest<double> absolute = {};    ///< |a - b| in the dataset's unit
   Largest<double> relative = {};    ///< |a - b| / max(|a|, |b|)
   Largest<std::uint64_t> ulp = {};  ///< float64 only: representable numbers from one to the other

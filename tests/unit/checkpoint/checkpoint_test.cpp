@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "fixtures.hpp"
-#include "rupture/checkpoint/compare.hpp"
 
 namespace rupture {
 namespace {
@@ -83,14 +82,6 @@ TEST_F(CheckpointFile, of_equal_content_is_equal_bytes_at_any_time) {
   EXPECT_EQ(slurp(file("y.h5")), first);
 }
 
-TEST_F(CheckpointFile, names_every_parameter_by_its_table_row_with_its_unit) {
-  const Content content = parameters_content(testing::small_parameters());
-  EXPECT_EQ(content.size(), parameter_table().size());
-  EXPECT_EQ(content.at("/parameters/slider/L"), make_scalar(0.04, "m"));
-  EXPECT_EQ(content.at("/parameters/junctions/N_s"), make_scalar<std::int64_t>(3, "1"));
-  EXPECT_EQ(content.at("/parameters/junctions/f_new"), make_text("f_slip"));
-}
-
 TEST_F(CheckpointFile, with_nan_is_not_written) {
   Checkpoint checkpoint = small_checkpoint();
   checkpoint.state.v_x(2, 1) = std::numeric_limits<double>::quiet_NaN();
@@ -102,23 +93,6 @@ TEST_F(CheckpointFile, with_nan_is_not_written) {
   expect_contains(message_of<Failure>([&] { write(checkpoint); }),
                   "/state/junctions/repin_time holds nan");
   EXPECT_TRUE(names().empty());
-}
-
-TEST_F(CheckpointFile, of_a_build_without_a_later_parameter_has_its_default) {
-  write(small_checkpoint());
-  Content content = read_file(file("x.h5")).content;
-  for (const char* name :
-       {"slider/support", "junctions/law", "junctions/mu_new", "junctions/v_slow"}) {
-    content.erase(std::string("/parameters/") + name);
-  }
-  const auto checksum =
-      write_content(file("old.h5"), FileKind::checkpoint, content, IfExists::refuse);
-  const Checkpoint read = read_checkpoint(file("old.h5"));
-  EXPECT_EQ(read.parameters, small_checkpoint().parameters);
-  EXPECT_EQ(read.parameters.support, Support::foundation);
-  EXPECT_EQ(read.checksum, checksum);
-  EXPECT_EQ(verify_file(file("old.h5")).checksum, checksum);
-  EXPECT_EQ(content_checksum(read.parameters, read.state), checksum);
 }
 
 TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {

@@ -2,7 +2,6 @@
 #include "rupture/checkpoint/checksum.hpp"
 
 #include "fixtures.hpp"
-#include "rupture/checkpoint/compare.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -108,21 +107,6 @@ TEST(CountedParameters, have_the_defaults_of_those_that_the_oldest_files_lack) {
   EXPECT_EQ(content_checksum(old), content_checksum(content_of(Law::reference)));
   EXPECT_NE(content_checksum_of_schema_2(old),
             content_checksum_of_schema_2(content_of(Law::reference)));
-}
-
-TEST(CountedParameters, are_what_a_difference_is_sought_in) {
-  const Content odd = changed(Law::reference, find_parameter("junctions.v_slow"));
-  EXPECT_TRUE(diff(checksummed_part(odd), checksummed_part(content_of(Law::reference))).empty());
-  const Content other = changed(Law::reference, find_parameter("junctions.mu_s"));
-  EXPECT_EQ(diff(checksummed_part(other), checksummed_part(content_of(Law::reference))).size(), 1U);
-}
-
-TEST(CountedParameters, all_counted_in_schema_2) {
-  for (const Law law : kAllLaws) {
-    EXPECT_EQ(content_checksum_of_schema_2(content_of(law)), content_checksum(content_of(law)));
-    const Content odd = changed(law, find_parameter("junctions.delta_t_R"));
-    EXPECT_NE(content_checksum_of_schema_2(odd), content_checksum_of_schema_2(content_of(law)));
-  }
 }
 
 }  // namespace

@@ -6,9 +6,6 @@
 namespace rupture {
 namespace {
 
-using testing::expect_contains;
-using testing::message_of;
-
 TEST(Provenance, quotes_arguments_as_a_shell_needs_them) {
   EXPECT_EQ(shell_line({"load", "-o", "a/b.h5", "--set=driving.V=0"}),
             "load -o a/b.h5 --set=driving.V=0");
@@ -34,25 +31,6 @@ TEST(Provenance, of_schema_1_has_nothing_to_rebuild_with) {
   Content content = provenance_content(chain);
   content.erase("/provenance/0000/rebuild");
   EXPECT_EQ(read_provenance(content), chain);
-}
-
-TEST(Provenance, refuses_members_that_it_does_not_know) {
-  Content content = provenance_content(testing::small_checkpoint().provenance);
-  content["/provenance/0001/weather"] = make_text("fine");
-  expect_contains(message_of<Failure>([&] { read_provenance(content); }),
-                  "/provenance/0001/weather is not part of a provenance: use a newer rupture");
-}
-
-TEST(Provenance, refuses_gaps) {
-  Content incomplete = provenance_content(testing::small_checkpoint().provenance);
-  incomplete.erase("/provenance/0001/compiler");
-  expect_contains(message_of<Failure>([&] { read_provenance(incomplete); }),
-                  "/provenance/0001/compiler is missing; expected text");
-  Content headless = provenance_content(testing::small_checkpoint().provenance);
-  std::erase_if(headless,
-                [](const auto& item) { return item.first.starts_with("/provenance/0000"); });
-  expect_contains(message_of<Failure>([&] { read_provenance(headless); }),
-                  "/provenance/0000/tool is missing");
 }
 
 }  // namespace

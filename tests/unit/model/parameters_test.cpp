@@ -155,23 +155,10 @@ TEST(SetParameter, says_what_it_does_not_take) {
       {"slider.Nx",  // the last one has more than 64 bits
        {"2", "1e9", "-1e3", "1e300", "1e400", "2.0", "9999999999999999999999"},
        "slider.Nx = ..." + up_to_65536},
-      {"driving.V",
-       {"-11"},
-       "driving.V = ... is out of range: give a value of at least -10 and at most 10 (unit m/s)"},
-      {"numerics.seed",
-       {"-1"},
-       "numerics.seed = ... is out of range: give a value of at least 0 and at most 9e+15 (unit "
-       "1)"},
       {"junctions.slipping_times",
        {"normal"},
        "junctions.slipping_times must be one of gaussian, exponential (got '...')"},
-      {"junctions.law",
-       {"simple"},
-       "junctions.law must be one of reference, simplified, decaying, distance (got '...')"},
       {"junctions.f_new", {"Zero"}, "junctions.f_new must be one of zero, f_slip (got '...')"},
-      {"slider.support",
-       {"floor"},
-       "slider.support must be one of foundation, ceiling (got '...')"},
   };
   for (const Refusal& row : all) {
     for (const std::string& text : row.texts) {
