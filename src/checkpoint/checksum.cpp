@@ -60,18 +60,6 @@ void update_dataset(Sha256& hash, const std::string& path, const Dataset& datase
   update_prefixed(hash, dataset.bytes);
 }
 
-std::string checksum_with(const Content& parameters, const Content& content) {
-  std::map<std::string, const Dataset*> sorted;
-  for (const auto& [path, dataset] : parameters) sorted.emplace(path, &dataset);
-  for (const auto& [path, dataset] : content) {
-    if (is_checksummed(path) && !path.starts_with(kParameters)) sorted.emplace(path, &dataset);
-  }
-  Sha256 hash;
-  hash.update(std::as_bytes(std::span(kCanonicalForm)));
-  for (const auto& [path, dataset] : sorted) update_dataset(hash, path, *dataset);
-  return hash.hex();
-}
-
 }  // namespace
 
 std::string sha256(std::span<const std::byte> bytes) {
@@ -86,12 +74,19 @@ bool is_checksummed(std::string_view path) {
                      [&](std::string_view group) { return path.starts_with(group); });
 }
 
-std::string content_checksum(const Content& content) {
-  return checksum_with(counted_parameters(content), content);
-}
-
-std::string content_checksum_of_schema_2(const Content& content) {
-  return checksum_with(parameters_of_schema_2(content), content);
+std::string content_checksum(const Content& content, std::int64_t schema) {
+  constexpr std::int64_t last_with_all_parameters = 2;
+  const Content parameters = schema <= last_with_all_parameters ? parameters_of_schema_2(content)
+                                                                : counted_parameters(content);
+  std::map<std::string, const Dataset*> sorted;
+  for (const auto& [path, dataset] : parameters) sorted.emplace(path, &dataset);
+  for (const auto& [path, dataset] : content) {
+    if (is_checksummed(path) && !path.starts_with(kParameters)) sorted.emplace(path, &dataset);
+  }
+  Sha256 hash;
+  hash.update(std::as_bytes(std::span(kCanonicalForm)));
+  for (const auto& [path, dataset] : sorted) update_dataset(hash, path, *dataset);
+  return hash.hex();
 }
 
 std::string labelled(const std::string& checksum) {

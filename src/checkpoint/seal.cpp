@@ -65,26 +65,6 @@ void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
   }
 }
 
-constexpr std::int64_t kLastWithAllParameters = 2;  // schema in whose checksum all of them count
-
-// By the rule of the file's own schema.
-std::string checksum_by_schema(std::int64_t schema_version, const Content& content) {
-  return schema_version <= kLastWithAllParameters ? content_checksum_of_schema_2(content)
-                                                  : content_checksum(content);
-}
-
-// A parameter that only a newer build knows is no damage, though it spoils the checksum.
-void check_content(FileKind kind, const Content& content, const hdf5::RootAttributes& attributes) {
-  check_finite(content);
-  refuse_unknown_parameters(content);
-  if (kind == FileKind::open_record) return;  // a piece has the checksum of its bytes alone
-  const std::string& stored = attributes.content_checksum;
-  const std::string computed = checksum_by_schema(attributes.schema_version, content);
-  if (stored != computed) {
-    fail("its content has the checksum {}, but {} is stored in it; recreate it", computed, stored);
-  }
-}
-
 void append_rows(const std::string& path, Dataset& whole, const Dataset& rows) {
   const auto row_shape = [](const Dataset& dataset) {
     return Shape(dataset.shape.begin() + (dataset.shape.empty() ? 0 : 1), dataset.shape.end());
@@ -116,12 +96,20 @@ ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   const hdf5::Reader reader(file);
   const hdf5::RootAttributes attributes = attributes_of(reader);
   check_attributes(attributes, kind);
-  Content content = reader.content();
-  check_content(kind, content, attributes);
-  if (kind == FileKind::open_record) return {kind, "", "", std::move(content)};
-  const bool by_present_rule = attributes.schema_version > kLastWithAllParameters;
-  std::string checksum = by_present_rule ? attributes.content_checksum : content_checksum(content);
-  return {kind, std::move(checksum), attributes.content_checksum, std::move(content)};
+  ContentFile unsealed = {kind, "", attributes.content_checksum, reader.content()};
+  check_finite(unsealed.content);
+  // One that only a newer build knows is no damage, though it spoils the checksum.
+  refuse_unknown_parameters(unsealed.content);
+  if (kind == FileKind::open_record)
+    return unsealed;  // a piece has the checksum of its bytes alone
+  const std::string computed = content_checksum(unsealed.content, attributes.schema_version);
+  if (computed != unsealed.stored_checksum) {
+    fail("its content has the checksum {}, but {} is stored in it; recreate it", computed,
+         unsealed.stored_checksum);
+  }
+  const bool is_present = attributes.schema_version == kSchemaVersion;
+  unsealed.checksum = is_present ? computed : content_checksum(unsealed.content);
+  return unsealed;
 }
 
 ContentFile put_together(std::span<const std::byte> file) {
@@ -152,9 +140,8 @@ EditedFile open_edited(std::span<const std::byte> file) {
   edited.sealed_checksum = checksum_or_none(attributes.content_checksum);
   edited.content = reader.content();
   check_finite(edited.content);
-  edited.checksum = content_checksum(edited.content);
   edited.content_is_as_sealed =
-      checksum_by_schema(attributes.schema_version, edited.content) == edited.sealed_checksum;
+      content_checksum(edited.content, attributes.schema_version) == edited.sealed_checksum;
   return edited;
 }
 

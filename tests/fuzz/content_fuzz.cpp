@@ -180,9 +180,7 @@ void demand(bool holds) {
 
 void use_checkpoint(const Content& content) {
   const Checkpoint checkpoint = checkpoint_from(content);
-  Content again = parameters_content(checkpoint.parameters);
-  again.merge(state_content(checkpoint.state));
-  again.merge(provenance_content(checkpoint.provenance));
+  const Content again = checkpoint_content(checkpoint);
   for (const auto& [path, dataset] : content) {
     if (!is_checksummed(path)) continue;
     Dataset written = again.at(path);

@@ -105,7 +105,6 @@ struct EditedFile {
   std::string name;  ///< for messages
   FileKind kind = FileKind::checkpoint;
   std::string sealed_checksum;  ///< content checksum that rupture stored; empty if it is gone
-  std::string checksum;         ///< that of what it holds now, by the present rule
   bool content_is_as_sealed = false;
   Content content;
 };

@@ -271,7 +271,7 @@ constinit const Command checksum_command = {
     [](const Parsed& parsed) {
       const ContentFile file = verify_file(file_of(parsed));
       const bool as_schema_2 = parsed.values.count("as-schema-2") > 0;
-      say("{}\n", as_schema_2 ? content_checksum_of_schema_2(file.content) : file.checksum);
+      say("{}\n", as_schema_2 ? content_checksum(file.content, 2) : file.checksum);
       return int{kDone};
     }};
 
