@@ -153,21 +153,15 @@ std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& 
                   std::hypot(state.v_x(place.i, place.j), state.v_z(place.i, place.j)))};
 }
 
-bool Guard::is_new(const Finding& finding) {
-  const bool known = std::any_of(reported_.begin(), reported_.end(), [&](const Finding& other) {
-    return other.check == finding.check && other.severity == finding.severity;
-  });
-  if (!known) reported_.push_back(finding);
-  return !known;
-}
-
 std::vector<Finding> Guard::look(const Simulation& simulation) {
   const Entry now = entry_of(simulation);
   std::vector<Finding> found;
   for (const Maybe& finding : {time_step(simulation), lattice(simulation), contact(simulation),
                                strength(simulation, start_.step), energy(simulation, last_, now),
                                energy(simulation, start_, now)}) {
-    if (finding && is_new(*finding)) found.push_back(*finding);
+    if (!finding) continue;
+    const bool is_new = reported_.insert({finding->check, finding->severity}).second;
+    if (is_new) found.push_back(*finding);
   }
   last_ = now;
   return found;

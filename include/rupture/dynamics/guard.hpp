@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rupture/dynamics/simulation.hpp"
@@ -50,11 +52,10 @@ class Guard {
   static Entry entry_of(const Simulation& simulation);
   std::optional<Finding> energy(const Simulation& simulation, const Entry& from,
                                 const Entry& to) const;
-  bool is_new(const Finding& finding);
 
   const Entry start_;
   Entry last_;
-  std::vector<Finding> reported_;
+  std::set<std::pair<Check, Severity>> reported_;
 };
 
 }  // namespace rupture

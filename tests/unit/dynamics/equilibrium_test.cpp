@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "rupture/analysis/phi.hpp"
 #include "support/relaxation.hpp"
@@ -110,16 +109,6 @@ TEST(EquilibriumFailure, refuses_parameters_that_make_no_sense) {
   Parameters p;
   p.H = 0.08;
   EXPECT_THROW(normal_load_equilibrium(p), UsageError);
-}
-
-TEST(NestedDissection, gives_each_block_a_place_of_its_own) {
-  for (const auto& [Nx, Nz] : {std::pair{3, 3}, {2, 40}, {41, 5}, {57, 31}}) {
-    std::vector<Eigen::Index> places = nested_dissection(Nx, Nz);
-    std::vector<Eigen::Index> all(static_cast<std::size_t>(Nx * Nz));
-    std::iota(all.begin(), all.end(), 0);
-    EXPECT_TRUE(std::is_permutation(places.begin(), places.end(), all.begin(), all.end()))
-        << Nx << " x " << Nz;
-  }
 }
 
 TEST(NestedDissection, puts_the_line_that_separates_the_halves_last) {

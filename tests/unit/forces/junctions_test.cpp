@@ -1,5 +1,5 @@
 // What several junctions or blocks do under the interface laws, and what a change of parameters or
-// of the law does to them. Each branch of a law is in law_histories.hpp.
+// of the law does to them. Each branch of a law is in law_histories_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,15 +1,12 @@
-// Every branch of the interface laws, worked out by hand: what becomes of the
-// junction of hand_made_interface.hpp when its block is moved. Each history is
-// followed with both signs.
+// Every branch of the interface laws, worked out by hand: what becomes of the junction of
+// hand_made_interface.hpp when its block is moved. Each history is followed with both signs.
 //
-//   == NAME=VALUE ...     parameters of the histories below
-//   NAME                  a history; NAME* one whose junction breaks at once,
-//   at u = 0.21 m, t = 0
-//     p= t= u=            f_N [N] and time [s], as before if not given, and
-//     where the block goes [m] f= a=               then its friction [N] and
-//     the attachment point [m] broken= repinned= junctions that changed, 0 if
-//     not given pinned= draws= left= slow=    number of pinned junctions, and
-//     what the junction remembers
+//   == NAME=VALUE ...   parameters of the histories below
+//   NAME                a history; NAME* one whose junction breaks at once, at u = 0.21 m, t = 0
+//     p= t= u=          f_N [N] and time [s], as before if not given, and where the block goes [m]
+//     f= a=             then its friction [N] and the attachment point [m]
+//     broken= repinned=           junctions that changed, 0 if not given
+//     pinned= draws= left= slow=  number of pinned junctions, and what the junction remembers
 //
 // 0.2+ and 2e-3- are the next larger and smaller number.
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -104,25 +105,19 @@ TEST(ParameterText, reads_back_to_the_same_bits) {
 }
 
 TEST(SetParameter, takes_multiples_of_its_unit_and_whole_numbers_in_any_notation) {
-  const std::vector<std::tuple<const char*, const char*, double>> rows = {
-      {"numerics.dt", "0.1us", 1e-7},
-      {"slider.L", "150 mm", 0.15},
-      {"slider.M", "80g", 0.08},
-      {"slider.Nx", "1e3", 1000},
-      {"slider.Nx", "57.0", 57},
-      {"slider.Nx", "1.5e2", 150},
-      {"numerics.seed", "8999999999999999", 8999999999999999},
-      {"numerics.seed", "9e15", 9000000000000000}};
+  const std::vector<std::array<const char*, 3>> rows = {
+      {"numerics.dt", "0.1us", "1e-07"},
+      {"slider.L", "150 mm", "0.15"},
+      {"slider.M", "80g", "0.08"},
+      {"slider.Nx", "1e3", "1000"},
+      {"slider.Nx", "57.0", "57"},
+      {"slider.Nx", "1.5e2", "150"},
+      {"numerics.seed", "8999999999999999", "8999999999999999"},
+      {"numerics.seed", "9e15", "9000000000000000"}};
   for (const auto& [name, text, value] : rows) {
     Parameters p;
-    const ParameterInfo& info = find_parameter(name);
     set_parameter(p, name, text);
-    if (is_whole(info)) {
-      const auto member = std::get<std::int64_t Parameters::*>(info.member);
-      EXPECT_EQ(p.*member, static_cast<std::int64_t>(value)) << text;
-    } else {
-      EXPECT_EQ(p.*std::get<double Parameters::*>(info.member), value) << text;
-    }
+    EXPECT_EQ(parameter_text(p, find_parameter(name)), value);
   }
 }
 
