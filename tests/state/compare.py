@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Compares what the programs of two builds compute, byte for byte: the state of checkpoints, and the
-series of records. Parameters, provenance and checksums may differ; the new ones read both.
+"""Compares what the programs of two builds compute, byte for byte: the state of checkpoints, and
+the series of records. Parameters, provenance and checksums may differ; the new ones read both.
 
     compare.py OLD_BIN NEW_BIN [FOLDER]
 
@@ -63,7 +63,7 @@ def main():
         if run(commands, programs[1], folders[1]):
             sys.exit(f"{name}: the new programs failed")
         for file in sorted({path.name for folder in folders for path in folder.glob("*.h5")}):
-            wrong = compare(*(folder / file for folder in folders), programs[1] / "analyze")
+            wrong = compare(folders[0] / file, folders[1] / file, programs[1] / "analyze")
             print(f"{wrong or 'equal'}: {name}: {file}", flush=True)
             bad += bool(wrong)
     print("all are equal" if not bad else f"{bad} differ")

@@ -1,5 +1,4 @@
-"""Files of every schema version (tests/compatibility) are intact; checkpoints are continued, records
-analysed."""
+"""Files of every schema version (tests/compatibility): intact, and continued or analysed."""
 
 import pytest
 
