@@ -18,13 +18,6 @@ namespace rupture {
 namespace {
 
 template <class T>
-T element(const Dataset& dataset, std::size_t index) {
-  T value{};
-  std::memcpy(&value, dataset.bytes.data() + index * sizeof(T), sizeof(T));
-  return value;
-}
-
-template <class T>
 void keep_larger(Largest<T>& largest, T value, std::uint64_t index) {
   if (value > largest.value) largest = {value, index};
 }

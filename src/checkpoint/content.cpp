@@ -5,7 +5,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "context.hpp"
 #include "rupture/model/error.hpp"
@@ -52,18 +51,14 @@ bool fills_its_shape(const Dataset& dataset) {
 template <class T>
 void check_all_finite(const std::string& path, const Dataset& dataset) {
   const std::size_t count = dataset.bytes.size() / sizeof(T);
-  const auto value = [&](std::size_t i) {
-    T x = 0;
-    std::memcpy(&x, dataset.bytes.data() + i * sizeof(T), sizeof(T));
-    return x;
-  };
+  const auto is_other = [&](std::size_t i) { return !std::isfinite(element<T>(dataset, i)); };
   unsigned others = 0;  // counted without branches, which is faster for large arrays
-  for (std::size_t i = 0; i < count; ++i) others += std::isfinite(value(i)) ? 0U : 1U;
+  for (std::size_t i = 0; i < count; ++i) others += is_other(i) ? 1U : 0U;
   if (others == 0) return;
   std::size_t i = 0;
-  while (std::isfinite(value(i))) ++i;
-  fail("{} holds {} at index {} of {}; only finite numbers are stored", path, value(i), i,
-       shape_text(dataset.shape));
+  while (!is_other(i)) ++i;
+  fail("{} holds {} at index {} of {}; only finite numbers are stored", path,
+       element<T>(dataset, i), i, shape_text(dataset.shape));
 }
 
 }  // namespace
@@ -137,15 +132,6 @@ void refuse_others(const Content& content, std::string_view group, const Content
   for (const auto& [path, dataset] : content) {
     if (path.starts_with(group) && !known.contains(path)) fail("{} {}", path, words);
   }
-}
-
-void read_array_bytes(const Content& content, const std::string& path, DataType type,
-                      const Shape& shape, std::span<std::byte> out) {
-  const Dataset& dataset = expect(content, path, type, shape);
-  if (dataset.bytes.size() != out.size()) {
-    fail("{} holds {} bytes; expected {}", path, dataset.bytes.size(), out.size());
-  }
-  if (!out.empty()) std::memcpy(out.data(), dataset.bytes.data(), out.size());
 }
 
 std::string read_text(const Content& content, const std::string& path) {

@@ -58,13 +58,9 @@ void read(const Content& content, const char* path, std::uint64_t rows, std::int
 template <class Array>
 void read(const Content& content, const char* path, std::uint64_t rows, std::int64_t Nx,
           Array& values) {
-  constexpr DataType type = kDataTypeOf<typename Array::Scalar>;
   const Shape shape = {rows, static_cast<std::uint64_t>(Nx)};
-  expect(content, path, type, shape);
-  values.resize(static_cast<Eigen::Index>(rows), Nx);
-  read_array_bytes(
-      content, path, type, shape,
-      std::as_writable_bytes(std::span(values.data(), static_cast<std::size_t>(values.size()))));
+  const auto elements = read_array<typename Array::Scalar>(content, path, shape);
+  values = Array::Map(elements.data(), static_cast<Eigen::Index>(rows), Nx);
 }
 
 void read_series(const Content& content, Record& record) {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstring>
 
 #include "context.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
@@ -54,15 +53,13 @@ Dataset field_dataset(const Field& field, std::string_view unit) {
 
 template <class T>
 void read_junctions(const Content& content, const char* path, JunctionArray<T>& array) {
-  read_array_bytes(
-      content, path, kDataTypeOf<T>, shape_of(array.rows(), array.cols()),
-      std::as_writable_bytes(std::span(array.data(), static_cast<std::size_t>(array.size()))));
+  const auto values = read_array<T>(content, path, shape_of(array.rows(), array.cols()));
+  array = JunctionArray<T>::Map(values.data(), array.rows(), array.cols());
 }
 
 void read_field(const Content& content, const char* path, Field& field) {
-  RowMajorArray blocks(field.Nz(), field.Nx());
-  read_junctions(content, path, blocks);
-  field.blocks() = blocks;
+  const auto values = read_array<double>(content, path, shape_of(field.Nz(), field.Nx()));
+  field.blocks() = RowMajorArray::Map(values.data(), field.Nz(), field.Nx());
 }
 
 // A pinned junction has no repin time: stored as 0, in memory `never`.

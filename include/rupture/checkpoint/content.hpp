@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <span>
 #include <string>
@@ -97,28 +98,31 @@ Dataset make_scalar(T value, std::string_view unit) {
 /// A text dataset. An empty text is stored as one null. Throws Failure if `text` contains a null.
 Dataset make_text(std::string_view text);
 
+/// Element `index` of a dataset of T, in storage order.
+template <class T>
+T element(const Dataset& dataset, std::size_t index) {
+  T value{};
+  std::memcpy(&value, dataset.bytes.data() + index * sizeof(T), sizeof(T));
+  return value;
+}
+
 /// The dataset at `path`. Throws Failure, naming path, found and expected, if it is missing, of
 /// another type or shape, or if its bytes do not fill its shape.
 const Dataset& expect(const Content& content, const std::string& path, DataType type,
                       const Shape& shape);
 
-/// Copies the dataset at `path` to `out`. Throws Failure as expect() does.
-void read_array_bytes(const Content& content, const std::string& path, DataType type,
-                      const Shape& shape, std::span<std::byte> out);
-
+/// The elements of the dataset at `path`. Throws Failure as expect() does.
 template <class T>
 std::vector<T> read_array(const Content& content, const std::string& path, const Shape& shape) {
-  expect(content, path, kDataTypeOf<T>, shape);
+  const Dataset& dataset = expect(content, path, kDataTypeOf<T>, shape);
   std::vector<T> values(element_count(shape));
-  read_array_bytes(content, path, kDataTypeOf<T>, shape, std::as_writable_bytes(std::span(values)));
+  if (!values.empty()) std::memcpy(values.data(), dataset.bytes.data(), dataset.bytes.size());
   return values;
 }
 
 template <class T>
 T read_scalar(const Content& content, const std::string& path) {
-  T value{};
-  read_array_bytes(content, path, kDataTypeOf<T>, {}, std::as_writable_bytes(std::span(&value, 1)));
-  return value;
+  return read_array<T>(content, path, {}).front();
 }
 
 std::string read_text(const Content& content, const std::string& path);
