@@ -127,8 +127,9 @@ EditedFile opened(std::span<const std::byte> bytes) {
 }  // namespace
 
 void check_output(const fs::path& path, IfExists if_exists) {
-  if (!path.has_filename())
-    throw UsageError("the name of an output is empty; give the path of a file");
+  if (!path.has_filename()) {
+    throw UsageError("{} ends with a slash, as folders do; give the path of a file", path.string());
+  }
   struct stat info {};
   const bool exists = ::lstat(path.c_str(), &info) == 0;
   if (exists && S_ISDIR(info.st_mode)) {

@@ -19,8 +19,7 @@ namespace {
 template <class Given>
 double pinned_fraction(double value, const Given& given, const std::string& option) {
   if (value > 0.0 && value <= 1.0) return value;
-  throw UsageError(
-      fmt::format("--{} must be a pinned fraction, above 0 and at most 1 (got {})", option, given));
+  throw UsageError("--{} must be a pinned fraction, above 0 and at most 1 (got {})", option, given);
 }
 
 /// Refuses an option's value; `reason` goes behind the name of the option.
@@ -134,8 +133,9 @@ double non_negative(const po::variables_map& values, const std::string& option) 
 }
 
 double non_negative(double value, const std::string& option) {
-  if (std::isfinite(value) && value >= 0.0) return value;
-  throw UsageError(fmt::format("--{} must be 0 or more (got {})", option, value));
+  if (!std::isfinite(value)) throw UsageError("--{} must be finite (got {})", option, value);
+  if (value >= 0.0) return value;
+  throw UsageError("--{} must be 0 or more (got {})", option, value);
 }
 
 std::optional<double> optional_non_negative(const po::variables_map& values,
@@ -147,7 +147,7 @@ std::optional<double> optional_non_negative(const po::variables_map& values,
 int int_between(const po::variables_map& values, const std::string& option, int least, int most) {
   const int value = values[option].as<int>();
   if (value >= least && value <= most) return value;
-  throw UsageError(fmt::format("--{} must be from {} to {} (got {})", option, least, most, value));
+  throw UsageError("--{} must be from {} to {} (got {})", option, least, most, value);
 }
 
 double fraction(const po::variables_map& values, const std::string& option) {
