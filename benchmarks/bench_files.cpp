@@ -59,10 +59,10 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
   Simulation run_a(p, loading_state()), run_b(p, loading_state());
   RecordWriter writer(file(), p, {}, IfExists::replace, {}, RecordWriter::kFlushEvery, parts);
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
-  tools::RunFiles files;
-  files.record_every = {static_cast<double>(every)};
-  if (parts.fields == Fields::record) files.fields_every = files.record_every;
-  tools::Recorder recorder(writer, files, {}, first, last);
+  const tools::Interval interval = {static_cast<double>(every)};
+  std::optional<tools::Interval> fields_interval;
+  if (parts.fields == Fields::record) fields_interval = interval;
+  tools::Recorder recorder(writer, interval, fields_interval, {}, first, last);
 
   std::vector<double> without, with, ratio;
   bool record_a = false;

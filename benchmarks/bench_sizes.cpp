@@ -4,7 +4,7 @@
 #include <memory>
 #include <thread>
 
-#include "run/forecast.hpp"
+#include "run/plan.hpp"
 #include "rupture/analysis/statistics.hpp"
 #include "rupture/model/derived.hpp"
 #include "sliders.hpp"

@@ -6,7 +6,7 @@
 #include "analyze/analyze.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
-#include "run/programs.hpp"
+#include "run/output.hpp"
 
 namespace rupture::tools {
 namespace {

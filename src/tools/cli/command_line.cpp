@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <new>
@@ -57,15 +58,14 @@ std::optional<ParameterChange> change_by(const po::option& option, const std::st
   if (option.string_key != "set") return std::nullopt;
   const auto equals = value.find('=');
   if (equals == std::string::npos) {
-    throw UsageError(fmt::format("{}--set {} has no '=': write --set NAME=VALUE", where, value));
+    throw UsageError("{}--set {} has no '=': write --set NAME=VALUE", where, value);
   }
   return ParameterChange{value.substr(0, equals), value.substr(equals + 1), where};
 }
 
 void add_once(ParameterChange change, ParameterChanges& changes) {
-  const auto is_same = [&](const auto& other) { return other.name == change.name; };
-  if (std::any_of(changes.begin(), changes.end(), is_same)) {
-    throw UsageError(fmt::format("{}{} is given twice: give it once", change.where, change.name));
+  if (std::ranges::count(changes, change.name, &ParameterChange::name) > 0) {
+    throw UsageError("{}{} is given twice: give it once", change.where, change.name);
   }
   changes.push_back(std::move(change));
 }
@@ -75,16 +75,15 @@ std::string config_text(const std::string& path) {
   constexpr std::size_t longest = 100'000;  // bytes
   std::ifstream file(path);
   if (!file || std::filesystem::is_directory(path)) {
-    throw Failure(fmt::format(
-        "cannot read the configuration file {}; give the path of a readable INI file", path));
+    throw Failure("cannot read the configuration file {}; give the path of a readable INI file",
+                  path);
   }
   std::string text(longest + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > longest) {
-    throw Failure(fmt::format(
-        "the configuration file {} is longer than {} bytes; give the path of an INI file", path,
-        longest));
+    throw Failure("the configuration file {} is longer than {} bytes; give the path of an INI file",
+                  path, longest);
   }
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   return text.starts_with(mark) ? text.substr(mark.size()) : text;
@@ -130,8 +129,7 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
         }
       }
     } catch (const po::invalid_syntax& error) {
-      throw UsageError(
-          fmt::format("{}{}; write lines NAME = VALUE and [GROUP]", where, error.what()));
+      throw UsageError("{}{}; write lines NAME = VALUE and [GROUP]", where, error.what());
     } catch (const po::error& error) {
       throw po::error(where + error.what());
     }
@@ -209,9 +207,8 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
     }
     if (parsed.values.count("unexpected") > 0) {
       const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
-      throw UsageError(
-          fmt::format("unexpected argument '{}': {} reads no files; see rupture {} --help",
-                      words.front(), command.name(), command.name()));
+      throw UsageError("unexpected argument '{}': {} reads no files; see rupture {} --help",
+                       words.front(), command.name(), command.name());
     }
     if (parsed.values.count("config") > 0) {
       parsed.parameters =
@@ -223,7 +220,7 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
   } catch (const po::unknown_option& error) {
     throw UsageError(unknown_option_text(error.get_option_name(), all, command.name()));
   } catch (const po::error& error) {
-    throw UsageError(fmt::format("{}; see rupture {} --help", error.what(), command.name()));
+    throw UsageError("{}; see rupture {} --help", error.what(), command.name());
   }
   return parsed;
 }
@@ -252,8 +249,8 @@ void refuse_other_laws(const Parameters& p) {
   for (const LawInfo& law : law_table()) {
     if (law.closed_form == ClosedForm::known) known.push_back(law.name);
   }
-  throw UsageError(fmt::format("junctions.law = {} is not supported here: use the {} law",
-                               law_info(p.law).name, fmt::join(known, " or the ")));
+  throw UsageError("junctions.law = {} is not supported here: use the {} law", law_info(p.law).name,
+                   fmt::join(known, " or the "));
 }
 
 void refuse_empty_names(const std::vector<std::string>& inputs) {
@@ -266,7 +263,7 @@ std::string single_input(const po::variables_map& values, const std::string& pos
   if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);
   const auto inputs = values[positional].as<std::vector<std::string>>();
   if (inputs.size() > 1) {
-    throw UsageError(fmt::format("unexpected file '{}': give only one file", inputs[1]));
+    throw UsageError("unexpected file '{}': give only one file", inputs[1]);
   }
   refuse_empty_names(inputs);
   return inputs.front();
@@ -274,7 +271,7 @@ std::string single_input(const po::variables_map& values, const std::string& pos
 
 int run_tool(const std::string& name, const std::function<int()>& body) {
   occupy_standard_streams();
-  ignore_broken_pipes();
+  std::signal(SIGPIPE, SIG_IGN);  // writing to a pipe that nobody reads only fails
   try {
     const int code = body_or_help(body);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

@@ -4,15 +4,12 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdlib>
 #include <ctime>
 #include <tuple>
 
 namespace rupture::tools {
 namespace {
-
-constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
 // NOLINTBEGIN(*-avoid-non-const-global-variables): nothing else can a signal handler write
 volatile std::sig_atomic_t noted = 0;
@@ -32,28 +29,21 @@ extern "C" void note(int signal) {
   }
 }
 
-void handle(int signal, void (*handler)(int)) {
-  struct sigaction action {};
-  sigaction(signal, nullptr, &action);
-  if (action.sa_handler == SIG_IGN) return;
-  action = {};
-  action.sa_handler = handler;
-  action.sa_flags = SA_RESTART;
-  sigaction(signal, &action, nullptr);
-}
-
 }  // namespace
 
-InterruptionNoted::InterruptionNoted() {
-  noted = 0;
-  for (const int signal : kSignals) handle(signal, note);
+void note_interruptions() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler == SIG_IGN) continue;
+    action = {};
+    action.sa_handler = note;
+    action.sa_flags = SA_RESTART;
+    sigaction(signal, &action, nullptr);
+  }
 }
 
-InterruptionNoted::~InterruptionNoted() {
-  for (const int signal : kSignals) handle(signal, SIG_DFL);
-}
-
-int InterruptionNoted::signal() {
+int interruption() {
   return noted;
 }
 
@@ -62,10 +52,6 @@ void occupy_standard_streams() {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
     std::ignore = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
-}
-
-void ignore_broken_pipes() {
-  std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool nobody_reads_output() {

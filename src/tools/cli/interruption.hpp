@@ -6,21 +6,13 @@
 
 namespace rupture::tools {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP is only noted; one that comes more than half
-/// a second later ends the process at once (a closed terminal sends two within a moment). Signals
-/// that were ignored, as under nohup, stay ignored. One at a time.
-class InterruptionNoted {
- public:
-  InterruptionNoted();
-  ~InterruptionNoted();
-  InterruptionNoted(const InterruptionNoted&) = delete;
-  InterruptionNoted& operator=(const InterruptionNoted&) = delete;
-  InterruptionNoted(InterruptionNoted&&) = delete;
-  InterruptionNoted& operator=(InterruptionNoted&&) = delete;
+/// From now on, the first SIGINT, SIGTERM or SIGHUP is only noted; one that comes more than half a
+/// second later ends the process at once (a closed terminal sends two within a moment). Signals
+/// that were ignored, as under nohup, stay ignored.
+void note_interruptions();
 
-  /// The signal that came, or 0.
-  static int signal();
-};
+/// The signal that was noted, or 0.
+int interruption();
 
 /// Thrown when a run has stopped at a signal and everything is saved.
 struct Interrupted {
@@ -32,10 +24,7 @@ struct Interrupted {
 /// output would then go to. Reading and writing go on to fail.
 void occupy_standard_streams();
 
-/// From now on, writing to a pipe that nobody reads fails instead of ending the process.
-void ignore_broken_pipes();
-
-/// True if standard output is such a pipe.
+/// True if standard output is a pipe that nobody reads.
 bool nobody_reads_output();
 
 /// Ends the process as the signal would have, so that a shell or a workflow sees why.

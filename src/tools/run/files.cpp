@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/any.hpp>
 
+#include "run/plan.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
 
@@ -28,7 +29,7 @@ std::string shortest_text(const Parameters& p, const Clock& clock, std::int64_t 
 std::int64_t steps_in(const Parameters& p, double duration) {
   const double steps = std::round(duration / p.dt);
   if (!(std::abs(steps) < 0x1p53)) {
-    throw UsageError(fmt::format("{:g} s is too long for time steps of {:g} s", duration, p.dt));
+    throw UsageError("{:g} s is too long for time steps of {:g} s", duration, p.dt);
   }
   return static_cast<std::int64_t>(steps);
 }
@@ -43,8 +44,7 @@ Interval interval(const Parameters& p, const Clock& clock, double t, std::string
   const std::int64_t zero = step_at(p, clock, 0.0);
   const double offset = std::clamp(-time_at(p, clock, zero) / p.dt, -half, half);
   if (t >= p.dt * (1.0 - rounding)) return {std::max(t, p.dt), p.dt, zero, offset};
-  throw UsageError(
-      fmt::format("--{} must be at least one time step, {:g} s (got {:g} s)", option, p.dt, t));
+  throw UsageError("--{} must be at least one time step, {:g} s (got {:g} s)", option, p.dt, t);
 }
 
 std::string id_of_run(const Checkpoint& start) {
@@ -55,9 +55,9 @@ std::string id_of_run(const Checkpoint& start) {
   return sha256(std::as_bytes(std::span(text)));
 }
 
-RecordedRun recorded_run(const std::string& id, const RunFiles& files) {
-  RecordedRun run = {id, files.record_every.time, {}};
-  if (files.fields_every) run.fields_every = files.fields_every->time;
+RecordedRun recorded_run(const RunPlan& plan) {
+  RecordedRun run = {plan.start.run->id, plan.record_every.time, {}};
+  if (plan.fields_every) run.fields_every = plan.fields_every->time;
   return run;
 }
 
@@ -104,27 +104,28 @@ std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
   return chain;
 }
 
-std::vector<ProvenanceEntry> cut_at(std::vector<ProvenanceEntry> chain,
-                                    const Parameters& parameters, double t, std::int64_t step) {
+std::vector<ProvenanceEntry> cut_at_end(const Record& record) {
+  auto chain = record.provenance;
   if (chain.empty()) return chain;
   std::string& command = chain.back().rebuild;  // without spaces in its words
   constexpr std::string_view option = " --until ";
   const std::size_t found = command.find(option), from = found + option.size();
   if (found == std::string::npos) return chain;
-  command.replace(from, command.find(' ', from) - from, shortest_text(parameters, {step, t}, step));
+  const Clock end = {record.step.back(), record.time.back()};
+  command.replace(from, command.find(' ', from) - from,
+                  shortest_text(record.parameters, end, end.origin_step));
   return chain;
 }
 
-std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
-                                            const Parameters& parameters, const Clock& clock,
-                                            std::int64_t step, const RunFiles& files) {
-  chain = run_until(std::move(chain), parameters, clock, step);
+std::vector<ProvenanceEntry> recorded_until(const RunPlan& plan, std::int64_t step) {
+  const Checkpoint& start = plan.start;
+  auto chain = run_until(start.provenance, start.parameters, start.state.clock, step);
   std::string& command = chain.back().rebuild;
-  command += fmt::format(" --record-every {}", files.record_every.time);
-  if (!files.crossings.empty()) {
-    command += fmt::format(" --crossings {}", fmt::join(files.crossings, ","));
+  command += fmt::format(" --record-every {}", plan.record_every.time);
+  if (const auto& levels = plan.options.crossings; !levels.empty()) {
+    command += fmt::format(" --crossings {}", fmt::join(levels, ","));
   }
-  if (files.fields_every) command += fmt::format(" --fields {}", files.fields_every->time);
+  if (plan.fields_every) command += fmt::format(" --fields {}", plan.fields_every->time);
   return chain;
 }
 

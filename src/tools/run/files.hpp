@@ -5,16 +5,17 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command_line.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
-#include "rupture/model/state.hpp"
 
 namespace rupture::tools {
+
+struct RunPlan;
 
 /// The number of steps nearest to a duration [s]. Throws UsageError if it is not below 2^53.
 std::int64_t steps_in(const Parameters& parameters, double duration);
@@ -54,16 +55,6 @@ struct Interval {
 Interval interval(const Parameters& parameters, const Clock& clock, double t,
                   std::string_view option);
 
-/// The files that a run leaves on its way.
-struct RunFiles {
-  std::filesystem::path output;                 ///< its checkpoints are OUT-tT.h5
-  std::optional<std::filesystem::path> record;  ///< or its .part
-  Interval record_every;
-  IfExists if_exists = IfExists::refuse;      ///< what is not of the run
-  std::vector<double> crossings = {};         ///< levels of the record, ascending
-  std::optional<Interval> fields_every = {};  ///< none: the record has no fields
-};
-
 /// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].
 std::filesystem::path path_at(const std::filesystem::path& output, double t);
 
@@ -72,7 +63,7 @@ std::filesystem::path path_at(const std::filesystem::path& output, double t);
 std::string id_of_run(const Checkpoint& start);
 
 /// By which its record is known.
-RecordedRun recorded_run(const std::string& id, const RunFiles& files);
+RecordedRun recorded_run(const RunPlan& plan);
 
 // The commands that make a file anew (ProvenanceEntry::rebuild) are complete, so that they need
 // nothing but the parent, and canonical, so that equal content has equal commands. A command as a
@@ -96,14 +87,11 @@ std::vector<ProvenanceEntry> run_until(std::vector<ProvenanceEntry> chain,
                                        const Parameters& parameters, const Clock& clock,
                                        std::int64_t step);
 
-/// The chain of a record of which only what there is at `step`, at time `t`, is kept: its last
-/// entry gets this time instead of the planned one. Without a command it stays as it is.
-std::vector<ProvenanceEntry> cut_at(std::vector<ProvenanceEntry> chain,
-                                    const Parameters& parameters, double t, std::int64_t step);
+/// The chain of a record that ends with the samples it has: its last entry gets the time of the
+/// last one instead of the planned one. Without a command it stays as it is.
+std::vector<ProvenanceEntry> cut_at_end(const Record& record);
 
-/// The chain of a record that ends at `step` and holds what `files` say.
-std::vector<ProvenanceEntry> recorded_until(std::vector<ProvenanceEntry> chain,
-                                            const Parameters& parameters, const Clock& clock,
-                                            std::int64_t step, const RunFiles& files);
+/// The chain of the run's record if that ends at `step`.
+std::vector<ProvenanceEntry> recorded_until(const RunPlan& plan, std::int64_t step);
 
 }  // namespace rupture::tools

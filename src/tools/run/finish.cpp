@@ -3,35 +3,32 @@
 
 #include "run/files.hpp"
 #include "run/output.hpp"
-#include "run/programs.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
 
-/// Its run may end, and complete its record, at any moment.
-bool has_become_record(const std::filesystem::path& part) {
-  std::filesystem::path record = part;
-  record.replace_extension();
-  return part.extension() == ".part" && !exists(part) && exists(record);
-}
-
 RecordFile read_part(const std::filesystem::path& path) try {
   if (const FileKind kind = identify(path); kind != FileKind::open_record) {
-    throw Failure(fmt::format("{} is {}; expected an unfinished record (RECORD.h5.part)",
-                              path.string(), kind_text(kind)));
+    throw Failure("{} is {}; expected an unfinished record (RECORD.h5.part)", path.string(),
+                  kind_text(kind));
   }
   RecordFile part = read_record_file(path);
   if (part.record.time.empty()) {
-    throw Failure(
-        fmt::format("{} has no samples yet: continue its run or start it again", path.string()));
+    throw Failure("{} has no samples yet: continue its run or start it again", path.string());
   }
   return part;
 } catch (const Failure&) {
-  if (!has_become_record(path)) throw;
-  throw Failure(fmt::format("{} is gone: its run has ended, and its record is {}", path.string(),
-                            std::filesystem::path(path).replace_extension().string()));
+  std::error_code ignored;
+  if (status(path, ignored).type() != std::filesystem::file_type::not_found) throw;
+  std::filesystem::path record = path;  // a run may end, and complete its record, at any moment
+  if (path.extension() == ".part" && exists(record.replace_extension())) {
+    throw Failure("{} is gone: its run has ended, and its record is {}", path.string(),
+                  record.string());
+  }
+  throw Failure("{} does not exist; give the path of an unfinished record (RECORD.h5.part)",
+                path.string());
 }
 
 /// The run refuses to replace at its end what it did not find at its start.
@@ -41,35 +38,32 @@ void refuse_name_of_run(const std::filesystem::path& part, const std::filesystem
                                      fs::weakly_canonical(fs::absolute(part))) {
     return;
   }
-  throw Failure(
-      fmt::format("a run is writing {} and will write {} when it ends: give another output",
-                  part.string(), output.string()));
+  throw Failure("a run is writing {} and will write {} when it ends: give another output",
+                part.string(), output.string());
 }
 
-struct Finished {
-  std::int64_t samples = 0;
-  double time = 0.0;               ///< of the last one [s]
-  std::int64_t ignored_bytes = 0;  ///< at the end of the unfinished record
-};
+double end_of(const Record& record) {
+  return record.time.empty() ? 0.0 : record.time.back();
+}
 
-Quantities quantities_of(const Finished& finished) {
+Quantities quantities_of(const RecordFile& part) {
   return {
-      {"samples", "1", "samples in the record", finished.samples},
-      {"time", "s", "time of the last sample", finished.time},
+      {"samples", "1", "samples in the record", std::ssize(part.record.time)},
+      {"time", "s", "time of the last sample", end_of(part.record)},
       {"ignored_bytes", "1",
        "bytes of an incomplete piece at the end of the unfinished record, as after a kill",
-       finished.ignored_bytes},
+       static_cast<std::int64_t>(part.ignored_bytes)},
   };
 }
 
-std::string text_of(const Finished& finished) {
+std::string text_of(const RecordFile& part) {
   std::string text =
-      fmt::format("{} samples up to t = {:.9g} s\n", finished.samples, finished.time);
-  if (finished.ignored_bytes == 0) return text;
+      fmt::format("{} samples up to t = {:.9g} s\n", part.record.time.size(), end_of(part.record));
+  if (part.ignored_bytes == 0) return text;
   return text + fmt::format(
                     "ignored {} bytes at the end, an incomplete piece: the run was killed while "
                     "writing it, is still writing it, or it is damaged\n",
-                    finished.ignored_bytes);
+                    part.ignored_bytes);
 }
 
 int finish(const Parsed& parsed) {
@@ -78,15 +72,10 @@ int finish(const Parsed& parsed) {
   const OutputOptions output = output_options(parsed.values);
 
   const RecordFile part = read_part(path);
-  check_outputs({output.output}, output.if_exists, path);
+  check_output(output, path);
   refuse_name_of_run(path, output.output);
-  const Record& record = part.record;
-  const Finished finished = {std::ssize(record.time), record.time.back(),
-                             static_cast<std::int64_t>(part.ignored_bytes)};
-  const auto chain =
-      cut_at(record.provenance, record.parameters, finished.time, record.step.back());
-  const WrittenFile file = write(FileKind::record, finished_content(part, chain), output);
-  return report(quantities_of(finished), text_of(finished), file, output);
+  return write_and_report(FileKind::record, finished_content(part, cut_at_end(part.record)),
+                          quantities_of(part), text_of(part), output);
 }
 
 }  // namespace
@@ -99,6 +88,6 @@ constinit const Command finish_command = {
     "been killed or may still be going on; it is not disturbed, and RECORD.h5.part stays.",
     {[](po::options_description& options) { add_output_options(options, "record"); }},
     finish,
-    [] { return with_files(quantities_of(Finished{})); }};
+    [] { return with_files(quantities_of(RecordFile{})); }};
 
 }  // namespace rupture::tools

@@ -1,5 +1,7 @@
-#include "run/forecast.hpp"
-
+// Time, memory and disk of a run, forecast from its plan and how fast this machine is.
+//
+// The constants come from measurements of lattices from 57 x 31 to 449 x 241 blocks (x86-64, Debian
+// 12, gcc 12.2).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,9 +9,8 @@
 #include <cmath>
 
 #include "cli/report.hpp"
-#include "cli/text.hpp"
+#include "run/plan.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
@@ -125,15 +126,15 @@ Forecast forecast_of(const RunPlan& plan) {
   Forecast f = {plan, p};
   if (!plan.is_complete) {
     const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
-    f.steps = last - plan.begin.checkpoint.state.step;
-    f.checkpoints = std::ssize(plan.checkpoint_steps) + 1;
-    if (plan.files.record) f.samples = plan.files.record_every.samples(first, last);
-    if (plan.files.fields_every) f.field_samples = plan.files.fields_every->samples(first, last);
+    f.steps = last - plan.begin.state.step;
+    f.checkpoints = std::ssize(plan.checkpoints) + 1;
+    if (plan.options.record) f.samples = plan.record_every.samples(first, last);
+    if (plan.fields_every) f.field_samples = plan.fields_every->samples(first, last);
   }
   f.checkpoint = checkpoint_size(p);
   f.record = record_size(f);
   f.memory = run_memory(p, f.record);
-  Simulation simulation(p, plan.begin.checkpoint.state, plan.threads);
+  Simulation simulation(p, plan.begin.state, plan.threads);
   f.time_per_step = time_per_step(simulation);
   if (plan.finds_equilibrium) {
     const double reference = seconds_of([] { normal_load_equilibrium(reference_slider()); });
@@ -206,22 +207,19 @@ Json json_of(const Forecast& f) {
 
 }  // namespace
 
-std::string forecast(const RunPlan& plan, DryRun how) {
+std::string forecast(const RunPlan& plan) {
   const Forecast needs = forecast_of(plan);
-  return how == DryRun::json ? json_text(json_of(needs)) + "\n" : text_of(needs);
+  return plan.options.output.json ? json_text(json_of(needs)) + "\n" : text_of(needs);
 }
 
 State roughly_loaded(const Parameters& p) {
   State state = compressed(p);
   const double strain = p.F_N / (p.L * p.B) / p.E;
-  for (std::int64_t j = 0; j < p.Nz; ++j) {
-    for (std::int64_t i = 0; i < p.Nx; ++i) {
-      // Also sideways: where nothing at all moves, steps would take another time.
-      state.u_x(i, j) = kPoissonRatio * strain * (block_position(p, i) - 0.5 * p.L);
-    }
-  }
   for (std::int64_t i = 0; i < p.Nx; ++i) {
-    state.junctions.attachment.row(i).setConstant(state.u_x(i, 0));
+    // Also sideways: where nothing at all moves, steps would take another time.
+    const double u_x = kPoissonRatio * strain * (block_position(p, i) - 0.5 * p.L);
+    state.u_x.blocks().col(i).setConstant(u_x);
+    state.junctions.attachment.row(i).setConstant(u_x);
   }
   state.drive.origin_position = state.u_x(0, driving_row(p));
   return state;

@@ -1,8 +1,6 @@
 // load: the slider under its normal load, then driven from the side.
 #include "cli/option_values.hpp"
-#include "cli/text.hpp"
-#include "run/forecast.hpp"
-#include "run/programs.hpp"
+#include "run/plan.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 
 namespace rupture::tools {
@@ -20,15 +18,14 @@ int load(const Parsed& parsed) {
   const double until = non_negative(parsed.values, "until");
   const RunOptions options = run_options(parsed);
 
-  if (options.resume == Resume::no) check_output(options.output.output, options.output.if_exists);
-  const bool dry = options.dry_run != DryRun::no;
+  if (!options.resume) check_output(options.output);
   Checkpoint start = {p,
-                      dry ? roughly_loaded(p) : normal_load_equilibrium(p),
+                      options.is_dry ? roughly_loaded(p) : normal_load_equilibrium(p),
                       {make_provenance("load", parsed.arguments, "",
                                        shell_line(rebuild_command("load", Parameters{}, p)))}};
   const int code = simulate(std::move(start), {steps_in(p, until), {}}, options, {});
-  if (parsed.values["until"].defaulted() && options.output.verbosity == Verbosity::normal) {
-    say_on(options.output.text(), "no --until T was given: the slider is loaded, but not driven\n");
+  if (parsed.values["until"].defaulted()) {
+    options.output.say("no --until T was given: the slider is loaded, but not driven\n");
   }
   return code;
 }
@@ -44,7 +41,7 @@ constinit const Command load_command = {
     "It ends with the energy account: supplied = stored + lost to damping and junctions.",
     {add_load_options, add_run_options},
     load,
-    [] { return quantities_of(RunSummary{}); },
+    run_quantities,
     UsesParameters::yes};
 
 }  // namespace rupture::tools

@@ -7,7 +7,6 @@
 #include "cli/option_values.hpp"
 #include "run/files.hpp"
 #include "run/output.hpp"
-#include "run/programs.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
@@ -51,11 +50,9 @@ struct ChangedPhi {
 
 /// Largest relative change of a block's friction force [1].
 double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
-  double largest = 0.0, scale = 0.0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    largest = std::max(largest, std::abs(after[i] - before[i]));
-    scale = std::max(scale, std::abs(before[i]));
-  }
+  const Eigen::Map<const Eigen::ArrayXd> b(before.data(), std::ssize(before));
+  const Eigen::Map<const Eigen::ArrayXd> a(after.data(), std::ssize(after));
+  const double largest = (a - b).abs().maxCoeff(), scale = b.abs().maxCoeff();
   return scale > 0.0 ? largest / scale : largest;
 }
 
@@ -108,49 +105,31 @@ std::string histograms_text(const ChangedPhi& phi) {
   return text;
 }
 
-/// Of the blocks between --x-from and --x-to.
-struct Region {
-  std::size_t blocks = 0, changed = 0;
-};
-
-Region region_of(const std::vector<BlockForces>& before, const PhiChange& change,
-                 const std::vector<ImpossibleBlock>& impossible) {
-  Region region;
-  for (const BlockForces& block : before) {
-    if (block.x < change.x_from || block.x > change.x_to) continue;
-    ++region.blocks;
-    const bool slips = change.slipping == Slipping::keep && block.slipping == 1.0;
-    const bool refused = std::any_of(impossible.begin(), impossible.end(),
-                                     [&](const auto& other) { return other.x == block.x; });
-    if (!slips && !refused) ++region.changed;
-  }
-  return region;
-}
-
-double widest_of(const std::vector<ImpossibleBlock>& blocks) {
-  double widest = 0.0;
-  for (const auto& block : blocks) widest = std::max(widest, block.largest_sigma_bar);
-  return widest;
-}
-
 /// Throws if no block was changed: a copy under another name would pass for the new distribution.
 void refuse_unchanged(const Parameters& p, const State& before, const PhiChange& change,
                       const std::vector<ImpossibleBlock>& impossible) {
-  const Region region = region_of(block_forces(p, before), change, impossible);
-  if (region.changed > 0) return;
-  if (region.blocks == 0) {
+  bool is_empty = true;
+  for (const BlockForces& block : block_forces(p, before)) {
+    if (block.x < change.x_from || block.x > change.x_to) continue;
+    is_empty = false;
+    const bool slips = change.slipping == Slipping::keep && block.slipping == 1.0;
+    if (!slips && std::ranges::count(impossible, block.x, &ImpossibleBlock::x) == 0) return;
+  }
+  if (is_empty) {
     throw UsageError(
-        fmt::format("no block lies between --x-from and --x-to: the blocks are {:g} m apart, from "
-                    "x = 0 to {:g} m",
-                    block_spacing(p), p.L));
+        "no block lies between --x-from and --x-to: the blocks are {:g} m apart, from x = 0 to "
+        "{:g} m",
+        block_spacing(p), p.L);
   }
   if (impossible.empty()) {
     throw Failure("all junctions between --x-from and --x-to slip: give --slipping pin");
   }
+  const double widest =
+      std::ranges::max(impossible, {}, &ImpossibleBlock::largest_sigma_bar).largest_sigma_bar;
   throw Failure(
-      fmt::format("no block between --x-from and --x-to can have this phi: the widest possible has "
-                  "--sigma-bar {:.4f}",
-                  std::floor(widest_of(impossible) * 1e4) * 1e-4));
+      "no block between --x-from and --x-to can have this phi: the widest possible has --sigma-bar "
+      "{:.4f}",
+      std::floor(widest * 1e4) * 1e-4);
 }
 
 std::string text_of(const ChangedPhi& phi) {
@@ -199,7 +178,7 @@ int modify_phi(const Parsed& parsed) {
   const auto command = with_options({"modify-phi"}, add_change_options, parsed.values);
 
   Checkpoint checkpoint = read_checkpoint(path);
-  check_outputs({output.output}, output.if_exists, path);
+  check_output(output, path);
   const Parameters& p = checkpoint.parameters;
   const State before = checkpoint.state;
   ChangedPhi phi = {.impossible = change_phi(p, checkpoint.state, change)};
@@ -209,10 +188,10 @@ int modify_phi(const Parsed& parsed) {
   checkpoint.run.reset();  // what follows is not the run that the input came from
   checkpoint.provenance.push_back(
       make_provenance("modify-phi", parsed.arguments, checkpoint.checksum, shell_line(command)));
-  const WrittenFile file = write(checkpoint, output);
   phi.before = block_forces(p, before);
   phi.after = block_forces(p, checkpoint.state);
-  return report(quantities_of(phi), text_of(phi), file, output);
+  return write_and_report(FileKind::checkpoint, checkpoint_content(checkpoint), quantities_of(phi),
+                          text_of(phi), output);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "cli/text.hpp"
-#include "run/resume.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -39,9 +38,6 @@ std::vector<float> rounded(const Field& field) {
   Eigen::Map<Rounded>(values.data(), blocks.rows(), blocks.cols()) = blocks.cast<float>();
   return values;
 }
-
-/// Steps between looks: one look costs a few steps.
-constexpr std::int64_t kEvery = 5000;
 
 bool on_terminal() {
   return isatty(STDERR_FILENO) == 1;
@@ -89,9 +85,10 @@ int decimals_for(double duration) {
 }
 
 /// `rate` [steps/s]. Widths hardly change, so that parts do not come and go.
-std::vector<Part> parts_of(const Simulation& now, std::int64_t last, double rate,
-                           bool until_quiet) {
-  const std::int64_t first = now.run().first_step, step = now.state().step;
+std::vector<Part> parts_of(const RunPlan& plan, const Simulation& now, double rate) {
+  const bool until_quiet = plan.rule.quiet_steps.has_value();
+  const std::int64_t first = now.run().first_step, last = plan.rule.last_step;
+  const std::int64_t step = now.state().step;
   const auto whole = static_cast<double>(last - first);
   const int decimals = decimals_for(whole * now.parameters().dt);
   const double end = time_at(now.parameters(), now.state().clock, last);
@@ -108,18 +105,25 @@ std::vector<Part> parts_of(const Simulation& now, std::int64_t last, double rate
 
 }  // namespace
 
-Recorder::Recorder(RecordWriter& writer, const RunFiles& files, const Content& rows,
+std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& group) {
+  const auto found = rows.find(group + "/step");
+  if (found == rows.end()) return {};
+  return read_array<std::int64_t>(rows, found->first, found->second.shape);
+}
+
+Recorder::Recorder(RecordWriter& writer, const Interval& every,
+                   const std::optional<Interval>& fields_every, const Content& rows,
                    std::int64_t now, std::int64_t last_step)
     : writer_(writer),
       last_step_(last_step),
-      series_(sampler(files.record_every, last_sample(rows, kSeriesGroup), now)) {
-  if (!files.fields_every) return;
-  fields_ = sampler(*files.fields_every, last_sample(rows, kFieldsGroup), now);
+      series_(sampler(every, sampled_steps(rows, kSeriesGroup), now)) {
+  if (fields_every) fields_ = sampler(*fields_every, sampled_steps(rows, kFieldsGroup), now);
 }
 
-Recorder::Sampler Recorder::sampler(const Interval& every, std::int64_t sampled,
+Recorder::Sampler Recorder::sampler(const Interval& every, const std::vector<std::int64_t>& sampled,
                                     std::int64_t now) const {
-  return {every, sampled, sampled < 0 ? now : sample_after(now, every)};
+  if (sampled.empty()) return {every, -1, now};
+  return {every, sampled.back(), sample_after(now, every)};
 }
 
 std::int64_t Recorder::sample_after(std::int64_t step, const Interval& every) const {
@@ -168,85 +172,53 @@ void Recorder::sync(const Simulation& simulation) {
   writer_.sync();
 }
 
-CheckpointSchedule::CheckpointSchedule(std::vector<std::int64_t> steps, Write write)
-    : steps_(std::move(steps)), write_(std::move(write)) {}
-
-std::int64_t CheckpointSchedule::next_step() const {
-  return next_ < steps_.size() ? steps_[next_] : no_step;
-}
-
-void CheckpointSchedule::observe(const Simulation& simulation) {
-  write_(simulation);
-  ++next_;
-}
-
-Alarms::Alarms(const Simulation& simulation, std::int64_t last_step, OnAlarm on_alarm,
-               const OutputOptions& output, std::string tool)
-    : guard_(simulation),
-      last_step_(last_step),
-      on_alarm_(on_alarm),
-      verbosity_(output.verbosity),
-      tool_(std::move(tool)),
-      next_(simulation.state().step) {}
-
 void Alarms::observe(const Simulation& simulation) {
-  const std::int64_t step = simulation.state().step;
-  next_ = (step / kEvery + 1) * kEvery;
-  if (step < last_step_) next_ = std::min(next_, last_step_);
+  constexpr std::int64_t every = 5000;  // steps: one look costs a few
+  const std::int64_t step = simulation.state().step, last = plan_.rule.last_step;
+  next_ = (step / every + 1) * every;
+  if (step < last) next_ = std::min(next_, last);
   for (const Finding& finding : guard_.look(simulation)) {
     const bool alarm = finding.severity == Severity::alarm;
-    if (alarm && on_alarm_ == OnAlarm::stop) {
+    if (alarm && !plan_.options.reports_alarms) {
       throw Failure(finding.sentence + "; to continue anyway, give --on-alarm report");
     }
-    if (!alarm && verbosity_ == Verbosity::quiet) continue;
+    if (!alarm && plan_.options.output.is_quiet) continue;
     clear_progress_line();
-    say_on(stderr, "{}: {}: {}\n", tool_, alarm ? "alarm" : "warning", finding.sentence);
+    say_on(stderr, "{}: {}: {}\n", plan_.tool(), alarm ? "alarm" : "warning", finding.sentence);
   }
 }
 
-Progress::Progress(const Simulation& simulation, const StopRule& rule, std::string tool)
-    : until_quiet_(rule.quiet_steps.has_value()),
-      tool_(std::move(tool)),
-      first_(simulation.run().first_step),
-      last_(rule.last_step),
-      begin_(simulation.state().step),
-      start_(Clock::now()),
-      printed_(start_),
-      next_(on_terminal() ? begin_ + 100 : tenth_after(begin_)) {}
+Progress::Progress(const RunPlan& plan)
+    : plan_(plan),
+      next_(on_terminal() ? plan.begin.state.step + 100 : tenth_after(plan.begin.state.step)) {}
 
 void Progress::observe(const Simulation& simulation) {
-  const std::int64_t done = simulation.state().step - begin_;
-  const std::chrono::duration<double> elapsed = Clock::now() - start_;
-  const double rate = static_cast<double>(done) / std::max(elapsed.count(), 1e-9);
-  if (on_terminal()) {
-    redraw(simulation, rate);
-  } else {
-    print_tenth(simulation, rate);
-  }
-}
-
-void Progress::redraw(const Simulation& simulation, double rate) {
-  constexpr double pause = 0.2;  // [s]
-  const std::size_t width = columns();
-  const auto parts = parts_of(simulation, last_, rate, until_quiet_);
-  say_on(stderr, "\r{:<{}}", fitted(parts, width), width);
-  std::fflush(stderr);
-  is_drawn() = true;
-  next_ = simulation.state().step + std::max<std::int64_t>(1, std::llround(rate * pause));
-}
-
-void Progress::print_tenth(const Simulation& simulation, double rate) {
   constexpr std::chrono::seconds pause(5);
-  next_ = tenth_after(simulation.state().step);
-  if (Clock::now() - printed_ < pause) return;
-  printed_ = Clock::now();
-  say_on(stderr, "{}: {}\n", tool_, joined(parts_of(simulation, last_, rate, until_quiet_)));
+  const std::int64_t step = simulation.state().step;
+  const auto now = Clock::now();
+  const std::chrono::duration<double> elapsed = now - start_;
+  const double rate =
+      static_cast<double>(step - plan_.begin.state.step) / std::max(elapsed.count(), 1e-9);
+  const auto parts = parts_of(plan_, simulation, rate);
+  if (on_terminal()) {
+    const std::size_t width = columns();
+    say_on(stderr, "\r{:<{}}", fitted(parts, width), width);
+    std::fflush(stderr);
+    is_drawn() = true;
+    next_ = step + std::max<std::int64_t>(1, std::llround(0.2 * rate));  // 0.2 s later
+    return;
+  }
+  next_ = tenth_after(step);
+  if (now - printed_ < pause) return;
+  printed_ = now;
+  say_on(stderr, "{}: {}\n", plan_.tool(), joined(parts));
 }
 
 std::int64_t Progress::tenth_after(std::int64_t step) const {
   constexpr std::int64_t tenths = 10;
+  const std::int64_t first = plan_.begin.run->first_step, last = plan_.rule.last_step;
   for (std::int64_t n = 1; n < tenths; ++n) {
-    const std::int64_t next = first_ + (last_ - first_) * n / tenths;
+    const std::int64_t next = first + (last - first) * n / tenths;
     if (next > step) return next;
   }
   return no_step;

@@ -1,27 +1,30 @@
-// The observers of a run: they record it, write its checkpoints, look for alarms (docs/guard.md)
-// and show how far it is.
+// The observers of a run: they record it, look for alarms (docs/guard.md) and show how far it is.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "run/files.hpp"
-#include "run/output.hpp"
+#include "run/plan.hpp"
 #include "rupture/dynamics/guard.hpp"
-#include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
+
+inline constexpr const char* kSeriesGroup = "/series";
+inline constexpr const char* kFieldsGroup = "/fields";
+
+/// The steps of the samples of a group in these rows of a record.
+std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& group);
 
 /// Appends to a record: ruptures, and samples of the series and of the fields that it has, each at
 /// the first and last step of a run and whenever its interval has passed.
 class Recorder : public Observer {
  public:
   /// `rows`: what the record holds already.
-  Recorder(RecordWriter& writer, const RunFiles& files, const Content& rows, std::int64_t now,
-           std::int64_t last_step);
+  Recorder(RecordWriter& writer, const Interval& every, const std::optional<Interval>& fields_every,
+           const Content& rows, std::int64_t now, std::int64_t last_step);
   std::int64_t next_step() const override;
   void observe(const Simulation& simulation) override;
   /// Takes the last samples if the run ended before `last_step`.
@@ -35,7 +38,8 @@ class Recorder : public Observer {
     std::int64_t sampled;  // step of the last sample; negative if there is none
     std::int64_t next;
   };
-  Sampler sampler(const Interval& every, std::int64_t sampled, std::int64_t now) const;
+  Sampler sampler(const Interval& every, const std::vector<std::int64_t>& sampled,
+                  std::int64_t now) const;
   std::int64_t sample_after(std::int64_t step, const Interval& every) const;
   bool is_due(Sampler& sampler, std::int64_t step) const;
   void append_ruptures(const Simulation& simulation);
@@ -47,39 +51,19 @@ class Recorder : public Observer {
   std::size_t ruptures_written_ = 0;
 };
 
-/// Writes checkpoints at given steps.
-class CheckpointSchedule : public Observer {
- public:
-  using Write = std::function<void(const Simulation&)>;
-  /// `steps` in ascending order.
-  CheckpointSchedule(std::vector<std::int64_t> steps, Write write);
-  std::int64_t next_step() const override;
-  void observe(const Simulation& simulation) override;
-
- private:
-  std::vector<std::int64_t> steps_;
-  std::size_t next_ = 0;
-  Write write_;
-};
-
-enum class OnAlarm { stop, report };
-
 /// Looks at the first and last step of a run and every 5000 steps. Warnings and, with
-/// OnAlarm::report, alarms are printed on standard error; Verbosity::quiet silences warnings.
+/// --on-alarm report, alarms are printed on standard error; --quiet silences warnings.
 class Alarms : public Observer {
  public:
-  Alarms(const Simulation& simulation, std::int64_t last_step, OnAlarm on_alarm,
-         const OutputOptions& output, std::string tool);
+  Alarms(const RunPlan& plan, const Simulation& simulation)
+      : plan_(plan), guard_(simulation), next_(simulation.state().step) {}
   std::int64_t next_step() const override { return next_; }
-  /// Throws Failure on an alarm, with OnAlarm::stop.
+  /// Throws Failure on an alarm unless it is to be reported.
   void observe(const Simulation& simulation) override;
 
  private:
+  const RunPlan& plan_;
   Guard guard_;
-  const std::int64_t last_step_;
-  const OnAlarm on_alarm_;
-  const Verbosity verbosity_;
-  const std::string tool_;
   std::int64_t next_;
 };
 
@@ -88,23 +72,18 @@ class Alarms : public Observer {
 /// five seconds of another or of the start. Of a run until quiet only the latest end is known.
 class Progress : public Observer {
  public:
-  Progress(const Simulation& simulation, const StopRule& rule, std::string tool);
+  explicit Progress(const RunPlan& plan);
   std::int64_t next_step() const override { return next_; }
   void observe(const Simulation& simulation) override;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void redraw(const Simulation& simulation, double rate);
-  void print_tenth(const Simulation& simulation, double rate);
   std::int64_t tenth_after(std::int64_t step) const;
 
-  const bool until_quiet_;
-  const std::string tool_;
-  const std::int64_t first_, last_;  // of the whole run
-  const std::int64_t begin_;         // of this part of it
-  const Clock::time_point start_;
-  Clock::time_point printed_;
+  const RunPlan& plan_;
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point printed_ = start_;
   std::int64_t next_;
 };
 

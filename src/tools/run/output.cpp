@@ -7,7 +7,6 @@
 #include <set>
 
 #include "cli/option_values.hpp"
-#include "cli/text.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/error.hpp"
 
@@ -19,16 +18,6 @@ Quantities row_of(const WrittenFile& file) {
       {"path", "", "path as given on the command line", file.path.string()},
       {"holds", "", "checkpoint or record", file.holds},
       {"checksum", "", "content checksum", file.checksum},
-  };
-}
-
-Quantities rows_of(const EnergyBalance& energy) {
-  return {
-      {"supplied", "J", "work of the driving point and of the load", energy.supplied},
-      {"stored", "J", "gain of all energies", energy.stored},
-      {"damping", "J", "energy taken by damping", energy.damping},
-      {"junctions", "J", "work done against the junctions", energy.junctions},
-      {"relative_error", "1", "error, relative to the largest term", energy.relative_error()},
   };
 }
 
@@ -48,22 +37,20 @@ void add_checkpoint_options(po::options_description& options) {
 }
 
 OutputOptions output_options(const po::variables_map& values) {
-  OutputOptions options;
-  options.output = file_to_write(values, "output");
-  if (values.count("force") > 0) options.if_exists = IfExists::replace;
-  if (values.count("quiet") > 0) options.verbosity = Verbosity::quiet;
-  if (values.count("sum") > 0) options.sum = SumFile::write;
-  if (values.count("json") > 0) options.summary = Summary::json;
-  return options;
+  return {.output = file_to_write(values, "output"),
+          .if_exists = values.count("force") > 0 ? IfExists::replace : IfExists::refuse,
+          .sum = values.count("sum") > 0 ? SumFile::write : SumFile::omit,
+          .is_quiet = values.count("quiet") > 0,
+          .json = values.count("json") > 0};
 }
 
 std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option) {
   const auto name = values[option].as<std::string>();
   if (name.empty()) throw UsageError("the name of an output is empty; give the path of a file");
   if (name != "-") return name;
-  throw UsageError(fmt::format(
+  throw UsageError(
       "--{} needs the path of a file (got -): checkpoints and records cannot go to standard output",
-      option));
+      option);
 }
 
 void check_distinct(const std::vector<std::filesystem::path>& outputs,
@@ -83,46 +70,22 @@ void check_distinct(const std::vector<std::filesystem::path>& outputs,
     for (const fs::path& file : {output, sum_path(output)}) {
       const fs::path place_of_file = place(file);
       if (place_of_file == place_of_input) {
-        throw UsageError(fmt::format("{} is the input, which is never changed: give another output",
-                                     file.string()));
+        throw UsageError("{} is the input, which is never changed: give another output",
+                         file.string());
       }
       if (taken.insert(place_of_file).second) continue;
-      throw UsageError(
-          fmt::format("two outputs would have the name {}: give different names", file.string()));
+      throw UsageError("two outputs would have the name {}: give different names", file.string());
     }
   }
 }
 
-void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
-                   const std::filesystem::path& input) {
-  check_distinct(outputs, input);
-  for (const auto& output : outputs) check_output(output, if_exists);
+void check_output(const OutputOptions& output, const std::filesystem::path& input) {
+  check_distinct({output.output}, input);
+  check_output(output.output, output.if_exists);
 }
 
-std::string wrote_text(const WrittenFile& file) {
-  return fmt::format("wrote {}  {}\n", in_one_line(file.path.string()), labelled(file.checksum));
-}
-
-RunSummary summary_of_complete(const Checkpoint& end) {
-  return {.ending = "complete", .time = time(end.parameters, end.state), .run = *end.run};
-}
-
-Quantities quantities_of(const RunSummary& s) {
-  const Quantities rows = {
-      {"ending", "",
-       "end, quiet, spanned (an event did), interrupted, or complete (nothing was left to do)",
-       s.ending},
-      {"time", "s", "simulated time at the end", s.time},
-      {"steps", "1", "time steps taken", s.steps},
-      {"simulated_time", "s", "simulated time of these steps", s.simulated_time},
-      {"wall_time", "s", "wall-clock time of these steps", s.wall_time},
-      {"ruptures", "1", "block ruptures since the run began, also before an interruption",
-       s.run.ruptures},
-      {"leading_edge_ruptured", "", "whether the block at the leading edge was among them",
-       s.run.leading_edge_ruptured},
-      {"energy", "", "energy account of these steps", Group{rows_of(s.energy)}},
-  };
-  return with_files(rows, s.files);
+void announce(const WrittenFile& file, const OutputOptions& output) {
+  output.say("wrote {}  {}\n", in_one_line(file.path.string()), labelled(file.checksum));
 }
 
 Quantities with_files(Quantities rows, const std::vector<WrittenFile>& files) {
@@ -137,24 +100,16 @@ std::optional<double> if_finite(double value) {
 }
 
 void print_if_asked(const Quantities& rows, const OutputOptions& output) {
-  if (output.summary == Summary::json) print_json(rows);
+  if (output.json) print_json(rows);
 }
 
-WrittenFile write(const Checkpoint& checkpoint, const OutputOptions& output) {
-  return {output.output, "checkpoint",
-          write_checkpoint(output.output, checkpoint, output.if_exists, output.sum)};
-}
-
-WrittenFile write(FileKind kind, const Content& content, const OutputOptions& output) {
-  return {output.output, std::string(kind_name(kind)),
-          write_content(output.output, kind, content, output.if_exists, output.sum)};
-}
-
-int report(const Quantities& rows, const std::string& text, const WrittenFile& file,
-           const OutputOptions& output) {
-  if (output.verbosity == Verbosity::normal) {
-    say_on(output.text(), "{}{}", text, wrote_text(file));
-  }
+int write_and_report(FileKind kind, const Content& content, const Quantities& rows,
+                     const std::string& text, const OutputOptions& output) {
+  const WrittenFile file = {
+      output.output, std::string(kind_name(kind)),
+      write_content(output.output, kind, content, output.if_exists, output.sum)};
+  output.say("{}", text);
+  announce(file, output);
   print_if_asked(with_files(rows, {file}), output);
   return kDone;
 }

@@ -1,32 +1,39 @@
-// The outputs of programs that write files: their options, which files may be written, and what was
-// done, in words or with --json.
+// The programs that write checkpoints and records, and what they have in common: options, which
+// files may be written, and what was done, in words or with --json.
 #pragma once
 
-#include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/text.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/dynamics/energy.hpp"
 
 namespace rupture::tools {
 
-enum class Verbosity { normal, quiet };
-enum class Summary { text, json };
+extern const Command load_command, restart_command, prepare_command, modify_phi_command,
+    finish_command, seal_command;
 
 /// Options of every tool that writes a file, which `holds` a checkpoint or record.
 struct OutputOptions {
   std::filesystem::path output;
   IfExists if_exists = IfExists::refuse;
-  Verbosity verbosity = Verbosity::normal;
   SumFile sum = SumFile::omit;
-  Summary summary = Summary::text;
+  bool is_quiet = false;  ///< no text but errors
+  bool json = false;      ///< a summary on standard output
 
-  /// Where text goes: standard output, unless that is for JSON.
-  std::FILE* text() const { return summary == Summary::json ? stderr : stdout; }
+  /// Prints text at once, unless it is unwanted; on standard error if standard output is for JSON.
+  template <class... Args>
+  void say(fmt::format_string<Args...> format, Args&&... args) const {
+    if (is_quiet) return;
+    std::FILE* const to = json ? stderr : stdout;
+    say_on(to, format, std::forward<Args>(args)...);
+    std::fflush(to);
+  }
 };
 void add_output_options(po::options_description& options, const std::string& holds);
 void add_checkpoint_options(po::options_description& options);  ///< the same, of a checkpoint
@@ -41,10 +48,9 @@ std::filesystem::path file_to_write(const po::variables_map& values, const std::
 void check_distinct(const std::vector<std::filesystem::path>& outputs,
                     const std::filesystem::path& input);
 
-/// Throws unless all outputs may be written: UsageError as check_distinct(), Failure as
+/// Throws unless the output may be written: UsageError as check_distinct(), Failure as
 /// check_output().
-void check_outputs(const std::vector<std::filesystem::path>& outputs, IfExists if_exists,
-                   const std::filesystem::path& input);
+void check_output(const OutputOptions& output, const std::filesystem::path& input = {});
 
 struct WrittenFile {
   std::filesystem::path path;
@@ -52,25 +58,8 @@ struct WrittenFile {
   std::string checksum;  ///< of its content
 };
 
-/// "wrote x.h5  content-sha256 4f2c…", with the end of the line.
-std::string wrote_text(const WrittenFile& file);
-
-/// Of load and restart.
-struct RunSummary {
-  std::string ending;                   ///< in the words of kEndings, or "complete"
-  double time = 0.0;                    ///< simulated, at the end [s]
-  std::int64_t steps = 0;               ///< taken now, as is all that follows
-  double simulated_time = 0.0;          ///< [s]
-  double wall_time = 0.0;               ///< [s]
-  EnergyBalance energy = {};            ///< [J]
-  RunSoFar run = {};                    ///< since the run began, before an interruption too
-  std::vector<WrittenFile> files = {};  ///< in their order
-};
-
-/// Of a run that was complete before: nothing was done.
-RunSummary summary_of_complete(const Checkpoint& end);
-
-Quantities quantities_of(const RunSummary& summary);
+/// Says "wrote x.h5  content-sha256 4f2c…".
+void announce(const WrittenFile& file, const OutputOptions& output);
 
 /// The rows, and one for the files that were written.
 Quantities with_files(Quantities rows, const std::vector<WrittenFile>& files = {});
@@ -81,14 +70,9 @@ std::optional<double> if_finite(double value);
 /// Prints them as one JSON object if the options ask for it.
 void print_if_asked(const Quantities& rows, const OutputOptions& output);
 
-// Of the programs that write one file:
-
-/// Writes the output.
-WrittenFile write(const Checkpoint& checkpoint, const OutputOptions& output);
-WrittenFile write(FileKind kind, const Content& content, const OutputOptions& output);
-
-/// Says what was done, in words unless they are unwanted, and as JSON if asked for; kDone.
-int report(const Quantities& rows, const std::string& text, const WrittenFile& file,
-           const OutputOptions& output);
+/// What a program does at its end that writes one file: writes the output, says what was done, in
+/// words and as the options ask for it; kDone.
+int write_and_report(FileKind kind, const Content& content, const Quantities& rows,
+                     const std::string& text, const OutputOptions& output);
 
 }  // namespace rupture::tools

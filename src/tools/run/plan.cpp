@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "cli/option_values.hpp"
 #include "rupture/model/error.hpp"
@@ -18,100 +19,69 @@ void refuse_without_record(const po::variables_map& values) {
   if (values.count("record") > 0) return;
   for (const char* option : {"record-every", "crossings", "fields"}) {
     if (values.count(option) == 0 || values[option].defaulted()) continue;
-    throw UsageError(fmt::format("--{} needs --record: give both", option));
+    throw UsageError("--{} needs --record: give both", option);
   }
 }
 
 /// The levels of --crossings, ascending, so that equal records come from equal commands.
 std::vector<double> crossing_levels(const po::variables_map& values) {
   if (values.count("crossings") == 0) return {};
-  auto levels = fractions(values, "crossings");
-  if (std::find(levels.begin(), levels.end(), kRupturedFraction) != levels.end()) {
-    throw UsageError(
-        fmt::format("--crossings {} is always recorded: leave it out", kRupturedFraction));
+  const auto given = fractions(values, "crossings");
+  const std::set<double> levels(given.begin(), given.end());
+  if (levels.contains(kRupturedFraction)) {
+    throw UsageError("--crossings {} is always recorded: leave it out", kRupturedFraction);
   }
-  std::sort(levels.begin(), levels.end());
-  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-  return levels;
+  return {levels.begin(), levels.end()};
 }
 
-DryRun dry_run(const po::variables_map& values) {
-  if (values.count("dry-run") == 0) return DryRun::no;
-  return values.count("json") > 0 ? DryRun::json : DryRun::text;
-}
-
-/// The steps in a run from `first` to `last` at which checkpoints are wanted, in order. Throws
-/// UsageError if one is outside.
-std::vector<std::int64_t> checkpoint_steps(const Parameters& p, const State& first,
-                                           std::int64_t last, const RunOptions& run) {
-  std::vector<std::int64_t> steps;
-  for (const double t : run.checkpoint_at) {
-    const std::int64_t step = step_at(p, first.clock, t);
-    if (step < first.step || step > last) {
-      throw UsageError(fmt::format("--checkpoint-at {:g} is outside the run, {:g} s to {:g} s", t,
-                                   time(p, first), time_at(p, first.clock, last)));
+/// The checkpoints that the run is to write on its way. Throws UsageError if one is outside.
+Checkpoints checkpoints_of(const RunPlan& plan) {
+  const Parameters& p = plan.start.parameters;
+  const Clock& clock = plan.start.state.clock;
+  const std::int64_t first = plan.start.state.step, last = plan.rule.last_step;
+  Checkpoints checkpoints;
+  const auto add = [&](std::int64_t step) {
+    checkpoints[step] = path_at(plan.options.output.output, time_at(p, clock, step));
+  };
+  for (const double t : plan.options.checkpoint_at) {
+    const std::int64_t step = step_at(p, clock, t);
+    if (step < first || step > last) {
+      throw UsageError("--checkpoint-at {:g} is outside the run, {:g} s to {:g} s", t,
+                       time_at(p, clock, first), time_at(p, clock, last));
     }
-    steps.push_back(step);
+    add(step);
   }
-  if (run.checkpoint_every) {
-    const Interval every = interval(p, first.clock, *run.checkpoint_every, "checkpoint-every");
+  if (const auto t = plan.options.checkpoint_every) {
+    const Interval every = interval(p, clock, *t, "checkpoint-every");
     constexpr std::int64_t most = 1'000'000;
-    if (const auto count = every.number_at(last) - every.number_at(first.step); count > most) {
-      throw UsageError(
-          fmt::format("--checkpoint-every {:g} would write {} checkpoints: give a longer time",
-                      *run.checkpoint_every, count));
+    if (const auto count = every.number_at(last) - every.number_at(first); count > most) {
+      throw UsageError("--checkpoint-every {:g} would write {} checkpoints: give a longer time", *t,
+                       count);
     }
-    for (auto step = every.after(first.step); step <= last; step = every.after(step)) {
-      steps.push_back(step);
-    }
+    for (auto step = every.after(first); step <= last; step = every.after(step)) add(step);
   }
-  std::sort(steps.begin(), steps.end());
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
-  return steps;
-}
-
-/// Where the run goes on, if it was interrupted; else its start.
-Resumption beginning(const RunPlan& plan, std::optional<Resumption> found) {
-  if (!found) return {plan.start, {}, {}};
-  ProvenanceEntry entry = plan.start.provenance.back();
-  entry.parent_checksum = found->checkpoint.checksum;
-  entry.rebuild = "restart";
-  found->checkpoint.provenance.push_back(std::move(entry));
-  return std::move(*found);
-}
-
-/// The checkpoints on the way at these steps.
-std::vector<fs::path> paths_at(const std::vector<std::int64_t>& steps, const RunPlan& plan) {
-  std::vector<fs::path> paths;
-  paths.reserve(steps.size());
-  for (const std::int64_t step : steps) {
-    const double t = time_at(plan.start.parameters, plan.start.state.clock, step);
-    paths.push_back(path_at(plan.files.output, t));
-  }
-  return paths;
+  return checkpoints;
 }
 
 /// Of a run that goes on, takes the checkpoints that were written before from those to come.
 void leave_out_what_was_written(RunPlan& plan) {
-  auto& steps = plan.checkpoint_steps;
-  const auto later = std::upper_bound(steps.begin(), steps.end(), plan.begin.checkpoint.state.step);
-  plan.written_before = paths_at({steps.begin(), later}, plan);
-  plan.written_before.push_back(plan.begin.file);
-  steps.erase(steps.begin(), later);
+  const auto first = plan.checkpoints.begin();
+  const auto later = plan.checkpoints.upper_bound(plan.begin.state.step);
+  for (auto at = first; at != later; ++at) plan.written_before.push_back(at->second);
+  plan.written_before.push_back(plan.resumed_from);
+  plan.checkpoints.erase(first, later);
 }
 
 void check_files(const RunPlan& plan, const fs::path& input) {
-  auto checkpoints = paths_at(plan.checkpoint_steps, plan);
-  checkpoints.push_back(plan.files.output);
-  auto all = checkpoints;
-  if (plan.files.record) all.push_back(*plan.files.record);
-  check_distinct(all, input);
-  for (const fs::path& path : checkpoints) {
-    check_output(path, plan.replaceable.contains(path) ? IfExists::replace : plan.files.if_exists);
-  }
-  if (plan.files.record) {
-    check_record(*plan.files.record, plan.start.parameters, if_record_exists(plan.options));
-  }
+  std::vector<fs::path> files;
+  for (const auto& [step, path] : plan.checkpoints) files.push_back(path);
+  files.push_back(plan.options.output.output);
+  const std::vector<fs::path> checkpoints = files;
+  const auto& record = plan.options.record;
+  if (record) files.push_back(*record);
+  check_distinct(files, input);
+  for (const fs::path& path : checkpoints) check_output(path, if_checkpoint_exists(plan, path));
+  if (record) check_record(*record, plan.start.parameters, if_record_exists(plan.options));
 }
 
 }  // namespace
@@ -146,71 +116,59 @@ void add_run_options(po::options_description& options) {
 
 RunOptions run_options(const Parsed& parsed) {
   const auto& values = parsed.values;
-  RunOptions run;
-  run.arguments = parsed.arguments;
+  RunOptions run = {.output = output_options(values),
+                    .checkpoint_every = optional_non_negative(values, "checkpoint-every"),
+                    .record_every = non_negative(values, "record-every"),
+                    .crossings = crossing_levels(values),
+                    .fields = optional_non_negative(values, "fields"),
+                    .reports_alarms = values["on-alarm"].as<std::string>() == "report",
+                    .resume = values.count("resume") > 0,
+                    .is_dry = values.count("dry-run") > 0,
+                    .arguments = parsed.arguments};
   if (values.count("checkpoint-at") > 0) {
     run.checkpoint_at = values["checkpoint-at"].as<std::vector<double>>();
     for (const double t : run.checkpoint_at) {
       if (!std::isfinite(t)) non_negative(t, "checkpoint-at");
     }
   }
-  run.checkpoint_every = optional_non_negative(values, "checkpoint-every");
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
-  run.record_every = non_negative(values, "record-every");
   refuse_without_record(values);
-  run.crossings = crossing_levels(values);
-  run.fields = optional_non_negative(values, "fields");
-  if (values["on-alarm"].as<std::string>() == "report") run.on_alarm = OnAlarm::report;
-  run.resume = values.count("resume") > 0 ? Resume::yes : Resume::no;
-  run.dry_run = dry_run(values);
   if (values.count("threads") > 0) run.threads = int_between(values, "threads", 1, 1024);
-  run.output = output_options(values);
   return run;
 }
 
 RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
                  const fs::path& input) {
   const Parameters& p = start.parameters;
+  const Clock& clock = start.state.clock;
   start.run = run_from(p, start.state.step);
   start.run->id = id_of_run(start);
-  const Clock& clock = start.state.clock;
   RunPlan plan;
   plan.rule = rule;
-  plan.files = {options.output.output,    options.record,    {},
-                options.output.if_exists, options.crossings, {}};
-  if (options.record)
-    plan.files.record_every = interval(p, clock, options.record_every, "record-every");
-  if (options.fields) plan.files.fields_every = interval(p, clock, *options.fields, "fields");
-  plan.checkpoint_steps = checkpoint_steps(p, start.state, rule.last_step, options);
+  if (options.record) {
+    plan.record_every = interval(p, clock, options.record_every, "record-every");
+  }
+  if (options.fields) plan.fields_every = interval(p, clock, *options.fields, "fields");
+  plan.finds_equilibrium = input.empty();
+  plan.threads = options.threads.value_or(default_thread_count(p));
   plan.options = std::move(options);
   plan.start = std::move(start);
-  Found found =
-      plan.options.resume == Resume::yes ? find_run(plan.start, plan.rule, plan.files) : Found{};
-  plan.replaceable = std::move(found.replaceable);
-  plan.is_complete = found.is_complete;
-  plan.begin = beginning(plan, std::move(found.newest));
-  plan.begin.checkpoint.run->quiet_steps = rule.quiet_steps;
-  plan.begin.checkpoint.run->arrived_below = rule.arrived_below;
+  plan.checkpoints = checkpoints_of(plan);
+  if (plan.options.resume) find_run(plan);
+  if (!plan.is_resumed()) plan.begin = plan.start;
+  plan.begin.run->quiet_steps = rule.quiet_steps;
+  plan.begin.run->arrived_below = rule.arrived_below;
   if (plan.is_resumed()) leave_out_what_was_written(plan);
   if (!plan.is_complete) {
     check_files(plan, input);
-  } else if (plan.files.record) {
-    plan.written_before.push_back(*plan.files.record);
+  } else if (plan.options.record) {
+    plan.written_before.push_back(*plan.options.record);
   }
-  plan.finds_equilibrium = input.empty();
-  plan.threads = plan.options.threads.value_or(default_thread_count(plan.start.parameters));
   return plan;
 }
 
-IfExists if_checkpoint_exists(const RunPlan& plan, const fs::path& path) {
-  const bool may_replace = path == plan.files.output
-                               ? plan.replaceable.contains(path)
-                               : plan.options.resume == Resume::yes && may_write(path, plan.start);
-  return may_replace ? IfExists::replace : plan.files.if_exists;
-}
-
 IfExists if_record_exists(const RunOptions& options) {
-  return options.resume == Resume::yes ? IfExists::replace : options.output.if_exists;
+  return options.resume ? IfExists::replace : options.output.if_exists;
 }
 
 }  // namespace rupture::tools

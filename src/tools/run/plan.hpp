@@ -4,53 +4,56 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <set>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "run/observers.hpp"
+#include "run/files.hpp"
 #include "run/output.hpp"
-#include "run/resume.hpp"
+#include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
 
-/// Whether to run, or only to say what the run would need, and how.
-enum class DryRun { no, text, json };
-/// Whether to go on with what the same run has left, if it was interrupted.
-enum class Resume { no, yes };
-
 struct RunOptions {
-  OutputOptions output;
-  std::vector<double> checkpoint_at;       ///< [s]
-  std::optional<double> checkpoint_every;  ///< [s]
-  std::optional<std::filesystem::path> record;
-  double record_every = 1e-4;     ///< [s]
-  std::vector<double> crossings;  ///< pinned fractions, ascending
-  std::optional<double> fields;   ///< sampling interval of the fields [s]
-  std::optional<int> threads;     ///< none: as many as pay
-  OnAlarm on_alarm = OnAlarm::stop;
-  Resume resume = Resume::no;
-  DryRun dry_run = DryRun::no;
-  std::vector<std::string> arguments;  ///< argv, of which the command that goes on is made
+  OutputOptions output = {};                    ///< its checkpoints on the way are OUT-tT.h5
+  std::vector<double> checkpoint_at = {};       ///< [s]
+  std::optional<double> checkpoint_every = {};  ///< [s]
+  std::optional<std::filesystem::path> record = {};
+  double record_every = 1e-4;               ///< [s]
+  std::vector<double> crossings = {};       ///< pinned fractions, ascending
+  std::optional<double> fields = {};        ///< sampling interval of the fields [s]
+  std::optional<int> threads = {};          ///< none: as many as pay
+  bool reports_alarms = false;              ///< instead of stopping at one
+  bool resume = false;                      ///< go on with what the same run has left, if anything
+  bool is_dry = false;                      ///< only say what the run would need
+  std::vector<std::string> arguments = {};  ///< argv, of which the command that goes on is made
 };
 
 void add_run_options(po::options_description& options);  ///< with those of outputs
 RunOptions run_options(const Parsed& parsed);
 
+using Checkpoints = std::map<std::int64_t, std::filesystem::path>;  ///< by their steps
+
 /// A run that has not begun. Its provenance already names the program that runs.
 struct RunPlan {
   RunOptions options;
-  Checkpoint start;  ///< where the whole run begins,
-  Resumption begin;  ///< and where this part of it does, if it was interrupted: else the same
   StopRule rule;
-  RunFiles files;
-  std::vector<std::int64_t> checkpoint_steps;         ///< on the way, that are still to come
+  Checkpoint start;                      ///< where the whole run begins,
+  Checkpoint begin;                      ///< and this part of it: the same unless it is resumed
+  std::filesystem::path resumed_from;    ///< the file of `begin`; empty if the run begins
+  Content recorded;                      ///< what its record holds up to there
+  Interval record_every;                 ///< if there is a record
+  std::optional<Interval> fields_every;  ///< if that has fields
+  Checkpoints checkpoints;               ///< on the way, that are still to come
   std::vector<std::filesystem::path> written_before;  ///< files of the run that are there already
-  std::set<std::filesystem::path> replaceable;        ///< checkpoints of the run, or damaged ones
-  bool is_complete = false;                           ///< and nothing is left to do
-  bool finds_equilibrium = false;                     ///< first, which costs something, too
+  bool rewrites_output = false;    ///< which is there already, as this run will write it
+  bool is_complete = false;        ///< and nothing is left to do
+  bool finds_equilibrium = false;  ///< first, which costs something, too
   int threads = 1;
 
-  bool is_resumed() const { return !begin.file.empty(); }
+  bool is_resumed() const { return !resumed_from.empty(); }
+  const std::string& tool() const { return start.provenance.back().tool; }
 };
 
 /// Looks at what is there already, and writes nothing. `input` is the file that `start` comes from;
@@ -59,16 +62,34 @@ struct RunPlan {
 RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
                  const std::filesystem::path& input);
 
-/// Runs what a plan of these says and prints the invariants. With DryRun, prints what that would
-/// need instead, and writes nothing. Throws as plan_run(), or Interrupted if a signal came; the run
-/// can then be resumed. Returns kDone.
-int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
-             const std::filesystem::path& input);
+/// Lets the plan begin at the newest checkpoint of the run that is intact, not beyond its end, and
+/// that its record reaches, if there is one; it may be that of its end. Reads each file once.
+/// Throws Failure if there is a record that is not this run's.
+void find_run(RunPlan& plan);
 
-/// Whether to replace a checkpoint that is there already.
+/// Whether to replace a checkpoint that is there already: as things are now, the run's own or a
+/// damaged one if it is resumed.
 IfExists if_checkpoint_exists(const RunPlan& plan, const std::filesystem::path& path);
 
 /// Whether to replace a record that is there already; that of another run was refused.
 IfExists if_record_exists(const RunOptions& options);
+
+/// Time, memory and disk that what is left of the run needs: a few lines for people, or one JSON
+/// object. Takes steps for some tenths of a second and, if the run will look for an equilibrium,
+/// finds that of a smaller slider.
+std::string forecast(const RunPlan& plan);
+
+/// A slider near the equilibrium under its normal load, at once: uniformly compressed, with
+/// unstretched junctions.
+State roughly_loaded(const Parameters& parameters);
+
+/// Runs what a plan of these says and prints the invariants. A dry one prints what that
+/// would need instead, and writes nothing. Throws as plan_run(), or Interrupted if a signal came;
+/// the run can then be resumed. Returns kDone.
+int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
+             const std::filesystem::path& input);
+
+/// The rows of its summary.
+Quantities run_quantities();
 
 }  // namespace rupture::tools

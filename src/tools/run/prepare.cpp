@@ -7,7 +7,6 @@
 #include "cli/option_values.hpp"
 #include "run/files.hpp"
 #include "run/output.hpp"
-#include "run/programs.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
@@ -55,9 +54,9 @@ Parameters prepared_parameters(const ParameterChanges& changes) {
   Parameters p = default_parameters();
   apply(changes, p);
   if (p.V != 0.0) {
-    throw UsageError(fmt::format(
+    throw UsageError(
         "driving.V must be 0 (got {:g} m/s): a prepared interface is at rest; set it in restart",
-        p.V));
+        p.V);
   }
   validate(p);
   return p;
@@ -122,14 +121,14 @@ int prepare(const Parsed& parsed) {
   const auto command = with_options(rebuild_command("prepare", default_parameters(), p),
                                     add_prestress_options, parsed.values);
 
-  check_output(output.output, output.if_exists);
+  check_output(output);
   const Checkpoint prepared = {
       p,
       prepared_state(p, prestress),
       {make_provenance("prepare", parsed.arguments, "", shell_line(command))}};
-  const WrittenFile file = write(prepared, output);
   const Prepared result = measured(p, prestress, prepared.state);
-  return report(quantities_of(result), text_of(result, prestress), file, output);
+  return write_and_report(FileKind::checkpoint, checkpoint_content(prepared), quantities_of(result),
+                          text_of(result, prestress), output);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include "cli/option_values.hpp"
 #include "run/plan.hpp"
-#include "run/programs.hpp"
 #include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/rupture.hpp"
@@ -34,9 +33,8 @@ double arrived_below(const po::variables_map& values) {
   }
   const double below = fraction(values, "arrived-below");
   if (below <= kRupturedFraction) return below;
-  throw UsageError(
-      fmt::format("--arrived-below must be at most {}, at which a block ruptures (got {})",
-                  kRupturedFraction, below));
+  throw UsageError("--arrived-below must be at most {}, at which a block ruptures (got {})",
+                   kRupturedFraction, below);
 }
 
 void add_restart_options(po::options_description& options) {
@@ -72,8 +70,8 @@ StopRule stop_rule(const RunEnd& end, const Checkpoint& checkpoint) {
   if (end.until) {
     rule.last_step = step_at(p, checkpoint.state.clock, *end.until);
     if (rule.last_step < now) {
-      throw UsageError(fmt::format("--until {:g} is before the checkpoint's time {:.7g} s",
-                                   *end.until, time(p, checkpoint.state)));
+      throw UsageError("--until {:g} is before the checkpoint's time {:.7g} s", *end.until,
+                       time(p, checkpoint.state));
     }
   } else {
     rule.last_step = now + steps_in(p, end.duration.value_or(kLongestQuietRun));
@@ -112,7 +110,7 @@ constinit const Command restart_command = {
     "It ends with the energy account: supplied = stored + lost to damping and junctions.",
     {add_restart_options, add_run_options},
     restart,
-    [] { return quantities_of(RunSummary{}); },
+    run_quantities,
     UsesParameters::yes,
     {"until", "for", "until-quiet"}};
 

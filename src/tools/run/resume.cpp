@@ -1,5 +1,4 @@
-#include "run/resume.hpp"
-
+// Finding out where an interrupted run can be taken up.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "cli/text.hpp"
+#include "run/observers.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -39,8 +39,8 @@ std::vector<fs::path> checkpoints_of(const fs::path& output) {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
   if (error) {
-    throw Failure(fmt::format("cannot look for checkpoints of {} in {}: {}", output.string(),
-                              folder.string(), error.message()));
+    throw Failure("cannot look for checkpoints of {} in {}: {}", output.string(), folder.string(),
+                  error.message());
   }
   for (const auto& entry : entries) {
     const std::string name = entry.path().filename().string();
@@ -57,88 +57,60 @@ std::vector<fs::path> checkpoints_of(const fs::path& output) {
 }
 
 /// Reads a checkpoint of an interrupted run; one that is damaged counts as none.
-std::optional<Checkpoint> read_if_intact(const fs::path& path) {
-  try {
-    return read_checkpoint(path);
-  } catch (const Failure& damage) {
-    say_on(stderr, "not used to resume: {}\n", damage.what());
-    return std::nullopt;
-  }
+std::optional<Checkpoint> read_if_intact(const fs::path& path) try {
+  return read_checkpoint(path);
+} catch (const Failure& damage) {
+  say_on(stderr, "not used to resume: {}\n", damage.what());
+  return std::nullopt;
 }
 
 /// True if this is a checkpoint, be it damaged.
-bool is_checkpoint(const fs::path& path) {
-  try {
-    return identify(path) == FileKind::checkpoint;
-  } catch (const Failure&) {
-    return false;
-  }
+bool is_checkpoint(const fs::path& path) try {
+  return identify(path) == FileKind::checkpoint;
+} catch (const Failure&) {
+  return false;
 }
 
-std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& group) {
-  const auto found = rows.find(group + "/step");
-  if (found == rows.end()) return {};
-  return read_array<std::int64_t>(rows, found->first, found->second.shape);
-}
-
-bool is_record_of_run(const Record& record, const Checkpoint& start, const RunFiles& files) {
-  return record.run == recorded_run(start.run->id, files) &&
-         record.crossing_levels == files.crossings;
+/// True if the run that begins with `start` may write this checkpoint when it is resumed: there is
+/// nothing, or a checkpoint of this run, or a damaged one.
+bool may_write(const fs::path& path, const Checkpoint& start) try {
+  return !fs::exists(path) || is_of_run(read_checkpoint(path), start);
+} catch (const Failure&) {
+  return is_checkpoint(path);
 }
 
 /// The part of the run in `path`, a record or its .part; empty if there is no such file. Throws
-/// Failure if it holds anything else.
-Content recorded(const fs::path& path, const Checkpoint& start, const StopRule& rule,
-                 const RunFiles& files) {
+/// Failure if it holds anything else, unless that will be replaced.
+Content recorded(const fs::path& path, const RunPlan& plan) try {
   if (!fs::exists(path)) return {};
   RecordFile file = read_record_file(path);
   const Record& record = file.record;
-  if (!is_record_of_run(record, start, files) ||
-      (!record.step.empty() && record.step.back() > rule.last_step)) {
-    throw Failure(
-        fmt::format("{} comes from a different run or was recorded with other options; give "
-                    "another --record, or --force to replace it",
-                    path.string()));
+  if (record.run == recorded_run(plan) && record.crossing_levels == plan.options.crossings &&
+      (record.step.empty() || record.step.back() <= plan.rule.last_step)) {
+    return std::move(file.content);
   }
-  return std::move(file.content);
-}
-
-/// What a run has recorded so far.
-struct Recorded {
-  Content rows;
-  bool is_finished;  ///< and there is no .part any more
-};
-
-/// That of the .part, or else of the record; both must be of the run.
-Recorded recorded_so_far(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
-  if (!files.record) return {{}, true};
-  const auto held_by = [&](const fs::path& path) {
-    try {
-      return recorded(path, start, rule, files);
-    } catch (const Failure&) {
-      if (files.if_exists == IfExists::refuse) throw;
-      return Content{};  // and it will be replaced
-    }
-  };
-  Content finished = held_by(*files.record);
-  Content part = held_by(part_path(*files.record));
-  if (!part.empty()) return {std::move(part), false};
-  return {std::move(finished), !fs::exists(part_path(*files.record))};
+  throw Failure(
+      "{} comes from a different run or was recorded with other options; give another --record, or "
+      "--force to replace it",
+      path.string());
+} catch (const Failure&) {
+  if (plan.options.output.if_exists == IfExists::refuse) throw;
+  return {};
 }
 
 /// True if these rows are all that the record held when the run wrote the checkpoint, which is at
 /// its end or on its way.
 bool reach(const Content& rows, const Checkpoint& checkpoint, const fs::path& path,
-           const StopRule& rule, const RunFiles& files) {
+           const RunPlan& plan) {
   const std::int64_t step = checkpoint.state.step, first = checkpoint.run->first_step;
-  const bool at_end = path == files.output || step == rule.last_step;
+  const bool at_end = path == plan.options.output.output || step == plan.rule.last_step;
   const auto have_samples = [&](const char* group, const Interval& every) {
     const auto steps = sampled_steps(rows, group);
     const std::int64_t last = at_end ? step : std::max(first, every.last_until(step));
     return std::ssize(steps) == every.samples(first, last) && steps.back() == last;
   };
-  return have_samples(kSeriesGroup, files.record_every) &&
-         (!files.fields_every || have_samples(kFieldsGroup, *files.fields_every)) &&
+  return have_samples(kSeriesGroup, plan.record_every) &&
+         (!plan.fields_every || have_samples(kFieldsGroup, *plan.fields_every)) &&
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }
 
@@ -153,51 +125,60 @@ bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
 }
 
 /// True if the run goes through this checkpoint, which it wrote at its end or on its way.
-bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const StopRule& rule,
-                   const RunFiles& files) {
-  if (path == files.output) return is_end(checkpoint, rule);
-  return !is_beyond_end(checkpoint.state.step, *checkpoint.run, rule);
+bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const RunPlan& plan) {
+  if (!is_of_run(checkpoint, plan.start)) return false;
+  if (path == plan.options.output.output) return is_end(checkpoint, plan.rule);
+  return !is_beyond_end(checkpoint.state.step, *checkpoint.run, plan.rule);
+}
+
+/// The chain of what the run writes after this checkpoint of it.
+std::vector<ProvenanceEntry> resumed_chain(const Checkpoint& checkpoint, const Checkpoint& start) {
+  auto chain = checkpoint.provenance;
+  chain.push_back(start.provenance.back());
+  chain.back().parent_checksum = checkpoint.checksum;
+  chain.back().rebuild = "restart";
+  return chain;
 }
 
 }  // namespace
 
-Found find_run(const Checkpoint& start, const StopRule& rule, const RunFiles& files) {
-  const Recorded record = recorded_so_far(start, rule, files);
+void find_run(RunPlan& plan) {
+  const fs::path& output = plan.options.output.output;
+  const std::optional<fs::path>& record = plan.options.record;
+  Content recorded_so_far;
+  bool has_part = false;
+  if (record) {  // it and its .part must be of the run
+    Content finished = recorded(*record, plan), part = recorded(part_path(*record), plan);
+    has_part = fs::exists(part_path(*record));
+    recorded_so_far = std::move(part.empty() ? finished : part);
+  }
   bool too_new = false;
-  Found found;
-  for (const fs::path& path : checkpoints_of(files.output)) {
+  for (const fs::path& path : checkpoints_of(output)) {
     auto checkpoint = read_if_intact(path);
-    if (checkpoint ? !is_of_run(*checkpoint, start) : !is_checkpoint(path)) continue;
-    const bool is_usable = checkpoint && is_on_the_way(*checkpoint, path, rule, files);
-    if (is_usable || path != files.output) found.replaceable.insert(path);
-    if (!is_usable) continue;
-    Content rows =
-        record.rows.empty() ? Content{} : rows_until(record.rows, checkpoint->state.step);
-    if (!files.record || reach(rows, *checkpoint, path, rule, files)) {
-      found.newest = {std::move(*checkpoint), path, std::move(rows)};
-      found.is_complete = path == files.output && record.is_finished;
-      return found;
+    if (!checkpoint || !is_on_the_way(*checkpoint, path, plan)) continue;
+    if (path == output) plan.rewrites_output = true;
+    Content rows;
+    if (!recorded_so_far.empty()) rows = rows_until(recorded_so_far, checkpoint->state.step);
+    if (!record || reach(rows, *checkpoint, path, plan)) {
+      checkpoint->provenance = resumed_chain(*checkpoint, plan.start);
+      plan.begin = std::move(*checkpoint);
+      plan.resumed_from = path;
+      plan.recorded = std::move(rows);
+      plan.is_complete = path == output && !has_part;
+      return;
     }
     if (!std::exchange(too_new, true)) {
       say_on(stderr, "not used to resume: {}, because the record ends before it\n",
              in_one_line(path.string()));
     }
   }
-  return found;
 }
 
-bool may_write(const fs::path& path, const Checkpoint& start) {
-  if (!fs::exists(path)) return true;
-  try {
-    return is_of_run(read_checkpoint(path), start);
-  } catch (const Failure&) {
-    return is_checkpoint(path);
-  }
-}
-
-std::int64_t last_sample(const Content& rows, const std::string& group) {
-  const auto steps = sampled_steps(rows, group);
-  return steps.empty() ? -1 : steps.back();
+IfExists if_checkpoint_exists(const RunPlan& plan, const fs::path& path) {
+  const bool may_replace = path == plan.options.output.output
+                               ? plan.rewrites_output
+                               : plan.options.resume && may_write(path, plan.start);
+  return may_replace ? IfExists::replace : plan.options.output.if_exists;
 }
 
 }  // namespace rupture::tools

@@ -8,10 +8,7 @@
 #include <utility>
 
 #include "cli/interruption.hpp"
-#include "cli/text.hpp"
-#include "run/forecast.hpp"
 #include "run/observers.hpp"
-#include "run/plan.hpp"
 #include "rupture/analysis/front.hpp"
 #include "rupture/model/error.hpp"
 
@@ -21,11 +18,43 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::steady_clock;
 
-void announce(const OutputOptions& output, const WrittenFile& file) {
-  if (output.verbosity == Verbosity::normal) {
-    say_on(output.text(), "{}", wrote_text(file));
-    std::fflush(output.text());
-  }
+struct RunSummary {
+  std::string ending;                   ///< in the words of kEndings, or "complete"
+  double time = 0.0;                    ///< simulated, at the end [s]
+  std::int64_t steps = 0;               ///< taken now, as is all that follows
+  double simulated_time = 0.0;          ///< [s]
+  double wall_time = 0.0;               ///< [s]
+  EnergyBalance energy = {};            ///< [J]
+  RunSoFar run = {};                    ///< since the run began, before an interruption too
+  std::vector<WrittenFile> files = {};  ///< in their order
+};
+
+Quantities rows_of(const EnergyBalance& energy) {
+  return {
+      {"supplied", "J", "work of the driving point and of the load", energy.supplied},
+      {"stored", "J", "gain of all energies", energy.stored},
+      {"damping", "J", "energy taken by damping", energy.damping},
+      {"junctions", "J", "work done against the junctions", energy.junctions},
+      {"relative_error", "1", "error, relative to the largest term", energy.relative_error()},
+  };
+}
+
+Quantities quantities_of(const RunSummary& s) {
+  const Quantities rows = {
+      {"ending", "",
+       "end, quiet, spanned (an event did), interrupted, or complete (nothing was left to do)",
+       s.ending},
+      {"time", "s", "simulated time at the end", s.time},
+      {"steps", "1", "time steps taken", s.steps},
+      {"simulated_time", "s", "simulated time of these steps", s.simulated_time},
+      {"wall_time", "s", "wall-clock time of these steps", s.wall_time},
+      {"ruptures", "1", "block ruptures since the run began, also before an interruption",
+       s.run.ruptures},
+      {"leading_edge_ruptured", "", "whether the block at the leading edge was among them",
+       s.run.leading_edge_ruptured},
+      {"energy", "", "energy account of these steps", Group{rows_of(s.energy)}},
+  };
+  return with_files(rows, s.files);
 }
 
 /// How a run ended, in JSON and in the text, in the order of Ending.
@@ -39,57 +68,56 @@ const auto& words_for(Ending ending) {
   return kEndings.at(static_cast<std::size_t>(ending));
 }
 
-void print_invariants(std::FILE* to, Ending ending, const RunSummary& summary) {
+void say_invariants(const OutputOptions& output, Ending ending, const RunSummary& summary) {
   const EnergyBalance& balance = summary.energy;
-  say_on(to, "t = {:.7g} s ({}), {} steps", summary.time, words_for(ending).second, summary.steps);
-  if (summary.steps > 0 && summary.wall_time > 0.0) {
-    say_on(to, ", {:.0f} steps/s", static_cast<double>(summary.steps) / summary.wall_time);
-  }
-  say_on(to,
-         "\nenergy [J]: supplied {:.6e} = stored {:.6e} + damping {:.6e} + junctions {:.6e}, "
-         "relative error {:.1e}\n",
-         balance.supplied, balance.stored, balance.damping, balance.junctions,
-         balance.relative_error());
+  const bool has_speed = summary.steps > 0 && summary.wall_time > 0.0;
+  const double speed = static_cast<double>(summary.steps) / summary.wall_time;
+  output.say("t = {:.7g} s ({}), {} steps{}\n", summary.time, words_for(ending).second,
+             summary.steps, has_speed ? fmt::format(", {:.0f} steps/s", speed) : "");
+  output.say(
+      "energy [J]: supplied {:.6e} = stored {:.6e} + damping {:.6e} + junctions {:.6e}, "
+      "relative error {:.1e}\n",
+      balance.supplied, balance.stored, balance.damping, balance.junctions,
+      balance.relative_error());
 }
 
 /// Checkpoints on the way, of which there may be many: one line names them.
-void announce(const OutputOptions& output, const std::vector<WrittenFile>& on_the_way) {
-  if (output.verbosity == Verbosity::quiet || on_the_way.empty()) return;
+void announce(const std::vector<WrittenFile>& on_the_way, const OutputOptions& output) {
+  if (on_the_way.empty()) return;
   const std::string first = in_one_line(on_the_way.front().path);
-  const std::string last = in_one_line(on_the_way.back().path);
   if (on_the_way.size() == 1) {
-    say_on(output.text(), "wrote 1 checkpoint on the way: {}\n", first);
+    output.say("wrote 1 checkpoint on the way: {}\n", first);
   } else {
-    say_on(output.text(), "wrote {} checkpoints on the way: {} ... {}\n", on_the_way.size(), first,
-           last);
+    output.say("wrote {} checkpoints on the way: {} ... {}\n", on_the_way.size(), first,
+               in_one_line(on_the_way.back().path));
   }
 }
 
 /// Counts the events in a record that was just written, as analyze does by default.
-void announce_events(const OutputOptions& output, const fs::path& path) {
-  if (output.verbosity == Verbosity::quiet) return;
+void announce_events(const fs::path& path, const OutputOptions& output) {
+  if (output.is_quiet) return;
   const Record record = read_record(path);
   const Parameters& p = record.parameters;
   const auto events =
       find_events(p, record.ruptures, {record.time, record.F_T}, pause_between_events(p), {});
   const auto spanning =
       std::ranges::count_if(events, [](const Event& event) { return spans(event.front.type); });
-  say_on(output.text(), "{} event{}, {} span{} the interface: rupture analyze events {}\n",
-         events.size(), events.size() == 1 ? "" : "s", spanning, spanning == 1 ? "s" : "",
-         shell_line({path.string()}));
+  output.say("{} event{}, {} span{} the interface: rupture analyze events {}\n", events.size(),
+             events.size() == 1 ? "" : "s", spanning, spanning == 1 ? "s" : "",
+             shell_line({path.string()}));
 }
 
 /// A run with everything that it writes on its way. The objects it is made with must outlive it.
-class Run {
+class Run : private Observer {
  public:
   explicit Run(const RunPlan& plan)
       : plan_(plan),
         output_(plan.options.output),
-        begin_(plan.begin.checkpoint),
-        saved_(plan.begin.file),
-        simulation_(begin_.parameters, begin_.state, plan.threads, plan.files.crossings) {
+        saved_(plan.resumed_from),
+        simulation_(begin_.parameters, begin_.state, plan.threads, plan.options.crossings),
+        alarms_(plan, simulation_) {
     simulation_.resume_from(*begin_.run);
-    if (plan.files.record) begin_record();
+    if (plan.options.record) begin_record();
   }
 
   /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
@@ -104,54 +132,56 @@ class Run {
   const RunSummary& summary() const { return summary_; }
 
  private:
+  // Writes the checkpoints on the way.
+  std::int64_t next_step() const override {
+    return next_ == plan_.checkpoints.end() ? no_step : next_->first;
+  }
+  void observe(const Simulation& simulation) override {
+    alarms_.observe(simulation);
+    save_on_the_way();
+    ++next_;
+  }
+
   void begin_record();
   Ending observed();
   void summarise(const Energies& before, steady_clock::time_point begin, Ending ending);
   void save(const fs::path& path);
-  /// That of the record, if the run ends at `step`.
-  std::vector<ProvenanceEntry> record_provenance(std::int64_t step) const {
-    return recorded_until(plan_.start.provenance, begin_.parameters, simulation_.state().clock,
-                          step, plan_.files);
-  }
 
   const RunPlan& plan_;
   const OutputOptions& output_;
-  const Checkpoint& begin_;
+  const Checkpoint& begin_ = plan_.begin;
   fs::path saved_;  // the latest checkpoint
   RunSummary summary_;
   Simulation simulation_;
+  Alarms alarms_;
   std::optional<RecordWriter> writer_;
   std::optional<Recorder> recorder_;
+  Checkpoints::const_iterator next_ = plan_.checkpoints.begin();
 };
 
 void Run::begin_record() {
-  const RunFiles& files = plan_.files;
-  const RecordParts parts = {files.crossings, files.fields_every ? Fields::record : Fields::omit,
-                             recorded_run(begin_.run->id, files)};
+  const RecordParts parts = {plan_.options.crossings,
+                             plan_.fields_every ? Fields::record : Fields::omit,
+                             recorded_run(plan_)};
   const std::int64_t last = plan_.rule.last_step;
-  writer_.emplace(*files.record, begin_.parameters, record_provenance(last),
-                  if_record_exists(plan_.options), plan_.begin.rows, RecordWriter::kFlushEvery,
+  writer_.emplace(*plan_.options.record, begin_.parameters, recorded_until(plan_, last),
+                  if_record_exists(plan_.options), plan_.recorded, RecordWriter::kFlushEvery,
                   parts);
-  recorder_.emplace(*writer_, files, plan_.begin.rows, begin_.state.step, last);
+  recorder_.emplace(*writer_, plan_.record_every, plan_.fields_every, plan_.recorded,
+                    begin_.state.step, last);
 }
 
-/// With all observers, in the order in which they see a step.
+/// With all observers, in the order in which they see a step: checkpoints include its sample.
 Ending Run::observed() {
-  const std::string& tool = begin_.provenance.back().tool;
-  Alarms alarms(simulation_, plan_.rule.last_step, plan_.options.on_alarm, output_, tool);
-  std::vector<Observer*> observers = {&alarms};
-  if (recorder_) observers.push_back(&*recorder_);  // checkpoints include its sample
-  CheckpointSchedule schedule(plan_.checkpoint_steps, [&](const Simulation& now) {
-    alarms.observe(now);
-    save_on_the_way();
-  });
-  observers.push_back(&schedule);
-  Progress progress(simulation_, plan_.rule, tool);
-  if (output_.verbosity == Verbosity::normal) observers.push_back(&progress);
+  Progress progress(plan_);
+  std::vector<Observer*> observers = {&alarms_};
+  if (recorder_) observers.push_back(&*recorder_);
+  observers.push_back(this);
+  if (!output_.is_quiet) observers.push_back(&progress);
   StopRule rule = plan_.rule;
-  rule.interrupted = [] { return InterruptionNoted::signal() != 0; };
+  rule.interrupted = [] { return interruption() != 0; };
   const Ending ending = run(simulation_, rule, observers);
-  alarms.observe(simulation_);
+  alarms_.observe(simulation_);
   return ending;
 }
 
@@ -162,12 +192,12 @@ Ending Run::go() {
     const Ending ending = observed();
     clear_progress_line();
     summarise(before, begin, ending);
-    if (output_.verbosity == Verbosity::normal) print_invariants(output_.text(), ending, summary_);
-    announce(output_, summary_.files);
+    say_invariants(output_, ending, summary_);
+    announce(summary_.files, output_);
     return ending;
   } catch (...) {
     clear_progress_line();
-    announce(output_, summary_.files);
+    announce(summary_.files, output_);
     if (writer_) writer_->flush();
     throw;
   }
@@ -191,21 +221,22 @@ void Run::finish() {
   } catch (const Failure&) {
     failure = std::current_exception();  // the checkpoint needs no record
   }
-  if (plan_.files.output != saved_) {
-    save(plan_.files.output);
-    announce(output_, summary_.files.back());
+  if (output_.output != saved_) {
+    save(output_.output);
+    announce(summary_.files.back(), output_);
   }
   if (failure) std::rethrow_exception(failure);
   if (!recorder_) return;
-  const auto checksum = writer_->finish(record_provenance(simulation_.state().step), output_.sum,
-                                        simulation_.run().first_step);
-  summary_.files.push_back({*plan_.files.record, "record", checksum});
-  announce(output_, summary_.files.back());
-  announce_events(output_, *plan_.files.record);
+  const fs::path& record = *plan_.options.record;
+  const auto checksum = writer_->finish(recorded_until(plan_, simulation_.state().step),
+                                        output_.sum, simulation_.run().first_step);
+  summary_.files.push_back({record, "record", checksum});
+  announce(summary_.files.back(), output_);
+  announce_events(record, output_);
 }
 
 const fs::path& Run::save_on_the_way() {
-  const fs::path path = path_at(plan_.files.output, simulation_.time());
+  const fs::path path = path_at(output_.output, simulation_.time());
   if (path == saved_) return saved_;
   if (recorder_) recorder_->sync(simulation_);
   save(path);
@@ -234,23 +265,24 @@ void restore_sums(const std::vector<fs::path>& paths, const OutputOptions& outpu
 /// The command that goes on with the run.
 std::string resuming_command(const RunOptions& options) {
   auto arguments = options.arguments;
-  if (options.resume == Resume::no) arguments.insert(arguments.begin() + 1, "--resume");
+  if (!options.resume) arguments.insert(arguments.begin() + 1, "--resume");
   return shell_line(arguments);
 }
 
-void say_where_it_begins(std::FILE* to, const RunPlan& plan) {
+void say_where_it_begins(const RunPlan& plan) {
+  const OutputOptions& output = plan.options.output;
   if (plan.is_complete) {
-    say_on(to, "{} is complete\n", in_one_line(plan.files.output.string()));
+    output.say("{} is complete\n", in_one_line(output.output.string()));
   } else if (plan.is_resumed()) {
-    say_on(to, "resuming from {}\n", in_one_line(plan.begin.file.string()));
+    output.say("resuming from {}\n", in_one_line(plan.resumed_from.string()));
   } else {
-    say_on(to, "nothing to resume from: starting from the beginning\n");
+    output.say("nothing to resume from: starting from the beginning\n");
   }
 }
 
 /// Runs and writes what the plan says.
 void carry_out(const RunPlan& plan) {
-  const InterruptionNoted interruption;
+  note_interruptions();
   Run run(plan);
   const bool is_interrupted = run.go() == Ending::interrupted;
   std::string where = " at its first step";
@@ -261,11 +293,10 @@ void carry_out(const RunPlan& plan) {
   }
   print_if_asked(quantities_of(run.summary()), plan.options.output);
   if (is_interrupted) {
-    throw Interrupted{
-        InterruptionNoted::signal(),
-        fmt::format("interrupted{}; to continue: {}", where, resuming_command(plan.options))};
+    throw Interrupted{interruption(), fmt::format("interrupted{}; to continue: {}", where,
+                                                  resuming_command(plan.options))};
   }
-  if (const int signal = InterruptionNoted::signal()) {
+  if (const int signal = interruption()) {
     throw Interrupted{signal, "interrupted after everything had been written"};
   }
 }
@@ -275,23 +306,27 @@ void carry_out(const RunPlan& plan) {
 int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
              const fs::path& input) {
   const RunPlan plan = plan_run(std::move(start), rule, options, input);
-  const OutputOptions& output = options.output;
-  const bool is_dry = options.dry_run != DryRun::no;
-  if (options.resume == Resume::yes && output.verbosity == Verbosity::normal &&
-      options.dry_run != DryRun::json && !(is_dry && plan.is_complete)) {
-    say_where_it_begins(output.text(), plan);
-  }
-  if (is_dry) {
-    say("{}", forecast(plan, options.dry_run));
+  const bool is_silent = options.is_dry && (plan.is_complete || options.output.json);
+  if (options.resume && !is_silent) say_where_it_begins(plan);
+  if (options.is_dry) {
+    say("{}", forecast(plan));
     return kDone;
   }
-  restore_sums(plan.written_before, output);
+  restore_sums(plan.written_before, options.output);
   if (plan.is_complete) {
-    print_if_asked(quantities_of(summary_of_complete(plan.begin.checkpoint)), output);
+    const Checkpoint& end = plan.begin;
+    print_if_asked(
+        quantities_of(
+            {.ending = "complete", .time = time(end.parameters, end.state), .run = *end.run}),
+        options.output);
   } else {
     carry_out(plan);
   }
   return kDone;
+}
+
+Quantities run_quantities() {
+  return quantities_of(RunSummary{});
 }
 
 }  // namespace rupture::tools

@@ -4,9 +4,7 @@
 #include <array>
 
 #include "cli/option_values.hpp"
-#include "cli/text.hpp"
 #include "run/output.hpp"
-#include "run/programs.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
@@ -23,20 +21,17 @@ void refuse_what_needs_no_seal(const std::string& path) {
     return;  // why, is said when it is read
   }
   if (kind == FileKind::open_record) {
-    throw Failure(
-        fmt::format("{} is an unfinished record: rupture finish {} -o NEW.h5", path, path));
+    throw Failure("{} is an unfinished record: rupture finish {} -o NEW.h5", path, path);
   }
-  throw Failure(fmt::format("{} is sealed and intact: there is nothing to do", path));
+  throw Failure("{} is sealed and intact: there is nothing to do", path);
 }
 
-ContentFile read_original(const std::string& path, const EditedFile& edited,
-                          const std::string& edited_path) {
+ContentFile read_original(const std::string& path, const EditedFile& edited) {
   ContentFile original = verify_file(path, Opening::in_child_first);
   const std::string& sealed = edited.sealed_checksum;
   if (sealed == original.checksum || sealed == original.stored_checksum) return original;
-  throw Failure(
-      fmt::format("{} is not the original of {}: its content checksum is {} (expected {})", path,
-                  edited_path, original.checksum, sealed.empty() ? "unknown" : sealed));
+  throw Failure("{} is not the original of {}: its content checksum is {} (expected {})", path,
+                edited.name, original.checksum, sealed.empty() ? "unknown" : sealed);
 }
 
 std::string_view words_about(Change change) {
@@ -55,11 +50,7 @@ std::string line_about(const Difference& difference, const Content& edited) {
   return text + "\n";
 }
 
-struct Sealed {
-  std::string checksum_before;  ///< of the content, before it was edited; empty if unknown
-  bool content_is_as_sealed = false;
-  std::vector<Difference> differences = {};  ///< from the original, if one was given
-};
+using Differences = std::vector<Difference>;  // from the original, if one was given
 
 Quantities row_of(const Difference& difference) {
   return {
@@ -71,30 +62,27 @@ Quantities row_of(const Difference& difference) {
   };
 }
 
-Quantities quantities_of(const Sealed& sealed) {
-  List differences{row_of(Difference{}), {}};
-  for (const auto& difference : sealed.differences) {
-    differences.elements.push_back(row_of(difference));
-  }
+Quantities quantities_of(const EditedFile& edited, const Differences& differences) {
+  List list{row_of(Difference{}), {}};
+  for (const auto& difference : differences) list.elements.push_back(row_of(difference));
   return {
       {"content_is_as_sealed", "", "whether only something outside the content was changed",
-       sealed.content_is_as_sealed},
+       edited.content_is_as_sealed},
       {"sealed_checksum", "", "content checksum before the edit; empty if it is unknown",
-       sealed.checksum_before},
-      {"differences", "", "changes from --original, dataset by dataset; empty without it",
-       differences},
+       edited.sealed_checksum},
+      {"differences", "", "changes from --original, dataset by dataset; empty without it", list},
   };
 }
 
-std::string text_of(const Sealed& sealed, const Content& edited) {
+std::string text_of(const EditedFile& edited, const Differences& differences) {
   std::string text = "the content is unchanged; only something outside it was changed\n";
-  if (!sealed.content_is_as_sealed) {
+  if (!edited.content_is_as_sealed) {
     text =
-        sealed.checksum_before.empty()
+        edited.sealed_checksum.empty()
             ? "the checksum before the edit is unknown\n"
-            : fmt::format("the content has changed; its checksum was {}\n", sealed.checksum_before);
+            : fmt::format("the content has changed; its checksum was {}\n", edited.sealed_checksum);
   }
-  for (const Difference& difference : sealed.differences) text += line_about(difference, edited);
+  for (const Difference& difference : differences) text += line_about(difference, edited.content);
   return text;
 }
 
@@ -107,16 +95,16 @@ int seal(const Parsed& parsed) {
 
   refuse_what_needs_no_seal(path);
   const EditedFile edited = read_edited(path);
-  check_outputs({output.output}, output.if_exists, path);
-  Sealed sealed = {edited.sealed_checksum, edited.content_is_as_sealed};
+  check_output(output, path);
+  Differences differences;
   if (!original.empty()) {
     check_distinct({output.output}, original);
-    sealed.differences = diff(read_original(original, edited, path).content, edited.content);
+    differences = diff(read_original(original, edited).content, edited.content);
   }
   const auto entry =
       make_provenance("seal", parsed.arguments, edited.sealed_checksum, kEditedOutside);
-  const WrittenFile file = write(edited.kind, checked_content(edited, entry), output);
-  return report(quantities_of(sealed), text_of(sealed, edited.content), file, output);
+  return write_and_report(edited.kind, checked_content(edited, entry),
+                          quantities_of(edited, differences), text_of(edited, differences), output);
 }
 
 }  // namespace
@@ -134,6 +122,6 @@ constinit const Command seal_command = {
       add_output_options(options, "checkpoint or record");
     }},
     seal,
-    [] { return with_files(quantities_of(Sealed{})); }};
+    [] { return with_files(quantities_of(EditedFile{}, {})); }};
 
 }  // namespace rupture::tools
