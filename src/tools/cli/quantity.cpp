@@ -99,30 +99,25 @@ struct ToCells {
 
 /// Columns with their headings: those of the List if there is one.
 std::vector<Cells> columns_of(const Quantities& rows, Form form) {
-  const auto listed = std::find_if(rows.begin(), rows.end(), [](const Quantity& row) {
-    return std::holds_alternative<List>(row.value);
-  });
+  const auto listed = std::ranges::find_if(
+      rows, [](const Quantity& row) { return std::holds_alternative<List>(row.value); });
   const List list = listed == rows.end() ? List{rows, {rows}} : std::get<List>(listed->value);
   std::vector<Cells> columns;
-  const auto add = [&](std::size_t column, const TextColumn& layout, const Cells& cells) {
-    if (column == columns.size()) columns.emplace_back();
-    for (const auto& cell : cells) {
-      columns[column].push_back(fmt::format("{:>{}}", cell, layout.width));
-    }
-  };
-  const auto add_line = [&](const Quantities& line, const auto& cells_of) {
-    std::size_t column = 0;
-    for (const Quantity* const row : leaves(line)) {
-      if (const auto layout = layout_of(*row, form))
-        add(column++, *layout, cells_of(*row, *layout));
-    }
-  };
-  add_line(list.kind,
-           [](const Quantity&, const TextColumn& layout) { return Cells{layout.heading}; });
+  for (const Quantity* const row : leaves(list.kind)) {
+    const auto layout = layout_of(*row, form);
+    if (layout) columns.push_back({fmt::format("{:>{}}", layout->heading, layout->width)});
+  }
   for (const auto& element : list.elements) {
-    add_line(element, [&](const Quantity& row, const TextColumn& layout) {
-      return std::visit(ToCells{layout, form == Form::csv ? "" : "-"}, row.value);
-    });
+    auto column = columns.begin();
+    for (const Quantity* const row : leaves(element)) {
+      const auto layout = layout_of(*row, form);
+      if (!layout) continue;
+      const ToCells to_cells = {*layout, form == Form::csv ? "" : "-"};
+      for (const auto& cell : std::visit(to_cells, row->value)) {
+        column->push_back(fmt::format("{:>{}}", cell, layout->width));
+      }
+      ++column;
+    }
   }
   return columns;
 }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "cli/command_line.hpp"
@@ -17,26 +19,17 @@ namespace {
 
 using Rows = std::vector<ParameterInfo>;
 
-bool is_of_group(const ParameterInfo& info, std::string_view group) {
-  return info.name.substr(0, info.name.find('.')) == group;
-}
-
-/// The parameter of this name, or those of this group. Throws UsageError if there is none.
-Rows rows_called(const std::string& name) {
-  Rows rows;
-  for (const auto& info : parameter_table()) {
-    if (is_of_group(info, name)) rows.push_back(info);
-  }
-  return rows.empty() ? Rows{find_parameter(name)} : rows;
-}
-
+/// The parameters of these names, and those of these groups. Throws UsageError if there is none.
 Rows rows_called(const std::vector<std::string>& names) {
-  Rows all;
+  Rows rows;
   for (const auto& name : names) {
-    const Rows rows = rows_called(name);
-    all.insert(all.end(), rows.begin(), rows.end());
+    const std::size_t before = rows.size();
+    for (const auto& info : parameter_table()) {
+      if (info.name.substr(0, info.name.find('.')) == name) rows.push_back(info);
+    }
+    if (rows.size() == before) rows.push_back(find_parameter(name));
   }
-  return all;
+  return rows;
 }
 
 std::string text_of(const ParameterInfo& info) {
@@ -55,12 +48,6 @@ std::string text_of(const ParameterInfo& info) {
   return text;
 }
 
-void print_text(const Rows& rows) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    say("{}{}", i > 0 ? "\n" : "", text_of(rows[i]));
-  }
-}
-
 int print_parameters(const Parsed& parsed) {
   const bool are_named = parsed.values.count("parameter") > 0;
   const Rows rows = are_named
@@ -69,7 +56,9 @@ int print_parameters(const Parsed& parsed) {
   if (parsed.values.count("json") > 0) {
     say("{}\n", json_text({{"parameters", tools::json_of(rows)}}));
   } else if (are_named) {
-    print_text(rows);
+    std::vector<std::string> texts;
+    std::ranges::transform(rows, std::back_inserter(texts), text_of);
+    say("{}", fmt::join(texts, "\n"));
   } else {
     say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
   }

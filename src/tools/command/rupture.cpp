@@ -67,36 +67,33 @@ Json description_in(const Answer& answer, std::string_view name) {
 }
 
 /// The names of the programs that are built and installed with this one, in the order of the help.
-std::vector<std::string_view> tool_names() {
-  constexpr std::string_view all = RUPTURE_TOOLS;  // with a space behind each
-  std::vector<std::string_view> names;
-  for (std::size_t from = 0, to = 0; (to = all.find(' ', from)) != all.npos; from = to + 1) {
-    names.push_back(all.substr(from, to - from));
-  }
-  return names;
+Words tool_names() {
+  return split(RUPTURE_TOOLS, ' ');
 }
 
 /// The program of this name: in ../libexec/rupture if this one is installed, else beside it. Throws
 /// Failure if one of tool_names() is not there, UsageError for other names.
 fs::path tool_path(const std::string& name) {
+  const Words names = tool_names();
   const fs::path folder = tool_folder(), program = folder / name;
   if (fs::path(name).filename() == name && can_run(program)) return program;
-  if (std::ranges::count(tool_names(), name) != 0) {
-    throw Failure(fmt::format(
+  if (std::ranges::count(names, name) != 0) {
+    throw Failure(
         "there is no program {} in {}: install rupture, or link to it instead of copying it", name,
-        folder.string()));
+        folder.string());
   }
-  throw UsageError(unknown_text("tool", name, tool_names(), "rupture help"));
+  throw UsageError(unknown_text("tool", name, {names.begin(), names.end()}, "rupture help"));
 }
 
 /// What each of tool_names() answers to --describe (docs/schema.md); of one that does not, only its
 /// name.
 Json tool_descriptions() {
+  const Words names = tool_names();
   std::vector<Answer> answers;  // all are asked at once, because some take a while
-  for (const auto name : tool_names()) answers.push_back(ask(tool_folder() / name));
+  for (const auto& name : names) answers.push_back(ask(tool_folder() / name));
   Json all = Json::array();
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    all.push_back(description_in(answers[i], tool_names()[i]));
+    all.push_back(description_in(answers[i], names[i]));
   }
   return all;
 }
@@ -129,15 +126,7 @@ std::string describe() {
   argv.push_back(nullptr);
   std::signal(SIGPIPE, SIG_DFL);  // ignored signals are inherited
   ::execv(path.c_str(), argv.data());
-  throw Failure(fmt::format("cannot run {}: {}", path, std::strerror(errno)));
-}
-
-/// rupture help TOOL COMMAND: what the tool says to COMMAND --help.
-[[noreturn]] void help_of(Words words) {
-  const std::string tool = words.front();
-  words.erase(words.begin());
-  words.emplace_back("--help");
-  become(tool, words);
+  throw Failure("cannot run {}: {}", path, std::strerror(errno));
 }
 
 int run(Words words) {
@@ -151,7 +140,8 @@ int run(Words words) {
   if (first == "--describe") throw HelpRequested{describe()};
   if (first != "help" && first != "--help" && first != "-h") become(first, words);
   if (words.empty() || words.front() == "help") throw HelpRequested{help()};
-  help_of(words);
+  words.emplace_back("--help");  // rupture help TOOL COMMAND: what the tool says to COMMAND --help
+  become(words.front(), {words.begin() + 1, words.end()});
 }
 
 }  // namespace
