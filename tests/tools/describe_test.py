@@ -180,22 +180,6 @@ slider.Nx
     )
 
 
-def accepts(name, value):
-    """Whether something behind it is the first to be refused."""
-    done = run(f"load -o a.h5 --set {name}={value} --set slider.no=1")
-    assert done.code == 2
-    return "unknown parameter 'slider.no'" in done.err
-
-
-def test_ranges_are_enforced():
-    for row in table():
-        if "words" in row:
-            assert all(accepts(row["name"], word) for word in row["words"])
-        else:
-            assert accepts(row["name"], row["maximum"])
-            assert accepts(row["name"], row["minimum"]) != row["minimum_excluded"], row
-
-
 def test_a_restart_keeps_what_the_row_says():
     output_of("load --config small.ini -o a.h5")
     was = json_of("analyze show a.h5 --json")["parameters"]

@@ -12,7 +12,6 @@ import h5py
 import numpy as np
 import pytest
 
-from changes import change
 from commands import (
     SANITIZED,
     checksum_of,
@@ -36,55 +35,33 @@ def dataset(name, path):
 # --- restart
 
 
-def column(record, name):
-    """Value of a column at each time."""
-    loading = json_of(f"analyze loading {record} --x 0.07 --json")
-    return dict(zip(loading["time"], loading[name]))
-
-
 def test_records_of_the_halves_are_that_of_the_whole():
-    how = "--record-every 2e-5 --record"
-    output_of(f"load --config small.ini -o whole.h5 --until 6e-4 {how} whole-r.h5")
-    output_of(f"load --config small.ini -o half.h5 --until 1.9e-4 {how} r1.h5")
-    output_of(f"restart half.h5 -o end.h5 --until 6e-4 {how} r2.h5")
-    assert checksum_of("end.h5") == checksum_of("whole.h5")
-    for name in ("F_T", "x_drive", "p", "tau", "u_x"):
-        joined, whole = column("r2.h5", name) | column("r1.h5", name), column("whole-r.h5", name)
-        assert joined == joined | whole, name
-        assert len(joined) == len(whole) + 1, "1.9e-4 s is sampled by the halves only"
-
-
-def test_crossings_of_the_halves_are_those_of_the_whole():
-    how = "--crossings 0.7,0.2 --record"
+    """Both halves have a sample of the step between them, amid the rupture of block 5."""
+    how = "--record-every 2e-5 --fields 4e-5 --crossings 0.7,0.2 --record"
     output_of("prepare --config small.ini --set driving.V=0 --tau-bar 0.6 --sigma-bar 0.2 -o p.h5")
-    output_of(f"restart p.h5 -o whole.h5 --until 1e-4 {how} whole-r.h5")
-    output_of(f"restart p.h5 -o half.h5 --until 5.58e-5 {how} r1.h5")  # block 4 in between
+    output_of(f"restart p.h5 -o whole.h5 --set driving.V=1 --until 1e-4 {how} whole-r.h5")
+    output_of(f"restart p.h5 -o half.h5 --set driving.V=1 --until 5.5e-5 {how} r1.h5")
     output_of(f"restart half.h5 -o end.h5 --until 1e-4 {how} r2.h5")
+    assert checksum_of("end.h5") == checksum_of("whole.h5")
+    records = ("whole-r.h5", "r1.h5", "r2.h5")
+    series = [f"/series/{name}" for name in ("time", "x_drive", "F_T", "pinned", "p", "tau", "u_x")]
+    for path in (*series, "/fields/time", "/fields/u_x", "/fields/u_z"):
+        whole, first, second = (dataset(record, path) for record in records)
+        assert len(whole) == (6 if path in series else 4)
+        assert np.array_equal(first[-1], second[0]), path
+        assert np.array_equal(np.concatenate([first[:-1], second[1:]]), whole), path
+    for name in ("u_x", "u_z"):
+        state = np.float32(dataset("end.h5", f"/state/{name}"))
+        assert np.array_equal(dataset("r2.h5", f"/fields/{name}")[-1], state)
     for level in ("0.2", "0.3", "0.7"):
         whole, first, second = (
             json_of(f"analyze front {record} --json --ruptured-below {level}")["t_rupture"]
-            for record in ("whole-r.h5", "r1.h5", "r2.h5")
+            for record in records
         )
         assert all(a is None or b is None for a, b in zip(first, second)), level
         assert [b if a is None else a for a, b in zip(first, second)] == whole
-        assert whole[4] is not None
-        assert (first[4] is None) == (level == "0.2")
-
-
-def test_fields_are_those_of_the_states():
-    """The last sample is the state in the checkpoint, rounded; samples are taken at the same steps
-    whether the run was split or not."""
-    how = "--fields 4e-5 --record"
-    output_of(f"load --config small.ini -o a.h5 --until 1e-4 {how} a-r.h5")
-    output_of(f"restart a.h5 -o b.h5 --until 3e-4 {how} b-r.h5")
-    output_of(f"load --config small.ini -o whole.h5 --until 3e-4 {how} whole-r.h5")
-    for name in ("u_x", "u_z"):
-        whole, first, second = (
-            dataset(record, f"/fields/{name}") for record in ("whole-r.h5", "a-r.h5", "b-r.h5")
-        )
-        assert [len(whole), len(first), len(second)] == [9, 4, 7]  # 1e-4 is in both
-        assert np.array_equal(whole[-1], np.float32(dataset("b.h5", f"/state/{name}")))
-        assert np.array_equal(first[:-1], whole[:3]) and np.array_equal(second[1:], whole[3:])
+        assert whole[5] is not None
+        assert (first[5] is None) == (level == "0.2")
 
 
 def test_the_driving_force_stays_constant_at_rest():
@@ -108,23 +85,6 @@ def test_until_quiet_waits_for_the_pinned_fraction_that_was_asked_for():
     later = json_of(f"{command} --arrived-below 0.2")
     assert later["ending"] == "spanned"
     assert end < arrival() >= later["time"] - 2e-5
-
-
-# --- --resume
-
-
-def test_a_run_knows_its_record_by_its_id_and_the_intervals():
-    how = "--record r.h5 --record-every 3e-5 --fields 1e-4"
-    output_of(f"load --config small.ini -o x.h5 --until 4e-4 {how}")
-    with h5py.File("r.h5") as record:
-        run_of_record = {name: value[()] for name, value in record["/run"].items()}
-    run_id = dataset("x.h5", "/run/id")
-    assert len(run_id) == 64
-    assert run_of_record == {"id": run_id, "record_every": 3e-5, "fields_every": 1e-4}
-    change("r.h5", "edited comment")
-    output_of("seal r.h5 -o new.h5")
-    with h5py.File("new.h5") as record:
-        assert "/run/id" not in record, "it is not the run's any more"
 
 
 # --- --dry-run

@@ -170,6 +170,7 @@ TEST(SetParameter, holds_every_row_to_its_limits_and_refuses_what_is_not_finite)
     for (const char* text : {"nan", "inf", "-inf", "-1e400", "1e400", "-1e300"}) {
       EXPECT_NE(refusal(info.name, text), kAccepted) << info.name << " = " << text;
     }
+    for (const auto word : info.valid.words) EXPECT_EQ(refusal(info.name, word), kAccepted);
     if (!info.valid.words.empty()) continue;
     const auto is_accepted = [&](double value) {
       const auto text =
