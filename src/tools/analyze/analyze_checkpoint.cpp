@@ -1,4 +1,4 @@
-// analyze stress, phi: what a checkpoint says of the interface.
+// analyze stress, phi, strength: what a checkpoint says of the interface.
 #include <fmt/core.h>
 
 #include <numeric>
@@ -7,17 +7,15 @@
 #include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
+#include "rupture/analysis/strength.hpp"
 #include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
 
 std::optional<double> ratio(double force, double strength) {
   return strength > 0.0 ? std::optional(force / strength) : std::nullopt;
-}
-
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 /// Centroid of the normal forces, measured from the middle of the interface [m].
@@ -30,42 +28,34 @@ double centroid(const std::vector<double>& x, const std::vector<double>& p, doub
   return total > 0.0 ? moment / total : 0.0;
 }
 
-/// Forces along the interface.
-struct Stress {
-  double time = 0;                ///< [s]
-  std::vector<double> x, p, tau;  ///< per block [m], [N], [N]
-  double F_T = 0, F_N = 0;        ///< [N]
-  double p_centroid = 0;          ///< from the middle of the interface [m]
-};
-
-Stress stress_of(const Checkpoint& checkpoint) {
-  const Parameters& p = checkpoint.parameters;
+Report stress_of(const Checkpoint& checkpoint) {
+  const Parameters& parameters = checkpoint.parameters;
   const State& state = checkpoint.state;
-  Stress stress = {time(p, state),          block_positions(p),
-                   normal_forces(p, state), friction_forces(p, state),
-                   driving_force(p, state), p.F_N};
-  stress.p_centroid = centroid(stress.x, stress.p, p.L);
-  return stress;
-}
-
-Quantities quantities_of(const Stress& stress) {
-  const TextColumn forces = {11, "{:.4f}"};
+  const auto x = block_positions(parameters), p = normal_forces(parameters, state),
+             tau = friction_forces(parameters, state);
+  const double t = time(parameters, state), F_T = driving_force(parameters, state),
+               p_centroid = centroid(x, p, parameters.L);
   Numbers tau_over_p;
-  for (std::size_t i = 0; i < stress.p.size(); ++i) {
-    tau_over_p.push_back(ratio(stress.tau[i], stress.p[i]));
-  }
-  return {
-      {"time", "s", "time of the checkpoint", stress.time},
-      positions(stress.x),
-      {"p", "N", "normal force on each block", stress.p, Csv::yes, forces},
-      {"tau", "N", "friction force on each block, > 0 where it pushes towards -x", stress.tau,
-       Csv::yes, forces},
+  for (std::size_t i = 0; i < p.size(); ++i) tau_over_p.push_back(ratio(tau[i], p[i]));
+  const TextColumn forces = {11, "{:.4f}"};
+  const Quantities rows = {
+      {"time", "s", "time of the checkpoint", t},
+      positions(x),
+      {"p", "N", "normal force on each block", p, Csv::yes, forces},
+      {"tau", "N", "friction force on each block, > 0 where it pushes towards -x", tau, Csv::yes,
+       forces},
       text_only(tau_over_p, {8, "{:.4f}", "tau/p"}),
-      {"F_T", "N", "driving force", stress.F_T},
-      {"F_N", "N", "normal load", stress.F_N},
+      {"F_T", "N", "driving force", F_T},
+      {"F_N", "N", "normal load", parameters.F_N},
       {"p_centroid", "m", "centroid of the normal forces, from the middle of the interface",
-       stress.p_centroid},
+       p_centroid},
   };
+  const auto sum = [](const auto& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+  };
+  return {rows, fmt::format("t = {:.7g} s, F_T = {:.6g} N, sum p = {:.9g} N, sum tau = {:.6g} N, "
+                            "centroid of p at {:.4g} mm from the middle\n",
+                            t, F_T, sum(p), sum(tau), p_centroid * 1e3)};
 }
 
 Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {
@@ -96,6 +86,71 @@ Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {
   };
 }
 
+/// mu-bar of a shape of phi, and friction with the default mu_s and mu_d.
+Report strength_of(const std::string& shape, double sigma_bar) {
+  const Parameters p;
+  const double mu_bar = effective_strength(shape_named(shape), sigma_bar);
+  const double mu = p.mu_d + mu_bar * (p.mu_s - p.mu_d);
+  const Quantities rows = {
+      {"shape", "", "uniform or bell (of a shape)", shape},
+      {"sigma_bar", "1", "standard deviation over f_thres - f_slip (of a shape)", sigma_bar,
+       Csv::yes},
+      {"mu_bar_eff", "1",
+       "effective static friction, (tau_max/p - mu_d)/(mu_s - mu_d) (of a shape)", mu_bar,
+       Csv::yes},
+      {"mu_eff", "1", "tau_max/p at the default mu_s and mu_d (of a shape)", mu, Csv::yes},
+  };
+  return {rows, fmt::format("{} phi, sigma-bar = {:g}: effective static friction mu-bar = {:.7f}, "
+                            "{:.7f} at mu_s = {:g} and mu_d = {:g}\n",
+                            shape, sigma_bar, mu_bar, mu, p.mu_s, p.mu_d)};
+}
+
+Quantities quantities_of(const std::vector<BlockStrength>& blocks) {
+  using B = BlockStrength;
+  const auto mu_eff = [](const B& b) {
+    return b.p > 0.0 ? std::optional(b.tau_max / b.p) : std::nullopt;
+  };
+  const auto headed = [](const char* heading) { return TextColumn{12, "{:.4g}", heading}; };
+  return {
+      {"x", "m", "position of each block (of a checkpoint)", each(blocks, &B::x), Csv::yes,
+       TextColumn{9, "{:.4f}"}},
+      {"slipping", "1", "fraction of slipping junctions of each block (of a checkpoint)",
+       each(blocks, &B::slipping), Csv::yes, TextColumn{11, "{:.2f}"}},
+      {"sigma_bar", "1", "sigma/(f_thres - f_slip) of each block (of a checkpoint)",
+       each(blocks, &B::sigma_bar), Csv::yes, headed("sigma-bar")},
+      {"tau_bar_0", "1", "(tau/p - mu_d)/(mu_s - mu_d) of each block (of a checkpoint)",
+       each(blocks, &B::tau_bar_0), Csv::yes, headed("tau-bar_0")},
+      {"mu_bar_eff", "1", "(tau_max/p - mu_d)/(mu_s - mu_d) of each block (of a checkpoint)",
+       each(blocks, &B::mu_bar_eff), Csv::yes, headed("mu-bar")},
+      {"mu_eff", "1", "tau_max/p of each block (of a checkpoint)", each(blocks, mu_eff), Csv::yes,
+       headed("tau_max/p")},
+  };
+}
+
+void add_shape_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("shape", one_of("uniform|bell"), "shape of phi, instead of a checkpoint");
+  add("sigma-bar", number("S"), "its standard deviation over f_thres - f_slip");
+}
+
+int measure_strength(const Parsed& parsed) {
+  const auto& values = parsed.values;
+  const bool has_shape = values.count("shape") > 0, has_width = values.count("sigma-bar") > 0;
+  if ((has_shape || has_width) && values.count("checkpoint") > 0) {
+    throw UsageError("a checkpoint has its own phi: give a checkpoint or --shape, not both");
+  }
+  if (has_shape != has_width) {
+    throw UsageError("--shape and --sigma-bar need each other: give both, or a checkpoint instead");
+  }
+  if (has_shape) {
+    const double sigma_bar = non_negative(values, "sigma-bar");
+    return print(strength_of(values["shape"].as<std::string>(), sigma_bar), values);
+  }
+  const Checkpoint checkpoint = checkpoint_of(parsed, "a checkpoint, or give --shape");
+  refuse_single_springs(checkpoint.parameters);
+  return print(quantities_of(block_strengths(checkpoint.parameters, checkpoint.state)), "", values);
+}
+
 }  // namespace
 
 constinit const Command stress_command = {
@@ -105,15 +160,10 @@ constinit const Command stress_command = {
     "Normal force p and friction force tau on each interface block; tau > 0 where friction\n"
     "pushes the block towards -x.",
     {add_format_options},
-    [](const Parsed& parsed) {
-      const Stress stress = stress_of(checkpoint_of(parsed));
-      const std::string text = fmt::format(
-          "t = {:.7g} s, F_T = {:.6g} N, sum p = {:.9g} N, sum tau = {:.6g} N, centroid of p "
-          "at {:.4g} mm from the middle\n",
-          stress.time, stress.F_T, sum(stress.p), sum(stress.tau), stress.p_centroid * 1e3);
-      return print(quantities_of(stress), text, parsed.values);
-    },
-    [] { return quantities_of(Stress{}); }};
+    [](const Parsed& parsed) { return print(stress_of(checkpoint_of(parsed)), parsed.values); },
+    [] {
+      return stress_of({Parameters{}, State(Parameters{}), {}}).rows;
+    }};
 
 constinit const Command phi_command = {
     "analyze phi CHECKPOINT",
@@ -133,5 +183,18 @@ constinit const Command phi_command = {
       return print(quantities_of(blocks, bins), "", parsed.values);
     },
     [] { return quantities_of(std::vector<BlockForces>{}, 0); }};
+
+constinit const Command strength_command = {
+    "analyze strength CHECKPOINT | --shape uniform|bell --sigma-bar S",
+    "checkpoint",
+    "effective static friction of a shape of phi or of a checkpoint's blocks",
+    "Effective static friction, mu-bar = (tau_max/p - mu_d) / (mu_s - mu_d): tau_max is the "
+    "largest\nfriction force while the block is moved forwards slowly and no junction is "
+    "pinned again.",
+    {add_shape_options, add_format_options},
+    measure_strength,
+    [] {
+      return join({strength_of("bell", 0.0).rows, quantities_of(std::vector<BlockStrength>{})});
+    }};
 
 }  // namespace rupture::tools

@@ -18,121 +18,98 @@ struct Pair {
   Content a, b;
 };
 
-/// A dataset that both files hold, under different values.
-struct Differing {
-  const Difference& difference;
-  const Dataset& a;
-  const Dataset& b;
-
-  bool is_text() const { return a.type == DataType::text; }
-  bool has_ulp() const { return a.type == DataType::float64; }
-};
-
-Differing differing(const Pair& pair, const Difference& difference) {
-  return {difference, pair.a.at(difference.path), pair.b.at(difference.path)};
+/// The values of both files at one element of a dataset.
+Json element_json(const Dataset& a, const Dataset& b, std::uint64_t index) {
+  const auto number = [&](const Dataset& dataset) {
+    return std::visit([](auto value) { return Json(value); }, number_at(dataset, index));
+  };
+  return {{"index", indices_at(a.shape, index)}, {"a", number(a)}, {"b", number(b)}};
 }
 
-std::string text_of(const Dataset& dataset) {
-  return read_text({{"text", dataset}}, "text");
-}
-
-std::string number_text(const Dataset& dataset, std::uint64_t index) {
-  return std::visit([](auto number) { return fmt::format("{}", number); },
-                    number_at(dataset, index));
-}
-
-Json number_json(const Dataset& dataset, std::uint64_t index) {
-  return std::visit([](auto number) { return Json(number); }, number_at(dataset, index));
-}
-
-std::string pair_text(const Differing& d, std::uint64_t index) {
-  return fmt::format("{} and {}", number_text(d.a, index), number_text(d.b, index));
-}
-
-/// "[3][17]: 1.5 and 2".
-std::string place_text(const Differing& d, std::uint64_t index) {
-  return shape_text(indices_at(d.a.shape, index)) + ": " + pair_text(d, index);
-}
-
-std::string scalar_text(const Differing& d) {
-  const Difference& found = d.difference;
-  return fmt::format("{}, {:.3e} absolute, {:.3e} relative{}\n", pair_text(d, 0),
-                     found.absolute.value, found.relative.value,
-                     d.has_ulp() ? fmt::format(", {} ULP", found.ulp.value) : "");
-}
-
-std::string array_text(const Differing& d) {
-  const Difference& found = d.difference;
-  std::string text = fmt::format("{} of {} differ, the first at {}\n", found.count,
-                                 element_count(d.a.shape), place_text(d, found.first));
-  text += fmt::format("    largest absolute difference {:.3e} at {}\n", found.absolute.value,
-                      place_text(d, found.absolute.index));
-  text += fmt::format("    largest relative difference {:.3e} at {}\n", found.relative.value,
-                      place_text(d, found.relative.index));
-  if (d.has_ulp()) {
-    text += fmt::format("    largest difference {} ULP at {}\n", found.ulp.value,
-                        place_text(d, found.ulp.index));
+/// Members of `json` that tell how the values of a dataset differ.
+void add_values(Json& json, const Difference& difference, const Dataset& a, const Dataset& b) {
+  json["count"] = difference.count;
+  if (a.type == DataType::text) {
+    for (const auto& [name, dataset] : {std::pair{"a", &a}, std::pair{"b", &b}}) {
+      json[name] = read_text({{"text", *dataset}}, "text");
+    }
+    return;
   }
-  return text;
+  const auto add_largest = [&](const char* name, const auto& largest) {
+    json[name]["largest"] = largest.value;
+    json[name].update(element_json(a, b, largest.index));
+  };
+  json["first"] = element_json(a, b, difference.first);
+  add_largest("absolute", difference.absolute);
+  add_largest("relative", difference.relative);
+  if (a.type == DataType::float64) add_largest("ulp", difference.ulp);
 }
 
-std::string values_text(const Differing& d) {
-  if (d.is_text()) {
-    return in_one_line(fmt::format("'{}' and '{}'", text_of(d.a), text_of(d.b))) + "\n";
-  }
-  return d.a.shape.empty() ? scalar_text(d) : array_text(d);
-}
-
-std::string change_text(const Pair& pair, const Difference& difference) {
+Json difference_json(const Pair& pair, const Difference& difference) {
   const std::string& path = difference.path;
-  switch (difference.change) {
-    case Change::only_in_a:
-      return "only in the first file\n";
-    case Change::only_in_b:
-      return "only in the second file\n";
-    case Change::type:
-      return fmt::format("types differ: {} and {}\n", type_name(pair.a.at(path).type),
-                         type_name(pair.b.at(path).type));
-    case Change::shape:
-      return fmt::format("shapes differ: {} and {}\n", shape_text(pair.a.at(path).shape),
-                         shape_text(pair.b.at(path).shape));
-    case Change::values:
-      break;
-  }
-  return values_text(differing(pair, difference));
-}
-
-template <class T>
-Json largest_json(const Differing& d, const Largest<T>& largest) {
-  return {{"largest", largest.value},
-          {"index", indices_at(d.a.shape, largest.index)},
-          {"a", number_json(d.a, largest.index)},
-          {"b", number_json(d.b, largest.index)}};
-}
-
-Json change_json(const Pair& pair, const Difference& difference) {
-  const std::string& path = difference.path;
-  Json json = {{"path", path}, {"change", name_of(difference.change)}};
-  if (difference.change == Change::type || difference.change == Change::shape) {
+  const Change change = difference.change;
+  Json json = {{"path", path}, {"change", name_of(change)}};
+  if (change == Change::type || change == Change::shape) {
     for (const auto& [name, content] : {std::pair{"a", &pair.a}, std::pair{"b", &pair.b}}) {
       const Dataset& dataset = content->at(path);
       json[name] = {{"type", type_name(dataset.type)}, {"shape", dataset.shape}};
     }
   }
-  if (difference.change != Change::values) return json;
-  const Differing d = differing(pair, difference);
-  json["count"] = difference.count;
-  if (d.is_text()) {
-    json.update({{"a", text_of(d.a)}, {"b", text_of(d.b)}});
-    return json;
-  }
-  json["first"] = {{"index", indices_at(d.a.shape, difference.first)},
-                   {"a", number_json(d.a, difference.first)},
-                   {"b", number_json(d.b, difference.first)}};
-  json["absolute"] = largest_json(d, difference.absolute);
-  json["relative"] = largest_json(d, difference.relative);
-  if (d.has_ulp()) json["ulp"] = largest_json(d, difference.ulp);
+  if (change == Change::values) add_values(json, difference, pair.a.at(path), pair.b.at(path));
   return json;
+}
+
+// --- the text, from the JSON
+
+std::string number_text(const Json& number) {
+  return number.is_number_float() ? fmt::format("{}", number.get<double>()) : number.dump();
+}
+
+std::string pair_text(const Json& element) {
+  return fmt::format("{} and {}", number_text(element["a"]), number_text(element["b"]));
+}
+
+/// "[3][17]: 1.5 and 2".
+std::string place_text(const Json& element) {
+  return shape_text(element["index"]) + ": " + pair_text(element);
+}
+
+std::string scalar_text(const Json& json) {
+  const double absolute = json["absolute"]["largest"], relative = json["relative"]["largest"];
+  return fmt::format(
+      "{}, {:.3e} absolute, {:.3e} relative{}\n", pair_text(json["first"]), absolute, relative,
+      json.contains("ulp") ? fmt::format(", {} ULP", json["ulp"]["largest"].dump()) : "");
+}
+
+std::string array_text(const Json& json, std::uint64_t elements) {
+  std::string text = fmt::format("{} of {} differ, the first at {}\n", json["count"].dump(),
+                                 elements, place_text(json["first"]));
+  for (const char* name : {"absolute", "relative"}) {
+    text += fmt::format("    largest {} difference {:.3e} at {}\n", name,
+                        json[name]["largest"].get<double>(), place_text(json[name]));
+  }
+  if (!json.contains("ulp")) return text;
+  return text + fmt::format("    largest difference {} ULP at {}\n", json["ulp"]["largest"].dump(),
+                            place_text(json["ulp"]));
+}
+
+/// What follows the path of a dataset.
+std::string difference_text(const Json& json, const Pair& pair) {
+  const std::string change = json["change"];
+  if (change == "only_in_a") return "only in the first file\n";
+  if (change == "only_in_b") return "only in the second file\n";
+  if (change != "values") {
+    const auto told = [&](const Json& dataset) {
+      return change == "type" ? dataset["type"].get<std::string>() : shape_text(dataset["shape"]);
+    };
+    return fmt::format("{}s differ: {} and {}\n", change, told(json["a"]), told(json["b"]));
+  }
+  if (!json.contains("first")) {
+    const std::string a = json["a"], b = json["b"];
+    return in_one_line(fmt::format("'{}' and '{}'", a, b)) + "\n";
+  }
+  const Shape& shape = pair.a.at(json["path"]).shape;
+  return shape.empty() ? scalar_text(json) : array_text(json, element_count(shape));
 }
 
 /// Number of datasets that at least one of the files holds.
@@ -142,16 +119,18 @@ std::size_t dataset_count(const Pair& pair, const std::vector<Difference>& diffe
   return pair.a.size() + static_cast<std::size_t>(added);
 }
 
-std::string report_text(const Pair& pair, const std::vector<Difference>& differences,
-                        std::size_t cut) {
+std::string report_text(const Json& json, const Pair& pair) {
+  const Json &differences = json["differences"], &cut = json["cut"];
   std::string text;
-  for (const auto& difference : differences) {
-    text += in_one_line(difference.path) + ": " + change_text(pair, difference);
+  for (const Json& difference : differences) {
+    text += in_one_line(difference["path"]) + ": " + difference_text(difference, pair);
   }
-  if (cut > 0) text += fmt::format("{} arrays were compared in the rows that both have\n", cut);
+  if (cut > 0) {
+    text += fmt::format("{} arrays were compared in the rows that both have\n", cut.dump());
+  }
   if (differences.empty()) return text + "equal\n";
-  return text + fmt::format("{} of {} datasets differ\n", differences.size(),
-                            dataset_count(pair, differences));
+  return text +
+         fmt::format("{} of {} datasets differ\n", differences.size(), json["datasets"].dump());
 }
 
 int compare(const Parsed& parsed) {
@@ -167,16 +146,12 @@ int compare(const Parsed& parsed) {
   Pair pair = {checksummed_part(a.content), checksummed_part(b.content)};
   const std::size_t cut = parsed.values.count("common") > 0 ? keep_common_rows(pair.a, pair.b) : 0;
   const auto differences = diff(pair.a, pair.b);
-  if (parsed.values.count("json") > 0) {
-    Json json = {{"equal", differences.empty()},
-                 {"datasets", dataset_count(pair, differences)},
-                 {"cut", cut},
-                 {"differences", Json::array()}};
-    for (const auto& d : differences) json["differences"].push_back(change_json(pair, d));
-    say("{}\n", json_text(json));
-  } else {
-    say("{}", report_text(pair, differences, cut));
-  }
+  Json json = {{"equal", differences.empty()},
+               {"datasets", dataset_count(pair, differences)},
+               {"cut", cut},
+               {"differences", Json::array()}};
+  for (const auto& d : differences) json["differences"].push_back(difference_json(pair, d));
+  say("{}", parsed.values.count("json") > 0 ? json_text(json) + "\n" : report_text(json, pair));
   return differences.empty() ? kDone : kFailed;
 }
 

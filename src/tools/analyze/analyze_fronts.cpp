@@ -127,11 +127,6 @@ std::vector<po::variables_map> ways_of(const Parsed& parsed) {
   return ways;
 }
 
-struct Report {
-  Quantities rows;
-  std::string closing;
-};
-
 /// Prints nothing unless all can be measured.
 int print_each(const Parsed& parsed, Report (*measure)(const RecordCommand&)) {
   const auto ways = ways_of(parsed);
@@ -145,7 +140,7 @@ int print_each(const Parsed& parsed, Report (*measure)(const RecordCommand&)) {
     command.record.ruptures = ruptures_below(read.record, fraction(way, "ruptured-below"));
     reports.push_back(measure(command));
   }
-  for (const auto& [rows, closing] : reports) print(rows, closing, parsed.values);
+  for (const Report& report : reports) print(report, parsed.values);
   return kDone;
 }
 

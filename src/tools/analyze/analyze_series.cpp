@@ -15,75 +15,16 @@
 namespace rupture::tools {
 namespace {
 
-/// The series of one block.
-std::vector<double> series_of(const RowMajorArray& values, Eigen::Index block) {
-  const auto column = values.col(block);
-  return {column.begin(), column.end()};
-}
-
 Eigen::Index block_at(const Parameters& p, double x) {
   const double block = std::round(x / block_spacing(p));
   if (block <= static_cast<double>(p.Nx - 1)) return static_cast<Eigen::Index>(block);
   throw UsageError(fmt::format("--x {:g} is beyond the interface, which ends at {:g} m", x, p.L));
 }
 
-/// The slip of one block in the window.
-struct Slip {
-  double x = 0;                         ///< position of the block [m]
-  std::optional<double> t_rupture;      ///< [s]
-  std::vector<double> time, u_x, slip;  ///< [s], [m], [m]
-  std::optional<SlipMeasure> measure;
-};
-
-Slip slip_of(const RecordCommand& command, Eigen::Index block) {
-  const Record& record = command.record;
-  const Parameters& p = record.parameters;
-  const auto line = rupture_line(p, record.ruptures, command.from, command.to);
-  const auto i = static_cast<std::size_t>(block);
-  Slip result;
-  result.x = line.x[i];
-  result.t_rupture = line.t_rupture[i];
-  for (std::size_t n = 0; n < record.time.size(); ++n) {
-    if (record.time[n] < command.from || record.time[n] > command.to) continue;
-    result.time.push_back(record.time[n]);
-    result.u_x.push_back(record.u_x(static_cast<Eigen::Index>(n), block));
-    result.slip.push_back(result.u_x.back() - result.u_x.front());
-  }
-  if (result.t_rupture && result.time.size() > 2) {
-    result.measure = measure_slip({result.time, result.u_x}, *result.t_rupture, 0.5 * p.t_R);
-  }
-  return result;
-}
-
-Quantities quantities_of(const Slip& slip) {
-  const auto measured = [&](double SlipMeasure::*member) {
-    return slip.measure ? std::optional((*slip.measure).*member) : std::nullopt;
-  };
-  const auto fitted = [&](double LineFit::*member) {
-    const bool has_fit = slip.measure && slip.measure->slow;
-    return has_fit ? std::optional((*slip.measure->slow).*member) : std::nullopt;
-  };
-  return {
-      {"x", "m", "position of the block", slip.x},
-      {"t_rupture", "s", "first rupture of the block", slip.t_rupture},
-      {"t_arrest", "s", "time at which the block first stops after its rupture",
-       measured(&SlipMeasure::t_arrest)},
-      {"fast_slip", "m", "slip until the block first stops", measured(&SlipMeasure::fast_slip)},
-      {"slow_slip", "m", "slip after that", measured(&SlipMeasure::slow_slip)},
-      {"slow_from", "s", "start of the fit of the slow slip", measured(&SlipMeasure::t_from)},
-      {"slow_to", "s", "end of the fit of the slow slip", measured(&SlipMeasure::t_to)},
-      {"slow_speed", "m/s", "speed of the slow slip", fitted(&LineFit::slope)},
-      {"slow_speed_error", "m/s", "standard error of that speed", fitted(&LineFit::slope_error)},
-      {"slow_r_squared", "1", "R^2 of the fit", fitted(&LineFit::r_squared)},
-      {"time", "s", "time of each sample", slip.time, Csv::yes},
-      {"slip", "m", "slip since the start of the window, at each sample", slip.slip, Csv::yes},
-  };
-}
-
-std::string text_of(const Slip& slip) {
-  std::string text = fmt::format("block at x = {:.4f} m, rupture at t = {} s\n", slip.x,
-                                 slip.t_rupture ? fmt::format("{:.7f}", *slip.t_rupture) : "-");
-  const auto& measure = slip.measure;
+std::string slip_text(double x, const std::optional<double>& t_rupture,
+                      const std::optional<SlipMeasure>& measure) {
+  std::string text = fmt::format("block at x = {:.4f} m, rupture at t = {} s\n", x,
+                                 t_rupture ? fmt::format("{:.7f}", *t_rupture) : "-");
   if (!measure) return text;
   text += fmt::format("fast slip {:.4g} um until t = {:.6f} s, then slow slip {:.4g} um\n",
                       measure->fast_slip * 1e6, measure->t_arrest, measure->slow_slip * 1e6);
@@ -93,6 +34,46 @@ std::string text_of(const Slip& slip) {
                     "{:.6f} s, R^2 = {:.4f}\n",
                     measure->slow->slope * 1e3, measure->slow->slope_error * 1e3, measure->t_from,
                     measure->t_to, measure->slow->r_squared);
+}
+
+/// The slip of one block in the window.
+Report slip_of(const RecordCommand& command, Eigen::Index block) {
+  const Record& record = command.record;
+  const Parameters& p = record.parameters;
+  const auto i = static_cast<std::size_t>(block);
+  const auto line = rupture_line(p, record.ruptures, command.from, command.to);
+  const auto& t_rupture = line.t_rupture[i];
+  std::vector<double> time, u_x, slip;
+  for (std::size_t n = 0; n < record.time.size(); ++n) {
+    if (record.time[n] < command.from || record.time[n] > command.to) continue;
+    time.push_back(record.time[n]);
+    u_x.push_back(record.u_x(static_cast<Eigen::Index>(n), block));
+    slip.push_back(u_x.back() - u_x.front());
+  }
+  std::optional<SlipMeasure> measure;
+  if (t_rupture && time.size() > 2) measure = measure_slip({time, u_x}, *t_rupture, 0.5 * p.t_R);
+  const auto measured = [&](double SlipMeasure::*member) {
+    return measure ? std::optional((*measure).*member) : std::nullopt;
+  };
+  const auto fitted = [&](double LineFit::*member) {
+    return measure && measure->slow ? std::optional((*measure->slow).*member) : std::nullopt;
+  };
+  const Quantities rows = {
+      {"x", "m", "position of the block", line.x[i]},
+      {"t_rupture", "s", "first rupture of the block", t_rupture},
+      {"t_arrest", "s", "time at which the block first stops after its rupture",
+       measured(&SlipMeasure::t_arrest)},
+      {"fast_slip", "m", "slip until the block first stops", measured(&SlipMeasure::fast_slip)},
+      {"slow_slip", "m", "slip after that", measured(&SlipMeasure::slow_slip)},
+      {"slow_from", "s", "start of the fit of the slow slip", measured(&SlipMeasure::t_from)},
+      {"slow_to", "s", "end of the fit of the slow slip", measured(&SlipMeasure::t_to)},
+      {"slow_speed", "m/s", "speed of the slow slip", fitted(&LineFit::slope)},
+      {"slow_speed_error", "m/s", "standard error of that speed", fitted(&LineFit::slope_error)},
+      {"slow_r_squared", "1", "R^2 of the fit", fitted(&LineFit::r_squared)},
+      {"time", "s", "time of each sample", time, Csv::yes},
+      {"slip", "m", "slip since the start of the window, at each sample", slip, Csv::yes},
+  };
+  return {rows, slip_text(line.x[i], t_rupture, measure)};
 }
 
 Quantities quantities_of(const Record& record) {
@@ -116,15 +97,16 @@ std::string text_of(const Record& record) {
 }
 
 /// Forces and displacement of one block.
-struct BlockSeries {
-  std::vector<double> p, tau, u_x;  ///< [N], [N], [m]
-};
-
-Quantities quantities_of(const BlockSeries& block) {
+Quantities block_quantities(const Record& record, Eigen::Index block) {
+  const auto series = [&](const RowMajorArray& values) {
+    const auto column = values.col(block);
+    return std::vector<double>(column.begin(), column.end());
+  };
   return {
-      {"p", "N", "normal force on the block of --x at each sample", block.p, Csv::yes},
-      {"tau", "N", "friction force on the block of --x at each sample", block.tau, Csv::yes},
-      {"u_x", "m", "displacement of the block of --x at each sample", block.u_x, Csv::yes},
+      {"p", "N", "normal force on the block of --x at each sample", series(record.p), Csv::yes},
+      {"tau", "N", "friction force on the block of --x at each sample", series(record.tau),
+       Csv::yes},
+      {"u_x", "m", "displacement of the block of --x at each sample", series(record.u_x), Csv::yes},
   };
 }
 
@@ -145,10 +127,9 @@ constinit const Command slip_command = {
     [](const Parsed& parsed) {
       const RecordCommand command = record_of(parsed);
       const double x = non_negative(parsed.values, "x");
-      const Slip slip = slip_of(command, block_at(command.record.parameters, x));
-      return print(quantities_of(slip), text_of(slip), parsed.values);
+      return print(slip_of(command, block_at(command.record.parameters, x)), parsed.values);
     },
-    [] { return quantities_of(Slip{}); }};
+    [] { return slip_of({}, 0).rows; }};
 
 constinit const Command loading_command = {
     "analyze loading RECORD",
@@ -164,15 +145,14 @@ constinit const Command loading_command = {
       const Record record = record_of(parsed).record;
       Quantities rows = quantities_of(record);
       if (const auto x = optional_non_negative(parsed.values, "x")) {
-        const Eigen::Index block = block_at(record.parameters, *x);
-        rows = join({rows, quantities_of(BlockSeries{series_of(record.p, block),
-                                                     series_of(record.tau, block),
-                                                     series_of(record.u_x, block)})});
+        rows = join({rows, block_quantities(record, block_at(record.parameters, *x))});
       }
       return print(rows, text_of(record), parsed.values);
     },
     [] {
-      return join({quantities_of(Record{}), quantities_of(BlockSeries{})});
+      Record none;
+      none.p = none.tau = none.u_x = RowMajorArray(0, 1);
+      return join({quantities_of(none), block_quantities(none, 0)});
     }};
 
 }  // namespace rupture::tools

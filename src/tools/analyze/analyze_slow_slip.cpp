@@ -58,8 +58,8 @@ SlowSlips measure_slow_slips(const Record& record, const Front& front,
     const auto time = slow_slip_time(p, front, block, criteria);
     if (!time) continue;
     const auto column = static_cast<Eigen::Index>(block);
-    std::vector<double> u_x;
-    for (Eigen::Index n = 0; n < record.u_x.rows(); ++n) u_x.push_back(record.u_x(n, column));
+    const auto moved = record.u_x.col(column);
+    const std::vector<double> u_x(moved.begin(), moved.end());
     const auto line = fit_slow_slip({record.time, u_x}, *time);
     if (!line) continue;
     const auto first = std::lower_bound(record.time.begin(), record.time.end(), time->from);

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "analyze/analyze.hpp"
@@ -30,85 +30,58 @@ struct ManifestLine {
   fs::path file;  ///< names in a manifest are relative to its own folder
 };
 
-enum class Verdict {
-  intact,      ///< with the checksum of the manifest, if that lists it
-  differs,     ///< intact, but with another checksum than that of the manifest
-  unlisted,    ///< intact, but the manifest does not list it
-  changed,     ///< not as it was sealed, but readable: by another program, or damaged
-  damaged,     ///< or no file of ours, or not readable
-  unfinished,  ///< a record in the making, which nothing protects
-  missing,     ///< no such file
-  empty,       ///< a folder without any *.h5
-  unreadable,  ///< a folder
-  skipped      ///< an unfinished record in a folder: not asked for
+struct Verdict {
+  int place;  ///< in the summary
+  std::string_view name;
+  auto operator<=>(const Verdict&) const = default;
 };
+constexpr Verdict kIntact = {0, "intact"};      // with the checksum that a manifest lists for it
+constexpr Verdict kDiffers = {1, "differs"};    // intact, but with another checksum than that
+constexpr Verdict kUnlisted = {2, "unlisted"};  // intact, but the manifest does not list it
+constexpr Verdict kChanged = {3, "changed"};    // not as sealed, but readable: edited, or damaged
+constexpr Verdict kDamaged = {4, "damaged"};    // or no file of ours, or not readable
+constexpr Verdict kUnfinished = {5, "unfinished"};  // a growing record, which nothing protects
+constexpr Verdict kMissing = {6, "missing"};        // no such file
+constexpr Verdict kEmpty = {7, "empty"};            // a folder without any *.h5
+constexpr Verdict kUnreadable = {8, "unreadable"};  // a folder
+constexpr Verdict kSkipped = {9, "skipped"};  // an unfinished record in a folder: not asked for
 
 struct Inspection {
-  Verdict verdict = Verdict::intact;
+  Verdict verdict;
   std::string text;  ///< "<checksum>  <file>" of an intact file, a sentence otherwise
-
-  /// Whether something that was to be verified is not as it should be.
-  bool bad() const { return verdict != Verdict::intact && verdict != Verdict::skipped; }
 };
 
-/// Files by their canonical paths.
-using Places = std::set<fs::path>;
-
-Verdict verdict_of_unverified(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return Verdict::missing;
-  return file.extension() == ".part" ? Verdict::unfinished : Verdict::damaged;
-}
-
-fs::path place(const fs::path& file) {
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(file), ignored);
-}
-
-/// The names in a folder, sorted. Throws std::system_error.
-std::vector<fs::path> entries(const fs::path& folder) {
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(folder)) found.push_back(entry.path());
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-bool is_folder(const fs::path& path) {
-  std::error_code ignored;
-  return fs::symlink_status(path, ignored).type() == fs::file_type::directory;
-}
-
-bool is_part(const fs::path& path) {
-  return path.extension() == ".part" && path.stem().extension() == ".h5";
-}
-
-struct Search {
-  std::vector<fs::path> files;  ///< *.h5
-  std::vector<Inspection> others;
-};
-
-void search(const fs::path& folder, Search& found) try {
-  for (const fs::path& entry : entries(folder)) {
-    if (is_folder(entry)) {
-      search(entry, found);
-    } else if (entry.extension() == ".h5") {
-      found.files.push_back(entry);
-    } else if (is_part(entry)) {
-      found.others.push_back(
-          {Verdict::skipped, fmt::format("{} is an unfinished record", entry.string())});
-    }
+/// Prints findings as they come and counts them.
+class Account {
+ public:
+  void add(const Inspection& finding) {
+    say("{}  {}\n", finding.verdict.name, in_one_line(finding.text));
+    std::fflush(stdout);
+    ++counts_[finding.verdict];
+    const bool good = finding.verdict == kIntact || finding.verdict == kSkipped;
+    if (!good) bad_.push_back(finding.text);
   }
-} catch (const std::system_error& error) {
-  found.others.push_back(
-      {Verdict::unreadable, fmt::format("{} cannot be listed: {}; check its permissions",
-                                        folder.string(), error.code().message())});
-}
 
-Inspection unlisted(Inspection finding, const fs::path& file) {
-  if (finding.verdict != Verdict::intact) return finding;
-  return {Verdict::unlisted,
-          fmt::format("{} is intact, but the manifest does not list it", file.string())};
-}
+  /// "3 intact, 1 damaged".
+  std::string summary() const {
+    std::string text;
+    for (const auto& [verdict, count] : counts_) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict.name);
+    }
+    return text;
+  }
+
+  /// Throws Failure, with the sentence of the finding if it is the only one, if any was bad.
+  void demand_all_good() const {
+    if (bad_.size() == 1) throw Failure(bad_.front());
+    if (bad_.empty()) return;
+    throw Failure("not all files are intact: " + summary());
+  }
+
+ private:
+  std::map<Verdict, int> counts_;
+  std::vector<std::string> bad_;
+};
 
 /// Throws Failure if the manifest cannot be read, names no file or is none.
 std::vector<ManifestLine> read_manifest(const fs::path& path) {
@@ -138,14 +111,6 @@ std::vector<ManifestLine> read_manifest(const fs::path& path) {
   return lines;
 }
 
-/// As shown to the user, e.g. "intact".
-std::string_view verdict_name(Verdict verdict) {
-  constexpr std::array<std::string_view, 10> names = {
-      "intact",     "differs", "unlisted", "changed",    "damaged",
-      "unfinished", "missing", "empty",    "unreadable", "skipped"};
-  return names.at(static_cast<std::size_t>(verdict));
-}
-
 /// Verifies a file; an empty `expected` stands for any content checksum. That of a file of an
 /// earlier schema may be the one that is stored in it.
 Inspection inspect_file(const fs::path& file, const std::string& expected = {}) try {
@@ -153,100 +118,76 @@ Inspection inspect_file(const fs::path& file, const std::string& expected = {}) 
   const std::string& checksum =
       expected == found.stored_checksum ? found.stored_checksum : found.checksum;
   if (expected.empty() || checksum == expected) {
-    return {Verdict::intact, fmt::format("{}  {}", labelled(checksum), file.string())};
+    return {kIntact, fmt::format("{}  {}", labelled(checksum), file.string())};
   }
-  return {Verdict::differs,
-          fmt::format("{} is intact but has content checksum {}; the manifest lists {}",
-                      file.string(), checksum, expected)};
+  return {kDiffers, fmt::format("{} is intact but has content checksum {}; the manifest lists {}",
+                                file.string(), checksum, expected)};
 } catch (const Changed& changed) {
-  return {Verdict::changed, changed.what()};
+  return {kChanged, changed.what()};
 } catch (const Failure& failure) {
-  return {verdict_of_unverified(file), failure.what()};
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return {kMissing, failure.what()};
+  return {file.extension() == ".part" ? kUnfinished : kDamaged, failure.what()};
 }
 
-/// Where the files of a manifest are.
-Places places_of(const std::vector<ManifestLine>& manifest) {
-  Places places;
-  for (const ManifestLine& line : manifest) places.insert(place(line.file));
-  return places;
+/// The canonical path.
+fs::path place(const fs::path& file) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(file), ignored);
 }
 
-/// Whether the file, by whatever path, is at one of these places.
-bool contains(const Places& places, const fs::path& file) {
-  return places.contains(place(file));
-}
-
-/// Verifies all *.h5 in a folder and in those below it, sorted by name; links to folders are not
-/// followed. Where some are `listed` in a manifest these are left out, and all others are unlisted.
-std::vector<Inspection> inspect_folder(const fs::path& folder, const Places& listed) {
-  Search found;
-  search(folder, found);
-  std::vector<Inspection> findings;
-  for (const fs::path& file : found.files) {
-    if (listed.empty()) {
-      findings.push_back(inspect_file(file));
-    } else if (!contains(listed, file)) {
-      findings.push_back(unlisted(inspect_file(file), file));
+/// Verifies all *.h5 in a folder and in those below it, in the order of their names; links to
+/// folders are not followed. Where some are `listed` in a manifest these are left out, and all
+/// others are unlisted. Returns how many there are.
+int inspect_folder(const fs::path& folder, const std::set<fs::path>& listed, Account& account) {
+  std::error_code error;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator at(folder, error); at != end(at); at.increment(error)) {
+    entries.push_back(at->path());
+  }
+  if (error) {
+    account.add({kUnreadable, fmt::format("{} cannot be listed: {}; check its permissions",
+                                          folder.string(), error.message())});
+  }
+  std::sort(entries.begin(), entries.end());
+  int found = 0;
+  for (const fs::path& entry : entries) {
+    if (fs::symlink_status(entry, error).type() == fs::file_type::directory) {
+      found += inspect_folder(entry, listed, account);
+    } else if (entry.extension() == ".h5") {
+      ++found;
+      if (listed.contains(place(entry))) continue;
+      Inspection finding = inspect_file(entry);
+      if (!listed.empty() && finding.verdict == kIntact) {
+        finding = {kUnlisted,
+                   fmt::format("{} is intact, but the manifest does not list it", entry.string())};
+      }
+      account.add(finding);
+    } else if (entry.extension() == ".part" && entry.stem().extension() == ".h5") {
+      account.add({kSkipped, fmt::format("{} is an unfinished record", entry.string())});
     }
   }
-  if (found.files.empty()) {
-    findings.push_back({Verdict::empty, fmt::format("{} contains no *.h5 files", folder.string())});
-  }
-  findings.insert(findings.end(), found.others.begin(), found.others.end());
-  return findings;
-}
-
-/// Prints findings as they come and counts them.
-class Account {
- public:
-  void add(const Inspection& finding) {
-    say("{}  {}\n", verdict_name(finding.verdict), in_one_line(finding.text));
-    std::fflush(stdout);
-    ++counts_[finding.verdict];
-    if (finding.bad()) bad_.push_back(finding.text);
-  }
-  void add(const std::vector<Inspection>& findings) {
-    for (const Inspection& finding : findings) add(finding);
-  }
-
-  /// "3 intact, 1 damaged".
-  std::string summary() const {
-    std::string text;
-    for (const auto& [verdict, count] : counts_) {
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict_name(verdict));
-    }
-    return text;
-  }
-
-  /// Throws Failure, with the sentence of the finding if it is the only one, if any was bad.
-  void demand_all_good() const {
-    if (bad_.size() == 1) throw Failure(bad_.front());
-    if (bad_.empty()) return;
-    throw Failure("not all files are intact: " + summary());
-  }
-
- private:
-  std::map<Verdict, int> counts_;
-  std::vector<std::string> bad_;
-};
-
-std::vector<ManifestLine> manifest_of(const po::variables_map& values) {
-  if (values.count("manifest") == 0) return {};
-  return read_manifest(values["manifest"].as<std::string>());
+  return found;
 }
 
 int verify(const Parsed& parsed) {
   const auto files = files_of(parsed);
-  const auto manifest = manifest_of(parsed.values);
+  std::vector<ManifestLine> manifest;
+  if (parsed.values.count("manifest") > 0) {
+    manifest = read_manifest(parsed.values["manifest"].as<std::string>());
+  }
   if (files.empty() && manifest.empty()) {
     throw UsageError("nothing to verify: name a checkpoint, record or folder, or give --manifest");
   }
-  const Places listed = places_of(manifest);
+  std::set<fs::path> listed;
+  for (const ManifestLine& line : manifest) listed.insert(place(line.file));
   Account account;
   for (const auto& file : files) {
     if (std::error_code ignored; fs::is_directory(file, ignored)) {
-      account.add(inspect_folder(file, listed));
-    } else if (!contains(listed, file)) {
+      if (inspect_folder(file, listed, account) == 0) {
+        account.add({kEmpty, fmt::format("{} contains no *.h5 files", file)});
+      }
+    } else if (!listed.contains(place(file))) {
       account.add(inspect_file(file));
     }
   }

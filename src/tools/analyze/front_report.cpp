@@ -14,15 +14,13 @@ namespace {
 
 using Bursts = std::vector<std::span<const Rupture>>;
 
-bool is_within(const RecordCommand& command, const Rupture& rupture) {
-  return rupture.time >= command.from && rupture.time <= command.to;
-}
-
 /// Numbers of the events with ruptures in the window.
 std::vector<std::size_t> numbers_in_window(const RecordCommand& command, const Bursts& bursts) {
+  const auto counts = [&](const Rupture& rupture) {
+    return rupture.time >= command.from && rupture.time <= command.to;
+  };
   std::vector<std::size_t> numbers;
   for (std::size_t n = 0; n < bursts.size(); ++n) {
-    const auto counts = [&](const Rupture& rupture) { return is_within(command, rupture); };
     if (std::any_of(bursts[n].begin(), bursts[n].end(), counts)) numbers.push_back(n);
   }
   return numbers;
@@ -30,15 +28,15 @@ std::vector<std::size_t> numbers_in_window(const RecordCommand& command, const B
 
 /// "0 at 0.183 s, 1 at 0.241 s, 2 at 0.307 s, ..., 28 at 1.19 s".
 std::string list_of(const Bursts& bursts, const std::vector<std::size_t>& numbers) {
-  constexpr std::size_t kNamed = 3;
-  const auto name = [&](std::size_t number) {
-    return fmt::format("{} at {:.4g} s", number, bursts[number].front().time);
-  };
-  const std::size_t named = std::min(kNamed, numbers.size() - 1);
+  constexpr std::size_t kNamed = 3;  // and the last
   std::vector<std::string> names;
-  for (std::size_t n = 0; n < named; ++n) names.push_back(name(numbers[n]));
-  if (named + 1 < numbers.size()) names.emplace_back("...");
-  names.push_back(name(numbers.back()));
+  for (const std::size_t number : numbers) {
+    names.push_back(fmt::format("{} at {:.4g} s", number, bursts[number].front().time));
+  }
+  if (names.size() > kNamed + 1) {
+    names[kNamed] = "...";
+    names.erase(names.begin() + kNamed + 1, names.end() - 1);
+  }
   return fmt::format("{}", fmt::join(names, ", "));
 }
 

@@ -1,0 +1,200 @@
+// analyze estimate, steady-state: slow slip and friction of one block, by theory and simulated.
+#include <fmt/core.h>
+
+#include <numeric>
+
+#include "analyze/analyze.hpp"
+#include "analyze/inputs.hpp"
+#include "cli/option_values.hpp"
+#include "rupture/analysis/phi.hpp"
+#include "rupture/analysis/slow_slip.hpp"
+#include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
+
+namespace rupture::tools {
+namespace {
+
+/// Mean and standard deviation over the ensemble.
+Quantities over_ensemble(const std::string& key, const std::string& help,
+                         const std::optional<Mean>& mean) {
+  const auto known = [&](double Mean::*member) {
+    return mean ? std::optional((*mean).*member) : std::nullopt;
+  };
+  return {{key, "1", help + ", mean over the ensemble", known(&Mean::value)},
+          {key + "_deviation", "1", help + ", standard deviation", known(&Mean::deviation)}};
+}
+
+Quantities ensemble_quantities(const std::optional<RelaxationEnsemble>& ensemble) {
+  using E = RelaxationEnsemble;
+  const auto mean = [&](Mean E::*member) {
+    return ensemble ? std::optional((*ensemble).*member) : std::nullopt;
+  };
+  return join({
+      over_ensemble("net_slip_over_f_slip_per_k_ij",
+                    "slip until no junction slips any more, in f_slip/k_ij", mean(&E::net_slip)),
+      over_ensemble("slip_after_two_t_R_over_f_slip_per_k_ij", "slip after 2 <t_R>, in f_slip/k_ij",
+                    mean(&E::slip_after_two)),
+      over_ensemble("slip_at_return_over_f_slip_per_k_ij",
+                    "slip until each junction has been pinned once, in f_slip/k_ij",
+                    mean(&E::slip_at_return)),
+      over_ensemble("duration_over_t_R", "time until each junction has been pinned once, in <t_R>",
+                    mean(&E::duration)),
+      over_ensemble("quiet_after_over_t_R", "time until no junction slips any more, in <t_R>",
+                    mean(&E::quiet_time)),
+  });
+}
+
+Quantity course_of(const std::optional<Relaxation>& relaxation) {
+  const auto course = relaxation.value_or(Relaxation{}).course;
+  const Quantities rows = {
+      {"time_over_t_R", "1", "time at which each junction was pinned, in <t_R>", course.time},
+      {"slip_over_f_slip_per_k_ij", "1", "slip at that time, in f_slip/k_ij", course.slip},
+  };
+  return {"relaxation", "", "", Group{rows, relaxation.has_value()}};
+}
+
+std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation) {
+  if (!relaxation) return "relaxation of one block: never ends\n";
+  const auto text = [](const Mean& m) {
+    return fmt::format("{:.3f} +- {:.3f}", m.value, m.deviation);
+  };
+  return fmt::format(
+      "relaxation of one block (mean +- standard deviation, slip in f_slip/k_ij):\n"
+      "  net slip {}, of which {} in 2 <t_R>: on average {:.2f} f_slip/k_ij per <t_R>\n"
+      "  every junction has been pinned once after {} <t_R>, at slip {}\n"
+      "  no junction slips any more after {} <t_R>\n",
+      text(relaxation->net_slip), text(relaxation->slip_after_two),
+      relaxation->slip_after_two.value / 2.0, text(relaxation->duration),
+      text(relaxation->slip_at_return), text(relaxation->quiet_time));
+}
+
+/// Slow slip to expect at the mean normal force and of each block, and the relaxation of one block
+/// in `n` replicas with slipping times of their own.
+Report estimate_of(const Checkpoint& checkpoint, int n) {
+  const Parameters& parameters = checkpoint.parameters;
+  const double t_R = mean_slipping_time(parameters);
+  const auto p_i = normal_forces(parameters, checkpoint.state);
+  const auto speed = [&](double p) { return slow_slip_estimate(parameters, p); };
+  const double p = std::accumulate(p_i.begin(), p_i.end(), 0.0) / static_cast<double>(p_i.size());
+  const double v = speed(p);
+  const auto ensemble = relax_ensemble(parameters, n);
+  const TextColumn forces = {11, "{:.4f}"}, speeds = {11, "{:.4f}", "v [mm/s]", 1e3};
+  const Quantities block = {
+      positions(block_positions(parameters)),
+      {"p", "N", "normal force on each block", p_i, Csv::yes, forces},
+      {"v_slow_slip", "m/s", "speed of slow slip of each block by Eq. S1", each(p_i, speed),
+       Csv::yes, speeds},
+  };
+  const Quantities rows = join({
+      {
+          {"v_slow_slip", "m/s", "speed of slow slip by Eq. S1 at the mean normal force", v},
+          {"p", "N", "mean normal force on a block", p},
+          {"t_R", "s", "mean slipping time <t_R>", t_R},
+      },
+      ensemble_quantities(ensemble),
+      {course_of(relax(parameters, 0)), {"block", "", "", Group{block}}},
+  });
+  return {rows, fmt::format(
+                    "Eq. S1 at the mean normal force {:.5g} N, <t_R> = {:.5g} ms: {:.4f} mm/s\n{}",
+                    p, t_R * 1e3, v * 1e3, relaxation_text(ensemble))};
+}
+
+// From slower than any fault creeps to about the speed of sound.
+constexpr double kSlowest = 1e-9, kFastest = 1e3;  // [m/s]
+
+double speed(const po::variables_map& values, const std::string& option) {
+  const double v = values[option].as<double>();
+  if (v >= kSlowest && v <= kFastest) return v;
+  throw UsageError(fmt::format("--{} must be a speed from {:g} to {:g} m/s (got {})", option,
+                               kSlowest, kFastest, v));
+}
+
+std::vector<double> speeds(const po::variables_map& values) {
+  const double from = speed(values, "v-from"), to = speed(values, "v-to");
+  if (to < from) throw UsageError("--v-to must not be below --v-from");
+  return speeds_between(from, to, int_between(values, "points", 1, 10000));
+}
+
+Report steady_sliding(const Parameters& p, const std::vector<double>& speeds,
+                      const SteadyRun& run) {
+  const SteadySliding block = {p, mean_normal_force(p)};
+  std::vector<Mean> mu;
+  for (const double v : speeds) mu.push_back(measured_friction(block, v, run));
+  const auto theory = [&](double v) { return renewal_friction(block, v); };
+  const Quantities rows = {
+      {"v", "m/s", "each speed", speeds, Csv::yes, TextColumn{12, "{:.4g}"}},
+      {"mu", "1", "measured mean tau/p at each speed", each(mu, &Mean::value), Csv::yes,
+       TextColumn{11, "{:.6f}", "tau/p"}},
+      {"mu_error", "1", "standard error of mu at each speed", each(mu, &Mean::standard_error),
+       Csv::yes, TextColumn{13, "{:.2g}", "std. error"}},
+      {"mu_theory", "1", "tau/p by renewal theory at each speed", each(speeds, theory), Csv::yes,
+       TextColumn{17, "{:.6f}", "renewal theory"}},
+      {"p", "N", "normal force on the block", block.p},
+  };
+  return {rows,
+          fmt::format(
+              "Not included in the standard error: events are up to one step (1/{} cycle) late.\n",
+              run.steps_per_cycle)};
+}
+
+int measure_steady_state(const Parsed& parsed) {
+  Parameters p;
+  apply(parsed.parameters, p);
+  validate(p);
+  refuse_other_laws(p);
+  const auto v = speeds(parsed.values);
+  SteadyRun run;
+  run.steps_per_cycle = int_between(parsed.values, "steps-per-cycle", 100, 10000000);
+  return print(steady_sliding(p, v, run), parsed.values);
+}
+
+void add_steady_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("v-from", number("V", "m/s")->default_value(1e-4, "1e-4"), "lowest speed");
+  add("v-to", number("V", "m/s")->default_value(1.0, "1"), "highest speed");
+  add("points", integer("N")->default_value(9), "number of speeds, spaced by equal ratios");
+  add("steps-per-cycle", integer("N")->default_value(SteadyRun{}.steps_per_cycle),
+      "time steps per cycle of pinning and slipping; a junction breaks up to one step late");
+}
+
+}  // namespace
+
+constinit const Command estimate_command = {
+    "analyze estimate CHECKPOINT",
+    "checkpoint",
+    "slow slip expected from a checkpoint's parameters",
+    R"(Slow slip by Eq. S1, v = 4.2 tau_slip / (k_i <t_R>), at the mean normal force and of
+each block, and the relaxation of one block, which gives the coefficient 4.2.)",
+    {[](po::options_description& options) {
+       auto add = options.add_options();
+       add("ensemble", integer("N")->default_value(100),
+           "number of blocks to relax, each with its own slipping times");
+       add("seed", seed(), "seed of their random numbers; default: the checkpoint's");
+     },
+     add_format_options},
+    [](const Parsed& parsed) {
+      Checkpoint checkpoint = checkpoint_of(parsed);
+      refuse_other_laws(checkpoint.parameters);
+      if (parsed.values.count("seed") > 0) {
+        set_parameter(checkpoint.parameters, "numerics.seed",
+                      parsed.values["seed"].as<std::string>());
+      }
+      const int n = int_between(parsed.values, "ensemble", 2, 100000);
+      return print(estimate_of(checkpoint, n), parsed.values);
+    },
+    [] {
+      return estimate_of({Parameters{}, State(Parameters{}), {}}, 2).rows;
+    }};
+
+constinit const Command steady_state_command = {
+    "analyze steady-state",
+    "",
+    "friction of a block that slides at constant speed",
+    "Friction coefficient of a block that slides at constant speed under the mean normal force\n"
+    "F_N/Nx: simulated with the interface law, with its standard error, and by renewal theory.",
+    {add_steady_options, add_format_options},
+    measure_steady_state,
+    [] { return steady_sliding({}, {}, {}).rows; },
+    UsesParameters::yes};
+
+}  // namespace rupture::tools
