@@ -33,34 +33,25 @@ Samples made_up(double until = kEnd) {
   return s;
 }
 
-TEST(Slip, is_told_apart_into_fast_and_slow) {
-  const Samples samples = made_up();
-  const auto slip = measure_slip(samples.history(), kRupture, kFastWithin);
-  ASSERT_TRUE(slip);
-  EXPECT_NEAR(slip->t_arrest, kArrest, 1.01 * kInterval);
-  EXPECT_NEAR(slip->fast_slip, kFastSlip * (kArrest - kRupture), 1e-12);
-  EXPECT_NEAR(slip->slow_slip, kSlowSlip * (kEnd - kRestart), 1e-12);
-}
-
-TEST(Slip, is_fitted_between_20_and_80_percent_of_the_slow_part) {
+TEST(Slip, is_told_apart_into_fast_and_slow_of_which_20_to_80_percent_are_fitted) {
   const Samples samples = made_up();
   const auto slip = measure_slip(samples.history(), kRupture, kFastWithin);
   ASSERT_TRUE(slip && slip->slow);
+  EXPECT_NEAR(slip->t_arrest, kArrest, 1.01 * kInterval);
+  EXPECT_NEAR(slip->fast_slip, kFastSlip * (kArrest - kRupture), 1e-12);
+  EXPECT_NEAR(slip->slow_slip, kSlowSlip * (kEnd - kRestart), 1e-12);
   EXPECT_NEAR(slip->t_from, kRestart + 0.2 * (kEnd - kRestart), 1.01 * kInterval);
   EXPECT_NEAR(slip->t_to, kRestart + 0.8 * (kEnd - kRestart), 1.01 * kInterval);
   EXPECT_NEAR(slip->slow->slope, kSlowSlip, 1e-9 * kSlowSlip);
   EXPECT_NEAR(slip->slow->r_squared, 1.0, 1e-12);
 }
 
-TEST(Slip, needs_an_arrest) {
-  const Samples samples = made_up(kArrest - 2 * kInterval);
-  EXPECT_FALSE(measure_slip(samples.history(), kRupture, kFastWithin));
-}
-
-TEST(Slip, takes_for_fast_only_what_follows_the_rupture_closely) {
+TEST(Slip, needs_an_arrest_after_a_rupture_that_was_sampled) {
+  const Samples samples = made_up(), moving = made_up(kArrest - 2 * kInterval);
+  EXPECT_FALSE(measure_slip(moving.history(), kRupture, kFastWithin)) << "ends before the arrest";
   // Sought within 20 us from 2 ms on, the fastest slip is the slow one, which never stops.
-  const Samples samples = made_up();
   EXPECT_FALSE(measure_slip(samples.history(), 2e-3, 2e-5));
+  EXPECT_FALSE(measure_slip(samples.history(), 1.0, kFastWithin)) << "after the last sample";
 }
 
 TEST(Slip, of_a_block_that_stays_arrested_has_no_slow_part) {
@@ -69,11 +60,6 @@ TEST(Slip, of_a_block_that_stays_arrested_has_no_slow_part) {
   ASSERT_TRUE(slip);
   EXPECT_NEAR(slip->slow_slip, 0.0, 1e-18);
   EXPECT_FALSE(slip->slow) << "nothing to fit";
-}
-
-TEST(Slip, after_the_last_sample_has_no_value) {
-  const Samples samples = made_up();
-  EXPECT_FALSE(measure_slip(samples.history(), 1.0, kFastWithin));
 }
 
 TEST(SlowSlip, is_fitted_between_20_and_80_percent_of_what_happens_in_its_time) {
@@ -108,52 +94,41 @@ Front made_up_front() {
 
 class SlowSlipBehindAFront : public ::testing::Test {
  protected:
+  std::optional<SlowSlipTime> time_of(std::size_t block,
+                                      const SlowSlipCriteria& criteria = {}) const {
+    return slow_slip_time(p_, front_, block, criteria);
+  }
+  double t_rupture(std::size_t block) const { return *front_.line.t_rupture[block]; }
+
   const Parameters p_{};
-  const Front front_ = made_up_front();
+  Front front_ = made_up_front();
   const double wait_ = p_.H / shear_wave_speed(p_);
   const double t_R_ = mean_slipping_time(p_);
-  const SlowSlipCriteria criteria_{};
 };
 
-TEST_F(SlowSlipBehindAFront, begins_after_the_rupture_of_the_block) {
-  const auto time = slow_slip_time(p_, front_, 12, criteria_);
-  ASSERT_TRUE(time);
-  EXPECT_NEAR(time->from, *front_.line.t_rupture[12] + wait_, 1e-12);
-  EXPECT_NEAR(time->to, time->from + t_R_, 1e-12);
+TEST_F(SlowSlipBehindAFront,
+       begins_after_the_rupture_of_the_block_and_after_the_front_became_slow) {
+  ASSERT_TRUE(time_of(12) && time_of(3));
+  EXPECT_NEAR(time_of(12)->from, t_rupture(12) + wait_, 1e-12);
+  EXPECT_NEAR(time_of(12)->to, time_of(12)->from + t_R_, 1e-12);
+  EXPECT_NEAR(time_of(3)->from, front_.slow->t_from + wait_, 1e-12);
 }
 
-TEST_F(SlowSlipBehindAFront, begins_after_the_front_became_slow) {
-  const auto time = slow_slip_time(p_, front_, 3, criteria_);
-  ASSERT_TRUE(time);
-  EXPECT_NEAR(time->from, front_.slow->t_from + wait_, 1e-12);
+TEST_F(SlowSlipBehindAFront, ends_when_the_front_becomes_fast_or_with_the_last_slow_stencil) {
+  ASSERT_TRUE(time_of(24) && time_of(24, {.to_last_stencil = true}));
+  EXPECT_LT(time_of(24)->to, time_of(24)->from + t_R_);
+  EXPECT_EQ(time_of(24)->to, front_.slow->t_to);
+  const double end = time_of(24, {.to_last_stencil = true})->to;
+  EXPECT_EQ(end, t_rupture(slow_blocks(front_).back() + 2)) << "half a stencil later";
+  EXPECT_GT(end, front_.slow->t_to);
 }
 
-TEST_F(SlowSlipBehindAFront, ends_when_the_front_becomes_fast) {
-  const auto time = slow_slip_time(p_, front_, 24, criteria_);
-  ASSERT_TRUE(time);
-  EXPECT_LT(time->to, time->from + t_R_);
-  EXPECT_EQ(time->to, front_.slow->t_to);
-}
-
-TEST_F(SlowSlipBehindAFront, ends_half_a_stencil_later_with_the_last_slow_stencil) {
-  const auto time = slow_slip_time(p_, front_, 24, {.to_last_stencil = true});
-  ASSERT_TRUE(time);
-  const auto last = slow_blocks(front_).back() + 2;
-  EXPECT_EQ(time->to, *front_.line.t_rupture[last]);
-  EXPECT_GT(time->to, front_.slow->t_to);
-}
-
-TEST_F(SlowSlipBehindAFront, needs_some_time) {
-  EXPECT_FALSE(slow_slip_time(p_, front_, 26, criteria_));
-  EXPECT_FALSE(slow_slip_time(p_, front_, 40, criteria_));
-  EXPECT_TRUE(slow_slip_time(p_, front_, 26, {1.0, 0.1}));
-}
-
-TEST_F(SlowSlipBehindAFront, needs_a_slow_front) {
-  Front fast = front_;
-  fast.slow.reset();
-  EXPECT_FALSE(slow_slip_time(p_, fast, 12, criteria_));
-  EXPECT_TRUE(slow_blocks(fast).empty());
+TEST_F(SlowSlipBehindAFront, needs_some_time_and_a_slow_front) {
+  EXPECT_FALSE(time_of(26) || time_of(40));
+  EXPECT_TRUE(time_of(26, {1.0, 0.1}));
+  front_.slow.reset();
+  EXPECT_FALSE(time_of(12));
+  EXPECT_TRUE(slow_blocks(front_).empty());
 }
 
 TEST_F(SlowSlipBehindAFront, is_that_of_the_blocks_of_the_slow_stretch) {
