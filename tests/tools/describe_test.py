@@ -8,12 +8,13 @@ import pytest
 
 from commands import json_of, lines_of, output_of, refuses, run
 
-# All programs in C++ and all commands of analyze.
+# All programs in C++ and all commands of analyze; those in Python.
 PROGRAMS = ["load", "prepare", "restart", "modify-phi", "parameters", "finish", "seal"]
+PYTHON = ["golden", "map", "movie", "watch", "xdmf"]
 COMMANDS = [command["name"] for command in json_of("analyze --describe")["commands"]]
 VALUES = {"number": "0.5", "integer": "7", "text": "word", "parameter": "a=1"}
 VALUES |= {"input file": "a.h5", "output file": "b.h5"}
-each_program = pytest.mark.parametrize("name", PROGRAMS + COMMANDS)
+each_program = pytest.mark.parametrize("name", PROGRAMS + COMMANDS + PYTHON)
 pytestmark = pytest.mark.usefixtures("small_ini")
 
 
@@ -49,7 +50,7 @@ def test_all_options_are_described_with_the_texts_of_help(name):
     assert sum(line.startswith("  -") for line in lines) == len(options)
 
 
-@each_program
+@pytest.mark.parametrize("name", PROGRAMS + COMMANDS)
 def test_the_options_that_are_described_are_taken(name):
     options = options_of(json_of(f"{name} --describe"))
     taken = (given(options[option]) for option in options if option not in ("describe", "version"))

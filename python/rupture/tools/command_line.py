@@ -2,6 +2,8 @@
 --describe."""
 
 import argparse
+import difflib
+import itertools
 import json
 import math
 import os
@@ -14,7 +16,6 @@ from functools import partial
 
 from rupture.errors import Failure, UsageError
 from rupture.replacing import end_by_signal
-
 
 UNITS = {"": 1, "s": 1, "ms": 1e-3, "us": 1e-6}  # of times [s]
 TIME = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)", re.ASCII)
@@ -104,10 +105,15 @@ class Parser(argparse.ArgumentParser):
         super().__init__(name, description=purpose, add_help=False, allow_abbrev=False)
         self.register("action", None, Once)
 
+    def add_argument(self, *names, kind="text", unit="", **more):
+        """`kind` and `unit` of its value are those of the description."""
+        action = super().add_argument(*names, **more)
+        vars(action).update(kind=kind, unit=unit)
+        return action
+
     def add_time(self, name, text, least=0.0, most=math.inf, **more):
         read = partial(seconds, least=least, most=most)
-        option = self.add_argument(name, type=read, metavar="T [s]", help=text, **more)
-        option.kind, option.unit = "number", "s"  # type: ignore[attr-defined]
+        self.add_argument(name, type=read, kind="number", unit="s", metavar="T", help=text, **more)
 
     def add_common(self):
         add = partial(self.add_argument, action=Answer, nargs=0)
@@ -117,11 +123,35 @@ class Parser(argparse.ArgumentParser):
         add("--version", const=version_text, help="show version and exit")
 
     def add_output(self, text):
-        self.add_argument("-o", "--output", metavar="FILE", required=True, help=text)
+        kind = "output file"
+        self.add_argument("-o", "--output", kind=kind, metavar="FILE", required=True, help=text)
         self.add_argument("-f", "--force", action="store_true", help="replace an existing file")
 
     def error(self, message):
         raise UsageError(message)
+
+    def parse_known_args(self, args=None, namespace=None):
+        """Of several mistakes, an option with a wrong name is told first."""
+        words = list(sys.argv[1:] if args is None else args)
+        try:
+            known, rest = super().parse_known_args(words, namespace)
+        except UsageError as error:
+            if "required" in str(error):
+                self.refuse_unknown(words)
+            raise
+        self.refuse_unknown(rest)
+        return known, rest
+
+    def refuse_unknown(self, words):
+        known = [name for action in self.options() for name in action.option_strings]
+        for word in itertools.takewhile(lambda word: word != "--", words):
+            name = word.split("=")[0]
+            if not name.startswith("--") or name in known:
+                continue
+            begun = [one for one in known if one.startswith(name)]
+            if near := begun or difflib.get_close_matches(name, known, 1):
+                raise UsageError(f"unknown option '{word}': did you mean '{near[0]}'?")
+            self.error(f"unknown option '{word}'")
 
     def options(self):
         return [action for action in self._actions if action.option_strings]
@@ -146,17 +176,14 @@ class Parser(argparse.ArgumentParser):
 
 def option_json(action):
     long, *short = sorted(action.option_strings, key=len, reverse=True)
-    kind, unit = getattr(action, "kind", "text"), getattr(action, "unit", "")
-    if action.nargs == 0 or action.choices or action.dest == "output":
-        kind = "flag" if action.nargs == 0 else "choice" if action.choices else "output file"
-    value = "|".join(action.choices) if action.choices else action.metavar
+    is_flag = action.nargs == 0
     described = {
         "name": long.removeprefix("--"),
         "short": short[0].removeprefix("-") if short else None,
-        "kind": kind,
-        "value": "" if kind == "flag" else value.removesuffix(f" [{unit}]"),
-        "unit": unit,
-        "default": None if kind == "flag" else action.default,
+        "kind": "flag" if is_flag else "choice" if action.choices else action.kind,
+        "value": "" if is_flag else "|".join(action.choices or [action.metavar]),
+        "unit": action.unit,
+        "default": None if is_flag else action.default,
         "help": action.help,
     }
     return described | ({"words": list(action.choices)} if action.choices else {})
@@ -185,7 +212,8 @@ def run_tool(name, run):
         finally:  # also after --help
             sys.stdout.flush()
     except UsageError as error:
-        complain(name, f"{error}; see rupture {name} --help")
+        hint = "" if str(error).endswith("?") else f"; see rupture {name} --help"
+        complain(name, f"{error}{hint}")
         return 2
     except Failure as error:
         complain(name, str(error))

@@ -42,8 +42,8 @@ def parser():
     made.add_argument("--colour", choices=(*COLOURS,), default="speed", help=text)
     text = "the most frames, at 15 per second"
     number = partial(whole_number, what="number of frames", least=1)
-    frames = made.add_argument("--frames", type=number, metavar="N", default=FRAMES, help=text)
-    frames.kind = "integer"  # type: ignore[attr-defined]
+    more = {"kind": "integer", "unit": "1", "metavar": "N", "help": text}
+    made.add_argument("--frames", type=number, default=FRAMES, **more)
     add_window(made)
     made.add_common()
     return made

@@ -100,8 +100,7 @@ def make_parser():
     add("--programs", type=programs_at, metavar="FOLDER", help=text)
     text = "use N cores of this machine (default: all)"
     read_cores = partial(whole_number, what="number of cores", least=1)
-    cores = add("--cores", type=read_cores, metavar="N", help=text)
-    cores.unit = "1"  # type: ignore[attr-defined]
+    add("--cores", type=read_cores, kind="integer", unit="1", metavar="N", help=text)
     text = "print name, options and input as one JSON object and stop"
     add("--describe", action=Answer, nargs=0, const=Parser.describe, help=text)
     add("-h", "--help", action=Answer, nargs=0, const=Parser.format_help, help="print this text")
