@@ -15,59 +15,47 @@
 namespace rupture {
 namespace {
 
-/// Properties that the junctions of one block have in common.
-struct BlockJunctions {
-  Eigen::Index i;
-  double x;        ///< position of the block [m]
-  double u_x;      ///< [m]
-  double k_ij;     ///< of each spring [N/m]
-  double f_thres;  ///< [N]
-  double f_slip;   ///< [N]
-};
-
-BlockJunctions block_junctions(const Parameters& p, const State& state, Eigen::Index i) {
+BlockForces forces_of(const Parameters& p, const State& state, Eigen::Index i) {
   const double p_i = NormalContact(p).normal_force(state.u_z(i, 0));
   const auto springs = static_cast<double>(springs_per_block(p));
-  const double junctions_in_each = static_cast<double>(p.N_s) / springs;
-  return {i,
-          block_position(p, i),
-          state.u_x(i, 0),
-          junctions_in_each * junction_stiffness(p, p_i),
-          p.mu_s * p_i / springs,
-          p.mu_d * p_i / springs};
+  BlockForces block;
+  block.x = block_position(p, i);
+  block.k_ij = static_cast<double>(p.N_s) / springs * junction_stiffness(p, p_i);
+  block.f_thres = p.mu_s * p_i / springs;
+  block.f_slip = p.mu_d * p_i / springs;
+  block.slipping = 1.0 - pinned_fraction(state.junctions, i);
+  for (const double attachment : state.junctions.attachment.row(i)) {
+    block.forces.push_back(block.k_ij * (state.u_x(i, 0) - attachment));
+  }
+  block.mean = std::accumulate(block.forces.begin(), block.forces.end(), 0.0) / springs;
+  double squares = 0.0;
+  for (const double f : block.forces) squares += (f - block.mean) * (f - block.mean);
+  block.sigma = std::sqrt(squares / springs);
+  return block;
 }
 
-/// Indices of the junctions that change, ordered by the force they carry now.
-std::vector<Eigen::Index> changing(const Junctions& junctions, const BlockJunctions& block,
-                                   Slipping slipping) {
+/// Indices of the junctions of block i that change, ordered by the force they carry now.
+std::vector<Eigen::Index> changing(const Junctions& junctions, Eigen::Index i, Slipping slipping) {
   std::vector<Eigen::Index> chosen;
   for (Eigen::Index j = 0; j < junctions.attachment.cols(); ++j) {
-    if (slipping == Slipping::pin || !is_slipping(junctions.repin_time(block.i, j))) {
-      chosen.push_back(j);
-    }
+    if (slipping == Slipping::pin || !is_slipping(junctions.repin_time(i, j))) chosen.push_back(j);
   }
   std::stable_sort(chosen.begin(), chosen.end(), [&](Eigen::Index a, Eigen::Index b) {
-    return junctions.attachment(block.i, a) > junctions.attachment(block.i, b);
+    return junctions.attachment(i, a) > junctions.attachment(i, b);
   });
   return chosen;
 }
 
-double mean_force(const Junctions& junctions, const BlockJunctions& block,
-                  const std::vector<Eigen::Index>& chosen) {
-  double sum = 0.0;
-  for (const Eigen::Index j : chosen) {
-    sum += block.k_ij * (block.u_x - junctions.attachment(block.i, j));
-  }
-  return sum / static_cast<double>(chosen.size());
-}
-
-/// Sets the chosen junctions to mean + half_width * quantiles; returns what stopped it, if
-/// anything.
-std::optional<ImpossibleBlock> spread(Junctions& junctions, const BlockJunctions& block,
+/// Sets the chosen junctions of block i to mean + half_width * quantiles; returns what stopped it,
+/// if anything.
+std::optional<ImpossibleBlock> spread(State& state, Eigen::Index i, const BlockForces& block,
                                       const PhiChange& change) {
-  const auto chosen = changing(junctions, block, change.slipping);
+  Junctions& junctions = state.junctions;
+  const auto chosen = changing(junctions, i, change.slipping);
   if (chosen.empty()) return std::nullopt;
-  const double mean = mean_force(junctions, block, chosen);
+  double sum = 0.0;
+  for (const Eigen::Index j : chosen) sum += block.forces[static_cast<std::size_t>(j)];
+  const double mean = sum / static_cast<double>(chosen.size());
   const double room = block.f_thres - std::abs(mean);
   const double range = block.f_thres - block.f_slip;
   const double half_width =
@@ -78,8 +66,8 @@ std::optional<ImpossibleBlock> spread(Junctions& junctions, const BlockJunctions
   const auto quantiles = unit_quantiles(change.shape, static_cast<std::int64_t>(chosen.size()));
   for (std::size_t n = 0; n < chosen.size(); ++n) {
     const double force = mean + half_width * quantiles[n];
-    junctions.attachment(block.i, chosen[n]) = block.u_x - force / block.k_ij;
-    junctions.repin_time(block.i, chosen[n]) = Junctions::never;
+    junctions.attachment(i, chosen[n]) = state.u_x(i, 0) - force / block.k_ij;
+    junctions.repin_time(i, chosen[n]) = Junctions::never;
   }
   return std::nullopt;
 }
@@ -117,24 +105,8 @@ std::vector<double> friction_forces(const Parameters& p, const State& state) {
 }
 
 std::vector<BlockForces> block_forces(const Parameters& p, const State& state) {
-  const auto springs = static_cast<double>(state.junctions.attachment.cols());
   std::vector<BlockForces> blocks;
-  for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    const BlockJunctions common = block_junctions(p, state, i);
-    BlockForces block;
-    block.x = common.x;
-    block.f_thres = common.f_thres;
-    block.f_slip = common.f_slip;
-    block.slipping = 1.0 - pinned_fraction(state.junctions, i);
-    for (Eigen::Index j = 0; j < state.junctions.attachment.cols(); ++j) {
-      block.forces.push_back(common.k_ij * (common.u_x - state.junctions.attachment(i, j)));
-    }
-    block.mean = std::accumulate(block.forces.begin(), block.forces.end(), 0.0) / springs;
-    double squares = 0.0;
-    for (const double f : block.forces) squares += (f - block.mean) * (f - block.mean);
-    block.sigma = std::sqrt(squares / springs);
-    blocks.push_back(std::move(block));
-  }
+  for (Eigen::Index i = 0; i < p.Nx; ++i) blocks.push_back(forces_of(p, state, i));
   return blocks;
 }
 
@@ -153,11 +125,11 @@ std::vector<ImpossibleBlock> change_phi(const Parameters& p, State& state,
   refuse_single_springs(p);
   std::vector<ImpossibleBlock> impossible;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    const BlockJunctions block = block_junctions(p, state, i);
+    const BlockForces block = forces_of(p, state, i);
     if (block.x < change.x_from || block.x > change.x_to) continue;
     if (block.f_thres <= 0.0) {  // not pressed
       impossible.push_back({block.x, 0.0});
-    } else if (const auto stopped = spread(state.junctions, block, change)) {
+    } else if (const auto stopped = spread(state, i, block, change)) {
       impossible.push_back(*stopped);
     }
   }

@@ -11,9 +11,8 @@ constexpr double kFitFrom = 0.2, kFitTo = 0.8;  // of the slow slip
 
 /// First sample at or after t; the number of samples if there is none.
 std::size_t index_at(std::span<const double> time, double t) {
-  std::size_t n = 0;
-  while (n < time.size() && time[n] < t) ++n;
-  return n;
+  const auto found = std::lower_bound(time.begin(), time.end(), t);
+  return static_cast<std::size_t>(found - time.begin());
 }
 
 double speed_after(const SlipHistory& h, std::size_t n) {

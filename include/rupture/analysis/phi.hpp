@@ -19,6 +19,7 @@ std::vector<double> friction_forces(const Parameters& parameters, const State& s
 /// Forces that the junctions of one block carry.
 struct BlockForces {
   double x = 0;                ///< position of the block [m]
+  double k_ij = 0;             ///< stiffness of one junction [N/m]
   double f_thres = 0;          ///< strength of one junction [N]
   double f_slip = 0;           ///< force of one slipping junction [N]
   double mean = 0;             ///< mean force over all junctions [N]

@@ -213,7 +213,7 @@ constinit const Command lineage_command = {
     [](const Parsed& parsed) {
       const po::variables_map& values = parsed.values;
       check_combination(values);
-      const auto path = file_of(parsed);
+      const auto path = single_input(parsed.values, "file", "a file");
       const ContentFile file = read_file(path);
       const Lineage lineage = {path, file.kind, file.checksum, read_provenance(file.content)};
       if (values.count("commands") > 0) {

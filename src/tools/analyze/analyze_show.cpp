@@ -26,7 +26,7 @@ std::string kind_summary(const ContentFile& file) {
 }
 
 int show(const Parsed& parsed) {
-  const auto path = file_of(parsed);
+  const auto path = single_input(parsed.values, "file", "a file");
   const ContentFile file = read_file(path);
   const Parameters parameters = read_parameters(file.content);
   const auto chain = read_provenance(file.content);

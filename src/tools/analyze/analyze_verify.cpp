@@ -210,7 +210,7 @@ constinit const Command checksum_command = {
                             "it with one noted before schema 3");
     }},
     [](const Parsed& parsed) {
-      const ContentFile file = verify_file(file_of(parsed));
+      const ContentFile file = verify_file(single_input(parsed.values, "file", "a file"));
       const bool as_schema_2 = parsed.values.count("as-schema-2") > 0;
       say("{}\n", as_schema_2 ? content_checksum(file.content, 2) : file.checksum);
       return int{kDone};

@@ -47,8 +47,7 @@ bool begins_with_trigger(const Record& record) {
 
 ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) {
   const auto numbers = numbers_in_window(command, bursts);
-  ChosenEvent event = {{}, command.from, command.to, 0, numbers.size()};
-  if (numbers.empty()) return event;
+  if (numbers.empty()) return {{}, command.from, command.to};
   const bool is_trigger = numbers.front() == 0 && begins_with_trigger(command.record);
   if (numbers.size() > 1 && !is_trigger) {
     throw Failure(
@@ -56,20 +55,16 @@ ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) 
                     "first-spanning, or with --from and --to",
                     numbers.size(), list_of(bursts, numbers)));
   }
-  event.number = numbers.front();
-  event.ruptures = bursts[event.number];
-  return event;
+  return {bursts[numbers.front()], command.from, command.to, numbers.size()};
 }
 
-ChosenEvent event_number(const Bursts& bursts, std::size_t number) {
-  const auto burst = bursts[number];
-  return {burst, burst.front().time, burst.back().time, number, 1};
+ChosenEvent whole_event(std::span<const Rupture> burst) {
+  return {burst, burst.front().time, burst.back().time};
 }
 
 ChosenEvent first_spanning(const RecordCommand& command, const Bursts& bursts) {
-  for (std::size_t n = 0; n < bursts.size(); ++n) {
-    const ChosenEvent event = event_number(bursts, n);
-    if (spans(front_of(command, event).type)) return event;
+  for (const auto burst : bursts) {
+    if (spans(front_of(command, whole_event(burst)).type)) return whole_event(burst);
   }
   throw Failure(fmt::format(
       "none of the {} events in this record spans the interface: give --event N (analyze events "
@@ -77,25 +72,20 @@ ChosenEvent first_spanning(const RecordCommand& command, const Bursts& bursts) {
       bursts.size()));
 }
 
-std::size_t number_of(const std::string& text) {
+ChosenEvent event_number(const Bursts& bursts, const std::string& text) {
   std::size_t number = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error == std::errc() && rest == end) return number;
-  throw UsageError(fmt::format(
-      "--event needs an event number (see analyze events) or first-spanning (got {})", text));
-}
-
-ChosenEvent named_event(const RecordCommand& command, const Bursts& bursts,
-                        const std::string& name) {
-  if (name == "first-spanning") return first_spanning(command, bursts);
-  const std::size_t number = number_of(name);
-  if (number < bursts.size()) return event_number(bursts, number);
+  if (error != std::errc() || rest != end) {
+    throw UsageError(fmt::format(
+        "--event needs an event number (see analyze events) or first-spanning (got {})", text));
+  }
+  if (number < bursts.size()) return whole_event(bursts[number]);
   const std::string known =
       bursts.empty() ? "nothing ruptured in this record"
                      : fmt::format("this record has events 0 to {} (analyze events lists them)",
                                    bursts.size() - 1);
-  throw UsageError(fmt::format("there is no event {}: {}", name, known));
+  throw UsageError(fmt::format("there is no event {}: {}", text, known));
 }
 
 /// Only a stencil that was asked for has to fit: a short interface has no speeds by default.
@@ -149,7 +139,8 @@ ChosenEvent choose_event(const RecordCommand& command) {
   const auto& values = command.values;
   const Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
   if (values.count("event") == 0) return event_in_window(command, bursts);
-  return named_event(command, bursts, values["event"].as<std::string>());
+  const auto& name = values["event"].as<std::string>();
+  return name == "first-spanning" ? first_spanning(command, bursts) : event_number(bursts, name);
 }
 
 void add_criteria_options(po::options_description& options) {
@@ -228,8 +219,8 @@ std::string front_text(const Front& front, double c_s, const ChosenEvent& event)
   }
   const std::string others =
       event.in_window > 1
-          ? fmt::format("; event {} of {}, started by the trigger (see analyze events)",
-                        event.number, event.in_window)
+          ? fmt::format("; event 0 of {}, started by the trigger (see analyze events)",
+                        event.in_window)
           : "";
   return fmt::format("{} front; {}{}\n", kind_name(front), slow_text(front, c_s), others);
 }

@@ -23,8 +23,8 @@ double quiet_time(const RecordCommand& command);
 struct ChosenEvent {
   std::span<const Rupture> ruptures;  ///< empty if nothing ruptured
   double from = 0, to = 0;            ///< those at other times do not count [s]
-  std::size_t number = 0;             ///< as analyze events counts, from 0
-  std::size_t in_window = 0;          ///< events between --from and --to, or in the whole record
+  std::size_t in_window = 1;  ///< events between --from and --to, or in the whole record; the first
+                              ///< is chosen
 };
 
 /// The event that --event names, or the only one between --from and --to. Of a prepared interface,

@@ -57,8 +57,4 @@ std::vector<std::string> files_of(const Parsed& parsed) {
   return files;
 }
 
-std::string file_of(const Parsed& parsed) {
-  return single_input(parsed.values, "file", "a file");
-}
-
 }  // namespace rupture::tools

@@ -32,7 +32,4 @@ Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted = "a ch
 /// All files that were named.
 std::vector<std::string> files_of(const Parsed& parsed);
 
-/// The one file that was named. Throws UsageError if there is none or more.
-std::string file_of(const Parsed& parsed);
-
 }  // namespace rupture::tools
