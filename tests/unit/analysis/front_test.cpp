@@ -136,20 +136,15 @@ TEST(Front, that_arrests_in_its_slow_stretch_has_no_speed_after_it) {
   EXPECT_FALSE(front.slow->fast_after);
 }
 
-TEST(Front, is_not_slow_for_what_happens_in_the_loading_zone) {
-  const Front front = measure(slow_between(0, 5));  // seen by stencils up to block 6, 15 mm
-  EXPECT_EQ(front.type, FrontType::fast);
-  FrontCriteria criteria;
-  criteria.skip_below_x = 0.005;
-  EXPECT_EQ(measure(slow_between(0, 5), criteria).type, FrontType::slow);
-}
-
-TEST(Front, is_slow_by_the_criterion_given) {
-  FrontCriteria criteria;
-  criteria.slow_below = 0.5 * kSlow / shear_wave_speed(Parameters{});
-  EXPECT_EQ(measure(slow_between(20, 35), criteria).type, FrontType::fast);
-  criteria.slow_below = 2.0 * kFast / shear_wave_speed(Parameters{});
-  EXPECT_EQ(measure(line_of([](std::size_t) { return kFast; }), criteria).type, FrontType::slow);
+TEST(Front, is_slow_by_the_criteria_given) {
+  const double c_s = shear_wave_speed(Parameters{});
+  const RuptureLine fast = line_of([](std::size_t) { return kFast; });
+  const RuptureLine at_first = slow_between(0, 5);  // seen by stencils up to block 6, 15 mm
+  EXPECT_EQ(measure(at_first).type, FrontType::fast) << "in the loading zone";
+  EXPECT_EQ(measure(at_first, {.skip_below_x = 0.005}).type, FrontType::slow);
+  const FrontCriteria lower = {.slow_below = 0.5 * kSlow / c_s};
+  EXPECT_EQ(measure(slow_between(20, 35), lower).type, FrontType::fast);
+  EXPECT_EQ(measure(fast, {.slow_below = 2.0 * kFast / c_s}).type, FrontType::slow);
 }
 
 TEST(Front, tells_of_the_slow_stretch_that_lasted_longest) {

@@ -60,9 +60,7 @@ TEST(Relaxation, at_reference_parameters_slips_by_8_5) {
   // claim SI: 8.5 +- 0.4, in about 2 <t_R>
   const auto ensemble = relax_ensemble(Parameters{}, 1000);
   ASSERT_TRUE(ensemble);
-  EXPECT_NEAR(ensemble->net_slip.value, 8.5, 0.4);
   EXPECT_NEAR(ensemble->net_slip.deviation, 0.0, 1e-12) << "it does not depend on the order";
-  EXPECT_NEAR(ensemble->duration.value, 2.0, 0.4);
   // an independent script, 1000 relaxations: 8.7372, 8.0747 and 7.943, 1.754 and 5.739
   EXPECT_NEAR(ensemble->net_slip.value, 8.737151596704, 1e-9);
   EXPECT_NEAR(ensemble->slip_after_two.value, 8.0747, 0.01);
