@@ -16,9 +16,8 @@ import numpy as np
 
 from rupture import tables
 from rupture.elasticity import POISSON
-from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, mapped
+from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, datasets, joined, mapped
 from rupture.errors import Failure, NoSuchName
-from rupture.pieces import datasets, joined
 from rupture.tables import text
 
 Ruptures = namedtuple("Ruptures", "time step block x")

@@ -119,11 +119,10 @@ def advise(differences, wanted, work, tools):
     """Files can be compared where those with the golden checksums are still there."""
     print(f"The files of this run are in {work}/found.")
     commands = []
-    for what, name in differences:
+    for name in (name for what, name in differences if what == "differs"):
         files = work / "equal" / name, work / "found" / name
-        if what == "differs" and files[0].exists():
-            if checksum_of(files[0], tools) == wanted[name]:
-                commands.append("  " + shlex.join(map(str, (tools / "analyze", "diff", *files))))
+        if files[0].exists() and checksum_of(files[0], tools) == wanted[name]:
+            commands.append("  " + shlex.join(map(str, (tools / "analyze", "diff", *files))))
     if commands:
         print("To see what differs:", *commands, sep="\n")
     else:

@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "cli/report.hpp"
+#include "cli/text.hpp"
+#include "run/output.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/user_text.hpp"
 
@@ -35,10 +37,12 @@ std::string help() {
   return text;
 }
 
-[[noreturn]] void answer(const Command& command, const char* question) {
-  const std::array<const char*, 2> asked = {"analyze", question};
-  parse(command, asked.size(), asked.data());
+/// The text of its --help or --describe.
+std::string answer(const Command& command, const char* question) try {
+  parse(command, 2, std::array<const char*, 2>{"analyze", question}.data());
   throw std::logic_error(fmt::format("{} does not answer {}", command.name(), question));
+} catch (const HelpRequested& said) {
+  return said.text;
 }
 
 std::string describe() {
@@ -48,11 +52,7 @@ std::string describe() {
                {"purpose", kPurpose},
                {"commands", Json::array()}};
   for (const Command* command : commands()) {
-    try {
-      answer(*command, "--describe");
-    } catch (const HelpRequested& said) {
-      json["commands"].push_back(Json::parse(said.text));
-    }
+    json["commands"].push_back(Json::parse(answer(*command, "--describe")));
   }
   return json_text(json) + "\n";
 }
@@ -75,12 +75,12 @@ bool asks_for_help(std::string_view word) {
 }
 
 /// analyze help [COMMAND]
-[[noreturn]] void answer_help(const std::vector<std::string>& words) {
+std::string help_for(const std::vector<std::string>& words) {
   if (words.size() > 1) {
     throw UsageError(fmt::format("unexpected word '{}': help takes one command", words[1]));
   }
-  if (words.empty() || asks_for_help(words.front())) throw HelpRequested{help()};
-  answer(find(words.front()), "--help");
+  if (words.empty() || asks_for_help(words.front())) return help();
+  return answer(find(words.front()), "--help");
 }
 
 int run(int argc, char** argv) {
@@ -90,7 +90,7 @@ int run(int argc, char** argv) {
         fmt::format("no command was given: choose one of {} (rupture analyze help describes them)",
                     fmt::join(names_of_commands(), ", ")));
   }
-  if (first == "help") answer_help({argv + 2, argv + argc});
+  if (first == "help") throw HelpRequested{help_for({argv + 2, argv + argc})};
   if (asks_for_help(first)) throw HelpRequested{help()};
   if (first == "--describe") throw HelpRequested{describe()};
   if (first == "--version") throw HelpRequested{version_text("analyze")};
@@ -98,7 +98,65 @@ int run(int argc, char** argv) {
   return command.run(parse(command, argc - 1, argv + 1));
 }
 
+// --- analyze quantities: parameters, and what the commands and the other programs report
+
+const std::vector<const Command*> kWriters = {&load_command,    &restart_command,
+                                              &prepare_command, &modify_phi_command,
+                                              &finish_command,  &seal_command};
+
+std::vector<NamedQuantity> quantities_of(const std::vector<const Command*>& commands) {
+  std::vector<NamedQuantity> all;
+  for (const Command* command : commands) {
+    if (command->quantities == nullptr) continue;
+    const auto reported = named(std::string(word_for(*command)), command->quantities());
+    all.insert(all.end(), reported.begin(), reported.end());
+  }
+  return all;
+}
+
+Json json_of(const std::vector<NamedQuantity>& quantities) {
+  Json list = Json::array();
+  for (const NamedQuantity& quantity : quantities) {
+    list.push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"help", quantity.help}});
+  }
+  return list;
+}
+
+void print_lines(const std::vector<NamedQuantity>& quantities) {
+  for (const NamedQuantity& quantity : quantities) {
+    const std::string unit = quantity.unit.empty() ? "" : "[" + quantity.unit + "]";
+    say("  {:<58} {:<6} {}\n", quantity.name, unit, quantity.help);
+  }
+}
+
+void print_text() {
+  say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
+  say("\nQuantities: name (command, then field of its --json; * is an index), unit, "
+      "meaning\n");
+  print_lines(quantities_of(commands()));
+  say("\nSummaries: name (program that writes files, then field of its --json), unit, meaning\n");
+  print_lines(quantities_of(kWriters));
+}
+
 }  // namespace
+
+constinit const Command quantities_command = {
+    "analyze quantities",
+    "",
+    "names and units of all parameters and of all measured quantities",
+    "Lists all parameters, and everything that the commands of analyze and the programs that\n"
+    "write files report with --json.",
+    {add_json_option},
+    [](const Parsed& parsed) {
+      if (parsed.values.count("json") > 0) {
+        say("{}\n", json_text({{"parameters", tools::json_of(parameter_table())},
+                               {"quantities", json_of(quantities_of(commands()))},
+                               {"summaries", json_of(quantities_of(kWriters))}}));
+      } else {
+        print_text();
+      }
+      return int{kDone};
+    }};
 
 const std::vector<const Command*>& commands() {
   static const std::vector<const Command*> all = {
@@ -108,6 +166,17 @@ const std::vector<const Command*>& commands() {
       &checksum_command,  &verify_command,   &diff_command,         &show_command,
       &lineage_command};
   return all;
+}
+
+Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted) {
+  return read_checkpoint(single_input(parsed.values, "checkpoint", wanted));
+}
+
+std::vector<std::string> files_of(const Parsed& parsed) {
+  if (parsed.values.count("file") == 0) return {};
+  auto files = parsed.values["file"].as<std::vector<std::string>>();
+  refuse_empty_names(files);
+  return files;
 }
 
 }  // namespace rupture::tools

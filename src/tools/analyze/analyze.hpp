@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
 
 namespace rupture::tools {
 
@@ -29,5 +30,11 @@ inline int print(const Report& report, const po::variables_map& values) {
 
 /// All of them, in the order of the help.
 const std::vector<const Command*>& commands();
+
+/// Reads the checkpoint that was named. `wanted` stands in the sentence if there is none.
+Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted = "a checkpoint");
+
+/// All files that were named.
+std::vector<std::string> files_of(const Parsed& parsed);
 
 }  // namespace rupture::tools

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "analyze/analyze.hpp"
-#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/analysis/slow_slip.hpp"

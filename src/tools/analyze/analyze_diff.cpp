@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "analyze/analyze.hpp"
-#include "analyze/inputs.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/compare.hpp"

@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "analyze/analyze.hpp"
-#include "analyze/front_report.hpp"
+#include "analyze/records.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/analysis/front.hpp"

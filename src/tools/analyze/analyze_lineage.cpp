@@ -5,7 +5,6 @@
 #include <array>
 
 #include "analyze/analyze.hpp"
-#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analyze/analyze.hpp"
-#include "analyze/inputs.hpp"
+#include "analyze/records.hpp"
 #include "cli/option_values.hpp"
 #include "rupture/analysis/front.hpp"
 #include "rupture/analysis/slip.hpp"

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include "analyze/analyze.hpp"
-#include "analyze/inputs.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"

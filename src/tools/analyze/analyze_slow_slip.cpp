@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "analyze/analyze.hpp"
-#include "analyze/front_report.hpp"
+#include "analyze/records.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/analysis/slip.hpp"
@@ -103,10 +103,10 @@ Quantity extremes(const std::vector<double>& values) {
   return {"speed", "", "", Group{rows}};
 }
 
-Quantity per_block(const SlowSlips& slips) {
+Report report_of(const Front& front, const SlowSlips& slips) {
   const TextColumn times = {13, "{:.7f}"}, fit = {10, "{:.4f}"}, speeds = {12, "{:.4g}"},
                    slip = {14, "{:.4f}", "slip [mm/s]", 1e3};
-  const Quantities rows = {
+  const Quantities per_block = {
       positions(slips.x),
       {"t_from", "s", "start of the fit at each block", slips.t_from, Csv::yes, times},
       {"t_to", "s", "end of the fit at each block", slips.t_to, Csv::yes, times},
@@ -115,26 +115,20 @@ Quantity per_block(const SlowSlips& slips) {
       {"v_c", "m/s", "front speed at each block", slips.v_c, Csv::yes, speeds},
       {"estimate", "m/s", "Eq. S1 at the normal force on each block", slips.estimate, Csv::yes},
   };
-  return {"per_block", "", "", Group{rows}};
-}
-
-Quantities quantities_of(const Front& front, const SlowSlips& slips) {
-  return {
+  const auto front_speed = median_speed(slips.v_c), estimate = average(slips.estimate);
+  const Quantities rows = {
       type_quantity(front),
       slow_quantity(front.slow),
       {"blocks", "1", "blocks whose slow slip was measured", std::ssize(slips.x)},
-      {"front_speed", "m/s", "median front speed at these blocks", median_speed(slips.v_c)},
+      {"front_speed", "m/s", "median front speed at these blocks", front_speed},
       extremes(slips.speed),
-      {"estimate", "m/s", "mean of Eq. S1 at their normal forces", average(slips.estimate)},
-      per_block(slips),
+      {"estimate", "m/s", "mean of Eq. S1 at their normal forces", estimate},
+      {"per_block", "", "", Group{per_block}},
   };
-}
-
-std::string text_of(const SlowSlips& slips) {
-  return fmt::format("{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n",
-                     slips.x.size(), tools::text_of(average(slips.speed), 1e-3),
-                     tools::text_of(average(slips.estimate), 1e-3),
-                     tools::text_of(median_speed(slips.v_c)));
+  return {rows,
+          fmt::format("{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n",
+                      slips.x.size(), tools::text_of(average(slips.speed), 1e-3),
+                      tools::text_of(estimate, 1e-3), tools::text_of(front_speed))};
 }
 
 void add_slow_slip_options(po::options_description& options) {
@@ -167,12 +161,12 @@ constinit const Command slow_slip_command = {
       const SlowSlips slips =
           measure_slow_slips(command.record, front, chosen_blocks(front, parsed.values),
                              slow_slip_criteria(parsed.values));
-      std::string text = text_of(slips);
+      Report report = report_of(front, slips);
       if (front.type == FrontType::none || event.in_window > 1) {
-        text += front_text(front, shear_wave_speed(command.record.parameters), event);
+        report.closing += front_text(front, shear_wave_speed(command.record.parameters), event);
       }
-      return print(quantities_of(front, slips), text, parsed.values);
+      return print(report, parsed.values);
     },
-    [] { return quantities_of(Front{}, SlowSlips{}); }};
+    [] { return report_of({}, {}).rows; }};
 
 }  // namespace rupture::tools

@@ -11,7 +11,6 @@
 #include <system_error>
 
 #include "analyze/analyze.hpp"
-#include "analyze/inputs.hpp"
 #include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checksum.hpp"

@@ -1,14 +1,32 @@
-// Which event of a record a command measures, its front, and the report of that.
+// What commands of records have in common: the window or event that they measure, by which
+// criteria, and the report of its front.
 #pragma once
 
 #include <span>
 #include <string>
 
-#include "analyze/inputs.hpp"
+#include "cli/command_line.hpp"
 #include "rupture/analysis/front.hpp"
+#include "rupture/checkpoint/record.hpp"
 #include "rupture/model/rupture.hpp"
 
 namespace rupture::tools {
+
+/// A record, and how it is to be measured.
+struct RecordCommand {
+  po::variables_map values;
+  Record record;
+  double from = 0, to = 0;  ///< window of time that counts [s]
+};
+
+/// Adds --from and --to.
+void add_window_options(po::options_description& options);
+
+/// Reads the record. The window is the whole record unless --from and --to were given. The record's
+/// ruptures are those that --ruptured-below asks for, if the command has it. Throws UsageError if
+/// the window is empty, beside the record or given with --event, Failure if the record cannot be
+/// read, holds no samples or not these ruptures.
+RecordCommand record_of(const Parsed& parsed);
 
 /// Adds --quiet-time.
 void add_quiet_time_option(po::options_description& options);
