@@ -14,33 +14,33 @@ namespace rupture::tools {
 namespace {
 
 /// Mean and standard deviation over the ensemble.
-Quantities over_ensemble(const std::string& key, const std::string& help,
-                         const std::optional<Mean>& mean) {
-  const auto known = [&](double Mean::*member) {
-    return mean ? std::optional((*mean).*member) : std::nullopt;
-  };
-  return {{key, "1", help + ", mean over the ensemble", known(&Mean::value)},
-          {key + "_deviation", "1", help + ", standard deviation", known(&Mean::deviation)}};
-}
-
 Quantities ensemble_quantities(const std::optional<RelaxationEnsemble>& ensemble) {
   using E = RelaxationEnsemble;
-  const auto mean = [&](Mean E::*member) {
-    return ensemble ? std::optional((*ensemble).*member) : std::nullopt;
+  struct Row {
+    std::string key, help;
+    Mean E::*mean;
   };
-  return join({
-      over_ensemble("net_slip_over_f_slip_per_k_ij",
-                    "slip until no junction slips any more, in f_slip/k_ij", mean(&E::net_slip)),
-      over_ensemble("slip_after_two_t_R_over_f_slip_per_k_ij", "slip after 2 <t_R>, in f_slip/k_ij",
-                    mean(&E::slip_after_two)),
-      over_ensemble("slip_at_return_over_f_slip_per_k_ij",
-                    "slip until each junction has been pinned once, in f_slip/k_ij",
-                    mean(&E::slip_at_return)),
-      over_ensemble("duration_over_t_R", "time until each junction has been pinned once, in <t_R>",
-                    mean(&E::duration)),
-      over_ensemble("quiet_after_over_t_R", "time until no junction slips any more, in <t_R>",
-                    mean(&E::quiet_time)),
-  });
+  const std::vector<Row> table = {
+      {"net_slip_over_f_slip_per_k_ij", "slip until no junction slips any more, in f_slip/k_ij",
+       &E::net_slip},
+      {"slip_after_two_t_R_over_f_slip_per_k_ij", "slip after 2 <t_R>, in f_slip/k_ij",
+       &E::slip_after_two},
+      {"slip_at_return_over_f_slip_per_k_ij",
+       "slip until each junction has been pinned once, in f_slip/k_ij", &E::slip_at_return},
+      {"duration_over_t_R", "time until each junction has been pinned once, in <t_R>",
+       &E::duration},
+      {"quiet_after_over_t_R", "time until no junction slips any more, in <t_R>", &E::quiet_time},
+  };
+  Quantities rows;
+  for (const Row& row : table) {
+    const auto known = [&](double Mean::*member) {
+      return ensemble ? std::optional((*ensemble).*row.mean.*member) : std::nullopt;
+    };
+    rows.push_back({row.key, "1", row.help + ", mean over the ensemble", known(&Mean::value)});
+    rows.push_back(
+        {row.key + "_deviation", "1", row.help + ", standard deviation", known(&Mean::deviation)});
+  }
+  return rows;
 }
 
 Quantity course_of(const std::optional<Relaxation>& relaxation) {

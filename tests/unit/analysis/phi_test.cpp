@@ -86,14 +86,13 @@ class Interface : public ::testing::Test {
     const auto blocks = block_forces(p_, state_);
     testing::Noise noise(0.25);
     for (Eigen::Index i = 0; i < p_.Nx; ++i) {
+      const BlockForces& block = blocks[static_cast<std::size_t>(i)];
       for (Eigen::Index j = 0; j < p_.N_s; ++j) {
-        const double f = (0.5 + noise()) * blocks[static_cast<std::size_t>(i)].f_thres;
-        state_.junctions.attachment(i, j) = state_.u_x(i, 0) - f / stiffness(i);
-        if (j % 10 == 0) {
-          state_.junctions.repin_time(i, j) = 1e-3;
-          const double f_slip = blocks[static_cast<std::size_t>(i)].f_slip;
-          state_.junctions.attachment(i, j) = state_.u_x(i, 0) - f_slip / stiffness(i);
-        }
+        const double pinned = (0.5 + noise()) * block.f_thres;
+        const bool slips = j % 10 == 0;
+        state_.junctions.attachment(i, j) =
+            state_.u_x(i, 0) - (slips ? block.f_slip : pinned) / stiffness(i);
+        if (slips) state_.junctions.repin_time(i, j) = 1e-3;
       }
     }
     before_ = state_;
