@@ -5,6 +5,7 @@ import hashlib
 import io
 import mmap
 import os
+import re
 import stat
 from collections import defaultdict
 from contextlib import contextmanager
@@ -89,9 +90,8 @@ def check_seal(data, path):
 
 def stated_size(header):
     """What the header says [bytes]; 0 if it says nothing."""
-    lines = bytes(header).split(b"\n")
-    words = lines[1].split() if len(lines) > 1 else []
-    return int(words[1]) if len(words) == 2 and words[1].isdigit() else 0
+    found = re.match(rb".*\nbytes (\d+)\n", header)
+    return int(found[1]) if found else 0
 
 
 def pieces(data):
@@ -107,14 +107,9 @@ def pieces(data):
 
 def datasets(group):
     """All datasets in a file or group, by path."""
-    found = {}
-
-    def keep(path, item):
-        if isinstance(item, h5py.Dataset):
-            found[path] = item
-
-    group.visititems(keep)
-    return found
+    items: dict = {}
+    group.visititems(items.__setitem__)
+    return {path: item for path, item in items.items() if isinstance(item, h5py.Dataset)}
 
 
 def joined(data):

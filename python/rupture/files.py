@@ -257,13 +257,6 @@ class Record(File):
         return self["pinned"] / self.springs_per_block
 
 
-def opened(path):
-    try:
-        return h5py.File(path, "r")
-    except OSError as error:
-        raise Failure(f"cannot read {path}: {error}") from None
-
-
 def open_file(path):
     """A `Checkpoint` or a `Record`, after a check of the SHA-256 over its bytes. A `.part` is read
     as far as it is written now, and stays as it was when the file grows: open it again.
@@ -275,4 +268,8 @@ def open_file(path):
         kind = check_seal(data, path)
         if kind == PART:
             return Record(path, joined(data))
-    return (Checkpoint if kind == CHECKPOINT else Record)(path, opened(path))
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        raise Failure(f"cannot read {path}: {error}") from None
+    return (Checkpoint if kind == CHECKPOINT else Record)(path, file)

@@ -106,9 +106,7 @@ std::vector<BlockStrength> block_strengths(const Parameters& p, const State& sta
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const auto junctions =
         junction_forces(state.junctions, static_cast<Eigen::Index>(i), forces[i]);
-    BlockStrength block{forces[i].x,        normal[i],    largest_friction(junctions),
-                        forces[i].slipping, std::nullopt, std::nullopt,
-                        std::nullopt};
+    BlockStrength block = {forces[i].x, normal[i], largest_friction(junctions), forces[i].slipping};
     const double tau_slip = p.mu_d * block.p, range = (p.mu_s - p.mu_d) * block.p;
     if (range > 0.0) {
       block.sigma_bar = forces[i].sigma_bar();

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import rupture
 from commands import refuses
@@ -16,8 +17,6 @@ from rupture.tools.movie import SLOWEST, chosen_samples, values_of
 
 
 def test_writes_as_many_frames_as_asked_for(small):
-    from PIL import Image
-
     draws("movie", "small-record.h5", "-o", "x.gif", "--frames", 3)
     with Image.open("x.gif") as film:
         assert film.n_frames == 3

@@ -15,8 +15,6 @@ from rupture.replacing import rename_to_new, replacing
 from rupture.tools.command_line import CLEAR
 from rupture.tools.output import progress
 
-programs = pytest.mark.parametrize("name", ["map", "movie", "watch", "xdmf"])
-
 
 @pytest.fixture
 def without_h5py(folder):
@@ -25,7 +23,7 @@ def without_h5py(folder):
     return os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), os.environ["PYTHONPATH"]])}
 
 
-@programs
+@pytest.mark.parametrize("name", ["map", "movie", "watch", "xdmf"])
 def test_packages_that_are_missing_are_named(without_h5py, name):
     sentence = "h5py is not installed; install it, on Debian with apt-get install python3-h5py"
     refuses(f"{name} --help", 1, sentence, env=without_h5py)

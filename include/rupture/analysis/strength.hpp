@@ -47,13 +47,13 @@ double largest_friction(const JunctionForces& forces);
 /// One interface block of a checkpoint. Without contact (or if mu_s = mu_d) the barred quantities
 /// have no value.
 struct BlockStrength {
-  double x = 0;                      ///< position of the block [m]
-  double p = 0;                      ///< normal force [N]
-  double tau_max = 0;                ///< largest friction force [N]
-  double slipping = 0;               ///< fraction of junctions that are slipping
-  std::optional<double> sigma_bar;   ///< sigma / (f_thres - f_slip), over all junctions
-  std::optional<double> tau_bar_0;   ///< (tau/p - mu_d) / (mu_s - mu_d), now
-  std::optional<double> mu_bar_eff;  ///< (tau_max/p - mu_d) / (mu_s - mu_d)
+  double x = 0;                           ///< position of the block [m]
+  double p = 0;                           ///< normal force [N]
+  double tau_max = 0;                     ///< largest friction force [N]
+  double slipping = 0;                    ///< fraction of junctions that are slipping
+  std::optional<double> sigma_bar = {};   ///< sigma / (f_thres - f_slip), over all junctions
+  std::optional<double> tau_bar_0 = {};   ///< (tau/p - mu_d) / (mu_s - mu_d), now
+  std::optional<double> mu_bar_eff = {};  ///< (tau_max/p - mu_d) / (mu_s - mu_d)
 };
 
 /// All interface blocks, from the driven side, with the forces that their junctions carry.

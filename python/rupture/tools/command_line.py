@@ -115,13 +115,6 @@ class Parser(argparse.ArgumentParser):
         read = partial(seconds, least=least, most=most)
         self.add_argument(name, type=read, kind="number", unit="s", metavar="T", help=text, **more)
 
-    def add_common(self):
-        add = partial(self.add_argument, action=Answer, nargs=0)
-        add("-h", "--help", const=help_text, help="show this help and exit")
-        text = "print name, options and input as one JSON object and exit"
-        add("--describe", const=Parser.describe, help=text)
-        add("--version", const=version_text, help="show version and exit")
-
     def add_output(self, text):
         kind = "output file"
         self.add_argument("-o", "--output", kind=kind, metavar="FILE", required=True, help=text)
@@ -129,6 +122,15 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message):
         raise UsageError(message)
+
+    def parse(self):
+        """What was given, of the options that were added and those that all programs have."""
+        add = partial(self.add_argument, action=Answer, nargs=0)
+        add("-h", "--help", const=help_text, help="show this help and exit")
+        text = "print name, options and input as one JSON object and exit"
+        add("--describe", const=Parser.describe, help=text)
+        add("--version", const=version_text, help="show version and exit")
+        return self.parse_args()
 
     def parse_known_args(self, args=None, namespace=None):
         """Of several mistakes, an option with a wrong name is told first."""

@@ -18,7 +18,7 @@ SKIPPED = 77
 LINE = re.compile(r"(?:content-sha256 +)?([0-9a-f]{64}) +(.*\.h5)")  # without the word in old files
 
 
-def parser():
+def parse_options():
     made = Parser(
         "golden",
         "check|regenerate [options] GOLDEN PIPELINE [ARGUMENT...]",
@@ -38,11 +38,10 @@ def parser():
         " last run that did not in FOLDER/found (default: <name of GOLDEN>.files)"
     )
     made.add_argument("--work", metavar="FOLDER", help=text)
-    made.add_common()
     made.add_argument("golden", metavar="GOLDEN", type=Path)
     made.add_argument("program", metavar="PIPELINE")
     made.add_argument("arguments", metavar="ARGUMENT", nargs="...")
-    return made
+    return made.parse()
 
 
 def regenerate_command():
@@ -170,7 +169,7 @@ def regenerate(golden, before, found, work):
 
 
 def run():
-    options = parser().parse_args()
+    options = parse_options()
     tools = Path(options.tools or os.path.dirname(sys.argv[0])).resolve()
     if not os.access(tools / "analyze", os.X_OK):
         raise Failure(f"no rupture tools in {tools}: give their folder with --tools")

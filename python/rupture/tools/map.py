@@ -17,7 +17,7 @@ LINE = 0.026  # height of an event's number, of that of the panel
 LEGEND = "White line: 30 % of the junctions are pinned. Marks at the right: an event begins."
 
 
-def parser():
+def parse_options():
     made = Parser(
         "map",
         "RECORD -o FILE",
@@ -29,8 +29,7 @@ def parser():
     made.add_argument("record", metavar="RECORD")
     made.add_output("picture to write: .png, .pdf or .svg")
     add_window(made)
-    made.add_common()
-    return made
+    return made.parse()
 
 
 def slip_speed(record, rows):
@@ -134,7 +133,7 @@ def figure_of(record, path, events, window):
 
 
 def run():
-    options = parser().parse_args()
+    options = parse_options()
     check_output(options.output, options.force, (".png", ".pdf", ".svg"), [options.record])
     record = open_record(options.record)
     events = analyze("events", options.record)["events"]

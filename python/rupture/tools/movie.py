@@ -27,7 +27,7 @@ DPI = 120
 SLOWEST = 0.1  # the speed at which axes and colours begin [mm/s]
 
 
-def parser():
+def parse_options():
     made = Parser(
         "movie",
         "RECORD -o FILE",
@@ -45,8 +45,7 @@ def parser():
     more = {"kind": "integer", "unit": "1", "metavar": "N", "help": text}
     made.add_argument("--frames", type=number, default=FRAMES, **more)
     add_window(made)
-    made.add_common()
-    return made
+    return made.parse()
 
 
 def writer_of(path):
@@ -174,7 +173,7 @@ def draw_frames(record, window, options, path):
 
 
 def run():
-    options = parser().parse_args()
+    options = parse_options()
     check_output(options.output, options.force, ENDINGS, [options.record])
     writer_of(options.output)
     record = open_record(options.record)

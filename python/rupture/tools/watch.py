@@ -21,7 +21,7 @@ MOMENT = 0.3  # [s]
 FLOCK = "hhqqi0q"  # struct flock: l_type, l_whence, l_start, l_len, l_pid
 
 
-def parser():
+def parse_options():
     made = Parser(
         "watch",
         "RECORD.part",
@@ -33,8 +33,7 @@ def parser():
     made.add_argument("record", metavar="RECORD.part")
     made.add_time("--every", "time between updates", least=0.01, most=86400, default=1.0)
     made.add_argument("--text", action="store_true", help="text, even if there is a display")
-    made.add_common()
-    return made
+    return made.parse()
 
 
 def current(path):
@@ -145,7 +144,7 @@ def view(options):
 
 
 def run():
-    options = parser().parse_args()
+    options = parse_options()
     record, shown = latest(options.record), view(options)
     while True:
         shown.draw(record)

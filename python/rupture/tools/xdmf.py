@@ -19,7 +19,7 @@ STATE = ("u_x", "u_z", "v_x", "v_z")
 INTERFACE = ("tau", "p", "pinned_fraction")
 
 
-def parser():
+def parse_options():
     made = Parser(
         "xdmf",
         "CHECKPOINT... -o FILE.xdmf",
@@ -32,8 +32,7 @@ def parser():
     )
     made.add_argument("checkpoints", metavar="CHECKPOINT", nargs="+")
     made.add_output("file to write: .xdmf")
-    made.add_common()
-    return made
+    return made.parse()
 
 
 def open_checkpoint(path):
@@ -140,7 +139,7 @@ def write_all(checkpoints, output, derived, force):
 
 
 def run():
-    options = parser().parse_args()
+    options = parse_options()
     check_output(options.output, options.force, (".xdmf", ".xmf"), options.checkpoints)
     output = Path(options.output)
     derived = output.with_name(f"{output.stem}-derived.hdf5")

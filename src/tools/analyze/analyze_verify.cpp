@@ -72,9 +72,8 @@ class Account {
 
   /// Throws Failure, with the sentence of the finding if it is the only one, if any was bad.
   void demand_all_good() const {
-    if (bad_.size() == 1) throw Failure(bad_.front());
     if (bad_.empty()) return;
-    throw Failure("not all files are intact: " + summary());
+    throw Failure(bad_.size() == 1 ? bad_.front() : "not all files are intact: " + summary());
   }
 
  private:
