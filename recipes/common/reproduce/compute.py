@@ -8,10 +8,9 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from rupture.errors import Failure, UsageError
+from rupture.errors import Failure
 from runs.fingerprint import fingerprint_of_programs
 from runs.written import note
-from sweeps.sweep import SweepError
 from reproduce.project import LOGS, PROGRAMS, ROOT, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 
@@ -148,21 +147,21 @@ def write_crate(processes):
 
 def run_sweep(request, processes):
     """The table is written even if points could not be computed: it says which, and why."""
-    from sweeps import plan, report
+    from sweeps import plan, points, report
 
     place = prepare(request, processes)
     tools = request.programs or PROGRAMS
-    try:
-        path = plan.plan_sweep(request.file, tools, RESULTS)
-    except SweepError as error:
-        raise UsageError(error) from None
+    os.environ["RUPTURE_BIN"] = os.path.abspath(tools)
+    sweep = plan.plan_sweep(request.file, RESULTS)
     code = fingerprint_of_programs(request.programs)
+    store = points.PointStore(RESULTS / "data/points", code)
     if request.dry_run:
-        report.preview(path, tools, RESULTS, code)
+        report.preview(sweep, store, tools)
         return 0
     started = time.time()
-    run_pipeline(processes, ["sweep"], options_of_snakemake(request, place, sweep=path, code=code))
-    return report.report_sweep(path, RESULTS, code, started)
+    options = options_of_snakemake(request, place, sweep=sweep.files[0], code=code)
+    run_pipeline(processes, ["sweep"], options)
+    return report.report_sweep(sweep, store, started)
 
 
 def write_report_if_needed(processes):

@@ -4,14 +4,15 @@ import json
 import math
 import re
 import shlex
-import subprocess
 from collections import Counter
+from contextlib import suppress
 from functools import cache
-from pathlib import Path
 
+from rupture.errors import UsageError
+from rupture.programs import output_of
 from runs.fingerprint import PROGRAMS
-from sweeps.sweep import SweepError, names_of_values, options, suggestion
-from sweeps.values import number_in
+from sweeps.sweep import names_of_values, options, suggestion
+from sweeps.values import in_si
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table
@@ -27,28 +28,22 @@ REFUSED = {
 
 
 class Programs:
-    """Those in a folder, and the units of the names that they know."""
+    """What they say of themselves."""
 
-    def __init__(self, folder):
-        self.folder = Path(folder)
+    def __init__(self):
         listed = self.answer("analyze", "quantities", "--json")
         self.parameters = {row["name"]: row["unit"] for row in listed["parameters"]}
         self.quantities = {row["name"]: row["unit"] for row in listed["quantities"]}
 
     @cache
-    def answer(self, tool, *words):
-        done = subprocess.run(
-            [self.folder / tool, *words], capture_output=True, text=True, check=False
-        )
-        if done.returncode:
-            raise SweepError(done.stderr.strip() or f"{tool} ended with {done.returncode}")
-        return json.loads(done.stdout)
+    def answer(self, *command):
+        return json.loads(output_of(*command))
 
     def described(self, line):
         """What the program of this command says of itself. It refuses wrong options then, too."""
         tool, *words = words_in(line)
         if tool not in PROGRAMS:
-            raise SweepError(f"there is no program '{tool}'{suggestion(tool, PROGRAMS)}")
+            raise UsageError(f"there is no program '{tool}'{suggestion(tool, PROGRAMS)}")
         return self.answer(tool, *words, "--describe")
 
     def unit_of(self, quantity, of_file):
@@ -59,8 +54,8 @@ class Programs:
         if pattern in self.quantities and not (is_list and of_file):
             return self.quantities[pattern]
         if is_list:
-            raise SweepError(f"'{quantity}' is a list: name one of its elements, as {quantity}.0")
-        raise SweepError(
+            raise UsageError(f"'{quantity}' is a list: name one of its elements, as {quantity}.0")
+        raise UsageError(
             f"analyze reports no '{quantity}'{suggestion(pattern, self.quantities)}"
             " (`analyze quantities` lists what there is)"
         )
@@ -73,7 +68,7 @@ def words_in(line):
     try:
         return shlex.split(line)
     except ValueError as error:
-        raise SweepError(f"'{line}' cannot be split into words ({error})") from None
+        raise UsageError(f"'{line}' cannot be split into words ({error})") from None
 
 
 def options_in(line):
@@ -90,35 +85,38 @@ def settings_in(line):
 
 def check_command(name, line, programs):
     if name in KEYS_OF_A_POINT:
-        raise SweepError(f"a command cannot be called '{name}'; take another name")
+        raise UsageError(f"a command cannot be called '{name}'; take another name")
     given = options_in(line)
     for option in given:
         if option in REFUSED:
             dashes = "-" if len(option) == 1 else "--"
-            raise SweepError(f"'{line}' must not have {dashes}{option}: {REFUSED[option]}")
+            raise UsageError(f"'{line}' must not have {dashes}{option}: {REFUSED[option]}")
     program = programs.described(line)
     long_names = {option["short"]: option["name"] for option in program["options"]}
     for group in program["one_needed"]:
         if not {long_names.get(name, name) for name in given}.intersection(group):
             needed = " or ".join(f"--{name}" for name in group)
-            raise SweepError(f"{program['name']} needs {needed}, which '{line}' does not have")
+            raise UsageError(f"{program['name']} needs {needed}, which '{line}' does not have")
     for name, times in Counter(settings_in(line)).items():
         if times > 1:
-            raise SweepError(f"'{line}' sets {name} twice; remove it from [values] or [commands]")
+            raise UsageError(f"'{line}' sets {name} twice; remove it from [values] or [commands]")
 
 
 # --- values -----------------------------------------------------------------------------------
 
 
 def check_value(name, text, option):
-    unit = option["unit"]
-    number = number_in(text, unit) if unit else None
-    if unit and (number is None or not math.isfinite(number)):
-        kind = "number" if unit == "1" else f"number in {unit}"
-        raise SweepError(f"{name} is a finite {kind}, which '{text}' is not")
+    """The value, as it is compared with others."""
     if text not in option.get("words", [text]):
-        raise SweepError(f"{name} is one of {', '.join(option['words'])}, but not '{text}'")
-    return text if number is None else number
+        raise UsageError(f"{name} is one of {', '.join(option['words'])}, but not '{text}'")
+    if not (unit := option["unit"]):
+        return text
+    with suppress(ValueError):
+        number, own = in_si(text)
+        if own in ("", unit) and math.isfinite(number):
+            return number
+    kind = "number" if unit == "1" else f"number in {unit}"
+    raise UsageError(f"{name} is a finite {kind}, which '{text}' is not")
 
 
 def option_of(name, point, programs):
@@ -126,23 +124,23 @@ def option_of(name, point, programs):
     if name == "variant":
         return {"unit": ""}
     if "." in name and name not in programs.parameters:
-        raise SweepError(f"there is no parameter '{name}'{suggestion(name, programs.parameters)}")
+        raise UsageError(f"there is no parameter '{name}'{suggestion(name, programs.parameters)}")
     lines = [line for line in point.commands.values() if options(point.values) in line]
     if not lines:
-        raise SweepError("no command has {values}")
+        raise UsageError("no command has {values}")
     if "." in name:
         return {"unit": programs.parameters[name]}
     for option in programs.described(lines[0])["options"]:
         if option["name"] == name and option["kind"] in VARIABLE:
             return option
-    raise SweepError(f"the option '{name}' cannot vary")
+    raise UsageError(f"the option '{name}' cannot vary")
 
 
 def check_points(points, programs):
     """{name: unit} of what the points set."""
     described: dict[str, dict] = {}
     if not any(point.values for point in points):
-        raise SweepError("there are no points: [values] or a table says for which values to run")
+        raise UsageError("there are no points: [values] or a table says for which values to run")
     for point in {tuple(point.values): point for point in points}.values():
         for name, line in point.commands.items():
             check_command(name, line, programs)
@@ -154,7 +152,7 @@ def check_points(points, programs):
         for point in points
     }
     if len(settings) < len(points):
-        raise SweepError("a point is there twice; remove the value that is repeated")
+        raise UsageError("a point is there twice; remove the value that is repeated")
     return {name: option["unit"] for name, option in described.items()}
 
 
@@ -167,10 +165,10 @@ def unit_of_column(path, commands, programs):
     if command not in commands:
         like = f"; write one like {command} = analyze {command} record.h5 --json"
         near = suggestion(command, commands) or like
-        raise SweepError(f"'{path}': [commands] has no '{command}'{near}")
+        raise UsageError(f"'{path}': [commands] has no '{command}'{near}")
     words = words_in(commands[command])
     if words[0] != "analyze" or "--json" not in words:
-        raise SweepError(f"'{path}': the command '{command}' is no `analyze ... --json`")
+        raise UsageError(f"'{path}': the command '{command}' is no `analyze ... --json`")
     of_file = any(word.endswith(".h5") for word in words)
     return programs.unit_of(f"{words[1]}.{rest}", of_file)
 
@@ -181,13 +179,13 @@ def check_columns(sweep, programs):
     units: dict[str, str] = {}
     taken = [*STATE, *names_of_values(sweep.points)]
     if not sweep.columns:
-        raise SweepError("it needs a section [quantities], as in type = front.type")
+        raise UsageError("it needs a section [quantities], as in type = front.type")
     for heading, path in sweep.columns.items():
         ((name, _, stated),) = HEADING.findall(heading)
         unit = unit_of_column(path, sweep.points[0].commands, programs)
         if stated not in ("", unit):
-            raise SweepError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
+            raise UsageError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
         if "/" in name or name in ("", ".", *columns, *taken):
-            raise SweepError(f"'{heading}' cannot be the heading of a column; take another one")
+            raise UsageError(f"'{heading}' cannot be the heading of a column; take another one")
         columns[name], units[name] = path, unit
     return columns, units

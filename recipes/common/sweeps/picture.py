@@ -1,7 +1,6 @@
 """The default picture of a user's sweep: every measured quantity against the one or two values that
 vary, each a Column (report.py). Seeds are repetitions: single ones and their median are shown."""
 
-from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -30,64 +29,50 @@ def set_axis(axes, which, axis):
         axes.ticklabel_format(axis=which, style="sci", scilimits=(-3, 5), useMathText=True)
 
 
-def middle(axis, numbers):
-    """Their median; of texts the most frequent one; NaN where there is none."""
-    numbers = numbers[np.isfinite(numbers)]
-    if not len(numbers):
+def middle(column, here):
+    """The median of these points; of texts the most frequent one; NaN where there is none."""
+    found = column.positions[here & np.isfinite(column.positions)]
+    if not len(found):
         return np.nan
-    return Counter(sorted(numbers)).most_common(1)[0][0] if axis.categories else np.median(numbers)
+    return np.bincount(found.astype(int)).argmax() if column.categories else np.median(found)
 
 
 # --- one value varies ----------------------------------------------------------------------
 
 
-def draw_texts(axes, x, y):
-    """The area of a dot is the number of points."""
-    counts = Counter(zip(x.positions, y.positions))
-    for (place, category), count in counts.items():
-        axes.scatter(place, category, s=12 * count, color=LINES[0], linewidth=0)
-
-
-def draw_numbers(axes, x, y):
-    """Single points, and the line of medians."""
-    places = np.unique(x.positions)
-    medians = np.array([middle(y, y.positions[x.positions == place]) for place in places])
-    known = np.isfinite(medians)
-    axes.plot(x.positions, y.positions, "o", color=LINES[0], alpha=0.5, markeredgewidth=0)
-    axes.plot(places[known], medians[known], color=LINES[0])
-
-
-def mark(axes, places, marker, colour):
-    """At the bottom, below all dots."""
-    axes.margins(y=0.12)
-    bottom = np.full(len(places), 0.04)
-    axes.plot(places, bottom, marker, color=colour, transform=axes.get_xaxis_transform())
-
-
 def draw_line(axes, x, y, done):
+    """Single points and the line of their medians, or dots for texts, whose area is the number of
+    points. At the bottom, below all dots, are points that are not done, or have no value."""
     if y.categories:
-        draw_texts(axes, x, y)
+        places, counts = np.unique([x.positions, y.positions], axis=1, return_counts=True)
+        axes.scatter(*places, s=12 * counts, color=LINES[0], linewidth=0)
     else:
-        draw_numbers(axes, x, y)
+        places = np.unique(x.positions)
+        medians = np.array([middle(y, x.positions == place) for place in places])
+        known = np.isfinite(medians)
+        axes.plot(x.positions, y.positions, "o", color=LINES[0], alpha=0.5, markeredgewidth=0)
+        axes.plot(places[known], medians[known], color=LINES[0])
     set_axis(axes, "x", x)
     set_axis(axes, "y", y)
-    if not done.all():
-        mark(axes, np.unique(x.positions[~done]), "x", VERMILION)
-    if (empty := done & np.isnan(y.positions)).any():
-        mark(axes, np.unique(x.positions[empty]), "_", BLACK)
+    without_value = done & np.isnan(y.positions)
+    for marked, marker, colour in ((~done, "x", VERMILION), (without_value, "_", BLACK)):
+        if marked.any():
+            axes.margins(y=0.12)
+            look = {"color": colour, "transform": axes.get_xaxis_transform()}
+            places = np.unique(x.positions[marked])
+            axes.plot(places, np.full(len(places), 0.04), marker, **look)
 
 
 # --- two values vary -----------------------------------------------------------------------
 
 
-def edges(axis, places):
-    """Borders of the cells around these places, halfway between them as the axis shows it."""
-    if axis.categories:
-        return np.arange(len(places) + 1) - 0.5
+def edges(axis):
+    """Borders of the cells around its places, halfway between them as the axis shows it."""
+    places = np.unique(axis.positions)
     shown = np.log(places) if axis.scale == "log" else places
-    inner = (shown[1:] + shown[:-1]) / 2
-    outer = np.concatenate([[2 * shown[0] - inner[0]], inner, [2 * shown[-1] - inner[-1]]])
-    return np.exp(outer) if axis.scale == "log" else outer
+    half = np.diff(shown) / 2
+    borders = np.concatenate([shown[:1] - half[:1], shown[:-1] + half, shown[-1:] + half[-1:]])
+    return np.exp(borders) if axis.scale == "log" else borders
 
 
 def cells(x, y, value_at):
@@ -98,7 +83,7 @@ def cells(x, y, value_at):
     grid = np.full((len(y_places), len(x_places)), np.nan)
     for row, column in {*zip(rows, columns)}:
         grid[row, column] = value_at((rows == row) & (columns == column))
-    return edges(x, x_places), edges(y, y_places), grid
+    return np.ma.masked_invalid(grid)
 
 
 def draw_values(fig, axes, borders, z, grid):
@@ -106,8 +91,7 @@ def draw_values(fig, axes, borders, z, grid):
     if z.categories:
         colours = [COLOURS.get(text, LINES[n % len(LINES)]) for n, text in enumerate(z.categories)]
         look = {"cmap": ListedColormap(colours), "vmin": -0.5, "vmax": len(colours) - 0.5}
-    image = axes.pcolormesh(*borders, np.ma.masked_invalid(grid), **look)
-    scale = fig.colorbar(image, ax=axes)
+    scale = fig.colorbar(axes.pcolormesh(*borders, grid, **look), ax=axes)
     if z.categories:
         scale.ax.minorticks_off()
         scale.set_ticks(range(len(z.categories)), labels=z.categories)
@@ -115,14 +99,14 @@ def draw_values(fig, axes, borders, z, grid):
 
 def draw_map(fig, axes, x, y, z, done):
     """Medians as colours; hatched where no point is done."""
-    *borders, medians = cells(x, y, lambda here: middle(z, z.positions[here]))
-    not_done = cells(x, y, lambda here: np.nan if done[here].any() else 0.0)[2]
-    measured = np.isfinite(medians).any()
-    axes.set_title(plain(z.heading) + ("" if measured else ": no value"))
-    if measured:
+    borders = edges(x), edges(y)
+    medians = cells(x, y, lambda here: middle(z, here))
+    not_done = cells(x, y, lambda here: np.nan if done[here].any() else 0.0)
+    axes.set_title(plain(z.heading) + ("" if medians.count() else ": no value"))
+    if medians.count():
         draw_values(fig, axes, borders, z, medians)
-    if np.isfinite(not_done).any():
-        axes.pcolor(*borders, np.ma.masked_invalid(not_done), **HATCHED)
+    if not_done.count():
+        axes.pcolor(*borders, not_done, **HATCHED)
     empty = done & np.isnan(z.positions)
     axes.plot(x.positions[empty], y.positions[empty], "_", color=BLACK, markersize=6)
     set_axis(axes, "x", x)
@@ -132,39 +116,33 @@ def draw_map(fig, axes, x, y, z, done):
 # --- the picture ---------------------------------------------------------------------------
 
 
-def panels(number):
-    """A figure with so many axes, two beside each other."""
-    beside = min(2, number)
-    below = -(-number // beside)
-    size = (SINGLE if beside == 1 else DOUBLE, PANEL * below)
-    fig, grid = figure(*size, nrows=below, ncols=beside, squeeze=False)
-    for axes in grid.flat[number:]:
-        axes.remove()
-    return fig, grid.flat[:number]
-
-
 def draw_columns(stem, sweep, columns):
     """Writes the picture, or says why there is none."""
     by_name = {column.name: column for column in columns}
-    varied = [name for name in sweep.varied if name not in SEEDS]
+    varied = [by_name[name] for name in sweep.varied if name not in SEEDS]
     if len(varied) not in (1, 2):
         return f"No picture: {len(varied)} values vary; pictures are drawn of one or two."
-    for name in varied:
-        if None in by_name[name].cells:
-            return f"No picture: some points have no {name}."
+    for axis in varied:
+        if None in axis.cells:
+            return f"No picture: some points have no {axis.name}."
     done = np.array([status == "done" for status in by_name["status"].cells])
-    over = [by_name[name] for name in varied]
     measured = [by_name[name] for name in sweep.columns]
-    fig, all_axes = panels(len(measured))
-    for axes, quantity in zip(all_axes, measured):
+    beside = min(2, len(measured))
+    below = -(-len(measured) // beside)
+    size = (SINGLE if beside == 1 else DOUBLE, PANEL * below)
+    fig, grid = figure(*size, nrows=below, ncols=beside, squeeze=False)
+    for axes in grid.flat[len(measured) :]:
+        axes.remove()
+    for axes, quantity in zip(grid.flat, measured):
         if len(varied) == 1:
-            draw_line(axes, over[0], quantity, done)
+            draw_line(axes, varied[0], quantity, done)
         else:
-            draw_map(fig, axes, over[0], over[1], quantity, done)
+            draw_map(fig, axes, varied[0], varied[1], quantity, done)
+    line, crosses = ("line", "crosses") if len(varied) == 1 else ("colour", "hatched")
     seeds = max(len({*by_name[name].texts}) if name in by_name else 1 for name in SEEDS)
     notes = {
-        f"{'line' if len(varied) == 1 else 'colour'}: median of {seeds} seeds": seeds > 1,
-        f"{'crosses' if len(varied) == 1 else 'hatched'}: not done": not done.all(),
+        f"{line}: median of {seeds} seeds": seeds > 1,
+        f"{crosses}: not done": not done.all(),
         "dashes: no value": any(np.isnan(q.positions[done]).any() for q in measured),
     }
     note = "; ".join(text for text, applies in notes.items() if applies)

@@ -2,20 +2,21 @@
 
 Checks the file and writes RESULTS/sweeps/NAME/NAME.ini, which Snakemake and report.py read. In
 it, all is settled that is not in the file itself: the base is a copy that is named after its
-content, so that the name of a point follows from that; a table of points is a copy, too; every
-column has a unit.
+content, so that the name of a point follows from that; a table of points is a copy, too, so that a
+change that a user makes during a run is for the next one; every column has a unit.
 """
 
 import io
 import os
 import re
-import subprocess
 from pathlib import Path
 
+from rupture.errors import Failure, UsageError
+from rupture.programs import output_of
 from rupture.replacing import replacing
 from runs.written import note
 from sweeps.check import Programs, check_columns, check_points
-from sweeps.sweep import SweepError, check_form, errors_of, parse_ini, sweep_of
+from sweeps.sweep import check_form, errors_of, parse_ini, read_sweep, sweep_of
 
 ENDINGS = (".csv", ".hdf5", ".png", ".pdf")
 
@@ -27,51 +28,26 @@ def write(results, path, content, *others):
         with replacing(path) as part:
             part.write_bytes(content)
     except OSError as error:
-        raise SweepError(f"{path} cannot be written ({error.strerror})") from None
+        raise UsageError(f"{path} cannot be written ({error.strerror})") from None
 
 
-def keep_base(path, tools, results):
+def keep_base(path, results):
     """A copy whose name is that of its content, with its .sum."""
-    done = subprocess.run(
-        [Path(tools) / "analyze", "checksum", path], capture_output=True, text=True, check=False
-    )
-    if done.returncode:
-        said = done.stderr.strip().removeprefix("analyze: ")
-        raise SweepError(f"the base cannot be used: {said}")
+    try:
+        checksum = output_of("analyze", "checksum", path).strip()
+    except Failure as failure:
+        said = str(failure).removeprefix("analyze: ")
+        raise UsageError(f"the base cannot be used: {said}") from None
     content = Path(path).read_bytes()
     if not content.startswith(b"rupture-checkpoint\n"):
-        raise SweepError(f"the base {path} is a record; runs go on from checkpoints")
-    checksum = done.stdout.strip()
-    copy = Path(results) / "data/bases" / f"{checksum[:16]}.h5"
+        raise UsageError(f"the base {path} is a record; runs go on from checkpoints")
+    copy = results / "data/bases" / f"{checksum[:16]}.h5"
     write(results, copy, content)
     write(results, Path(f"{copy}.sum"), f"content-sha256 {checksum}  {copy.name}\n".encode())
-    return str(copy)
-
-
-def make_plan(path, tools, results):
-    """Replaces the former plan once nothing is wrong."""
-    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", path.stem):
-        raise SweepError(
-            "the results get the name of the file: use letters, digits, '.', '_' and '-' for it"
-        )
-    ini = parse_ini(path)
-    check_form(ini)
-    section = ini["sweep"]
-    if "seeds" in section:
-        raise SweepError("'seeds' is for recipes; write seed = 1 to 5 in [values]")
-    if "points" in section and not Path(section["points"]).is_file():
-        raise SweepError(f"there is no table of points {section['points']}")
-    if "base" in section:
-        section["base"] = keep_base(section["base"], tools, results)
-    sweep, programs = sweep_of(ini, path.stem), Programs(tools)
-    units = check_points(sweep.points, programs)
-    ini["quantities"], units_of_columns = check_columns(sweep, programs)
-    ini["units"] = units | units_of_columns
-    return write_plan(ini, Path(results) / "sweeps" / path.stem / f"{path.stem}.ini", results)
+    return copy
 
 
 def write_plan(ini, output, results):
-    """Its own table of points: a change that a user makes during a run is for the next one."""
     section = ini["sweep"]
     if "base" in section:
         section["base"] = os.path.relpath(section["base"], output.parent)
@@ -83,10 +59,34 @@ def write_plan(ini, output, results):
     ini.write(text)
     others = (output.with_name(f"{output.stem}{ending}") for ending in ENDINGS)
     write(results, output, text.getvalue().encode(), *others)
+
+
+def make_plan(path, results):
+    """Its path. Replaces the former plan once nothing is wrong."""
+    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", path.stem):
+        raise UsageError(
+            "the results get the name of the file: use letters, digits, '.', '_' and '-' for it"
+        )
+    ini = parse_ini(path)
+    check_form(ini)
+    section = ini["sweep"]
+    if "seeds" in section:
+        raise UsageError("'seeds' is for recipes; write seed = 1 to 5 in [values]")
+    if "points" in section and not Path(section["points"]).is_file():
+        raise UsageError(f"there is no table of points {section['points']}")
+    if "base" in section:
+        section["base"] = str(keep_base(section["base"], results))
+    sweep = sweep_of(ini, path.stem)
+    programs = Programs()
+    units = check_points(sweep.points, programs)
+    ini["quantities"], units_of_columns = check_columns(sweep, programs)
+    ini["units"] = units | units_of_columns
+    output = results / "sweeps" / path.stem / f"{path.stem}.ini"
+    write_plan(ini, output, results)
     return output
 
 
-def plan_sweep(path, tools, results):
-    """The path of the plan."""
+def plan_sweep(path, results):
+    """The sweep as it is planned. The programs are those of $RUPTURE_BIN."""
     with errors_of(path):
-        return make_plan(path, tools, results)
+        return read_sweep(make_plan(path, results))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Computes some points of a sweep, one after the other:
 
-    points.py FOLDER_OF_TOOLS SWEEP.ini POINTS_FOLDER CODE OUTPUT ID...
+    points.py FOLDER_OF_TOOLS SWEEP.ini SEED POINTS_FOLDER CODE OUTPUT ID...
 
 The commands of a point run in an empty folder, which is deleted at the end. The result has the
 commands, the checksum of every file that they wrote, what those with --json reported, under their
@@ -22,6 +22,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -30,6 +31,7 @@ from sweeps.sweep import read_sweep
 
 USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request cannot be met
 UNFINISHED = "unfinished"
+NOT_REACHED = "it was not reached, or its process was ended"
 INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
 WRITERS = ("load", "modify-phi", "prepare", "restart")
 COMPUTED_BY = Path(__file__).read_text(encoding="utf-8")
@@ -38,16 +40,12 @@ COMPUTED_BY = Path(__file__).read_text(encoding="utf-8")
 # --- computing ---------------------------------------------------------------------------------
 
 
-def arguments_of(command, base):
-    """The base is a path from anywhere. Programs that write files note their checksums, too."""
-    words = [os.path.abspath(word) if word == base else word for word in shlex.split(command)]
-    asks_for_sum = words[0] in WRITERS and "--sum" not in words
-    return [*words, "--sum"] if asks_for_sum else words
-
-
 def run(folder_of_tools, command, base, folder):
-    """The finished command."""
-    tool, *arguments = arguments_of(command, base)
+    """The finished command. Programs that write files note their checksums, too."""
+    tool, *words = shlex.split(command)
+    arguments = [os.path.abspath(word) if word == base else word for word in words]
+    if tool in WRITERS and "--sum" not in words:
+        arguments.append("--sum")
     program = Path(folder_of_tools).resolve() / tool
     done = subprocess.run(
         [program, *arguments], cwd=folder, capture_output=True, text=True, check=False
@@ -58,8 +56,9 @@ def run(folder_of_tools, command, base, folder):
 
 
 def fault(command, done):
-    """The status of a point whose command ended so: the tool says why, or it crashed."""
-    said = done.stderr.strip()
+    """The status of a point whose command ended so: the tool says why, or it crashed. Paths are
+    those of this folder."""
+    said = done.stderr.strip().replace(f"{os.getcwd()}/", "")
     if done.returncode in USER_ERRORS:
         return {"status": "failed", "sentence": said.splitlines()[-1] if said else command}
     sentence = f"'{command}' ended with {done.returncode}{': ' if said else ''}{said}"
@@ -100,9 +99,14 @@ def content_of(base):
     return hashlib.sha256(Path(base).read_bytes()).hexdigest()
 
 
+def digest_of(result):
+    return digest(json.dumps(result))
+
+
 class PointStore:
+    """Results in a folder. `code`: fingerprint of the sources or programs."""
+
     def __init__(self, folder, code):
-        """`code`: fingerprint of the sources or programs."""
         self.folder, self.code = Path(folder), code
 
     def path(self, point):
@@ -111,49 +115,37 @@ class PointStore:
     def origin(self, point):
         return digest(self.code, COMPUTED_BY, content_of(point.base))
 
-    def stored(self, point):
-        """What is there of the point, if it has this origin."""
-        try:
-            stored = json.loads(self.path(point).read_text(encoding="utf-8"))
-            is_current = stored.pop("origin", None) == self.origin(point)
-        except (OSError, ValueError, AttributeError, TypeError):
-            return {}
-        return stored if is_current else {}
-
     def result(self, point):
-        """The result of the point; None if it has to be computed."""
-        stored = self.stored(point)
-        return None if stored.get("status", UNFINISHED) == UNFINISHED else stored
+        """Without its origin. A point that has none of this origin is unfinished, too."""
+        with suppress(OSError, ValueError, AttributeError, KeyError, TypeError):
+            stored = json.loads(self.path(point).read_text(encoding="utf-8"))
+            if stored.pop("origin") == self.origin(point):
+                return stored
+        return {"status": UNFINISHED, "sentence": NOT_REACHED}
+
+    def unfinished(self, points):
+        return [point for point in points if self.result(point)["status"] == UNFINISHED]
 
     def save(self, point, result):
-        content = json.dumps({**result, "origin": self.origin(point)}) + "\n"
-        write_whole(self.path(point), content)
+        write_whole(self.path(point), json.dumps({**result, "origin": self.origin(point)}) + "\n")
 
 
 # --- a batch -----------------------------------------------------------------------------------
 
 
-def result_of(point, store, folder_of_tools):
-    """The stored result, or else the one computed now."""
-    result = store.result(point)
-    if result is None:
-        result = compute(folder_of_tools, point)
-        store.save(point, result)
-    return result
-
-
-def main(folder_of_tools, sweep, points_folder, code, output, *ids):
+def main(folder_of_tools, sweep, seed, points_folder, code, output, *ids):
     for number in INTERRUPTIONS:  # so that the point's folder is deleted
         signal.signal(number, lambda which, _: sys.exit(128 + which))
     store = PointStore(points_folder, code)
-    points = {point.id: point for point in read_sweep(sweep).points}
-    results = {each: result_of(points[each], store, folder_of_tools) for each in ids}
-    crashes = [r["sentence"] for r in results.values() if r["status"] == UNFINISHED]
-    if crashes:
-        sys.exit("\n".join(f"points.py: {sentence}" for sentence in crashes))
+    points = {point.id: point for point in read_sweep(sweep, seed).points}
+    batch = [points[each] for each in ids]
+    for point in store.unfinished(batch):
+        store.save(point, compute(folder_of_tools, point))
+    if crashed := store.unfinished(batch):
+        sys.exit("\n".join(f"points.py: {store.result(point)['sentence']}" for point in crashed))
     with replacing(output) as part, part.open("w", encoding="utf-8") as file:
-        for each, result in results.items():
-            print(digest(json.dumps(result)), each, file=file)
+        for point in batch:
+            print(digest_of(store.result(point)), point.id, file=file)
 
 
 if __name__ == "__main__":

@@ -5,11 +5,11 @@ one or two varied values, NAME.png and NAME.pdf beside the plan. Numbers are wri
 digits; equal tables are equal bytes. A point that is not there is `unfinished`.
 """
 
-import os
 import sys
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -19,13 +19,12 @@ from data.tables import write_table
 from maps.front_map import TYPES
 from sweeps.collect import rows
 from sweeps.picture import draw
-from sweeps.points import UNFINISHED, PointStore
-from sweeps.sweep import names_of_values, read_sweep
+from sweeps.points import UNFINISHED
+from sweeps.sweep import names_of_values
 from sweeps.values import without_unit
 
 SHOWN = 5  # sentences of failed points
 TWO_DECADES = 100
-NOT_REACHED = "it was not reached, or its process was ended"
 
 
 # --- the table ---------------------------------------------------------------------------------
@@ -45,10 +44,6 @@ class Column:
     def texts(self):
         return [text_of(cell) for cell in self.cells]
 
-    @property
-    def numbers(self):
-        return np.array([np.nan if cell is None else float(cell) for cell in self.cells])
-
     @cached_property
     def categories(self):
         """Texts at 0, 1, ... of an axis: those of fronts from arrested to fast, then others in the
@@ -58,9 +53,9 @@ class Column:
 
     @cached_property
     def positions(self):
-        """Of each point along an axis."""
+        """Of each point along an axis: the numbers, or places of categories."""
         if self.unit:
-            return self.numbers
+            return np.array(self.cells, dtype=float)
         places = {text: place for place, text in enumerate(self.categories)}
         return np.array([places.get(text, np.nan) for text in self.texts])
 
@@ -88,57 +83,6 @@ def is_geometric(places):
     return even_logs < min(0.1, even)
 
 
-def write_csv(path, columns):
-    rows = zip(*(column.texts for column in columns))
-    write_table(path, [column.heading for column in columns], rows)
-
-
-def fixed(texts):
-    """UTF-8 of the length of the longest one."""
-    encoded = [text.encode() for text in texts]
-    return np.array(encoded, h5py.string_dtype("utf-8", max([1, *map(len, encoded)])))
-
-
-def set_attribute(item, name, text):
-    item.attrs[name] = fixed([text]).reshape(())
-
-
-def write_hdf5(path, title, columns):
-    with replacing(path) as part, h5py.File(part, "w") as file:
-        set_attribute(file, "title", title)
-        for column in columns:
-            cells = column.numbers if column.unit else fixed(column.texts)
-            dataset = file.create_dataset(column.name, data=cells, track_times=False)
-            set_attribute(dataset, "unit", column.unit or "1")
-
-
-# --- what is said ------------------------------------------------------------------------------
-
-
-def plural(number, noun):
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
-def preview(plan, folder_of_tools, results, code):
-    """`code`: fingerprint of the sources or programs."""
-    sweep, store = read_sweep(plan), PointStore(results / "data/points", code)
-    to_compute = [point for point in sweep.points if store.result(point) is None]
-    done = len(sweep.points) - len(to_compute)
-    count = plural(len(sweep.points), "point")
-    print(f"{sweep.title}: {count}: {done} done, {len(to_compute)} to compute")
-    if to_compute:
-        print("The first of these (its files are deleted afterwards):")
-        for command in to_compute[0].commands.values():
-            print(f"  {folder_of_tools}/{command}")
-
-
-def result_of(point, store):
-    """The result of the point. Paths in a sentence are those of this folder."""
-    sentence = store.stored(point).get("sentence", NOT_REACHED)
-    result = store.result(point) or {"status": UNFINISHED}
-    return result | {"sentence": sentence.replace(f"{os.getcwd()}/", "")}
-
-
 def columns_of(sweep, table):
     """Numbers are in the unit of their column, whatever unit they were written with."""
     values = names_of_values(sweep.points)
@@ -148,8 +92,46 @@ def columns_of(sweep, table):
     return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
 
 
+def write_csv(path, columns):
+    cells = zip(*(column.texts for column in columns))
+    write_table(path, [column.heading for column in columns], cells)
+
+
+def fixed(texts):
+    """UTF-8 of the length of the longest one."""
+    encoded = [text.encode() for text in texts]
+    return np.array(encoded, h5py.string_dtype("utf-8", max([1, *map(len, encoded)])))
+
+
+def write_hdf5(path, title, columns):
+    with replacing(path) as part, h5py.File(part, "w") as file:
+        file.attrs["title"] = fixed([title]).reshape(())
+        for column in columns:
+            cells = column.positions if column.unit else fixed(column.texts)
+            dataset = file.create_dataset(column.name, data=cells, track_times=False)
+            dataset.attrs["unit"] = fixed([column.unit or "1"]).reshape(())
+
+
+# --- what is said ------------------------------------------------------------------------------
+
+
+def plural(number, noun):
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def preview(sweep, store, folder_of_tools):
+    missing = store.unfinished(sweep.points)
+    done = len(sweep.points) - len(missing)
+    count = plural(len(sweep.points), "point")
+    print(f"{sweep.title}: {count}: {done} done, {len(missing)} to compute")
+    if missing:
+        print("The first of these (its files are deleted afterwards):")
+        for command in missing[0].commands.values():
+            print(f"  {folder_of_tools}/{command}")
+
+
 def count_computed(sweep, table, store, started):
-    """How many results are younger than `started` [s]."""
+    """How many results are younger than `started` [s since 1970]."""
     finished = (p for p, row in zip(sweep.points, table) if row["status"] != UNFINISHED)
     return sum(store.path(point).stat().st_mtime >= started for point in finished)
 
@@ -164,36 +146,30 @@ def print_sentences(table, status):
         print(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has all")
 
 
-def print_without_value(sweep, table):
-    """Such as the front speed at a block that is not there."""
-    for heading, path in sweep.columns.items():
-        if all(row[heading] is None for row in table):
-            print(f"No point has a value of {path} ({heading}).")
-
-
 def print_summary(sweep, table, computed):
+    """What is without value is such as the front speed at a block that is not there."""
     counts = Counter(row["status"] for row in table)
-    states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", "unfinished") if counts[s])
-    there = len(table) - counts["unfinished"] - computed
+    states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", UNFINISHED) if counts[s])
+    there = len(table) - counts[UNFINISHED] - computed
     print(f"\n{sweep.title}: {plural(len(table), 'point')}: {states}.")
     print(f"Computed now: {computed}; there before: {there}.")
-    for status in ("failed", "unfinished"):
+    for status in ("failed", UNFINISHED):
         print_sentences(table, status)
-    if counts["done"]:
-        print_without_value(sweep, table)
-    return counts["unfinished"]
+    for heading, path in sweep.columns.items() if counts["done"] else ():
+        if all(row[heading] is None for row in table):
+            print(f"No point has a value of {path} ({heading}).")
+    return counts[UNFINISHED]
 
 
-def report_sweep(plan, results, code, started):
-    """The exit code: 1 if points are unfinished. `code`: fingerprint of the sources or programs;
-    `started`: when computing began [s since 1970]."""
-    sweep, store = read_sweep(plan), PointStore(results / "data/points", code)
-    table = list(rows(sweep, lambda point: result_of(point, store)))
+def report_sweep(sweep, store, started):
+    """The exit code: 1 if points are unfinished."""
+    table = list(rows(sweep, store))
     columns = columns_of(sweep, table)
+    plan = Path(sweep.files[0]).resolve()
     write_csv(plan.with_suffix(".csv"), columns)
     write_hdf5(plan.with_suffix(".hdf5"), sweep.title, columns)
     unfinished = print_summary(sweep, table, count_computed(sweep, table, store, started))
-    stem = plan.resolve().with_suffix("")
+    stem = plan.with_suffix("")
     print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
     print(draw(stem, sweep, columns) or f"Picture: {stem}.png and .pdf", flush=True)
     if unfinished:

@@ -2,7 +2,7 @@
 recipes and those of users. Two things are for recipes only:
 
 `seeds = 2 to 5` in [sweep]: the same sweep again with each of these seeds, in tables of its own,
-results/data/NAME/SWEEP-seed-2.csv. Its name as a file is SWEEP.ini#2.
+results/data/NAME/SWEEP-seed-2.csv.
 
 A table of `points` may still be to come, from a rule: there are no points then.
 
@@ -19,13 +19,14 @@ import math
 import os
 import re
 import shlex
-import string
 from collections.abc import Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
-from sweeps.values import LIMIT, SweepError, calculate, references, values_of
+from rupture.errors import Failure, UsageError
+from sweeps.values import LIMIT, calculate, references, values_of
 
 BATCHES_OF_ONE = 64  # of a large sweep, so that many cores have work until its end
 BATCHES_OF_MANY = 12  # of each if there are many sweeps: planning takes 1.5 ms for a job
@@ -65,6 +66,7 @@ class Sweep:
     megabytes: int = 1000  # that each point needs
     threads: int = 1
     seeds: Sequence = ()  # with which it is run again, in tables of their own
+    seed: str = ""  # with which this is run again
     files: Sequence = ()  # its own, and those that it is like
 
 
@@ -73,21 +75,15 @@ class Sweep:
 
 def evaluate(values):
     """Replaces expressions by their values, in whatever order they depend on each other."""
-    known = {name: text for name, text in values.items() if not references(text)}
-    waiting = {name: text for name, text in values.items() if references(text)}
-    while waiting:
-        ready = [n for n, text in waiting.items() if not set(references(text)) & set(waiting)]
-        if not ready:
-            raise SweepError(f"{', '.join(waiting)} depend on each other")
-        for name in ready:
-            known[name] = calculate(waiting.pop(name), known)
-    return {name: known[name] for name in values}
-
-
-def product(lists):
-    """Every combination, the last name varying fastest."""
-    for combination in itertools.product(*lists.values()):
-        yield evaluate(dict(zip(lists, combination)))
+    known = dict(values)
+    graph = TopologicalSorter({name: references(text) for name, text in values.items()})
+    try:
+        for name in graph.static_order():
+            if references(known.get(name, "")):
+                known[name] = calculate(known[name], known)
+    except CycleError as error:
+        raise UsageError(f"{', '.join(error.args[1][1:])} depend on each other") from None
+    return known
 
 
 def options(values):
@@ -103,10 +99,10 @@ def options(values):
 
 def fill(command, fields):
     try:
-        return string.Formatter().vformat(command, (), fields)
+        return command.format(**fields)
     except (AttributeError, KeyError, IndexError, TypeError, ValueError):
         known = " and ".join(f"{{{name}}}" for name in fields)
-        raise SweepError(f"'{command}' may refer to {known} only") from None
+        raise UsageError(f"'{command}' may refer to {known} only") from None
 
 
 def make_point(commands, values, base):
@@ -121,16 +117,16 @@ def rows_of(path):
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             table = csv.DictReader(file, restkey="")
-            rows = [(table.line_num, row) for row in table]
+            rows = {table.line_num: row for row in table}
             names = table.fieldnames or []
     except (UnicodeDecodeError, csv.Error):
-        raise SweepError(f"{path} is no table of CSV in UTF-8") from None
+        raise UsageError(f"{path} is no table of CSV in UTF-8") from None
     if len({*names}) < len(names) or "" in names:
-        raise SweepError(f"{path}: each column needs a heading of its own")
-    for number, row in rows:
+        raise UsageError(f"{path}: each column needs a heading of its own")
+    for number, row in rows.items():
         if "" in row or None in row.values():
-            raise SweepError(f"{path}, line {number}: it needs as many cells as the first line")
-    return [{name: [cell] for name, cell in row.items()} for _, row in rows]
+            raise UsageError(f"{path}, line {number}: it needs as many cells as the first line")
+    return [{name: [cell] for name, cell in row.items()} for row in rows.values()]
 
 
 def is_values(section):
@@ -186,9 +182,9 @@ def suggestion(name, known):
 
 def check_known(name, known, what):
     if name in FORMER:
-        raise SweepError(f"'{name}' belongs to an older form of sweeps: {FORMER[name]}")
+        raise UsageError(f"'{name}' belongs to an older form of sweeps: {FORMER[name]}")
     if name not in known:
-        raise SweepError(f"there is no {what} '{name}'{suggestion(name, known)}")
+        raise UsageError(f"there is no {what} '{name}'{suggestion(name, known)}")
 
 
 def check_form(ini):
@@ -199,10 +195,10 @@ def check_form(ini):
             check_known(section, SECTIONS, "section")
         for name, text in ini[section].items():
             if not text and section != "units":
-                raise SweepError(f"'{name}' in [{section}] has no value")
+                raise UsageError(f"'{name}' in [{section}] has no value")
     for section in ("sweep", "commands"):
         if section not in ini:
-            raise SweepError(f"it has no section [{section}]")
+            raise UsageError(f"it has no section [{section}]")
 
 
 def needs_of(section):
@@ -211,12 +207,12 @@ def needs_of(section):
     megabytes = math.ceil(float(memory[1]) * MEGABYTES[memory[2]]) if memory else 0
     threads = section.get("threads", "1")
     if megabytes < 1:
-        raise SweepError(
+        raise UsageError(
             f"'memory = {section['memory']}' is not understood: give a number and MB or GB, as in"
             " memory = 2 GB"
         )
     if not re.fullmatch("[1-9][0-9]{0,3}", threads):
-        raise SweepError(f"'threads = {threads}' is not understood: give a whole number from 1")
+        raise UsageError(f"'threads = {threads}' is not understood: give a whole number from 1")
     return {"megabytes": megabytes, "threads": int(threads)}
 
 
@@ -252,8 +248,12 @@ def sweep_of(ini, name, seed=""):
     products = combinations(ini, seed)
     count = sum(math.prod(len(texts) for texts in lists.values()) for lists in products)
     if count > LIMIT:
-        raise SweepError(f"there are {count:,} points; at most {LIMIT:,} are possible")
-    points = [make_point(commands, values, base) for lists in products for values in product(lists)]
+        raise UsageError(f"there are {count:,} points; at most {LIMIT:,} are possible")
+    points = [
+        make_point(commands, evaluate(dict(zip(lists, texts))), base)
+        for lists in products
+        for texts in itertools.product(*lists.values())  # the last name varies fastest
+    ]
     columns, units = (dict(ini[name]) if name in ini else {} for name in ("quantities", "units"))
     return Sweep(
         title=section.get("title", name),
@@ -262,6 +262,7 @@ def sweep_of(ini, name, seed=""):
         varied=varied_in(products, points),
         units=units,
         seeds=values_of(section["seeds"]) if "seeds" in section else (),
+        seed=seed,
         files=ini.files,
         **needs_of(section),
     )
@@ -269,22 +270,21 @@ def sweep_of(ini, name, seed=""):
 
 @contextmanager
 def errors_of(path):
-    """Raises SweepErrors: the file and one sentence."""
+    """Raises UsageErrors: the file and one sentence."""
     try:
         yield
         return
     except OSError as error:
-        sentence = f"{error.filename} cannot be read ({error.strerror})"
+        where = "it" if error.filename == str(path) else error.filename
+        sentence = f"{where} cannot be read ({error.strerror})"
     except UnicodeDecodeError:
         sentence = "it is no text in UTF-8"
-    except (ValueError, configparser.Error) as error:  # configparser's have several lines
+    except (Failure, ValueError, configparser.Error) as error:  # configparser's have several lines
         sentence = " ".join(str(error).split())
-    raise SweepError(f"{path}: {sentence}")
+    raise UsageError(f"{path}: {sentence}")
 
 
-def read_sweep(path):
-    """The sweep that an INI file describes, or SWEEP.ini#2."""
-    match = re.fullmatch(r"(.*\.ini)#(\d+)", str(path), re.DOTALL)
-    file, seed = match.groups() if match else (str(path), "")
+def read_sweep(path, seed=""):
+    """The sweep that an INI file describes; with a seed, the same for that one."""
     with errors_of(path):
-        return sweep_of(parse_ini(file), Path(file).stem, seed)
+        return sweep_of(parse_ini(path), Path(path).stem, seed)

@@ -9,21 +9,18 @@ from sweeps.points import PointStore
 from sweeps.sweep import BATCHES_OF_MANY, BATCHES_OF_ONE, batches_of, read_sweep
 
 # A recipe reads the tables of its own sweeps only, so those of recipes that are not asked for need no look.
-SWEEP_FILES = {
-    f"{path.parent.name}/{path.stem}": path
+SWEEPS = {
+    f"{path.parent.name}/{path.stem}": read_sweep(path)
     for path in sorted(Path("recipes").glob("*/*.ini"))
     if not ASKED or path.parent.name in ASKED
 }
 if "sweep" in config:
-    SWEEP_FILES = {f"sweeps/{Path(config['sweep']).stem}": config["sweep"]}
-SWEEPS = {name: read_sweep(path) for name, path in SWEEP_FILES.items()}
-OF_SEEDS = {
-    f"{name}-seed-{seed}": f"{path}#{seed}"
-    for name, path in SWEEP_FILES.items()
-    for seed in SWEEPS[name].seeds
+    SWEEPS = {f"sweeps/{Path(config['sweep']).stem}": read_sweep(config["sweep"])}
+SWEEPS |= {
+    f"{name}-seed-{seed}": read_sweep(sweep.files[0], seed)
+    for name, sweep in SWEEPS.items()
+    for seed in sweep.seeds
 }
-SWEEP_FILES |= OF_SEEDS
-SWEEPS |= {name: read_sweep(path) for name, path in OF_SEEDS.items()}
 
 MOST_BATCHES = BATCHES_OF_ONE if "sweep" in config else BATCHES_OF_MANY
 BATCHES = {
@@ -40,7 +37,7 @@ STORE = PointStore(POINTS, CODE)
 for batch, (_, points) in BATCHES.items():
     note(RESULTS, *(STORE.path(point) for point in points))
     path = Path(f"{DATA}/batches/{batch}.sum")
-    if path.exists() and any(STORE.result(point) is None for point in points):
+    if path.exists() and STORE.unfinished(points):
         path.unlink()
 
 
@@ -50,7 +47,12 @@ def batches_of_sweep(name):
 
 def tables_of_seeds(name):
     """The same sweep with other seeds."""
-    return [f"{DATA}/{table}.csv" for table in SWEEP_FILES if table.startswith(f"{name}-seed-")]
+    return [f"{DATA}/{table}.csv" for table in SWEEPS if table.startswith(f"{name}-seed-")]
+
+
+def words_of(name):
+    """As scripts read it: the file, and the seed if the sweep is repeated with another one."""
+    return shlex.join([SWEEPS[name].files[0], SWEEPS[name].seed])
 
 
 def of_batch(get):
@@ -79,7 +81,7 @@ rule batch:
     output: f"{DATA}/batches/{{batch}}.sum"
     params:
         code=CODE,
-        sweep=of_batch(lambda name, _: shlex.quote(str(SWEEP_FILES[name]))),
+        sweep=of_batch(lambda name, _: words_of(name)),
         ids=of_batch(lambda _, batch: [point.id for point in batch]),
     threads: of_batch(lambda name, _: SWEEPS[name].threads)
     resources:
@@ -98,11 +100,11 @@ rule table:
         sweep=lambda wildcards: SWEEPS[wildcards.sweep].files,
         **script("recipes/common/sweeps/collect.py"),
     output: f"{DATA}/{{sweep}}.csv"
-    params: sweep=lambda wildcards: shlex.quote(str(SWEEP_FILES[wildcards.sweep]))
-    wildcard_constraints: sweep="|".join(SWEEP_FILES) or "none"
+    params: sweep=lambda wildcards: words_of(wildcards.sweep), code=CODE
+    wildcard_constraints: sweep="|".join(SWEEPS) or "none"
     log: f"{LOGS}/{{sweep}}.log"
     message: "{wildcards.sweep}: collect the points"
-    shell: "{PYTHON} {input.script} {params.sweep} {POINTS} {output} 2> {log}"
+    shell: "{PYTHON} {input.script} {params.sweep} {POINTS} {params.code} {output} 2> {log}"
 
 
 rule sweep:
