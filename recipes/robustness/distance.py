@@ -10,7 +10,7 @@ from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
-TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}  # variant of the sweep
+TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}
 
 
 def reach(front):
@@ -82,7 +82,12 @@ def draw(maps, fronts, stem):
 
 def make(data, results):
     """`data`: of an event, as it is and continued under the distance law."""
-    maps = read_variants(points_of(data / "robustness/distance.csv"), TITLES)
+    points = points_of(data / "robustness/distance.csv")
+    named = [
+        (row | {"variant": f"d_R {1e6 * float(row['junctions.d_R']):g} um"}, result)
+        for row, result in points
+    ]
+    maps = read_variants(named, TITLES)
     runs = {"by time": "fast-slow-fast", "by distance": "fast-slow-fast/distance"}
     fronts = {name: report(data / f"{run}-front.json") for name, run in runs.items()}
     draw(maps, fronts, results / "distance")

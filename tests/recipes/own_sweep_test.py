@@ -1,7 +1,6 @@
 """A user's sweep: its plan, what is refused before anything is computed (check.py, plan.py); its
 table, picture and summary from made-up results (report.py, picture.py)."""
 
-import csv
 import re
 import shutil
 import subprocess
@@ -16,6 +15,7 @@ import numpy as np
 import pytest
 
 from conftest import ROOT, run
+from data.tables import read_table
 from rupture.errors import UsageError
 from pictures.plotting import figure
 from sweeps.picture import cells, draw, draw_line, edges, middle
@@ -160,6 +160,15 @@ REFUSED = [
         for option in ("--dry-run", "--help", "-h", "--version", "--describe")
     ),
     ("{values}", "{values} --tau-bar=0.1", "'--tau-bar' cannot be specified more than once"),
+    # a value is given once
+    *(
+        (part, f"{part}{more}", "sets numerics.seed twice; remove it from .values. or .commands.")
+        for part, more in (
+            ("-o s.h5", " --seed 1 --set numerics.seed=1"),
+            ("-o s.h5", " --set numerics.seed=1 --set=numerics.seed=1"),
+            (VALUES, "\nseed = 1\nnumerics.seed = 1"),
+        )
+    ),
     # values
     (VALUES, "", "there are no points"),
     (VALUES, f"{VALUES}\ndriving.v = 1", "no parameter 'driving.v'; did you mean 'driving.V'"),
@@ -205,21 +214,6 @@ def test_mistakes_are_refused_in_a_sentence_and_nothing_is_written(plan, part, n
     assert not list(Path("results").glob("sweeps/*/*"))
 
 
-@pytest.mark.parametrize(
-    "option, values",
-    [
-        ("--set driving.V=1", "driving.V = 1, 2"),
-        ("--set=driving.V=1", "driving.V = 1, 2"),
-        ("--seed 1", "numerics.seed = 1, 2"),
-        ("--set numerics.seed=1", "seed = 1, 2"),
-    ],
-)
-def test_a_value_is_given_once(plan, option, values):
-    text = CHAIN.replace("{values}", f"{{values}} {option}").replace(VALUES, f"{VALUES}\n{values}")
-    with pytest.raises(UsageError, match="sets .* twice; remove it from .values. or .commands."):
-        plan(text)
-
-
 def test_a_list_of_a_file_is_a_number_of_a_shape(plan):
     text = "[sweep]\n[commands]\nstrength = analyze strength {values} --json\n"
     rest = "[values]\nsigma-bar = 0, 0.1\n[quantities]\nm = strength.mu_bar_eff\n"
@@ -254,45 +248,37 @@ COLUMNS = [
 ]
 
 
-def test_csv(tmp_path):
-    write_csv(tmp_path / "t.csv", COLUMNS)
-    with open(tmp_path / "t.csv", newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    assert rows[0] == ["driving.V [m/s]", "seed", "speed of σ [m/s]", "spanning", "sentence"]
-    assert rows[1] == ["1e-4", "1", "0.30000000000000004", "true", ""]
-    assert rows[2] == ["4e-4", "1", "", "", "restart: übel"]
-
-
 def test_hdf5_has_what_the_csv_has(tmp_path):
+    write_csv(tmp_path / "t.csv", COLUMNS)
+    table = read_table(tmp_path / "t.csv")
+    assert list(table) == ["driving.V [m/s]", "seed", "speed of σ [m/s]", "spanning", "sentence"]
+    assert [*table["speed of σ [m/s]"]] == ["0.30000000000000004", "", "12"]
+    assert [*table["spanning"]] == ["true", "", "false"]
     write_hdf5(tmp_path / "t.h5", "Title", COLUMNS)
     with h5py.File(tmp_path / "t.h5") as file:
         assert {*file} == {column.name for column in COLUMNS}
         assert file.attrs["title"] == b"Title"
-        for column in COLUMNS:
-            dataset = file[column.name]
-            assert dataset.attrs["unit"] == (column.unit or "1").encode()
+        for column, texts in zip(COLUMNS, table.values()):
+            data = file[column.name]
+            assert data.attrs["unit"] == (column.unit or "1").encode()
             if column.unit:
-                numbers = [float(text) if text else np.nan for text in column.texts]
-                np.testing.assert_array_equal(dataset[()], numbers)
+                numbers = [float(text or "nan") for text in texts]
+                np.testing.assert_array_equal(data[()], numbers)
             else:
-                assert dataset.dtype.kind == "S"
-                assert [text.decode() for text in dataset[()]] == column.texts
+                assert data.dtype.kind == "S"
+                assert [text.decode() for text in data[()]] == [*texts]
 
 
-def test_equal_tables_are_equal_bytes(tmp_path):
-    for name in ("a", "b"):
-        write_hdf5(tmp_path / f"{name}.h5", "Title", COLUMNS)
-        time.sleep(1.1)  # times in HDF5 are in seconds
-    assert (tmp_path / "a.h5").read_bytes() == (tmp_path / "b.h5").read_bytes()
-
-
-def test_a_table_is_written_whole_or_not_at_all(tmp_path):
-    write_hdf5(tmp_path / "t.h5", "Title", COLUMNS)
-    before = (tmp_path / "t.h5").read_bytes()
+def test_equal_tables_are_equal_bytes_and_written_whole_or_not_at_all(tmp_path):
+    path = tmp_path / "t.h5"
+    write_hdf5(path, "Title", COLUMNS)
+    before = path.read_bytes()
+    time.sleep(1.1)  # times in HDF5 are in seconds
+    write_hdf5(path, "Title", COLUMNS)
+    assert path.read_bytes() == before
     with pytest.raises(ValueError):
-        write_hdf5(tmp_path / "t.h5", "Other", [*COLUMNS, Column("n", "m", ["text"])])
-    assert (tmp_path / "t.h5").read_bytes() == before
-    assert [path.name for path in tmp_path.iterdir()] == ["t.h5"]
+        write_hdf5(path, "Other", [*COLUMNS, Column("n", "m", ["text"])])
+    assert ([*tmp_path.iterdir()], path.read_bytes()) == ([path], before)
 
 
 def test_numbers_are_in_the_unit_of_their_column():
@@ -306,28 +292,33 @@ def test_numbers_are_in_the_unit_of_their_column():
 # --- what is said ------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    "rows, computed, sentence",
-    [
-        (
-            [("done", "", None), ("failed", "x", None)],
-            0,
-            "No point has a value of front.v_c.9 (v).",
-        ),
-        ([("done", "", 1.0), ("done", "", None)], 0, None),
-        ([("failed", "x", None)], 0, None),
-        ([("failed", "x", None)] * 2, 0, "A: 2 points: 2 failed."),
-        ([("done", "", 1)] * 3 + [("unfinished", "", 1)], 1, "now: 1; there before: 2."),
-        ([("failed", f"{n}", 1) for n in range(7)], 0, "and 2 other sentences; the table has"),
-    ],
-)
-def test_summary(capsys, rows, computed, sentence):
-    table = [dict(zip(("status", "sentence", "v"), row)) for row in rows]
+SUMMARY = """
+A: 10 points: 2 done, 7 failed, 1 unfinished.
+Computed now: 4; there before: 5.
+Failed:
+  2 x worse
+  1 x 0
+  1 x 1
+  1 x 2
+  1 x 3
+  and 1 other sentence; the table has all
+Unfinished:
+  1 x crash
+No point has a value of front.v_c.9 (v).
+"""
+
+
+def test_summary(capsys):
+    failed = [("failed", sentence) for sentence in (*"01234", "worse", "worse")]
+    states = [("done", ""), *failed, ("unfinished", "crash"), ("done", "")]
+    table = [{"status": status, "sentence": sentence, "v": None} for status, sentence in states]
     sweep = Sweep("A", [], {"v": "front.v_c.9"}, [], {})
-    unfinished = print_summary(sweep, table, computed)
-    said = capsys.readouterr().out
-    assert sentence in said if sentence else "No point has" not in said
-    assert unfinished == sum(row[0] == "unfinished" for row in rows)
+    assert (print_summary(sweep, table, 4), capsys.readouterr().out) == (1, SUMMARY)
+    table[0]["v"] = 1.0
+    assert print_summary(sweep, table[:1], 0) == 0
+    assert "1 point: 1 done." in (said := capsys.readouterr().out) and "No point" not in said
+    print_summary(sweep, table[1:3], 0)
+    assert "No point" not in capsys.readouterr().out, "they have failed"
 
 
 # --- pictures ---------------------------------------------------------------------------------

@@ -1,6 +1,5 @@
 """Sweep files and their points, as recipes and users write them (recipes/common/sweeps)."""
 
-import csv
 import json
 import os
 import re
@@ -9,7 +8,9 @@ import sys
 import pytest
 
 from conftest import ROOT, run
+from data.tables import read_rows
 from rupture.errors import UsageError
+from sweeps import collect
 from sweeps.points import PointStore
 from sweeps.sweep import Point, batches_of, read_sweep
 from sweeps.values import in_si, values_of
@@ -27,11 +28,6 @@ def read(tmp_path):
         return read_sweep(path)
 
     return read
-
-
-@pytest.fixture
-def values(read):
-    return lambda text: [p.values for p in read(f"[sweep]\n{COMMANDS}{text}").points]
 
 
 @pytest.mark.parametrize(
@@ -108,21 +104,19 @@ def test_no_numbers(text):
         ("c = sqrt({b})\nb = {a} ** 2 * 4\na = 1, 3", "c2b4a1 c6b36a3"),
         ("a = -2\nb = {a} ** 2", "a-2b4"),
         ("a = 2ms\nb = 0.3 * {a}", "a2msb0.0006"),
-        ("a = 4 kN/m\nb = {a} / 2", "a4 kN/mb2000"),
+        ("a = 4 kN/m\nb = {a} / 2", "a4_kN/mb2000"),
         ("a = 1, 2  # both\n", "a1 a2"),
+        # variants replace common values
+        (
+            "a = 1\nb = 2\n[variant X]\na = 5, 6\n[variant Y]\nb = 7",
+            "variantXa5b2 variantXa6b2 variantYa1b7",
+        ),
     ],
 )
-def test_every_combination_is_a_point(values, text, expected):
-    points = [
-        "".join(f"{name}{text}" for name, text in p.items()) for p in values(f"[values]\n{text}")
-    ]
-    assert points == (expected.split() if "kN" not in expected else [expected])
-
-
-def test_variants_replace_common_values(values):
-    points = values("[values]\na = 1\nb = 2\n[variant one]\na = 5, 6\n[variant two]\nb = 7")
-    found = [(p["variant"], p["a"], p["b"]) for p in points]
-    assert found == [("one", "5", "2"), ("one", "6", "2"), ("two", "1", "7")]
+def test_every_combination_is_a_point(read, text, expected):
+    points = read(f"[sweep]\n{COMMANDS}[values]\n{text}").points
+    found = ["".join(sum(point.values.items(), ())).replace(" ", "_") for point in points]
+    assert found == expected.split()
 
 
 def test_the_same_again_with_another_seed(read, tmp_path):
@@ -130,14 +124,11 @@ def test_the_same_again_with_another_seed(read, tmp_path):
         f"[sweep]\nseeds = 2, 3\n{COMMANDS}"
         "[values]\na = 1, 2\n[variant x]\nnumerics.seed = 7\n[variant y]\nb = 3\n"
     )
-    first = read(text)
-    again = read_sweep(tmp_path / "sweep.ini", "3")
-    assert first.seeds == ["2", "3"]
+    first, again = read(text), read_sweep(tmp_path / "sweep.ini", "3")
+    assert (first.seeds, first.seed, again.seed) == (["2", "3"], "", "3")
     for one, other in zip(first.points, again.points, strict=True):
         assert other.values == one.values | {"numerics.seed": "3"}
-    without = read(text.replace("seeds = 2, 3\n", ""))
-    assert [p.id for p in without.points] == [p.id for p in first.points]
-    assert not without.seeds
+    assert read(text.replace("seeds = 2, 3\n", "")).points == first.points
 
 
 def test_options_and_parameters(read):
@@ -189,13 +180,16 @@ def test_sections_that_a_file_lacks_are_those_of_the_file_it_is_like(read, tmp_p
     assert own.points[0].commands == {"x": "load --A 7"}
 
 
-def test_the_name_of_a_point_follows_from_its_commands_and_base_alone(read):
-    def point(section, values="a = 1"):
-        return read(f"[sweep]\n{section}\n{COMMANDS}[values]\n{values}").points[-1].id
+def test_needs_of_a_point_do_not_change_its_name(read):
+    def sweep(section, values="a = 1"):
+        return read(f"[sweep]\n{section}\n{COMMANDS}[values]\n{values}")
 
-    first = point("")
-    assert first == point("memory = 3 GB\nthreads = 2\ntitle = T", "a = 0, 1")
-    assert len({first, point("base = x.h5"), point("", "a = 2")}) == 3
+    first = sweep("")
+    other = sweep("memory = 2.5 GB\nthreads = 4\ntitle = T", "a = 0, 1")
+    assert (first.megabytes, first.threads) == (1000, 1)
+    assert (other.megabytes, other.threads) == (2500, 4)
+    names = [each.points[-1].id for each in (first, other, sweep("base = x.h5"), sweep("", "a = 2"))]
+    assert names[0] == names[1] and len(set(names)) == 3
 
 
 WHOLE = f"[sweep]\n{COMMANDS}"
@@ -244,14 +238,6 @@ def test_varied_are_values_that_differ_and_do_not_follow_others(read):
     assert sweep.varied == ["a", "d"]
 
 
-@pytest.mark.parametrize(
-    "text, needs", [("", (1000, 1)), ("memory = 2.5 GB\nthreads = 4", (2500, 4))]
-)
-def test_needs_of_a_point(read, text, needs):
-    sweep = read(f"[sweep]\n{text}\n{COMMANDS}")
-    assert (sweep.megabytes, sweep.threads) == needs
-
-
 def test_a_recipe_reads_tables_of_its_own_sweeps_only():
     sweeps = {f"{path.parent.name}/{path.stem}" for path in ROOT.glob("recipes/*/*.ini")}
     assert len(sweeps) > 10
@@ -287,38 +273,30 @@ echo "content-sha256 abc  x.h5" > x.h5.sum; echo "{\\"v\\": {\\"w\\": [1, 2]}}"
 
 class Computing:
     def __init__(self, folder):
-        self.folder = folder
-        self.sweep, self.calls = folder / "sweep.ini", folder / "calls"
+        self.folder, self.sweep, self.calls = folder, folder / "sweep.ini", folder / "calls"
         (folder / "tool").write_text(TOOL)
         (folder / "tool").chmod(0o755)
         (folder / "base").touch()
 
-    def script(self, name, *arguments, crash="none"):
-        paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/python"}
-        environment = os.environ | paths | {"CALLS": str(self.calls), "CRASH": crash}
-        script = ROOT / "recipes/common/sweeps" / name
-        return run(sys.executable, script, *arguments, env=environment)
-
-    def batch(self, values, code="1", **options):
+    def batch(self, values, code="1", crash="none"):
         """Computes all values; self.computed: those that were not there."""
         self.sweep.write_text(
             "[sweep]\nbase = base\n[commands]\nfirst = tool {values} --json\n"
             f"[values]\nkind = {values}\n[quantities]\nw = first.v.w.1\nnone = first.v.x.y\n"
         )
         self.calls.write_text("")
+        paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/python", "CALLS": str(self.calls)}
+        words = (self.folder, self.sweep, "", self.folder, code, self.folder / "batch.sum")
         ids = [point.id for point in read_sweep(self.sweep).points]
-        arguments = (self.folder, self.sweep, "", self.folder, code, self.folder / "batch.sum")
-        done = self.script("points.py", *arguments, *ids, **options)
+        script = ROOT / "recipes/common/sweeps/points.py"
+        environment = os.environ | paths | {"CRASH": crash}
+        done = run(sys.executable, script, *words, *ids, env=environment)
         self.computed = self.calls.read_text().split()
         return done
 
     def table(self, code="1"):
-        words = (self.sweep, "", self.folder, code, self.folder / "table.csv")
-        done = self.script("collect.py", *words)
-        if done.returncode:
-            return done.stderr
-        with open(self.folder / "table.csv", newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+        collect.main(self.sweep, "", self.folder, code, self.folder / "table.csv")
+        return read_rows(self.folder / "table.csv")
 
     def sum(self):
         return (self.folder / "batch.sum").read_text()
@@ -338,7 +316,8 @@ def test_a_failed_point_keeps_its_sentence(computing):
     report = json.loads((computing.folder / f"{good['point']}.json").read_text())
     assert report["checksums"] == {"x.h5": "abc"}
     computing.batch("bad")
-    assert "tool: too large" in computing.table(), "nothing but failures is a failure"
+    with pytest.raises(SystemExit, match="tool: too large"):  # nothing but failures
+        computing.table()
 
 
 def test_the_digest_tells_results_apart_and_not_what_computed_them(computing):
