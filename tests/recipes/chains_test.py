@@ -53,56 +53,39 @@ def of_sweeps():
 
 
 def calls_in(text):
-    """Words of each call of a program. A part that the shell computes is `$`."""
+    """Words of each call of a program, without files. A part that the shell computes is `$`."""
     text = text.replace("\\\n", " ")
     text = re.sub(r"\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+", "$", text)
     for part in re.split(r"[;\n]|&&|\|\|", text):
         words = shlex.split(re.sub(r"\d?>.*", "", part).replace("{", " ").replace("(", " "))
-        words = [word for word in words if word not in ("do", "rupture")]
+        words = [word for word in words if word not in ("do", "rupture") and word[-3:] != ".h5"]
         if words and Path(words[0]).name in PROGRAMS:
             yield [Path(words[0]).name, *words[1:]]
 
 
 def defaults():
-    """{parameter: value} of what `load` and `prepare` start from."""
+    """{option: value} of what `load` and `prepare` start from."""
     listed = json.loads(run("analyze", "quantities", "--json").stdout)
-    found = {row["name"]: str(row["default"]) for row in listed["parameters"]}
+    found = {f"--{row['name']}": str(row["default"]) for row in listed["parameters"]}
     return found | {"--sigma-bar": "0"}
 
 
 DEFAULTS = defaults()
 
 
-def without_defaults(program, options):
-    """A restart goes on with what the checkpoint has, whatever the defaults are."""
-    if program not in ("load", "prepare"):
-        return options
-    return {
+def parse(words):
+    """The program and what it analyzes; {option: values}, parameters among them. A restart goes on
+    with what the checkpoint has, whatever the defaults are."""
+    text = re.sub(r" --set (\S+?)=", r" --\1 ", " ".join(words))
+    program = re.findall(r"^(?:analyze )?\S+", text)[0]
+    found = re.findall(r" (--?[a-z]\S*)((?: (?!--?[a-z])\S+)*)", text)
+    options = {name: values.split() for name, values in found if name not in FILES}
+    known = DEFAULTS if program in ("load", "prepare") else {}
+    return program, {
         name: values
         for name, values in options.items()
-        if name not in DEFAULTS or not same(values[0], DEFAULTS[name])
+        if name not in known or not same(values[0], known[name])
     }
-
-
-def parse(words):
-    """The program and what it analyzes; {option: values} without files, --set by parameter."""
-    program, rest, option = words[0], words[1:], None
-    options: dict[str, list] = {}
-    if program == "analyze":
-        program, rest = f"analyze {rest[0]}", rest[1:]
-    for word in rest:
-        if re.match(r"--?[a-z]", word):
-            option = word
-            options.setdefault(option, [])
-        elif option == "--set":
-            options[word.split("=")[0]] = [word.split("=")[1]]
-            option = None
-        elif option and not word.endswith(".h5"):
-            options[option].append(word)
-        elif option not in ("-o", "--record"):
-            option = None
-    kept = {name: values for name, values in options.items() if name not in (*FILES, "--set")}
-    return program, without_defaults(program, kept)
 
 
 def same(value, other):

@@ -2,8 +2,6 @@
 changes; interrupted, killed or damaged, nothing goes on by itself, and the same command completes
 it (recipes/common/{sweeps,reproduce}/)."""
 
-import csv
-import json
 import os
 import re
 import signal
@@ -12,36 +10,20 @@ from pathlib import Path
 import pytest
 
 from conftest import BIN
+from data.tables import read_rows
 from stand_ins import SWEEP, WITHIN, Project, wait_for
 
 # Dies like a process without memory if there is a file `die` in the project's folder.
-MORTAL = f"""case "$*" in *quantities*|*--describe*) ;; *) [ ! -e ROOT/die ] || kill -9 $$;; esac
+ANALYZE = f"""case "$*" in *quantities*|*--describe*) ;; *) [ ! -e ROOT/die ] || kill -9 $$;; esac
 exec {BIN}/analyze "$@"
 """
-
-
-def described(name, *options):
-    """As a program says it of itself; the options take numbers."""
-    numbers = [{"name": word, "short": None, "kind": "number", "unit": "1"} for word in options]
-    return {"name": name, "one_needed": [], "options": numbers}
-
-
-# Knows enough of analyze for a sweep to be planned.
-QUANTITIES = {"parameters": [], "quantities": [{"name": "stress.F_T", "unit": "N"}]}
-ANALYZE = f"""\
-case "$*" in
-  *quantities*) echo '{json.dumps(QUANTITIES)}';;
-  *--describe*) echo '{json.dumps(described("analyze stress"))}';;
-  *) echo '{{"F_T": 1}}';;
-esac
-"""
 # Waits for long, unless there is a file `go` in the project's folder.
-PREPARE = f"""\
-case "$*" in
-  *--describe*) echo '{json.dumps(described("prepare", "tau-bar"))}'; exit;;
+PREPARE = f"""case "$*" in
+  *--describe*) ;;
+  *) echo $$ >> ROOT/running; [ -e ROOT/go ] || exec sleep 300;;
 esac
-echo $$ >> ROOT/running
-[ -e ROOT/go ] || exec sleep 300"""
+exec {BIN}/prepare "$@"
+"""
 
 
 def stat_of(number):
@@ -59,9 +41,9 @@ class Sweep(Project):
         super().__init__(root)
         self.begun = []
         self.write("my.ini", SWEEP)
-        for name in ("load", "modify-phi", "restart"):
-            self.program(name, "")
-        self.program("analyze", ANALYZE)
+        for tool in ("load", "modify-phi", "restart"):
+            (self.bin / tool).symlink_to(BIN / tool)
+        self.program("analyze", ANALYZE.replace("ROOT", str(root)))
         self.program("prepare", PREPARE.replace("ROOT", str(root)))
 
     def running(self):
@@ -170,40 +152,25 @@ def test_snakemake_alone_may_be_killed(sweep):
     wait_for(lambda: not sweep.running())
 
 
-# --- with the programs themselves -------------------------------------------------------------
+# --- what the file says ------------------------------------------------------------------------
 
 
-class OwnSweep(Project):
-    def __init__(self, root):
-        super().__init__(root)
-        for tool in ("load", "modify-phi", "prepare", "restart"):
-            (self.bin / tool).symlink_to(BIN / tool)
-        self.program("analyze", MORTAL.replace("ROOT", str(root)))
-
-    def sweep(self, *options):
-        return self.call("sweep", "own.ini", "--programs", "bin", *options)
-
-    def compute(self, values, quantities="", needs=""):
-        """The finished command, and how many points it has computed."""
-        text = SWEEP.replace("[sweep]", f"[sweep]\ntitle = Prestress\n{needs}") + quantities
-        self.write("own.ini", text.replace("0.1, 0.2", values))
-        done = self.sweep()
-        return done, int(re.findall(r"Computed now: (\d+);", done.stdout)[0])
-
-    def rows(self):
-        with open(self.root / "results/sweeps/own/own.csv", newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+def compute(sweep, values, quantities="", needs=""):
+    """The finished command, and how many points it has computed."""
+    text = SWEEP.replace("[sweep]", f"[sweep]\ntitle = Prestress\n{needs}") + quantities
+    sweep.write("my.ini", text.replace("0.1, 0.2", values))
+    done = sweep.call("sweep", "my.ini", "--programs", "bin")
+    return done, int(re.findall(r"Computed now: (\d+);", done.stdout)[0])
 
 
-@pytest.fixture(name="own")
-def own_sweep(tmp_path):
-    return OwnSweep(tmp_path)
+def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
+    def rows():
+        return read_rows(sweep.root / "results/sweeps/my/my.csv")
 
-
-def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(own):
-    die = own.write("die")
-    crashed, _ = own.compute("0.1, 2")
-    crash, refused = own.rows()
+    sweep.write("go")
+    die = sweep.write("die")
+    crashed, _ = compute(sweep, "0.1, 2")
+    crash, refused = rows()
     assert (crash["status"], refused["status"]) == ("unfinished", "failed")
     assert re.match("'analyze stress start.h5 --json' ended with -9$", crash["sentence"])
     assert "Failed: point: tau-bar 0.1" in crashed.stderr
@@ -211,25 +178,25 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(own):
     assert crashed.returncode == 1
     assert "2 points: 1 failed, 1 unfinished." in crashed.stdout
     assert "The same command tries unfinished points again." in crashed.stderr
-    files = {path.suffix for path in (own.root / "results/sweeps/own").iterdir()}
+    files = {path.suffix for path in (sweep.root / "results/sweeps/my").iterdir()}
     assert files == {".ini", ".csv", ".hdf5", ".png", ".pdf"}
     assert re.findall(r"\] +(\d+)/(\d+) ", crashed.stdout)[-1] == ("2", "2")
 
     die.unlink()
-    again, _ = own.compute("0.1, 2")
+    again, _ = compute(sweep, "0.1, 2")
     assert (again.returncode, again.stderr) == (0, "")
     assert "2 points: 1 done, 1 failed.\nComputed now: 1; there before: 1." in again.stdout
-    assert own.rows()[0]["F_T [N]"].startswith("384.5")
+    assert rows()[0]["F_T [N]"].startswith("384.5")
 
-    _, computed = own.compute("0.1, 2, 0.2", "p = stress.p.9\nF_N = stress.F_N\n")
+    _, computed = compute(sweep, "0.1, 2, 0.2", "p = stress.p.9\nF_N = stress.F_N\n")
     assert computed == 1, "of a new value and new quantities, only the value"
-    assert [row["F_N [N]"] for row in own.rows()] == ["1920.0", "", "1920.0"]
+    assert [row["F_N [N]"] for row in rows()] == ["1920.0", "", "1920.0"]
 
-    own.compute("0.2")
-    said = own.sweep("--dry-run").stdout
+    compute(sweep, "0.2")
+    said = sweep.call("sweep", "my.ini", "--programs", "bin", "--dry-run").stdout
     assert said == "Prestress: 1 point: 1 done, 0 to compute\n"
 
-    last, computed = own.compute("0.2", needs="threads = 2\nmemory = 2 GB")
+    last, computed = compute(sweep, "0.2", needs="threads = 2\nmemory = 2 GB")
     assert computed == 0, "a point less, and other needs"
-    assert [row["tau-bar"] for row in own.rows()] == ["0.2"]
+    assert [row["tau-bar"] for row in rows()] == ["0.2"]
     assert "Computed now: 0; there before: 1." in last.stdout

@@ -188,7 +188,8 @@ def test_needs_of_a_point_do_not_change_its_name(read):
     other = sweep("memory = 2.5 GB\nthreads = 4\ntitle = T", "a = 0, 1")
     assert (first.megabytes, first.threads) == (1000, 1)
     assert (other.megabytes, other.threads) == (2500, 4)
-    names = [each.points[-1].id for each in (first, other, sweep("base = x.h5"), sweep("", "a = 2"))]
+    sweeps = (first, other, sweep("base = x.h5"), sweep("", "a = 2"))
+    names = [each.points[-1].id for each in sweeps]
     assert names[0] == names[1] and len(set(names)) == 3
 
 

@@ -85,33 +85,26 @@ class Cluster:
         self.environment = os.environ | {"SLURM_CONF": str(configuration), "PATH": SEARCH_PATH}
 
     def launch_daemons(self):
-        self.launch("slurmctld", "-D")
-        self.launch("slurmd", "-D", "-N", self.host)
-
-    def launch(self, name, *arguments):
-        with open(self.folder / f"{name}.out", "ab") as output:
-            self.processes[name] = subprocess.Popen(
-                [name, *arguments],
-                env=self.environment,
-                stdin=subprocess.DEVNULL,
-                stdout=output,
-                stderr=output,
-                start_new_session=True,  # what ends the caller does not end it
-            )
+        for name, *options in (["slurmctld"], ["slurmd", "-N", self.host]):
+            with open(self.folder / f"{name}.out", "ab") as output:
+                self.processes[name] = subprocess.Popen(
+                    [name, "-D", *options],
+                    env=self.environment,
+                    stdin=subprocess.DEVNULL,
+                    stdout=output,
+                    stderr=output,
+                    start_new_session=True,  # what ends the caller does not end it
+                )
 
     def wait_until_idle(self):
         end = time.monotonic() + START_WITHIN
         while self.run("sinfo", "--noheader", "--format=%t").strip() != "idle":
-            for name, process in self.processes.items():
-                if process.poll() is not None:
-                    raise RuntimeError(f"{name} ended with {process.returncode}: {self.logs()}")
-            if time.monotonic() > end:
-                raise RuntimeError(f"the node is not idle after {START_WITHIN} s: {self.logs()}")
+            if time.monotonic() > end or any(p.poll() is not None for p in self.processes.values()):
+                logs = (
+                    path.read_text(errors="replace")[-2000:] for path in self.folder.glob("*.out")
+                )
+                raise RuntimeError("\n".join(["the node does not become idle:", *logs]))
             time.sleep(0.1)
-
-    def logs(self):
-        files = self.folder.glob("*.out")
-        return "\n".join(path.read_text(errors="replace")[-2000:] for path in files)
 
     def run(self, *command):
         """Standard output of a command of SLURM's."""
@@ -124,13 +117,12 @@ class Cluster:
 
     def stop(self):
         self.run("scancel", "--full", f"--user={os.getuid()}")
-        for name in ("slurmd", "slurmctld"):
-            if process := self.processes.pop(name, None):
-                process.terminate()
-                with suppress(subprocess.TimeoutExpired):
-                    process.wait(20)
-                process.kill()
-                process.wait()
+        for process in reversed(self.processes.values()):
+            process.terminate()
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(20)
+            process.kill()
+            process.wait()
         # such as a srun whose run was killed
         for number in processes_with(f"SLURM_CONF={self.environment['SLURM_CONF']}\0".encode()):
             os.kill(number, signal.SIGKILL)

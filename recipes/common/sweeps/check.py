@@ -17,13 +17,15 @@ from sweeps.values import in_si
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table
 KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # points.py
+OPTION = re.compile(r"--[a-z][a-z-]*|-[a-z]")
 HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")
 OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"
+COMPUTES_NOTHING = "it computes nothing then"
 REFUSED = {
-    "config": "points would not follow what is in that file;"
+    "--config": "points would not follow what is in that file;"
     " give the parameters with --set or in [values]",
-    **dict.fromkeys(("f", "force", "resume"), OUTSIDE),
-    **dict.fromkeys(("h", "help", "describe", "version", "dry-run"), "it computes nothing then"),
+    **dict.fromkeys(("-f", "--force", "--resume"), OUTSIDE),
+    **dict.fromkeys(("-h", "--help", "--describe", "--version", "--dry-run"), COMPUTES_NOTHING),
 }
 
 
@@ -48,8 +50,7 @@ class Programs:
 
     def unit_of(self, quantity, of_file):
         """`analyze strength` reports numbers of a shape, but lists of a file."""
-        keys = ["*" if re.fullmatch(r"-?\d+", key) else key for key in quantity.split(".")]
-        pattern = ".".join(keys)
+        pattern = re.sub(r"\.-?\d+(?=\.|$)", ".*", quantity)
         is_list = f"{pattern}.*" in self.quantities
         if pattern in self.quantities and not (is_list and of_file):
             return self.quantities[pattern]
@@ -71,33 +72,24 @@ def words_in(line):
         raise UsageError(f"'{line}' cannot be split into words ({error})") from None
 
 
-def options_in(line):
-    """Names of the options, such as --until and -o."""
-    found = (re.match(r"-(?:-([a-z][a-z-]*)|([a-z]))", word) for word in words_in(line))
-    return [match[1] or match[2] for match in found if match]
-
-
-def settings_in(line):
-    """Names of the parameters that it sets; --seed is short for one."""
-    settings = re.findall(r"(?:^| )--set[ =](\S+?)=", " ".join(words_in(line)))
-    return settings + ["numerics.seed" for name in options_in(line) if name == "seed"]
-
-
 def check_command(name, line, programs):
     if name in KEYS_OF_A_POINT:
         raise UsageError(f"a command cannot be called '{name}'; take another name")
-    given = options_in(line)
+    words = words_in(line)
+    given = [match[0] for match in map(OPTION.match, words) if match]
     for option in given:
         if option in REFUSED:
-            dashes = "-" if len(option) == 1 else "--"
-            raise UsageError(f"'{line}' must not have {dashes}{option}: {REFUSED[option]}")
+            raise UsageError(f"'{line}' must not have {option}: {REFUSED[option]}")
     program = programs.described(line)
-    long_names = {option["short"]: option["name"] for option in program["options"]}
+    long_names = {f"-{option['short']}": f"--{option['name']}" for option in program["options"]}
     for group in program["one_needed"]:
-        if not {long_names.get(name, name) for name in given}.intersection(group):
-            needed = " or ".join(f"--{name}" for name in group)
-            raise UsageError(f"{program['name']} needs {needed}, which '{line}' does not have")
-    for name, times in Counter(settings_in(line)).items():
+        needed = [f"--{name}" for name in group]
+        if not {long_names.get(option, option) for option in given}.intersection(needed):
+            needs = f"{program['name']} needs {' or '.join(needed)}"
+            raise UsageError(f"{needs}, which '{line}' does not have")
+    settings = re.findall(r"(?:^| )--set[ =](\S+?)=", " ".join(words))
+    settings += ["numerics.seed"] * given.count("--seed")  # --seed is short for it
+    for name, times in Counter(settings).items():
         if times > 1:
             raise UsageError(f"'{line}' sets {name} twice; remove it from [values] or [commands]")
 
@@ -146,10 +138,8 @@ def check_points(points, programs):
             check_command(name, line, programs)
         described |= {name: option_of(name, point, programs) for name in point.values}
     settings = {
-        tuple(
-            (name, check_value(name, text, described[name])) for name, text in point.values.items()
-        )
-        for point in points
+        tuple((name, check_value(name, text, described[name])) for name, text in values.items())
+        for values in (point.values for point in points)
     }
     if len(settings) < len(points):
         raise UsageError("a point is there twice; remove the value that is repeated")

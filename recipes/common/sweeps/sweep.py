@@ -97,17 +97,16 @@ def options(values):
     )
 
 
-def fill(command, fields):
-    try:
-        return command.format(**fields)
-    except (AttributeError, KeyError, IndexError, TypeError, ValueError):
-        known = " and ".join(f"{{{name}}}" for name in fields)
-        raise UsageError(f"'{command}' may refer to {known} only") from None
-
-
 def make_point(commands, values, base):
     fields = {"values": options(values)} | ({"base": base} if base else {})
-    return Point(values, {name: fill(line, fields) for name, line in commands.items()}, base)
+    filled = {}
+    for name, line in commands.items():
+        try:
+            filled[name] = line.format(**fields)
+        except (AttributeError, KeyError, IndexError, TypeError, ValueError):
+            known = " and ".join(f"{{{name}}}" for name in fields)
+            raise UsageError(f"'{line}' may refer to {known} only") from None
+    return Point(values, filled, base)
 
 
 def rows_of(path):
@@ -166,8 +165,8 @@ def names_of_values(points):
 def varied_in(products, points):
     lists = [item for product in products for item in product.items()]
     follows = {name for name, texts in lists if len(texts) == 1 and references(texts[0])}
-    differ = {n for n in names_of_values(points) if len({p.values.get(n) for p in points}) > 1}
-    return [name for name in names_of_values(points) if name in differ - follows]
+    names = [name for name in names_of_values(points) if name not in follows]
+    return [name for name in names if len({point.values.get(name) for point in points}) > 1]
 
 
 # --- files ---------------------------------------------------------------------------------

@@ -41,10 +41,6 @@ for batch, (_, points) in BATCHES.items():
         path.unlink()
 
 
-def batches_of_sweep(name):
-    return [f"{DATA}/batches/{batch}.sum" for batch, (of, _) in BATCHES.items() if of == name]
-
-
 def tables_of_seeds(name):
     """The same sweep with other seeds."""
     return [f"{DATA}/{table}.csv" for table in SWEEPS if table.startswith(f"{name}-seed-")]
@@ -96,7 +92,9 @@ rule batch:
 
 rule table:
     input:
-        points=lambda wildcards: batches_of_sweep(wildcards.sweep),
+        points=lambda wildcards: [
+            f"{DATA}/batches/{batch}.sum" for batch, (of, _) in BATCHES.items() if of == wildcards.sweep
+        ],
         sweep=lambda wildcards: SWEEPS[wildcards.sweep].files,
         **script("recipes/common/sweeps/collect.py"),
     output: f"{DATA}/{{sweep}}.csv"
