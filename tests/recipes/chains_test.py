@@ -24,6 +24,9 @@ FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-ev
 UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings")
 # Commands that no rule runs: scripts read these records, or call the program, themselves.
 ONLY_BY_HAND = ("analyze loading --x", "analyze events", "analyze events --slow-below")
+# {option: value} of what `load` and `prepare` start from.
+PARAMETERS = json.loads(run("analyze", "quantities", "--json").stdout)["parameters"]
+DEFAULTS = {f"--{row['name']}": str(row["default"]) for row in PARAMETERS} | {"--sigma-bar": "0"}
 RECIPES = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/rules.smk"))
 
 
@@ -61,16 +64,6 @@ def calls_in(text):
         words = [word for word in words if word not in ("do", "rupture") and word[-3:] != ".h5"]
         if words and Path(words[0]).name in PROGRAMS:
             yield [Path(words[0]).name, *words[1:]]
-
-
-def defaults():
-    """{option: value} of what `load` and `prepare` start from."""
-    listed = json.loads(run("analyze", "quantities", "--json").stdout)
-    found = {f"--{row['name']}": str(row["default"]) for row in listed["parameters"]}
-    return found | {"--sigma-bar": "0"}
-
-
-DEFAULTS = defaults()
 
 
 def parse(words):
@@ -120,10 +113,6 @@ def all_calls(tmp_path_factory):
     return list({repr(call): call for call in found}.values())
 
 
-def is_one_of(calls, call):
-    return any(matches(call, other) for other in calls)
-
-
 @mark.parametrize("name", RECIPES)
 def test_each_command_by_hand_is_one_of_the_rules(name, calls):
     pages = (ROOT / "recipes" / name).glob("*.md")
@@ -132,7 +121,7 @@ def test_each_command_by_hand_is_one_of_the_rules(name, calls):
     for words in chain:
         program, options = call = parse(words)
         only_by_hand = " ".join([program, *options]) in ONLY_BY_HAND
-        assert only_by_hand or is_one_of(calls, call), " ".join(words)
+        assert only_by_hand or any(matches(call, other) for other in calls), " ".join(words)
 
 
 @mark.parametrize(
@@ -147,4 +136,4 @@ def test_each_command_by_hand_is_one_of_the_rules(name, calls):
 )
 def test_a_command_with_another_value_or_option_is_none(text, calls):
     (words,) = calls_in(text)
-    assert not is_one_of(calls, parse(words))
+    assert not any(matches(parse(words), other) for other in calls)

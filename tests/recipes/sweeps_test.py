@@ -277,7 +277,7 @@ class Computing:
         self.folder, self.sweep, self.calls = folder, folder / "sweep.ini", folder / "calls"
         (folder / "tool").write_text(TOOL)
         (folder / "tool").chmod(0o755)
-        (folder / "base").touch()
+        (folder / "base.sum").touch()
 
     def batch(self, values, code="1", crash="none"):
         """Computes all values; self.computed: those that were not there."""
@@ -353,7 +353,7 @@ def test_only_what_is_not_there_of_these_sources_and_this_base_is_computed(compu
     assert computing.sum().startswith(first)
     computing.batch("a, b", code="2")
     assert computing.computed == ["a", "b"]
-    (computing.folder / "base").write_text("other")
+    (computing.folder / "base.sum").write_text("other")
     computing.batch("a, b", code="2")
     assert computing.computed == ["a", "b"]
     assert computing.sum() == first, "equal results say so"

@@ -33,7 +33,6 @@ USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request canno
 UNFINISHED = "unfinished"
 NOT_REACHED = "it was not reached, or its process was ended"
 INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
-WRITERS = ("load", "modify-phi", "prepare", "restart")
 COMPUTED_BY = Path(__file__).read_text(encoding="utf-8")
 
 
@@ -44,7 +43,7 @@ def run(folder_of_tools, command, base, folder):
     """The finished command. Programs that write files note their checksums, too."""
     tool, *words = shlex.split(command)
     arguments = [os.path.abspath(word) if word == base else word for word in words]
-    if tool in WRITERS and "--sum" not in words:
+    if tool != "analyze" and "--sum" not in words:
         arguments.append("--sum")
     program = Path(folder_of_tools).resolve() / tool
     done = subprocess.run(
@@ -89,14 +88,8 @@ def digest(*parts):
 
 
 @cache
-def content_of(base):
-    """The identity of a base: the checksum of its content, or else of its bytes."""
-    if not base:
-        return ""
-    checksum = Path(f"{base}.sum")
-    if checksum.exists():
-        return checksum.read_text(encoding="utf-8")
-    return hashlib.sha256(Path(base).read_bytes()).hexdigest()
+def checksum_of(base):
+    return Path(f"{base}.sum").read_text(encoding="utf-8")
 
 
 def digest_of(result):
@@ -113,7 +106,9 @@ class PointStore:
         return self.folder / f"{point.id}.json"
 
     def origin(self, point):
-        return digest(self.code, COMPUTED_BY, content_of(point.base))
+        """The base counts by its content, whose checksum is beside it."""
+        base = checksum_of(point.base) if point.base else ""
+        return digest(self.code, COMPUTED_BY, base)
 
     def result(self, point):
         """Without its origin. A point that has none of this origin is unfinished, too."""

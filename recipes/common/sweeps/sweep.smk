@@ -57,11 +57,9 @@ def of_batch(get):
 
 
 def base_of(_, batch):
-    """The checkpoint its points start from. One that the recipes make counts by content (Snakefile)."""
+    """The checkpoint that its points start from; it counts by content (Snakefile)."""
     base = batch[0].base
-    if base.startswith(f"{DATA}/"):
-        return [ancient(base), f"{base}.sum"]
-    return [base] if base else []
+    return [ancient(base), f"{base}.sum"] if base else []
 
 
 def described(name, batch):
