@@ -124,6 +124,7 @@ def test_each_command_is_asked_once(plan):
 
 # --- refusals ---------------------------------------------------------------------------------
 
+TWICE = "sets numerics.seed twice; remove it from .values. or .commands."
 REFUSED = [
     # what of CHAIN, is replaced by what, sentence
     ("type = front.type", "", "needs a section .quantities."),
@@ -156,15 +157,9 @@ REFUSED = [
         for option in ("--dry-run", "--help", "-h", "--version", "--describe")
     ),
     ("{values}", "{values} --tau-bar=0.1", "'--tau-bar' cannot be specified more than once"),
-    # a value is given once
-    *(
-        (part, f"{part}{more}", "sets numerics.seed twice; remove it from .values. or .commands.")
-        for part, more in (
-            ("-o s.h5", " --seed 1 --set numerics.seed=1"),
-            ("-o s.h5", " --set numerics.seed=1 --set=numerics.seed=1"),
-            (VALUES, "\nseed = 1\nnumerics.seed = 1"),
-        )
-    ),
+    ("-o s.h5", "-o s.h5 --seed 1 --set numerics.seed=1", TWICE),
+    ("-o s.h5", "-o s.h5 --set numerics.seed=1 --set=numerics.seed=1", TWICE),
+    (VALUES, "seed = 1\nnumerics.seed = 1\ntau-bar = 0.1", TWICE),
     # values
     (VALUES, "", "there are no points"),
     (VALUES, f"{VALUES}\ndriving.v = 1", "no parameter 'driving.v'; did you mean 'driving.V'"),

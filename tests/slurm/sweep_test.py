@@ -4,7 +4,6 @@ Each run has a copy of the project's recipes, so that no result is found twice.
 """
 
 import functools
-import json
 import os
 import re
 import shutil
@@ -64,19 +63,10 @@ class Sweep(Project):
         return done.stdout
 
     def points(self):
-        """Those that are not unfinished."""
+        """Those that are not unfinished, with the checksums of what they wrote."""
         paths = (self.root / "results/data/points").glob("*.json")
         contents = {path.name: path.read_bytes() for path in paths}
         return {name: text for name, text in contents.items() if b'"unfinished"' not in text}
-
-    def checksums(self):
-        """Of every checkpoint and record that the points wrote."""
-        reports = (json.loads(text) for _, text in sorted(self.points().items()))
-        return [checksum for each in reports for checksum in each["checksums"].values()]
-
-    def tables(self):
-        folder = self.root / "results/sweeps/my"
-        return [(folder / name).read_bytes() for name in ("my.csv", "my.hdf5")]
 
     def sums(self):
         """Of the checkpoints and records of figures."""
@@ -117,10 +107,9 @@ def project_on_slurm(tmp_path, cluster):
 
 def demand_equal_sweeps(project, local):
     assert project.points() == local.points()
-    assert project.tables() == local.tables()
-    checksums = project.checksums()
-    assert checksums == local.checksums()
-    print(f"{len(checksums)} checksums, {POINTS} points and 2 tables are those of the local run")
+    for table in ("results/sweeps/my/my.csv", "results/sweeps/my/my.hdf5"):
+        assert (project.root / table).read_bytes() == (local.root / table).read_bytes()
+    print(f"{POINTS} points and 2 tables are those of the local run")
 
 
 def test_a_sweep_gives_what_it_gives_locally(project, local):

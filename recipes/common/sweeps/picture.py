@@ -151,17 +151,13 @@ def draw_columns(stem, sweep, columns):
     return ""
 
 
-def remove(stem):
-    for suffix in (".png", ".pdf"):
-        Path(f"{stem}{suffix}").unlink(missing_ok=True)
-
-
 def draw(stem, sweep, columns):
-    """The same in the place of a former picture. The table is there already, so that all that
-    Matplotlib may raise is a reason, too."""
-    remove(stem)
+    """The same in the place of a former picture, which must not stay. The table is there already,
+    so that all that Matplotlib may raise is a reason, too."""
     try:
-        return draw_columns(stem, sweep, columns)
+        why = draw_columns(stem, sweep, columns)
     except Exception as error:
-        remove(stem)
-        return f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"
+        why = f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"
+    for suffix in (".png", ".pdf") if why else ():
+        Path(f"{stem}{suffix}").unlink(missing_ok=True)
+    return why

@@ -136,16 +136,6 @@ def count_computed(sweep, table, store, started):
     return sum(store.path(point).stat().st_mtime >= started for point in finished)
 
 
-def print_sentences(table, status):
-    said = Counter(row["sentence"] for row in table if row["status"] == status)
-    if said:
-        print(f"{status.capitalize()}:")
-    for sentence, times in said.most_common(SHOWN):
-        print(f"  {times} x {sentence}")
-    if len(said) > SHOWN:
-        print(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has all")
-
-
 def print_summary(sweep, table, computed):
     """What is without value is such as the front speed at a block that is not there."""
     counts = Counter(row["status"] for row in table)
@@ -154,7 +144,12 @@ def print_summary(sweep, table, computed):
     print(f"\n{sweep.title}: {plural(len(table), 'point')}: {states}.")
     print(f"Computed now: {computed}; there before: {there}.")
     for status in ("failed", UNFINISHED):
-        print_sentences(table, status)
+        said = Counter(row["sentence"] for row in table if row["status"] == status)
+        lines = [f"  {times} x {sentence}" for sentence, times in said.most_common(SHOWN)]
+        if len(said) > SHOWN:
+            lines.append(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has all")
+        if lines:
+            print(f"{status.capitalize()}:", *lines, sep="\n")
     for heading, path in sweep.columns.items() if counts["done"] else ():
         if all(row[heading] is None for row in table):
             print(f"No point has a value of {path} ({heading}).")
