@@ -303,7 +303,7 @@ def test_summary(capsys):
     states = [("done", ""), *failed, ("unfinished", "crash"), ("done", "")]
     table = [{"status": status, "sentence": sentence, "v": None} for status, sentence in states]
     sweep = Sweep("A", [], {"v": "front.v_c.9"}, [], {})
-    assert (print_summary(sweep, table, 4), capsys.readouterr().out) == (1, SUMMARY)
+    assert (print_summary(sweep, table, 5), capsys.readouterr().out) == (1, SUMMARY)
     table[0]["v"] = 1.0
     assert print_summary(sweep, table[:1], 0) == 0
     assert "1 point: 1 done." in (said := capsys.readouterr().out) and "No point" not in said

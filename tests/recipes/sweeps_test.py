@@ -327,7 +327,7 @@ def test_the_digest_tells_results_apart_and_not_what_computed_them(computing):
     computing.batch("good", code="2")
     assert computing.table("2") == [point]
     path = computing.folder / f"{point['point']}.json"
-    path.write_text(json.dumps(json.loads(path.read_text()) | {"first": "other"}))
+    path.write_text(path.read_text().replace("[1, 2]", "[1, 3]"))
     assert computing.table("2")[0]["digest"] != point["digest"]
 
 

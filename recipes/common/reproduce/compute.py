@@ -155,13 +155,13 @@ def run_sweep(request, processes):
     sweep = plan.plan_sweep(request.file, RESULTS)
     code = fingerprint_of_programs(request.programs)
     store = points.PointStore(RESULTS / "data/points", code)
+    missing = store.unfinished(sweep.points)
     if request.dry_run:
-        report.preview(sweep, store, tools)
+        report.preview(sweep, missing, tools)
         return 0
-    started = time.time()
     options = options_of_snakemake(request, place, sweep=sweep.files[0], code=code)
     run_pipeline(processes, ["sweep"], options)
-    return report.report_sweep(sweep, store, started)
+    return report.report_sweep(sweep, store, len(missing))
 
 
 def write_report_if_needed(processes):

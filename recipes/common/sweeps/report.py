@@ -119,8 +119,7 @@ def plural(number, noun):
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-def preview(sweep, store, folder_of_tools):
-    missing = store.unfinished(sweep.points)
+def preview(sweep, missing, folder_of_tools):
     done = len(sweep.points) - len(missing)
     count = plural(len(sweep.points), "point")
     print(f"{sweep.title}: {count}: {done} done, {len(missing)} to compute")
@@ -130,19 +129,14 @@ def preview(sweep, store, folder_of_tools):
             print(f"  {folder_of_tools}/{command}")
 
 
-def count_computed(sweep, table, store, started):
-    """How many results are younger than `started` [s since 1970]."""
-    finished = (p for p, row in zip(sweep.points, table) if row["status"] != UNFINISHED)
-    return sum(store.path(point).stat().st_mtime >= started for point in finished)
-
-
-def print_summary(sweep, table, computed):
-    """What is without value is such as the front speed at a block that is not there."""
+def print_summary(sweep, table, missing):
+    """`missing`: how many points were unfinished before. A quantity without value is such as the
+    front speed at a block that is not there."""
     counts = Counter(row["status"] for row in table)
     states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", UNFINISHED) if counts[s])
-    there = len(table) - counts[UNFINISHED] - computed
     print(f"\n{sweep.title}: {plural(len(table), 'point')}: {states}.")
-    print(f"Computed now: {computed}; there before: {there}.")
+    computed = missing - counts[UNFINISHED]
+    print(f"Computed now: {computed}; there before: {len(table) - missing}.")
     for status in ("failed", UNFINISHED):
         said = Counter(row["sentence"] for row in table if row["status"] == status)
         lines = [f"  {times} x {sentence}" for sentence, times in said.most_common(SHOWN)]
@@ -156,14 +150,14 @@ def print_summary(sweep, table, computed):
     return counts[UNFINISHED]
 
 
-def report_sweep(sweep, store, started):
-    """The exit code: 1 if points are unfinished."""
+def report_sweep(sweep, store, missing):
+    """The exit code: 1 if points are unfinished. `missing`: how many were before."""
     table = list(rows(sweep, store))
     columns = columns_of(sweep, table)
     plan = Path(sweep.files[0]).resolve()
     write_csv(plan.with_suffix(".csv"), columns)
     write_hdf5(plan.with_suffix(".hdf5"), sweep.title, columns)
-    unfinished = print_summary(sweep, table, count_computed(sweep, table, store, started))
+    unfinished = print_summary(sweep, table, missing)
     stem = plan.with_suffix("")
     print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
     print(draw(stem, sweep, columns) or f"Picture: {stem}.png and .pdf", flush=True)
