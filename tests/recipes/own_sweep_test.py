@@ -176,6 +176,7 @@ REFUSED = [
         (VALUES, f"{VALUES}\n{same}", "a point is there twice")
         for same in ("seed = 1, 1.0", "sigma-bar = 1e-4, 0.0001", "driving.V = 1mm/s, 1e-3")
     ),
+    (VALUES, f"{VALUES}\njunctions.law = reference, other", "decaying, distance, but not 'other'"),
     (VALUES, f"{VALUES}\nshape = uniform, bel", r"one of uniform, bell \(got bel\)"),
     (VALUES, f"{VALUES}\nshape = uniform bell", r"one of uniform, bell \(got unif"),
     # quantities

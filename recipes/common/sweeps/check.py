@@ -11,7 +11,7 @@ from functools import cache
 from rupture.errors import UsageError
 from rupture.programs import output_of
 from runs.fingerprint import PROGRAMS
-from sweeps.sweep import names_of_values, options, suggestion
+from sweeps.sweep import check_known, names_of_values, options, suggestion
 from sweeps.values import in_si
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
@@ -34,7 +34,7 @@ class Programs:
 
     def __init__(self):
         listed = self.answer("analyze", "quantities", "--json")
-        self.parameters = {row["name"]: row["unit"] for row in listed["parameters"]}
+        self.parameters = {row["name"]: row for row in listed["parameters"]}
         self.quantities = {row["name"]: row["unit"] for row in listed["quantities"]}
 
     @cache
@@ -44,22 +44,8 @@ class Programs:
     def described(self, line):
         """What the program of this command says of itself. It refuses wrong options then, too."""
         tool, *words = words_in(line)
-        if tool not in PROGRAMS:
-            raise UsageError(f"there is no program '{tool}'{suggestion(tool, PROGRAMS)}")
+        check_known(tool, PROGRAMS, "program")
         return self.answer(tool, *words, "--describe")
-
-    def unit_of(self, quantity, of_file):
-        """`analyze strength` reports numbers of a shape, but lists of a file."""
-        pattern = re.sub(r"\.-?\d+(?=\.|$)", ".*", quantity)
-        is_list = f"{pattern}.*" in self.quantities
-        if pattern in self.quantities and not (is_list and of_file):
-            return self.quantities[pattern]
-        if is_list:
-            raise UsageError(f"'{quantity}' is a list: name one of its elements, as {quantity}.0")
-        raise UsageError(
-            f"analyze reports no '{quantity}'{suggestion(pattern, self.quantities)}"
-            " (`analyze quantities` lists what there is)"
-        )
 
 
 # --- commands ---------------------------------------------------------------------------------
@@ -111,18 +97,14 @@ def check_value(name, text, option):
     raise UsageError(f"{name} is a finite {kind}, which '{text}' is not")
 
 
-def option_of(name, point, programs):
-    """How the programs describe what this value sets."""
+def option_of(name, line, programs):
+    """How the programs describe what this value sets; `line`: the command that has the values."""
     if name == "variant":
         return {"unit": ""}
-    if "." in name and name not in programs.parameters:
-        raise UsageError(f"there is no parameter '{name}'{suggestion(name, programs.parameters)}")
-    lines = [line for line in point.commands.values() if options(point.values) in line]
-    if not lines:
-        raise UsageError("no command has {values}")
     if "." in name:
-        return {"unit": programs.parameters[name]}
-    for option in programs.described(lines[0])["options"]:
+        check_known(name, programs.parameters, "parameter")
+        return programs.parameters[name]
+    for option in programs.described(line)["options"]:
         if option["name"] == name and option["kind"] in VARIABLE:
             return option
     raise UsageError(f"the option '{name}' cannot vary")
@@ -136,7 +118,10 @@ def check_points(points, programs):
     for point in {tuple(point.values): point for point in points}.values():
         for name, line in point.commands.items():
             check_command(name, line, programs)
-        described |= {name: option_of(name, point, programs) for name in point.values}
+        lines = [line for line in point.commands.values() if options(point.values) in line]
+        if not lines:
+            raise UsageError("no command has {values}")
+        described |= {name: option_of(name, lines[0], programs) for name in point.values}
     settings = {
         tuple((name, check_value(name, text, described[name])) for name, text in values.items())
         for values in (point.values for point in points)
@@ -150,7 +135,8 @@ def check_points(points, programs):
 
 
 def unit_of_column(path, commands, programs):
-    """`path` is the name of a command, then a place in what it reports."""
+    """`path` is the name of a command, then a place in what it reports. `analyze strength` reports
+    numbers of a shape, but lists of a file."""
     command, _, rest = path.partition(".")
     if command not in commands:
         like = f"; write one like {command} = analyze {command} record.h5 --json"
@@ -159,8 +145,17 @@ def unit_of_column(path, commands, programs):
     words = words_in(commands[command])
     if words[0] != "analyze" or "--json" not in words:
         raise UsageError(f"'{path}': the command '{command}' is no `analyze ... --json`")
-    of_file = any(word.endswith(".h5") for word in words)
-    return programs.unit_of(f"{words[1]}.{rest}", of_file)
+    quantity, known = f"{words[1]}.{rest}", programs.quantities
+    pattern = re.sub(r"\.-?\d+(?=\.|$)", ".*", quantity)
+    is_list, of_file = f"{pattern}.*" in known, any(word.endswith(".h5") for word in words)
+    if pattern in known and not (is_list and of_file):
+        return known[pattern]
+    if is_list:
+        raise UsageError(f"'{quantity}' is a list: name one of its elements, as {quantity}.0")
+    near = suggestion(pattern, known)
+    raise UsageError(
+        f"analyze reports no '{quantity}'{near} (`analyze quantities` lists what there is)"
+    )
 
 
 def check_columns(sweep, programs):
