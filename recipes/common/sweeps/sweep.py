@@ -202,14 +202,12 @@ def check_form(ini):
 
 def needs_of(section):
     """Megabytes and threads of each point."""
-    memory = re.fullmatch(r"(\d*\.?\d+)\s*(MB|GB)", section.get("memory", "1 GB"))
-    megabytes = math.ceil(float(memory[1]) * MEGABYTES[memory[2]]) if memory else 0
-    threads = section.get("threads", "1")
-    if megabytes < 1:
-        raise UsageError(
-            f"'memory = {section['memory']}' is not understood: give a number and MB or GB, as in"
-            " memory = 2 GB"
-        )
+    memory, threads = section.get("memory", "1 GB"), section.get("threads", "1")
+    amount = re.fullmatch(r"(\d*\.?\d+)\s*(MB|GB)", memory)
+    megabytes = math.ceil(float(amount[1]) * MEGABYTES[amount[2]]) if amount else 0
+    if not megabytes:
+        wanted = "give a number and MB or GB, as in memory = 2 GB"
+        raise UsageError(f"'memory = {memory}' is not understood: {wanted}")
     if not re.fullmatch("[1-9][0-9]{0,3}", threads):
         raise UsageError(f"'threads = {threads}' is not understood: give a whole number from 1")
     return {"megabytes": megabytes, "threads": int(threads)}
