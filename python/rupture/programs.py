@@ -53,7 +53,7 @@ def output_of(program, *arguments):
     command = command_of(program) + [word for given in arguments for word in words(given)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
-        said = done.stderr.strip().splitlines()[-1:] or [f"ended with {done.returncode}"]
+        said = done.stderr.strip().splitlines()[-1:] or [f"{program} ended with {done.returncode}"]
         raise Failure(said[0])
     return done.stdout
 
