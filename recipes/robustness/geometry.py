@@ -1,6 +1,5 @@
 """Maps of front types for other lengths and nucleation energies, and claims Geow and Geo."""
 
-from claims.judge import judged
 from data.tables import points_of
 from maps import front_map, map_conventions
 from maps.front_map import TYPES, axes_of, steps_back, types_of
@@ -17,11 +16,8 @@ TITLES = {
 
 def with_all_types(types):
     """The sigma_bar at which all three types are present."""
-    return {
-        sigma
-        for sigma, places in front_map.along(types, 0).items()
-        if {types[place] for place in places} == set(TYPES)
-    }
+    points = {(sigma, kind) for (_, sigma), kind in types.items()}
+    return {sigma for sigma, _ in points if points >= {(sigma, kind) for kind in TYPES}}
 
 
 def measured(name, fronts):
@@ -62,36 +58,20 @@ def case_in_words(maps, **how):
     }
 
 
-def by_seed(maps, case):
-    """The seeds, and what measures the case of one of them."""
-    seeds = sorted({seed for fronts in maps.values() for seed in front_map.seeds_of(fronts)})
-    of_seed = {
-        s: {name: front_map.map_of_seed(fronts, s) for name, fronts in maps.items()} for s in seeds
-    }
-    return seeds, lambda seed, **way: case(of_seed[seed], **way)
-
-
-def claim_Geow(maps):
-    shown = case_in_words(maps)
-    seeds, case = by_seed(maps, case_in_words)
-    units = map_conventions.units_of_seeds(seeds, map_conventions.MEASURES, case)
-    return judged("Geow", shown, shown, units, map_conventions.ABOUT_UNITS)
-
-
-def claim_Geo(maps):
-    shown = case_of(maps)
-    seeds, case = by_seed(maps, case_of)
-    return judged(
+def claims_of(maps):
+    seeds = {seed for fronts in maps.values() for seed in front_map.seeds_of(fronts)}
+    return map_conventions.claims_over_seeds(
+        "Geow",
         "Geo",
-        shown=shown,
-        units=map_conventions.units_of_seeds(seeds, map_conventions.WAYS, case),
-        measured=shown
-        | {k: v for name, fronts in maps.items() for k, v in measured(name, fronts).items()}
-        | map_conventions.over_product("Geo", seeds, case),
-        note="Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar,"
+        maps,
+        {s: {n: front_map.map_of_seed(m, s) for n, m in maps.items()} for s in sorted(seeds)},
+        case_in_words,
+        case_of,
+        case_of(maps) | {k: v for name, m in maps.items() for k, v in measured(name, m).items()},
+        "Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar,"
         " with all three at two or more, and no place fast below-left of an arrested one. Block"
         " spacing and mass, p per block, H, h and the trigger region's length are kept, so N_x = 43"
-        " and 85, M and F_N in proportion to N_x. " + map_conventions.ABOUT_UNITS,
+        " and 85, M and F_N in proportion to N_x.",
     )
 
 
@@ -111,4 +91,4 @@ def make(data, results):
     maps = front_map.read_variants(points, TITLES)
     draw(maps, results / "geometry")
     front_map.write_variants(results / "geometry.csv", maps)
-    return [claim_Geow(maps), claim_Geo(maps)]
+    return claims_of(maps)

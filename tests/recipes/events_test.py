@@ -9,7 +9,7 @@ from events.choose_events import choose
 from events.conventions import CONVENTIONS, PRIMARY
 from events.event_claims import case_3Cv, judged_event, speeds_compared
 from events.product import combinations, range_of
-from events.slip import peak_speed, with_peak_speed
+from events.slip import with_peak_speed
 from events.units import of_event
 from pictures.panels import ruptured_early
 
@@ -89,13 +89,7 @@ SLIP = {
 
 
 class TestSlip:
-    def test_the_peak_speed_is_that_before_the_arrest(self):
-        assert peak_speed(SLIP) == approx(0.1)
-
-    def test_a_block_that_does_not_stop_has_none(self):
-        assert peak_speed(SLIP | {"t_arrest": None}) is None
-
-    def test_both_ratios_are_reported(self):
+    def test_the_peak_speed_is_that_before_the_arrest_and_both_ratios_are_reported(self):
         claim = judged_event("3Cv", {"event II": ({"stopped": with_peak_speed(SLIP)},)}, {})
         assert claim.shown
         for name, expected in (

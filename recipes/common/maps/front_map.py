@@ -6,6 +6,7 @@ A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, 
 measured it with other pinned fractions of a rupture, the front has them: front["at"][fraction].
 """
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -135,9 +136,9 @@ def neighbours(grid):
     """Pairs of places next to each other on a rectangular grid."""
     taus, sigmas = axes_of(grid)
     for sigma in sigmas:
-        yield from zip(((t, sigma) for t in taus), ((t, sigma) for t in taus[1:]))
+        yield from pairwise((tau, sigma) for tau in taus)
     for tau in taus:
-        yield from zip(((tau, s) for s in sigmas), ((tau, s) for s in sigmas[1:]))
+        yield from pairwise((tau, sigma) for sigma in sigmas)
 
 
 def differ(types, pair):
@@ -180,37 +181,25 @@ def boundary(grid_types, between_types):
 def fast_below_left_of_arrested(seed_types):
     """Pairs of a fast point and an arrested one with at least its tau_bar_0 and sigma_bar, over all
     seeds: [(place of the fast one, place of the arrested one)]."""
-    found = {
-        kind: sorted(p for p, seeds in seed_types.items() if kind in seeds.values())
+    fast, arrested = (
+        sorted(place for place, seeds in seed_types.items() if kind in seeds.values())
         for kind in ("fast", "arrested")
-    }
-    return [
-        (fast, arrested)
-        for fast in found["fast"]
-        for arrested in found["arrested"]
-        if fast[0] <= arrested[0] and fast[1] <= arrested[1]
-    ]
-
-
-def along(types, axis):
-    """{value of the other axis: places with rising tau_bar_0 (axis 0) or sigma_bar (1)}, without
-    those that cannot be prepared."""
-    lines: dict[float, list] = {}
-    for place, kind in sorted(types.items()):
-        if kind in TYPES:
-            lines.setdefault(place[1 - axis], []).append(place)
-    return lines
+    )
+    return [(f, a) for f in fast for a in arrested if f[0] <= a[0] and f[1] <= a[1]]
 
 
 def steps_back(types, axis):
-    """Places where the type falls behind one before it along an axis: arrested, slow, fast is the
-    order."""
-    return {
-        place
-        for line in along(types, axis).values()
-        for number, place in enumerate(line)
-        if any(TYPES.index(types[place]) < TYPES.index(types[p]) for p in line[:number])
-    }
+    """Places where the type falls behind one before it with rising tau_bar_0 (axis 0) or sigma_bar
+    (1): arrested, slow, fast is the order. Those that cannot be prepared do not count."""
+    furthest: dict[float, int] = {}  # by the value of the other axis
+    found = set()
+    for place, kind in sorted(types.items()):
+        if kind in TYPES:
+            line, order = place[1 - axis], TYPES.index(kind)
+            if order < furthest.setdefault(line, order):
+                found.add(place)
+            furthest[line] = max(order, furthest[line])
+    return found
 
 
 def medians_ascend(types, sigma):

@@ -1,12 +1,13 @@
 """A map of front types, its data and its claims: Figures 4 D and S6 B."""
 
+from functools import partial
+
 import numpy as np
 
-from claims.judge import judged
 from data.tables import write_table
 from maps import front_map, map_conventions
 from maps.front_map import TYPES, types_of, types_of_seeds
-from maps.map_conventions import ABOUT_UNITS, ALONG_SIGMA, ALONG_TAU, MEASURES, WAYS, units_of_seeds
+from maps.map_conventions import ALONG_SIGMA, ALONG_TAU
 from maps.map_panels import draw_map
 
 
@@ -107,26 +108,16 @@ def case_in_words(fronts, grid, **how):
 
 def map_claims(leading, strict, fronts, grid, boundary, thresholds, note):
     """Shown is the map of all seeds."""
-    boundary_seeds, seeds = fewest_seeds(fronts, boundary), front_map.seeds_of(fronts)
-
-    def in_words(seed, **way):
-        return case_in_words(front_map.map_of_seed(fronts, seed), grid, **way)
-
-    def case(seed, **way):
-        return case_of_map(front_map.map_of_seed(fronts, seed), grid, boundary_seeds, **way)
-
-    shown = case_in_words(fronts, grid)
-    return [
-        judged(leading, shown, shown, units_of_seeds(seeds, MEASURES, in_words), ABOUT_UNITS),
-        judged(
-            strict,
-            measured(fronts, grid, boundary, thresholds)
-            | map_conventions.over_product(strict, seeds, case),
-            case_of_map(fronts, grid, boundary_seeds),
-            units_of_seeds(seeds, WAYS, case),
-            f"{note} {ABOUT_UNITS}",
-        ),
-    ]
+    return map_conventions.claims_over_seeds(
+        leading,
+        strict,
+        fronts,
+        {seed: front_map.map_of_seed(fronts, seed) for seed in front_map.seeds_of(fronts)},
+        partial(case_in_words, grid=grid),
+        partial(case_of_map, grid=grid, boundary_seeds=fewest_seeds(fronts, boundary)),
+        measured(fronts, grid, boundary, thresholds),
+        note,
+    )
 
 
 def make_map(data, results, *, panel, tables, slow_below, claims, note):

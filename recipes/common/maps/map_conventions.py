@@ -7,7 +7,7 @@ at the ends of a slow stretch count makes no difference to a type, so those ways
 
 from itertools import product
 
-from claims.judge import holds
+from claims.judge import holds, judged
 from events.conventions import CONVENTIONS
 from events.product import combinations
 from maps.front_map import fast_below_left_of_arrested, steps_back, types_of, types_of_seeds
@@ -57,10 +57,21 @@ def units_of_seeds(seeds, ways, case):
     }
 
 
-def over_product(claim_id, seeds, case):
-    """How far the number of seeds for which the claim holds moves if ways are combined."""
-    held = [sum(holds(claim_id, [case(seed, **way)]) for seed in seeds) for way in PRODUCT]
-    return {
+def claims_over_seeds(leading, strict, shown, of_seeds, case_in_words, case, measured, note):
+    """The leading claim, and the one that asks for more, with how far the number of seeds for which
+    it holds moves if ways are combined. `shown`: the map of all seeds, or several; `of_seeds`: the
+    same of each seed, {seed: map}. The functions measure the cases of both claims in them."""
+
+    def units(ways, measure):
+        return units_of_seeds(of_seeds, ways, lambda seed, **way: measure(of_seeds[seed], **way))
+
+    held = [sum(holds(strict, [case(one, **way)]) for one in of_seeds.values()) for way in PRODUCT]
+    measured |= {
         "combinations of conventions": len(held),
         "seeds under them, fewest and most": [min(held), max(held)],
     }
+    words, note = case_in_words(shown), f"{note} {ABOUT_UNITS}"
+    return [
+        judged(leading, words, words, units(MEASURES, case_in_words), ABOUT_UNITS),
+        judged(strict, measured, case(shown), units(WAYS, case), note),
+    ]
