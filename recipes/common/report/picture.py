@@ -28,7 +28,7 @@ class Picture:
     pdf: str | None
     width: int  # [pixels]
     height: int
-    alt: str  # what is seen, in words
+    alt: str  # for those who do not see it; the caption says more
 
 
 def picture(path, alt):
