@@ -218,12 +218,6 @@ def order_in_words(types):
     return len(set(types.values()) & set(TYPES)), len(out_of_order)
 
 
-def spread_of_crossing(seeds):
-    """How far the times at which the front arrives differ between seeds, over their mean."""
-    times = [front["t_rupture"][-1] for front in seeds.values()]
-    return (max(times) - min(times)) / float(np.mean(times))
-
-
 def band(types, sigma):
     """Lowest and highest tau_bar_0 with a slow front at this sigma_bar, or None."""
     taus = [tau for (tau, s), kind in types.items() if s == sigma and kind == "slow"]

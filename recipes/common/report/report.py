@@ -128,7 +128,6 @@ def render(content):
         lstrip_blocks=True,
     )
     environment.filters.update(
-        css_class=lambda verdict: verdict.replace(" ", "-"),
         date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
         duration=duration,
         number=number,

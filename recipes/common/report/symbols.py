@@ -63,11 +63,8 @@ def index(text):
 
 
 def with_scripts(base, below, above):
-    if below and above:
-        return f"<msubsup>{base}{below}{above}</msubsup>"
-    if below:
-        return f"<msub>{base}{below}</msub>"
-    return f"<msup>{base}{above}</msup>" if above else base
+    tag = "m" + "sub" * bool(below) + "sup" * bool(above)
+    return base if tag == "m" else f"<{tag}>{base}{below}{above}</{tag}>"
 
 
 def of_symbol(found):

@@ -46,14 +46,6 @@ def complain(text):
     print(text, file=sys.stderr, flush=True)
 
 
-def describe(message):
-    """The rule's own sentence, or its name and wildcards."""
-    if message["msg"]:
-        return message["msg"].strip()
-    wildcards = ", ".join(f"{name} {value}" for name, value in message.get("wildcards", {}).items())
-    return message["name"] + (f" ({wildcards})" if wildcards else "")
-
-
 def on_plan(message):
     """Snakemake's table of rules and how often each is to be run."""
     counts = dict(re.findall(r"^(\w+)\s+(\d+)", message["msg"], re.MULTILINE))
@@ -63,8 +55,9 @@ def on_plan(message):
 
 
 def on_start(message):
+    description = (message["msg"] or message["name"]).strip()
     jobs[message["jobid"]] = {
-        "description": describe(message),
+        "description": description,
         "rule": message["name"],
         "started": time.time(),
         "command": "",
@@ -75,7 +68,7 @@ def on_start(message):
     if message["name"] not in COLLECTING:
         steps["started"] += 1
         number = f"{steps['started']:{len(steps['total'])}}/{steps['total']}"
-        show(f"[{time.monotonic() - START:4.0f} s] {number} {describe(message)}")
+        show(f"[{time.monotonic() - START:4.0f} s] {number} {description}")
 
 
 def on_command(message):

@@ -11,11 +11,7 @@ def natural(name):
 
 def recipe_order(name):
     """fig1, fig2, ..., figS1, ..., then what belongs to no figure."""
-    if re.fullmatch(r"fig\d+", name):
-        group = 0
-    else:
-        group = 1 if re.fullmatch(r"figS\d+", name) else 2
-    return group, natural(name)
+    return not label(name), natural(name)
 
 
 def recipe_names(root):
