@@ -20,7 +20,7 @@ EVENTS = (ROOT / readme.FRONTS).read_text(encoding="utf-8")
 def test_its_sentences_are_those_that_a_report_of_all_leading_claims_wrote():
     [(digest, shown)] = readme.BLOCK.findall((ROOT / readme.README).read_text(encoding="utf-8"))
     assert readme.block(shown).startswith(f"<!-- results {digest} -->"), "nobody edits them"
-    words = map(re.escape, readme.PLACE.split(readme.SENTENCES)[::3])
+    words = [re.escape(text) for text in readme.PLACE.split(readme.SENTENCES)[::3]]
     assert re.fullmatch(r"[-\d.e]+".join(words), shown), "the wording is that of readme.txt"
     leading = [name for name, claim in table().items() if "closeness_of" not in claim]
     assert shown.startswith(f"- Of {len(leading)} claims")

@@ -43,10 +43,9 @@ def letter(axes, text):
     axes.annotate(text, (0, 1), xycoords="axes fraction", weight="bold", size=9, **place)
 
 
-def save(fig, stem, source=None):
-    """Writes stem.png and stem.pdf; equal plots are equal bytes. The PNG says its `source`, if it
-    has one."""
+def save(fig, stem):
+    """Writes stem.png and stem.pdf; equal plots are equal bytes."""
     Path(stem).parent.mkdir(parents=True, exist_ok=True)
-    fig.savefig(f"{stem}.png", metadata={"Software": None, "Source": source})
+    fig.savefig(f"{stem}.png", metadata={"Software": None})
     fig.savefig(f"{stem}.pdf", metadata={"CreationDate": None, "ModDate": None})
     plt.close(fig)

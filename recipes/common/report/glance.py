@@ -5,10 +5,16 @@ import re
 from collections import Counter
 
 from claims.judge import PRIMARY, needed, table
+from picture import picture
 from pictures.plotting import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
 from runs.recipes import label
 
 ROW, HEAD = 3.9 * MM, 42 * MM  # heights of a claim, and of what is above all claims [inch]
+SEEN = (
+    "A row per claim, figure by figure. Left: for which share of its units it holds, and whether it"
+    " holds for the shown case; right: the share under each convention that several claims have,"
+    " and the least under others."
+)
 GAP = 0.5  # before the next figure, behind the primary convention, and before OTHERS
 SEVERAL = 4  # claims whose common convention has a column
 OTHERS = "least under others"
@@ -20,12 +26,9 @@ NEEDED_LOOK = {"color": VERMILION, "linestyle": ":", "linewidth": 1.2}
 
 def heights_of(claims):
     """{claim id: its height}, downwards; figures are apart."""
-    heights, at, before = {}, 0.0, ""
-    for claim in claims:
-        recipe = table()[claim.id]["recipe"]
-        at += GAP if before not in ("", recipe) else 0.0
-        heights[claim.id], before, at = at, recipe, at + 1
-    return heights
+    recipes = [table()[claim.id]["recipe"] for claim in claims]
+    gaps = [len({*recipes[: n + 1]}) - 1 for n in range(len(claims))]
+    return {claim.id: n + GAP * gaps[n] for n, claim in enumerate(claims)}
 
 
 def places_of(claims):
@@ -82,8 +85,7 @@ def draw_legend(axes):
     legend.set_in_layout(False)
 
 
-def draw_glance(claims, stem, source):
-    """`source`: what it is drawn from, for the PNG."""
+def draw_glance(claims, stem):
     heights, places = heights_of(claims), places_of(claims)
     last = max(heights.values())
     fig, (left, right) = figure(
@@ -103,4 +105,13 @@ def draw_glance(claims, stem, source):
     right.tick_params(length=0, labeltop=True, labelbottom=False)
     right.set_xticks([*places.values()], [symbols_in(name) for name in places], rotation=90)
     draw_legend(left)
-    save(fig, stem, source)
+    save(fig, stem)
+
+
+def glance_picture(results, claims):
+    """Drawn anew; None without any claim over units."""
+    found = [claim for claim in claims if claim.shares]
+    if not found:
+        return None
+    draw_glance(found, results / "claims")
+    return picture(results / "claims.png", SEEN)

@@ -97,10 +97,7 @@ def present_build(root):
 
 
 def processor():
-    try:
-        names = re.findall(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
-    except OSError:
-        names = []
+    names = re.findall(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
     return f"{names[0] if names else platform.machine()}, {os.cpu_count()} cores"
 
 

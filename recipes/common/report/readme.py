@@ -13,6 +13,8 @@ from claims import paper
 from claims.claim import SHOWN_ONLY, VERDICTS
 from data.records import report
 from data.tables import write_table
+from pictures.panels import name_line
+from pictures.plotting import DOUBLE, OF_PAPER, figure
 from rupture.replacing import replacing, write_whole
 
 README, PICTURE = "README.md", "docs/figure-2.png"
@@ -77,9 +79,6 @@ def draw(path, table):
     source = digest(table)
     if source.encode() in path.read_bytes():
         return
-    from pictures.panels import name_line  # slow to load
-    from pictures.plotting import DOUBLE, OF_PAPER, figure
-
     fig, panels = figure(DOUBLE, 0.4 * DOUBLE, ncols=2)
     (_, _, *x), *rows = csv.reader(table.splitlines())
     for (name, _, *cells), axes in zip(rows, len(EVENTS) * [*panels]):

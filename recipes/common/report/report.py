@@ -22,7 +22,8 @@ from claims.own_result import read_own
 from rupture.replacing import write_whole
 from readme import update_readme
 from crate import CRATE, write_crate
-from picture import find_movie, glance_picture, picture
+from glance import glance_picture
+from picture import find_movie, picture
 from runs.recipes import label, natural, read_readme, recipe_names
 from rupture.errors import Failure
 from runs.written import take_names
@@ -109,7 +110,9 @@ def contents(root):
         "listed": sum("closeness_of" not in row for row in table().values()),
         "counts": [(sum(claim.standing == s for claim in leading), s) for s in STANDINGS],
         "movie": find_movie(root / "results"),
-        "glance": glance_picture(root, [claim for recipe in recipes for claim in recipe.claims]),
+        "glance": glance_picture(
+            root / "results", [claim for recipe in recipes for claim in recipe.claims]
+        ),
         "verdicts": how_verdicts_come_about(root, names),
         "jobs": jobs,
         "run": origin.last_run(root, jobs),
