@@ -129,12 +129,7 @@ def test_a_second_run_is_refused_while_the_first_one_runs(sweep):
     assert sentence in done.stderr
 
 
-def test_what_a_killed_run_leaves_behind_ends_by_itself(sweep):
-    sweep.killed()
-    wait_for(lambda: not sweep.running())
-
-
-def test_after_a_killed_run_the_same_command_goes_on(sweep):
+def test_what_a_killed_run_leaves_behind_ends_and_the_same_command_goes_on(sweep):
     sweep.killed()
     assert "2 points: 2 done." in sweep.go()
 

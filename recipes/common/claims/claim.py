@@ -114,12 +114,3 @@ def split_unit(name):
     """Quantity and unit of "speed [m/s]"."""
     match = re.fullmatch(r"(.*?)\s*\[(.*)\]", name)
     return match.group(1, 2) if match else (name, "")
-
-
-def measured_parts(measured):
-    """{"speed [m/s]": 9.81} reads: speed = 9.81 m/s"""
-    parts = []
-    for name, value in measured.items():
-        quantity, unit = split_unit(name)
-        parts.append(f"{quantity} = {number(value)} {unit}".rstrip())
-    return parts

@@ -5,7 +5,7 @@ import json
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
-from claims.claim import measured_parts, plain
+from claims.claim import number, plain, split_unit
 from claims.judge import met, wanted
 from rupture.replacing import write_whole
 
@@ -43,7 +43,10 @@ def compared(name, measured, question, expected):
 
 def text_of(result):
     lines = [f"{result.id} (ours, {result.outcome()}): {result.question}"]
-    return "\n".join([*lines, *(f"  {part}" for part in measured_parts(result.shown()))])
+    for name, value in result.shown().items():
+        quantity, unit = split_unit(name)
+        lines.append(f"  {quantity} = {number(value)} {unit}".rstrip())
+    return "\n".join(lines)
 
 
 def write_own(folder, results, before=""):
