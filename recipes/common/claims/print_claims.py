@@ -26,17 +26,13 @@ def cells(claim):
     return claim.standing, SHOWN[claim.shown], *shares
 
 
-def head_of(claim):
-    """A row that asks for more than the paper says stands indented below the leading one."""
-    name = f" {claim.id}" if claim.closeness_of else claim.id
-    return f"{name:6}{textwrap.shorten(claim.paper, WIDTH - len(INDENT), placeholder=' ...')}"
-
-
 def print_table(claims):
+    """A row that asks for more than the paper says stands indented below the leading one."""
     print(f"{'claim':6}of the paper\n{FORM.format(*HEADS).rstrip()}")
     print("-" * WIDTH)
     for claim in claims:
-        print(head_of(claim))
+        name = f" {claim.id}" if claim.closeness_of else claim.id
+        print(f"{name:6}{textwrap.shorten(claim.paper, WIDTH - len(INDENT), placeholder=' ...')}")
         print(FORM.format(*cells(claim)).rstrip())
         print(textwrap.fill(claim.reason, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT))
 

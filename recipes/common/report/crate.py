@@ -132,14 +132,6 @@ def whole_file(results, path):
     return file_entity(results, path, contentSize=str(len(content)), sha256=digest)
 
 
-def files_of_run(results):
-    return [
-        file_entity(results, path, description=text) if text else whole_file(results, path)
-        for name, text in OF_THE_RUN.items()
-        if (path := results / name).exists()
-    ]
-
-
 def run_of(root, name, accounts, source, built):
     """A recipe that has results: what they were made from, and its folder. `built` are programs by
     the texts of origin.builds()."""
@@ -180,6 +172,11 @@ def crate(root, now):
     if checkpoints := {each["@id"]: each for run in runs for each in run["object"]}:
         title = "Checkpoints and records, with the checksums of their content"
         folders.append(entity("data/", "Dataset", name=title, hasPart=[*checkpoints.values()]))
+    files = [
+        file_entity(results, path, description=text) if text else whole_file(results, path)
+        for name, text in OF_THE_RUN.items()
+        if (path := results / name).exists()
+    ]
     top = entity(
         "./",
         "Dataset",
@@ -189,7 +186,7 @@ def crate(root, now):
         datePublished=moment(now),
         license=source["license"],
         citation=source["citation"],
-        hasPart=folders + files_of_run(results),
+        hasPart=folders + files,
         mentions=runs,
     )
     graph: dict[str, dict] = {}

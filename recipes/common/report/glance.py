@@ -24,24 +24,12 @@ OTHER_LOOK = {"color": SKY, "marker": "o", "linestyle": "", "markeredgecolor": B
 NEEDED_LOOK = {"color": VERMILION, "linestyle": ":", "linewidth": 1.2}
 
 
-def heights_of(claims):
-    """{claim id: its height}, downwards; figures are apart."""
-    recipes = [table()[claim.id]["recipe"] for claim in claims]
-    gaps = [len({*recipes[: n + 1]}) - 1 for n in range(len(claims))]
-    return {claim.id: n + GAP * gaps[n] for n, claim in enumerate(claims)}
-
-
 def places_of(claims):
     """{convention: place of its column}: the primary one, then those of several claims."""
     times = Counter(share.convention for claim in claims for share in claim.shares)
     common = [name for name, count in times.most_common() if count >= SEVERAL and name != PRIMARY]
     names = [PRIMARY, *common, OTHERS]
     return {name: n + GAP * (n > 0) + GAP * (name == OTHERS) for n, name in enumerate(names)}
-
-
-def symbols_in(text):
-    """c_s in Matplotlib's way of typesetting."""
-    return re.sub(r"\b([a-z])_(\w)\b", r"$\1_\2$", text)
 
 
 def draw_shares(axes, claim, height):
@@ -86,8 +74,11 @@ def draw_legend(axes):
 
 
 def draw_glance(claims, stem):
-    heights, places = heights_of(claims), places_of(claims)
-    last = max(heights.values())
+    """Downwards; figures are apart, and named once."""
+    recipes = [table()[claim.id]["recipe"] for claim in claims]
+    first = [recipe not in recipes[:n] for n, recipe in enumerate(recipes)]
+    heights = {c.id: n + GAP * sum(first[1 : n + 1]) for n, c in enumerate(claims)}
+    places, last = places_of(claims), max(heights.values())
     fig, (left, right) = figure(
         DOUBLE, HEAD + (last + 1) * ROW, ncols=2, sharey=True, width_ratios=(5, len(places) + 1)
     )
@@ -96,14 +87,13 @@ def draw_glance(claims, stem):
         draw_conventions(right, places, claim, heights[claim.id])
         left.axhline(heights[claim.id], color=BLACK, linewidth=0.1, zorder=0)
     left.set(xlabel="share of the units", xlim=(-0.05, 1.18), ylim=(last + 0.7, -0.7))
-    recipes = [table()[claim_id]["recipe"] for claim_id in heights]
-    first = [recipe not in recipes[:n] for n, recipe in enumerate(recipes)]
     names_of = [(label(recipe) or recipe) if new else "" for recipe, new in zip(recipes, first)]
     left.set_yticks([*heights.values()], [f"{f}   {c:5}" for f, c in zip(names_of, heights)])
     left.tick_params(axis="y", length=0)
     right.spines[:].set_visible(False)
     right.tick_params(length=0, labeltop=True, labelbottom=False)
-    right.set_xticks([*places.values()], [symbols_in(name) for name in places], rotation=90)
+    names = [re.sub(r"\b([a-z])_(\w)\b", r"$\1_\2$", name) for name in places]  # c_s
+    right.set_xticks([*places.values()], names, rotation=90)
     draw_legend(left)
     save(fig, stem)
 

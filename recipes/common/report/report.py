@@ -7,7 +7,6 @@ writes.
 """
 
 import os
-import re
 import sys
 import time
 from pathlib import Path
@@ -78,12 +77,6 @@ def rows_of(recipes):
     return [found[claim_id] for claim_id in table() if claim_id in found]
 
 
-def how_verdicts_come_about(root, shown):
-    """docs/claims.md, below its title."""
-    text = (root / "docs/claims.md").read_text(encoding="utf-8")
-    return as_html(re.sub(r"^# .*\n", "", text), shown)
-
-
 # --- the page ------------------------------------------------------------------------------
 
 
@@ -103,6 +96,7 @@ def contents(root):
     leading = [claim for _, claim in rows if not claim.closeness_of]
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs = accounts.jobs(files)
+    verdicts = (root / "docs/claims.md").read_text(encoding="utf-8")
     return {
         "recipes": recipes,
         "rows": rows,
@@ -113,7 +107,7 @@ def contents(root):
         "glance": glance_picture(
             root / "results", [claim for recipe in recipes for claim in recipe.claims]
         ),
-        "verdicts": how_verdicts_come_about(root, names),
+        "verdicts": as_html(verdicts.partition("\n")[2], names),  # below its title
         "jobs": jobs,
         "run": origin.last_run(root, jobs),
         "builds": origin.builds(root, files),

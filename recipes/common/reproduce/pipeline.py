@@ -55,14 +55,10 @@ def is_done(rows):
     return all(state != "missing" and to_do == "no update" for _, state, to_do in rows)
 
 
-def missing_files(rows):
-    """Files that are gone although what was made from them is not, as after an interrupted run.
-    Snakemake would take the older results for finished."""
-    return [path for path, state, to_do in rows if (state, to_do) == ("missing", "no update")]
-
-
 def compute(targets, options):
-    """One plan shows whether there is anything to do. If so, each stage needs a plan of its own."""
+    """One plan shows whether there is anything to do. If so, each stage needs a plan of its own.
+    Files may be gone although what was made from them is not, as after an interrupted run:
+    Snakemake would take the older results for finished."""
     rows = plan([*STAGES, *targets], options)
     if rows is None:
         return 1
@@ -73,7 +69,10 @@ def compute(targets, options):
         if code := snakemake(stage, *options):
             return code
     rows = plan(targets, options)
-    return 1 if rows is None else snakemake(*targets, *missing_files(rows), *options)
+    if rows is None:
+        return 1
+    missing = [path for path, state, to_do in rows if (state, to_do) == ("missing", "no update")]
+    return snakemake(*targets, *missing, *options)
 
 
 def main(*words):

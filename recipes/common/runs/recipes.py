@@ -9,13 +9,10 @@ def natural(name):
     return [(int(part), "") if part.isdigit() else (0, part) for part in re.split(r"(\d+)", name)]
 
 
-def recipe_order(name):
-    """fig1, fig2, ..., figS1, ..., then what belongs to no figure."""
-    return not label(name), natural(name)
-
-
 def recipe_names(root):
-    return sorted((path.parent.name for path in root.glob("recipes/*/rules.smk")), key=recipe_order)
+    """fig1, fig2, ..., figS1, ..., then what belongs to no figure."""
+    names = (path.parent.name for path in root.glob("recipes/*/rules.smk"))
+    return sorted(names, key=lambda name: (not label(name), natural(name)))
 
 
 def label(name):
