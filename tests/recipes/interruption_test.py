@@ -69,11 +69,6 @@ class Sweep(Project):
         assert process.poll() is None
         return process
 
-    def killed(self):
-        process = self.started()
-        process.kill()
-        process.wait()
-
 
 @pytest.fixture(name="sweep")
 def sweep_of_two_points(tmp_path):
@@ -130,7 +125,9 @@ def test_a_second_run_is_refused_while_the_first_one_runs(sweep):
 
 
 def test_what_a_killed_run_leaves_behind_ends_and_the_same_command_goes_on(sweep):
-    sweep.killed()
+    process = sweep.started()
+    process.kill()
+    process.wait()
     assert "2 points: 2 done." in sweep.go()
 
 

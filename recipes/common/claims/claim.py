@@ -4,8 +4,6 @@ import json
 import re
 from dataclasses import asdict, dataclass, replace
 
-import numpy as np
-
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 
@@ -104,7 +102,7 @@ def number(value):
         return "none"
     if isinstance(value, list):
         return ", ".join(map(number, value))
-    if isinstance(value, (float, np.floating)):
+    if isinstance(value, float):
         text = f"{value:.3g}"
         return f"{float(text):.0f}" if "e+" in text and abs(float(text)) < 1e6 else text
     return str(value)

@@ -13,6 +13,7 @@ from runs.fingerprint import fingerprint_of_programs
 from runs.written import note
 from reproduce.project import LOGS, PROGRAMS, ROOT, say, use_own_environment
 from reproduce.processes import build, ensure_packages
+from claims.print_claims import print_claims
 
 RESULTS = Path("results")
 STEP = "step"  # file of a profile with which commands become steps of an allocation
@@ -110,8 +111,6 @@ def note_run(recipes, place, started):
 
 
 def reproduce(request, recipes, processes):
-    from claims.print_claims import print_claims  # here, because it loads NumPy
-
     place = prepare(request, processes)
     names = " ".join(recipes)
     say(f"Computing {names} {place.name} ...")

@@ -19,21 +19,18 @@ READ = ("recipes", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 BESIDE_ALL = ("choices", "convergence", "speeds")
 
 
-def link(path, target):
-    if not path.is_symlink() or path.readlink() != target:
-        path.unlink(missing_ok=True)
-        path.symlink_to(target)
-
-
 def enter_root():
     """Where recipes and results are. Of `rupture reproduce` it has links to both."""
     if WORK:
         try:
             ROOT.mkdir(exist_ok=True)
             (WORK / "results").mkdir(exist_ok=True)
-            link(ROOT / "results", Path("../results"))
-            for name in READ:
-                link(ROOT / name, SHARE / name)
+            targets = {"results": Path("../results")} | {name: SHARE / name for name in READ}
+            for name, target in targets.items():
+                link = ROOT / name
+                if not link.is_symlink() or link.readlink() != target:
+                    link.unlink(missing_ok=True)
+                    link.symlink_to(target)
         except OSError as error:
             raise Failure(f"{error.filename} cannot be written ({error.strerror}).") from None
     os.chdir(ROOT)
