@@ -12,17 +12,13 @@ FORM = INDENT + "{:16}{:8}{:20}{:7}{}"
 SHOWN = {True: "holds", False: "fails", None: "-"}
 
 
-def share_text(share):
-    within = "" if share.low is None else f" ({share.low:.2f}-{share.high:.2f})"
-    return f"{share.part():.2f}{within}"
-
-
 def cells(claim):
     """Share under the primary convention with its 90 % interval, and the least of all."""
     if not claim.shares:
         return claim.standing, SHOWN[claim.shown], "", "", ""
-    least = min(claim.shares, key=Share.part)
-    shares = share_text(claim.shares[0]), f"{least.part():.2f}", least.convention
+    primary, least = claim.shares[0], min(claim.shares, key=Share.part)
+    within = "" if primary.low is None else f" ({primary.low:.2f}-{primary.high:.2f})"
+    shares = f"{primary.part():.2f}{within}", f"{least.part():.2f}", least.convention
     return claim.standing, SHOWN[claim.shown], *shares
 
 

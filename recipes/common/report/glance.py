@@ -43,17 +43,12 @@ def draw_shares(axes, claim, height):
         axes.plot(1.1, height, CASES[claim.shown][0], color=BLACK, markersize=4)
 
 
-def cells_of(claim, places):
-    """{column: share}; OTHERS has the least of those that have no column of their own."""
+def draw_conventions(axes, places, claim, height):
+    """Cells as dark as the share is large; OTHERS has the least of those without a column."""
     shares = {share.convention: share.part() for share in claim.shares}
     others = [part for name, part in shares.items() if name not in places]
-    own = {name: part for name, part in shares.items() if name in places}
-    return own | ({OTHERS: min(others)} if others else {})
-
-
-def draw_conventions(axes, places, claim, height):
-    """Cells as dark as the share is large."""
-    for name, part in cells_of(claim, places).items():
+    cells = {name: part for name, part in shares.items() if name in places}
+    for name, part in (cells | ({OTHERS: min(others)} if others else {})).items():
         place = places[name]
         axes.barh(height, 0.94, height=0.9, left=place - 0.47, color=plt.cm.Blues(0.75 * part))
         colour = "white" if part > 0.7 else BLACK

@@ -62,18 +62,14 @@ def index(text):
     return f"<mrow>{letters}</mrow>" if len(text) > 1 else letters
 
 
-def with_scripts(base, below, above):
-    tag = "m" + "sub" * bool(below) + "sup" * bool(above)
-    return base if tag == "m" else f"<{tag}>{base}{below}{above}</{tag}>"
-
-
 def of_symbol(found):
     base = f"<mi>{GREEK.get(found['name'], found['name'])}</mi>"
     if found["bar"]:
         base = f'<mover>{base}<mo stretchy="false">¯</mo></mover>'
     below = index(found["index"]) if found["index"] else ""
-    power = (found["power"] or "").replace("-", "−")
-    symbol = with_scripts(base, below, f"<mn>{power}</mn>" if power else "")
+    above = f"<mn>{found['power'].replace('-', '−')}</mn>" if found["power"] else ""
+    scripts = "sub" * bool(below) + "sup" * bool(above)
+    symbol = f"<m{scripts}>{base}{below}{above}</m{scripts}>" if scripts else base
     if found["change"]:
         sign = "Δ" if found["change"] == "Δ" else "δ"
         symbol = f'<mi mathvariant="normal">{sign}</mi>{symbol}'

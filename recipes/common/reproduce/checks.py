@@ -45,8 +45,10 @@ TIDY = (
 
 
 def run_ctest(processes, preset, log, cores):
+    use_own_environment()
+    log.unlink(missing_ok=True)
     command = f"ctest --preset {preset} --parallel {cores} --no-tests=error --output-log"
-    return processes.run([*command.split(), (LOGS / log).absolute()])
+    return processes.run([*command.split(), log.absolute()])
 
 
 def slowest_tests(log):
@@ -56,11 +58,9 @@ def slowest_tests(log):
 
 
 def run_tests(request, processes):
-    (LOGS / "test.log").unlink(missing_ok=True)
     build(processes, request.cores, "all", "run", "test")
-    use_own_environment()
-    code = run_ctest(processes, "release", "test.log", request.cores)
-    if (log := LOGS / "test.log").exists():
+    code = run_ctest(processes, "release", log := LOGS / "test.log", request.cores)
+    if log.exists():
         say("\nThe slowest tests:")
         for seconds, name in slowest_tests(log.read_text()):
             say(f"  {seconds:6.1f} s  {name}")
@@ -69,7 +69,6 @@ def run_tests(request, processes):
 
 def test_slurm(request, processes):
     """Where SLURM cannot be installed, ctest says that this was skipped."""
-    (LOGS / "slurm.log").unlink(missing_ok=True)
     build(processes, request.cores, "tools", "run")
     try:
         ensure_packages(processes, "slurm")
@@ -77,8 +76,7 @@ def test_slurm(request, processes):
         if processes.received:
             raise
         say("Continuing without them.")
-    use_own_environment()
-    return run_ctest(processes, "slurm", "slurm.log", 1)
+    return run_ctest(processes, "slurm", LOGS / "slurm.log", 1)
 
 
 def defines_layout(program):
