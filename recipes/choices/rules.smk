@@ -21,7 +21,7 @@ OF_KIND = {"load": ("events", "continued"), "decaying": ("events",)}  # what the
 def of_choice(folder, name, kind):
     """As many loads as there are as settled."""
     seeds = range(FIRST_SEED, FIRST_SEED + SETTINGS[kind][1])
-    return [f"{DATA}/{folder}/{name}-{n}-{what}.json" for n in seeds for what in OF_KIND[kind]]
+    return [f"{folder}/{name}-{n}-{what}.json" for n in seeds for what in OF_KIND[kind]]
 
 
 wildcard_constraints:
@@ -57,7 +57,9 @@ figure(
     "choices",
     tables=["choices"],
     own=OWN_RESULTS,
-    settled=[of_choice("ensemble", kind, kind) for kind in OF_KIND],
-    changed=[of_choice("choices", name, kind) for name, (kind, _) in CHOICES.items()],
-    prepared=f"{DATA}/choices/choices.csv",
+    reads=[
+        "choices/choices.csv",
+        *(of for kind in OF_KIND for of in of_choice("ensemble", kind, kind)),
+        *(of for name, (kind, _) in CHOICES.items() for of in of_choice("choices", name, kind)),
+    ],
 )

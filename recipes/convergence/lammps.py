@@ -12,8 +12,8 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-import h5py
 import numpy as np
+import rupture
 
 ALONE = {"OMP_NUM_THREADS": "1", "OMPI_MCA_ess_singleton_isolated": "1"}  # one process, no daemon
 HEADER = """ITEM: TIMESTEP
@@ -41,20 +41,17 @@ class Blocks:
 
 
 def read_blocks(path):
-    with h5py.File(path) as file:
-        state, p = file["state"], file["parameters"]
-        rows, columns = state["u_x"].shape
-        u, v, f = (
-            np.column_stack([state[f"{name}_{axis}"][()].ravel() for axis in "xz"])
-            for name in "uvf"
-        )
-        x, z = np.meshgrid(np.arange(columns), np.arange(rows))
-        places = np.column_stack([x.ravel(), z.ravel()]) * p["slider/L"][()] / (columns - 1)
-        mass = p["slider/M"][()] / (rows * columns)
-        half_a_step = p["numerics/dt"][()] / 2
-        names = {"edge": "slider/edge_springs", "along": "slider/damping_along"}
-        choices = {key: p[name].asstr()[()] for key, name in names.items() if name in p}
-        return Blocks(int(state["step"][()]), places, u, v, v - f / mass * half_a_step, choices)
+    state = rupture.open(path)
+    p, (rows, columns) = state.parameters, state["u_x"].shape
+    u, v, f = (
+        np.column_stack([state[f"{name}_{axis}"].ravel() for axis in "xz"]) for name in "uvf"
+    )
+    x, z = np.meshgrid(np.arange(columns), np.arange(rows))
+    places = np.column_stack([x.ravel(), z.ravel()]) * p["slider.L"] / (columns - 1)
+    mass, half_a_step = p["slider.M"] / (rows * columns), p["numerics.dt"] / 2
+    names = {"edge": "slider.edge_springs", "along": "slider.damping_along"}
+    choices = {key: p[name] for key, name in names.items() if name in p}
+    return Blocks(state["step"], places, u, v, v - f / mass * half_a_step, choices)
 
 
 def write_start(path, blocks):

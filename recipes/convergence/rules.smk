@@ -1,13 +1,13 @@
 import shutil
 
 # Convergence with the time step and the lattice. It decides nothing, and `all` leaves it out.
-CONVERGENCE_STEPS = ["1e-7", "5e-8"]  # beside the unchanged 2e-7 s
 CONVERGENCE_EVENTS = ["fast-slow-fast", "second-slow", "fast-only"]  # I, II, III
-RUNS |= {
+CONVERGENCE_RUNS = {
     f"convergence/{event}-{dt}": run(event, f"--for {DURATION}", f"--set numerics.dt={dt}")
     for event in CONVERGENCE_EVENTS
-    for dt in CONVERGENCE_STEPS
+    for dt in ("1e-7", "5e-8")  # beside the unchanged 2e-7 s
 }
+RUNS |= CONVERGENCE_RUNS
 
 
 # The slider of event I is let go: without load, foundation, drive and junctions its blocks swing freely.
@@ -15,29 +15,14 @@ RUNS |= {
 LET_GO = (
     "--set slider.F_N=1e-9 --set slider.foundation=1e-15 --set driving.K=0 --set junctions.kappa=1e-15"
 )
-FREE_STEPS = 2000  # of 0.2 us
-
-
-use rule restart as convergence_free_start with:
-    input: **content_of(h5=f"{DATA}/fast-slow-fast.h5")
-    output: **with_sums(h5=f"{DATA}/convergence/free-start.h5")
-    log: f"{LOGS}/convergence/free-start.log"
-    params: **run_with("--for 2e-7", changes=LET_GO)
-    message: "convergence: let the slider go"
-
-
-use rule restart as convergence_free_end with:
-    input: **content_of(h5=f"{DATA}/convergence/free-start.h5")
-    output: **with_sums(h5=f"{DATA}/convergence/free-end.h5")
-    log: f"{LOGS}/convergence/free-end.log"
-    params: **run_with(f"--for {FREE_STEPS * 2e-7:.9g}")
-    message: "convergence: run its free blocks"
+RUNS["convergence/let-go"] = run("fast-slow-fast", "--for 2e-7", LET_GO)
+RUNS["convergence/free"] = run("convergence/let-go-end", "--for 0.0004")
 
 
 rule convergence_lammps:
     input:
         **content_of(
-            start=f"{DATA}/convergence/free-start.h5", end=f"{DATA}/convergence/free-end.h5"
+            start=f"{DATA}/convergence/let-go-end.h5", end=f"{DATA}/convergence/free-end.h5"
         ),
         bulk="benchmarks/lammps/bulk.in",
         compare="benchmarks/lammps/compare.in",
@@ -94,18 +79,15 @@ figure(
     tables=["convergence", "edges"],
     own=OWN_RESULTS,
     events=CONVERGENCE_EVENTS,
-    lammps=f"{DATA}/convergence/lammps.json",
-    table=f"{DATA}/convergence/time-step.csv",
-    edges=[
-        f"{DATA}/convergence/{setting}-{sigma}-{N_x}.json"
-        for setting, (_, lattices) in LATTICE_EDGES.items()
-        for sigma in ("0", "0.1", "0.285")
-        for N_x in lattices
-    ],
-    fronts=[f"{DATA}/{event}-front.json" for event in CONVERGENCE_EVENTS],
-    finer=[
-        f"{DATA}/convergence/{event}-{dt}-front.json"
-        for event in CONVERGENCE_EVENTS
-        for dt in CONVERGENCE_STEPS
+    reads=[
+        *("convergence/lammps.json", "convergence/time-step.csv"),
+        *(
+            f"convergence/{setting}-{sigma}-{N_x}.json"
+            for setting, (_, lattices) in LATTICE_EDGES.items()
+            for sigma in ("0", "0.1", "0.285")
+            for N_x in lattices
+        ),
+        *(f"{event}-front.json" for event in CONVERGENCE_EVENTS),
+        *(f"{run}-front.json" for run in CONVERGENCE_RUNS),
     ],
 )

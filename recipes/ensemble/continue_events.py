@@ -19,8 +19,7 @@ A branch is null where the front does not rupture its block; a front where nothi
 import shutil
 from pathlib import Path
 
-import h5py
-import numpy as np
+import rupture
 from workshop import Workshop, short, without_lines
 
 from data.scratch import scratch
@@ -30,7 +29,6 @@ from events.continuations import (
     BRANCHES,
     CONTINUATIONS,
     DURATION,
-    LEAD,
     OWN_BLOCK,
     SLIP_AT,
     SLIPS,
@@ -38,30 +36,10 @@ from events.continuations import (
 )
 from events.conventions import IN_WORDS, PRIMARY, WAYS
 from events.fronts import middle_of_slow_stretch
+from events.slip import peaks_of
 
 RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FRONTS = ["stopped", "no-slow-slip", "wider"]  # of which the front is measured
-
-
-def numbers(values):
-    """For JSON."""
-    return [value if np.isfinite(value) else None for value in values]
-
-
-def peaks(record):
-    """When tau/p of each block is largest [s], and tau/p at the start, then, and LEAD after the
-    last block has ruptured. A block without contact has none."""
-    with h5py.File(record) as file:
-        time, tau, p = (file[f"series/{name}"][()] for name in ("time", "tau", "p"))
-        _, first = np.unique(file["ruptures/block"][()], return_index=True)
-        last = file["ruptures/time"][()][first].max()
-    ratio = np.divide(tau, p, out=np.full_like(tau, -np.inf), where=p > 0)[time <= last + LEAD]
-    return {
-        "t_peak": time[np.argmax(ratio, axis=0)].tolist(),
-        "before": numbers(ratio[0]),
-        "at_peak": numbers(ratio.max(axis=0)),
-        "after": numbers(ratio[-1]),
-    }
 
 
 def continued(workshop, branch, duration, slip_at):
@@ -128,7 +106,7 @@ def measure(workshop, event):
         "unmodified": workshop.front("event"),
         IN_WORDS: without_lines(event),
         "strength": workshop.analyze("strength", workshop.path("start")),
-        "peaks": peaks(workshop.path("event-record")),
+        "peaks": peaks_of(rupture.open(workshop.path("event-record"))),
         "branches": branches,
         "undriven": short(workshop.front("undriven")),
         "undriven_from": amid_slow,

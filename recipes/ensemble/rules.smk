@@ -5,8 +5,10 @@ figure(
     pictures=["ensemble", "alternation"],
     tables=["events"],
     own=OWN_RESULTS,
-    found=[f"{DATA}/ensemble/{load}-events.json" for load in LOADS],
-    continued=[f"{DATA}/ensemble/{load}-continued.json" for load in CONTINUED_LOADS],
-    quasistatic=[f"{DATA}/ensemble/h0-{FIRST_SEED + n}.json" for n in range(20)],
-    products=[of_ensemble(setting, "product") for setting in ("load", "decaying", "exponential")],
+    reads=[
+        *(f"ensemble/{load}-events.json" for load in LOADS),
+        *(f"ensemble/{load}-continued.json" for load in CONTINUED_LOADS),
+        *(f"ensemble/h0-{FIRST_SEED + n}.json" for n in range(20)),
+        *(of for setting in ("load", "decaying", "exponential") for of in of_ensemble(setting, "product")),
+    ],
 )

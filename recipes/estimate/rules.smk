@@ -12,5 +12,5 @@ figure(
     "estimate",
     tables=["relaxation", "blocks"],
     events=["fast-slow-fast"],
-    estimates=[f"{DATA}/{of}-estimate.json" for of in ("fast-slow-fast", "estimate/unbreakable")],
+    reads=["fast-slow-fast-estimate.json", "estimate/unbreakable-estimate.json"],
 )

@@ -1,5 +1,6 @@
 """Tables and claims of Figure 1 D and E."""
 
+from functools import partial
 from itertools import takewhile
 
 import numpy as np
@@ -9,32 +10,13 @@ from claims.judge import judged
 from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
-from events.continuations import LEAD
 from events.conventions import PRIMARY
 from events.fronts import LOADING_ZONE
+from events.slip import peaks_of
 from events.units import name_of, of_ensemble
 
 NEAR = 0.1e-3  # peak and rupture of a block [s]
 MIDDLE = 0.5  # of L; the block of panel E
-
-
-class Blocks:
-    """Friction of the interface blocks against time in a record: [samples][blocks]."""
-
-    def __init__(self, path):
-        record = rupture.open(path)
-        self.time, self.p, self.tau = (record[name] for name in ("time", "p", "tau"))  # [s, N, N]
-        self.ratio = self.tau / self.p
-
-    def peaks(self, until):
-        """As the ensemble has them (ensemble/continue_events.py), up to a time [s]."""
-        ratio = self.ratio[self.time <= until]
-        return {
-            "t_peak": self.time[np.argmax(ratio, axis=0)],
-            "before": ratio[0],
-            "at_peak": ratio.max(axis=0),
-            "after": ratio[-1],
-        }
 
 
 def precursors(events):
@@ -42,7 +24,7 @@ def precursors(events):
     return list(takewhile(lambda event: not event["spanning"], events))
 
 
-def case_1D(events, first):
+def case_1D(events, first=None):
     """Of one load. `first`: how many events count as the first ones; None: all before one spans."""
     counted = precursors(events)[:first]
     return {
@@ -67,20 +49,17 @@ def case_1Dw(events):
     }
 
 
-def claim_1Dw(events, paths):
-    units = {name_of(path): {PRIMARY: [case_1Dw(read_events(path))]} for path in paths}
-    shown = case_1Dw(events)
-    return judged("1Dw", shown, shown, units)
-
-
-def units_1D(paths):
+def units_1D(paths, cases):
+    """`cases`: of a load, by convention."""
     return {
-        name_of(path): {
-            PRIMARY: [case_1D(read_events(path), None)],
-            "the first five": [case_1D(read_events(path), 5)],
-        }
+        name_of(path): {name: [case(read_events(path))] for name, case in cases.items()}
         for path in paths
     }
+
+
+def claim_1Dw(events, paths):
+    shown = case_1Dw(events)
+    return judged("1Dw", shown, shown, units_1D(paths, {PRIMARY: case_1Dw}))
 
 
 def claim_1D(events, paths):
@@ -89,8 +68,8 @@ def claim_1D(events, paths):
     others = [e["F_T_before"] - e["F_T_after"] for e in events if not e["spanning"]]
     return judged(
         "1D",
-        shown=case_1D(events, None),
-        units=units_1D(paths),
+        shown=case_1D(events),
+        units=units_1D(paths, {PRIMARY: case_1D, "the first five": partial(case_1D, first=5)}),
         measured={
             "arrest of the events before the first spanning one [mm]": [
                 event["x_last"] * 1e3 for event in early
@@ -111,8 +90,20 @@ def off_by(peaks, front):
     return values(peaks["t_peak"]) - values(front["t_rupture"])
 
 
-def case_1E(peaks, front, chosen):
+def beyond_loading_zone(front):
+    return np.flatnonzero(np.array(front["x"]) > LOADING_ZONE)
+
+
+def middle(front):
+    return [int(np.argmin(np.abs(np.array(front["x"]) - MIDDLE * front["L"])))]
+
+
+BLOCKS_1E = {PRIMARY: beyond_loading_zone, "the middle block": middle}
+
+
+def case_1E(peaks, front, blocks=beyond_loading_zone):
     """Of some blocks: the difference farthest from zero, None if one of them does not rupture."""
+    chosen = blocks(front)
     off = off_by(peaks, front)[chosen]
     farthest = off[np.argmax(np.abs(off))]  # a NaN is the largest of all
     before, at_peak, after = (values(peaks[n])[chosen] for n in ("before", "at_peak", "after"))
@@ -122,52 +113,40 @@ def case_1E(peaks, front, chosen):
     }
 
 
-def cases_1E(peaks, front):
-    """By convention."""
+def units_1E(paths, blocks):
+    """`blocks`: of a front, by convention."""
     return {
-        PRIMARY: [case_1E(peaks, front, beyond_loading_zone(front))],
-        "the middle block": [case_1Ew(peaks, front)],
-    }
-
-
-def case_1Ew(peaks, front):
-    return case_1E(peaks, front, [middle(front)])
-
-
-def claim_1Ew(peaks, front, paths):
-    shown = case_1Ew(peaks, front)
-    units = of_continued(paths, lambda *of_event: {PRIMARY: [case_1Ew(*of_event)]})
-    return judged("1Ew", shown, shown, units)
-
-
-def of_continued(paths, cases):
-    return {
-        f"{name_of(path)}, event {number}": cases(event["peaks"], event["unmodified"])
+        f"{name_of(path)}, event {number}": {
+            name: [case_1E(event["peaks"], event["unmodified"], of)] for name, of in blocks.items()
+        }
         for path in paths
         for number, event in report(path).items()
     }
 
 
-def claim_1E(blocks, peaks, front, paths):
-    t_rupture = values(front["t_rupture"])
-    off = np.abs(off_by(peaks, front))
-    i = middle(front)
-    ratio, t_peak = blocks.ratio[:, i], peaks["t_peak"]
-    cases = cases_1E(peaks, front)
+def claim_1Ew(peaks, front, paths):
+    shown = case_1E(peaks, front, middle)
+    return judged("1Ew", shown, shown, units_1E(paths, {PRIMARY: middle}))
+
+
+def claim_1E(record, peaks, front, paths):
+    off, [i] = off_by(peaks, front), middle(front)
+    ratio = record["tau"][:, i] / record["p"][:, i]
+    case, distance = case_1E(peaks, front), np.abs(off)
     return judged(
         "1E",
-        shown=cases[PRIMARY][0],
-        units=of_continued(paths, cases_1E),
+        shown=case,
+        units=units_1E(paths, BLOCKS_1E),
         measured={
             "block at [L]": front["x"][i] / front["L"],
             "tau/p 0.5 ms before the event": ratio[0],
             "at its peak": ratio.max(),
-            "lowest afterwards": ratio[blocks.time > t_peak[i]].min(),
-            "peak minus rupture [ms]": (t_peak[i] - t_rupture[i]) * 1e3,
-            "median distance over all blocks [ms]": np.median(off) * 1e3,
-            "farthest of the blocks beyond 2 cm [ms]": cases[PRIMARY][0]["peak minus rupture [ms]"],
-            "blocks within 0.1 ms": int((off <= NEAR).sum()),
-            "the others are at [mm]": np.array(front["x"])[off > NEAR] * 1e3,
+            "lowest afterwards": ratio[record.time > peaks["t_peak"][i]].min(),
+            "peak minus rupture [ms]": off[i] * 1e3,
+            "median distance over all blocks [ms]": np.median(distance) * 1e3,
+            "farthest of the blocks beyond 2 cm [ms]": case["peak minus rupture [ms]"],
+            "blocks within 0.1 ms": int((distance <= NEAR).sum()),
+            "the others are at [mm]": np.array(front["x"])[distance > NEAR] * 1e3,
         },
         note="The case shown is event I, with all blocks beyond x = 2 cm; the"
         " curve is that of the block in the middle. A block ruptures when 70 % of its junctions"
@@ -178,41 +157,31 @@ def claim_1E(blocks, peaks, front, paths):
     )
 
 
-def beyond_loading_zone(front):
-    return np.array(front["x"]) > LOADING_ZONE
-
-
-def middle(front):
-    return int(np.argmin(np.abs(np.array(front["x"]) - MIDDLE * front["L"])))
-
-
-def write_tables(results, loading, events, blocks, front):
+def write_tables(results, loading, events, record, front):
     load = np.array(loading["F_T"]) / loading["F_N"]
     write_table(results / "loading.csv", ["time [s]", "F_T/F_N"], zip(loading["time"], load))
     names = ["t_start [s]", "t_end [s]", "x_first [m]", "x_last [m]", "spanning", "type"]
     names += ["F_T_before [N]", "F_T_after [N]"]
     rows = ([event[name.split()[0]] for name in names] for event in events)
     write_table(results / "events.csv", names, rows)
-    i = middle(front)
-    columns = blocks.time, blocks.time - front["t_rupture"][i]
-    write_table(
-        results / "block.csv",
-        ["time [s]", "time since the rupture [s]", "p [N]", "tau [N]", "tau/p"],
-        zip(*columns, *(column[:, i] for column in (blocks.p, blocks.tau, blocks.ratio))),
-    )
+    [i] = middle(front)
+    time, p, tau = record.time, record["p"][:, i], record["tau"][:, i]
+    names = ["time [s]", "time since the rupture [s]", "p [N]", "tau [N]", "tau/p"]
+    columns = [time, time - front["t_rupture"][i], p, tau, tau / p]
+    write_table(results / "block.csv", names, zip(*columns))
 
 
 def make(data, results):
     loading = report(data / "ensemble/load-01-loading.json")
     events = read_events(data / "ensemble/load-01-events.json")
     front = report(data / "fig1/event-front.json")
-    blocks = Blocks(data / "fig1/event-record.h5")
-    peaks = blocks.peaks(np.nanmax(values(front["t_rupture"])) + LEAD)
-    write_tables(results, loading, events, blocks, front)
+    record = rupture.open(data / "fig1/event-record.h5")
+    peaks = peaks_of(record)
+    write_tables(results, loading, events, record, front)
     loads, continued = (of_ensemble(data, "load", kind) for kind in ("events", "continued"))
     return [
         claim_1Dw(events, loads),
         claim_1D(events, loads),
         claim_1Ew(peaks, front, continued),
-        claim_1E(blocks, peaks, front, continued),
+        claim_1E(record, peaks, front, continued),
     ]

@@ -58,15 +58,11 @@ figure(
     "fig1",
     tables=["loading", "events", "block", "junction", "steady-state"],
     events=["fast-slow-fast"],
-    loading=f"{SHOWN_LOAD}-loading.json",
-    all_events=f"{SHOWN_LOAD}-events.json",
-    front=f"{FIG1}/event-front.json",
-    **content_of(
-        prepared=f"{FIG1}/junctions.h5",
-        record=f"{FIG1}/event-record.h5",
-        pulled=f"{FIG1}/pulled-record.h5",
-        slipping=[f"{FIG1}/pulled-t{time}.h5" for time in FIG1_SLIPPING],
-    ),
-    steady=[f"{FIG1}/steady-{speeds}.json" for speeds in FIG1_SPEEDS],
-    loads=of_ensemble("load", "events", "continued"),
+    reads=[
+        *("ensemble/load-01-loading.json", "ensemble/load-01-events.json"),
+        *("fig1/event-front.json", "fig1/event-record.h5", "fig1/junctions.h5", "fig1/pulled-record.h5"),
+        *(f"fig1/pulled-t{time}.h5" for time in FIG1_SLIPPING),
+        *(f"fig1/steady-{speeds}.json" for speeds in FIG1_SPEEDS),
+        *of_ensemble("load", "events", "continued"),
+    ],
 )

@@ -62,9 +62,10 @@ figure(
     own=OWN_RESULTS,
     events=EVENTS,
     film=FIG2_FILM,
-    fronts=[f"{DATA}/{event}-front.json" for event in FIG2_EVENTS],
-    **content_of(records=[f"{DATA}/{event}-record.h5" for event in FIG2_EVENTS]),
-    ways=[f"{DATA}/fast-slow-fast-front-{way}.json" for way in FRONT_WAYS],
-    choice=[f"{DATA}/most-like.json"] if FIG2_OF_ALL else [],
-    loads=FIG2_LOADS,
+    reads=[
+        *(f"{event}-{of}" for event in FIG2_EVENTS for of in ("front.json", "record.h5")),
+        *(f"fast-slow-fast-front-{way}.json" for way in FRONT_WAYS),
+        *(["most-like.json"] if FIG2_OF_ALL else []),
+        *FIG2_LOADS,
+    ],
 )

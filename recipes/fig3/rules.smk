@@ -3,11 +3,10 @@
 # fronts, and fronts without a slipping force. See README.md.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FIG3_SHOWN = ("fast-slow-fast", "second-slow")  # I, II
-FIG3_EVENTS = [f"{DATA}/{event}" for event in FIG3_SHOWN]
 FIG3_SWEEPS = ["slow_slip", "slow_slip_event", "front_speed", "front_speed_phi", "no_slip_force"]
 FIG3_OF_SEEDS = ["slow_slip", "front_speed", "front_speed_widths", "no_slip_force"]
 L0_SEEDS = range(1, 6)  # the first is shown
-L0_REPORTS = [f"{DATA}/fig3/l0-seed-{seed}.json" for seed in L0_SEEDS]
+L0_REPORTS = [f"fig3/l0-seed-{seed}.json" for seed in L0_SEEDS]
 
 
 rule fig3_l0_seed:
@@ -28,23 +27,18 @@ figure(
     pictures=["fig3", "fig3-l0", "fig3C-inset", "fig3D"],
     tables=["slip", "decay-length", "slow-slip-speed", "front-speed", "no-slip-force"],
     events=FIG3_SHOWN,
-    fronts=[f"{event}/{run}-front.json" for event in FIG3_EVENTS for run in FIG3_RUNS],
-    **content_of(
-        records=[
-            f"{event}/{run}-record.h5" for event in FIG3_EVENTS for run in (*FIG3_RUNS, "every-step")
-        ]
-    ),
-    slips=[f"{event}/{run}-slip.json" for event in FIG3_EVENTS for run in SLIPS],
-    unmodified=[f"{event}-front.json" for event in FIG3_EVENTS],
-    in_words=[f"{event}{run}-front-in-words.json" for event in FIG3_EVENTS for run in ("", "/stopped")],
-    continued=of_ensemble("load", "continued"),
-    sweeps=[f"{DATA}/fig3/{sweep}.csv" for sweep in FIG3_SWEEPS],
-    widths=repeated([f"{DATA}/fig3/front_speed_widths.csv"]),
-    seeds=repeated(table for sweep in FIG3_OF_SEEDS for table in tables_of_seeds(f"fig3/{sweep}")),
-    edges=[
-        *edges("reference", SIGMA_BARS),
-        *edges("no-slip-force", SIGMA_BARS),
+    reads=[
+        *(f"{event}/{run}-front.json" for event in FIG3_SHOWN for run in FIG3_RUNS),
+        *(f"{event}/{run}-record.h5" for event in FIG3_SHOWN for run in (*FIG3_RUNS, "every-step")),
+        *(f"{event}/{run}-slip.json" for event in FIG3_SHOWN for run in SLIPS),
+        *(f"{event}-front{way}.json" for event in FIG3_SHOWN for way in ("", "-in-words")),
+        *(f"{event}/stopped-front-in-words.json" for event in FIG3_SHOWN),
+        *of_ensemble("load", "continued"),
+        *(f"fig3/{sweep}.csv" for sweep in FIG3_SWEEPS),
+        *repeated(["fig3/front_speed_widths.csv"]),
+        *repeated(table for sweep in FIG3_OF_SEEDS for table in tables_of_seeds(f"fig3/{sweep}")),
+        *(edge for setting in ("reference", "no-slip-force") for edge in edges(setting, SIGMA_BARS)),
         *repeated(edges("no-slip-force", SIGMA_BARS, range(2, 6))),
+        *(L0_REPORTS[0], *repeated(L0_REPORTS[1:])),
     ],
-    l_0=[L0_REPORTS[0], *repeated(L0_REPORTS[1:])],
 )

@@ -1,6 +1,5 @@
 # Figure 4. The chain of commands is in README.md.
 FIG4_SHOWN = ["fast-slow-fast", "second-slow"]
-FIG4_WIDER = [f"{event}{run}" for event in FIG4_SHOWN for run in ("", "/wider")]
 FIG4_MAP = ["map", "map-between", "map-boundary"]
 # The map of front types: a grid with one seed, then places halfway between fast neighbours and
 # others, then five seeds at all places next to another type. Each decides where the next is needed.
@@ -16,13 +15,14 @@ figure(
     pictures=["fig4AB", "fig4C", "fig4D"],
     tables=["strength", "front-types", "thresholds", "edges"],
     events=FIG4_SHOWN,
-    start=[f"{DATA}/fig4/between.csv"],
-    refine=[f"{DATA}/fig4/boundary.csv"],
-    fronts=[f"{DATA}/{run}-front.json" for run in FIG4_WIDER],
-    phi=[f"{DATA}/{event}{state}-phi.json" for event in FIG4_SHOWN for state in ("", "/wider-start")],
-    **content_of(records=[f"{DATA}/{run}-record.h5" for run in FIG4_WIDER]),
-    sweeps=[f"{DATA}/fig4/{part}.csv" for part in (*FIG4_MAP, "boundary", "strength", "strength-curves")],
-    strength=[f"{DATA}/{event}-strength.json" for event in FIG4_SHOWN],
-    edges=[*edges("reference", EDGE_SIGMAS), *edges("no-slow-slip", EDGE_SIGMAS)],
-    continued=of_ensemble("load", "continued"),
+    start=["fig4/between.csv"],
+    refine=["fig4/boundary.csv"],
+    reads=[
+        *(f"{event}{run}-record.h5" for event in FIG4_SHOWN for run in ("", "/wider")),
+        *(f"{event}{of}.json" for event in FIG4_SHOWN for of in ("-front", "/wider-front", "-strength")),
+        *(f"{event}{state}-phi.json" for event in FIG4_SHOWN for state in ("", "/wider-start")),
+        *(f"fig4/{part}.csv" for part in (*FIG4_MAP, "boundary", "strength", "strength-curves")),
+        *(edge for setting in ("reference", "no-slow-slip") for edge in edges(setting, EDGE_SIGMAS)),
+        *of_ensemble("load", "continued"),
+    ],
 )

@@ -1,6 +1,5 @@
 # Figure 5. A: the driving stopped during the slow front (runs/continuations.smk). B: driven at h = 0,
 # fronts creep between two dynamic events, and stop with the driving. See README.md.
-FIG5_RUNS = ["fast-slow-fast", "fast-slow-fast/undriven"]
 QUASISTATIC_UNTIL = 0.65  # s; the second dynamic event is over by then
 QUASISTATIC_EVERY = 0.01  # s
 QUASISTATIC_LOADED = checkpoints_of(
@@ -51,10 +50,9 @@ rule quasistatic_stopped:
         " --record {output.record} --record-every 1e-3 2> {log}"
 
 
-# The same over seeds, each until its second dynamic event is over. All share what happens before the
-# first junction breaks, at 0.0378 s.
+# The same over seeds. All share what happens before the first junction breaks, at 0.0378 s.
 H0_SEEDS = [str(FIRST_SEED + n) for n in range(20)]
-H0_UNTIL = 0.75  # s; at the latest
+H0_UNTIL = 0.75  # s; the second dynamic event of each is over by then
 H0_SHARED = f"{DATA}/fig5/quasistatic-load-t0.030000000"
 
 
@@ -80,14 +78,12 @@ figure(
     pictures=["fig5A", "fig5B"],
     tables=["rupture-lines", "quasistatic-tip", "quasistatic-branches"],
     events=["fast-slow-fast"],
-    fronts=[f"{DATA}/{run}-front.json" for run in FIG5_RUNS],
-    in_words=f"{DATA}/{FIG5_RUNS[0]}-front-in-words.json",
-    **content_of(
-        records=[f"{DATA}/{run}-record.h5" for run in FIG5_RUNS],
-        load=f"{DATA}/fig5/quasistatic-load-record.h5",
-        stopped=[f"{DATA}/fig5/quasistatic-stopped-{n}-record.h5" for n in QUASISTATIC_BRANCHES],
-    ),
-    continued=of_ensemble("load", "continued"),
-    stretch=f"{DATA}/fig5/quasistatic-stretch.json",
-    others=repeated(f"{DATA}/ensemble/h0-{seed}.json" for seed in H0_SEEDS),
+    reads=[
+        *(f"fast-slow-fast{run}-{of}" for run in ("", "/undriven") for of in ("front.json", "record.h5")),
+        "fast-slow-fast-front-in-words.json",
+        *of_ensemble("load", "continued"),
+        *("fig5/quasistatic-load-record.h5", "fig5/quasistatic-stretch.json"),
+        *(f"fig5/quasistatic-stopped-{n}-record.h5" for n in QUASISTATIC_BRANCHES),
+        *repeated(f"ensemble/h0-{seed}.json" for seed in H0_SEEDS),
+    ],
 )

@@ -11,6 +11,5 @@ figure(
     "figS1",
     tables=["stress"],
     events=["fast-slow-fast"],
-    stress=[f"{DATA}/{state}-stress.json" for state in ("figS1/unloaded", "fast-slow-fast")],
-    **content_of(checkpoint=f"{DATA}/fast-slow-fast.h5"),
+    reads=["figS1/unloaded-stress.json", "fast-slow-fast-stress.json", "fast-slow-fast.h5"],
 )

@@ -10,7 +10,8 @@ RUNS |= {f"figS2/{name}": run("figS2/before", options) for name, options in FIGS
 figure(
     "figS2",
     tables=["front-speed", "events"],
-    fronts=[f"{DATA}/figS2/{run}-front.json" for run in FIGS2_RUNS],
-    **content_of(records=[f"{DATA}/figS2/{run}-record.h5" for run in FIGS2_RUNS]),
-    load=f"{DATA}/ensemble/simplified-01-continued.json",
+    reads=[
+        *(f"figS2/{run}-{of}" for run in FIGS2_RUNS for of in ("front.json", "record.h5")),
+        "ensemble/simplified-01-continued.json",
+    ],
 )

@@ -1,2 +1,2 @@
 # Figure S3: the prestress of prepared interfaces. The chain of commands is in README.md.
-figure("figS3", tables=["profiles"], profiles=f"{DATA}/figS3/profiles.csv")
+figure("figS3", tables=["profiles"], reads=["figS3/profiles.csv"])

@@ -20,5 +20,5 @@ rule figS5_strength:
 figure(
     "figS5",
     tables=["strength", "displacement"],
-    strength=[f"{DATA}/figS5/{shape}.jsonl" for shape in FIGS5_SHAPES],
+    reads=[f"figS5/{shape}.jsonl" for shape in FIGS5_SHAPES],
 )

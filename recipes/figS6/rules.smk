@@ -11,11 +11,11 @@ figure(
     "figS6",
     pictures=["figS6A", "figS6B"],
     tables=["front-speed", "events", "front-types", "thresholds"],
-    start=[f"{DATA}/figS6/boundary.csv"],
-    choice=f"{DATA}/figS6/choice.json",
-    fronts=[f"{DATA}/figS6/{run}-front-c_s-8.json" for run in FIGS6_RUNS],
-    **content_of(record=f"{DATA}/figS6/event-record.h5"),
-    load=f"{DATA}/ensemble/decaying-01-events.json",
-    others=of_ensemble("decaying", "events"),
-    sweeps=[f"{DATA}/figS6/{part}.csv" for part in ("map", "map-boundary", "boundary")],
+    start=["figS6/boundary.csv"],
+    reads=[
+        *("figS6/choice.json", "figS6/event-record.h5", "ensemble/decaying-01-events.json"),
+        *(f"figS6/{run}-front-c_s-8.json" for run in FIGS6_RUNS),
+        *of_ensemble("decaying", "events"),
+        *(f"figS6/{part}.csv" for part in ("map", "map-boundary", "boundary")),
+    ],
 )

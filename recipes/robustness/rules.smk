@@ -1,7 +1,6 @@
 # Robustness of the results: exponential slipping times, other lengths and nucleation energies (does the
 # order of regions in Figure 4 D survive?), and the distance law, a question of our own: are there slow
 # fronts without a time scale? See README.md.
-ROBUSTNESS_EVENT = f"{DATA}/fast-slow-fast"
 PLACES["robustness/geometry-boundary"] = ("variants", "robustness/geometry")
 
 
@@ -11,12 +10,14 @@ figure(
     tables=["exponential-events", "exponential-map", "geometry", "distance"],
     own=OWN_RESULTS,
     events=["fast-slow-fast"],
-    refine=[f"{DATA}/robustness/geometry-boundary.csv"],
-    load=f"{DATA}/ensemble/exponential-01-events.json",
-    fronts=[f"{ROBUSTNESS_EVENT}{run}-front.json" for run in ("", "/exponential", "/distance")],
-    maps=[f"{DATA}/robustness/{m}.csv" for m in ("exponential-map", "geometry", "distance")],
-    edges=[f for setting in EDGES if "d_R" in setting for f in edges(setting, SIGMA_BARS)],
-    reference_edges=edges("reference", SIGMA_BARS),
-    others=of_ensemble("exponential", "events"),
-    seeds=repeated([f"{DATA}/robustness/geometry-seeds.csv"]),
+    refine=["robustness/geometry-boundary.csv"],
+    reads=[
+        "ensemble/exponential-01-events.json",
+        *(f"fast-slow-fast{run}-front.json" for run in ("", "/exponential", "/distance")),
+        *(f"robustness/{m}.csv" for m in ("exponential-map", "geometry", "distance")),
+        *(edge for setting in EDGES if "d_R" in setting for edge in edges(setting, SIGMA_BARS)),
+        *edges("reference", SIGMA_BARS),
+        *of_ensemble("exponential", "events"),
+        *repeated(["robustness/geometry-seeds.csv"]),
+    ],
 )

@@ -32,7 +32,6 @@ figure(
     "speeds",
     tables=["speeds", "transients", "gini"],
     own=OWN_RESULTS,
-    fronts=f"{DATA}/speeds/fronts.csv",
-    histories=[f"{DATA}/speeds/load-{FIRST_SEED + n}-history.json" for n in range(5)],
     expected="recipes/speeds/expectations.toml",
+    reads=["speeds/fronts.csv", *(f"speeds/load-{FIRST_SEED + n}-history.json" for n in range(5))],
 )

@@ -8,10 +8,12 @@ from pytest import mark
 import curves
 from claims.judge import holds
 from conftest import ROOT, approx
-from events.continuations import BRANCHES, OWN_BLOCK
+from events.continuations import BRANCHES, LEAD, OWN_BLOCK
 from events.conventions import IN_WORDS, PRIMARY
 from events.event_claims import case_3Bw, case_5Aw, case_of_event, ratios_3Cr
+from events.slip import peaks_of
 from events.units import of_event
+from rupture.files import Ruptures
 
 L, C_S = 0.14, 968.0
 SLOW = dict(x_from=0.07, x_to=0.098, t_from=1e-3, t_to=2e-3, duration=1e-3, speed=25.0)
@@ -136,18 +138,23 @@ class TestBlocks:
     def test_1E(self, t_peak, last, after, off, expected):
         levels = {"before": 0.2, "at_peak": 0.3, "after": after}
         peaks = {"t_peak": t_peak} | {name: [level] * 5 for name, level in levels.items()}
-        cases = curves.cases_1E(peaks, BLOCKS | {"t_rupture": [*T_RUPTURE[:4], last]})
-        held = {name: holds("1E", of_convention) for name, of_convention in cases.items()}
+        line = BLOCKS | {"t_rupture": [*T_RUPTURE[:4], last]}
+        cases = {n: curves.case_1E(peaks, line, blocks) for n, blocks in curves.BLOCKS_1E.items()}
+        held = {name: holds("1E", [case]) for name, case in cases.items()}
         assert held == dict(zip((PRIMARY, "the middle block"), expected))
-        [case] = cases[PRIMARY]
-        assert case["peak minus rupture [ms]"] == (None if off is None else approx(off))
+        assert cases[PRIMARY]["peak minus rupture [ms]"] == (None if off is None else approx(off))
 
-    def test_what_comes_later_than_the_end_does_not_count(self):
-        blocks = curves.Blocks.__new__(curves.Blocks)
-        blocks.time = np.array([0.0, 1.0, 2.0, 3.0])
-        blocks.ratio = np.array([[0.1], [0.3], [0.2], [0.9]])
-        found = blocks.peaks(2.0)
-        assert [found[n][0] for n in ("t_peak", "at_peak", "after")] == [1.0, 0.3, 0.2]
+    def test_peaks_count_until_shortly_after_the_first_rupture_of_the_last_block(self):
+        class Record(dict):  # the second block has no contact; the first one ruptures once more
+            time = LEAD * np.arange(4)
+            ruptures = Ruptures(LEAD * np.array([0.5, 1, 3]), None, np.array([1, 0, 0]), None)
+
+        tau = np.array([[0.1, 0.3, 0.2, 0.9], [0.0] * 4]).T
+        found = peaks_of(Record(tau=tau, p=np.array([[1.0, 0.0]] * 4)))
+        assert found["t_peak"][0] == LEAD
+        assert [found[n] for n in ("before", "at_peak", "after")] == [
+            [x, None] for x in (0.1, 0.3, 0.2)
+        ]
 
     def test_slip_counts_until_two_t_R_or_until_nothing_slips(self):
         names = ("slip_after_two_t_R_over_f_slip_per_k_ij", "net_slip_over_f_slip_per_k_ij")

@@ -15,7 +15,7 @@ EDGE_SIGMAS = ["0", "0.05", "0.1", "0.16", "0.2", "0.25", "0.285"]  # sigma_bar 
 
 
 def edges(setting, sigmas, seeds=(1,)):
-    return [f"{DATA}/edges/{setting}-{sigma}-{seed}.json" for sigma in sigmas for seed in seeds]
+    return [f"edges/{setting}-{sigma}-{seed}.json" for sigma in sigmas for seed in seeds]
 
 
 rule edges:

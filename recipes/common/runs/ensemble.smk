@@ -150,15 +150,15 @@ rule continued:
         " > {output} 2> {log}"
 
 
-def repeated(paths):
-    """What a recipe uses besides its own case: with the recipe `ensemble`, or where no recipes are
+def repeated(names):
+    """What a recipe reads besides its own case: with the recipe `ensemble`, or where no recipes are
     named, all; without it, what is there already."""
     everything = not ASKED or "ensemble" in ASKED
-    return [path for path in paths if everything or Path(path).exists()]
+    return [name for name in names if everything or Path(DATA, name).exists()]
 
 
 def of_ensemble(setting, *kinds):
     """The same of the loads of a kind."""
     return repeated(
-        f"{DATA}/ensemble/{load}-{kind}.json" for load in LOADS_OF[setting] for kind in kinds
+        f"ensemble/{load}-{kind}.json" for load in LOADS_OF[setting] for kind in kinds
     )

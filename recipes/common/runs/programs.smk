@@ -63,17 +63,26 @@ def script(path):
 OWN_RESULTS = ("own.json", "summary.txt")
 
 
-def figure(name, *, pictures=(), tables=(), own=(), events=(), start=(), refine=(), **inputs):
+def in_data(names):
+    """Their paths."""
+    return [f"{DATA}/{name}" for name in names]
+
+
+def figure(name, *, pictures=(), tables=(), own=(), events=(), start=(), refine=(), reads=(), **others):
     """The rule NAME, which makes all that a recipe makes of its inputs, with its scripts: claims,
-    pictures (NAME if no others are listed), the tables behind them, and results of our own. `events`
-    are those that it shows, the other two are files that it needs before the rest is planned (STAGES)."""
-    STAGES["start"][name] = [*start, *(f"{DATA}/{event}.compared" for event in events)]
-    STAGES["refine"][name] = refine
+    pictures (NAME if no others are listed), the tables behind them, and results of our own. In
+    results/data are the `events` that it shows, what it needs before the rest is planned (STAGES), and
+    what it `reads`, of which HDF5 counts by its content."""
+    STAGES["start"][name] = in_data([*start, *(f"{event}.compared" for event in events)])
+    STAGES["refine"][name] = in_data(refine)
+    states = in_data(file for file in reads if file.endswith(".h5"))
+    reports = in_data(file for file in reads if not file.endswith(".h5"))
     scripts = sorted(map(str, Path("recipes", name).glob("*.py")))
     files = [f"{picture}.{ending}" for picture in pictures or [name] for ending in ("png", "pdf")]
     files = ["claims.json", *files, *(f"{table}.csv" for table in tables), *own]
     FIGURES[name] = Figure(
-        inputs | script(f"recipes/{name}/figure.py") | {"beside": scripts},
+        others | content_of(states=states) | {"reports": reports, "beside": scripts}
+        | script(f"recipes/{name}/figure.py"),
         [f"{RESULTS}/{name}/{file}" for file in files],
     )
 

@@ -43,7 +43,7 @@ for batch, (_, points) in BATCHES.items():
 
 def tables_of_seeds(name):
     """The same sweep with other seeds."""
-    return [f"{DATA}/{table}.csv" for table in SWEEPS if table.startswith(f"{name}-seed-")]
+    return [f"{table}.csv" for table in SWEEPS if table.startswith(f"{name}-seed-")]
 
 
 def words_of(name):
