@@ -9,7 +9,7 @@ from data.records import report, values
 from data.tables import read_rows, write_table
 from events.event_claims import yes
 from maps.front_map import IMPOSSIBLE, place_of, type_on_map
-from pictures.plotting import BLACK, DOUBLE, LINES, figure, letter, save
+from pictures.plotting import BLACK, DOUBLE, LINES, lettered, save
 
 EVENTS = {"I": "fast-slow-fast", "II": "second-slow", "III": "fast-only"}
 STEPS = ["2e-7", "1e-7", "5e-8"]  # [s]
@@ -125,14 +125,12 @@ def draw_event(axes, number, fronts):
 
 
 def draw(events, edges, stem):
-    fig, (above, below) = figure(DOUBLE, 0.66 * DOUBLE, nrows=2, ncols=len(EVENTS))
-    for axes, (number, fronts) in zip(above, events.items()):
-        draw_event(axes, number, fronts)
-    above[0].set_ylabel("block ruptures after [ms]")
-    above[2].legend(loc="lower right", handlelength=1)
-    continuum.draw(below, edges)
-    for axes, text in zip([*above, *below], "ABCDEF"):
-        letter(axes, text)
+    fig, panels = lettered("ABC;DEF", DOUBLE, 0.66 * DOUBLE)
+    for text, (number, fronts) in zip("ABC", events.items()):
+        draw_event(panels[text], number, fronts)
+    panels["A"].set_ylabel("block ruptures after [ms]")
+    panels["C"].legend(loc="lower right", handlelength=1)
+    continuum.draw([panels[text] for text in "DEF"], edges)
     save(fig, stem)
 
 

@@ -64,11 +64,6 @@ def write_start(path, blocks):
             np.savetxt(file, rows, fmt=["%d", *["%.17g"] * 4])
 
 
-def read_dump(path):
-    """Positions [blocks][2]."""
-    return np.loadtxt(path, skiprows=9)[:, 1:]
-
-
 def run_lammps(folder, lmp, bulk, compare, steps, choices):
     variables = {"bulk": bulk, "variant": "damping", "start": "start.dump", "steps": steps}
     pairs = (variables | choices).items()
@@ -85,7 +80,8 @@ def compared(lmp, bulk, compare, start, end):
         write_start(Path(folder, "start.dump"), before)
         bulk, compare = Path(bulk).resolve(), Path(compare).resolve()
         run_lammps(folder, lmp, bulk, compare, steps, after.choices)
-        places, moved = (read_dump(Path(folder, f"{name}.dump")) for name in ("places", "end"))
+        dumps = (Path(folder, f"{name}.dump") for name in ("places", "end"))
+        places, moved = (np.loadtxt(path, skiprows=9)[:, 1:] for path in dumps)
     if np.abs(places - before.places).max() > 1e-12:
         sys.exit("LAMMPS numbers the blocks in another order: they cannot be compared")
     return {

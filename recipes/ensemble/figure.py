@@ -1,5 +1,7 @@
 """The events of independent loads, picture and table."""
 
+from itertools import chain
+
 import alternation
 import numpy as np
 
@@ -7,7 +9,7 @@ from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
-from events.event_claims import is_fast_slow_fast
+from events.event_claims import is_fast_slow_fast, yes
 from events.fronts import has_slow_stretch, is_fast_only
 from events.product import CLAIMS as PRODUCT_CLAIMS
 from events.product import range_of
@@ -47,10 +49,6 @@ def spanning_events(path):
     return [(kind_of(event), event) for event in read_events(path) if event["spanning"]]
 
 
-def setting_of(load):
-    return load.split("-")[0]
-
-
 def draw_rupture_lines(axes, events, colour):
     """From the rupture of the block at FROM on, without blocks ahead of the front."""
     for event in events:
@@ -70,8 +68,8 @@ def draw(loads, stem):
     for kind, (colour, _) in alternation.KINDS.items():
         for setting in NAMES:
             axes = next(of_row)
-            found = [pairs for load, pairs in loads.items() if setting_of(load) == setting]
-            draw_rupture_lines(axes, [e for pairs in found for k, e in pairs if k == kind], colour)
+            pairs = chain(*loads[setting].values())
+            draw_rupture_lines(axes, [event for of, event in pairs if of == kind], colour)
     for text, title in zip("ABCD", NAMES.values()):
         panels[text].set_title(f"{title}: {panels[text].get_title()}")
     for text, kind in zip("AEI", alternation.KINDS):
@@ -82,30 +80,24 @@ def draw(loads, stem):
     save(fig, stem)
 
 
-def row_of(load, kind, event):
-    slow = [event["slow"][key] if event["slow"] else None for key in OF_SLOW]
-    meets_2A = "yes" if is_fast_slow_fast(event) else "no"
-    return [load, event["t_start"], event["type"], kind, meets_2A, *slow]
-
-
-def write_events(path, loads):
+def rows(loads):
     """Each event that spans the interface, with its slow stretch below c_s/20."""
-    names = ["load", "t_start [s]", "type", "kind", "meets 2A", *OF_SLOW.values()]
-    rows = (row_of(load, *pair) for load, pairs in loads.items() for pair in pairs)
-    write_table(path, names, rows)
+    for load, pairs in chain(*(of.items() for of in loads.values())):
+        for kind, event in pairs:
+            slow = map((event["slow"] or {}).get, OF_SLOW)
+            yield load, event["t_start"], event["type"], kind, yes(is_fast_slow_fast(event)), *slow
 
 
 def counts(setting, loads):
     """One line of the summary."""
-    of_setting = [pairs for load, pairs in loads.items() if setting_of(load) == setting]
-    events = [pair for pairs in of_setting for pair in pairs]
-    kinds = [kind for kind, _ in events]
+    pairs = [*chain(*loads.values())]
+    kinds, events = [kind for kind, _ in pairs], [event for _, event in pairs]
     numbers = [
-        len(of_setting),
+        len(loads),
         len(events),
         *(kinds.count(kind) for kind in alternation.KINDS),
-        sum(has_slow_stretch(event) for _, event in events),
-        sum(is_fast_slow_fast(event) for _, event in events),
+        sum(map(has_slow_stretch, events)),
+        sum(map(is_fast_slow_fast, events)),
     ]
     return f"{setting:12}" + "".join(f"{number:14}" for number in numbers)
 
@@ -114,16 +106,16 @@ def summary(loads):
     """Text for the terminal."""
     names = ["loads", "span", "in words", "fast only", "other", "slow stretch", "meet 2A"]
     head = f"{'':12}" + "".join(f"{name:>14}" for name in names)
-    return "\n".join([head, *(counts(setting, loads) for setting in NAMES)]) + "\n"
+    return "\n".join([head, *(counts(*of) for of in loads.items())]) + "\n"
 
 
 def own_result_of_product(products):
     """How far the shares of the claims on single fronts move if conventions are combined.
-    `products`: {load: report of measure_events.py}."""
+    `products`: {setting: {load: report of measure_events.py}}."""
     measured: dict[str, object] = {}
     for setting, claims in PRODUCT_CLAIMS.items():
         name = "reference" if setting == "load" else setting
-        reports = [product for load, product in products.items() if setting_of(load) == setting]
+        reports = [*products[setting].values()]
         measured |= {"combinations": len(reports[0]), f"loads, {name}": len(reports)}
         for claim in claims:
             measured[f"{claim}: fewest and most"] = list(range_of(reports, claim))
@@ -136,17 +128,17 @@ def own_result_of_product(products):
 
 
 def of_loads(data, kind, read):
-    paths = [path for setting in NAMES for path in of_ensemble(data, setting, kind)]
-    return {name_of(path): read(path) for path in paths}
+    """{setting: {load: what is read}}"""
+    return {s: {name_of(path): read(path) for path in of_ensemble(data, s, kind)} for s in NAMES}
 
 
 def make(data, results):
     products = of_loads(data, "product", report)
     loads = of_loads(data, "events", spanning_events)
-    reference = {load: pairs for load, pairs in loads.items() if setting_of(load) == "load"}
     draw(loads, results / "ensemble")
-    alternation.draw(reference, results / "alternation")
-    write_events(results / "events.csv", loads)
-    own = [alternation.own_result(reference), own_result_of_product(products)]
+    alternation.draw(loads["load"], results / "alternation")
+    names = ["load", "t_start [s]", "type", "kind", "meets 2A", *OF_SLOW.values()]
+    write_table(results / "events.csv", names, rows(loads))
+    own = [alternation.own_result(loads["load"]), own_result_of_product(products)]
     write_own(results, own, summary(loads))
     return []

@@ -35,13 +35,9 @@ def claim_1G(steady, limits):
     )
 
 
-def rows(*reports):
-    for steady in reports:
-        yield from zip(steady["v"], steady["mu"], steady["mu_error"], steady["mu_theory"])
-
-
 def make(data, results):
     steady, limits = (report(data / f"fig1/steady-{speeds}.json") for speeds in ("range", "limits"))
     names = ["v [m/s]", "tau/p", "standard error", "renewal theory"]
-    write_table(results / "steady-state.csv", names, sorted(rows(steady, limits)))
+    columns = (steady[name] + limits[name] for name in ("v", "mu", "mu_error", "mu_theory"))
+    write_table(results / "steady-state.csv", names, sorted(zip(*columns)))
     return [claim_1G(steady, limits)]

@@ -78,21 +78,18 @@ def claim(paths):
     seed = report(paths[0])
     fronts = measured_fronts(seed).values()
     lengths = [f["l_0"][PRIMARY] * 1e3 for f in fronts if f["l_0"][PRIMARY] is not None]
-    others = {
-        f"l_0, {name} [mm]": seed["l_0"][name] and seed["l_0"][name] * 1e3
-        for name in METHODS
-        if name != PRIMARY
-    }
+    cases = {name: case(seed["l_0"][name]) for name in METHODS}
+    shown = cases.pop(PRIMARY)
     return judged(
         "l0",
-        shown=case(seed["l_0"][PRIMARY]),
+        shown=shown,
         units=units_of(paths),
         measured={
-            **case(seed["l_0"][PRIMARY]),
+            **shown,
             "slow fronts": len(fronts),
             "profiles": sum(front["profiles"] for front in fronts),
             "least and most of a front [mm]": [min(lengths), max(lengths)] if lengths else None,
-            **others,
+            **{f"l_0, {name} [mm]": other["l_0 [mm]"] for name, other in cases.items()},
         },
         note="The excess of the shear force over tau_0, when the block that ruptures next (x_0)"
         " carries its largest force; an exponential from x_0 to 3 blocks ahead, median over the"

@@ -33,12 +33,13 @@ VARIED = {  # marker and label
 }
 
 
-def scale(rows, strength=1.0):
-    """k_i l_0 / (tau_max - tau_0), tau_max in the form of tau-bar: tau_thres is 1."""
+def scaled_slip(rows, strength=1.0):
+    """Slow slip times k_i l_0 / (tau_max - tau_0) [m/s], tau_max like tau-bar: tau_thres is 1."""
     p = numbers(rows, "slider.F_N") / NX
     k_i = N_S * np.sqrt(numbers(rows, "junctions.kappa") * p / N_S)
     mu_s, mu_d = numbers(rows, "junctions.mu_s"), numbers(rows, "junctions.mu_d")
-    return k_i * paper.L_0 / ((strength - numbers(rows, "tau-bar")) * (mu_s - mu_d) * p)
+    scale = k_i * paper.L_0 / ((strength - numbers(rows, "tau-bar")) * (mu_s - mu_d) * p)
+    return scale * slip(rows)
 
 
 def slip(rows):
@@ -46,7 +47,7 @@ def slip(rows):
 
 
 def fit(rows):
-    return fit_through_origin(scale(rows) * slip(rows), slow.speeds(rows))
+    return fit_through_origin(scaled_slip(rows), slow.speeds(rows))
 
 
 def chosen(rows, model, variants=VARIED):
@@ -70,8 +71,8 @@ def draw_points(axes, rows, x, label):
 def draw(rows, fits, stem):
     fig, panels = lettered("D", 1.5 * SINGLE, 1.1 * SINGLE)
     axes = panels["D"]
-    draw_points(axes, rows, lambda points: scale(points) * slip(points), label=True)
-    end = 1.08 * max(scale(rows) * slip(rows))
+    draw_points(axes, rows, scaled_slip, label=True)
+    end = 1.08 * max(scaled_slip(rows))
     for model, (law, colour) in MODELS.items():
         slope = fits[model].slope
         look = {"color": colour, "linewidth": 0.8, "label": f"{law}: slope {slope:.2f}"}
@@ -95,18 +96,13 @@ def write_points(path, rows):
     names = ["variant", "tau-bar", "sigma-bar", "junctions.t_R", "junctions.mu_d", "slider.E"]
     names += ["slider.F_N", "junctions.v_slow", "type", "blocks", "slow slip [m/s]"]
     names += ["scaled slow slip [m/s]", "front speed [m/s]", "point"]
-    scaled = zip(rows, scale(rows) * slip(rows))
+    scaled = zip(rows, scaled_slip(rows))
     write_columns(path, names, (row | {"scaled slow slip [m/s]": x} for row, x in scaled))
-
-
-def fit_with_other_widths(rows, phi):
-    """The full model's fit if the points at other widths of phi count, too."""
-    return fit(chosen(rows, "full") + [row for row in phi if float(row["sigma-bar"]) != 0.1])
 
 
 def ratios(rows, strength=1.0):
     """Front speed over scaled slow slip at each width of phi, as text."""
-    ratio = slow.speeds(rows) / (scale(rows, strength) * slip(rows))
+    ratio = slow.speeds(rows) / scaled_slip(rows, strength)
     width = np.array([row["sigma-bar"] for row in rows])
     means = {of: np.mean(ratio[width == of]) for of in np.unique(width)}
     return ", ".join(f"{mean:.2f} at sigma-bar {of}" for of, mean in means.items())
@@ -149,7 +145,7 @@ def claim(path, phi, l_0, others):
     fits = fits_of(rows)
     full, simplified = fits.values()
     whole = fits_of(slow.fronts(path, slow.FOR_WHOLE_T_R))
-    case = case_3D(rows)
+    case, other_widths = case_3D(rows), [row for row in phi if float(row["sigma-bar"]) != 0.1]
     return judged(
         "3D",
         shown=case,
@@ -164,7 +160,9 @@ def claim(path, phi, l_0, others):
             f"slow fronts left out, with fewer than {slow.BLOCKS} blocks": slow.too_short(path),
             "R^2, both on one line": fit(rows).r_squared,
             "R^2, both, unscaled": fit_through_origin(slip(rows), slow.speeds(rows)).r_squared,
-            "R^2, full, with other widths of phi too": fit_with_other_widths(rows, phi).r_squared,
+            "R^2, full, with other widths of phi too": fit(
+                chosen(rows, "full") + other_widths
+            ).r_squared,
             "slopes from blocks followed for <t_R>": [whole[m].slope for m in fits],
             "their R^2": [whole[m].r_squared for m in fits],
         },

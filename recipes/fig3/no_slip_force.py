@@ -1,11 +1,10 @@
 """Fronts where junctions that slip carry no force: data and claim 0slip."""
 
 from claims.judge import judged
-from data.records import values
 from data.tables import points_of, write_table
 from events.conventions import PRIMARY
 from maps.bands import bands_of, width
-from maps.front_map import SKIP_BELOW_X, TYPES, front_type, read_map, seeds_of
+from maps.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
 from maps.map_conventions import MEASURES
 from slow_fronts import tables_of
 
@@ -19,8 +18,7 @@ def slowest(front):
     """Lowest v_c [m/s] of a front that spans, at stencils beyond the trigger region; else None."""
     if front is None or front["t_rupture"][-1] is None:
         return None
-    x_v_c = zip(front["x"], values(front["v_c"]))
-    return min((v for x, v in x_v_c if x > SKIP_BELOW_X and v > 0), default=None)
+    return min((v for v in beyond_trigger(front) if v > 0), default=None)
 
 
 def case_under(convention, fronts, bands):

@@ -36,11 +36,6 @@ VARIED = {  # marker and label
 }
 
 
-def event_fronts(path):
-    """Those of the event, in which blocks at given places were measured."""
-    return slow.usable([row | {"blocks": int(row["blocks"] or 0)} for row in read_rows(path)])
-
-
 def varied(rows, k_i=K_I[PRIMARY]):
     """What the claim is about, k_i varied in one way; the quantity that varies is `varies`."""
     names = {name: name for name in ("reference", "t_R", "tau_slip")} | {k_i: "k_i"}
@@ -196,7 +191,8 @@ def claim_co(path, others):
 
 def make(data, results):
     path, *others = slow.tables_of(data, "slow_slip")
-    prepared, event = slow.fronts(path), event_fronts(data / "slow_slip_event.csv")
+    prepared, of_event = slow.fronts(path), read_rows(data / "slow_slip_event.csv")
+    event = slow.usable([row | {"blocks": int(row["blocks"] or 0)} for row in of_event])
     draw(varied(prepared), event, fit(varied(prepared)), results / "fig3C-inset")
     write_fronts(results / "slow-slip-speed.csv", {"prepared": prepared, "event": event})
     return [claim_3Ciw(path, others), claim_3Ci(path, event, others), claim_co(path, others)]

@@ -57,15 +57,10 @@ def draw(data, stem):
     save(fig, stem)
 
 
-def phi_of(data, event):
-    return [report(data / f"{run}-phi.json") for run in (event, f"{event}/wider-start")]
-
-
 def make(data, results):
     draw(data, results / "fig4AB")
-    events = {
-        name: (*fronts_of(data, event), *phi_of(data, event)) for event, name in EVENTS.items()
-    }
+    phi = {e: [report(data / f"{e}{of}-phi.json") for of in ("", "/wider-start")] for e in EVENTS}
+    events = {name: (*fronts_of(data, event), *phi[event]) for event, name in EVENTS.items()}
     units = of_events(of_ensemble(data, "load", "continued"), "4AB")
     return [
         judged_event("4AB", events, units),

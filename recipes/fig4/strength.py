@@ -136,35 +136,20 @@ def draw_kind(axes, kind, colour, blocks=(), **look):
     axes.plot(x, y, MARKERS[kind], color=colour, markerfacecolor=face, markersize=3.2, **look)
 
 
-def draw_blocks(axes, blocks, colour):
-    for kind in ("loading zone", "arrested", "fast", "slow"):
-        draw_kind(axes, kind, colour, blocks, markeredgewidth=0.7)
-
-
-def draw_curves(axes, lines):
-    for shape, style in CURVES.items():
-        axes.plot(*lines[shape], color=BLACK, linestyle=style, linewidth=0.8)
-
-
-def draw_legend(axes, events):
-    for shape, style in CURVES.items():
-        axes.plot([], [], color=BLACK, linestyle=style, linewidth=0.8, label=shape)
-    for kind in MARKERS:
-        draw_kind(axes, kind, "grey", label=kind)
-    for event in events:
-        name, colour = SHOWN[event]
-        axes.plot([], [], "s", color=colour, label=f"event {name}")
-    axes.plot([], [], "s", color=BLACK, label="prepared")
-    axes.legend(loc="lower left", handlelength=1.6)
-
-
 def draw(events, points, lines, stem):
     fig, axes = figure(SINGLE, 0.85 * SINGLE)
-    draw_curves(axes, lines)
-    for event, blocks in events.items():
-        draw_blocks(axes, blocks, SHOWN[event][1])
-    draw_blocks(axes, points, BLACK)
-    draw_legend(axes, events)
+    for shape, style in CURVES.items():
+        axes.plot(*lines[shape], color=BLACK, linestyle=style, linewidth=0.8, label=shape)
+    coloured = {f"event {name}": (colour, events[of]) for of, (name, colour) in SHOWN.items()}
+    coloured["prepared"] = BLACK, points
+    for colour, blocks in coloured.values():
+        for kind in ("loading zone", "arrested", "fast", "slow"):
+            draw_kind(axes, kind, colour, blocks, markeredgewidth=0.7)
+    for kind in MARKERS:
+        draw_kind(axes, kind, "grey", label=kind)
+    for name, (colour, _) in coloured.items():
+        axes.plot([], [], "s", color=colour, label=name)
+    axes.legend(loc="lower left", handlelength=1.6)
     axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\mu_s^\mathrm{eff}$")
     axes.set(xlim=(-0.02, 0.6), ylim=(0, 1.05))
     letter(axes, "C")

@@ -59,16 +59,13 @@ def draw(data, fronts, t_stop, stem):
     save(fig, stem)
 
 
-def write_ruptures(path, fronts):
-    names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]
-    write_table(path, names, zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts)))
-
-
 def make(data, results):
     fronts = [report(data / f"{run}-front.json") for run in (EVENT, f"{EVENT}/undriven")]
     t_stop = middle_of_slow_stretch(fronts[0])
     draw(data, fronts, t_stop, results / "fig5A")
-    write_ruptures(results / "rupture-lines.csv", fronts)
+    names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]
+    lines = zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts))
+    write_table(results / "rupture-lines.csv", names, lines)
     continued = of_ensemble(data, "load", "continued")
     in_words = report(data / f"{EVENT}-front-in-words.json")
     measured = {"5Aw": (in_words, *fronts), "5A": fronts}

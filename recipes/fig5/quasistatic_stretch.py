@@ -48,11 +48,6 @@ def tip_advances(time, block, from_t, to_t):
     return time[first], tip[first]
 
 
-def branch_times(start, end, checkpoint_every):
-    tenths = [start + tenth / 10 * (end - start) for tenth in TENTHS]
-    return [f"{round(t / checkpoint_every) * checkpoint_every:.9f}" for t in tenths]
-
-
 def quasistatic_stretch(ruptures, checkpoint_every):
     """Between the first two dynamic events, or from the first one to the end of the record."""
     time, block, x = ruptures
@@ -62,12 +57,14 @@ def quasistatic_stretch(ruptures, checkpoint_every):
     end = events[1][0] if len(events) > 1 else np.inf
     start = events[0][1] + APART
     t, tip = tip_advances(time, block, start, end - APART)
+    tenths = [t[0] + tenth / 10 * (t[-1] - t[0]) for tenth in TENTHS]
+    branches = [round(tenth / checkpoint_every) * checkpoint_every for tenth in tenths]
     return {
         "dynamic_events": [start for start, _ in events],
         "interval_from": start,
         "tip": [[when, x[b]] for when, b in zip(t, tip)],
         "speed": (x[tip[-1]] - x[tip[0]]) / (t[-1] - t[0]),
-        "branches": branch_times(t[0], t[-1], checkpoint_every),
+        "branches": [f"{branch:.9f}" for branch in branches],
     }
 
 

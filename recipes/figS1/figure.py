@@ -23,39 +23,26 @@ class Stress:
         return np.sum(self.p * (self.x - self.L / 2)) / np.sum(self.p)
 
 
-class Levers:
-    """Where the forces of a checkpoint act, in its displaced state [m]."""
-
-    def __init__(self, checkpoint):
-        state = rupture.open(checkpoint)
-        self.h = state["driving.h"]
-        spacing = state.x[-1] / (len(state.x) - 1)
-        u_x, u_z, f_x, f_z = (state[name] for name in ("u_x", "u_z", "f_x", "f_z"))
-        self.drive_height = self.h + u_z[round(self.h / spacing), 0]
-        self.interface_x, self.interface_z = u_x[0], u_z[0]
-        self.top_shift = u_x[-1].mean()
-        rows, columns = np.indices(u_x.shape)
-        x, z = (columns - (u_x.shape[1] - 1) / 2) * spacing + u_x, rows * spacing + u_z
-        self.inertia = np.sum(x * f_z - z * f_x)  # moment of the net forces on all blocks [N m]
-
-    def centroid_at_rest(self, stress):
-        """The centroid of p, at the undeformed positions, for which the moments of all external
-        forces at the displaced positions balance [m]."""
-        moment = stress.F_T * self.drive_height + stress.F_N * self.top_shift
-        moment -= np.sum(stress.tau * self.interface_z + stress.p * self.interface_x)
-        return moment / np.sum(stress.p)
-
-    def centroid(self, stress):
-        """The same for a slider that is not at rest [m]."""
-        return self.centroid_at_rest(stress) + self.inertia / np.sum(stress.p)
+def centroids_by_moments(stress, state):
+    """The centroid of p, at the undeformed positions, for which the moments of all external forces
+    at the displaced positions balance: of a slider at rest, and with its inertia [m]."""
+    h, spacing = state["driving.h"], state.x[-1] / (len(state.x) - 1)
+    u_x, u_z, f_x, f_z = (state[name] for name in ("u_x", "u_z", "f_x", "f_z"))
+    moment = stress.F_T * (h + u_z[round(h / spacing), 0]) + stress.F_N * u_x[-1].mean()
+    moment -= np.sum(stress.tau * u_z[0] + stress.p * u_x[0])
+    rows, columns = np.indices(u_x.shape)
+    x, z = (columns - (u_x.shape[1] - 1) / 2) * spacing + u_x, rows * spacing + u_z
+    at_rest, inertia = (m / np.sum(stress.p) for m in (moment, np.sum(x * f_z - z * f_x)))
+    return at_rest, at_rest + inertia
 
 
-def claim_S1(unloaded, before, levers):
+def claim_S1(unloaded, before, state):
     symmetry = np.abs(unloaded.p - unloaded.p[::-1]).max() / unloaded.p.mean()
     antisymmetry = np.abs(unloaded.tau + unloaded.tau[::-1]).max() / np.abs(unloaded.tau).max()
     total = abs(unloaded.p.sum() / unloaded.F_N - 1)
     shift = before.centroid() - unloaded.centroid()
-    lever = before.F_T * levers.h / before.F_N
+    lever = before.F_T * state["driving.h"] / before.F_N
+    at_rest, with_inertia = centroids_by_moments(before, state)
     case = {
         "asymmetry of p/mean p": symmetry,
         "symmetric part of tau/largest tau": antisymmetry,
@@ -70,8 +57,8 @@ def claim_S1(unloaded, before, levers):
             "before the event: F_T [N]": before.F_T,
             "shift of the centroid of p [mm]": shift * 1e3,
             "F_T h/F_N [mm]": lever * 1e3,
-            "from all moments, were it at rest [mm]": levers.centroid_at_rest(before) * 1e3,
-            "from all moments, with inertia [mm]": levers.centroid(before) * 1e3,
+            "from all moments, were it at rest [mm]": at_rest * 1e3,
+            "from all moments, with inertia [mm]": with_inertia * 1e3,
             "sum p/F_N - 1 before the event": before.p.sum() / before.F_N - 1,
         },
         note="Symmetry and the sum of p are judged at F_T = 0, where the slider rests. Event I is"
@@ -102,7 +89,6 @@ def draw(unloaded, before, stem):
 
 
 def make(data, results):
-    levers = Levers(data / "fast-slow-fast.h5")
     unloaded, before = (
         Stress(data / f"{state}-stress.json") for state in ("figS1/unloaded", "fast-slow-fast")
     )
@@ -113,4 +99,4 @@ def make(data, results):
         ["x [m]", *(f"{state} {n}" for state in ("unloaded", "before event") for n in names)],
         zip(unloaded.x, unloaded.p, unloaded.tau, before.p, before.tau),
     )
-    return [claim_S1(unloaded, before, levers)]
+    return [claim_S1(unloaded, before, rupture.open(data / "fast-slow-fast.h5"))]

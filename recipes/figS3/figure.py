@@ -3,9 +3,8 @@
 import numpy as np
 
 from claims.judge import judged
-from data.records import values
 from data.tables import points_of, write_table
-from maps.front_map import SKIP_BELOW_X, front_type
+from maps.front_map import beyond_trigger, front_type
 from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
 MU_S, MU_D = 0.4, 0.17  # Table S1
@@ -45,7 +44,7 @@ def deviations(tau_bar, point):
 
 def median_speed(front):
     """Of the stencils beyond the trigger region [m/s]; None if there are none."""
-    v_c = values(front["v_c"])[np.array(front["x"]) > SKIP_BELOW_X]
+    v_c = beyond_trigger(front)
     return float(np.nanmedian(v_c)) if np.any(np.isfinite(v_c)) else None
 
 

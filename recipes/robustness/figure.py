@@ -48,11 +48,6 @@ def write_events(path, events):
     write_table(path, names, rows)
 
 
-def closest(events):
-    """The event that meets most criteria of claim 2A, the first of several."""
-    return min(events, key=lambda event: len(unmet("Exp", case_of_event(event))))
-
-
 def slow_stretch(front):
     """In one line; a front without one is what it is."""
     slow, L = front["slow"], front["L"]
@@ -106,7 +101,7 @@ def claims_in_words(in_words, of_map, loads):
 
 
 def claim_strict(events, unmodified, continued, loads):
-    shown = closest(events)
+    shown = min(events, key=lambda event: len(unmet("Exp", case_of_event(event))))
     slow, case = shown["slow"] or {}, case_of_event(shown)
     accepted = [event for event in events if not unmet("Exp", case_of_event(event))]
     return judged(

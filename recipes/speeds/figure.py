@@ -11,7 +11,7 @@ from scipy.stats import spearmanr
 from claims.own_result import compared, write_own
 from data.records import report
 from data.tables import numbers, points_of, write_columns
-from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, figure, letter, save
+from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
 
 # Exponents: tau_bar_0 of the fronts, speeds, and (variant, parameter, power of the quantity).
 KINDS = {"fast": "0.3", "slow": "0.1"}
@@ -132,13 +132,11 @@ def make(data, results):
     fixed = tomllib.loads(Path(__file__).with_name("expectations.toml").read_text(encoding="utf-8"))
     own = {name: compared(name, of, **fixed[name]) for name, of in measured.items()}
     write_own(results, own.values())
-    fig, panels = figure(DOUBLE, 0.75 * DOUBLE, nrows=2, ncols=2)
-    draw_pairs(panels[0, 0], select(pairs, variant="prestress"))
-    draw_exponents(panels[0, 1], own["inertia"])
-    draw_transients(panels[1, 0], select(homogeneous, **{"sigma-bar": "0.1"}))
-    draw_strength(panels[1, 1], blocks)
-    for axes, text in zip(panels.flat, "ABCD"):
-        letter(axes, text)
+    fig, panels = lettered("AB;CD", DOUBLE, 0.75 * DOUBLE)
+    draw_pairs(panels["A"], select(pairs, variant="prestress"))
+    draw_exponents(panels["B"], own["inertia"])
+    draw_transients(panels["C"], select(homogeneous, **{"sigma-bar": "0.1"}))
+    draw_strength(panels["D"], blocks)
     save(fig, results / "speeds")
     write_columns(results / "speeds.csv", [*NAMES, "x [m]", FRONT, SLIP], pairs)
     write_columns(results / "transients.csv", [*NAMES, LENGTH], homogeneous)
