@@ -1,13 +1,11 @@
 """Figure S5, its data and its claim."""
 
-import json
-
 import numpy as np
 from quadrature import SHAPES, largest_mean_force, mean_force, sigma_of_unit_width
 from quadrature import uniform_closed_form
 
 from claims.judge import judged
-from data.tables import write_table
+from data.tables import read_table, write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
 
 MU_S, MU_D = 0.4, 0.17  # reference parameters, as the tool's defaults
@@ -20,13 +18,11 @@ MARKERS = {"uniform": "o", "bell": "s"}  # of the largest values
 class Strength:
     """The tool's result for one shape, beside the formula or quadrature."""
 
-    def __init__(self, path):
-        reports = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
-        self.shape = reports[0]["shape"]
-        self.sigma_bar = np.array([r["sigma_bar"] for r in reports])
-        self.mu_bar = np.array([r["mu_bar_eff"] for r in reports])
-        self.mu = np.array([r["mu_eff"] for r in reports])
-        self.quadrature = np.array([largest_mean_force(self.shape, s) for s in self.sigma_bar])
+    def __init__(self, shape, table):
+        names = ("sigma-bar", "mu_bar_eff", "mu_eff")
+        self.shape, of_shape = shape, table["shape"] == shape
+        self.sigma_bar, self.mu_bar, self.mu = (table[name][of_shape] for name in names)
+        self.quadrature = np.array([largest_mean_force(shape, s) for s in self.sigma_bar])
 
 
 def curve(shape, sigma_bar):
@@ -118,7 +114,8 @@ def write_tables(results, curves, strengths):
 
 
 def make(data, results):
-    strengths = [Strength(data / f"figS5/{shape}.jsonl") for shape in LINES]
+    table = read_table(data / "figS5/strength.csv")
+    strengths = [Strength(shape, table) for shape in LINES]
     curves = {(shape, sigma): curve(shape, sigma) for shape in LINES for sigma in DRAWN}
     draw(curves, strengths, results / "figS5")
     write_tables(results, curves, strengths)
