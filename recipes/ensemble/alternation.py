@@ -42,13 +42,6 @@ def shuffled(loads, random):
     return found
 
 
-def by_chance(loads):
-    """Changes of kind, and loads that alternate, in each shuffle."""
-    random = np.random.default_rng(SEED)
-    shuffles = (shuffled(loads, random) for _ in range(SHUFFLES))
-    return np.array([(sum(map(changes, s)), sum(map(alternates, s))) for s in shuffles]).T
-
-
 def share_of(kinds):
     return float(np.mean(kinds)) if len(kinds) else None
 
@@ -66,7 +59,10 @@ def own_result(loads):
         for pairs in loads.values()
     ]
     pairs, changed = sum(max(0, len(k) - 1) for k in kinds), sum(map(changes, kinds))
-    chance, alternating = by_chance(kinds)
+    random = np.random.default_rng(SEED)
+    shuffles = (shuffled(kinds, random) for _ in range(SHUFFLES))
+    by_chance = np.array([(sum(map(changes, s)), sum(map(alternates, s))) for s in shuffles])
+    chance, alternating = by_chance.T
     return OwnResult(
         id="alternation",
         question="do fast-slow-fast events alternate with others in independent loads?",

@@ -76,16 +76,6 @@ def draw(data, fronts, stem):
     save(fig, stem)
 
 
-def own_result(choice):
-    """How near the chosen event comes to the paper's."""
-    first, *others = choice["candidates"]
-    return OwnResult(
-        id="nearest",
-        question="how near does the event most like the paper's come to it?",
-        measured={"loads": choice["loads"], "candidates": 1 + len(others), **first},
-    )
-
-
 def make(data, results):
     loads = of_ensemble(data, "load", "events")
     choice = report(data / "most-like.json") if (data / "most-like.json").exists() else None
@@ -94,11 +84,14 @@ def make(data, results):
     draw(data, fronts, results / "fig2")
     write_fronts(results / "front-speed-II.csv", {"second-slow": fronts.pop("second-slow")})
     write_fronts(results / "front-speed.csv", fronts)
+    own = []
     if choice:
-        write_columns(
-            results / "most-like.csv", list(choice["candidates"][0]), choice["candidates"]
-        )
-    write_own(results, [own_result(choice)] if choice else [])
+        first = (candidates := choice["candidates"])[0]
+        write_columns(results / "most-like.csv", list(first), candidates)
+        measured = {"loads": choice["loads"], "candidates": len(candidates), **first}
+        question = "how near does the event most like the paper's come to it?"
+        own = [OwnResult("nearest", question, measured)]
+    write_own(results, own)
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
     ways = ("in-words", "with-ends")
     again, with_ends = (report(data / f"fast-slow-fast-front-{way}.json") for way in ways)

@@ -20,7 +20,6 @@ from pathlib import Path
 import numpy as np
 import rupture
 
-from data.records import report
 from data.scratch import scratch
 from events.conventions import PRIMARY
 from maps.front_map import SKIP_BELOW_X
@@ -127,11 +126,6 @@ def of_front(front, time, tau):
 def of_seed(fronts):
     """{method: l_0 [m]}: the median of the fronts of a seed, all of the same weight."""
     return {name: median(front["l_0"][name] for front in fronts) for name in METHODS}
-
-
-def fitted_l_0(path):
-    """l_0 [m] as a seed's report has it (results/data/fig3/l0-seed-1.json)."""
-    return report(path)["l_0"][PRIMARY]
 
 
 def measure(seed, tau_bar, folder):

@@ -7,11 +7,11 @@ width, it is that of the full model alone.
 """
 
 import numpy as np
-from decay_length import fitted_l_0
 
 from claims import paper
 from claims.judge import judged
 from data.fits import fit_through_origin
+from data.records import report
 from data.tables import numbers, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import AS_IT_IS, CHANGED, SINGLE, lettered, save
@@ -183,4 +183,4 @@ def make(data, results):
     draw(rows, fits_of(rows), results / "fig3D")
     write_points(results / "front-speed.csv", rows)
     others = [*seeds, *slow.tables_of(data, "front_speed_widths")]
-    return [claim(path, phi, fitted_l_0(data / "l0-seed-1.json"), others)]
+    return [claim(path, phi, report(data / "l0-seed-1.json")["l_0"][PRIMARY], others)]

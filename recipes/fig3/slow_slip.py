@@ -50,14 +50,10 @@ def fit(rows):
     return fit_through_origin(*estimate_and_measured(rows))
 
 
-def fit_all(rows):
-    """The same where each quantity could be varied: at two values or more, beside the reference."""
-    counts = [sum(row["varies"] == name for row in rows) for name in ("t_R", "tau_slip", "k_i")]
-    return fit(rows) if min(counts) >= 2 else None
-
-
 def case_3Ci(rows):
-    found = fit_all(rows)
+    """Where each quantity could be varied: at two values or more, beside the reference."""
+    counts = [sum(row["varies"] == name for row in rows) for name in ("t_R", "tau_slip", "k_i")]
+    found = fit(rows) if min(counts) >= 2 else None
     return {"slope": found and found.slope, "R^2": found and found.r_squared}
 
 

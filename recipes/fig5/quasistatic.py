@@ -55,12 +55,6 @@ def draw_maps(fig, axes, load, stopped, window, t_branch):
     draw_scales(fig, axes, colour, grey)
 
 
-def draw_tip(axes, stretch, L):
-    time, tip = np.array(stretch["tip"]).T
-    axes.step(tip / L, time, where="pre", color=AS_IT_IS, linewidth=1, label="tip, driven")
-    axes.legend(loc="lower right", bbox_to_anchor=(1, 0.1))
-
-
 def draw(data, stretch, L, stem):
     load = data / "quasistatic-load-record.h5"
     stopped = data / f"quasistatic-stopped-{MIDDLE}-record.h5"
@@ -69,7 +63,9 @@ def draw(data, stretch, L, stem):
     fig, axes = figure(DOUBLE, 0.42 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
     draw_loading(axes[0], load, stopped, window)
     draw_maps(fig, axes[1], load, stopped, window, float(stretch["branches"][MIDDLE]))
-    draw_tip(axes[1], stretch, L)
+    time, tip = np.array(stretch["tip"]).T
+    axes[1].step(tip / L, time, where="pre", color=AS_IT_IS, linewidth=1, label="tip, driven")
+    axes[1].legend(loc="lower right", bbox_to_anchor=(1, 0.1))
     letter(axes[0], "B")
     save(fig, stem)
 
@@ -79,7 +75,7 @@ def case_5B(c_s, speed, branch):
 
 
 def units_5B(paths):
-    """By quasistatic_stretch.measured(). A front that hardly moves with the drive either says
+    """By quasistatic_seed.py. A front that hardly moves with the drive either says
     nothing about what happens without it."""
     found = {path.stem: report(path) for path in paths}
     return {

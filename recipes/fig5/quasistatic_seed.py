@@ -5,7 +5,8 @@
 Drives the slider at h = 0 from START, the checkpoint of the load that the figure shows from before
 any junction broke, until the second dynamic event is over, or to the time UNTIL; then stops the
 driving at the checkpoint in the middle of the quasi-static stretch, as for the seed that the figure
-shows. Runs in FOLDER, which is deleted at the end. Prints what quasistatic_stretch.measured() says.
+shows. Runs in FOLDER, which is deleted at the end. Prints c_s, speed and tip
+of the front, and how far it advances from this branch.
 """
 
 from pathlib import Path
@@ -63,7 +64,8 @@ def measure(start, seed, until, every, folder):
     stop = {"set": {"driving.V": 0}, "for_": stretches.STOPPED_FOR}
     stopped = stretches.read_ruptures(run(branch, folder / "stopped.h5", **stop))
     moved = stretches.advances(load, stopped, stretch["interval_from"], float(t))
-    return stretches.measured(stretch, rupture.open(records[0]).c_s, moved)
+    measured = {"speed": stretch["speed"], "tip": stretch["tip"], "branch": moved}
+    return {"c_s": rupture.open(records[0]).c_s} | measured
 
 
 def main(start, seed, until, every, folder):

@@ -87,10 +87,5 @@ def advances(load, stopped, interval_from, t_branch):
     }
 
 
-def measured(stretch, c_s, branch):
-    """One load, for claim 5B; the driving stops in the middle of the stretch."""
-    return {"c_s": c_s, "speed": stretch["speed"], "tip": stretch["tip"], "branch": branch}
-
-
 def main(path, checkpoint_every):
     return quasistatic_stretch(read_ruptures(path), float(checkpoint_every))

@@ -92,16 +92,11 @@ def claim_S2(fronts, pairs, others):
     )
 
 
-def fast_slow_pairs(path):
-    """As write_events takes them."""
-    pairs = [(event[PRIMARY]["with"], event[PRIMARY]["without"]) for event in report(path).values()]
-    return [(event, without) for event, without in pairs if is_fast_slow(event)]
-
-
 def make(data, results):
     [continued] = of_ensemble(data, "simplified", "continued")
     fronts = {run: report(data / f"figS2/{run}-front.json") for run in SPEEDS}
-    pairs = fast_slow_pairs(continued)
+    events = (event[PRIMARY] for event in report(continued).values())
+    pairs = [(of["with"], of["without"]) for of in events if is_fast_slow(of["with"])]
     draw(data / "figS2", fronts, results / "figS2")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", pairs)

@@ -13,17 +13,13 @@ from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}
 
 
-def reach(front):
-    """How far a front came [L]."""
-    return (front["L"] if front["x_arrest"] is None else front["x_arrest"]) / front["L"]
-
-
 def measured_event(unmodified, continued):
+    arrest, L = continued["x_arrest"], continued["L"]
     return {
         "event under the reference law": unmodified["type"],
         "its slow stretch from [L]": unmodified["slow"]["x_from"] / unmodified["L"],
         "the same under the distance law": continued["type"],
-        "which reaches [L]": reach(continued),
+        "which reaches [L]": (L if arrest is None else arrest) / L,
     }
 
 
