@@ -54,11 +54,6 @@ def read_places(data):
 # --- what they say -------------------------------------------------------------------------
 
 
-def column(case, name):
-    """One element per step; None without a slow stretch."""
-    return [front.get(name) for front in case]
-
-
 def changes_type(case):
     """Between the two finest levels."""
     return case[-2]["type"] != case[-1]["type"]
@@ -66,10 +61,10 @@ def changes_type(case):
 
 def steps_measured(cases):
     """A slow stretch may be too short for a speed."""
-    types = {name: column(case, "type") for name, case in cases.items()}
+    types = {name: [front["type"] for front in case] for name, case in cases.items()}
     changed = [name for name, case in cases.items() if changes_type(case)]
     slow = [case for name, case in cases.items() if types[name][-2:] == ["slow", "slow"]]
-    pairs = [column(case, SPEED)[-2:] for case in slow]
+    pairs = ([front[SPEED] for front in case[-2:]] for case in slow)
     changes = [abs(b / a - 1) for a, b in pairs if a and b]
     listed = "; ".join(f"{name} ({', '.join(types[name])})" for name in changed)
     measured = {
@@ -99,7 +94,7 @@ def lammps_measured(compared):
 
 def own_result(cases, edges, lammps):
     of_events = {
-        f"{name}: {quantity}": column(case, quantity)
+        f"{name}: {quantity}": [front[quantity] for front in case]
         for name, case in [*cases.items()][: len(EVENTS)]
         for quantity in ("type", *SLOW)
     }

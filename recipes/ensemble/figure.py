@@ -88,25 +88,17 @@ def rows(loads):
             yield load, event["t_start"], event["type"], kind, yes(is_fast_slow_fast(event)), *slow
 
 
-def counts(setting, loads):
-    """One line of the summary."""
-    pairs = [*chain(*loads.values())]
-    kinds, events = [kind for kind, _ in pairs], [event for _, event in pairs]
-    numbers = [
-        len(loads),
-        len(events),
-        *(kinds.count(kind) for kind in alternation.KINDS),
-        sum(map(has_slow_stretch, events)),
-        sum(map(is_fast_slow_fast, events)),
-    ]
-    return f"{setting:12}" + "".join(f"{number:14}" for number in numbers)
-
-
 def summary(loads):
     """Text for the terminal."""
-    names = ["loads", "span", "in words", "fast only", "other", "slow stretch", "meet 2A"]
-    head = f"{'':12}" + "".join(f"{name:>14}" for name in names)
-    return "\n".join([head, *(counts(*of) for of in loads.items())]) + "\n"
+    names = ("loads", "span", "in words", "fast only", "other", "slow stretch", "meet 2A")
+    lines: dict[str, tuple] = {"": names}
+    for setting, of_setting in loads.items():
+        kinds, events = [[pair[n] for pair in chain(*of_setting.values())] for n in (0, 1)]
+        of_kinds = map(kinds.count, alternation.KINDS)
+        more = (sum(map(is_so, events)) for is_so in (has_slow_stretch, is_fast_slow_fast))
+        lines[setting] = (len(of_setting), len(events), *of_kinds, *more)
+    row = "{:12}" + len(names) * "{:>14}" + "\n"
+    return "".join(row.format(setting, *cells) for setting, cells in lines.items())
 
 
 def own_result_of_product(products):

@@ -92,14 +92,6 @@ def draw(rows, fits, stem):
     save(fig, stem)
 
 
-def write_points(path, rows):
-    names = ["variant", "tau-bar", "sigma-bar", "junctions.t_R", "junctions.mu_d", "slider.E"]
-    names += ["slider.F_N", "junctions.v_slow", "type", "blocks", "slow slip [m/s]"]
-    names += ["scaled slow slip [m/s]", "front speed [m/s]", "point"]
-    scaled = zip(rows, scaled_slip(rows))
-    write_columns(path, names, (row | {"scaled slow slip [m/s]": x} for row, x in scaled))
-
-
 def ratios(rows, strength=1.0):
     """Front speed over scaled slow slip at each width of phi, as text."""
     ratio = slow.speeds(rows) / scaled_slip(rows, strength)
@@ -181,6 +173,10 @@ def make(data, results):
     path, *seeds = slow.tables_of(data, "front_speed")
     rows, phi = slow.fronts(path), slow.fronts(data / "front_speed_phi.csv")
     draw(rows, fits_of(rows), results / "fig3D")
-    write_points(results / "front-speed.csv", rows)
+    scaled = [row | {"scaled slow slip [m/s]": x} for row, x in zip(rows, scaled_slip(rows))]
+    names = ["variant", "tau-bar", "sigma-bar", "junctions.t_R", "junctions.mu_d", "slider.E"]
+    names += ["slider.F_N", "junctions.v_slow", "type", "blocks", "slow slip [m/s]"]
+    names += ["scaled slow slip [m/s]", "front speed [m/s]", "point"]
+    write_columns(results / "front-speed.csv", names, scaled)
     others = [*seeds, *slow.tables_of(data, "front_speed_widths")]
     return [claim(path, phi, report(data / "l0-seed-1.json")["l_0"][PRIMARY], others)]

@@ -66,19 +66,12 @@ def conventions_3Ci(path, protocols=K_I):
     return {name: [case] for name, case in cases.items()}
 
 
-def ratios_of_neighbours(row):
-    """The faster over the slower of each two neighbouring blocks that slip slowly."""
-    blocks = [round(x / WIDTH) for x in row["per_block"]["x"]]
-    speed = row["per_block"]["speed"]
-    pairs = zip(blocks, blocks[1:], speed, speed[1:])
-    return [max(v, w) / min(v, w) for one, next_one, v, w in pairs if next_one == one + 1]
-
-
 def largest_ratio(row):
-    """Of the neighbours behind a front; None if there are none, or one does not slip forwards."""
-    if min(row["per_block"]["speed"]) <= 0:
-        return None
-    return max(ratios_of_neighbours(row), default=None)
+    """Of two neighbours behind a front, the faster over the slower; None if there are none, or a
+    block does not slip forwards."""
+    x, speed = (np.array(row["per_block"][name]) for name in ("x", "speed"))
+    pairs = np.sort([speed[:-1], speed[1:]], axis=0)[:, np.diff(np.rint(x / WIDTH)) == 1]
+    return max(pairs[1] / pairs[0]) if speed.min() > 0 and pairs.size else None
 
 
 def case_co(rows):
@@ -110,14 +103,6 @@ def draw(prepared, event, prepared_fit, stem):
     axes.set_ylabel(r"measured $v_\mathrm{slow\,slip}$ [mm/s]")
     axes.legend(loc="upper left")
     save(fig, stem)
-
-
-def write_fronts(path, runs):
-    """The measured columns of both sweeps, with what was varied."""
-    names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]
-    names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]
-    rows = ({"interface": name} | row for name, of_run in runs.items() for row in of_run)
-    write_columns(path, names, rows)
 
 
 def beside_text(rows, variant):
@@ -190,5 +175,9 @@ def make(data, results):
     prepared, of_event = slow.fronts(path), read_rows(data / "slow_slip_event.csv")
     event = slow.usable([row | {"blocks": int(row["blocks"] or 0)} for row in of_event])
     draw(varied(prepared), event, fit(varied(prepared)), results / "fig3C-inset")
-    write_fronts(results / "slow-slip-speed.csv", {"prepared": prepared, "event": event})
+    rows = [{"interface": "prepared"} | row for row in prepared]
+    rows += [{"interface": "event"} | row for row in event]
+    names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]
+    names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]
+    write_columns(results / "slow-slip-speed.csv", names, rows)
     return [claim_3Ciw(path, others), claim_3Ci(path, event, others), claim_co(path, others)]

@@ -27,8 +27,8 @@ def share_of_lower(strata):
 
 
 def van_elteren(strata):
-    """Van Elteren's stratified rank-sum test: z and one-sided p for lower values in the first
-    group, normal approximation, corrected for ties; None if no stratum has both groups."""
+    """Van Elteren's stratified rank-sum test: one-sided p for lower values in the first group,
+    normal approximation, corrected for ties; None if no stratum has both groups."""
     statistic = variance = 0.0
     for first, second in comparable(strata):
         n, m = len(first), len(second)
@@ -38,8 +38,7 @@ def van_elteren(strata):
         variance += weight**2 * n * m * np.var(ranks, ddof=1) / (n + m)
     if variance == 0:
         return None
-    z = statistic / math.sqrt(variance)
-    return {"z": float(z), "p": float(norm.cdf(z))}
+    return float(norm.cdf(statistic / math.sqrt(variance)))
 
 
 def chances_of_rank_sums(doubled_ranks, n):
