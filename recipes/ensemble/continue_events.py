@@ -72,12 +72,6 @@ def under_conventions(workshop, branch):
     }
 
 
-def duration_of(event):
-    """Of a continuation [s]: longer where the front takes longer than half of it."""
-    crossing = max(t for t in event["t_rupture"] if t is not None) - event["t_start"]
-    return max(DURATION, 2 * crossing)
-
-
 def run_event(workshop, event, times, duration):
     """The event as it is, and its states at the times of the branches."""
     workshop.start(event)
@@ -90,7 +84,8 @@ def run_event(workshop, event, times, duration):
 def measure(workshop, event):
     ruptured = {branch: event["t_rupture"][block] for branch, (block, _) in BRANCHES.items()}
     times = {branch: t for branch, t in ruptured.items() if t is not None}
-    amid_slow, duration = middle_of_slow_stretch(event), duration_of(event)
+    crossing = max(t for t in event["t_rupture"] if t is not None) - event["t_start"]
+    amid_slow, duration = middle_of_slow_stretch(event), max(DURATION, 2 * crossing)
     slip_at = SLIP_AT | {OWN_BLOCK: event["slow"]["x_from"] - BEFORE_TRANSITION * event["L"]}
     run_event(workshop, event, times, duration)
     workshop.run("restart", workshop.path("start"), "amid-slow", "--until", amid_slow)

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 import h5py
@@ -23,6 +24,16 @@ def short(report):
 
 def without_lines(front):
     return front and {key: value for key, value in front.items() if not isinstance(value, list)}
+
+
+@contextmanager
+def without_event():
+    """Goes on behind the block where `analyze front` finds no event."""
+    try:
+        yield
+    except subprocess.CalledProcessError as error:
+        if error.returncode != NO_EVENT:
+            raise
 
 
 class Workshop:
@@ -57,29 +68,18 @@ class Workshop:
         """{way: front of the first event of a run}; None where nothing ruptures. Speeds of a run
         that branches off count beyond the branch: the blocks before it may rupture once more."""
         record = self.path(f"{name}-record")
+        found = dict.fromkeys(ways)
         with h5py.File(record) as file:
             if len(file["ruptures/time"]) == 0:
-                return dict.fromkeys(ways)
+                return found
         _, x = BRANCHES.get(name.split("-")[0], (None, LOADING_ZONE))
         command, beyond = "front --event 0", ["--skip-below-x", x]
-        try:
+        with without_event():
             return self.analyze.each(command, record, ways, beyond)
-        except subprocess.CalledProcessError as error:
-            if error.returncode != NO_EVENT:
-                raise
-        return {
-            way: self.if_ruptured(command, record, [*beyond, *words_of(options)])
-            for way, options in ways.items()
-        }
-
-    def if_ruptured(self, command, record, options):
-        """None where nothing ruptures down to the pinned fraction of this way."""
-        try:
-            return self.analyze(command, record, options)
-        except subprocess.CalledProcessError as error:
-            if error.returncode != NO_EVENT:
-                raise
-            return None
+        for way, options in ways.items():  # down to the pinned fraction of some, nothing ruptures
+            with without_event():
+                found[way] = self.analyze(command, record, [*beyond, *words_of(options)])
+        return found
 
     def front(self, name):
         return self.fronts(name, {PRIMARY: {}})[PRIMARY]

@@ -57,11 +57,6 @@ def units_1D(paths, cases):
     }
 
 
-def claim_1Dw(events, paths):
-    shown = case_1Dw(events)
-    return judged("1Dw", shown, shown, units_1D(paths, {PRIMARY: case_1Dw}))
-
-
 def claim_1D(events, paths):
     early = precursors(events)
     drops = [e["F_T_before"] - e["F_T_after"] for e in events if e["spanning"]]
@@ -124,11 +119,6 @@ def units_1E(paths, blocks):
     }
 
 
-def claim_1Ew(peaks, front, paths):
-    shown = case_1E(peaks, front, middle)
-    return judged("1Ew", shown, shown, units_1E(paths, {PRIMARY: middle}))
-
-
 def claim_1E(record, peaks, front, paths):
     off, [i] = off_by(peaks, front), middle(front)
     ratio = record["tau"][:, i] / record["p"][:, i]
@@ -179,9 +169,10 @@ def make(data, results):
     peaks = peaks_of(record)
     write_tables(results, loading, events, record, front)
     loads, continued = (of_ensemble(data, "load", kind) for kind in ("events", "continued"))
+    shown_1Dw, shown_1Ew = case_1Dw(events), case_1E(peaks, front, middle)
     return [
-        claim_1Dw(events, loads),
+        judged("1Dw", shown_1Dw, shown_1Dw, units_1D(loads, {PRIMARY: case_1Dw})),
         claim_1D(events, loads),
-        claim_1Ew(peaks, front, continued),
+        judged("1Ew", shown_1Ew, shown_1Ew, units_1E(continued, {PRIMARY: middle})),
         claim_1E(record, peaks, front, continued),
     ]

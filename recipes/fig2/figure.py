@@ -44,21 +44,16 @@ def draw_map(axes, front, pinned):
     return image
 
 
-def name_upright_line(axes, text, x):
-    """At its upper end, outside the panel."""
-    place = {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points"}
-    axes.annotate(text, (x, 1), xytext=(0, 2), ha="center", **place)
-
-
 def draw_speeds(axes, fronts):
     draw_front_speeds(axes, fronts, {name: EVENTS[name] for name in fronts})
     c_s = fronts["fast-slow-fast"]["c_s"]
     for part, text in PAPER_SPEEDS.items():
         axes.axhline(part * c_s, zorder=1, **OF_PAPER)
         name_line(axes, text, part * c_s)
+    above = {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points", "ha": "center"}
     for x in paper.TRANSITIONS:
         axes.axvline(x, zorder=1, **OF_PAPER)
-        name_upright_line(axes, f"${x}\\,L$", x)
+        axes.annotate(f"${x}\\,L$", (x, 1), xytext=(0, 2), **above)
     axes.plot([], [], label="paper", **OF_PAPER)
     axes.set(ylim=(1, None))
     look = {"frameon": True, "framealpha": 1, "edgecolor": "none", "borderpad": 0.2}

@@ -65,12 +65,6 @@ def draw(seed, stem):
     save(fig, stem)
 
 
-def rows(seed):
-    for tau_bar, front in measured_fronts(seed).items():
-        for row in zip(front["x - x_0"], front["excess"]):
-            yield [tau_bar, *row]
-
-
 # --- claim ---------------------------------------------------------------------------------
 
 
@@ -106,5 +100,7 @@ def make(data, results):
     shown = report(paths[0])
     draw(shown, results / "fig3-l0")
     names = ["tau_bar_0", "x - x_0 [m]", "excess over that at x_0"]
-    write_table(results / "decay-length.csv", names, rows(shown))
+    profiles = {t: zip(f["x - x_0"], f["excess"]) for t, f in measured_fronts(shown).items()}
+    rows = ([tau_bar, *row] for tau_bar, profile in profiles.items() for row in profile)
+    write_table(results / "decay-length.csv", names, rows)
     return [claim(paths)]

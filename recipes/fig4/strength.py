@@ -73,13 +73,6 @@ def prepared_points(data):
     ]
 
 
-def curves(data):
-    """{shape: (sigma_bar, mu_bar_eff)}"""
-    table = read_table(data / "fig4/strength-curves.csv")
-    of_shape = {shape: table["shape"] == shape for shape in CURVES}
-    return {s: (table["sigma-bar"][of], table["mu_bar_eff"][of]) for s, of in of_shape.items()}
-
-
 # --- tests ---------------------------------------------------------------------------------
 
 
@@ -156,13 +149,6 @@ def draw(events, points, lines, stem):
 # --- data and claim ------------------------------------------------------------------------
 
 
-def rows(events, points):
-    named = [(f"prepared, {point.shape}", point) for point in points]
-    named += [(event, block) for event, blocks in events.items() for block in blocks]
-    for name, block in named:
-        yield [name, block.kind, block.tau_bar_0, block.sigma_bar, block.mu_bar_eff]
-
-
 def measure_map(types):
     strata = map_strata(types)
     both = [(slow, fast) for slow, fast in strata if slow and fast]
@@ -237,10 +223,15 @@ def make(data, results):
         event: blocks_of(*(report(data / f"{event}-{of}.json") for of in ("front", "strength")))
         for event in SHOWN
     }
-    points, lines = prepared_points(data), curves(data)
+    points, table = prepared_points(data), read_table(data / "fig4/strength-curves.csv")
+    of_shape = {shape: table["shape"] == shape for shape in CURVES}
+    lines = {s: [table[n][of] for n in ("sigma-bar", "mu_bar_eff")] for s, of in of_shape.items()}
     draw(shown, points, lines, results / "fig4C")
-    names = ["points", "kind", "tau_bar_0", "sigma_bar", "mu_bar_eff"]
-    write_table(results / "strength.csv", names, rows(shown, points))
+    named = [(f"prepared, {point.shape}", point) for point in points]
+    named += [(event, block) for event, blocks in shown.items() for block in blocks]
+    names = ["kind", "tau_bar_0", "sigma_bar", "mu_bar_eff"]
+    rows = ([name, *(getattr(block, of) for of in names)] for name, block in named)
+    write_table(results / "strength.csv", ["points", *names], rows)
     repeated = {
         (path, number): blocks_of(event["unmodified"], event["strength"])
         for path in of_ensemble(data, "load", "continued")

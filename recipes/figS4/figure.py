@@ -51,12 +51,6 @@ def beside_widest_uniform(junctions, block):
     return stats.kstest(forces, uniform.cdf).pvalue, distance
 
 
-def force_edges(junctions):
-    """Edges of the bins, the same for both states [N]."""
-    lowest = min(state.force.min() for state in junctions)
-    return np.linspace(lowest, max(state.f_thres.max() for state in junctions), BINS + 1)
-
-
 def draw_phi(axes, junctions, edges):
     """Histogram of the pinned junctions' forces per block. Returns the image."""
     blocks = range(len(junctions.f_thres))
@@ -70,12 +64,6 @@ def draw_phi(axes, junctions, edges):
     return image
 
 
-def draw_slipping(axes, junctions):
-    share = junctions.slipping.mean(axis=1)
-    axes.stairs(share, block_edges(junctions), color=VERMILION, fill=True)
-    axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, 1))
-
-
 def block_edges(junctions):
     x = junctions.x_over_L
     half = (x[1] - x[0]) / 2
@@ -86,11 +74,15 @@ def draw(data, junctions, fronts, stem):
     shared = {"sharex": True, "sharey": "row", "height_ratios": (5, 5, 1)}
     fig, axes = figure(0.75 * DOUBLE, 0.66 * DOUBLE, nrows=3, ncols=2, **shared)
     t_zero, window = window_of(*fronts)
+    lowest, highest = min(j.force.min() for j in junctions), max(j.f_thres.max() for j in junctions)
+    bins = np.linspace(lowest, highest, BINS + 1)  # edges, the same for both states [N]
     for column, (run, title) in enumerate(zip(STATES.values(), TITLES)):
         record = rupture.open(data / f"{run}-record.h5")
         pinned = draw_pinned(axes[0, column], record, t_zero, window)
-        shares = draw_phi(axes[1, column], junctions[column], force_edges(junctions))
-        draw_slipping(axes[2, column], junctions[column])
+        shares = draw_phi(axes[1, column], junctions[column], bins)
+        slipping, edges = junctions[column].slipping.mean(axis=1), block_edges(junctions[column])
+        axes[2, column].stairs(slipping, edges, color=VERMILION, fill=True)
+        axes[2, column].set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, 1))
         axes[0, column].set(title=title, xlabel="")
         letter(axes[0, column], "AB"[column])
     axes[0, 1].set_ylabel("")

@@ -102,20 +102,6 @@ def measured(fronts, events):
     }
 
 
-def claims_of(fronts, events, in_words, loads):
-    first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
-    return [
-        judged(
-            "S6A",
-            shown=case_of_event(fronts["event"]),
-            measured=measured(fronts, events),
-            units=below_c_s_over_8(loads, case_of_event),
-            note="Slow means below c_s/8; shown is the first event fast-slow-fast in words.",
-        ),
-        judged("S6Aw", words_shown(first), words_case(first), units_in_words(loads)),
-    ]
-
-
 def make(data, results):
     loads = of_ensemble(data, "decaying", "events")
     events = report(data / "figS6/choice.json")["events"]
@@ -128,4 +114,15 @@ def make(data, results):
     draw(data / "figS6/event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(results / "events.csv", events)
-    return [*claims_of(fronts, events, in_words, loads), *make_map(data, results, **MAP)]
+    first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
+    return [
+        judged(
+            "S6A",
+            shown=case_of_event(fronts["event"]),
+            measured=measured(fronts, events),
+            units=below_c_s_over_8(loads, case_of_event),
+            note="Slow means below c_s/8; shown is the first event fast-slow-fast in words.",
+        ),
+        judged("S6Aw", words_shown(first), words_case(first), units_in_words(loads)),
+        *make_map(data, results, **MAP),
+    ]

@@ -57,14 +57,6 @@ def slow_stretch(front):
     return f"{slow['speed']:.3g} m/s for {slow['duration'] * 1e3:.3g} ms, {where}"
 
 
-def draw_map(fronts, stem):
-    fig, axes = figure(SINGLE, 0.85 * SINGLE)
-    types = types_of(fronts)
-    draw_regions(axes, types, types)
-    name_regions(axes, types)
-    save(fig, stem)
-
-
 def case_of_map(fronts):
     """4D's order of regions, on the map of prepared interfaces with exponential times."""
     kinds = list(types_of(fronts).values())
@@ -74,25 +66,21 @@ def case_of_map(fronts):
     }
 
 
-def with_map(units, of_map):
-    """All units share the one map."""
-    return {
-        unit: {name: [case | of_map for case in cases] for name, cases in measured.items()}
-        for unit, measured in units.items()
-    }
-
-
 def claims_in_words(in_words, of_map, loads):
     """Of the events, of the map, and of both."""
     first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
     shown, case, units = words_shown(first), words_case(first), units_in_words(loads)
+    with_map = {
+        unit: {name: [case | of_map for case in cases] for name, cases in measured.items()}
+        for unit, measured in units.items()
+    }
     return [
         judged("Expe", shown, case, units),
         judged(
             "Expw",
             shown | of_map,
             case | of_map,
-            with_map(units, of_map),
+            with_map,
             note="Each load is judged by its own events, and all of them by the one map of prepared"
             " interfaces.",
         ),
@@ -137,7 +125,10 @@ def make(data, results):
     draw(spanning, results / "exponential")
     write_events(results / "exponential-events.csv", spanning)
     fronts = read_map(points_of(data / "robustness/exponential-map.csv"))
-    draw_map(fronts, results / "exponential-map")
+    fig, axes = figure(SINGLE, 0.85 * SINGLE)
+    draw_regions(axes, types := types_of(fronts), types)
+    name_regions(axes, types)
+    save(fig, results / "exponential-map")
     write_types(results / "exponential-map.csv", fronts)
     runs = ("fast-slow-fast", "fast-slow-fast/exponential")
     unmodified, continued = (report(data / f"{run}-front.json") for run in runs)

@@ -1,7 +1,6 @@
 """Slow slip behind slow fronts on prepared interfaces: windows, seeds, claims 3Ci, 3D and co
 (recipes/fig3)."""
 
-import csv
 import json
 
 from pytest import fixture
@@ -12,6 +11,7 @@ import slow_slip
 from claims import paper
 from conftest import ROOT, approx
 from data.fits import fit_through_origin
+from data.tables import write_table
 from sweeps.sweep import read_sweep
 
 
@@ -47,13 +47,10 @@ class TestFronts:
 
     def write(self, *points):
         """Pairs: the type of a front, and what was measured of it."""
-        with self.table.open("w", newline="", encoding="utf-8") as file:
-            table = csv.writer(file)
-            table.writerow(["type", "point"])
-            for number, (kind, result) in enumerate(points):
-                table.writerow([kind, number])
-                path = self.points / f"{number}.json"
-                path.write_text(json.dumps(result), encoding="utf-8")
+        rows = [(kind, number) for number, (kind, _) in enumerate(points)]
+        write_table(self.table, ["type", "point"], rows)
+        for number, (_, result) in enumerate(points):
+            (self.points / f"{number}.json").write_text(json.dumps(result))
 
     def test_fronts_count_that_slow_down_with_five_blocks_in_the_window(self):
         self.write(
