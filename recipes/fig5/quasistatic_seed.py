@@ -5,8 +5,8 @@
 Drives the slider at h = 0 from START, the checkpoint of the load that the figure shows from before
 any junction broke, until the second dynamic event is over, or to the time UNTIL; then stops the
 driving at the checkpoint in the middle of the quasi-static stretch, as for the seed that the figure
-shows. Runs in FOLDER, which is deleted at the end. Prints c_s, speed and tip
-of the front, and how far it advances from this branch.
+shows. Runs in FOLDER, which is deleted at the end. Prints c_s, speed and tip of the front, and how
+far it advances from this branch.
 """
 
 from pathlib import Path
