@@ -1,5 +1,4 @@
-"""The results in README.md are what a report has written, and its picture shows what programs
-compute."""
+"""The results in README.md agree with the tables in docs/, and these with what programs compute."""
 
 import csv
 import hashlib
@@ -12,18 +11,19 @@ import readme
 from claims.claim import Claim, Share
 from claims.judge import table
 from conftest import ROOT, run
+from data.tables import read_rows
 from fixture import spill
 
 EVENTS = (ROOT / readme.FRONTS).read_text(encoding="utf-8")
 
 
-def test_its_sentences_are_those_that_a_report_of_all_leading_claims_wrote():
-    [(digest, shown)] = readme.BLOCK.findall((ROOT / readme.README).read_text(encoding="utf-8"))
-    assert readme.block(shown).startswith(f"<!-- results {digest} -->"), "nobody edits them"
-    words = [re.escape(text) for text in readme.PLACE.split(readme.SENTENCES)[::3]]
-    assert re.fullmatch(r"[-\d.e]+".join(words), shown), "the wording is that of readme.txt"
+def test_its_sentences_are_those_of_the_table_of_verdicts():
+    rows = read_rows(ROOT / readme.TABLE)
     leading = [name for name, claim in table().items() if "closeness_of" not in claim]
-    assert shown.startswith(f"- Of {len(leading)} claims")
+    assert [row["id"] for row in rows if row["verdict"]] == leading
+    [shown] = readme.BLOCK.findall((ROOT / readme.README).read_text(encoding="utf-8"))
+    assert shown == readme.sentences(rows)
+    assert "not run" not in shown and "{" not in shown
 
 
 def test_its_picture_is_drawn_from_the_table_of_events():
@@ -54,11 +54,11 @@ def update(root, reason):
 
 @pytest.fixture(name="clone")
 def made_up_clone(tmp_path):
-    for name in (readme.FRONTS, readme.PICTURE):
+    for name in (readme.TABLE, readme.FRONTS, readme.PICTURE):
         spill(tmp_path / name, "old")
     for name in readme.EVENTS:
         spill(tmp_path / f"results/data/{name}-front.json", json.dumps(FRONT))
-    spill(tmp_path / readme.README, "above\n<!-- results 0 -->\nold\n<!-- /results -->\nbelow\n")
+    spill(tmp_path / readme.README, "above\n<!-- results -->\nold\n<!-- /results -->\nbelow\n")
     return tmp_path
 
 
@@ -66,7 +66,7 @@ def test_a_report_of_all_results_writes_them(clone):
     above, sentences, below = re.split(r"<!-- .* -->\n", update(clone, "holds"))
     assert (above, below) == ("above\n", "below\n")
     assert "19 of 20 independent loads" in sentences and "old" not in sentences
-    assert "Of 1 claims of the paper, 1 are reproduced, 0 depend" in sentences
+    assert "2Aw,reproduced,19,20,{}" in (clone / readme.TABLE).read_text()
     assert "most-like,v_c/c_s,0.01,\n" in (clone / readme.FRONTS).read_text()
 
 
@@ -75,4 +75,4 @@ def test_one_of_some_results_or_behind_a_link_does_not(clone):
     (clone / readme.README).rename(clone / "mine")
     (clone / readme.README).symlink_to("mine")
     assert "old" in update(clone, "holds")
-    assert (clone / readme.FRONTS).read_text() == "old"
+    assert (clone / readme.TABLE).read_text() == "old"

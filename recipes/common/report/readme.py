@@ -1,8 +1,13 @@
-"""The results in README.md: sentences and a picture, which is drawn from a table in docs/. The
-report updates them in a clone where everything has been computed."""
+#!/usr/bin/env python3
+"""The results in README.md: sentences and a picture, made from two tables in docs/. The report
+updates them all in a clone where everything has been computed. From the tables alone:
+
+    PYTHONPATH=recipes/common:python python3 recipes/common/report/readme.py
+"""
 
 import csv
 import hashlib
+import json
 import re
 from collections import Counter
 from pathlib import Path
@@ -12,15 +17,16 @@ from caption import PLACE, filled
 from claims import paper
 from claims.claim import SHOWN_ONLY, VERDICTS
 from data.records import report
-from data.tables import write_table
+from data.tables import read_rows, write_table
 from pictures.panels import name_line
 from pictures.plotting import DOUBLE, OF_PAPER, figure
 from rupture.replacing import replacing, write_whole
 
 README, PICTURE = "README.md", "docs/figure-2.png"
-FRONTS = "docs/figure-2.csv"
-BLOCK = re.compile(r"<!-- results (\w*) -->\n(.*?)<!-- /results -->", re.DOTALL)
+TABLE, FRONTS = "docs/verdicts.csv", "docs/figure-2.csv"
+BLOCK = re.compile(r"(?<=<!-- results -->\n).*?(?=<!-- /results -->)", re.DOTALL)
 SENTENCES = Path(__file__).with_name("readme.txt").read_text(encoding="utf-8")
+PLACES = set(PLACE.findall(SENTENCES))
 EVENTS = {  # label, colour, marker
     "fast-slow-fast": ("event I", "#009e73", "o"),
     "fast-only": ("event III", "#56b4e9", "^"),
@@ -28,33 +34,20 @@ EVENTS = {  # label, colour, marker
 }
 
 
-def short(value, digits):
-    return float(f"{value:.{digits}g}")
+def short(value, digits=3):
+    return float(f"{value:.{digits}g}") if isinstance(value, float) else value
 
 
-def digest(text):
-    return hashlib.sha256(text.encode()).hexdigest()
+# --- tables --------------------------------------------------------------------------------
 
 
-# --- sentences -----------------------------------------------------------------------------
-
-
-def sentences(claims, own):
-    """Of leading rows: `all` counts them, shares are those under the primary convention."""
-    leading = [claim for claim in claims if not claim.closeness_of]
-    counts = Counter(claim.verdict for claim in leading)
-    further = {claim.id: vars(claim.shares[0]) for claim in leading if claim.shares}
-    further["all"] = dict.fromkeys(VERDICTS, 0) | counts | {"claims": len(leading)}
-    of_further = (SimpleNamespace(id=name, measured=found) for name, found in further.items())
-    return filled(SENTENCES, [*leading, *own, *of_further])
-
-
-def block(text):
-    """With a digest, by which a test sees that nobody has edited it."""
-    return f"<!-- results {digest(text)[:12]} -->\n{text}<!-- /results -->"
-
-
-# --- picture -------------------------------------------------------------------------------
+def row_of(result):
+    """The share is that under the primary convention, the numbers those that sentences name."""
+    found = result.measured.items()
+    numbers = {key: short(value) for key, value in found if (result.id, key) in PLACES}
+    share = next(iter(getattr(result, "shares", [])), SimpleNamespace(holds="", units=""))
+    verdict = getattr(result, "verdict", "")
+    return [result.id, verdict, share.holds, share.units, json.dumps(numbers)]
 
 
 def front_rows(name, front):
@@ -65,18 +58,33 @@ def front_rows(name, front):
     return [[name, "t [ms]", *times], [name, "v_c/c_s", *speeds]]
 
 
-def write_fronts(root):
-    """A column per block."""
+def write_tables(root, claims, own):
+    """Of leading rows, and of events with a column per block."""
+    leading = [claim for claim in claims if not claim.closeness_of]
+    named = [result for result in own if result.id in dict(PLACES)]
+    names = ["id", "verdict", "holds", "units", "numbers"]
+    write_table(root / TABLE, names, map(row_of, [*leading, *named]))
     fronts = {name: report(root / f"results/data/{name}-front.json") for name in EVENTS}
     x = {short(x / front["L"], 4): None for front in fronts.values() for x in front["x"]}
     rows = [row for name, front in fronts.items() for row in front_rows(name, front)]
     write_table(root / FRONTS, ["event", "x/L", *x], rows)
 
 
+# --- sentences and picture -----------------------------------------------------------------
+
+
+def sentences(rows):
+    """From the table of verdicts; `all` counts them."""
+    counts = Counter(row["verdict"] for row in rows if row["verdict"])
+    results = {row["id"]: row | json.loads(row["numbers"]) for row in rows}
+    results["all"] = dict.fromkeys(VERDICTS, 0) | counts | {"claims": counts.total()}
+    return filled(SENTENCES, [SimpleNamespace(id=i, measured=m) for i, m in results.items()])
+
+
 def draw(path, table):
     """The PNG names the table from which it is drawn. It is drawn again if that changes, not with
     each version of Matplotlib; to have it drawn again, empty it."""
-    source = digest(table)
+    source = hashlib.sha256(table.encode()).hexdigest()
     if source.encode() in path.read_bytes():
         return
     fig, panels = figure(DOUBLE, 0.4 * DOUBLE, ncols=2)
@@ -101,17 +109,21 @@ def draw(path, table):
         fig.savefig(temporary, format="png", dpi=160, metadata={"Software": None, "Source": source})
 
 
-# --- both ----------------------------------------------------------------------------------
+def write_readme(root):
+    text = (root / README).read_text(encoding="utf-8")
+    write_whole(root / README, BLOCK.sub(lambda _: sentences(read_rows(root / TABLE)), text))
+    draw(root / PICTURE, (root / FRONTS).read_text(encoding="utf-8"))
 
 
 def update_readme(root, claims, own):
     """Does nothing in other folders, or if something has not run. Follows no link."""
-    paths = [root / name for name in (README, PICTURE, FRONTS)]
+    paths = [root / name for name in (README, PICTURE, TABLE, FRONTS)]
     is_clone = all(path.is_file() and path.resolve() == path for path in paths)
-    named = [claim for claim in claims if claim.id in dict(PLACE.findall(SENTENCES))]
+    named = [claim for claim in claims if claim.id in dict(PLACES)]
     if is_clone and not any(claim.reason.startswith(SHOWN_ONLY) for claim in named):
-        written = block(sentences(claims, own))
-        text = (root / README).read_text(encoding="utf-8")
-        write_whole(root / README, BLOCK.sub(lambda _: written, text))
-        write_fronts(root)
-        draw(root / PICTURE, (root / FRONTS).read_text(encoding="utf-8"))
+        write_tables(root, claims, own)
+        write_readme(root)
+
+
+if __name__ == "__main__":
+    write_readme(Path(__file__).resolve().parents[3])
