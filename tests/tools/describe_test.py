@@ -34,7 +34,7 @@ def options_of(program):
 def test_all_options_are_described_with_the_texts_of_help(name):
     text, described = output_of(f"{name} --help"), output_of(f"{name} --describe")
     program = json.loads(described)
-    assert len(lines_of(described)) == 1
+    assert (len(lines_of(described)), program["name"]) == (1, name)
     assert text.startswith(f"Usage: rupture {program['synopsis']}\n")
     assert text.startswith(f"Usage: rupture {name} ")
     assert "\n" not in program["purpose"]

@@ -32,7 +32,8 @@ struct ManifestLine {
 struct Verdict {
   int place;  ///< in the summary
   std::string_view name;
-  auto operator<=>(const Verdict&) const = default;
+  bool operator==(const Verdict&) const = default;
+  bool operator<(const Verdict& other) const { return place < other.place; }
 };
 constexpr Verdict kIntact = {0, "intact"};      // with the checksum that a manifest lists for it
 constexpr Verdict kDiffers = {1, "differs"};    // intact, but with another checksum than that
