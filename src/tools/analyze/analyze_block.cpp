@@ -118,6 +118,7 @@ Report steady_sliding(const Parameters& p, const std::vector<double>& speeds,
                       const SteadyRun& run) {
   const SteadySliding block = {p, mean_normal_force(p)};
   std::vector<Mean> mu;
+  mu.reserve(speeds.size());
   for (const double v : speeds) mu.push_back(measured_friction(block, v, run));
   const auto theory = [&](double v) { return renewal_friction(block, v); };
   const Quantities rows = {
