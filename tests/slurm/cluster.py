@@ -108,11 +108,6 @@ class Cluster:
         """Standard output of a command of SLURM's."""
         return subprocess.run(command, env=self.environment, capture_output=True, text=True).stdout
 
-    def kill(self, name):
-        """At once, as a power cut would."""
-        self.processes[name].kill()
-        self.processes.pop(name).wait()
-
     def stop(self):
         self.run("scancel", "--full", f"--user={os.getuid()}")
         for process in reversed(self.processes.values()):

@@ -167,8 +167,9 @@ def test_a_sweep_survives_everything(project, local, cluster):
     cluster.run("scancel", wait_for(job.steps)[0])
     job.wait_for_points(6)
     job.be_noted()
-    for daemon in ("slurmctld", "slurmd"):
-        cluster.kill(daemon)
+    for daemon in cluster.processes.values():
+        daemon.kill()  # at once, as a power cut would
+        daemon.wait()
     time.sleep(3)
     cluster.launch_daemons()
     job.wait_for_points(9)
