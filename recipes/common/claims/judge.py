@@ -170,17 +170,14 @@ def verdict_of(claim_id, shown, shares):
 def verdict_of_state(held):
     """Of one state. `held`: {convention: whether the claim holds under it}"""
     holding, failing = ([name for name, does in held.items() if does == so] for so in (True, False))
+    every = f" under all {len(held)} conventions" if len(held) > 1 else ""
     if not failing:
-        return REPRODUCED, "holds" + under(holding)
+        return REPRODUCED, f"holds{every}"
     if not holding:
-        return DIFFERS, "does not hold" + under(failing)
+        return DIFFERS, f"does not hold{every}"
     if len(holding) < len(failing):
         return DEPENDS, f"holds only under {', '.join(holding)} (of {len(held)} conventions)"
     return DEPENDS, f"holds except under {', '.join(failing)} (of {len(held)} conventions)"
-
-
-def under(conventions):
-    return f" under all {len(conventions)} conventions" if len(conventions) > 1 else ""
 
 
 def share_of_spanning(claim_id, units):
