@@ -44,6 +44,7 @@ std::vector<std::size_t> numbers_in_window(const RecordCommand& command, const B
 std::string list_of(const Bursts& bursts, const std::vector<std::size_t>& numbers) {
   constexpr std::size_t kNamed = 3;  // and the last
   std::vector<std::string> names;
+  names.reserve(numbers.size());
   for (const std::size_t number : numbers) {
     names.push_back(fmt::format("{} at {:.4g} s", number, bursts[number].front().time));
   }

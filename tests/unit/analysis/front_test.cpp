@@ -142,8 +142,7 @@ TEST(Front, is_slow_by_the_criteria_given) {
   const RuptureLine at_first = slow_between(0, 5);  // seen by stencils up to block 6, 15 mm
   EXPECT_EQ(measure(at_first).type, FrontType::fast) << "in the loading zone";
   EXPECT_EQ(measure(at_first, {.skip_below_x = 0.005}).type, FrontType::slow);
-  const FrontCriteria lower = {.slow_below = 0.5 * kSlow / c_s};
-  EXPECT_EQ(measure(slow_between(20, 35), lower).type, FrontType::fast);
+  EXPECT_EQ(measure(slow_between(20, 35), {.slow_below = 0.5 * kSlow / c_s}).type, FrontType::fast);
   EXPECT_EQ(measure(fast, {.slow_below = 2.0 * kFast / c_s}).type, FrontType::slow);
 }
 
