@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 
@@ -100,11 +101,10 @@ int run(int argc, char** argv) {
 
 // --- analyze quantities: parameters, and what the commands and the other programs report
 
-const std::vector<const Command*> kWriters = {&load_command,    &restart_command,
-                                              &prepare_command, &modify_phi_command,
-                                              &finish_command,  &seal_command};
+constexpr std::array kWriters = {&load_command,       &restart_command, &prepare_command,
+                                 &modify_phi_command, &finish_command,  &seal_command};
 
-std::vector<NamedQuantity> quantities_of(const std::vector<const Command*>& commands) {
+std::vector<NamedQuantity> quantities_of(std::span<const Command* const> commands) {
   std::vector<NamedQuantity> all;
   for (const Command* command : commands) {
     if (command->quantities == nullptr) continue;
