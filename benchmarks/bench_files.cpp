@@ -1,8 +1,10 @@
 // Benchmarks of rare operations: equilibrium, checkpoints, records; at reference size.
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <filesystem>
-#include <vector>
+#include <stdexcept>
+#include <string>
 
 #include "run/observers.hpp"
 #include "rupture/analysis/statistics.hpp"
@@ -14,10 +16,25 @@
 namespace rupture::bench {
 namespace {
 
-/// Where a benchmark writes. The disk is that of TMPDIR.
-std::filesystem::path file() {
-  return std::filesystem::temp_directory_path() / "rupture-bench.h5";
-}
+/// A folder for the files of one benchmark, removed with them. The disk is that of TMPDIR.
+class Folder {
+ public:
+  Folder() {
+    std::string name = std::filesystem::temp_directory_path() / "rupture-bench-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path file(const char* name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 void equilibrium_solve(benchmark::State& bench) {
   for (auto _ : bench) benchmark::DoNotOptimize(normal_load_equilibrium(Parameters{}));
@@ -25,16 +42,16 @@ void equilibrium_solve(benchmark::State& bench) {
 }
 
 void checkpoint_write(benchmark::State& bench) {
+  const Folder folder;
   const Checkpoint checkpoint = {Parameters{}, loading_state(), {}};
-  for (auto _ : bench) write_checkpoint(file(), checkpoint, IfExists::replace);
-  std::filesystem::remove(file());
+  for (auto _ : bench) write_checkpoint(folder.file("c.h5"), checkpoint, IfExists::replace);
   bench.SetItemsProcessed(bench.iterations());
 }
 
 void checkpoint_read(benchmark::State& bench) {
-  write_checkpoint(file(), {Parameters{}, loading_state(), {}}, IfExists::replace);
-  for (auto _ : bench) benchmark::DoNotOptimize(read_checkpoint(file()));
-  std::filesystem::remove(file());
+  const Folder folder;
+  write_checkpoint(folder.file("c.h5"), {Parameters{}, loading_state(), {}}, IfExists::refuse);
+  for (auto _ : bench) benchmark::DoNotOptimize(read_checkpoint(folder.file("c.h5")));
   bench.SetItemsProcessed(bench.iterations());
 }
 
@@ -57,7 +74,9 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
   const auto [parts, every, stretch] = recording;
   const Parameters p;
   Simulation run_a(p, loading_state()), run_b(p, loading_state());
-  RecordWriter writer(file(), p, {}, IfExists::replace, {}, RecordWriter::kFlushEvery, parts);
+  const Folder folder;
+  RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
+                      parts);
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
   const tools::Interval interval = {static_cast<double>(every)};
   std::optional<tools::Interval> fields_interval;
@@ -82,7 +101,6 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
     recorder.finish(run_a);
     writer.finish();
   });
-  std::filesystem::remove(file());
 
   const auto stretches = static_cast<double>(with.size()), steps = static_cast<double>(stretch);
   const double finish_per_stretch = finish / stretches;

@@ -100,8 +100,7 @@ ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   check_finite(unsealed.content);
   // One that only a newer build knows is no damage, though it spoils the checksum.
   refuse_unknown_parameters(unsealed.content);
-  if (kind == FileKind::open_record)
-    return unsealed;  // a piece has the checksum of its bytes alone
+  if (kind == FileKind::open_record) return unsealed;  // its pieces have checksums of their own
   const std::string computed = content_checksum(unsealed.content, attributes.schema_version);
   if (computed != unsealed.stored_checksum) {
     fail("its content has the checksum {}, but {} is stored in it; recreate it", computed,

@@ -4,7 +4,8 @@
 set -euo pipefail
 
 slider=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/slider.ini
-mkdir "$1" && cd "$1"
+mkdir "$1"
+cd "$1"
 cp "$slider" .  # under its bare name, as its path would get into the provenance
 for law in reference simplified decaying; do
   load -q --sum --config slider.ini --set "junctions.law=$law" --until 3e-4 -o "$law.h5" \

@@ -1,9 +1,11 @@
-"""Room that really runs out: full disks, read-only places. Limits of file size: bad_output.txt."""
+"""Room that really runs out: full disks, file-size limits, read-only places."""
 
 import errno
 import os
+import resource
 import subprocess
 from contextlib import contextmanager
+from functools import partial
 
 import pytest
 
@@ -39,6 +41,18 @@ def test_full_disk(scenario):
             outcome = run(scenario.command, folder.path)
             files = {name: data for name, data in folder.files().items() if name != "ballast"}
             codes.add(check_ended(scenario, outcome, files, errno.ENOSPC))
+    assert codes == {0, 1}, "both with and without enough room"
+
+
+@each_scenario()
+def test_limit_of_file_size(scenario):
+    codes = set()
+    largest = max(map(len, scenario.new.values()))
+    for most in (0, 1, 70, 80, 512, largest // 2, largest - 1, largest, 3 * largest):
+        limit = partial(resource.setrlimit, resource.RLIMIT_FSIZE, (most, most))
+        with case(most), Folder(scenario.old) as folder:
+            outcome = run(scenario.command, folder.path, {"preexec_fn": limit})
+            codes.add(check_ended(scenario, outcome, folder.files(), errno.EFBIG))
     assert codes == {0, 1}, "both with and without enough room"
 
 

@@ -65,6 +65,10 @@ def test_gives_the_golden_checksums(name):
     programs = make(folder, *BUILDS[name])  # type: ignore[operator]
     (programs / "analyze").unlink(missing_ok=True)
     (programs / "analyze").symlink_to((BIN / "analyze").resolve())
-    succeeds(ROOT / "tests/compatibility/compatibility.sh", "check", programs)
+    for file in (ROOT / "tests/compatibility").glob("schema-*/*.h5"):
+        if not file.name.endswith("record.h5"):
+            end = folder / "next.h5"
+            succeeds(programs / "restart", file, "-q", "-f", "--for", "2e-5", "-o", end)
+            succeeds(BIN / "analyze", "verify", end)
     golden = BIN / "golden", "check", "--tools", programs, "--work", folder / "golden"
     succeeds(*golden, HERE / "checksums.txt", HERE / "chain.sh")

@@ -7,7 +7,7 @@ the series of records. Parameters, provenance and checksums may differ; the new 
 Runs the pipeline of tests/golden, continuations of the shipped checkpoints and 20 points of
 recipes/fig4/map.ini with the programs in both folders. Exit code 0: all are equal. Where the old
 programs refuse a command because they lack what is new, that job's later files are reported as
-written by one of the two."""
+missing."""
 
 import json
 import os
@@ -48,7 +48,7 @@ def compare(old, new, analyze):
     command = [analyze, "diff", old, new, "--json"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if not done.stdout:
-        return done.stderr.strip()
+        return done.stderr.strip() or f"analyze diff ended with {done.returncode}"
     paths = [found["path"] for found in json.loads(done.stdout)["differences"]]
     return ", ".join(path for path in paths if not path.startswith("/parameters/"))
 

@@ -87,6 +87,19 @@ def test_until_quiet_waits_for_the_pinned_fraction_that_was_asked_for():
     assert end < arrival() >= later["time"] - 2e-5
 
 
+# --- --resume
+
+
+def test_a_run_knows_its_record_by_its_id_and_the_intervals():
+    how = "--record r.h5 --record-every 3e-5 --fields 1e-4"
+    output_of(f"load --config small.ini -o x.h5 --until 4e-4 {how}")
+    with h5py.File("r.h5") as record:
+        run_of_record = {name: value[()] for name, value in record["/run"].items()}
+    run_id = dataset("x.h5", "/run/id")
+    assert len(run_id) == 64
+    assert run_of_record == {"id": run_id, "record_every": 3e-5, "fields_every": 1e-4}
+
+
 # --- --dry-run
 
 # Lattices whose equilibrium needs more memory than anything else; solved in two orders.

@@ -62,7 +62,7 @@ bool begins_with_trigger(const Record& record) {
 
 ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) {
   const auto numbers = numbers_in_window(command, bursts);
-  if (numbers.empty()) return {{}, command.from, command.to};
+  if (numbers.empty()) return {{}, command.from, command.to, 0};
   const bool is_trigger = numbers.front() == 0 && begins_with_trigger(command.record);
   if (numbers.size() > 1 && !is_trigger) {
     throw Failure(

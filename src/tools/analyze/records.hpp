@@ -41,7 +41,7 @@ double quiet_time(const RecordCommand& command);
 struct ChosenEvent {
   std::span<const Rupture> ruptures;  ///< empty if nothing ruptured
   double from = 0, to = 0;            ///< those at other times do not count [s]
-  std::size_t in_window = 1;          ///< events from --from to --to, of which it is the first
+  std::size_t in_window = 1;          ///< events from --from to --to; 1 if --event names it
 };
 
 /// The event that --event names, or the only one between --from and --to. Of a prepared interface,

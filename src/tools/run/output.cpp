@@ -56,12 +56,17 @@ std::filesystem::path file_to_write(const po::variables_map& values, const std::
 void check_distinct(const std::vector<std::filesystem::path>& outputs,
                     const std::filesystem::path& input) {
   namespace fs = std::filesystem;
+  const auto resolved = [](const fs::path& path) {
+    std::error_code error;  // is met again when the file is written
+    const fs::path found = fs::weakly_canonical(path, error);
+    return error ? path : found;
+  };
   std::map<fs::path, fs::path> folders;  // a run can have thousands of files in one
-  const auto place = [&folders](const fs::path& path) {
-    std::error_code ignored;  // is met again when the file is written
-    if (fs::is_symlink(path, ignored)) return fs::weakly_canonical(fs::absolute(path));
+  const auto place = [&](const fs::path& path) {
+    std::error_code ignored;
+    if (fs::is_symlink(path, ignored)) return resolved(fs::absolute(path));
     fs::path& folder = folders[path.parent_path()];
-    if (folder.empty()) folder = fs::weakly_canonical(fs::absolute(path).parent_path());
+    if (folder.empty()) folder = resolved(fs::absolute(path).parent_path());
     return folder / path.filename();
   };
   const fs::path place_of_input = input.empty() ? input : place(input);

@@ -74,7 +74,7 @@ bool is_checkpoint(const fs::path& path) try {
 /// True if the run that begins with `start` may write this checkpoint when it is resumed: there is
 /// nothing, or a checkpoint of this run, or a damaged one.
 bool may_write(const fs::path& path, const Checkpoint& start) try {
-  return !fs::exists(path) || is_of_run(read_checkpoint(path), start);
+  return !fs::exists(fs::symlink_status(path)) || is_of_run(read_checkpoint(path), start);
 } catch (const Failure&) {
   return is_checkpoint(path);
 }

@@ -115,7 +115,7 @@ class Run : private Observer {
         output_(plan.options.output),
         saved_(plan.resumed_from),
         simulation_(begin_.parameters, begin_.state, plan.threads, plan.options.crossings),
-        alarms_(plan, simulation_) {
+        alarms_(plan, simulation_) {  // they know nothing of the run so far
     simulation_.resume_from(*begin_.run);
     if (plan.options.record) begin_record();
   }

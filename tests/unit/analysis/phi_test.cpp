@@ -64,6 +64,11 @@ double bell_integral(double xi) {
   return sum;
 }
 
+TEST(Bell, is_a_distribution_with_the_stated_sigma) {
+  EXPECT_NEAR(bell_integral(1.0), 0.5, 1e-13);
+  EXPECT_DOUBLE_EQ(unit_sigma(PhiShape::bell), std::sqrt(2.0 / 21.0));
+}
+
 TEST(Bell, has_quantiles_that_satisfy_its_distribution_function) {
   const std::size_t n = 101;
   const auto q = unit_quantiles(PhiShape::bell, n);
@@ -76,6 +81,7 @@ TEST(Uniform, has_evenly_spaced_quantiles) {
   const auto q = unit_quantiles(PhiShape::uniform, 4);
   EXPECT_DOUBLE_EQ(q[0], -0.75);
   EXPECT_DOUBLE_EQ(q[1], -0.25);
+  EXPECT_DOUBLE_EQ(unit_sigma(PhiShape::uniform), std::sqrt(1.0 / 3.0));
 }
 
 /// A slider of 5 x 3 blocks at equilibrium whose junctions carry f = (1/2 + 1/4
