@@ -24,6 +24,12 @@ def same_event(event, events):
     return next((e for e in events if e["t_start"] <= end and e["t_end"] >= beginning), None)
 
 
+def events_by_convention(lists):
+    """Pairs of an event's number and {convention: event}, the primary one first."""
+    for event in lists[PRIMARY]:
+        yield event["number"], {name: same_event(event, lists[name]) for name in CONVENTIONS}
+
+
 def measure(workshop, by_convention):
     """`by_convention`: one event."""
     workshop.start(by_convention[PRIMARY])
@@ -36,12 +42,10 @@ def measure(workshop, by_convention):
 
 
 def main(programs, run, *options):
-    lists = report(f"{run}-events.json")
     chosen = {
-        event["number"]: by_convention
-        for event in lists[PRIMARY]
-        for by_convention in [{name: same_event(event, lists[name]) for name in CONVENTIONS}]
-        if any(is_fast_slow(other) for other in by_convention.values() if other)
+        number: by_convention
+        for number, by_convention in events_by_convention(report(f"{run}-events.json"))
+        if any(is_fast_slow(event) for event in by_convention.values() if event)
     }
     with scratch(Path(f"{run}-scratch")) as folder:
         workshop = Workshop(programs, run, *options, folder)

@@ -66,12 +66,19 @@ def conventions_3Ci(path, protocols=K_I):
     return {name: [case] for name, case in cases.items()}
 
 
+def ratios_of_neighbours(row):
+    """The faster over the slower of each two neighbouring blocks that slip slowly."""
+    blocks = [round(x / WIDTH) for x in row["per_block"]["x"]]
+    speed = row["per_block"]["speed"]
+    pairs = zip(blocks, blocks[1:], speed, speed[1:])
+    return [max(v, w) / min(v, w) for one, next_one, v, w in pairs if next_one == one + 1]
+
+
 def largest_ratio(row):
-    """Of two neighbours behind a front, the faster over the slower; None if there are none, or a
-    block does not slip forwards."""
-    x, speed = (np.array(row["per_block"][name]) for name in ("x", "speed"))
-    pairs = np.sort([speed[:-1], speed[1:]], axis=0)[:, np.diff(np.rint(x / WIDTH)) == 1]
-    return max(pairs[1] / pairs[0]) if speed.min() > 0 and pairs.size else None
+    """Of the neighbours behind a front; None if there are none, or one does not slip forwards."""
+    if min(row["per_block"]["speed"]) <= 0:
+        return None
+    return max(ratios_of_neighbours(row), default=None)
 
 
 def case_co(rows):

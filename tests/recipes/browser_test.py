@@ -24,7 +24,6 @@ PLANTED = {
     "<table><tr><th>x</th></tr></table>": "no headers of columns",
     '<p style="overflow: auto; width: 5em; white-space: nowrap">a long line of words</p>': "no key",
     "<section>x</section>": "no label",
-    '<p aria-describedby="nowhere">x</p>': "no description",
     '<p id="claims">x</p>': "an id twice",
     '<img alt="" src="https://example.org/a.png">': "request to https://example.org/a.png",
     '<img alt="" src="no.png">': 'picture is missing: <img alt="" src="no.png">',

@@ -22,7 +22,7 @@ SAYS = [
     ("fig3", 'href="fig3/front.csv"'),
     ("fig3", 'href="fig3/claims.json"'),
     ("fig3", 'src="fig3/fig3.png"'),
-    ("fig3", 'alt="Title of fig3 &amp; &lt;more&gt; (fig3.png)" aria-describedby="fig3-caption"'),
+    ("fig3", 'alt="Title of fig3 &amp; more. A: it is slow. B: the README."'),
     ("fig3", f"<em>slow</em> part takes {MEAN}"),
     ("fig3", ITEM),
     ("fig3", '<a href="#figS3">another</a>; the README'),
@@ -131,6 +131,10 @@ def page(whole):
 @pytest.mark.parametrize("name, text", SAYS)
 def test_sections_say(page, name, text):
     assert text in section(page, name)
+
+
+def test_results_of_our_own_are_listed_below_the_claims(page):
+    assert "without verdict" in section(page, "fig2").partition("</table>")[2]
 
 
 def test_lists_every_judged_claim_in_order(page):

@@ -242,11 +242,14 @@ def test_varied_are_values_that_differ_and_do_not_follow_others(read):
 def test_a_recipe_reads_tables_of_its_own_sweeps_only():
     sweeps = {f"{path.parent.name}/{path.stem}" for path in ROOT.glob("recipes/*/*.ini")}
     assert len(sweeps) > 10
+    with_sweeps, found = {name.split("/")[0] for name in sweeps}, 0
     for rules in ROOT.glob("recipes/*/*.smk"):
         text = rules.read_text(encoding="utf-8")
-        for table in re.findall(r"\{DATA\}/([\w/-]+)\.csv|tables_of_seeds\(\"([^\"]+)", text):
-            name = "".join(table)
-            assert name not in sweeps or name.split("/")[0] == rules.parent.name, rules
+        of_tables = r'"(?:\{DATA\}/)?([\w-]+)/[^"]*\.csv"|tables_of_seeds\(f?"([^/"]+)'
+        for name in map("".join, re.findall(of_tables, text)):
+            found += name in with_sweeps
+            assert name not in with_sweeps or name == rules.parent.name, rules
+    assert found > 5
 
 
 @pytest.mark.parametrize(

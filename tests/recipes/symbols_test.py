@@ -1,10 +1,11 @@
-"""Symbols of plain texts as MathML, and that captions describe pictures."""
+"""Symbols of plain texts as MathML, and what pictures show in words."""
 
 import re
 import xml.etree.ElementTree as ET
 
 import pytest
 
+from caption import seen
 from claims.judge import table
 from conftest import ROOT
 from runs.recipes import read_readme, recipe_names
@@ -80,6 +81,32 @@ def test_every_claim_is_well_formed_and_has_no_raw_symbol(claim):
         assert not re.search(r"\w_\w|<\w_", re.sub(r"<math>.*?</math>", "", page))
 
 
+CAPTION = """Above <t_R>.
+
+- **A, B**: what *is* slow, against Eq. S1; red: fast. More.
+- **C** (`fig1-extra.png`, `c.csv`): the tau_0
+  of [all](x.md).
+- `a.csv`: numbers.
+
+**D.** Another.
+
+- **left**: of D; `d.csv`: numbers.
+"""
+ALT_TEXTS = {
+    "fig1.png": "T. A, B: what is slow, against Eq. S1; red: fast. left: of D.",
+    "fig1B.png": "T. A, B: what is slow, against Eq. S1; red: fast.",
+    "fig1D.png": "T. left: of D.",
+    "fig1-extra.png": "T. C: the tau 0 of all.",
+}
+
+
+@pytest.mark.parametrize("picture", ALT_TEXTS)
+def test_alternative_texts_say_what_the_caption_says_of_the_picture(picture):
+    assert seen(picture, "T", CAPTION) == ALT_TEXTS[picture]
+
+
 @pytest.mark.parametrize("name", recipe_names(ROOT))
 def test_every_recipe_describes_its_pictures(name):
-    assert len(read_readme(ROOT / "recipes" / name / "README.md").caption) > 25
+    readme = read_readme(ROOT / "recipes" / name / "README.md")
+    for picture in re.findall(r"`([\w-]+\.png)`", readme.caption) or [f"{name}.png"]:
+        assert len(seen(picture, readme.title, readme.caption)) > len(readme.title) + 25

@@ -16,7 +16,7 @@ class Picture:
     pdf: str | None
     width: int  # [pixels]
     height: int
-    alt: str  # for those who do not see it; the caption says more
+    alt: str  # what is seen, in words
 
 
 def picture(path, alt):

@@ -14,7 +14,7 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 import origin
-from caption import as_html, filled, of_files
+from caption import as_html, filled, of_files, seen
 from claims.claim import CLAIMS, STANDINGS, number, read_claims
 from claims.judge import table
 from claims.own_result import read_own
@@ -53,8 +53,10 @@ class Recipe:
         there = {path.name for path in folder.iterdir()}
         caption = filled(of_files(readme.caption, there), self.claims + self.own)
         self.caption = as_html(caption, shown)
-        paths = files_of(folder, "*.png")
-        self.pictures = [picture(path, f"{readme.title} ({path.name})") for path in paths]
+        self.pictures = [
+            picture(path, seen(path.name, readme.title, caption))
+            for path in files_of(folder, "*.png")
+        ]
         self.tables = [path.name for path in files_of(folder, "*.csv")]
         files = accounts.files_behind(name)
         self.jobs, self.sums = accounts.jobs(files), origin.checksums(root, files)

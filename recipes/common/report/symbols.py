@@ -62,14 +62,21 @@ def index(text):
     return f"<mrow>{letters}</mrow>" if len(text) > 1 else letters
 
 
+def with_scripts(base, below, above):
+    if below and above:
+        return f"<msubsup>{base}{below}{above}</msubsup>"
+    if below:
+        return f"<msub>{base}{below}</msub>"
+    return f"<msup>{base}{above}</msup>" if above else base
+
+
 def of_symbol(found):
     base = f"<mi>{GREEK.get(found['name'], found['name'])}</mi>"
     if found["bar"]:
         base = f'<mover>{base}<mo stretchy="false">¯</mo></mover>'
     below = index(found["index"]) if found["index"] else ""
-    above = f"<mn>{found['power'].replace('-', '−')}</mn>" if found["power"] else ""
-    scripts = "sub" * bool(below) + "sup" * bool(above)
-    symbol = f"<m{scripts}>{base}{below}{above}</m{scripts}>" if scripts else base
+    power = (found["power"] or "").replace("-", "−")
+    symbol = with_scripts(base, below, f"<mn>{power}</mn>" if power else "")
     if found["change"]:
         sign = "Δ" if found["change"] == "Δ" else "δ"
         symbol = f'<mi mathvariant="normal">{sign}</mi>{symbol}'

@@ -56,9 +56,7 @@ def is_done(rows):
 
 
 def compute(targets, options):
-    """One plan shows whether there is anything to do. If so, each stage needs a plan of its own.
-    Files may be gone although what was made from them is not, as after an interrupted run:
-    Snakemake would take the older results for finished."""
+    """One plan shows whether there is anything to do. If so, each stage needs a plan of its own."""
     rows = plan([*STAGES, *targets], options)
     if rows is None:
         return 1
@@ -71,6 +69,8 @@ def compute(targets, options):
     rows = plan(targets, options)
     if rows is None:
         return 1
+    # Files may be gone although what was made from them is not, as after an interrupted run:
+    # Snakemake would take the older results for finished.
     missing = [path for path, state, to_do in rows if (state, to_do) == ("missing", "no update")]
     return snakemake(*targets, *missing, *options)
 

@@ -37,10 +37,14 @@ def enter_root():
 
 
 def use_own_environment():
-    """Caches in the project's folder."""
+    """Caches in the project's folder; with Debian's Snakemake, no packages of the user's own. It
+    imports distutils, which setuptools would replace by its own in a quarter of a second."""
     cache = ROOT / "build/cache"
     (cache / "matplotlib").mkdir(parents=True, exist_ok=True)
+    if os.access("/usr/bin/snakemake", os.X_OK):
+        os.environ["PYTHONNOUSERSITE"] = "1"
     os.environ.update(XDG_CACHE_HOME=str(cache), MPLCONFIGDIR=str(cache / "matplotlib"))
+    os.environ["SETUPTOOLS_USE_DISTUTILS"] = "stdlib"
 
 
 def say(text=""):

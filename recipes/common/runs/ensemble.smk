@@ -138,6 +138,7 @@ rule continued:
         else "recipes/ensemble/continue_events.py",
         shared=[
             "recipes/ensemble/workshop.py",
+            "python/rupture/files.py",
             *(f"recipes/common/events/{name}.py" for name in ("conventions", "continuations", "fronts", "slip")),
         ],
     output: f"{DATA}/{{load}}-continued.json"

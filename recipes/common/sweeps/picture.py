@@ -151,13 +151,17 @@ def draw_columns(stem, sweep, columns):
     return ""
 
 
-def draw(stem, sweep, columns):
-    """The same in the place of a former picture, which must not stay. The table is there already,
-    so that all that Matplotlib may raise is a reason, too."""
-    try:
-        why = draw_columns(stem, sweep, columns)
-    except Exception as error:
-        why = f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"
-    for suffix in (".png", ".pdf") if why else ():
+def remove(stem):
+    for suffix in (".png", ".pdf"):
         Path(f"{stem}{suffix}").unlink(missing_ok=True)
-    return why
+
+
+def draw(stem, sweep, columns):
+    """The same in the place of a former picture. The table is there already, so that all that
+    Matplotlib may raise is a reason, too."""
+    remove(stem)
+    try:
+        return draw_columns(stem, sweep, columns)
+    except Exception as error:
+        remove(stem)
+        return f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"

@@ -88,8 +88,11 @@ def digest(*parts):
 
 
 @cache
-def checksum_of(base):
-    return Path(f"{base}.sum").read_text(encoding="utf-8")
+def content_of(base):
+    checksum = Path(f"{base}.sum")
+    if checksum.exists():
+        return checksum.read_text(encoding="utf-8")
+    return hashlib.sha256(Path(base).read_bytes()).hexdigest()
 
 
 def digest_of(result):
@@ -106,9 +109,7 @@ class PointStore:
         return self.folder / f"{point.id}.json"
 
     def origin(self, point):
-        """The base counts by its content, whose checksum is beside it."""
-        base = checksum_of(point.base) if point.base else ""
-        return digest(self.code, COMPUTED_BY, base)
+        return digest(self.code, COMPUTED_BY, content_of(point.base) if point.base else "")
 
     def result(self, point):
         """Without its origin. A point that has none of this origin is unfinished, too."""
@@ -134,8 +135,9 @@ def main(folder_of_tools, sweep, seed, points_folder, code, output, *ids):
     store = PointStore(points_folder, code)
     points = {point.id: point for point in read_sweep(sweep, seed).points}
     batch = [points[each] for each in ids]
-    for point in store.unfinished(batch):
-        store.save(point, compute(folder_of_tools, point))
+    for point in batch:
+        if store.unfinished([point]):  # still: another batch may have it, too
+            store.save(point, compute(folder_of_tools, point))
     if crashed := store.unfinished(batch):
         sys.exit("\n".join(f"points.py: {store.result(point)['sentence']}" for point in crashed))
     with replacing(output) as part, part.open("w", encoding="utf-8") as file:

@@ -180,7 +180,7 @@ def suggestion(name, known):
 
 
 def check_known(name, known, what):
-    if name not in known and name in FORMER:
+    if name not in known and name in FORMER and what != "program":
         raise UsageError(f"'{name}' belongs to an older form of sweeps: {FORMER[name]}")
     if name not in known:
         raise UsageError(f"there is no {what} '{name}'{suggestion(name, known)}")

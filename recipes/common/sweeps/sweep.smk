@@ -57,9 +57,11 @@ def of_batch(get):
 
 
 def base_of(_, batch):
-    """The checkpoint that its points start from; it counts by content (Snakefile)."""
+    """The checkpoint its points start from. One that the recipes make counts by content (Snakefile)."""
     base = batch[0].base
-    return [ancient(base), f"{base}.sum"] if base else []
+    if base.startswith(f"{DATA}/"):
+        return [ancient(base), f"{base}.sum"]
+    return [base] if base else []
 
 
 def described(name, batch):
