@@ -82,9 +82,9 @@ void refuse_single_springs(const Parameters& p) {
     if (other.springs == SpringsPerBlock::N_s) others.push_back(other.name);
   }
   throw Failure(
-      fmt::format("the checkpoint has junctions.law = {}: a single spring per block has no "
-                  "distribution of forces; use a checkpoint of the {} law",
-                  law.name, fmt::join(others, " or the ")));
+      "the checkpoint has junctions.law = {}: a single spring per block has no "
+      "distribution of forces; use a checkpoint of the {} law",
+      law.name, fmt::join(others, " or the "));
 }
 
 std::vector<double> normal_forces(const Parameters& p, const State& state) {

@@ -98,7 +98,7 @@ const Dataset& expect(const Content& content, const std::string& path, DataType 
                       const Shape& shape) {
   const auto found = content.find(path);
   if (found == content.end()) {
-    throw Failure(fmt::format("{} is missing; expected {}", path, describe(type, shape)));
+    throw Failure("{} is missing; expected {}", path, describe(type, shape));
   }
   const Dataset& dataset = found->second;
   if (dataset.type != type || dataset.shape != shape) {

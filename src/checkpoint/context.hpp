@@ -13,7 +13,7 @@ namespace rupture {
 /// Throws Failure with a message in the words of fmt::format().
 template <class... Args>
 [[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... values) {
-  throw Failure(fmt::format(format, std::forward<Args>(values)...));
+  throw Failure(format, std::forward<Args>(values)...);
 }
 
 /// Puts the name of the file in front of what goes wrong in `work`.

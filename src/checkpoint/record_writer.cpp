@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -61,9 +59,9 @@ void check_count_range(const Parameters& parameters) {
   constexpr std::int64_t most = std::numeric_limits<std::uint16_t>::max();
   if (springs_per_block(parameters) > most) {
     throw UsageError(
-        fmt::format("junctions.N_s = {} is too large for a record, which counts up to "
-                    "{} junctions per block",
-                    parameters.N_s, most));
+        "junctions.N_s = {} is too large for a record, which counts up to "
+        "{} junctions per block",
+        parameters.N_s, most);
   }
 }
 

@@ -1,7 +1,5 @@
 #include "rupture/dynamics/equilibrium.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,10 +16,10 @@ void check_strength(const Parameters& p, const State& state) {
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto friction = interface_forces(p, {}, state, i);
     if (std::abs(friction.tau) <= p.mu_s * friction.p) continue;
-    throw Failure(fmt::format(
+    throw Failure(
         "the junctions of block {} cannot bear the normal load: |f|/f_thres = {:.3g} at F_N = {:g} "
         "N; raise junctions.mu_s or slider.foundation, or lower slider.F_N",
-        i, std::abs(friction.tau) / (p.mu_s * friction.p), p.F_N));
+        i, std::abs(friction.tau) / (p.mu_s * friction.p), p.F_N);
   }
 }
 
@@ -48,9 +46,9 @@ void check_parameters(const Parameters& p) {
         "driving.K = 0 cannot balance the prestress: give the driving spring a modulus above 0");
   }
   if (!(p.mu_d < p.mu_s)) {
-    throw UsageError(fmt::format(
+    throw UsageError(
         "junctions.mu_d = junctions.mu_s = {:g} leaves no range for the prestress: lower mu_d",
-        p.mu_d));
+        p.mu_d);
   }
 }
 
@@ -58,28 +56,28 @@ void check_region(const Parameters& p, const Prestress& prestress) {
   const double last = block_position(p, p.Nx - 1);
   if (prestress.x_trigger >= 0.0 && prestress.x_trigger <= last) return;
   throw UsageError(
-      fmt::format("x-trigger must be from 0 to {:g} m, so that a block lies beyond it (got {:g} m)",
-                  last, prestress.x_trigger));
+      "x-trigger must be from 0 to {:g} m, so that a block lies beyond it (got {:g} m)", last,
+      prestress.x_trigger);
 }
 
 void check_tau_bar(const Parameters& p, const char* name, double tau_bar) {
   const double least = -(p.mu_s + p.mu_d) / (p.mu_s - p.mu_d);  // tau_0 = -mu_s p
   if (tau_bar >= least && tau_bar <= 1.0) return;
-  throw UsageError(fmt::format(
+  throw UsageError(
       "{} = {:g} would put junctions beyond f_thres: the largest possible value is 1, the smallest "
       "{:.4g}",
-      name, tau_bar, least));
+      name, tau_bar, least);
 }
 
 void check_sigma_bar(const Parameters& p, const Prestress& prestress) {
   const double largest = largest_sigma_bar(p, prestress);
   if (prestress.sigma_bar >= 0.0 && prestress.sigma_bar <= largest) return;
   if (!(prestress.sigma_bar >= 0.0)) {
-    throw UsageError(fmt::format("sigma-bar must be 0 or more (got {:g})", prestress.sigma_bar));
+    throw UsageError("sigma-bar must be 0 or more (got {:g})", prestress.sigma_bar);
   }
-  throw UsageError(fmt::format(
+  throw UsageError(
       "sigma-bar = {:g} would put junctions beyond f_thres: the largest possible value is {:.4f}",
-      prestress.sigma_bar, std::floor(largest * 1e4) * 1e-4));
+      prestress.sigma_bar, std::floor(largest * 1e4) * 1e-4);
 }
 
 void check(const Parameters& p, const Prestress& prestress) {
@@ -147,9 +145,9 @@ State normal_load_equilibrium(const Parameters& p) {
   auto state = solve_statics(p, {});
   if (!state) {
     throw Failure(
-        fmt::format("found no equilibrium under F_N = {:g} N: the load is too large for slider.E = "
-                    "{:g} Pa, or the slider tips over",
-                    p.F_N, p.E));
+        "found no equilibrium under F_N = {:g} N: the load is too large for slider.E = "
+        "{:g} Pa, or the slider tips over",
+        p.F_N, p.E);
   }
   check_strength(p, *state);
   state->drive = {state->step, state->u_x(0, driving_row(p))};
@@ -186,9 +184,9 @@ State prepared_state(const Parameters& p, const Prestress& prestress) {
   auto state = solve_statics(p, {tau, p.K});
   if (!state || has_tipped_over(p, *state)) {
     throw Failure(
-        fmt::format("found no equilibrium under this prestress: slider.F_N = {:g} N is too large "
-                    "for slider.E = {:g} Pa, or the slider tips over",
-                    p.F_N, p.E));
+        "found no equilibrium under this prestress: slider.F_N = {:g} N is too large "
+        "for slider.E = {:g} Pa, or the slider tips over",
+        p.F_N, p.E);
   }
   add_interface(p, prestress, tau, *state);
   return *std::move(state);

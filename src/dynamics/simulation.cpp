@@ -1,6 +1,5 @@
 #include "rupture/dynamics/simulation.hpp"
 
-#include <fmt/core.h>
 #include <sched.h>
 
 #include <algorithm>
@@ -39,17 +38,17 @@ void refuse_other_springs(const Parameters& before, const Parameters& after) {
   const LawInfo &old_law = law_info(before.law), &new_law = law_info(after.law);
   if (old_law.springs == new_law.springs) return;
   const bool had_one = old_law.springs == SpringsPerBlock::one;
-  throw UsageError(fmt::format(
+  throw UsageError(
       "junctions.law cannot change from {} to {} in a restart: the {} law has one spring per "
       "block; start with load --set junctions.law={}",
-      old_law.name, new_law.name, had_one ? old_law.name : new_law.name, new_law.name));
+      old_law.name, new_law.name, had_one ? old_law.name : new_law.name, new_law.name);
 }
 
 void refuse_changes_of_kept(const Parameters& before, const Parameters& after) {
   for (const ParameterInfo* info : differing(before, after)) {
     if (info->restart == Restart::may_change) continue;
-    throw UsageError(fmt::format("{} cannot change in a restart: the state was made with {}",
-                                 info->name, parameter_text(before, *info)));
+    throw UsageError("{} cannot change in a restart: the state was made with {}", info->name,
+                     parameter_text(before, *info));
   }
 }
 
@@ -227,12 +226,12 @@ void Simulation::report_blow_up() const {
     for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
       if (std::isfinite(state_.v_x(i, j)) && std::isfinite(state_.v_z(i, j))) continue;
       throw Failure(
-          fmt::format("numerical blow-up at t = {:.7g} s in block ({}, {}): start again with a "
-                      "smaller numerics.dt, or change the parameters less",
-                      time(), i, j));
+          "numerical blow-up at t = {:.7g} s in block ({}, {}): start again with a "
+          "smaller numerics.dt, or change the parameters less",
+          time(), i, j);
     }
   }
-  throw Failure(fmt::format("numerical blow-up at t = {:.7g} s", time()));
+  throw Failure("numerical blow-up at t = {:.7g} s", time());
 }
 
 State continued(State state, const Parameters& after) {

@@ -1,7 +1,5 @@
 #include "statics.hpp"
 
-#include <fmt/core.h>
-
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <array>
@@ -210,8 +208,8 @@ std::optional<State> newton(const Parameters& p, const LoadCase& load_case,
 
 State compressed(const Parameters& p) {
   if (p.Nx * p.Nz > kMostBlocks) {
-    throw UsageError(fmt::format("slider.Nx x slider.Nz = {}: an equilibrium has at most {} blocks",
-                                 p.Nx * p.Nz, kMostBlocks));
+    throw UsageError("slider.Nx x slider.Nz = {}: an equilibrium has at most {} blocks",
+                     p.Nx * p.Nz, kMostBlocks);
   }
   State state(p);
   const NormalContact contact(p);

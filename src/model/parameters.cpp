@@ -47,14 +47,14 @@ std::optional<double> number_in(std::string_view text) {
 double parse_number(const ParameterInfo& info, std::string_view text, bool whole) {
   const auto number = number_in(in_unit(text, info.unit).value_or(""));
   if (!number || (whole && std::trunc(*number) != *number)) {
-    throw UsageError(fmt::format("{} = '{}' is not {} (unit {})", info.name, text,
-                                 whole ? "a whole number" : "a number", units_taken(info.unit)));
+    throw UsageError("{} = '{}' is not {} (unit {})", info.name, text,
+                     whole ? "a whole number" : "a number", units_taken(info.unit));
   }
   const auto& [minimum, maximum, minimum_excluded, words] = info.valid;
   const bool large_enough = minimum_excluded ? *number > minimum : *number >= minimum;
   if (!large_enough || !(*number <= maximum)) {
-    throw UsageError(fmt::format("{} = {} is out of range: give a value {} (unit {})", info.name,
-                                 text, range_text(info), info.unit));
+    throw UsageError("{} = {} is out of range: give a value {} (unit {})", info.name, text,
+                     range_text(info), info.unit);
   }
   return *number;
 }
@@ -63,8 +63,7 @@ std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
   const auto& words = info.valid.words;
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
-    throw UsageError(
-        fmt::format("{} must be one of {} (got '{}')", info.name, fmt::join(words, ", "), text));
+    throw UsageError("{} must be one of {} (got '{}')", info.name, fmt::join(words, ", "), text);
   }
   return found - words.begin();
 }
@@ -216,23 +215,23 @@ namespace {
 void validate_law(const Parameters& p) {
   if (p.mu_d > p.mu_s) {
     throw UsageError(
-        fmt::format("junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a slipping junction "
-                    "cannot carry more than its strength",
-                    p.mu_d, p.mu_s));
+        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a slipping junction "
+        "cannot carry more than its strength",
+        p.mu_d, p.mu_s);
   }
   const LawInfo& law = law_info(p.law);
   if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new > p.mu_d) {
     throw UsageError(
-        fmt::format("junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the {} law the "
-                    "slipping force falls",
-                    p.mu_new, p.mu_d, law.name));
+        "junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the {} law the "
+        "slipping force falls",
+        p.mu_new, p.mu_d, law.name);
   }
   const ParameterInfo& f_new = find_parameter("junctions.f_new");
   if (!is_used(f_new, p.law) && p.f_new != NewForce::zero) {
     throw UsageError(
-        fmt::format("junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
-                    "under the {} law, set {}",
-                    fmt::join(law_names(f_new.laws), " and the "), law.name, law.slow_slip_off));
+        "junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
+        "under the {} law, set {}",
+        fmt::join(law_names(f_new.laws), " and the "), law.name, law.slow_slip_off);
   }
 }
 
@@ -242,22 +241,22 @@ void validate(const Parameters& p) {
   const double l = block_spacing(p);
   const double l_z = p.H / static_cast<double>(p.Nz - 1);
   if (std::abs(l - l_z) > 1e-9 * l) {
-    throw UsageError(fmt::format(
+    throw UsageError(
         "the lattice must be square, but L/(Nx-1) = {:g} m and H/(Nz-1) = {:g} m: change slider.L, "
         "slider.H, slider.Nx or slider.Nz (for instance slider.H = {:.9g})",
-        l, l_z, l * static_cast<double>(p.Nz - 1)));
+        l, l_z, l * static_cast<double>(p.Nz - 1));
   }
   const double row = p.h / l;
   if (!(std::abs(row - std::round(row)) <= 1e-6 && std::round(row) < static_cast<double>(p.Nz))) {
     throw UsageError(
-        fmt::format("driving.h = {:g} m is not the height of a row of blocks: give a multiple of "
-                    "the spacing {:g} m below slider.H",
-                    p.h, l));
+        "driving.h = {:g} m is not the height of a row of blocks: give a multiple of "
+        "the spacing {:g} m below slider.H",
+        p.h, l);
   }
   validate_law(p);
   if (const double limit = stable_time_step(p); !(p.dt <= limit)) {
-    throw UsageError(fmt::format(
-        "numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s", p.dt, limit));
+    throw UsageError("numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s",
+                     p.dt, limit);
   }
 }
 

@@ -1,7 +1,5 @@
 #include "rupture/model/state.hpp"
 
-#include <fmt/core.h>
-
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
@@ -29,9 +27,9 @@ void refuse_other_parameters(const State& state, const Parameters& parameters) {
   const auto others = differing(state.made_with, parameters);
   if (others.empty()) return;
   const ParameterInfo& info = *others.front();
-  throw UsageError(fmt::format(
+  throw UsageError(
       "{} = {}, but the state was made with {}: give the state to continued() to change it",
-      info.name, parameter_text(parameters, info), parameter_text(state.made_with, info)));
+      info.name, parameter_text(parameters, info), parameter_text(state.made_with, info));
 }
 
 double time_at(const Parameters& p, const Clock& clock, std::int64_t step) {

@@ -46,9 +46,9 @@ const Kernels& choose() {
   if (const Kernels* found = find_kernels(wanted)) return *found;
   std::vector<std::string_view> names;
   for (const auto* variant : available()) names.push_back(variant->name);
-  throw UsageError(fmt::format(
+  throw UsageError(
       "RUPTURE_ISA = '{}' is not an instruction set of this processor and build: choose one of {}",
-      wanted, fmt::join(names, ", ")));
+      wanted, fmt::join(names, ", "));
 }
 
 }  // namespace

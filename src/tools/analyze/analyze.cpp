@@ -78,7 +78,7 @@ bool asks_for_help(std::string_view word) {
 /// analyze help [COMMAND]
 std::string help_for(const std::vector<std::string>& words) {
   if (words.size() > 1) {
-    throw UsageError(fmt::format("unexpected word '{}': help takes one command", words[1]));
+    throw UsageError("unexpected word '{}': help takes one command", words[1]);
   }
   if (words.empty() || asks_for_help(words.front())) return help();
   return answer(find(words.front()), "--help");
@@ -87,9 +87,8 @@ std::string help_for(const std::vector<std::string>& words) {
 int run(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
   if (first.empty()) {
-    throw UsageError(
-        fmt::format("no command was given: choose one of {} (rupture analyze help describes them)",
-                    fmt::join(names_of_commands(), ", ")));
+    throw UsageError("no command was given: choose one of {} (rupture analyze help describes them)",
+                     fmt::join(names_of_commands(), ", "));
   }
   if (first == "help") throw HelpRequested{help_for({argv + 2, argv + argc})};
   if (asks_for_help(first)) throw HelpRequested{help()};

@@ -104,8 +104,8 @@ constexpr double kSlowest = 1e-9, kFastest = 1e3;  // [m/s]
 double speed(const po::variables_map& values, const std::string& option) {
   const double v = values[option].as<double>();
   if (v >= kSlowest && v <= kFastest) return v;
-  throw UsageError(fmt::format("--{} must be a speed from {:g} to {:g} m/s (got {})", option,
-                               kSlowest, kFastest, v));
+  throw UsageError("--{} must be a speed from {:g} to {:g} m/s (got {})", option, kSlowest,
+                   kFastest, v);
 }
 
 std::vector<double> speeds(const po::variables_map& values) {

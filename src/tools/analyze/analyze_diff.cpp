@@ -135,12 +135,12 @@ std::string report_text(const Json& json, const Pair& pair) {
 int compare(const Parsed& parsed) {
   const auto files = files_of(parsed);
   if (files.size() != 2) {
-    throw UsageError(fmt::format("two files are needed; got {}", files.size()));
+    throw UsageError("two files are needed; got {}", files.size());
   }
   const ContentFile a = read_file(files[0]), b = read_file(files[1]);
   if ((a.kind == FileKind::checkpoint) != (b.kind == FileKind::checkpoint)) {
-    throw Failure(fmt::format("{} is {}, but {} is {}: give two files of the same kind", files[0],
-                              kind_text(a.kind), files[1], kind_text(b.kind)));
+    throw Failure("{} is {}, but {} is {}: give two files of the same kind", files[0],
+                  kind_text(a.kind), files[1], kind_text(b.kind));
   }
   Pair pair = {checksummed_part(a.content), checksummed_part(b.content)};
   const std::size_t cut = parsed.values.count("common") > 0 ? keep_common_rows(pair.a, pair.b) : 0;

@@ -75,9 +75,9 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
     if (parent == start.checksum || parent == start.stored_checksum) return i;
   }
   throw Failure(
-      fmt::format("none of the steps that led to {} started from {} (content checksum {}); see "
-                  "analyze lineage {}",
-                  lineage.name, start.path, start.checksum, lineage.name));
+      "none of the steps that led to {} started from {} (content checksum {}); see "
+      "analyze lineage {}",
+      lineage.name, start.path, start.checksum, lineage.name);
 }
 
 [[noreturn]] void fail_at_unknown(const Lineage& lineage, std::size_t step) {
@@ -89,8 +89,8 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
   if (step + 1 == lineage.chain.size()) {
     throw Failure(text + "; analyze show prints the command that was typed");
   }
-  throw Failure(fmt::format("{}: give the file it wrote, with content checksum {}, as --from FILE",
-                            text, lineage.checksum_after(step)));
+  throw Failure("{}: give the file it wrote, with content checksum {}, as --from FILE", text,
+                lineage.checksum_after(step));
 }
 
 /// Throws unless all steps from `first` on are known.
@@ -99,21 +99,21 @@ void check_steps(const Lineage& lineage, std::size_t first) {
     const std::string& command = lineage.chain[i].rebuild;
     if (command.empty() || command == kEditedOutside) fail_at_unknown(lineage, i);
     if (is_our_command(command)) continue;
-    throw Failure(fmt::format("{}: step {} is not a rupture command and will not be run: {}",
-                              lineage.name, i, in_one_line(command)));
+    throw Failure("{}: step {} is not a rupture command and will not be run: {}", lineage.name, i,
+                  in_one_line(command));
   }
 }
 
 void check_beginning(const Lineage& lineage) {
   if (lineage.chain.empty()) {
-    throw Failure(fmt::format("{} does not contain the steps that led to it", lineage.name));
+    throw Failure("{} does not contain the steps that led to it", lineage.name);
   }
   const std::string& parent = lineage.chain.front().parent_checksum;
   if (parent.empty()) return;
   throw Failure(
-      fmt::format("{}: its first step started from another file: give that file, with content "
-                  "checksum {}, as --from FILE",
-                  lineage.name, parent));
+      "{}: its first step started from another file: give that file, with content "
+      "checksum {}, as --from FILE",
+      lineage.name, parent);
 }
 
 /// One line per step: checksum of the file that it wrote, version, commit, command.
@@ -148,8 +148,7 @@ Json lineage_json(const Lineage& lineage) {
 std::string rebuild_script(const Lineage& lineage, const std::string& output,
                            const std::optional<StartFile>& start) {
   if (lineage.kind == FileKind::open_record) {
-    throw Failure(
-        fmt::format("{} is an unfinished record: complete it with rupture finish", lineage.name));
+    throw Failure("{} is an unfinished record: complete it with rupture finish", lineage.name);
   }
   const std::size_t first = start ? step_from(lineage, *start) : 0;
   check_steps(lineage, first);

@@ -18,7 +18,7 @@ namespace {
 Eigen::Index block_at(const Parameters& p, double x) {
   const double block = std::round(x / block_spacing(p));
   if (block <= static_cast<double>(p.Nx - 1)) return static_cast<Eigen::Index>(block);
-  throw UsageError(fmt::format("--x {:g} is beyond the interface, which ends at {:g} m", x, p.L));
+  throw UsageError("--x {:g} is beyond the interface, which ends at {:g} m", x, p.L);
 }
 
 std::string slip_text(double x, const std::optional<double>& t_rupture,

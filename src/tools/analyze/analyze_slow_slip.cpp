@@ -21,8 +21,7 @@ SlowSlipCriteria slow_slip_criteria(const po::variables_map& values) {
   const double longest = non_negative(values, "longest"),
                shortest = non_negative(values, "shortest");
   if (longest < shortest) {
-    throw UsageError(
-        fmt::format("--longest must be at least --shortest, {:g} (got {:g})", shortest, longest));
+    throw UsageError("--longest must be at least --shortest, {:g} (got {:g})", shortest, longest);
   }
   return {longest, shortest, values.count("to-last-stencil") > 0};
 }

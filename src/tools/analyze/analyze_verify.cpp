@@ -86,8 +86,7 @@ class Account {
 std::vector<ManifestLine> read_manifest(const fs::path& path) {
   std::ifstream file(path);
   if (!file || fs::is_directory(path)) {
-    throw Failure(fmt::format("cannot read the manifest {}; give the path of a readable file",
-                              path.string()));
+    throw Failure("cannot read the manifest {}; give the path of a readable file", path.string());
   }
   std::vector<ManifestLine> lines;
   std::string text;
@@ -99,14 +98,13 @@ std::vector<ManifestLine> read_manifest(const fs::path& path) {
     if (!(words >> line.checksum)) continue;
     if (line.checksum == kChecksumLabel) words >> line.checksum;
     if (line.checksum.size() != 64 || !std::getline(words >> std::ws, name)) {
-      throw Failure(fmt::format(
-          "{} is not a manifest: expected lines '{} <64 hex digits>  <file>' (got '{}')",
-          path.string(), kChecksumLabel, in_one_line(text)));
+      throw Failure("{} is not a manifest: expected lines '{} <64 hex digits>  <file>' (got '{}')",
+                    path.string(), kChecksumLabel, in_one_line(text));
     }
     line.file = path.parent_path() / name;
     lines.push_back(std::move(line));
   }
-  if (lines.empty()) throw Failure(fmt::format("the manifest {} names no files", path.string()));
+  if (lines.empty()) throw Failure("the manifest {} names no files", path.string());
   return lines;
 }
 

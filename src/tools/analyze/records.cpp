@@ -16,9 +16,8 @@ namespace {
 void check_overlap(const RecordCommand& command) {
   const double first = command.record.time.front(), last = command.record.time.back();
   const auto refuse = [&](const char* option, double t) {
-    throw UsageError(
-        fmt::format("{} {:g} is outside the record, which goes from {:.7g} s to {:.7g} s", option,
-                    t, first, last));
+    throw UsageError("{} {:g} is outside the record, which goes from {:.7g} s to {:.7g} s", option,
+                     t, first, last);
   };
   if (command.from > last) refuse("--from", command.from);
   if (command.to < first) refuse("--to", command.to);
@@ -66,9 +65,9 @@ ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) 
   const bool is_trigger = numbers.front() == 0 && begins_with_trigger(command.record);
   if (numbers.size() > 1 && !is_trigger) {
     throw Failure(
-        fmt::format("the record has {} events ({}): choose one with --event N or --event "
-                    "first-spanning, or with --from and --to",
-                    numbers.size(), list_of(bursts, numbers)));
+        "the record has {} events ({}): choose one with --event N or --event "
+        "first-spanning, or with --from and --to",
+        numbers.size(), list_of(bursts, numbers));
   }
   return {bursts[numbers.front()], command.from, command.to, numbers.size()};
 }
@@ -81,10 +80,10 @@ ChosenEvent first_spanning(const RecordCommand& command, const Bursts& bursts) {
   for (const auto burst : bursts) {
     if (spans(front_of(command, whole_event(burst)).type)) return whole_event(burst);
   }
-  throw Failure(fmt::format(
+  throw Failure(
       "none of the {} events in this record spans the interface: give --event N (analyze events "
       "lists them)",
-      bursts.size()));
+      bursts.size());
 }
 
 ChosenEvent event_number(const Bursts& bursts, const std::string& text) {
@@ -92,27 +91,26 @@ ChosenEvent event_number(const Bursts& bursts, const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || rest != end) {
-    throw UsageError(fmt::format(
-        "--event needs an event number (see analyze events) or first-spanning (got {})", text));
+    throw UsageError(
+        "--event needs an event number (see analyze events) or first-spanning (got {})", text);
   }
   if (number < bursts.size()) return whole_event(bursts[number]);
   const std::string known =
       bursts.empty() ? "nothing ruptured in this record"
                      : fmt::format("this record has events 0 to {} (analyze events lists them)",
                                    bursts.size() - 1);
-  throw UsageError(fmt::format("there is no event {}: {}", text, known));
+  throw UsageError("there is no event {}: {}", text, known);
 }
 
 /// Only a stencil that was asked for has to fit: a short interface has no speeds by default.
 std::size_t stencil(const po::variables_map& values, const Parameters& p) {
   const int blocks = values["stencil"].as<int>();
   if (blocks < 3 || blocks % 2 == 0) {
-    throw UsageError(
-        fmt::format("--stencil must be an odd number of blocks, 3 or more (got {})", blocks));
+    throw UsageError("--stencil must be an odd number of blocks, 3 or more (got {})", blocks);
   }
   if (blocks > p.Nx && !values["stencil"].defaulted()) {
-    throw UsageError(fmt::format("--stencil {} is longer than the interface, which has {} blocks",
-                                 blocks, p.Nx));
+    throw UsageError("--stencil {} is longer than the interface, which has {} blocks", blocks,
+                     p.Nx);
   }
   return static_cast<std::size_t>(blocks);
 }
@@ -120,8 +118,7 @@ std::size_t stencil(const po::variables_map& values, const Parameters& p) {
 double skip_below_x(const po::variables_map& values, const Parameters& p) {
   const double x = non_negative(values, "skip-below-x");
   if (x <= p.L || values["skip-below-x"].defaulted()) return x;
-  throw UsageError(
-      fmt::format("--skip-below-x {:g} is beyond the interface, which ends at {:g} m", x, p.L));
+  throw UsageError("--skip-below-x {:g} is beyond the interface, which ends at {:g} m", x, p.L);
 }
 
 StencilsAtEnds stencils_at_ends(const po::variables_map& values) {
