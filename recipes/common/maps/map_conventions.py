@@ -66,7 +66,7 @@ def claims_over_seeds(leading, strict, shown, of_seeds, case_in_words, case, mea
         return units_of_seeds(of_seeds, ways, lambda seed, **way: measure(of_seeds[seed], **way))
 
     held = [sum(holds(strict, [case(one, **way)]) for one in of_seeds.values()) for way in PRODUCT]
-    measured |= {
+    measured = measured | {
         "combinations of conventions": len(held),
         "seeds under them, fewest and most": [min(held), max(held)],
     }
