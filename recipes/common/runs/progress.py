@@ -89,7 +89,8 @@ def on_end(message):
 
 def on_failure(message):
     complain(f"\nFailed: {jobs.pop(message['jobid'])['description']}")
-    complain(f"  to make: {' '.join(message['output'])}")
+    first, *others = message["output"]
+    complain(f"  to make: {first}" + (f" and {len(others)} more" if others else ""))
     if message["shellcmd"]:
         complain(f"  command: {' '.join(message['shellcmd'].split())}")
     for path in map(Path, message["log"]):
