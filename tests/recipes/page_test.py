@@ -71,7 +71,7 @@ REFUSED = [  # a file of fig3, what is wrong in it, and what is said
     ),
     ("claims.json", "doubled", "Claim '3Aw' is in"),
     ("claims.json", "unlisted", "a claim '3Z' that claims.toml does not list"),
-    ("fig3.png", "no picture", "fig3.png is no PNG"),
+    ("fig3.png", "no picture", "fig3.png is not a PNG"),
 ]
 
 

@@ -179,7 +179,7 @@ def test_a_sweep_survives_everything(project, local, cluster):
     there = len(project.points())
     assert there < POINTS
     output = Job(project, cluster).wait_for_end()
-    assert f"Computed now: {POINTS - there}; there before: {there}." in output
+    assert f"Computed now: {POINTS - there}; already done: {there}." in output
     demand_equal_sweeps(project, local)
 
 

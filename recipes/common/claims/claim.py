@@ -68,7 +68,7 @@ class Claim:
 
     def __post_init__(self):
         if self.verdict not in VERDICTS:
-            raise ValueError(f"claim {self.id}: '{self.verdict}' is none of {', '.join(VERDICTS)}")
+            raise ValueError(f"claim {self.id}: not a verdict: '{self.verdict}'")
 
 
 def plain(value):

@@ -24,7 +24,7 @@ def picture(path, alt):
     with open(path, "rb") as file:
         head = file.read(24)
     if len(head) < 24 or head[12:16] != b"IHDR":
-        raise Failure(f"{path} is no PNG: delete it and run ./reproduce.sh {path.parent.name}.")
+        raise Failure(f"{path} is not a PNG: delete it and run ./reproduce.sh {path.parent.name}.")
     width, height = struct.unpack(">II", head[16:24])
     pdf = path.with_suffix(".pdf")
     return Picture(path.name, pdf.name if pdf.exists() else None, width, height, alt)

@@ -44,7 +44,7 @@ class Programs:
     def described(self, line):
         """What the program of this command says of itself. It refuses wrong options then, too."""
         tool, *words = words_in(line)
-        check_known(tool, PROGRAMS, "program")
+        check_known(tool, PROGRAMS, "there is no program")
         return self.answer(tool, *words, "--describe")
 
 
@@ -86,7 +86,7 @@ def check_command(name, line, programs):
 def check_value(name, text, option):
     """The value, as it is compared with others."""
     if text not in option.get("words", [text]):
-        raise UsageError(f"{name} is one of {', '.join(option['words'])}, but not '{text}'")
+        raise UsageError(f"{name} must be {' or '.join(option['words'])} (got '{text}')")
     if not (unit := option["unit"]):
         return text
     with suppress(ValueError):
@@ -94,7 +94,7 @@ def check_value(name, text, option):
         if own in ("", unit) and math.isfinite(number):
             return number
     kind = "number" if unit == "1" else f"number in {unit}"
-    raise UsageError(f"{name} is a finite {kind}, which '{text}' is not")
+    raise UsageError(f"{name} must be a finite {kind} (got '{text}')")
 
 
 def option_of(name, line, programs):
@@ -102,7 +102,7 @@ def option_of(name, line, programs):
     if name == "variant":
         return {"unit": ""}
     if "." in name:
-        check_known(name, programs.parameters, "parameter")
+        check_known(name, programs.parameters, "there is no parameter")
         return programs.parameters[name]
     for option in programs.described(line)["options"]:
         if option["name"] == name and option["kind"] in VARIABLE:
@@ -127,7 +127,7 @@ def check_points(points, programs):
         for values in (point.values for point in points)
     }
     if len(settings) < len(points):
-        raise UsageError("a point is there twice; remove the value that is repeated")
+        raise UsageError("two points have the same values: remove the repeated value")
     return {name: option["unit"] for name, option in described.items()}
 
 
@@ -144,7 +144,7 @@ def unit_of_column(path, commands, programs):
         raise UsageError(f"'{path}': [commands] has no '{command}'{near}")
     words = words_in(commands[command])
     if words[0] != "analyze" or "--json" not in words:
-        raise UsageError(f"'{path}': the command '{command}' is no `analyze ... --json`")
+        raise UsageError(f"'{path}': the command '{command}' does not run analyze ... --json")
     quantity, known = f"{words[1]}.{rest}", programs.quantities
     pattern = re.sub(r"\.-?\d+(?=\.|$)", ".*", quantity)
     is_list, of_file = f"{pattern}.*" in known, any(word.endswith(".h5") for word in words)
@@ -152,10 +152,8 @@ def unit_of_column(path, commands, programs):
         return known[pattern]
     if is_list:
         raise UsageError(f"'{quantity}' is a list: name one of its elements, as {quantity}.0")
-    near = suggestion(pattern, known)
-    raise UsageError(
-        f"analyze reports no '{quantity}'{near} (`analyze quantities` lists what there is)"
-    )
+    near = suggestion(pattern, known) or "; rupture analyze quantities lists what there is"
+    raise UsageError(f"analyze reports no '{quantity}'{near}")
 
 
 def check_columns(sweep, programs):
@@ -168,6 +166,8 @@ def check_columns(sweep, programs):
     for heading, path in sweep.columns.items():
         ((name, _, stated),) = HEADING.findall(heading)
         unit = unit_of_column(path, sweep.points[0].commands, programs)
+        if stated and unit in ("", "1"):
+            raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
         if stated not in ("", unit):
             raise UsageError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
         if "/" in name or name in ("", ".", *columns, *taken):

@@ -23,12 +23,9 @@ ENDINGS = (".csv", ".hdf5", ".png", ".pdf")
 
 def write(results, path, content, *others):
     """Notes the others, which are to come, too."""
-    try:
-        note(results, path, *others)
-        with replacing(path) as part:
-            part.write_bytes(content)
-    except OSError as error:
-        raise UsageError(f"{path} cannot be written ({error.strerror})") from None
+    note(results, path, *others)
+    with replacing(path) as part:
+        part.write_bytes(content)
 
 
 def keep_base(path, results):
@@ -65,7 +62,8 @@ def make_plan(path, results):
     """Its path. Replaces the former plan once nothing is wrong."""
     if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", path.stem):
         raise UsageError(
-            "the results get the name of the file: use letters, digits, '.', '_' and '-' for it"
+            "rename the file: its results take its name, which may contain only letters, digits,"
+            " '.', '_' and '-'"
         )
     ini = parse_ini(path)
     check_form(ini)

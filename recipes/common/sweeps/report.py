@@ -124,7 +124,7 @@ def preview(sweep, missing, folder_of_tools):
     count = plural(len(sweep.points), "point")
     print(f"{sweep.title}: {count}: {done} done, {len(missing)} to compute")
     if missing:
-        print("The first of these (its files are deleted afterwards):")
+        print("Commands of the first point to compute:")
         for command in missing[0].commands.values():
             print(f"  {folder_of_tools}/{command}")
 
@@ -136,7 +136,7 @@ def print_summary(sweep, table, missing):
     states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", UNFINISHED) if counts[s])
     print(f"\n{sweep.title}: {plural(len(table), 'point')}: {states}.")
     computed = missing - counts[UNFINISHED]
-    print(f"Computed now: {computed}; there before: {len(table) - missing}.")
+    print(f"Computed now: {computed}; already done: {len(table) - missing}.")
     for status in ("failed", UNFINISHED):
         said = Counter(row["sentence"] for row in table if row["status"] == status)
         lines = [f"  {times} x {sentence}" for sentence, times in said.most_common(SHOWN)]

@@ -105,7 +105,8 @@ def make_point(commands, values, base):
             filled[name] = line.format(**fields)
         except (AttributeError, KeyError, IndexError, TypeError, ValueError):
             known = " and ".join(f"{{{name}}}" for name in fields)
-            raise UsageError(f"'{line}' may refer to {known} only") from None
+            why = "" if base else "; {base} needs base = FILE.h5 in [sweep]"
+            raise UsageError(f"'{line}' may refer to {known} only{why}") from None
     return Point(values, filled, base)
 
 
@@ -119,7 +120,7 @@ def rows_of(path):
             rows = {table.line_num: row for row in table}
             names = table.fieldnames or []
     except (UnicodeDecodeError, csv.Error):
-        raise UsageError(f"{path} is no table of CSV in UTF-8") from None
+        raise UsageError(f"{path} is not a CSV table in UTF-8") from None
     if len({*names}) < len(names) or "" in names:
         raise UsageError(f"{path}: each column needs a heading of its own")
     for number, row in rows.items():
@@ -176,22 +177,22 @@ def suggestion(name, known):
     """Rather a name that differs in capitals only than a similar one."""
     same = [other for other in known if other.lower() == name.lower()]
     near = [*same, *difflib.get_close_matches(name, known, n=1)]
-    return f"; did you mean '{near[0]}'?" if near else ""
+    return f": did you mean '{near[0]}'?" if near else ""
 
 
 def check_known(name, known, what):
-    if name not in known and name in FORMER and what != "program":
+    if name not in known and name in FORMER and what != "there is no program":
         raise UsageError(f"'{name}' belongs to an older form of sweeps: {FORMER[name]}")
     if name not in known:
-        raise UsageError(f"there is no {what} '{name}'{suggestion(name, known)}")
+        raise UsageError(f"{what} '{name}'{suggestion(name, known)}")
 
 
 def check_form(ini):
     for key in ini["sweep"] if "sweep" in ini else ():
-        check_known(key, KEYS, "key in [sweep]")
+        check_known(key, KEYS, "[sweep] has no key")
     for section in ini.sections():
         if not is_values(section):
-            check_known(section, SECTIONS, "section")
+            check_known(section, SECTIONS, "there is no section")
         for name, text in ini[section].items():
             if not text and section != "units":
                 raise UsageError(f"'{name}' in [{section}] has no value")
@@ -265,20 +266,29 @@ def sweep_of(ini, name, seed=""):
     )
 
 
+def place_and_sentence(error):
+    """Of a configparser.Error, whose own sentence has several lines."""
+    if hasattr(error, "errors"):
+        number, line = error.errors[0]
+        said = f"expected NAME = VALUE or [SECTION] (got {line})".replace("\\n", "")
+        return f"{error.source}, line {number}: {said}"
+    said = str(error).partition("]: ")[2] or f"expected [sweep] first (got {error.line.strip()!r})"
+    return f"{error.source}, line {error.lineno}: {said}"
+
+
 @contextmanager
 def errors_of(path):
-    """Raises UsageErrors: the file and one sentence."""
+    """Raises one sentence with the file: UsageErrors, but a Failure if the system refuses."""
     try:
         yield
-        return
     except OSError as error:
-        where = "it" if error.filename == str(path) else error.filename
-        sentence = f"{where} cannot be read ({error.strerror})"
+        raise Failure(f"cannot read or write {error.filename or path}: {error.strerror}") from None
     except UnicodeDecodeError:
-        sentence = "it is no text in UTF-8"
-    except (Failure, ValueError, configparser.Error) as error:  # configparser's have several lines
-        sentence = " ".join(str(error).split())
-    raise UsageError(f"{path}: {sentence}")
+        raise UsageError(f"{path}: it is not UTF-8 text") from None
+    except configparser.Error as error:
+        raise UsageError(place_and_sentence(error)) from None
+    except (Failure, ValueError) as error:
+        raise UsageError(f"{path}: {error}") from None
 
 
 def read_sweep(path, seed=""):

@@ -57,7 +57,7 @@ def number_of(expression):
     floats = re.sub(NUMBER, lambda match: repr(float(match[0])), expression)
     number = eval(floats, {"__builtins__": {}, "sqrt": math.sqrt})
     if isinstance(number, complex) or not math.isfinite(number):
-        raise ValueError("it is no finite real number")
+        raise ValueError("it is not a finite real number")
     return text_of(number)
 
 
@@ -92,8 +92,10 @@ def numbers_between(first, last, how, step):
         count, step = step, (last - first) / max(1, step - 1)
     else:
         count = 1 + (last - first) / step * (1 + 1e-12) if step else 0
-    if not 1 <= count < LIMIT + 1:
-        raise ValueError(f"it must have from 1 to {LIMIT:,} values")
+    if count < 1:
+        raise ValueError("it has no values: the step must lead from the first number to the last")
+    if count >= LIMIT + 1:
+        raise ValueError(f"it has more than {LIMIT:,} values")
     return [first + i * step for i in range(int(count))]
 
 
@@ -112,7 +114,7 @@ def values_of(text):
         if match := RANGE.fullmatch(text.strip()):
             return span(*match.groups())
     except ValueError as error:
-        raise ValueError(f"'{text}' is no range ({error})") from None
+        raise ValueError(f"'{text}' is not a range: {error}") from None
     listed = [part.strip() for part in text.split(",")]
     if not all(listed):
         raise ValueError(f"'{text}' has an empty value")
