@@ -59,7 +59,7 @@ def kind_of(data, path):
     """First line of the header."""
     kind = bytes(data[:HEADER]).split(b"\n")[0].decode("latin-1")
     if kind not in EXPLANATIONS:
-        raise Failure(f"{path} is not a rupture file: give one that rupture's programs wrote")
+        raise Failure(f"{path} is not a checkpoint or record of rupture")
     if len(data) < HEADER:
         cut = "it ends within its 512-byte header"
         raise Failure(f"{path} is truncated: {cut}; copy it again or recreate it")

@@ -89,5 +89,5 @@ def test_watch_follows_a_run_to_its_end(folder):
 def test_watch_says_that_a_run_was_killed(folder):
     with start("k", "100") as it:
         it.kill()
-    sentence = "no run writes k-record.h5.part any more, and it is not finished; rupture finish..."
+    sentence = "the run that wrote k-record.h5.part was killed; rupture finish..."
     refuses("watch k-record.h5.part", 1, sentence)

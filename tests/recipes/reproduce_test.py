@@ -14,20 +14,20 @@ from reproduce.pipeline import Errors
 from stand_ins import Project
 
 REFUSED = [  # a command line, and the sentence
-    ("sweep", "'sweep' needs one file"),
-    ("sweep a.ini b.ini", "'sweep' needs one file"),
-    ("sweep a.ini --from-scratch", "--from-scratch is for figures"),
-    ("--dry-run fig3", "--dry-run is for 'sweep' only"),
-    ("fig3 --cores 0", "argument --cores: number of cores must be a whole number, 1 or more"),
-    ("fig3 --cores=1e9", "argument --cores: number of cores must be a whole number, 1 or more"),
-    ("fig3 --cores", "argument --cores: expected one argument"),
+    ("sweep", "'sweep' needs one file, as in .*$"),
+    ("sweep a.ini b.ini", "'sweep' needs one file, as in .*$"),
+    ("sweep a.ini --from-scratch", "--from-scratch is for figures; .*$"),
+    ("--dry-run fig3", "--dry-run is for sweep only$"),
+    ("fig3 --cores 0", "--cores must be a whole number, 1 or more"),
+    ("fig3 --cores=1e9", "--cores must be a whole number, 1 or more"),
+    ("fig3 --cores", "--cores expected one argument"),
     ("fig3 --fast", "unknown option '--fast'"),
     ("fig3 --from", "unknown option '--from': did you mean '--from-scratch'\\?$"),
-    ("fig3 --dry-run=1", "argument --dry-run: ignored explicit argument '1'"),
-    ("fig3 --profile nope", "argument --profile: there is no .*/nope/config.yaml"),
-    ("fig3 --profile=", "argument --profile: there is no"),
-    ("fig3 --programs /nope", "argument --programs: the programs are not in '/nope': there is no"),
-    ("fig3 --programs=", "argument --programs: the programs are not in ''"),
+    ("fig3 --dry-run=1", "--dry-run ignored explicit argument '1'"),
+    ("fig3 --profile nope", "--profile: there is no .*/nope/config.yaml"),
+    ("fig3 --profile=", "--profile: there is no"),
+    ("fig3 --programs /nope", "--programs: the programs are not in '/nope': there is no"),
+    ("fig3 --programs=", "--programs: the programs are not in ''"),
     ("fig33", "there is no figure or command 'fig33': did you mean fig3\\?$"),
     ("Fig2", "there is no figure or command 'Fig2': did you mean fig2\\?$"),
     ("FIGs6", "there is no figure or command 'FIGs6': did you mean figS6\\?$"),
@@ -45,7 +45,7 @@ def copied_project(tmp_path):
 def test_wrong_calls_are_usage_errors_of_one_sentence(project, words, sentence):
     done = project.call(*words.split())
     assert (done.returncode, done.stdout) == (2, "")
-    end = "" if sentence[-1] == "$" else ".* See --help.\n$"
+    end = "" if sentence[-1] == "$" else ".*; see ./reproduce.sh --help\n$"
     assert re.match(f"reproduce.sh: {sentence}{end}", done.stderr)
 
 

@@ -21,6 +21,12 @@ UNITS = {"": 1, "s": 1, "ms": 1e-3, "us": 1e-6}  # of times [s]
 TIME = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)", re.ASCII)
 CLEAR = "\r\033[K"  # the line of a terminal
 WHOLE = re.compile(r"[-+]?\d{1,18}", re.ASCII)
+WORDING = {  # of argparse, and of the programs in C++
+    r"^argument (?:-\w/)?": "",
+    r"^(\S+): (?=must|is |expected|ignored|invalid)": r"\1 ",
+    r"invalid choice: '(.*)' \(choose from (.*)\)": r"must be one of \2 (got \1)",
+    r"^unrecognized arguments: (\S+).*": r"unexpected file '\1': give only one file",
+}
 
 
 def seconds(text, least=0.0, most=math.inf):
@@ -36,14 +42,14 @@ def seconds(text, least=0.0, most=math.inf):
     raise argparse.ArgumentTypeError(f"must be {expected} (got '{text}')")
 
 
-def whole_number(text, what, least, words=()):
-    """Whole numbers of something, from `least` on, or `words` instead."""
+def whole_number(text, least, words=()):
+    """Whole numbers from `least` on, or `words` instead."""
     if text in words:
         return text
     if WHOLE.fullmatch(text) and int(text) >= least:
         return int(text)
     expected = ", or ".join((f"a whole number, {least} or more", *words))
-    raise argparse.ArgumentTypeError(f"{what} must be {expected} (got '{text}')")
+    raise argparse.ArgumentTypeError(f"must be {expected} (got '{text}')")
 
 
 class Once(argparse.Action):
@@ -101,7 +107,7 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, name, arguments, purpose, summary, inputs):
         self.summary, self.inputs = summary, inputs
         options = "" if "[options]" in arguments else " [options]"
-        self.synopsis = f"{name} {arguments}{options}"
+        self.synopsis, self.called = f"{name} {arguments}{options}", f"rupture {name}"
         super().__init__(name, description=purpose, add_help=False, allow_abbrev=False)
         self.register("action", None, Once)
 
@@ -121,7 +127,9 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("-f", "--force", action="store_true", help="replace an existing file")
 
     def error(self, message):
-        raise UsageError(message)
+        for pattern, ours in WORDING.items():
+            message = re.sub(pattern, ours, message)
+        raise UsageError(f"{message}; see {self.called} --help")
 
     def parse(self):
         """What was given, of the options that were added and those that all programs have."""
@@ -214,8 +222,7 @@ def run_tool(name, run):
         finally:  # also after --help
             sys.stdout.flush()
     except UsageError as error:
-        hint = "" if str(error).endswith("?") else f"; see rupture {name} --help"
-        complain(name, f"{error}{hint}")
+        complain(name, str(error))
         return 2
     except Failure as error:
         complain(name, str(error))

@@ -27,10 +27,10 @@ def parse_options():
         " GOLDEN (check), or makes them the new GOLDEN and keeps the old one as GOLDEN.old1, .old2"
         " and so on (regenerate). Exit code: 0 equal or written, 1 different or failed, 77 if the"
         " pipeline exited with 77 because it cannot run on this machine.",
-        "test by content checksums that a pipeline still gives the same",
+        "check that a pipeline still writes files with the same content checksums",
         "word",
     )
-    made.add_argument("command", choices=("check", "regenerate"))
+    made.add_argument("command", metavar="COMMAND", choices=("check", "regenerate"))
     text = "the folder of the tools (default: that of this program)"
     made.add_argument("--tools", metavar="FOLDER", help=text)
     text = (
@@ -40,7 +40,7 @@ def parse_options():
     made.add_argument("--work", metavar="FOLDER", help=text)
     made.add_argument("golden", metavar="GOLDEN", type=Path)
     made.add_argument("program", metavar="PIPELINE")
-    made.add_argument("arguments", metavar="ARGUMENT", nargs="...")
+    made.add_argument("arguments", metavar="ARGUMENT", nargs="...").required = False
     return made.parse()
 
 
@@ -56,10 +56,12 @@ def take(work):
     other = "give another folder with --work"
     if not lock.exists() and ((work / "found").exists() or (work / "equal").exists()):
         raise Failure(f"{work} has a 'found' or 'equal' that another program made: {other}")
-    work.mkdir(parents=True, exist_ok=True)
-    taken = open(lock, "a", encoding="utf-8")
     try:
+        work.mkdir(parents=True, exist_ok=True)
+        taken = open(lock, "a", encoding="utf-8")
         fcntl.flock(taken, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except PermissionError:
+        raise Failure(f"cannot write {lock}: no write permission; {other}") from None
     except BlockingIOError:
         raise Failure(f"another run uses {work}: wait for it, or {other}") from None
     return taken
@@ -139,16 +141,16 @@ def keep_as_equal(work):
 def check(wanted, found, work, tools):
     names = {name for name, _ in wanted.items() ^ found.items()}
     differences = sorted((difference(name, wanted, found), name) for name in names)
-    equal = f"{len(wanted.keys() - names)} of {len(wanted)} content checksums are equal"
     if not differences:
         keep_as_equal(work)
-        return print(f"{equal}.")
+        return print(f"All content checksums are equal (files: {len(wanted)}).")
     for what, name in differences:
         print(f"  {what:<8} {name}")
         if what == "differs":
             print(f"    golden {wanted[name]}\n    found  {found[name]}")
     advise(differences, wanted, work, tools)
-    print(f"{equal}, all but: {' '.join(name for _, name in differences)}")
+    of = f"{len(names)} of {len(wanted | found)}"
+    print(f"Files that differ, {of}: {' '.join(name for _, name in differences)}")
     return sys.exit(1)
 
 
@@ -163,9 +165,9 @@ def regenerate(golden, before, found, work):
         names = (Path(f"{golden}.old{number}") for number in itertools.count(1))
         old = next(name for name in names if not name.exists())
         shutil.copy2(golden, old)
-        print(f"Kept the old checksums as {old}.")
+        print(f"kept the old checksums as {old}")
     write_whole(golden, text)
-    return print(f"Wrote {golden}; content checksums: {len(found)}.")
+    return print(f"wrote {golden}; content checksums: {len(found)}")
 
 
 def run():

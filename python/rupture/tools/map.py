@@ -23,7 +23,7 @@ def parse_options():
         "RECORD -o FILE",
         "Draws a record, or an unfinished one, in space and time: the fraction of pinned"
         " junctions, the slip speed and tau/p, and the speeds of its fronts.",
-        "picture of a record in space and time",
+        "draw a record in space and time",
         "record",
     )
     made.add_argument("record", metavar="RECORD")

@@ -33,15 +33,15 @@ def parse_options():
         "RECORD -o FILE",
         "Films a record, or an unfinished one: the interface and, where the run had --fields, the"
         " slider above it, coloured by its speed, shear stress or displacement.",
-        "film of a record",
+        "make a film of a record",
         "record",
     )
     made.add_argument("record", metavar="RECORD")
     made.add_output("film to write: .gif, or .mp4 or .webm with ffmpeg")
     text = "quantity that colours the slider"
     made.add_argument("--colour", choices=(*COLOURS,), default="speed", help=text)
-    text = "the most frames, at 15 per second"
-    number = partial(whole_number, what="number of frames", least=1)
+    text = "largest number of frames (15 per second)"
+    number = partial(whole_number, least=1)
     more = {"kind": "integer", "unit": "1", "metavar": "N", "help": text}
     made.add_argument("--frames", type=number, default=FRAMES, **more)
     add_window(made)
@@ -179,6 +179,8 @@ def run():
     check_output(options.output, options.force, ENDINGS, [options.record])
     writer_of(options.output)
     record = open_record(options.record)
+    if options.colour != "speed" and "fields/u_x" not in record:
+        raise Failure("--colour needs a record with displacement fields (restart --fields T)")
     events = analyze("events", options.record)["events"] if options.event is not None else []
     window = window_of(options, record, events)
     with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output):

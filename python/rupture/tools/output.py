@@ -28,7 +28,7 @@ def check_output(name, force, endings=(), inputs=()):
     if not os.fspath(name):
         raise UsageError("the name of an output is empty; give the path of a file")
     if endings and path.suffix.lower() not in endings:
-        raise UsageError(f"{path} must end with {' or '.join(endings)}")
+        raise UsageError(f"{path} must end with {', '.join(endings[:-1])} or {endings[-1]}")
     check_folder(path)
     if any(path.exists() and os.path.exists(one) and path.samefile(one) for one in inputs):
         raise UsageError(f"{path} is the input, which is never changed: give another output")

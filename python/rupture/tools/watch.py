@@ -18,6 +18,7 @@ from rupture.tools.command_line import CLEAR, Parser
 LEVELS = " ▁▂▃▄▅▆▇█"
 SAMPLES = 1000  # the last ones, shown in a window
 MOMENT = 0.3  # [s]
+WANTED = "give the unfinished record (RECORD.h5.part) of a run"
 FLOCK = "hhqqi0q"  # struct flock: l_type, l_whence, l_start, l_len, l_pid
 
 
@@ -40,7 +41,7 @@ def current(path):
     """The record as it is now: the `.part`, or what became of it."""
     whole = Path(str(path).removesuffix(".part"))
     if not whole.name:
-        raise Failure(f"'{path}' names no file; give the .part of a run that writes a record")
+        raise Failure(f"'{path}' names no file; {WANTED}")
     part = whole.with_name(whole.name + ".part")
     for existing in (part, whole):
         try:
@@ -51,8 +52,8 @@ def current(path):
             continue
         if isinstance(record, Record):
             return record
-        raise Failure(f"{existing} is a checkpoint; give the .part of a record")
-    raise Failure(f"{part} does not exist; give the .part of a run that writes a record")
+        raise Failure(f"{existing} is a checkpoint; {WANTED}")
+    raise Failure(f"{part} does not exist; {WANTED}")
 
 
 def is_being_written(path):
@@ -75,8 +76,8 @@ def latest(path):
         if record.finished or is_being_written(record.path):
             return record
         time.sleep(pause)
-    hint = f"rupture finish {record.path} -o NEW.h5 makes an ordinary record of it"
-    raise Failure(f"no run writes {record.path} any more, and it is not finished; {hint}")
+    hint = f"rupture finish {record.path} -o NEW.h5 makes a record of it"
+    raise Failure(f"the run that wrote {record.path} was killed; {hint}")
 
 
 def bar(fraction, width):

@@ -14,11 +14,11 @@ FIRST_SPANNING = "first-spanning"
 
 
 def add_window(parser):
-    text = "draw this event of `analyze events`, or the first that spans the interface"
-    number = partial(whole_number, what="event number", least=0, words=(FIRST_SPANNING,))
+    text = "show this event of rupture analyze events, or the first that spans the interface"
+    number = partial(whole_number, least=0, words=(FIRST_SPANNING,))
     parser.add_argument("--event", type=number, metavar=f"number|{FIRST_SPANNING}", help=text)
-    parser.add_time("--from", "draw from this time on", dest="begin")
-    parser.add_time("--to", "draw up to this time", dest="end")
+    parser.add_time("--from", "start at this time", dest="begin")
+    parser.add_time("--to", "end at this time", dest="end")
 
 
 def open_record(path):
@@ -37,7 +37,8 @@ def window_of_event(events, number):
     if number is None:
         raise Failure("no event in the record spans the interface: give --event N")
     if number >= len(events):
-        has = f"events 0 to {len(events) - 1}" if events else "no events"
+        known = f"{len(events)} events, numbers 0 to {len(events) - 1}"
+        has = {0: "no events", 1: "1 event, number 0"}.get(len(events), known)
         raise UsageError(f"there is no event {number}: the record has {has}")
     start, end = events[number]["t_start"], events[number]["t_end"]
     margin = max(MARGIN * (end - start), LEAST_MARGIN)

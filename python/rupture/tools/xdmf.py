@@ -27,7 +27,7 @@ def parse_options():
         " displacement, velocity and stress of the blocks; tau, p and the pinned fraction along the"
         " interface. It refers to the checkpoints, which have to stay where they are. What they do"
         " not hold as such, stress and interface, is written to FILE-derived.hdf5.",
-        "series of checkpoints for ParaView and VTK",
+        "write a series of checkpoints for ParaView and VTK",
         "checkpoint",
     )
     made.add_argument("checkpoints", metavar="CHECKPOINT", nargs="+")

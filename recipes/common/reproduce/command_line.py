@@ -20,7 +20,7 @@ PURPOSE = (
 )
 SUMMARY = "compute figures of the paper, their claims, and sweeps of your own"
 COMMANDS = {
-    "all": f"all of the above except {' and '.join(BESIDE_ALL)}, and the report",
+    "all": "all figures above except {}, {} and {}; then the report".format(*BESIDE_ALL),
     "sweep": "FILE.ini: run the model for all values in the file (docs/sweeps.md)",
     "report": "write results/index.html: all figures and claims on one page",
     "list": "print this list",
@@ -50,9 +50,7 @@ class Parser(command_line.Parser):
 
     def __init__(self):
         super().__init__("reproduce", "COMMAND", PURPOSE, SUMMARY, "word")
-
-    def error(self, message):
-        raise UsageError(f"{message}. See --help.")
+        self.called = PROGRAM
 
     def format_help(self):
         text = help_text(self).replace("rupture reproduce", PROGRAM)
@@ -87,7 +85,7 @@ def make_parser():
     parser = Parser()
     add = parser.add_argument
     add("words", nargs="*")
-    text = "for a sweep: print the number of points, compute nothing"
+    text = "for a sweep: print the number of points and the first commands, compute nothing"
     add("--dry-run", action="store_true", help=text)
     text = "also compute the checkpoints that figures start from, instead of using checkpoints/"
     add("--from-scratch", action="store_true", help=text)
@@ -99,29 +97,28 @@ def make_parser():
     text = "use the programs in this folder instead of building them"
     add("--programs", type=programs_at, metavar="FOLDER", help=text)
     text = "use N cores of this machine (default: all)"
-    read_cores = partial(whole_number, what="number of cores", least=1)
+    read_cores = partial(whole_number, least=1)
     add("--cores", type=read_cores, kind="integer", unit="1", metavar="N", help=text)
-    text = "print name, options and input as one JSON object and stop"
+    text = "print name, options and input as one JSON object and exit"
     add("--describe", action=Answer, nargs=0, const=Parser.describe, help=text)
-    add("-h", "--help", action=Answer, nargs=0, const=Parser.format_help, help="print this text")
-    add("--version", action=Answer, nargs=0, const=version, help="print the version and stop")
+    text = "show this help and exit"
+    add("-h", "--help", action=Answer, nargs=0, const=Parser.format_help, help=text)
+    add("--version", action=Answer, nargs=0, const=version, help="show version and exit")
     return parser
 
 
 def check_sweep(request):
     if request.from_scratch:
-        raise UsageError(
-            "--from-scratch is for figures; the file of a sweep says where it starts. See --help."
-        )
+        raise UsageError("--from-scratch is for figures; the file of a sweep says where it starts")
     if len(request.words) != 2:
-        raise UsageError(f"'sweep' needs one file, as in {PROGRAM} sweep my.ini. See --help.")
+        raise UsageError(f"'sweep' needs one file, as in {PROGRAM} sweep my.ini")
     request.file = Path(request.words[1]).absolute()
 
 
 def check_commands(request):
     """One command, or several figures."""
     if request.dry_run:
-        raise UsageError("--dry-run is for 'sweep' only. See --help.")
+        raise UsageError("--dry-run is for sweep only")
     for word in set(request.words).difference(figures()):
         if word not in COMMANDS:
             by_lower = {name.lower(): name for name in [*figures(), *COMMANDS]}

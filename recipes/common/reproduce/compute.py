@@ -118,9 +118,8 @@ def reproduce(request, recipes, processes):
     started = time.time()
     options = options_of_snakemake(request, place, recipes=names)
     if run_pipeline(processes, recipes, options):
-        raise Failure(
-            f"{names} could not be completed; the message above says why (log: {LOGS}/recipes.log)."
-        )
+        what = "not all figures could be" if request.command == "all" else f"{names} could not be"
+        raise Failure(f"{what} computed; the messages above say why (log: {LOGS}/recipes.log)")
     note_run(recipes, place, started)
     for name in recipes:
         print_claims((RESULTS / name).resolve())

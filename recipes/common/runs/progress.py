@@ -92,7 +92,9 @@ def on_failure(message):
     first, *others = message["output"]
     complain(f"  to make: {first}" + (f" and {len(others)} more" if others else ""))
     if message["shellcmd"]:
-        complain(f"  command: {' '.join(message['shellcmd'].split())}")
+        command = " ".join(message["shellcmd"].split())
+        rest = f" ... (all of it: {LOG})" if len(command) > 200 else ""
+        complain(f"  command: {command[:200]}{rest}")
     for path in map(Path, message["log"]):
         lines = path.read_text(errors="replace").splitlines() if path.exists() else []
         if lines:
