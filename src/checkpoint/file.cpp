@@ -115,12 +115,16 @@ void refuse_if_readable(std::span<const std::byte> file, const std::string& name
   }
 }
 
-EditedFile opened(std::span<const std::byte> bytes) {
+EditedFile opened(std::span<const std::byte> bytes, const std::string& name) {
   try {
     demand_survival(bytes, hdf5::Accept::edited);
     return open_edited(bytes);
   } catch (const hdf5::LibraryFailure& failure) {
-    fail("{}; it is damaged or not an HDF5 file: copy it again or recreate it", failure.what());
+    if (bytes.front() != std::byte{0x89}) check_envelope(bytes, name);  // a header has sentences
+    fail("{}: {}; it is damaged or not an HDF5 file: copy it again or recreate it", name,
+         failure.what());
+  } catch (const Failure& failure) {
+    fail("{}: {}", name, failure.what());
   }
 }
 
@@ -199,7 +203,7 @@ EditedFile read_edited(const fs::path& path) {
   if (bytes.empty()) {
     fail("{} is empty; expected a checkpoint or record", path.string());
   }
-  EditedFile file = naming(path, [&] { return opened(bytes); });
+  EditedFile file = opened(bytes, path.string());
   file.name = path.string();
   return file;
 }

@@ -66,10 +66,7 @@ std::uint64_t stated_size(std::span<const std::byte> header) {
         "NEW.h5",
         name, name);
   }
-  fail(
-      "{} is not a rupture file: expected the 512-byte header of a checkpoint or record; give a "
-      "file that one of rupture's tools wrote",
-      name);
+  fail("{} is not a checkpoint or record of rupture", name);
 }
 
 }  // namespace

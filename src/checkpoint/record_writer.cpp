@@ -139,6 +139,7 @@ RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& paramet
     rows_before[layout::kCrossingLevels] = make_array(std::span(levels), {levels.size()}, "1");
   }
   if (parts.fields == Fields::record) begin(rows_, layout::kFields, FieldSample{}, parameters);
+  part_has_samples_ = !rows_before.empty();
   Content first = std::move(rows_before);  // with what stays as it is
   first.merge(recorded_run_content(parts.run));
   first.merge(Content(rows_));  // all datasets are there, even if without rows
@@ -189,7 +190,16 @@ void RecordWriter::flush() {
     dataset.bytes.clear();
     dataset.shape[0] = 0;
   }
-  if (!piece.empty()) part_->append(piece_of(part_path(path_), piece));
+  if (piece.empty()) return;
+  const std::string part = part_path(path_).string();
+  try {
+    part_->append(piece_of(part, piece));
+    part_has_samples_ = true;
+  } catch (const Failure& failure) {
+    if (!part_has_samples_) throw;
+    fail("{}; what was recorded before is kept: rupture finish {} -o NEW.h5 makes a record of it",
+         failure.what(), part);
+  }
 }
 
 void RecordWriter::sync() {

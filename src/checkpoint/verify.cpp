@@ -35,7 +35,10 @@ ContentFile verify_file(const std::filesystem::path& path, Opening opening) {
   ContentFile file = read_file(path, opening);
   naming(path, [&] {
     if (file.kind == FileKind::open_record) {
-      throw Failure("an unfinished record cannot be verified: its run has not ended");
+      throw Failure(
+          "an unfinished record cannot be verified: its run is still going on or was killed; "
+          "rupture finish {} -o NEW.h5 makes a record of it",
+          path.string());
     }
     if (file.kind == FileKind::record) {
       record_from(file);

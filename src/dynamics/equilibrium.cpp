@@ -56,7 +56,7 @@ void check_region(const Parameters& p, const Prestress& prestress) {
   const double last = block_position(p, p.Nx - 1);
   if (prestress.x_trigger >= 0.0 && prestress.x_trigger <= last) return;
   throw UsageError(
-      "x-trigger must be from 0 to {:g} m, so that a block lies beyond it (got {:g} m)", last,
+      "--x-trigger must be from 0 to {:g} m, so that a block lies beyond it (got {:g} m)", last,
       prestress.x_trigger);
 }
 
@@ -64,8 +64,8 @@ void check_tau_bar(const Parameters& p, const char* name, double tau_bar) {
   const double least = -(p.mu_s + p.mu_d) / (p.mu_s - p.mu_d);  // tau_0 = -mu_s p
   if (tau_bar >= least && tau_bar <= 1.0) return;
   throw UsageError(
-      "{} = {:g} would put junctions beyond f_thres: the largest possible value is 1, the smallest "
-      "{:.4g}",
+      "--{} {:g} would put junctions beyond f_thres: the largest possible value is 1, the "
+      "smallest {:.4g}",
       name, tau_bar, least);
 }
 
@@ -73,11 +73,12 @@ void check_sigma_bar(const Parameters& p, const Prestress& prestress) {
   const double largest = largest_sigma_bar(p, prestress);
   if (prestress.sigma_bar >= 0.0 && prestress.sigma_bar <= largest) return;
   if (!(prestress.sigma_bar >= 0.0)) {
-    throw UsageError("sigma-bar must be 0 or more (got {:g})", prestress.sigma_bar);
+    throw UsageError("--sigma-bar must be 0 or more (got {:g})", prestress.sigma_bar);
   }
   throw UsageError(
-      "sigma-bar = {:g} would put junctions beyond f_thres: the largest possible value is {:.4f}",
-      prestress.sigma_bar, std::floor(largest * 1e4) * 1e-4);
+      "--sigma-bar {:g} would put junctions beyond f_thres: the largest possible value is {:.4f}{}",
+      prestress.sigma_bar, std::floor(largest * 1e4) * 1e-4,
+      springs_per_block(p) == 1 ? ", as each block has only one spring" : "");
 }
 
 void check(const Parameters& p, const Prestress& prestress) {

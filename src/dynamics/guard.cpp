@@ -28,7 +28,7 @@ Maybe time_step(const Simulation& simulation) {
       Check::time_step, Severity::alarm,
       fmt::format("numerics.dt = {:g} s is unstable at t = {:.7g} s: block {} carries p = {:.4g} "
                   "N, which makes its junctions so stiff that the limit is {:.4g} s; start again "
-                  "with a smaller numerics.dt, or change the parameters less",
+                  "with a smaller numerics.dt or change the parameters by less",
                   p.dt, simulation.time(), most - simulation.p().begin(), *most, limit)};
 }
 
@@ -56,7 +56,7 @@ Maybe contact(const Simulation& simulation) {
   if (without == p.Nx) {
     return Finding{Check::contact, Severity::alarm,
                    fmt::format("no block touches the {} at t = {:.7g} s: nothing carries the load "
-                               "of {:g} N; change the parameters less",
+                               "of {:g} N; change the parameters by less",
                                support, simulation.time(), p.F_N)};
   }
   return Finding{
@@ -147,7 +147,7 @@ std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& 
       fmt::format("the energy account from t = {:.7g} s to {:.7g} s is off by {:.3g} %, where "
                   "{:.2g} % is the limit: numerics.dt = {:g} s is too long for this motion (the "
                   "fastest block, ({}, {}), moves at {:.2g} m/s); start again with a smaller "
-                  "numerics.dt, or change the parameters less",
+                  "numerics.dt or change the parameters by less",
                   time_at(p, state.clock, from.step), simulation.time(), 100.0 * error,
                   100.0 * limit, p.dt, place.i, place.j,
                   std::hypot(state.v_x(place.i, place.j), state.v_z(place.i, place.j)))};

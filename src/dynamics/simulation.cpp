@@ -47,8 +47,11 @@ void refuse_other_springs(const Parameters& before, const Parameters& after) {
 void refuse_changes_of_kept(const Parameters& before, const Parameters& after) {
   for (const ParameterInfo* info : differing(before, after)) {
     if (info->restart == Restart::may_change) continue;
-    throw UsageError("{} cannot change in a restart: the state was made with {}", info->name,
-                     parameter_text(before, *info));
+    throw UsageError(
+        "{} cannot change in a restart: the checkpoint has {}{}; start a new run with load or "
+        "prepare",
+        info->name, parameter_text(before, *info),
+        info->unit == "1" ? "" : fmt::format(" {}", info->unit));
   }
 }
 
@@ -227,7 +230,7 @@ void Simulation::report_blow_up() const {
       if (std::isfinite(state_.v_x(i, j)) && std::isfinite(state_.v_z(i, j))) continue;
       throw Failure(
           "numerical blow-up at t = {:.7g} s in block ({}, {}): start again with a "
-          "smaller numerics.dt, or change the parameters less",
+          "smaller numerics.dt or change the parameters by less",
           time(), i, j);
     }
   }

@@ -77,7 +77,7 @@ def test_a_part_is_the_beginning_of_the_record(small):
     assert part.units("tau") == "N"
     assert part.parameters == whole.parameters
     assert said_by_page("#### While it grows", name) == f"{len(part.time)} samples\n"
-    fails("cannot be verified: its run has not ended", rupture.verify, name)
+    fails("cannot be verified: its run is still going on or was killed", rupture.verify, name)
 
 
 def test_a_part_ends_where_a_piece_is_not_whole(folder):
@@ -99,7 +99,7 @@ def test_damage_and_other_files_are_refused(small):
     bad = Path("bad.h5")
     for where in (3, 30, 60, 300, 511, 600, len(whole) - 1):
         bad.write_bytes(whole[:where] + bytes([whole[where] ^ 1]) + whole[where + 1 :])
-        fails("is damaged|is not a rupture file", rupture.open, bad)
+        fails("is damaged|is not a checkpoint or record", rupture.open, bad)
     bad.write_bytes(whole[:-1])
     fails("is damaged", rupture.open, bad)
 

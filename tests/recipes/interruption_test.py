@@ -113,7 +113,7 @@ def test_a_damaged_result_is_computed_again(sweep):
     next((sweep.root / "results/data/points").glob("*.json")).write_text("{")
     preview = sweep.call("sweep", "my.ini", "--programs", "bin", "--dry-run").stdout
     assert "2 points: 1 done, 1 to compute\n" in preview
-    assert "2 points: 2 done.\nComputed now: 1; there before: 1." in sweep.go()
+    assert "2 points: 2 done.\nComputed now: 1; already done: 1." in sweep.go()
 
 
 def test_a_second_run_is_refused_while_the_first_one_runs(sweep):
@@ -166,7 +166,7 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     assert (crash["status"], refused["status"]) == ("unfinished", "failed")
     assert re.match("'analyze stress start.h5 --json' ended with -9$", crash["sentence"])
     assert "Failed: point: tau-bar 0.1" in crashed.stderr
-    assert refused["sentence"].startswith("prepare: tau-bar = 2 would put junctions beyond")
+    assert refused["sentence"].startswith("prepare: --tau-bar 2 would put junctions beyond")
     assert crashed.returncode == 1
     assert "2 points: 1 failed, 1 unfinished." in crashed.stdout
     assert "The same command tries unfinished points again." in crashed.stderr
@@ -177,7 +177,7 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     die.unlink()
     again, _ = compute(sweep, "0.1, 2")
     assert (again.returncode, again.stderr) == (0, "")
-    assert "2 points: 1 done, 1 failed.\nComputed now: 1; there before: 1." in again.stdout
+    assert "2 points: 1 done, 1 failed.\nComputed now: 1; already done: 1." in again.stdout
     assert rows()[0]["F_T [N]"].startswith("384.5")
 
     _, computed = compute(sweep, "0.1, 2, 0.2", "p = stress.p.9\nF_N = stress.F_N\n")
@@ -191,4 +191,4 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     last, computed = compute(sweep, "0.2", needs="threads = 2\nmemory = 2 GB")
     assert computed == 0, "a point less, and other needs"
     assert [row["tau-bar"] for row in rows()] == ["0.2"]
-    assert "Computed now: 0; there before: 1." in last.stdout
+    assert "Computed now: 0; already done: 1." in last.stdout

@@ -54,7 +54,7 @@ OF_BYTES: dict = {
     "flip": lambda data, at: data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :],
     "resealed_byte": lambda data, at, value: sealed(data[:at] + bytes([value]) + data[at + 1 :]),
     "first": lambda data, size: data[:size],
-    "behind": lambda data, start: data[start:],
+    "behind": lambda data, start, end=None: data[start:end],
     "filled": lambda data, text, times=1: times * text.encode(),
     "extended": lambda data, text: data + text.encode(),
     "repeated": lambda data, size: data + data[:size],

@@ -140,6 +140,7 @@ class RecordWriter {
   std::size_t flush_every_;
   Content rows_;  // that were appended since the last flush
   std::unique_ptr<GrowingFile> part_;
+  bool part_has_samples_ = false;
 };
 
 /// Reads a finished record or a .part. Throws Failure.

@@ -58,8 +58,7 @@ class Account {
     say("{}  {}\n", finding.verdict.name, in_one_line(finding.text));
     std::fflush(stdout);
     ++counts_[finding.verdict];
-    const bool good = finding.verdict == kIntact || finding.verdict == kSkipped;
-    if (!good) bad_.push_back(finding.text);
+    if (finding.verdict != kIntact && finding.verdict != kSkipped) all_good_ = false;
   }
 
   /// "3 intact, 1 damaged".
@@ -71,15 +70,14 @@ class Account {
     return text;
   }
 
-  /// Throws Failure, with the sentence of the finding if it is the only one, if any was bad.
+  /// Throws Failure if any finding was bad.
   void demand_all_good() const {
-    if (bad_.empty()) return;
-    throw Failure(bad_.size() == 1 ? bad_.front() : "not all files are intact: " + summary());
+    if (!all_good_) throw Failure("not all files are intact: " + summary());
   }
 
  private:
   std::map<Verdict, int> counts_;
-  std::vector<std::string> bad_;
+  bool all_good_ = true;
 };
 
 /// Throws Failure if the manifest cannot be read, names no file or is none.

@@ -42,7 +42,8 @@ void add_restart_options(po::options_description& options) {
   add("until", seconds(), "run until this time");
   add("for", seconds(), "run for this long");
   add("until-quiet", seconds_or("5 t_R"),
-      "stop as soon as no junction has broken for T or an event has spanned the interface");
+      "stop as soon as no junction has broken for T (default: 5 t_R) or an event has spanned the "
+      "interface");
   add("arrived-below", number("F"),
       "with --until-quiet: after an event has spanned, wait until less than this fraction of the "
       "junctions at the leading edge is pinned; default 0.3, at which a block ruptures");
@@ -74,6 +75,7 @@ StopRule stop_rule(const RunEnd& end, const Checkpoint& checkpoint) {
                        time(p, checkpoint.state));
     }
   } else {
+    if (end.duration.value_or(0.0) > 0.0) interval(p, checkpoint.state.clock, *end.duration, "for");
     rule.last_step = now + steps_in(p, end.duration.value_or(kLongestQuietRun));
   }
   if (end.quiet) {

@@ -102,9 +102,11 @@ void announce_events(const fs::path& path, const OutputOptions& output) {
       find_events(p, record.ruptures, {record.time, record.F_T}, pause_between_events(p), {});
   const auto spanning =
       std::ranges::count_if(events, [](const Event& event) { return spans(event.front.type); });
-  output.say("{} event{}, {} span{} the interface: rupture analyze events {}\n", events.size(),
-             events.size() == 1 ? "" : "s", spanning, spanning == 1 ? "s" : "",
-             shell_line({path.string()}));
+  if (events.empty()) return output.say("no events\n");
+  output.say(
+      "{} event{}, of which {} span{} the interface; to list them: rupture analyze events {}\n",
+      events.size(), events.size() == 1 ? "" : "s", spanning, spanning == 1 ? "s" : "",
+      shell_line({path.string()}));
 }
 
 /// A run with everything that it writes on its way. The objects it is made with must outlive it.

@@ -187,17 +187,17 @@ TEST(Preparing, says_what_it_cannot_do) {
   };
   Parameters p = under_ceiling({});
   EXPECT_EQ(refusal(p, {0.2, 0.5}),
-            "sigma-bar = 0.5 would put junctions beyond f_thres: the largest possible value is "
+            "--sigma-bar 0.5 would put junctions beyond f_thres: the largest possible value is "
             "0.4665");
-  EXPECT_EQ(refusal(p, {0.2, -0.1}), "sigma-bar must be 0 or more (got -0.1)");
+  EXPECT_EQ(refusal(p, {0.2, -0.1}), "--sigma-bar must be 0 or more (got -0.1)");
   const std::string beyond =
       " would put junctions beyond f_thres: the largest possible value is 1, the smallest -2.478";
-  EXPECT_EQ(refusal(p, {1.5, 0.0}), "tau-bar = 1.5" + beyond);
-  EXPECT_EQ(refusal(p, {-2.5, 0.0}), "tau-bar = -2.5" + beyond);
-  EXPECT_EQ(refusal(p, {std::nan(""), 0.0}), "tau-bar = nan" + beyond);
-  EXPECT_EQ(refusal(p, {0.2, 0.0, PhiShape::bell, 0.01, 2.0}), "tau-bar-trigger = 2" + beyond);
+  EXPECT_EQ(refusal(p, {1.5, 0.0}), "--tau-bar 1.5" + beyond);
+  EXPECT_EQ(refusal(p, {-2.5, 0.0}), "--tau-bar -2.5" + beyond);
+  EXPECT_EQ(refusal(p, {std::nan(""), 0.0}), "--tau-bar nan" + beyond);
+  EXPECT_EQ(refusal(p, {0.2, 0.0, PhiShape::bell, 0.01, 2.0}), "--tau-bar-trigger 2" + beyond);
   EXPECT_EQ(refusal(p, {0.2, 0.0, PhiShape::bell, 0.2}),
-            "x-trigger must be from 0 to 0.14 m, so that a block lies beyond it (got 0.2 m)");
+            "--x-trigger must be from 0 to 0.14 m, so that a block lies beyond it (got 0.2 m)");
   p.K = 0.0;
   EXPECT_EQ(refusal(p, {}),
             "driving.K = 0 cannot balance the prestress: give the driving spring a modulus above "
@@ -211,8 +211,8 @@ TEST(Preparing, says_what_it_cannot_do) {
   p = under_ceiling({});
   p.N_s = 1;
   EXPECT_EQ(refusal(p, {0.2, 0.1}),
-            "sigma-bar = 0.1 would put junctions beyond f_thres: the largest possible value is "
-            "0.0000");
+            "--sigma-bar 0.1 would put junctions beyond f_thres: the largest possible value is "
+            "0.0000, as each block has only one spring");
 }
 
 TEST(Preparing, says_that_a_slider_tips_over) {

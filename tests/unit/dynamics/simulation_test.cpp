@@ -198,7 +198,7 @@ std::string blow_up(double velocity, Eigen::Index i, Eigen::Index j) {
 
 TEST(BlowUp, is_reported_with_time_and_block) {
   const std::string advice =
-      ": start again with a smaller numerics.dt, or change the parameters less";
+      ": start again with a smaller numerics.dt or change the parameters by less";
   EXPECT_EQ(blow_up(1e300, 0, 0), "numerical blow-up at t = 2e-07 s in block (0, 0)" + advice);
   // within one step it reaches the neighbours, of which the first is named
   EXPECT_EQ(blow_up(1e300, 3, 2), "numerical blow-up at t = 2e-07 s in block (2, 1)" + advice);
