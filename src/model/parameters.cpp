@@ -47,14 +47,14 @@ std::optional<double> number_in(std::string_view text) {
 double parse_number(const ParameterInfo& info, std::string_view text, bool whole) {
   const auto number = number_in(in_unit(text, info.unit).value_or(""));
   if (!number || (whole && std::trunc(*number) != *number)) {
-    throw UsageError("{} = '{}' is not {} (unit {})", info.name, text,
-                     whole ? "a whole number" : "a number", units_taken(info.unit));
+    throw UsageError("{} = '{}' is not a {}number{}", info.name, text, whole ? "whole " : "",
+                     units_taken(info.unit));
   }
   const auto& [minimum, maximum, minimum_excluded, words] = info.valid;
   const bool large_enough = minimum_excluded ? *number > minimum : *number >= minimum;
   if (!large_enough || !(*number <= maximum)) {
-    throw UsageError("{} = {} is out of range: give a value {} (unit {})", info.name, text,
-                     range_text(info), info.unit);
+    throw UsageError("{} must be {}{}{} (got {})", info.name, minimum_excluded ? "" : "from ",
+                     range_text(info), info.unit == "1" ? "" : fmt::format(" {}", info.unit), text);
   }
   return *number;
 }
@@ -63,7 +63,7 @@ std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
   const auto& words = info.valid.words;
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
-    throw UsageError("{} must be one of {} (got '{}')", info.name, fmt::join(words, ", "), text);
+    throw UsageError("{} must be {} (got '{}')", info.name, fmt::join(words, " or "), text);
   }
   return found - words.begin();
 }
@@ -168,8 +168,8 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info) {
 
 std::string range_text(const ParameterInfo& info) {
   const auto& [minimum, maximum, minimum_excluded, words] = info.valid;
-  return fmt::format("{} {:g} and at most {:g}", minimum_excluded ? "above" : "of at least",
-                     minimum, maximum);
+  return minimum_excluded ? fmt::format("above {:g} and at most {:g}", minimum, maximum)
+                          : fmt::format("{:g} to {:g}", minimum, maximum);
 }
 
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {

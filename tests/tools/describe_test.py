@@ -174,7 +174,7 @@ slider.Nx
   symbol   N_x
   unit     1
   default  57
-  value    of at least 3 and at most 65536
+  value    3 to 65536
   laws     reference, simplified, decaying, distance
   restart  cannot change it
 """
@@ -188,5 +188,5 @@ def test_a_restart_keeps_what_the_row_says():
         name = row["name"]
         other = row.get("words", [7 if isinstance(was[name], int) else 0.7])[-1]
         err = run(f"restart a.h5 -o b.h5 -f --for 0 --set {name}={other}").err
-        kept = f"{name} cannot change in a restart: the state was made with " in err
+        kept = f"{name} cannot change in a restart: the checkpoint has " in err
         assert kept != row["restart_may_change"], (name, err)

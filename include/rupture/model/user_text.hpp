@@ -14,13 +14,14 @@ namespace rupture {
 /// number in front of it.
 std::optional<std::string> in_unit(std::string_view text, std::string_view unit);
 
-/// What may stand behind a number of this unit, such as "s, ms, us or ns"; "1" where nothing may.
+/// What may stand behind a number of this unit, such as " (unit s, ms, us or ns)"; "" if nothing
+/// may.
 std::string units_taken(std::string_view unit);
 
 /// "unknown tool 'lod': did you mean 'load'?", with the candidate that needs the fewest
-/// single-character edits to become `word`; of a candidate "group.name" the part behind the dot
-/// counts too. "unknown tool 'movement'; see rupture help" if more than half of the word would have
-/// to change. `candidates` must not be empty.
+/// single-character edits to become `word`; another group in front of a dot counts as one.
+/// "unknown tool 'movement'; see rupture help" if more than half of the name would have to change.
+/// `candidates` must not be empty.
 std::string unknown_text(std::string_view what, std::string_view word,
                          const std::vector<std::string_view>& candidates, std::string_view see);
 

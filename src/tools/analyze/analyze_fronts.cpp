@@ -124,6 +124,7 @@ std::vector<po::variables_map> ways_of(const Parsed& parsed) {
   for (const auto& words : po::split_unix(parsed.values["also"].as<std::string>(), ";")) {
     ways.push_back(with_criteria(parsed, words));
   }
+  if (ways.size() == 1) throw UsageError("--also is empty: give options, as in '--stencil 5'");
   return ways;
 }
 
@@ -148,7 +149,10 @@ Report report_of_events(const RecordCommand& command) {
   const Record& record = command.record;
   const auto events = find_events(record.parameters, record.ruptures, {record.time, record.F_T},
                                   quiet_time(command), criteria(command));
-  return {quantities_of(record.parameters, events), ""};
+  if (!events.empty() || record.time.empty()) return {quantities_of(record.parameters, events), ""};
+  return {quantities_of(record.parameters, events),
+          fmt::format("no events: nothing ruptured from t = {:.7g} s to {:.7g} s\n",
+                      record.time.front(), record.time.back())};
 }
 
 Report report_of_front(const RecordCommand& command) {
@@ -183,7 +187,7 @@ constinit const Command front_command = {
 constinit const Command classify_command = {
     "analyze classify RECORD",
     "record",
-    "only the type of the front: none, arrested, slow or fast",
+    "only the type of the front: none, arrested, slow, fast or fast-slow-fast",
     "Prints only the type of one event's front: none (nothing ruptured), arrested, slow, fast or\n"
     "fast-slow-fast.",
     {add_json_option, add_event_options, add_criteria_options},

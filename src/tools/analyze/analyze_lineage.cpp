@@ -75,8 +75,8 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
     if (parent == start.checksum || parent == start.stored_checksum) return i;
   }
   throw Failure(
-      "none of the steps that led to {} started from {} (content checksum {}); see "
-      "analyze lineage {}",
+      "none of the steps that led to {} started from {} (content checksum {}); see rupture analyze "
+      "lineage {}",
       lineage.name, start.path, start.checksum, lineage.name);
 }
 
@@ -87,7 +87,8 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
       entry.rebuild.empty() ? "it was made by a version that wrote schema 1"
                             : "another program edited the file");
   if (step + 1 == lineage.chain.size()) {
-    throw Failure(text + "; analyze show prints the command that was typed");
+    throw Failure("{}; rupture analyze show {} prints the command that was typed", text,
+                  lineage.name);
   }
   throw Failure("{}: give the file it wrote, with content checksum {}, as --from FILE", text,
                 lineage.checksum_after(step));

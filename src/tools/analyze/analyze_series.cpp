@@ -23,8 +23,9 @@ Eigen::Index block_at(const Parameters& p, double x) {
 
 std::string slip_text(double x, const std::optional<double>& t_rupture,
                       const std::optional<SlipMeasure>& measure) {
-  std::string text = fmt::format("block at x = {:.4f} m, rupture at t = {} s\n", x,
-                                 t_rupture ? fmt::format("{:.7f}", *t_rupture) : "-");
+  std::string text = fmt::format(
+      "block at x = {:.4f} m, {}\n", x,
+      t_rupture ? fmt::format("rupture at t = {:.7f} s", *t_rupture) : "never ruptured");
   if (!measure) return text;
   text += fmt::format("fast slip {:.4g} um until t = {:.6f} s, then slow slip {:.4g} um\n",
                       measure->fast_slip * 1e6, measure->t_arrest, measure->slow_slip * 1e6);

@@ -124,6 +124,7 @@ Report report_of(const Front& front, const SlowSlips& slips) {
       {"estimate", "m/s", "mean of Eq. S1 at their normal forces", estimate},
       {"per_block", "", "", Group{per_block}},
   };
+  if (slips.x.empty()) return {rows, "no block has slow slip that can be measured\n"};
   return {rows,
           fmt::format("{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n",
                       slips.x.size(), tools::text_of(average(slips.speed), 1e-3),

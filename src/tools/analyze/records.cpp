@@ -81,9 +81,8 @@ ChosenEvent first_spanning(const RecordCommand& command, const Bursts& bursts) {
     if (spans(front_of(command, whole_event(burst)).type)) return whole_event(burst);
   }
   throw Failure(
-      "none of the {} events in this record spans the interface: give --event N (analyze events "
-      "lists them)",
-      bursts.size());
+      "no event in the record spans the interface: give --event N (rupture analyze events RECORD "
+      "lists them)");
 }
 
 ChosenEvent event_number(const Bursts& bursts, const std::string& text) {
@@ -92,14 +91,17 @@ ChosenEvent event_number(const Bursts& bursts, const std::string& text) {
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || rest != end) {
     throw UsageError(
-        "--event needs an event number (see analyze events) or first-spanning (got {})", text);
+        "--event must be an event number (rupture analyze events RECORD lists them) or "
+        "first-spanning (got {})",
+        text);
   }
   if (number < bursts.size()) return whole_event(bursts[number]);
-  const std::string known =
-      bursts.empty() ? "nothing ruptured in this record"
-                     : fmt::format("this record has events 0 to {} (analyze events lists them)",
-                                   bursts.size() - 1);
-  throw UsageError("there is no event {}: {}", text, known);
+  if (bursts.empty()) throw UsageError("there is no event {}: nothing ruptured", text);
+  if (bursts.size() == 1) {
+    throw UsageError("there is no event {}: the record has 1 event, number 0", text);
+  }
+  throw UsageError("there is no event {}: the record has {} events, numbers 0 to {}", text,
+                   bursts.size(), bursts.size() - 1);
 }
 
 /// Only a stencil that was asked for has to fit: a short interface has no speeds by default.

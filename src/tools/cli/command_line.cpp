@@ -44,8 +44,8 @@ std::string help_text(const Command& command, const po::options_description& sho
   std::ostringstream out;
   out << "Usage: rupture " << command.synopsis() << "\n\n" << command.purpose << "\n\n" << shown;
   if (command.uses_parameters == UsesParameters::yes) {
-    out << "\nParameters for --set and --config: rupture parameters lists them, with units and "
-           "defaults;\nrupture parameters NAME describes one.\n";
+    out << "\nParameters for --set and --config: rupture parameters lists them. Values are in SI "
+           "units; a\nunit may be given, as in --until 10ms or --set slider.E=3GPa.\n";
   }
   return out.str();
 }
@@ -108,6 +108,16 @@ ParameterChanges changes_by(const po::parsed_options& given) {
   return changes;
 }
 
+/// Throws UsageError for a name without a group that no option has: parameters have groups.
+void check_name(const std::string& name, const po::options_description& options,
+                const std::string& where) {
+  if (name.find('.') != std::string::npos) return;  // a parameter's, checked when it is set
+  std::vector<std::string_view> known;
+  for (const auto& option : options.options()) known.push_back(option->long_name());
+  for (const ParameterInfo& info : parameter_table()) known.push_back(info.name);
+  throw UsageError(where + unknown_text("option or parameter", name, known, "rupture parameters"));
+}
+
 /// Options in the file go to `values` unless the command line gave them; other names are
 /// parameters. Throws UsageError with the line, or Failure if the file cannot be read.
 ParameterChanges read_config(const std::string& path, const po::options_description& options,
@@ -120,6 +130,7 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
     const std::string where = fmt::format("{}:{}: ", path, number);
     try {
       for (const po::option& option : options_in(line, group, options)) {
+        if (option.unregistered) check_name(option.string_key, options, where);
         if (auto change = change_by(option, where)) {
           add_once(*std::move(change), changes);
         } else {
@@ -128,8 +139,8 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
           po::store(known, so_far);
         }
       }
-    } catch (const po::invalid_syntax& error) {
-      throw UsageError("{}{}; write lines NAME = VALUE and [GROUP]", where, error.what());
+    } catch (const po::invalid_syntax&) {
+      throw UsageError("{}expected NAME = VALUE or [GROUP] (got '{}')", where, line);
     } catch (const po::error& error) {
       throw po::error(where + error.what());
     }
@@ -147,6 +158,15 @@ std::string unknown_option_text(const std::string& option, const po::options_des
   }
   return unknown_text("option", option, {names.begin(), names.end()},
                       fmt::format("rupture {} --help", tool));
+}
+
+/// Throws UsageError if the word is the unit of a number that stands in front of it.
+void refuse_unit(const std::string& word) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (!in_unit("1 " + word, info.unit)) continue;
+    throw UsageError("unexpected word '{}': write the number and its unit as one word, as in 1{}",
+                     word, word);
+  }
 }
 
 /// The exit code of a tool's body, or kDone after the help that was asked for.
@@ -207,6 +227,7 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
     }
     if (parsed.values.count("unexpected") > 0) {
       const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
+      refuse_unit(words.front());
       throw UsageError("unexpected argument '{}': {} reads no files; see rupture {} --help",
                        words.front(), command.name(), command.name());
     }
@@ -263,6 +284,7 @@ std::string single_input(const po::variables_map& values, const std::string& pos
   if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);
   const auto inputs = values[positional].as<std::vector<std::string>>();
   if (inputs.size() > 1) {
+    std::ranges::for_each(inputs, refuse_unit);
     throw UsageError("unexpected file '{}': give only one file", inputs[1]);
   }
   refuse_empty_names(inputs);

@@ -30,7 +30,7 @@ double pinned_fraction(double value, const Given& given, const std::string& opti
 /// The word of a number without its unit.
 std::string plain_number(const std::string& word, const std::string& unit) {
   const auto number = in_unit(word, unit);
-  if (!number) refuse(fmt::format("{} is not a number (unit {})", word, units_taken(unit)));
+  if (!number) refuse(fmt::format("{} is not a number{}", word, units_taken(unit)));
   if (double value = 0.0; !boost::conversion::try_lexical_convert(*number, value)) {
     refuse(fmt::format("{} is too large", word));
   }
@@ -47,7 +47,7 @@ std::vector<std::string> plain(std::vector<std::string> words, const ValueKind& 
     }
     const auto choices = split(kind.name, '|');
     if (kind.kind == "choice" && std::ranges::count(choices, word) == 0) {
-      refuse(fmt::format("must be one of {} (got {})", fmt::join(choices, ", "), word));
+      refuse(fmt::format("must be {} (got {})", fmt::join(choices, " or "), word));
     }
     if constexpr (std::is_same_v<T, int>) {
       if (int value = 0; !boost::conversion::try_lexical_convert(word, value)) {

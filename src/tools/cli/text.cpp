@@ -16,11 +16,11 @@
 namespace rupture::tools {
 namespace {
 
-/// "; simplified law" or "; reference and decaying laws"; nothing if all laws use the parameter.
+/// "; law: simplified" or "; laws: reference, decaying"; nothing if all laws use the parameter.
 std::string laws_text(const ParameterInfo& info) {
   if (info.laws.empty()) return "";
   const auto words = law_names(info.laws);
-  return fmt::format("; {} law{}", fmt::join(words, " and "), words.size() > 1 ? "s" : "");
+  return fmt::format("; law{}: {}", words.size() > 1 ? "s" : "", fmt::join(words, ", "));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ extern const Command parameters_command;
 constinit const Command parameters_command = {
     "parameters [NAME...]",
     "parameter",
-    "units, defaults, ranges and meanings of the parameters",
+    "list the parameters with their units, defaults, ranges and meanings",
     "Lists all parameters. With names, or a group such as junctions, prints units, defaults,\n"
     "ranges and meanings of these, and the laws that use them.",
     {add_json_option},
