@@ -86,15 +86,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// The part of "group.name" behind the dot; all of a word without one.
-std::string_view leaf_of(std::string_view word) {
-  return word.substr(word.find('.') + 1);
-}
-
 /// Another group, or none, counts as one edit.
 std::size_t distance(std::string_view word, std::string_view candidate) {
-  const auto leaf = leaf_of(candidate), group = candidate.substr(0, candidate.size() - leaf.size());
-  return edit_distance(leaf_of(word), leaf) + (word.starts_with(group) ? 0 : 2);
+  const auto leaf = candidate.substr(candidate.find('.') + 1);
+  const auto group = candidate.substr(0, candidate.size() - leaf.size());
+  return edit_distance(word.substr(word.find('.') + 1), leaf) + (word.starts_with(group) ? 0 : 2);
 }
 
 }  // namespace
@@ -127,8 +123,9 @@ std::string unknown_text(std::string_view what, std::string_view word,
                          const std::vector<std::string_view>& candidates, std::string_view see) {
   const auto distance_to = [&](std::string_view candidate) { return distance(word, candidate); };
   const std::string_view near = *std::ranges::min_element(candidates, {}, distance_to);
-  const std::size_t most = std::max<std::size_t>(leaf_of(word).size(), 3);  // v is driving.V
-  if (distance_to(near) > most) return fmt::format("unknown {} '{}'; see {}", what, word, see);
+  const std::size_t length = word.size() - (word.find('.') + 1);  // of the name without its group
+  if (distance_to(near) > std::max<std::size_t>(length, 3))       // V or v is driving.V, nx Nx
+    return fmt::format("unknown {} '{}'; see {}", what, word, see);
   return fmt::format("unknown {} '{}': did you mean '{}'?", what, word, near);
 }
 
