@@ -7,7 +7,7 @@ set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 readonly here skipped=77
 
-if ! said=$(load --version 2>&1) && [[ $said == *"no instruction set of this processor"* ]]; then
+if ! said=$(load --version 2>&1) && [[ $said == *"is not an instruction set"* ]]; then
   echo "Skipped: ${said#load: }"
   exit "$skipped"
 fi
