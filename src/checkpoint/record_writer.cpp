@@ -184,21 +184,22 @@ void RecordWriter::flush_if_full() {
 
 void RecordWriter::flush() {
   Content piece;
-  for (auto& [path, dataset] : rows_) {
-    if (dataset.shape[0] == 0) continue;
-    piece[path] = dataset;
-    dataset.bytes.clear();
-    dataset.shape[0] = 0;
+  for (const auto& [path, dataset] : rows_) {
+    if (dataset.shape[0] > 0) piece[path] = dataset;
   }
   if (piece.empty()) return;
   const std::string part = part_path(path_).string();
   try {
-    part_->append(piece_of(part, piece));
-    part_has_samples_ = true;
+    part_->append(piece_of(part, piece));  // if this fails, the next one has the rows
   } catch (const Failure& failure) {
     if (!part_has_samples_) throw;
     fail("{}; what was recorded before is kept: rupture finish {} -o NEW.h5 makes a record of it",
          failure.what(), part);
+  }
+  part_has_samples_ = true;
+  for (auto& [path, dataset] : rows_) {
+    dataset.bytes.clear();
+    dataset.shape[0] = 0;
   }
 }
 

@@ -114,7 +114,8 @@ class RecordWriter {
   ~RecordWriter();
   RecordWriter& operator=(RecordWriter&&) = delete;
 
-  /// Throws Failure if the disk is full or a number is not finite, which is seen at the next flush.
+  /// Throws Failure if the disk is full or a number is not finite, which is seen at the next flush;
+  /// the rows then are kept for another one.
   void append(const Sample& sample);
   /// Ruptures, and crossings of the record's levels.
   void append(std::span<const Rupture> ruptures);

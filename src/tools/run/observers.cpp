@@ -163,8 +163,7 @@ void Recorder::finish(const Simulation& simulation) {
 
 void Recorder::append_ruptures(const Simulation& simulation) {
   const std::span<const Rupture> ruptures = simulation.ruptures();
-  writer_.append(ruptures.subspan(ruptures_written_));
-  ruptures_written_ = ruptures.size();
+  writer_.append(ruptures.subspan(std::exchange(ruptures_written_, ruptures.size())));
 }
 
 void Recorder::sync(const Simulation& simulation) {

@@ -2,6 +2,8 @@
 // fields), and those in the making.
 #include "rupture/checkpoint/record.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -144,6 +146,20 @@ TEST_F(RecordFile, refuses_nan_at_the_next_flush) {
   EXPECT_EQ(message_of<Failure>([&] { out.append(bad); }),
             file("r.h5.part").string() +
                 ": /series/tau holds nan at index 17 of [4][5]; only finite numbers are stored");
+}
+
+TEST_F(RecordFile, keeps_the_rows_that_did_not_fit_on_the_disk) {
+  auto out = writer("r.h5", 4);
+  append(out, 0, 3);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit full = {fs::file_size(file("r.h5.part")) + 100, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &full);
+  expect_contains(message_of<Failure>([&] { append(out, 3, 4); }), "File too large");
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  append(out, 4, 8);
+  out.finish();
+  expect_samples(read_record(file("r.h5")), 8);
 }
 
 // --- in the making: what a run that goes on, or was killed, has written so far
