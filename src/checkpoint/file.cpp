@@ -70,7 +70,7 @@ std::string text_of(const fs::path& path) {
 void publish(PendingFile file, const fs::path& path, const std::string& line, IfExists if_exists,
              SumFile wanted) {
   const fs::path sum = sum_path(path);
-  const bool is_other = fs::exists(sum);  // if not, one that appears now is of another run
+  const bool is_other = is_there(sum);  // if not, one that appears now is of another run
   std::optional<PendingFile> new_sum;
   if (text_of(sum) != line) {  // workflow rules go by its modification time
     if (wanted == SumFile::write) new_sum.emplace(sum, std::as_bytes(std::span(line)));
@@ -129,6 +129,13 @@ EditedFile opened(std::span<const std::byte> bytes, const std::string& name) {
 }
 
 }  // namespace
+
+bool is_there(const fs::path& path) {
+  struct stat info {};
+  if (::lstat(path.c_str(), &info) == 0) return true;
+  if (errno != ENOENT && errno != ENOTDIR) fail_reading(path);
+  return false;
+}
 
 void check_output(const fs::path& path, IfExists if_exists) {
   if (!path.has_filename()) {

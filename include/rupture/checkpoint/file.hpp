@@ -62,6 +62,10 @@ struct ContentFile {
   std::uint64_t ignored_bytes = 0;  ///< behind the last intact piece of an open record
 };
 
+/// Whether anything has this name, be it a link that leads nowhere. Throws Failure if that cannot
+/// be found out.
+bool is_there(const std::filesystem::path& path);
+
 /// Throws Failure if a file could not be written to `path`: it exists and may not be replaced, it
 /// is no regular file, or its folder is missing or read-only. Call it before a long run.
 void check_output(const std::filesystem::path& path, IfExists if_exists);

@@ -40,7 +40,8 @@ fs::path tool_folder() {
 }
 
 bool can_run(const fs::path& program) {
-  return fs::is_regular_file(program) && ::access(program.c_str(), X_OK) == 0;
+  std::error_code ignored;
+  return fs::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0;
 }
 
 using Answer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;

@@ -51,7 +51,7 @@ std::vector<fs::path> checkpoints_of(const fs::path& output) {
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<fs::path> paths;
-  if (fs::exists(output)) paths.push_back(output);
+  if (is_there(output)) paths.push_back(output);
   for (auto& [t, path] : found) paths.push_back(std::move(path));
   return paths;
 }
@@ -74,7 +74,7 @@ bool is_checkpoint(const fs::path& path) try {
 /// True if the run that begins with `start` may write this checkpoint when it is resumed: there is
 /// nothing, or a checkpoint of this run, or a damaged one.
 bool may_write(const fs::path& path, const Checkpoint& start) try {
-  return !fs::exists(fs::symlink_status(path)) || is_of_run(read_checkpoint(path), start);
+  return !is_there(path) || is_of_run(read_checkpoint(path), start);
 } catch (const Failure&) {
   return is_checkpoint(path);
 }
@@ -82,7 +82,7 @@ bool may_write(const fs::path& path, const Checkpoint& start) try {
 /// The part of the run in `path`, a record or its .part; empty if there is no such file. Throws
 /// Failure if it holds anything else, unless that will be replaced.
 Content recorded(const fs::path& path, const RunPlan& plan) try {
-  if (!fs::exists(path)) return {};
+  if (!is_there(path)) return {};
   RecordFile file = read_record_file(path);
   const Record& record = file.record;
   if (record.run == recorded_run(plan) && record.crossing_levels == plan.options.crossings &&
@@ -149,7 +149,7 @@ void find_run(RunPlan& plan) {
   bool has_part = false;
   if (record) {  // it and its .part must be of the run
     Content finished = recorded(*record, plan), part = recorded(part_path(*record), plan);
-    has_part = fs::exists(part_path(*record));
+    has_part = is_there(part_path(*record));
     recorded_so_far = std::move(part.empty() ? finished : part);
   }
   bool too_new = false;
