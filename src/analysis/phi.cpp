@@ -114,7 +114,7 @@ std::vector<std::int64_t> histogram(const BlockForces& block, int bins) {
   std::vector<std::int64_t> counts(static_cast<std::size_t>(bins));
   for (const double f : block.forces) {
     const double position = (f / block.f_thres + 1.0) / 2.0 * bins;
-    const int bin = std::clamp(static_cast<int>(std::floor(position)), 0, bins - 1);
+    const double bin = std::max(0.0, std::min(position, bins - 1.0));  // 0 if it is not a number
     ++counts[static_cast<std::size_t>(bin)];
   }
   return counts;

@@ -266,8 +266,8 @@ TEST_F(Interface, is_not_broken_by_the_widest_phi) {
 TEST(Histogram, counts_every_junction_once) {
   BlockForces block;
   block.f_thres = 1.0;
-  block.forces = {-1.0, -0.51, -0.49, 0.0, 0.1, 0.49, 0.99, 1.0};
-  EXPECT_EQ(histogram(block, 4), (std::vector<std::int64_t>{2, 1, 3, 2}));
+  block.forces = {-1.0, -0.51, -0.49, 0.0, 0.1, 0.49, 0.99, 1.0, 1e300};
+  EXPECT_EQ(histogram(block, 4), (std::vector<std::int64_t>{2, 1, 3, 3}));
 }
 
 }  // namespace
