@@ -110,7 +110,7 @@ std::vector<BlockStrength> block_strengths(const Parameters& p, const State& sta
     const double tau_slip = p.mu_d * block.p, range = (p.mu_s - p.mu_d) * block.p;
     if (range > 0.0) {
       block.sigma_bar = forces[i].sigma_bar();
-      block.tau_bar_0 = (forces[i].mean * static_cast<double>(p.N_s) - tau_slip) / range;
+      block.tau_bar_0 = (forces[i].tau() - tau_slip) / range;
       block.mu_bar_eff = (block.tau_max - tau_slip) / range;
     }
     blocks.push_back(block);

@@ -27,6 +27,8 @@ struct BlockForces {
   double slipping = 0;         ///< fraction of junctions that are slipping
   std::vector<double> forces;  ///< f_j = k_ij (x_i - x_ij) of each junction [N]
 
+  /// Friction force on the block [N].
+  double tau() const { return mean * static_cast<double>(forces.size()); }
   /// sigma-bar = sigma / (f_thres - f_slip).
   double sigma_bar() const { return sigma / (f_thres - f_slip); }
 };

@@ -10,7 +10,6 @@
 #include "rupture/analysis/phi.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture::tools {
@@ -81,8 +80,7 @@ Prepared measured(const Parameters& p, const Prestress& prestress, const State& 
       ++result.depinned;
       continue;
     }
-    const double tau = blocks[i].mean * static_cast<double>(springs_per_block(p));
-    result.error = std::max(result.error, std::abs(tau / wanted[i] - 1.0));
+    result.error = std::max(result.error, std::abs(blocks[i].tau() / wanted[i] - 1.0));
   }
   const auto& last = blocks.back();
   result.prestress = last.mean / last.f_thres * p.mu_s;

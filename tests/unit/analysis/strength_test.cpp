@@ -152,6 +152,18 @@ TEST_F(StrengthOfBlocks, has_no_value_without_contact) {
   EXPECT_FALSE(block.sigma_bar || block.tau_bar_0 || block.mu_bar_eff);
 }
 
+TEST(Strength, of_single_springs_begins_at_their_friction) {
+  Parameters p = testing::small_slider(5, 3);
+  p.law = Law::simplified;
+  State state = normal_load_equilibrium(p);
+  state.junctions.attachment.setConstant(-1e-6);
+  const auto friction = friction_forces(p, state);
+  const auto blocks = block_strengths(p, state);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    EXPECT_NEAR(*blocks[i].tau_bar_0 * 0.23 + 0.17, friction[i] / blocks[i].p, 1e-12);
+  }
+}
+
 /// mu-bar of one block under the reference law itself: its junctions carry quantiles of a shape
 /// about g = `mean`, and the block is moved forwards at t = 0, so that none is pinned again.
 double simulated_strength(PhiShape shape, double sigma_bar, double mean) {
