@@ -93,6 +93,7 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads,
 Simulation::~Simulation() = default;
 
 void Simulation::advance(std::int64_t steps) {
+  if (steps == 0) return;
   take_steps(steps);
   if (!blown_up_) add_work();
   if (blown_up_) report_blow_up();

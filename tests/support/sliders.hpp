@@ -96,10 +96,6 @@ inline State lifted(const Parameters& p) {
   return state;
 }
 
-inline void advance(Simulation& simulation, std::int64_t steps) {
-  if (steps > 0) simulation.advance(steps);
-}
-
 /// One step of velocity Verlet in plain terms. `add_forces(state)` is called at the new positions
 /// and adds all forces but those of springs and dampers to state.f_x and f_z.
 template <class AddForces>

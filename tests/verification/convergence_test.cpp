@@ -23,7 +23,7 @@ Parameters unbroken(Parameters p, double dt) {
 
 State after_another_80_us(const Parameters& p, const State& state) {
   Simulation simulation(p, state);
-  testing::advance(simulation, std::llround(80e-6 / p.dt));
+  simulation.advance(std::llround(80e-6 / p.dt));
   return simulation.state();
 }
 

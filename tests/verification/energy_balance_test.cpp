@@ -100,7 +100,7 @@ TEST_P(EnergyBalanceOf, a_run_has_the_error_of_velocity_verlet) {
     Simulation simulation(p, at_start(p, run.pull));
     const Energies before = simulation.energies();
     const double error_before = error_of_scheme(simulation);
-    testing::advance(simulation, std::llround(run.duration / p.dt));
+    simulation.advance(std::llround(run.duration / p.dt));
     const EnergyBalance balance = energy_balance(before, simulation.energies(), simulation.work());
     const double error = error_of_scheme(simulation) - error_before;
     const double largest = std::abs(balance.error()) / balance.relative_error();
@@ -131,7 +131,7 @@ TEST(EnergyBalance, of_a_run_that_was_restarted_during_the_rupture) {
   while (first.ruptures().empty()) first.advance();
   Simulation second(p, first.state());
   const Energies before = second.energies();
-  testing::advance(second, 200);
+  second.advance(200);
   EXPECT_LT(energy_balance(before, second.energies(), second.work()).relative_error(), 2e-5);
 }
 

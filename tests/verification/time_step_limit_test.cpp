@@ -51,7 +51,7 @@ double growth_at_the_limit(Parameters p) {
   noise.fill(state.v_z);
   Simulation simulation(p, state);
   const double before = simulation.energies().kinetic;
-  testing::advance(simulation, 3000);
+  simulation.advance(3000);
   return simulation.energies().kinetic / before;
 }
 

@@ -42,7 +42,7 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Moves the state by `steps` >= 1 steps. Throws Failure (time and block) when a number stops
+  /// Moves the state by `steps` >= 0 steps. Throws Failure (time and block) when a number stops
   /// being finite; the state is then of no use.
   void advance(std::int64_t steps = 1);
 

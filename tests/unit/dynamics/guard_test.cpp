@@ -16,7 +16,7 @@ std::vector<Finding> watch(Simulation& simulation, int looks, std::int64_t inter
   Guard guard(simulation);
   std::vector<Finding> all = guard.look(simulation);
   for (int n = 0; n < looks; ++n) {
-    testing::advance(simulation, interval);
+    simulation.advance(interval);
     for (const Finding& finding : guard.look(simulation)) all.push_back(finding);
   }
   return all;

@@ -65,7 +65,7 @@ TEST_F(Prepared, stays_at_rest_while_nothing_is_depinned) {
   pinned.trigger = Trigger::pinned;
   const State before = prepared_state(p_, pinned);
   Simulation simulation(p_, before);
-  testing::advance(simulation, 1000);
+  simulation.advance(1000);
   const State& after = simulation.state();
   const double largest = before.u_x.blocks().abs().maxCoeff();
   EXPECT_LT((after.u_x.blocks() - before.u_x.blocks()).abs().maxCoeff(), 1e-11 * largest);

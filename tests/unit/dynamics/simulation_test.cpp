@@ -14,7 +14,6 @@
 namespace rupture {
 namespace {
 
-using testing::advance;
 using testing::message_of;
 using testing::quick_slider;
 
@@ -100,7 +99,7 @@ TEST_P(StepUnder, the_forces_of_the_state_are_reported) {
   const Parameters p = quick_slider(GetParam());
   Simulation simulation(p, normal_load_equilibrium(p));
   for (int n = 0; n < 5; ++n) {
-    advance(simulation, kThroughTheRupture / 5);
+    simulation.advance(kThroughTheRupture / 5);
     const auto normal = normal_forces(p, simulation.state());
     const auto friction = friction_forces(p, simulation.state());
     for (std::size_t i = 0; i < normal.size(); ++i) {
@@ -193,7 +192,7 @@ std::string blow_up(double velocity, Eigen::Index i, Eigen::Index j) {
   State state = normal_load_equilibrium(p);
   state.v_x(i, j) = velocity;
   Simulation simulation(p, state);
-  return message_of<Failure>([&] { advance(simulation, 10); });
+  return message_of<Failure>([&] { simulation.advance(10); });
 }
 
 TEST(BlowUp, is_reported_with_time_and_block) {
