@@ -49,10 +49,8 @@ std::optional<int> exponent_of(std::string_view word, std::string_view unit) {
 
 /// Where the number ends with which `text` begins; 0 if there is none.
 std::size_t length_of_number(std::string_view text) {
-  const std::size_t sign = text.starts_with('+') ? 1 : 0;
   double ignored = 0.0;
-  const char* const begin = text.data() + sign;
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), ignored);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ignored);
   if (error == std::errc::invalid_argument) return 0;
   return static_cast<std::size_t>(end - text.data());
 }
@@ -96,6 +94,7 @@ std::size_t distance(std::string_view word, std::string_view candidate) {
 }  // namespace
 
 std::optional<std::string> in_unit(std::string_view text, std::string_view unit) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   const std::size_t length = length_of_number(text);
   if (length == 0) return std::nullopt;
   const std::string_view number = text.substr(0, length);

@@ -10,8 +10,8 @@ namespace rupture {
 
 /// The number in `text` counted in `unit`, as text without a unit: "10ms" is "10e-3" if that is
 /// "s". Only the exponent is shifted, so that reading it rounds once, as for the plain number. A
-/// number without a unit comes back as it is; none if the unit is another one, or there is no
-/// number in front of it.
+/// number without a unit comes back as it is, but for a plus in front; none if the unit is another
+/// one, or there is no number in front of it.
 std::optional<std::string> in_unit(std::string_view text, std::string_view unit);
 
 /// What may stand behind a number of this unit, such as " (unit s, ms, us or ns)"; "" if nothing

@@ -108,6 +108,7 @@ TEST(SetParameter, takes_multiples_of_its_unit_and_whole_numbers_in_any_notation
   const std::vector<std::array<const char*, 3>> rows = {
       {"numerics.dt", "0.1us", "1e-07"},
       {"slider.L", "150 mm", "0.15"},
+      {"slider.L", "+0.15", "0.15"},
       {"slider.M", "80g", "0.08"},
       {"slider.Nx", "1e3", "1000"},
       {"slider.Nx", "57.0", "57"},
@@ -139,7 +140,7 @@ TEST(SetParameter, says_what_it_does_not_take) {
       {"driving.v", {"1"}, "unknown parameter 'driving.v': did you mean 'driving.V'?"},
       {"numerics.dt ", {"1"}, "unknown parameter 'numerics.dt ': did you mean 'numerics.dt'?"},
       {"slider.L",
-       {"", "abc", "1e", "0.14kg", "0.14Mm", " 1", "1 ", "0x10", "1,5"},
+       {"", "abc", "1e", "+-1", "0.14kg", "0.14Mm", " 1", "1 ", "0x10", "1,5"},
        "slider.L = '...' is not a number (unit m, mm, um or nm)"},
       {"slider.L", {"0", "1001", "2e6mm"}, "slider.L must be above 0 and at most 1000 m (got ...)"},
       {"slider.Nx",
