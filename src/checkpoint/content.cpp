@@ -19,13 +19,13 @@ struct TypeRow {
   std::string_view name;
   std::size_t size;  // of an element [bytes]
 };
-constexpr std::array<TypeRow, 7> kTypes = {{{"float64", 8},
-                                            {"float32", 4},
-                                            {"int64", 8},
-                                            {"uint32", 4},
-                                            {"uint16", 2},
-                                            {"uint8", 1},
-                                            {"text", 1}}};
+constexpr std::array<TypeRow, kDataTypes.size()> kTypes = {{{"float64", 8},
+                                                            {"float32", 4},
+                                                            {"int64", 8},
+                                                            {"uint32", 4},
+                                                            {"uint16", 2},
+                                                            {"uint8", 1},
+                                                            {"text", 1}}};
 
 const TypeRow& row_of(DataType type) {
   return kTypes.at(static_cast<std::size_t>(type));
@@ -37,15 +37,11 @@ std::string describe(DataType type, const Shape& shape) {
   return fmt::format("{} of shape {}", type_name(type), shape_text(shape));
 }
 
-// Whether there are as many bytes as type and shape need, without overflow.
+// Whether there are as many bytes as type and shape need.
 bool fills_its_shape(const Dataset& dataset) {
-  if (dataset.type == DataType::text) return !dataset.bytes.empty();
-  std::size_t bytes = element_size(dataset.type);
-  for (const std::uint64_t length : dataset.shape) {
-    if (length != 0 && bytes > dataset.bytes.size() / length) return false;
-    bytes *= length;
-  }
-  return bytes == dataset.bytes.size();
+  const std::size_t bytes = dataset.bytes.size();
+  if (dataset.type == DataType::text) return bytes > 0;
+  return bytes_in(dataset.shape, element_size(dataset.type), bytes) == bytes;
 }
 
 template <class T>
@@ -75,6 +71,16 @@ std::uint64_t element_count(const Shape& shape) {
   std::uint64_t count = 1;
   for (const std::uint64_t length : shape) count *= length;
   return count;
+}
+
+std::optional<std::size_t> bytes_in(const Shape& shape, std::size_t element_size,
+                                    std::size_t most) {
+  std::size_t bytes = element_size;
+  for (const std::uint64_t length : shape) {
+    if (length != 0 && bytes > most / length) return std::nullopt;
+    bytes *= length;
+  }
+  return bytes <= most ? std::optional(bytes) : std::nullopt;
 }
 
 std::string shape_text(const Shape& shape) {

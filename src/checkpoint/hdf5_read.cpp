@@ -1,7 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <hdf5.h>
 
-#include <array>
 #include <functional>
 #include <utility>
 
@@ -17,16 +17,15 @@ constexpr std::size_t kLongestVersion = 100;  // [bytes]
 constexpr std::size_t kCompression = 100;     // times that edited datasets may be packed
 
 DataType data_type(Id type, const std::string& path) {
-  constexpr std::array types = {DataType::float64, DataType::float32, DataType::int64,
-                                DataType::uint32,  DataType::uint16,  DataType::uint8,
-                                DataType::text};
-  for (const DataType candidate : types) {
+  std::vector<std::string_view> numbers;
+  for (const DataType candidate : kDataTypes) {
     if (H5Tequal(type, stored_type(candidate, H5Tget_size(type))) > 0) return candidate;
+    if (candidate != DataType::text) numbers.push_back(type_name(candidate));
   }
   fail(
       "{} has an element type that rupture never writes; it writes texts and "
-      "little-endian float64, int64, uint32, uint16 and uint8",
-      path);
+      "little-endian numbers ({})",
+      path, fmt::join(numbers, ", "));
 }
 
 Shape shape_of(Id space, const std::string& path) {
@@ -41,16 +40,9 @@ Shape shape_of(Id space, const std::string& path) {
   return {lengths.begin(), lengths.end()};
 }
 
-// Bytes of an array, without the overflow that a nonsensical shape could cause.
 std::size_t byte_count(const Shape& shape, std::size_t element_size, std::size_t room,
                        const std::string& path) {
-  std::size_t bytes = element_size;
-  bool fits = bytes <= room;
-  for (const std::uint64_t length : shape) {
-    fits = fits && (length == 0 || bytes <= room / length);
-    bytes *= length;
-  }
-  if (fits) return bytes;
+  if (const auto bytes = bytes_in(shape, element_size, room)) return *bytes;
   fail("{} claims {} elements of {} bytes, more than the file can hold", path,
        shape.empty() ? "[1]" : shape_text(shape), element_size);
 }

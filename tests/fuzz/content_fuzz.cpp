@@ -66,8 +66,6 @@ constexpr std::size_t kLargest = 1U << 20U;  // [bytes] of a dataset
 enum class Edit { erase, copy, retype, reshape, fill, set_element, set_text, set_unit };
 constexpr std::array kEdits = {Edit::erase, Edit::copy,        Edit::retype,   Edit::reshape,
                                Edit::fill,  Edit::set_element, Edit::set_text, Edit::set_unit};
-constexpr std::array kTypes = {DataType::float64, DataType::int64, DataType::uint32,
-                               DataType::uint16,  DataType::uint8, DataType::text};
 constexpr std::array<std::uint64_t, 12> kLengths = {0, 1,  2,  3,     4,         5,
                                                     6, 12, 64, 65536, 1U << 31U, ~0ULL};
 using Double = std::numeric_limits<double>;
@@ -83,12 +81,9 @@ bool fit(Dataset& dataset) {
   if (dataset.type == DataType::text) dataset.shape.clear();
   std::size_t bytes = element_size(dataset.type);
   if (dataset.type == DataType::text) bytes = std::max<std::size_t>(dataset.bytes.size(), 1);
-  for (const std::uint64_t length : dataset.shape) {
-    if (length != 0 && bytes > kLargest / length) return false;
-    bytes *= length;
-  }
-  dataset.bytes.resize(bytes);
-  return true;
+  const auto needed = bytes_in(dataset.shape, bytes, kLargest);
+  if (needed) dataset.bytes.resize(*needed);
+  return needed.has_value();
 }
 
 // Eight bytes: those of a number that is good at breaking things, or any.
@@ -122,7 +117,7 @@ void edit(Content& content, Edit edit, Bytes& input) {
       content[std::string(1, '/').append(input.text())] = dataset;
       return;
     case Edit::retype:
-      changed.type = input.pick(kTypes);
+      changed.type = input.pick(kDataTypes);
       break;
     case Edit::reshape:
       changed.shape.assign(input.take<std::uint8_t>() % 4, 0);

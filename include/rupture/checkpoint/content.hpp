@@ -4,10 +4,12 @@
 // knows what the datasets mean.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +23,9 @@ namespace rupture {
 /// Element type of a dataset; stored little-endian. `text` is one fixed-length, null-padded UTF-8
 /// string: its length in bytes is part of the type, and its shape is that of a scalar.
 enum class DataType { float64, float32, int64, uint32, uint16, uint8, text };
+inline constexpr std::array kDataTypes = {DataType::float64, DataType::float32, DataType::int64,
+                                          DataType::uint32,  DataType::uint16,  DataType::uint8,
+                                          DataType::text};
 
 /// "float64", "float32", "int64", "uint32", "uint16", "uint8" or "text", as in the canonical form.
 std::string_view type_name(DataType type);
@@ -32,6 +37,9 @@ using Shape = std::vector<std::uint64_t>;  ///< lengths per dimension, slowest f
 
 /// Number of elements of a shape; 1 for a scalar.
 std::uint64_t element_count(const Shape& shape);
+
+/// Bytes in an array of this shape, however nonsensical; none if they are more than `most`.
+std::optional<std::size_t> bytes_in(const Shape& shape, std::size_t element_size, std::size_t most);
 
 /// "[31][57]", or "scalar".
 std::string shape_text(const Shape& shape);
