@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <ctime>
 #include <tuple>
@@ -13,7 +14,8 @@ namespace {
 
 // NOLINTBEGIN(*-avoid-non-const-global-variables): nothing else can a signal handler write
 volatile std::sig_atomic_t noted = 0;
-volatile double noted_at = 0.0;  // [s]
+std::atomic<double> noted_at = 0.0;  // [s]
+static_assert(decltype(noted_at)::is_always_lock_free, "else a handler may not write it");
 // NOLINTEND(*-avoid-non-const-global-variables)
 
 extern "C" void note(int signal) {
