@@ -101,17 +101,17 @@ void refuse_if_readable(std::span<const std::byte> file, const std::string& name
   const int remains = remains_of(file);
   if (remains == kContentAsSealed) {
     throw Changed(
-        fmt::format("{} was changed after rupture sealed it (repacked by another program, an "
-                    "attribute added, or damaged outside its data), but its content still has the "
-                    "stored checksum: rupture seal {} -o NEW.h5 seals it again",
-                    name, name));
+        "{} was changed after rupture sealed it (repacked by another program, an attribute added, "
+        "or damaged outside its data), but its content still has the stored checksum: rupture seal "
+        "{} -o NEW.h5 seals it again",
+        name, name);
   }
   if (remains == kOtherContent) {
-    throw Changed(fmt::format(
+    throw Changed(
         "{} was changed after rupture sealed it, and its content no longer has the stored "
         "checksum: if somebody edited it with another program, rupture seal {} -o NEW.h5 checks "
         "and seals it; otherwise it is damaged: copy it again or recreate it",
-        name, name));
+        name, name);
   }
 }
 

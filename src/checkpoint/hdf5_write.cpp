@@ -227,7 +227,7 @@ void check(std::int64_t result, std::string_view doing) {
   if (result >= 0) return;
   std::string reason = "unknown reason";
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
-  throw LibraryFailure(fmt::format("cannot {}: {}", doing, reason));
+  throw LibraryFailure("cannot {}: {}", doing, reason);
 }
 
 Handle::~Handle() {

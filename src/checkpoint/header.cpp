@@ -128,9 +128,8 @@ FileKind check_envelope(std::span<const std::byte> file, const std::string& name
     throw Failure(damaged);  // in the header, which other programs leave alone
   }
   if (file.size() >= size) throw BrokenSeal(damaged);
-  throw BrokenSeal(
-      fmt::format("{} is truncated: it has {} of {} bytes; copy it again or recreate it", name,
-                  file.size(), size));
+  throw BrokenSeal("{} is truncated: it has {} of {} bytes; copy it again or recreate it", name,
+                   file.size(), size);
 }
 
 }  // namespace rupture
