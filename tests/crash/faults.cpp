@@ -7,7 +7,7 @@
 //   FAULT=short          a write takes half of its bytes only, which is no error
 //   FAULT=<errno>        it fails with this error, and nothing happens
 //   FAULT=<errno>+       the same, and so do all later calls that need room on the disk
-//   FAULT_LOG=file       one line per call, in order, by which power_cut.py replays them
+//   FAULT_LOG=file       one line per call, in order, by which disk.py replays them
 //
 // Paths of the working folder are the relative ones: the tests start the tools in it. These are the
 // calls that the tools make; power_cut_test.py fails if they change files by others.

@@ -1,6 +1,5 @@
-// Rupture fronts: where they were when, how fast, and of which type (Fig. 2, physics "Measured
-// quantities").
-// Events are bursts of block ruptures separated by quiet times.
+// Rupture fronts: where they were when, how fast, and of which type (Fig. 2). Events are bursts of
+// block ruptures separated by quiet times.
 #pragma once
 
 #include <cstddef>
@@ -125,7 +124,7 @@ std::vector<std::span<const Rupture>> split_at_pauses(std::span<const Rupture> r
                                                       double quiet);
 
 /// Splits the ruptures into events: a new one begins when no block has ruptured for `quiet` [s]
-/// (default elsewhere: 5 <t_R>).
+/// (default elsewhere: 5 t_R).
 std::vector<Event> find_events(const Parameters& parameters, std::span<const Rupture> ruptures,
                                const LoadingCurve& loading, double quiet,
                                const FrontCriteria& criteria);

@@ -45,7 +45,7 @@ struct FieldSample {
   std::vector<float> u_x, u_z;  ///< [m]
 };
 
-/// What a record may hold besides series and ruptures.
+/// Whether a record holds the displacement of all blocks.
 enum class Fields { omit, record };
 /// By which --resume knows a record: no part of the content checksum.
 struct RecordedRun {
@@ -55,6 +55,7 @@ struct RecordedRun {
 
   bool operator==(const RecordedRun&) const = default;
 };
+/// What a record may hold besides series and ruptures.
 struct RecordParts {
   std::vector<double> crossing_levels = {};  ///< pinned fractions, ascending; none: no crossings
   Fields fields = Fields::omit;

@@ -26,8 +26,9 @@ struct Finding {
   std::string sentence;  ///< when and where, what was found, the limit, what to do
 };
 
-/// Largest error of the energy account over `steps` steps, relative to what it accounts for. A
-/// breaking junction is booked to the step, so that a short account is less exact.
+/// Largest error of the energy account over `steps` steps, relative to what it accounts for. The
+/// error is the change of sum dt^2/(8m) (G^2 - 2 F G) between two instants, which does not grow
+/// with the number of steps, but less flows in a short time.
 inline double energy_tolerance(std::int64_t steps) {
   return 0.01 * (1.0 + 1000.0 / static_cast<double>(steps));
 }

@@ -1,4 +1,4 @@
-// The elastic slider: springs between neighbouring blocks and their damping (physics: "Slider").
+// The elastic slider: springs between neighbouring blocks and their damping.
 #pragma once
 
 #include <vector>

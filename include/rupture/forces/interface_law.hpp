@@ -20,13 +20,14 @@ class InterfaceLaw {
   InterfaceLaw& operator=(const InterfaceLaw&) = delete;
   virtual ~InterfaceLaw() = default;
 
-  /// Moves every junction to time `t` [s] with the interface blocks at u_x [m] under the given
-  /// contact. v_x is the half-kicked velocity, with which the blocks came here from the last step
-  /// [m/s]. Returns how many junctions broke or were pinned again.
+  /// How many junctions broke or were pinned again.
   struct Changes {
     std::int64_t broken = 0;
     std::int64_t repinned = 0;
   };
+  /// Moves every junction to time `t` [s] with the interface blocks at u_x [m] under the given
+  /// contact. v_x is the half-kicked velocity, with which the blocks came here from the last step
+  /// [m/s].
   virtual Changes update(const double* u_x, const double* v_x, const ContactView& contact,
                          double t) = 0;
 

@@ -102,11 +102,11 @@ struct Kernels {
   /// First half kick and drift: v += (dt/2m) f, then u += dt v.
   void (*kick_drift)(const LatticeShape&, const Motion&, const Band&);
 
-  /// Forces of all bulk springs at displacements u; overwrites f. `band`: all rows.
+  /// Forces of all bulk springs at displacements u; overwrites f. `band` has all rows.
   void (*elastic)(const LatticeShape&, const Springs&, ConstVectorView u, VectorView f,
                   const Band& band);
 
-  /// Damping forces at displacements u and velocities v; overwrites f. `band`: all rows.
+  /// Damping forces at displacements u and velocities v; overwrites f. `band` has all rows.
   void (*damping)(const LatticeShape&, const Springs&, const Dampers&, ConstVectorView u,
                   ConstVectorView v, VectorView f, const Band& band);
 

@@ -21,7 +21,7 @@ double exact_log(double x);
 double normal_quantile(double p);
 
 /// Use of a random number; different purposes never share a counter.
-enum class Purpose : std::uint32_t { slipping = 1, force_distribution = 2 };
+enum class Purpose : std::uint32_t { slipping = 1 };
 
 /// Uniform number in (0, 1), never 0 or 1, with 52 random bits (Philox4x32-10).
 double uniform(std::int64_t seed, std::uint32_t block, std::uint32_t junction, Purpose purpose,

@@ -1,4 +1,4 @@
-// Forces of the bulk springs, each spring computed once (physics: "Slider").
+// Forces of the bulk springs, each spring computed once.
 #pragma once
 
 #include "pair.hpp"

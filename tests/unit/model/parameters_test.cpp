@@ -302,7 +302,7 @@ TEST(Derived, quantities_of_the_reference_slider_are_those_of_table_S1) {
   EXPECT_DOUBLE_EQ(foundation_stiffness(p), 6.75e6);
   EXPECT_DOUBLE_EQ(damping_coefficient(p), std::sqrt(0.1 * 13.5e6 * 0.0756 / (57 * 31)));
   EXPECT_DOUBLE_EQ(density(p), 1200.0);
-  EXPECT_NEAR(shear_wave_speed(p), 968.0, 0.5);  // as physics.md rounds it
+  EXPECT_NEAR(shear_wave_speed(p), 968.0, 0.5);  // as docs/tests.md rounds it
   EXPECT_DOUBLE_EQ(mean, 1920.0 / 57);
   EXPECT_EQ(driving_row(p), 2);
   // k_ij = sqrt(kappa f_N) with f_N = 1920 N / (57 * 100)
