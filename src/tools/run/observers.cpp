@@ -105,8 +105,8 @@ std::vector<Part> parts_of(const RunPlan& plan, const Simulation& now, double ra
 
 }  // namespace
 
-std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& group) {
-  const auto found = rows.find(group + "/step");
+std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& path) {
+  const auto found = rows.find(path);
   if (found == rows.end()) return {};
   return read_array<std::int64_t>(rows, found->first, found->second.shape);
 }
@@ -116,8 +116,8 @@ Recorder::Recorder(RecordWriter& writer, const Interval& every,
                    std::int64_t now, std::int64_t last_step)
     : writer_(writer),
       last_step_(last_step),
-      series_(sampler(every, sampled_steps(rows, kSeriesGroup), now)) {
-  if (fields_every) fields_ = sampler(*fields_every, sampled_steps(rows, kFieldsGroup), now);
+      series_(sampler(every, sampled_steps(rows, kSeriesSteps), now)) {
+  if (fields_every) fields_ = sampler(*fields_every, sampled_steps(rows, kFieldsSteps), now);
 }
 
 Recorder::Sampler Recorder::sampler(const Interval& every, const std::vector<std::int64_t>& sampled,

@@ -12,11 +12,11 @@
 
 namespace rupture::tools {
 
-inline constexpr const char* kSeriesGroup = "/series";
-inline constexpr const char* kFieldsGroup = "/fields";
+inline constexpr const char* kSeriesSteps = "/series/step";
+inline constexpr const char* kFieldsSteps = "/fields/step";
 
-/// The steps of the samples of a group in these rows of a record.
-std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& group);
+/// The steps of the samples in these rows of a record; none if it lacks the dataset.
+std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& path);
 
 /// Appends to a record: ruptures, and samples of the series and of the fields that it has, each at
 /// the first and last step of a run and whenever its interval has passed.

@@ -104,13 +104,13 @@ bool reach(const Content& rows, const Checkpoint& checkpoint, const fs::path& pa
            const RunPlan& plan) {
   const std::int64_t step = checkpoint.state.step, first = checkpoint.run->first_step;
   const bool at_end = path == plan.options.output.output || step == plan.rule.last_step;
-  const auto have_samples = [&](const char* group, const Interval& every) {
-    const auto steps = sampled_steps(rows, group);
+  const auto have_samples = [&](const char* path_of_steps, const Interval& every) {
+    const auto steps = sampled_steps(rows, path_of_steps);
     const std::int64_t last = at_end ? step : std::max(first, every.last_until(step));
     return std::ssize(steps) == every.samples(first, last) && steps.back() == last;
   };
-  return have_samples(kSeriesGroup, plan.record_every) &&
-         (!plan.fields_every || have_samples(kFieldsGroup, *plan.fields_every)) &&
+  return have_samples(kSeriesSteps, plan.record_every) &&
+         (!plan.fields_every || have_samples(kFieldsSteps, *plan.fields_every)) &&
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }
 
