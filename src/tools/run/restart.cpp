@@ -1,6 +1,5 @@
 // restart: continue a checkpoint, with the same parameters or with changed ones.
-#include <fmt/core.h>
-
+#include <boost/optional.hpp>
 #include <utility>
 
 #include "cli/option_values.hpp"
@@ -14,17 +13,12 @@ namespace {
 
 /// When the run is to end.
 struct RunEnd {
-  std::optional<double> until, duration, quiet;  // [s]; quiet < 0: five mean slipping times
+  std::optional<double> until, duration;         // [s]
+  std::optional<boost::optional<double>> quiet;  // [s]; without a time, pause_between_events()
   std::optional<double> arrived_below;           // pinned fraction
 };
 
 constexpr double kLongestQuietRun = 10.0;  // [s]
-
-/// The time that --until-quiet gives; -1, five mean slipping times, if it gives none.
-double quiet_time(const po::variables_map& values) {
-  const auto given = values["until-quiet"].as<boost::optional<double>>();
-  return given ? non_negative(*given, "until-quiet") : -1.0;
-}
 
 /// The pinned fraction of --arrived-below.
 double arrived_below(const po::variables_map& values) {
@@ -53,7 +47,10 @@ RunEnd run_end(const po::variables_map& values) {
   RunEnd end;
   end.until = optional_non_negative(values, "until");
   end.duration = optional_non_negative(values, "for");
-  if (values.count("until-quiet") > 0) end.quiet = quiet_time(values);
+  if (values.count("until-quiet") > 0) {
+    end.quiet = values["until-quiet"].as<boost::optional<double>>();
+    if (*end.quiet) non_negative(**end.quiet, "until-quiet");
+  }
   if (values.count("arrived-below") > 0) end.arrived_below = arrived_below(values);
   if (end.until && end.duration) {
     throw UsageError("--until and --for cannot be combined: give one of them");
@@ -79,7 +76,7 @@ StopRule stop_rule(const RunEnd& end, const Checkpoint& checkpoint) {
     rule.last_step = now + steps_in(p, end.duration.value_or(kLongestQuietRun));
   }
   if (end.quiet) {
-    rule.quiet_steps = steps_in(p, *end.quiet < 0.0 ? 5.0 * p.t_R : *end.quiet);
+    rule.quiet_steps = steps_in(p, end.quiet->value_or(pause_between_events(p)));
     rule.arrived_below = end.arrived_below;
   }
   return rule;
