@@ -6,13 +6,11 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <type_traits>
 
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/parameters_content.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {

@@ -8,7 +8,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "rupture/checkpoint/content.hpp"
 #include "rupture/model/error.hpp"

@@ -1,6 +1,4 @@
 // analyze events, front, classify: the events in a record, and the front of one of them.
-#include <fmt/core.h>
-
 #include "analyze/analyze.hpp"
 #include "analyze/records.hpp"
 #include "cli/option_values.hpp"

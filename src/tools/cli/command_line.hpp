@@ -2,16 +2,12 @@
 #pragma once
 
 #include <array>
-#include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/quantity.hpp"
-#include "rupture/analysis/phi.hpp"
-#include "rupture/checkpoint/file.hpp"
 #include "rupture/model/parameters.hpp"
 #include "rupture/model/phi_shape.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/any.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <variant>
 

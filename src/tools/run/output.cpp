@@ -1,7 +1,5 @@
 #include "run/output.hpp"
 
-#include <fmt/core.h>
-
 #include <cmath>
 #include <map>
 #include <set>

@@ -1,8 +1,5 @@
 #include "run/plan.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <set>
 

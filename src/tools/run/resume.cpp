@@ -1,6 +1,4 @@
 // Finding out where an interrupted run can be taken up.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
