@@ -106,7 +106,6 @@ void read_fields(const Content& content, Record& record) {
     expect(content, row.path, layout::type_of(entry),
            layout::shape_of(entry, n, record.parameters));
   });
-  record.fields = Fields::record;
   record.field_step = read_array<std::int64_t>(content, steps, {n});
 }
 
@@ -233,7 +232,6 @@ Record record_from(const ContentFile& file) {
   Record record;
   record.run = read_recorded_run(content);
   refuse_foreign(content, record.run);
-  record.complete = file.kind == FileKind::open_record ? Complete::no : Complete::yes;
   record.parameters = read_parameters(content);
   expect_as_written(content, record_positions(record.parameters, content));
   record.provenance = read_provenance(content);

@@ -62,16 +62,11 @@ struct RecordParts {
   RecordedRun run = {};
 };
 
-/// Whether a record was finished. An unfinished one ends at its last flush, or before the first one
-/// that is damaged.
-enum class Complete { yes, no };
-
 struct Record {
   using Counts = Eigen::Array<std::uint16_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   Parameters parameters;
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
-  Complete complete = Complete::yes;
   RecordedRun run;
   std::vector<double> time;  ///< one value per sample [s]
   std::vector<std::int64_t> step;
@@ -81,9 +76,8 @@ struct Record {
   RowMajorArray p, tau;         ///< [samples][Nx] [N]
   RowMajorArray u_x;            ///< [samples][Nx] [m]
   std::vector<Rupture> ruptures;
-  std::vector<double> crossing_levels;  ///< other pinned fractions, ascending,
-  std::vector<Rupture> crossings;       ///< and when blocks fell below them
-  Fields fields = Fields::omit;
+  std::vector<double> crossing_levels;   ///< other pinned fractions, ascending,
+  std::vector<Rupture> crossings;        ///< and when blocks fell below them
   std::vector<std::int64_t> field_step;  ///< of the samples of the fields, whose values are /fields
 };
 
@@ -145,7 +139,8 @@ class RecordWriter {
   bool part_has_samples_ = false;
 };
 
-/// Reads a finished record or a .part. Throws Failure.
+/// Reads a finished record or a .part, which ends at its last flush, or before the first one that
+/// is damaged. Throws Failure.
 Record read_record(const std::filesystem::path& path);
 
 /// The record in a file that was read already. Throws Failure.
