@@ -1,29 +1,16 @@
 #include "rupture/checkpoint/checkpoint.hpp"
 
 #include "context.hpp"
-#include "rupture/checkpoint/checksum.hpp"
 
 namespace rupture {
-namespace {
-
-Content parameters_and_state(const Parameters& parameters, const State& state) {
-  refuse_other_parameters(state, parameters);
-  Content content = parameters_content(parameters);
-  content.merge(state_content(state));
-  return content;
-}
-
-}  // namespace
 
 Content checkpoint_content(const Checkpoint& checkpoint) {
-  Content content = parameters_and_state(checkpoint.parameters, checkpoint.state);
+  refuse_other_parameters(checkpoint.state, checkpoint.parameters);
+  Content content = parameters_content(checkpoint.parameters);
+  content.merge(state_content(checkpoint.state));
   content.merge(provenance_content(checkpoint.provenance));
   if (checkpoint.run) content.merge(run_content(*checkpoint.run));
   return content;
-}
-
-std::string content_checksum(const Parameters& parameters, const State& state) {
-  return content_checksum(parameters_and_state(parameters, state));
 }
 
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,

@@ -36,9 +36,6 @@ Content run_content(const RunSoFar& run);
 /// is incomplete or contradicts the step that the state is at.
 std::optional<RunSoFar> read_run(const Content& content, const Parameters& p, std::int64_t step);
 
-/// Checksum of the checkpoint that holds these, without writing it.
-std::string content_checksum(const Parameters& parameters, const State& state);
-
 /// All datasets of the checkpoint that holds these.
 Content checkpoint_content(const Checkpoint& checkpoint);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rupture/checkpoint/checkpoint.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/checkpoint/verify.hpp"
 #include "rupture/model/error.hpp"
@@ -100,7 +101,7 @@ inline Checkpoint small_checkpoint() {
   checkpoint.state = small_state(checkpoint.parameters);
   checkpoint.provenance = {{"load", "0.1.0", "abc", "load -o x.h5", "gcc 12.2.0", ""},
                            {"restart", "0.1.0", "abc", "restart 'my x.h5'", "gcc 12.2.0",
-                            content_checksum(checkpoint.parameters, checkpoint.state)}};
+                            content_checksum(checkpoint_content(checkpoint))}};
   return checkpoint;
 }
 
