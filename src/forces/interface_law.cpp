@@ -24,8 +24,7 @@ std::unique_ptr<InterfaceLaw> make_law(const Parameters& parameters, Junctions& 
 
 void change_law(const Parameters& before, const Parameters& after, double t, Junctions& junctions) {
   const LawInfo &old_law = law_info(before.law), &new_law = law_info(after.law);
-  const bool both_at_a_drawn_time = old_law.repinning == Repinning::at_a_drawn_time &&
-                                    new_law.repinning == Repinning::at_a_drawn_time;
+  const bool both_at_a_drawn_time = !old_law.memory && !new_law.memory;
   if (before.law == after.law || both_at_a_drawn_time) return;
   if (old_law.memory) (junctions.*old_law.memory->array).resize(0, 0);
   if (new_law.memory) (junctions.*new_law.memory->array).setZero(after.Nx, junctions.draws.cols());

@@ -4,14 +4,12 @@ namespace rupture {
 
 const std::vector<LawInfo>& law_table() {
   static const std::vector<LawInfo> table = {
-      {"reference", SpringsPerBlock::N_s, Repinning::at_a_drawn_time, "junctions.f_new to f_slip",
-       ClosedForm::known},
-      {"simplified", SpringsPerBlock::one, Repinning::when_due, "junctions.v_slow to 0",
-       ClosedForm::unknown, SpringMemory{&Junctions::slow_until, "slow_until", "s", -kNever}},
-      {"decaying", SpringsPerBlock::N_s, Repinning::at_a_drawn_time,
-       "junctions.mu_new to junctions.mu_d", ClosedForm::unknown},
-      {"distance", SpringsPerBlock::N_s, Repinning::when_due, "junctions.f_new to f_slip",
-       ClosedForm::unknown, SpringMemory{&Junctions::slip_left, "slip_left", "m", 0.0}},
+      {"reference", SpringsPerBlock::N_s, "junctions.f_new to f_slip"},
+      {"simplified", SpringsPerBlock::one, "junctions.v_slow to 0",
+       SpringMemory{&Junctions::slow_until, "slow_until", "s", -kNever}},
+      {"decaying", SpringsPerBlock::N_s, "junctions.mu_new to junctions.mu_d"},
+      {"distance", SpringsPerBlock::N_s, "junctions.f_new to f_slip",
+       SpringMemory{&Junctions::slip_left, "slip_left", "m", 0.0}},
   };
   return table;
 }

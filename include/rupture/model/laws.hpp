@@ -15,11 +15,8 @@ namespace rupture {
 /// distribution phi, or one that stands for them.
 enum class SpringsPerBlock { N_s, one };
 
-/// When a slipping spring is pinned again: at a time that is drawn when it breaks, or when the law
-/// finds it due.
-enum class Repinning { at_a_drawn_time, when_due };
-
-/// A number that only some laws remember of each spring; a dataset of /state/junctions. Of a
+/// A number that a law remembers of each spring if it does not draw, when the spring breaks, the
+/// time at which it is pinned again, but finds when it is due. A dataset of /state/junctions; of a
 /// slipping spring it is never 0.
 struct SpringMemory {
   JunctionArray<double> Junctions::*array;
@@ -28,16 +25,11 @@ struct SpringMemory {
   double minimum;  ///< smallest valid value
 };
 
-/// Whether friction at constant speed and the speed of slow slip are known in closed form.
-enum class ClosedForm { known, unknown };
-
 struct LawInfo {
   std::string_view name;  ///< as junctions.law has it
   SpringsPerBlock springs;
-  Repinning repinning;
   std::string_view slow_slip_off;  ///< what switches slow slip off
-  ClosedForm closed_form;
-  std::optional<SpringMemory> memory = {};  ///< of a law that pins springs when they are due
+  std::optional<SpringMemory> memory = {};
 };
 
 /// All laws in the order of Law.

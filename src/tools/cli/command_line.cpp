@@ -1,7 +1,6 @@
 #include "cli/command_line.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -265,13 +264,9 @@ PhiShape shape_named(const std::string& name) {
 }
 
 void refuse_other_laws(const Parameters& p) {
-  if (law_info(p.law).closed_form == ClosedForm::known) return;
-  std::vector<std::string_view> known;
-  for (const LawInfo& law : law_table()) {
-    if (law.closed_form == ClosedForm::known) known.push_back(law.name);
-  }
+  if (p.law == Law::reference) return;
   throw UsageError("junctions.law = {} is not supported here: use the {} law", law_info(p.law).name,
-                   fmt::join(known, " or the "));
+                   law_info(Law::reference).name);
 }
 
 void refuse_empty_names(const std::vector<std::string>& inputs) {
