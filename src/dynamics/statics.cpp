@@ -2,7 +2,6 @@
 
 #include <Eigen/SparseLU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -27,43 +26,29 @@ struct Rectangle {
   Eigen::Index height() const { return j_1 - j_0; }
 };
 
-class Dissection {
- public:
-  Dissection(Eigen::Index Nx, Eigen::Index Nz)
-      : Nx_(Nx), places_(static_cast<std::size_t>(Nx * Nz)) {
-    order({0, Nx, 0, Nz});
-  }
-
-  std::vector<Eigen::Index> places() && { return std::move(places_); }
-
- private:
-  /// Cuts across the longer side. Springs reach the next column and row, so one line separates.
-  void order(const Rectangle& part) {
-    if (part.width() <= 2 && part.height() <= 2) return append(part);
-    Rectangle before = part, line = part, after = part;
+/// Numbers the blocks of a part on from `next`. Cuts across the longer side: springs reach the next
+/// column and row, so one line separates.
+void dissect(const Rectangle& part, Eigen::Index Nx, Eigen::Index& next,
+             std::vector<Eigen::Index>& places) {
+  Rectangle last = part;
+  if (part.width() > 2 || part.height() > 2) {
+    Rectangle before = part, after = part;
     if (part.width() >= part.height()) {
-      before.i_1 = line.i_0 = (part.i_0 + part.i_1) / 2;
-      after.i_0 = line.i_1 = line.i_0 + 1;
+      before.i_1 = last.i_0 = (part.i_0 + part.i_1) / 2;
+      after.i_0 = last.i_1 = last.i_0 + 1;
     } else {
-      before.j_1 = line.j_0 = (part.j_0 + part.j_1) / 2;
-      after.j_0 = line.j_1 = line.j_0 + 1;
+      before.j_1 = last.j_0 = (part.j_0 + part.j_1) / 2;
+      after.j_0 = last.j_1 = last.j_0 + 1;
     }
-    order(before);
-    order(after);
-    append(line);
+    dissect(before, Nx, next, places);
+    dissect(after, Nx, next, places);
   }
-
-  void append(const Rectangle& part) {
-    for (Eigen::Index j = part.j_0; j < part.j_1; ++j) {
-      for (Eigen::Index i = part.i_0; i < part.i_1; ++i) {
-        places_[static_cast<std::size_t>(j * Nx_ + i)] = next_++;
-      }
+  for (Eigen::Index j = last.j_0; j < last.j_1; ++j) {
+    for (Eigen::Index i = last.i_0; i < last.i_1; ++i) {
+      places[static_cast<std::size_t>(j * Nx + i)] = next++;
     }
   }
-
-  Eigen::Index Nx_, next_ = 0;
-  std::vector<Eigen::Index> places_;
-};
+}
 
 /// Index of u_x of block (i, j) among the unknowns; that of u_z is one more. The blocks come one
 /// after the other: row by row, or in the order of nested dissection.
@@ -98,26 +83,19 @@ void add_block(Triplets& triplets, Eigen::Index row, Eigen::Index column, const 
 
 void add_springs(const Parameters& p, const Unknowns& unknown, const State& state,
                  Triplets& triplets) {
-  constexpr std::array<std::array<int, 2>, 4> bonds = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
   const double l = spring_length(p);
-  for (Eigen::Index j = 0; j < p.Nz; ++j) {
-    for (Eigen::Index i = 0; i < p.Nx; ++i) {
-      for (const auto [ix, iz] : bonds) {
-        const Eigen::Index i2 = i + ix, j2 = j + iz;
-        if (i2 < 0 || i2 >= p.Nx || j2 >= p.Nz) continue;
-        const double n = ix * ix + iz * iz;
-        const Eigen::Vector2d r(ix * l + state.u_x(i2, j2) - state.u_x(i, j),
-                                iz * l + state.u_z(i2, j2) - state.u_z(i, j));
-        const double k = spring_stiffness(p, i, j, ix, iz);
-        const Block2 tangent = spring_tangent(k, std::sqrt(n) * l, r);
-        const Eigen::Index here = unknown(i, j), there = unknown(i2, j2);
-        add_block(triplets, here, here, tangent);
-        add_block(triplets, there, there, tangent);
-        add_block(triplets, here, there, -tangent);
-        add_block(triplets, there, here, -tangent);
-      }
-    }
-  }
+  for_each_spring(p, [&](Eigen::Index i, Eigen::Index j, int ix, int iz) {
+    const double n = ix * ix + iz * iz;
+    const Eigen::Vector2d r(ix * l + state.u_x(i + ix, j + iz) - state.u_x(i, j),
+                            iz * l + state.u_z(i + ix, j + iz) - state.u_z(i, j));
+    const double k = spring_stiffness(p, i, j, ix, iz);
+    const Block2 tangent = spring_tangent(k, std::sqrt(n) * l, r);
+    const Eigen::Index here = unknown(i, j), there = unknown(i + ix, j + iz);
+    add_block(triplets, here, here, tangent);
+    add_block(triplets, there, there, tangent);
+    add_block(triplets, here, there, -tangent);
+    add_block(triplets, there, here, -tangent);
+  });
 }
 
 /// Minus the derivative of static_forces with respect to the displacements.
@@ -275,7 +253,10 @@ std::optional<State> solve_statics(const Parameters& p, const LoadCase& load_cas
 }
 
 std::vector<Eigen::Index> nested_dissection(Eigen::Index Nx, Eigen::Index Nz) {
-  return Dissection(Nx, Nz).places();
+  std::vector<Eigen::Index> places(static_cast<std::size_t>(Nx * Nz));
+  Eigen::Index next = 0;
+  dissect({0, Nx, 0, Nz}, Nx, next, places);
+  return places;
 }
 
 }  // namespace rupture

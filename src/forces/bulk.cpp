@@ -104,25 +104,16 @@ double Bulk::damping_power() const {
 }
 
 double Bulk::elastic_energy(const Field& u_x, const Field& u_z) const {
-  struct Bond {
-    int ix, iz;
-  };
-  constexpr std::array<Bond, 4> bonds = {{{1, 0}, {0, 1}, {1, 1}, {-1, 1}}};
   const double l = springs_.l;
   double energy = 0.0;
-  for (Eigen::Index j = 0; j < shape_.Nz; ++j) {
-    for (Eigen::Index i = 0; i < shape_.Nx; ++i) {
-      for (const auto [ix, iz] : bonds) {
-        if (i + ix < 0 || i + ix >= shape_.Nx || j + iz >= shape_.Nz) continue;
-        const double n = ix * ix + iz * iz;
-        const double dx = u_x(i + ix, j + iz) - u_x(i, j);
-        const double dz = u_z(i + ix, j + iz) - u_z(i, j);
-        const double s = ((2 * ix * l + dx) * dx + (2 * iz * l + dz) * dz) / (n * l * l);
-        const double stretch = std::sqrt(n) * l * s / (std::sqrt(1.0 + s) + 1.0);
-        energy += 0.5 * spring_stiffness(parameters_, i, j, ix, iz) * stretch * stretch;
-      }
-    }
-  }
+  for_each_spring(parameters_, [&](Eigen::Index i, Eigen::Index j, int ix, int iz) {
+    const double n = ix * ix + iz * iz;
+    const double dx = u_x(i + ix, j + iz) - u_x(i, j);
+    const double dz = u_z(i + ix, j + iz) - u_z(i, j);
+    const double s = ((2 * ix * l + dx) * dx + (2 * iz * l + dz) * dz) / (n * l * l);
+    const double stretch = std::sqrt(n) * l * s / (std::sqrt(1.0 + s) + 1.0);
+    energy += 0.5 * spring_stiffness(parameters_, i, j, ix, iz) * stretch * stretch;
+  });
   return energy;
 }
 

@@ -1,6 +1,7 @@
 // The elastic slider: springs between neighbouring blocks and their damping.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "rupture/forces/kernels.hpp"
@@ -57,6 +58,18 @@ class Bulk {
   std::vector<Band> bands_;
   AlignedVector damping_power_, bottom_velocity_;
 };
+
+/// Calls `use(i, j, ix, iz)` for each spring: from block (i, j) along the lattice vector (ix, iz).
+template <class Use>
+void for_each_spring(const Parameters& p, const Use& use) {
+  for (Eigen::Index j = 0; j < p.Nz; ++j) {
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      for (const auto [ix, iz] : {std::pair(1, 0), {0, 1}, {1, 1}, {-1, 1}}) {
+        if (i + ix >= 0 && i + ix < p.Nx && j + iz < p.Nz) use(i, j, ix, iz);
+      }
+    }
+  }
+}
 
 inline VectorView view(Field& x, Field& z) {
   return {x.row(0), z.row(0)};
