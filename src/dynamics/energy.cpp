@@ -22,8 +22,9 @@ Work integrate(const Power& before, const Power& now, double dt) {
           half_dt * (before.junctions + now.junctions)};
 }
 
-double EnergyBalance::relative_error() const {
-  const double scale = std::max({std::abs(supplied), std::abs(stored), std::abs(taken())});
+double EnergyBalance::relative_error(double least_scale) const {
+  const double scale =
+      std::max({std::abs(supplied), std::abs(stored), std::abs(taken()), least_scale});
   return scale > 0.0 ? std::abs(error()) / scale : 0.0;
 }
 

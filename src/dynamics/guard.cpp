@@ -118,11 +118,9 @@ Place fastest_block(const State& state) {
 
 /// Error of the account relative to what it accounts for: what flowed, or was in motion.
 double relative_error(const Energies& before, const Energies& after, const Work& work) {
-  const EnergyBalance balance = energy_balance(before, after, work);
-  const double scale =
-      std::max({std::abs(balance.supplied), std::abs(balance.stored), std::abs(balance.taken()),
-                before.kinetic, after.kinetic, kRest * (after.total() - after.load)});
-  return scale > 0.0 ? std::abs(balance.error()) / scale : 0.0;
+  return energy_balance(before, after, work)
+      .relative_error(
+          std::max({before.kinetic, after.kinetic, kRest * (after.total() - after.load)}));
 }
 
 }  // namespace

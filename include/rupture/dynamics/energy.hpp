@@ -47,8 +47,8 @@ struct EnergyBalance {
 
   double taken() const { return damping + junctions; }
   double error() const { return supplied - stored - taken(); }
-  /// |error| relative to the largest of the three terms; 0 if nothing happened.
-  double relative_error() const;
+  /// |error| relative to the largest of the three terms and of `least_scale` [J]; 0 if all are.
+  double relative_error(double least_scale = 0.0) const;
 };
 
 EnergyBalance energy_balance(const Energies& before, const Energies& after, const Work& work);
