@@ -75,8 +75,7 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
   const Parameters p;
   Simulation run_a(p, loading_state()), run_b(p, loading_state());
   const Folder folder;
-  RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
-                      parts);
+  RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse, {}, parts);
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
   const tools::Interval interval = {static_cast<double>(every)};
   std::optional<tools::Interval> fields_interval;

@@ -129,7 +129,7 @@ void check_record(const std::filesystem::path& path, const Parameters& parameter
 
 RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& parameters,
                            const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
-                           Content rows_before, std::size_t flush_every, const RecordParts& parts)
+                           Content rows_before, const RecordParts& parts, std::size_t flush_every)
     : path_(std::move(path)), if_exists_(if_exists), flush_every_(flush_every) {
   check_record(path_, parameters, if_exists);
   begin(rows_, layout::kSeries, Sample{}, parameters);

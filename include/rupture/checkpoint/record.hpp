@@ -104,8 +104,8 @@ class RecordWriter {
   /// does not have. Throws as check_record(), and Failure if the .part cannot be written.
   RecordWriter(std::filesystem::path path, const Parameters& parameters,
                const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
-               Content rows_before = {}, std::size_t flush_every = kFlushEvery,
-               const RecordParts& parts = {});
+               Content rows_before = {}, const RecordParts& parts = {},
+               std::size_t flush_every = kFlushEvery);
   ~RecordWriter();
   RecordWriter& operator=(RecordWriter&&) = delete;
 

@@ -167,8 +167,7 @@ void Run::begin_record() {
                              recorded_run(plan_)};
   const std::int64_t last = plan_.rule.last_step;
   writer_.emplace(*plan_.options.record, begin_.parameters, recorded_until(plan_, last),
-                  if_record_exists(plan_.options), plan_.recorded, RecordWriter::kFlushEvery,
-                  parts);
+                  if_record_exists(plan_.options), plan_.recorded, parts);
   recorder_.emplace(*writer_, plan_.record_every, plan_.fields_every, plan_.recorded,
                     begin_.state.step, last);
 }

@@ -27,7 +27,7 @@ class RecordFile : public testing::InFolder {
 
   RecordWriter writer(const char* name, std::size_t flush_every = 256,
                       IfExists if_exists = IfExists::refuse) {
-    return {file(name), small_parameters(), testing::small_checkpoint().provenance, if_exists,
+    return {file(name), small_parameters(), testing::small_checkpoint().provenance, if_exists, {},
             {},         flush_every};
   }
 
@@ -220,7 +220,7 @@ TEST_F(RecordFile, with_pieces_that_do_not_fit_together_is_refused) {
   append(out, 0, 4);
   Parameters wider = small_parameters();
   wider.Nx = 6;
-  RecordWriter other(file("q.h5"), wider, {}, IfExists::refuse, {}, 4);
+  RecordWriter other(file("q.h5"), wider, {}, IfExists::refuse, {}, {}, 4);
   for (int n = 0; n < 4; ++n) other.append(small_sample(6, n));
   spill(file("mixed.part"), slurp(file("r.h5.part")) + slurp(file("q.h5.part")));
   expect_contains(message_of<Failure>([&] { read_record(file("mixed.part")); }),
@@ -244,7 +244,7 @@ class RecordWithParts : public RecordFile {
   const RecordParts both = {{0.2, 0.5}, Fields::record};
 
   RecordWriter writer_of(const char* name, const RecordParts& parts, const Content& rows = {}) {
-    return {file(name), small_parameters(), {}, IfExists::replace, rows, 8, parts};
+    return {file(name), small_parameters(), {}, IfExists::replace, rows, parts, 8};
   }
   std::string write(const char* name, const RecordParts& parts) {
     auto out = writer_of(name, parts);
@@ -311,8 +311,7 @@ TEST_F(RecordWithParts, of_large_sliders_are_flushed_by_their_size) {
   large.L = 4.0;
   large.Nz = 401;
   FieldSample sample{0.0, 0, std::vector<float>(401 * 401), std::vector<float>(401 * 401)};
-  RecordWriter out(file("r.h5"), large, {}, IfExists::refuse, {}, RecordWriter::kFlushEvery,
-                   {.fields = Fields::record});
+  RecordWriter out(file("r.h5"), large, {}, IfExists::refuse, {}, {.fields = Fields::record});
   const auto begun = fs::file_size(file("r.h5.part"));
   out.append(sample);
   EXPECT_GT(fs::file_size(file("r.h5.part")), begun + 8 * 401 * 401);
