@@ -1,40 +1,18 @@
 // Benchmarks of rare operations: equilibrium, checkpoints, records; at reference size.
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
-
 #include "run/observers.hpp"
 #include "rupture/analysis/statistics.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
 #include "rupture/dynamics/run.hpp"
 #include "sliders.hpp"
+#include "support/files.hpp"
 
 namespace rupture::bench {
 namespace {
 
-/// A folder for the files of one benchmark, removed with them. The disk is that of TMPDIR.
-class Folder {
- public:
-  Folder() {
-    std::string name = std::filesystem::temp_directory_path() / "rupture-bench-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::filesystem::path file(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using testing::Folder;
 
 void equilibrium_solve(benchmark::State& bench) {
   for (auto _ : bench) benchmark::DoNotOptimize(normal_load_equilibrium(Parameters{}));

@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 
-#include <cstdlib>
 #include <ctime>
-#include <filesystem>
 #include <string>
 #include <tuple>
 
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
+#include "support/files.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -54,12 +53,9 @@ class RunSplit : public ::testing::TestWithParam<std::tuple<Law, Split>> {
 TEST_P(RunSplit, by_a_checkpoint_file_gives_the_bits_of_one_run) {
   const std::int64_t N = whole_.state().step;
   const std::size_t ruptures = whole_.ruptures().size();
-  std::string folder = (std::filesystem::temp_directory_path() / "rupture-XXXXXX").string();
-  ASSERT_NE(mkdtemp(folder.data()), nullptr);
-  const auto file = std::filesystem::path(folder) / "split.h5";
-  write_checkpoint(file, {p_, whole_.state(), {}}, IfExists::refuse);
-  const Checkpoint checkpoint = read_checkpoint(file);
-  std::filesystem::remove_all(folder);
+  const testing::Folder folder;
+  write_checkpoint(folder.file("split.h5"), {p_, whole_.state(), {}}, IfExists::refuse);
+  const Checkpoint checkpoint = read_checkpoint(folder.file("split.h5"));
   Simulation second(checkpoint.parameters, checkpoint.state);
   EXPECT_EQ(checksum(second), checksum(whole_));
   whole_.advance(N);

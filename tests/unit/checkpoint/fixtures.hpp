@@ -24,25 +24,18 @@ namespace fs = std::filesystem;
 /// A fresh folder per test.
 class InFolder : public ::testing::Test {
  protected:
-  InFolder() {
-    std::string name = (fs::temp_directory_path() / "rupture-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw Failure("no temporary folder");
-    folder_ = name;
-  }
-  ~InFolder() override { fs::remove_all(folder_); }
-
-  fs::path file(const std::string& name) const { return folder_ / name; }
+  fs::path file(const std::string& name) const { return folder_.file(name); }
 
   std::vector<std::string> names() const {
     std::vector<std::string> found;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
       found.push_back(entry.path().filename().string());
     }
     std::sort(found.begin(), found.end());
     return found;
   }
 
-  fs::path folder_;
+  const Folder folder_;
 };
 
 inline void spill(const fs::path& path, const std::string& bytes) {
