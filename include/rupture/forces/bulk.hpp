@@ -64,7 +64,7 @@ template <class Use>
 void for_each_spring(const Parameters& p, const Use& use) {
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
     for (Eigen::Index i = 0; i < p.Nx; ++i) {
-      for (const auto [ix, iz] : {std::pair(1, 0), {0, 1}, {1, 1}, {-1, 1}}) {
+      for (const auto& [ix, iz] : {std::pair(1, 0), {0, 1}, {1, 1}, {-1, 1}}) {
         if (i + ix >= 0 && i + ix < p.Nx && j + iz < p.Nz) use(i, j, ix, iz);
       }
     }
