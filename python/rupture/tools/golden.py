@@ -163,7 +163,7 @@ def regenerate(golden, before, found, work):
         return print(f"{golden} is current: nothing to change.")
     if golden.exists():
         names = (Path(f"{golden}.old{number}") for number in itertools.count(1))
-        old = next(name for name in names if not name.exists())
+        old = next(name for name in names if not os.path.lexists(name))
         shutil.copy2(golden, old)
         print(f"kept the old checksums as {old}")
     write_whole(golden, text)
