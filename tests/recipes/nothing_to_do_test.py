@@ -7,6 +7,7 @@ import shutil
 
 import pytest
 
+from runs.written import append_to
 from stand_ins import Project
 
 TINY = """\
@@ -109,3 +110,14 @@ def test_other_programs_count_by_their_bytes(tiny):
     assert tiny.steps(*options) == []
     tiny.append("bin/load")
     assert VERIFY in tiny.steps(*options)
+
+
+def test_a_link_in_the_place_of_what_is_noted_is_refused_and_not_followed(tiny):
+    theirs = tiny.write("theirs", "theirs")
+    link = tiny.write("results/jobs.json").with_suffix(".jsonl")
+    link.symlink_to(theirs)
+    done = tiny.call("tiny")
+    assert (done.returncode, theirs.read_text()) == (1, "theirs")
+    assert done.stderr.startswith("reproduce.sh: results/jobs.jsonl is a link, which is not")
+    with pytest.raises(OSError):
+        append_to(link)

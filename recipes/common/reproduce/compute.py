@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rupture.errors import Failure
 from runs.fingerprint import fingerprint_of_programs
-from runs.written import note
+from runs.written import LIST, append_to, note
 from reproduce.project import LOGS, PROGRAMS, ROOT, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
@@ -73,6 +73,9 @@ def place_of(request):
 
 def prepare(request, processes):
     """Where the commands run, once there is everything that they need."""
+    for path in (RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl")):
+        if path.is_symlink():
+            raise Failure(f"{path} is a link, which is not followed: move it away.")
     if request.programs:
         ensure_packages(processes, "run")
     else:
@@ -106,7 +109,7 @@ def note_run(recipes, place, started):
     """For the report: which recipes, with how many cores, when, and for how long."""
     run = {"recipes": " ".join(recipes), "where": place.name, "started": int(started)}
     run["seconds"] = int(time.time() - started)
-    with open(RESULTS / "runs.jsonl", "a", encoding="utf-8") as file:
+    with append_to(RESULTS / "runs.jsonl") as file:
         print(json.dumps(run), file=file)
 
 

@@ -12,7 +12,7 @@ import sys
 import time
 from pathlib import Path
 
-from runs.written import note
+from runs.written import append_to, note
 
 LOG = Path("build/log/recipes.log")
 RESULTS = Path("results")
@@ -83,7 +83,7 @@ def on_end(message):
     if job["output"]:
         job["seconds"] = time.time() - job["started"]
         JOBS.parent.mkdir(exist_ok=True)
-        with JOBS.open("a", encoding="utf-8") as file:
+        with append_to(JOBS) as file:
             print(json.dumps(job), file=file)
 
 

@@ -16,6 +16,12 @@ def written(results):
     return set(path.read_text(encoding="utf-8", errors="surrogateescape").splitlines())
 
 
+def append_to(path):
+    """Opens a file of ours at its end, and follows no link in its place."""
+    flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW
+    return open(os.open(path, flags, 0o666), "w", encoding="utf-8")
+
+
 def note(results, *paths):
     """Before the files are written, so that those of a run that is killed are known, too."""
     folder = Path(results).resolve()
@@ -23,8 +29,7 @@ def note(results, *paths):
     names = dict.fromkeys(os.path.relpath(path, results) for path in paths)
     if new := [name for name in names if name not in have]:
         folder.mkdir(parents=True, exist_ok=True)
-        flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW
-        with open(os.open(folder / LIST, flags, 0o666), "w", encoding="utf-8") as file:
+        with append_to(folder / LIST) as file:
             file.write("".join(f"{name}\n" for name in new))
         have.update(new)
 
