@@ -221,6 +221,19 @@ def test_what_cannot_be_named_read_or_written_is_said_with_the_file(plan, tmp_pa
         plan_sweep(Path("own.ini"), Path("file"))
 
 
+@pytest.mark.parametrize("ending", [".ini", ".csv", ".hdf5", ".png", ".pdf"])
+def test_files_of_the_user_are_not_replaced(plan, ending):
+    plan(CHAIN)
+    plan(CHAIN)  # what is ours is
+    mine = Path(f"results/sweeps/other/other{ending}")
+    mine.parent.mkdir()
+    mine.write_text("mine")
+    with pytest.raises(UsageError, match=f"^other.ini: {mine} was not written by this program"):
+        plan(CHAIN, "other")
+    assert ([*mine.parent.iterdir()], mine.read_text()) == ([mine], "mine")
+    assert mine.name not in Path("results/.rupture-files").read_text()
+
+
 # --- tables -----------------------------------------------------------------------------------
 
 COLUMNS = [

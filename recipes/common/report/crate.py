@@ -18,7 +18,8 @@ from urllib.parse import quote
 
 import yaml
 
-from runs.written import take_names
+from runs.written import take
+from rupture.errors import Failure
 from rupture.replacing import write_whole
 from origin import Accounts, builds, checksums
 from picture import ANIMATION, VIDEOS
@@ -202,8 +203,9 @@ def write_crate(root):
 
 if __name__ == "__main__":
     folder = Path(*sys.argv[1:]).resolve()
+    results = (folder / "results").resolve()
     try:
-        take_names(folder / "results", CRATE)
-    except FileExistsError as problem:
+        take(results, results / CRATE)
+    except Failure as problem:
         sys.exit(f"crate.py: {problem}")
     write_crate(folder)

@@ -25,7 +25,7 @@ from glance import glance_picture
 from picture import find_movie, picture
 from runs.recipes import label, natural, read_readme, recipe_names
 from rupture.errors import Failure
-from runs.written import take_names
+from runs.written import take
 from symbols import typeset
 
 HERE = Path(__file__).resolve().parent
@@ -139,9 +139,10 @@ def render(content):
 
 def main(folder="."):
     root = Path(folder).resolve()
-    path = (root / "results").resolve() / "index.html"
+    results = (root / "results").resolve()
+    path = results / "index.html"
     try:
-        take_names(root / "results", "index.html", "claims.png", "claims.pdf", CRATE)
+        take(results, *(results / n for n in ("index.html", "claims.png", "claims.pdf", CRATE)))
         content = contents(root)
         write_whole(path, render(content))
         write_crate(root)
@@ -149,7 +150,7 @@ def main(folder="."):
             own = [result for recipe in content["recipes"] for result in recipe.own]
             update_readme(root, [claim for _, claim in content["rows"]], own)
         print(f"Report: {path}", flush=True)
-    except (Failure, FileExistsError) as problem:
+    except Failure as problem:
         sys.exit(f"report.py: {problem}")
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more

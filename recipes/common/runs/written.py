@@ -4,6 +4,8 @@ these files alone, and a report replaces no others."""
 import os
 from pathlib import Path
 
+from rupture.errors import Failure
+
 LIST = ".rupture-files"
 known: dict[Path, set[str]] = {}  # by folder: what this process has read or noted
 
@@ -34,14 +36,13 @@ def note(results, *paths):
         have.update(new)
 
 
-def take_names(results, *names):
-    """Notes them. Raises FileExistsError with a sentence if one is there that is not ours."""
-    folder = Path(results).resolve()
-    for path in (folder / name for name in names):
-        is_ours = path.name in written(folder) and not path.is_symlink()
+def take(results, *paths):
+    """Notes files below `results`. A Failure if one is there that is not ours."""
+    for path in paths:
+        is_ours = os.path.relpath(path, results) in written(results) and not path.is_symlink()
         if os.path.lexists(path) and not is_ours:
-            raise FileExistsError(
-                f"{path} was not written by this program ({LIST} beside it has what was), and is"
+            raise Failure(
+                f"{path} was not written by this program ({results}/{LIST} has what was), and is"
                 " not replaced: move it away."
             )
-    note(results, *(Path(results, name) for name in names))
+    note(results, *paths)

@@ -14,7 +14,7 @@ from pathlib import Path
 from rupture.errors import Failure, UsageError
 from rupture.programs import output_of
 from rupture.replacing import replacing
-from runs.written import note
+from runs.written import take
 from sweeps.check import Programs, check_columns, check_points
 from sweeps.sweep import check_form, errors_of, parse_ini, read_sweep, sweep_of
 
@@ -22,8 +22,8 @@ ENDINGS = (".csv", ".hdf5", ".png", ".pdf")
 
 
 def write(results, path, content, *others):
-    """Notes the others, which are to come, too."""
-    note(results, path, *others)
+    """Takes the names of the others, which are to come, too."""
+    take(results, path, *others)
     with replacing(path) as part:
         part.write_bytes(content)
 
@@ -46,15 +46,15 @@ def keep_base(path, results):
 
 def write_plan(ini, output, results):
     section = ini["sweep"]
+    others = [output.with_suffix(ending) for ending in ENDINGS]
     if "base" in section:
         section["base"] = os.path.relpath(section["base"], output.parent)
     if "points" in section:
         copy = output.with_name(f"{output.stem}-points.csv")
-        write(results, copy, Path(section["points"]).read_bytes())
+        write(results, copy, Path(section["points"]).read_bytes(), output, *others)
         section["points"] = copy.name
     text = io.StringIO()
     ini.write(text)
-    others = (output.with_name(f"{output.stem}{ending}") for ending in ENDINGS)
     write(results, output, text.getvalue().encode(), *others)
 
 
