@@ -3,14 +3,16 @@
 import io
 import os
 import re
+import signal
 import subprocess
-from unittest.mock import patch
+from unittest.mock import Mock, patch
 
 import pytest
 
 from reproduce.checks import defines_layout, slowest_tests
 from reproduce.compute import count_cores, memory_of_allocation
 from reproduce.pipeline import Errors
+from reproduce.processes import Processes, open_lock, take_lock
 from stand_ins import Project
 
 REFUSED = [  # a command line, and the sentence
@@ -87,6 +89,8 @@ def test_clean_deletes_what_was_written_here_and_names_the_rest(project):
     root = project.root
     make(project, "disk/a", "results/a", "results/x/y", "results/mine", "mine", ".snakemake/z")
     make(project, "build/release/CMakeCache.txt", "build/other/o")
+    for name in ("results/empty", "build/empty"):
+        (root / name).mkdir()
     (root / "results/disk").symlink_to("../disk")
     (root / "results/link").symlink_to("../mine")
     listed = "a x/y disk/a link ../mine /etc/hostname".replace(" ", "\n")
@@ -97,7 +101,39 @@ def test_clean_deletes_what_was_written_here_and_names_the_rest(project):
     assert left == [f"  {name}" for name in (*kept, "build/other/o")]
     for name in ("disk/a", "mine", *(one.split()[0] for one in kept)):
         assert (root / name).exists()
-    assert not (root / "results/x").exists()
+    assert not (root / "results/x").exists() and not (root / ".snakemake").exists()
+    assert (root / "results/empty").exists() and (root / "build/empty").exists()
+
+
+def test_clean_deletes_folders_that_become_empty(project):
+    make(project, "results/a")
+    project.write("results/.rupture-files", "a\nx/not-yet\n")
+    (project.root / "results/x").mkdir()
+    assert project.call("clean").stdout == "Deleted 1 file in results/.\n"
+    assert not (project.root / "results").exists() and not (project.root / "build").exists()
+
+
+def test_a_lock_that_was_deleted_is_not_taken(folder):
+    first, second = open_lock("lock"), open_lock("lock")
+    assert take_lock(first, "lock") and not take_lock(second, "lock")
+    os.unlink("build/.lock")  # by `clean`, before its end
+    os.close(first)
+    assert not take_lock(second, "lock")
+    assert take_lock(open_lock("lock"), "lock")
+
+
+def test_the_second_signal_ends_a_program_that_is_starting(folder):
+    def start(*_):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            processes.receive(number, None)
+        return Mock(pid=7)
+
+    with patch("signal.signal"):
+        processes = Processes()
+    with patch("os.killpg") as ended, patch.object(processes, "start", start):
+        with pytest.raises(SystemExit):
+            processes.run(["x"])
+    ended.assert_called_once_with(7, signal.SIGKILL)
 
 
 def test_clean_follows_no_link(project):

@@ -2,6 +2,7 @@
 
 import os
 import shutil
+from contextlib import suppress
 
 from reproduce.project import READ, ROOT, SHARE, WORK, say
 from runs.written import LIST, written
@@ -29,19 +30,25 @@ def own_folders():
 
 
 def own_links():
-    """With which `rupture reproduce` shows the recipes their folder; and the locks, at the end."""
+    """With which `rupture reproduce` shows the recipes their folder; and the locks, at the end, that
+    of this run last."""
     links = [OWN / name for name in ("results", *READ)] if WORK else []
-    return [*filter(os.path.islink, links), *BUILD.glob(".lock*")]
+    locks = [BUILD / f".{name}" for name in ("lock-of-programs", "lock")]
+    return [*filter(os.path.islink, links), *filter(os.path.lexists, locks)]
 
 
-def left_in(path):
-    """Files and links. Folders without any are deleted."""
-    if path.is_symlink() or not path.is_dir():
-        return [path] if os.path.lexists(path) else []
-    left = [each for one in sorted(path.iterdir()) for each in left_in(one)]
-    if not left:
-        path.rmdir()
-    return left
+def delete_empty(folders):
+    """Those of others that were empty before stay."""
+    for folder in sorted(folders, reverse=True):  # what is in a folder comes first
+        with suppress(OSError):
+            folder.rmdir()
+
+
+def left_in(place):
+    """Files and links."""
+    if place.is_symlink() or not place.is_dir():
+        return [place] if os.path.lexists(place) else []
+    return [one for one in sorted(place.rglob("*")) if one.is_symlink() or not one.is_dir()]
 
 
 def say_left(left):
@@ -54,15 +61,19 @@ def say_left(left):
 
 
 def clean(*_):
-    files = [one for one in own_files() if one.is_file()]
+    listed = own_files()
+    files = [one for one in listed if one.is_file()]
     folders = own_folders()
     files_in = f"{len(files) - 1} file{'s' if len(files) > 2 else ''} in results/"
     deleted = [files_in] if len(files) > 1 else []
     deleted += [f"{one.relative_to(HOME)}/" for one in folders if any(one.iterdir())]
     for folder in folders:
         shutil.rmtree(folder, ignore_errors=not folder.exists())  # within another
-    for file in [*files, *own_links()]:
+    links = own_links()
+    for file in files + links:
         file.unlink()
+    parents = {parent for one in listed + folders + links for parent in one.parents}
+    delete_empty(one for one in parents if HOME in one.parents)
     places = (RESULTS, OWN) if WORK else (RESULTS, OWN / ".snakemake", BUILD)
     left = [path for place in places for path in left_in(place)]
     say(f"Deleted {', '.join(deleted)}." if deleted else "Nothing was deleted.")

@@ -15,6 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from rupture.errors import Failure
+from rupture.replacing import is_at
 from reproduce.project import LOGS, ROOT, WORK, complain, say
 
 SET_UP = Path(__file__).with_name("set-up.sh")
@@ -43,22 +44,23 @@ def open_lock(name):
         raise Failure(f"{ROOT}/build cannot be written ({error.strerror}).") from None
 
 
-def take_lock(lock):
+def take_lock(lock, name):
+    """Not one that `clean` has deleted meanwhile: the next run takes another."""
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         return False
     except OSError as error:  # of some shared file systems
         complain(f"cannot lock this folder ({error.strerror}): start no second run in it.")
-    return True
+    return is_at(lock, f"build/.{name}")
 
 
-def wait_for(lock):
-    if take_lock(lock):
+def wait_for(lock, name):
+    if take_lock(lock, name):
         return
     say("Waiting for programs of an earlier run, which was killed, to end ...")
     end = time.monotonic() + WAIT
-    while not take_lock(lock):
+    while not take_lock(lock, name):
         if time.monotonic() > end:
             raise Failure("programs of an earlier run, which was killed, are still running here.")
         time.sleep(0.1)
@@ -71,13 +73,14 @@ class Processes:
         self.group = None
         self.is_starting = False
         self.received = None
+        self.ending = signal.SIGINT  # the signal that the group then gets
         self.turn = open_lock("lock")  # it ends with this process
-        if not take_lock(self.turn):
+        if not take_lock(self.turn, "lock"):
             raise Failure(
                 "another ./reproduce.sh is running in this folder; wait until it is done."
             )
         self.lock = open_lock("lock-of-programs")  # they inherit it
-        wait_for(self.lock)
+        wait_for(self.lock, "lock-of-programs")
         for number in SIGNALS:
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup
                 signal.signal(number, self.receive)
@@ -86,10 +89,10 @@ class Processes:
 
     def receive(self, number, _):
         """The first signal lets programs save what they have; the next one ends them."""
-        is_first = self.received is None
+        self.ending = signal.SIGKILL if self.received else signal.SIGINT
         self.received = self.received or number
         if self.group:
-            end_group(self.group, signal.SIGINT if is_first else signal.SIGKILL)
+            end_group(self.group, self.ending)
         elif not self.is_starting:  # else run() will see it
             sys.exit(128 + self.received)
 
@@ -103,7 +106,7 @@ class Processes:
         guard = self.start(["sh", "-c", GUARD, str(process.pid)], subprocess.PIPE)
         self.group, self.is_starting = process.pid, False
         if self.received:
-            end_group(process.pid, signal.SIGINT)
+            end_group(process.pid, self.ending)
         code = process.wait()
         self.group = None
         if self.received:
