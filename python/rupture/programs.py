@@ -4,7 +4,9 @@ import json
 import os
 import shutil
 import subprocess
+from contextlib import suppress
 from functools import cached_property
+from glob import escape
 from pathlib import Path
 
 import rupture
@@ -86,11 +88,15 @@ class Result:
     @property
     def checkpoints(self):
         """The paths of the checkpoints on the way, in the order of their times."""
-        own = self.checkpoint.file.get("run/id")
-        paths = self.output.parent.glob(f"{self.output.stem}-t*{self.output.suffix}")
-        opened = [rupture.open(path) for path in paths] if own else []
-        mine = [file for file in opened if file.file["run/id"][()] == own[()]]
-        return [file.path for file in sorted(mine, key=lambda file: file.time)]
+        if not (own := self.checkpoint.dataset_at("run/id")):
+            return []
+        times = {}
+        for path in self.output.parent.glob(f"{escape(self.output.stem)}-t*{self.output.suffix}"):
+            with suppress(Failure), rupture.open(path) as file:  # others may be of any kind
+                other = isinstance(file, rupture.Checkpoint) and file.dataset_at("run/id")
+                if other and other[()] == own[()]:
+                    times[path] = file.time
+        return sorted(times, key=times.get)
 
 
 def run(program, *inputs, output, record=None, set=(), **options):

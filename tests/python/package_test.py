@@ -221,10 +221,16 @@ def test_programs_have_the_version_of_the_package():
 
 def test_a_result_has_the_files_of_its_run(small):
     rupture.run("load", output="small-t1.h5", config=SMALL, seed=2)  # another one's
+    rupture.run("modify-phi", "small.h5", output="small-t2.h5", shape="uniform")
+    shutil.copy("small-record.h5", "small-t3.h5")
+    Path("small-t4.h5").touch()
     names = [path.name for path in small.checkpoints]
     assert names[0] == "small-t0.000500000.h5"
     assert len(names) == 4
     assert small.checksum == rupture.verify("small.h5")
+    for name in ("small", *(name.removesuffix(".h5") for name in names)):
+        shutil.move(f"{name}.h5", f"{name}.h5".replace("small", "a[1]"))
+    assert len(rupture.Result("a[1].h5", None).checkpoints) == 4
 
 
 def test_a_refusal_is_its_sentence(small, monkeypatch):
