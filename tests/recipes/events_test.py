@@ -1,10 +1,13 @@
 """Kinds of events, and which of a load are shown (recipes/common/events)."""
 
+from contextlib import nullcontext
+
 import numpy as np
-from pytest import mark
+from pytest import mark, raises
 
 from claims.judge import holds
 from conftest import approx
+from data.value import main as value
 from events.choose_events import choose
 from events.conventions import CONVENTIONS, PRIMARY
 from events.event_claims import case_3Cv, judged_event, speeds_compared
@@ -34,6 +37,17 @@ class TestChoice:
         chosen = choose([event(0.1)])
         assert chosen["second-slow"] is None
         assert chosen["fast-only"] is None
+
+
+@mark.parametrize(
+    "names, found",
+    [("slow.t_to t.1 =9", 2.0), ("slow.t_to t.0 =9", "9"), ("slow.t_to", SystemExit)],
+)
+def test_the_first_name_with_a_value(tmp_path, names, found):
+    path = tmp_path / "front.json"
+    path.write_text('{"slow": null, "t": [null, 2.0]}')
+    with raises(found) if found is SystemExit else nullcontext():
+        assert value(path, *names.split()) == found
 
 
 def test_blocks_ahead_of_a_front_rupture_long_before_their_neighbours():

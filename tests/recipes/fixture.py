@@ -83,6 +83,7 @@ class Project:
             results = self.results / name
             spill(results / "claims.json", json.dumps(claims))
             spill(results / f"{name}.png", png(210, 80))
+            spill(results / f".{name}.tmp.01234567.png", "half")
             spill(results / f"{name}.pdf", "%PDF")
             spill(results / "front.csv", "x\n")
 

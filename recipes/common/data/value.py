@@ -1,8 +1,8 @@
 """One value of a JSON file, for use in a command: {VALUE} choice.json fast-slow-fast.until
 
-Several names stand for the first of them that has a value:
+Several names stand for the first of them that has a value; one that begins with = is a value:
 
-    {VALUE} front.json slow.t_to t_rupture.56
+    {VALUE} front.json slow.t_to t_rupture.56 =1e9
 """
 
 import json
@@ -22,7 +22,8 @@ def find(tree, name):
 def main(path, *names):
     with open(path, encoding="utf-8") as file:
         tree = json.load(file)
-    found = [value for value in (find(tree, name) for name in names) if value is not None]
-    if not found:
-        sys.exit(f"value.py: {path} has no value {' or '.join(names)}.")
-    return found[0]
+    for name in names:
+        value = name[1:] if name.startswith("=") else find(tree, name)
+        if value is not None:
+            return value
+    return sys.exit(f"value.py: {path} has no value {' or '.join(names)}.")

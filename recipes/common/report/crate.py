@@ -138,7 +138,7 @@ def run_of(root, name, accounts, source, built):
     the texts of origin.builds()."""
     results, behind = root / "results", accounts.files_behind(name)
     readme = read_readme(root / "recipes" / name / "README.md")
-    paths = sorted(path for path in (results / name).iterdir() if path.is_file())
+    paths = sorted(path for path in (results / name).glob("[!.]*") if path.is_file())
     files = [whole_file(results, path) for path in paths if path.suffix != ".part"]
     checkpoints = [  # and records, by the checksums of their content
         file_entity(results, results / "data" / each, identifier=f"content-sha256:{checksum}")

@@ -35,10 +35,9 @@ SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts 
 
 
 def files_of(folder, pattern):
-    """The one with the name of the recipe comes first."""
-    return sorted(
-        folder.glob(pattern), key=lambda path: (path.stem != folder.name, natural(path.name))
-    )
+    """The one with the name of the recipe comes first. Hidden files are those of killed programs."""
+    found = (path for path in folder.glob(pattern) if not path.name.startswith("."))
+    return sorted(found, key=lambda path: (path.stem != folder.name, natural(path.name)))
 
 
 class Recipe:

@@ -37,8 +37,8 @@ rule event_slip:
     message: "{wildcards.event}: measure the slip at x = 0.34 L ({wildcards.continuation})"
     shell:
         "{BIN}/analyze slip {input.h5} --x 0.0476"
-        " --to $({VALUE} {input.front} slow.t_to t_rupture.56 2> {log} || echo 1e9)"
-        " --json > {output} 2>> {log}"
+        " --to $({VALUE} {input.front} slow.t_to t_rupture.56 =1e9)"
+        " --json > {output} 2> {log}"
 
 
 rule event_wider_phi:

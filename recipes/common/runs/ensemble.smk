@@ -147,7 +147,7 @@ rule continued:
     params: code=CODE, run=f"{DATA}/{{load}}", crossings=CROSSINGS
     message: "continued: continue the events of {wildcards.load} in other ways"
     shell:
-        "{CALL} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} '{params.crossings}'"
+        "{CALL} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} {params.crossings:q}"
         " > {output} 2> {log}"
 
 
