@@ -16,7 +16,7 @@ import pytest
 from conftest import ROOT, run
 from data.tables import read_table
 from rupture.errors import Failure, UsageError
-from pictures.plotting import figure
+from pictures.plotting import figure, save
 from sweeps.picture import cells, draw, draw_line, edges, middle
 from sweeps.plan import plan_sweep
 from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
@@ -391,6 +391,17 @@ def test_what_cannot_be_drawn_is_one_line_and_leaves_no_file(tmp_path, error, wh
     with mock.patch("sweeps.picture.draw_columns", side_effect=error):
         said = draw(stem, *sweep_of({V: ["1", "2"]}, {SPEED: [1.0, 2.0]}, ["done"] * 2))
     assert (said, [*tmp_path.iterdir()]) == (f"No picture: {why}", [])
+
+
+def test_a_picture_is_written_whole_or_not_at_all(tmp_path):
+    def half(path, **_):
+        Path(path).write_text("half")
+        raise KeyboardInterrupt
+
+    (picture := tmp_path / "a.png").write_text("former")
+    with pytest.raises(KeyboardInterrupt):
+        save(mock.Mock(savefig=half), tmp_path / "a")
+    assert ([*tmp_path.iterdir()], picture.read_text()) == ([picture], "former")
 
 
 def test_other_numbers_of_values_have_no_picture_and_a_former_one_goes(drawn, tmp_path):

@@ -1,11 +1,10 @@
 """The look of all figures: that of the Python package, at the sizes of a printed page."""
 
-from pathlib import Path
-
 from rupture.plotting import BLACK, BLUE, GREEN, LINES, ORANGE, PURPLE, SKY, VERMILION
 from rupture.plotting import MAP  # noqa: F401  (for the recipes)
 from rupture.plotting import STYLE as LOOK
 from rupture.plotting import pyplot_without_window
+from rupture.replacing import replacing
 
 plt = pyplot_without_window()
 
@@ -45,7 +44,8 @@ def letter(axes, text):
 
 def save(fig, stem):
     """Writes stem.png and stem.pdf; equal plots are equal bytes."""
-    Path(stem).parent.mkdir(parents=True, exist_ok=True)
-    fig.savefig(f"{stem}.png", metadata={"Software": None})
-    fig.savefig(f"{stem}.pdf", metadata={"CreationDate": None, "ModDate": None})
+    times = {"CreationDate": None, "ModDate": None}
+    for ending, metadata in ((".png", {"Software": None}), (".pdf", times)):
+        with replacing(f"{stem}{ending}") as temporary:
+            fig.savefig(temporary, metadata=metadata)
     plt.close(fig)
