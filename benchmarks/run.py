@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Measures the time per step and its parts with every instruction set of this processor, the equilibrium
-solve, checkpoints and records, larger sliders, more threads, and the bulk in LAMMPS if that is
-installed. Prints tables with the targets beside the values and writes everything in the JSON format of
-Google Benchmark. Takes about 3 minutes; leave the machine alone meanwhile. benchmarks/README.md
-explains the rows. Environment: LMP, the LAMMPS program (default: lmp)."""
+"""Measures the time per step and its parts with every instruction set of this processor, the
+equilibrium solve, checkpoints and records, larger sliders, more threads, and the bulk in LAMMPS if
+that is installed. Prints tables with the targets beside the values and writes everything in the
+JSON format of Google Benchmark. Takes about 3 minutes; leave the machine alone meanwhile.
+benchmarks/README.md explains the rows. Environment: LMP, the LAMMPS program (default: lmp)."""
 
 import argparse
 import json
@@ -105,8 +105,9 @@ def measure_lammps(lmp, seconds, scratch):
 
 
 def measured(options, bench, scratch):
-    """Everything in turn, several times, so that a busy spell does not hit one row only. The scratch
-    folder stands beside the result: files are to be measured on a disk, and /tmp may be none."""
+    """Everything in turn, several times, so that a busy spell does not hit one row only. The
+    scratch folder stands beside the result: files are to be measured on a disk, and /tmp may be
+    none."""
     available = [isa for isa in INSTRUCTION_SETS if runs_with(bench, isa)]
     lmp = shutil.which(os.environ.get("LMP", "lmp"))
     if not lmp:

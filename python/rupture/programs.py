@@ -90,13 +90,13 @@ class Result:
         """The paths of the checkpoints on the way, in the order of their times."""
         if not (own := self.checkpoint.dataset_at("run/id")):
             return []
-        times = {}
+        mine = []
         for path in self.output.parent.glob(f"{escape(self.output.stem)}-t*{self.output.suffix}"):
             with suppress(Failure), rupture.open(path) as file:  # others may be of any kind
                 other = isinstance(file, rupture.Checkpoint) and file.dataset_at("run/id")
                 if other and other[()] == own[()]:
-                    times[path] = file.time
-        return sorted(times, key=times.get)
+                    mine.append((file.time, path))
+        return [path for _, path in sorted(mine)]
 
 
 def run(program, *inputs, output, record=None, set=(), **options):

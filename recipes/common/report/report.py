@@ -35,7 +35,7 @@ SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts 
 
 
 def files_of(folder, pattern):
-    """The one with the name of the recipe comes first. Hidden files are those of killed programs."""
+    """The one with the name of the recipe comes first. Killed programs leave hidden files."""
     found = (path for path in folder.glob(pattern) if not path.name.startswith("."))
     return sorted(found, key=lambda path: (path.stem != folder.name, natural(path.name)))
 

@@ -12,11 +12,11 @@ from reproduce.processes import build, ensure_packages, set_up
 
 CPP = "find include src tests benchmarks -name '*.[ch]pp' -o -name '*.h' | sort"
 SHELL = (
-    "reproduce.sh .ci/run src/tools/reproduce recipes/common/*/*.sh packaging/*.sh"
+    "reproduce.sh .ci/run src/tools/reproduce src/tools/*/*.sh recipes/common/*/*.sh packaging/*.sh"
     " recipes/common/profiles/*/{job.sh,step} tests/*/*.sh tests/regression/project/*.sh"
 )
-PYTHON = "python recipes src tests"
-TEXTS = f"{PYTHON} README.md CONTRIBUTING.md docs include benchmarks packaging reproduce.sh"
+PYTHON = "python recipes src tests benchmarks"
+TEXTS = f"{PYTHON} README.md CONTRIBUTING.md docs include packaging reproduce.sh"
 CPPCHECK = (
     "cppcheck --quiet --std=c++20 --language=c++ --enable=warning,style,performance,portability"
     " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"

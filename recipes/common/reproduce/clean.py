@@ -30,7 +30,7 @@ def own_folders():
 
 
 def own_links():
-    """With which `rupture reproduce` shows the recipes their folder; and the locks, at the end, that
+    """With which `rupture reproduce` shows the recipes their folder; and at the end the locks, that
     of this run last."""
     links = [OWN / name for name in ("results", *READ)] if WORK else []
     locks = [BUILD / f".{name}" for name in ("lock-of-programs", "lock")]

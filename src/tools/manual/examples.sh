@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # The EXAMPLES of the man pages; tests/manual/pages_test.py runs this file.
 (ulimit -f 999; ! rupture load --until 1ms -o killed.h5 --record killed-record.h5 --record-every 1us)
 rupture load -o load.h5 --until 1ms --record load-record.h5
