@@ -1,5 +1,4 @@
-"""The look of all pictures, and the panels that several draw. For matplotlib, which is needed only
-here."""
+"""The look of all pictures, and the panels that several draw."""
 
 import os
 

@@ -13,7 +13,8 @@ from rupture.errors import UsageError
 from sweeps import collect
 from sweeps.points import PointStore
 from sweeps.sweep import Point, batches_of, read_sweep
-from sweeps.values import in_si, values_of
+from rupture.units import in_si
+from sweeps.values import values_of
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
 
@@ -85,13 +86,14 @@ def test_wrong_lists_and_ranges(sentence):
         ("1m", 1, "m"),
         ("2km/s", 2000, "m/s"),
         ("1e999", float("inf"), ""),
+        ("1e99999999ms", float("inf"), "s"),
     ],
 )
 def test_numbers_with_units(text, number, unit):
     assert in_si(text) == (number, unit)
 
 
-@pytest.mark.parametrize("text", ["1k", "1 1", "nan", "1mmm", "1 kHz", "N/m^2", ""])
+@pytest.mark.parametrize("text", ["1k", "1 1", "10Ms", "nan", "1mmm", "1 kHz", "N/m^2", ""])
 def test_no_numbers(text):
     with pytest.raises(ValueError, match="is not a number"):
         in_si(text)

@@ -15,10 +15,10 @@ from contextlib import suppress
 from functools import partial
 
 from rupture.errors import Failure, UsageError
+from rupture.programs import output_of
 from rupture.replacing import end_by_signal
+from rupture.units import in_si
 
-UNITS = {"": 1, "s": 1, "ms": 1e-3, "us": 1e-6}  # of times [s]
-TIME = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-z]*)", re.ASCII)
 CLEAR = "\r\033[K"  # the line of a terminal
 WHOLE = re.compile(r"[-+]?\d{1,18}", re.ASCII)
 WORDING = {  # of argparse, and of the programs in C++
@@ -32,10 +32,11 @@ WORDING = {  # of argparse, and of the programs in C++
 
 def seconds(text, least=0.0, most=math.inf):
     """Times such as 0.8, 0.8s or "800 ms" [s]."""
-    found = TIME.fullmatch(text.strip())
-    if not found or found[2] not in UNITS:
+    time, unit = math.nan, None
+    with suppress(ValueError):
+        time, unit = in_si(text.strip())
+    if unit not in ("", "s"):
         raise argparse.ArgumentTypeError(f"must be a time such as 0.8s or 800ms (got '{text}')")
-    time = float(found[1]) * UNITS[found[2]]
     if least <= time <= most and math.isfinite(time):
         return time
     up_to = f" and at most {most:g} s" if most < math.inf else ""
@@ -75,8 +76,6 @@ class Answer(argparse.Action):
 
 
 def version_text(parser):
-    from rupture.programs import output_of  # of all here, it alone needs h5py
-
     return output_of("analyze", "--version").strip().replace("analyze", parser.prog, 1)
 
 

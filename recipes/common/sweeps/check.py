@@ -10,9 +10,9 @@ from functools import cache
 
 from rupture.errors import UsageError
 from rupture.programs import output_of
+from rupture.units import in_si
 from runs.fingerprint import PROGRAMS
 from sweeps.sweep import check_known, names_of_values, options, suggestion
-from sweeps.values import in_si
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table

@@ -15,13 +15,13 @@ import h5py
 import numpy as np
 
 from rupture.replacing import replacing
+from rupture.units import without_unit
 from data.tables import write_table
 from maps.front_map import TYPES
 from sweeps.collect import rows
 from sweeps.picture import draw
 from sweeps.points import UNFINISHED
 from sweeps.sweep import names_of_values
-from sweeps.values import without_unit
 
 SHOWN = 5  # sentences of failed points
 TWO_DECADES = 100

@@ -1,16 +1,11 @@
-"""Values in sweep files: lists, ranges, expressions of other values; numbers may have a unit.
-Mistakes are ValueErrors."""
+"""Values in sweep files: lists, ranges, expressions of other values. Mistakes are ValueErrors."""
 
 import functools
 import math
 import re
-from decimal import Decimal
 
-NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
-PREFIXES = {"": 0, "G": 9, "M": 6, "k": 3, "m": -3, "u": -6, "µ": -6, "μ": -6, "n": -9}
-SYMBOLS = ("m", "s", "m/s", "g", "N", "N/m", "N/m^2", "Pa")
-UNIT = rf"([{''.join(PREFIXES)}]?)({'|'.join(map(re.escape, SYMBOLS))})"
-AMOUNT = re.compile(rf"([-+]?{NUMBER})\s*({UNIT})?")
+from rupture.units import NUMBER, amount, without_unit
+
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 LIMIT = 100_000  # points of a sweep
 
@@ -18,32 +13,6 @@ LIMIT = 100_000  # points of a sweep
 def text_of(number):
     """12 digits: 0.1 + 0.2 is 0.3."""
     return f"{number:.12g}"
-
-
-# --- numbers with units -----------------------------------------------------------------------
-
-
-def amount(text):
-    """The number as it is written; its unit, the prefix and the symbol of that."""
-    match = AMOUNT.fullmatch(text)
-    if not match:
-        raise ValueError(f"'{text}' is not a number")
-    return match.groups(default="")
-
-
-def in_si(text):
-    """The number and its unit, such as 0.01 and s of 10ms."""
-    number, unit, prefix, symbol = amount(text)
-    if not unit:
-        return float(number), ""
-    unit, power = ("kg", -3) if symbol == "g" else (symbol, 0)
-    return float(Decimal(number).scaleb(PREFIXES[prefix] + power)), unit
-
-
-def without_unit(text):
-    """10ms as 0.01. What has no unit stays as it is."""
-    match = AMOUNT.fullmatch(text)
-    return repr(in_si(text)[0]) if match and match[2] else text
 
 
 # --- expressions ------------------------------------------------------------------------------

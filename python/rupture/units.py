@@ -1,0 +1,33 @@
+"""Numbers with units, as the programs read them. Mistakes are ValueErrors."""
+
+import re
+
+NUMBER = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
+PREFIXES = {"": 0, "G": 9, "M": 6, "k": 3, "m": -3, "u": -6, "µ": -6, "μ": -6, "n": -9}
+SYMBOLS = ("m", "s", "m/s", "g", "N", "N/m", "N/m^2", "Pa")
+UNIT = rf"([{''.join(PREFIXES)}]?)({'|'.join(map(re.escape, SYMBOLS))})"
+AMOUNT = re.compile(rf"([-+]?{NUMBER})\s*({UNIT})?")
+
+
+def amount(text):
+    """The number as it is written; its unit, the prefix and the symbol of that."""
+    match = AMOUNT.fullmatch(text)
+    if not match or (match[4] in ("m", "s") and match[3] in ("G", "M", "k")):  # no megaseconds
+        raise ValueError(f"'{text}' is not a number")
+    return match.groups(default="")
+
+
+def in_si(text):
+    """The number and its unit, such as 0.01 and s of 10ms."""
+    number, unit, prefix, symbol = amount(text)
+    if not unit:
+        return float(number), ""
+    unit, power = ("kg", -3) if symbol == "g" else (symbol, 0)
+    mantissa, _, exponent = number.lower().partition("e")
+    return float(f"{mantissa}e{int(exponent or 0) + PREFIXES[prefix] + power}"), unit
+
+
+def without_unit(text):
+    """10ms as 0.01. What has no unit stays as it is."""
+    match = AMOUNT.fullmatch(text)
+    return repr(in_si(text)[0]) if match and match[2] else text
