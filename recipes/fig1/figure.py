@@ -5,10 +5,10 @@ import junction
 import numpy as np
 import speeds
 
+from claims.paper import MU_D, MU_S
 from data.tables import read_table
 from pictures.plotting import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 
-MU_S, MU_D = 0.4, 0.17
 SHOWN = (0.1, 1500)  # speeds drawn in G [mm/s]
 
 

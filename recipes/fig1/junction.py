@@ -23,12 +23,12 @@ class Pulled:
         names = ("step", "time", "u_x", "tau", "p", "pinned")  # [1, s, m, N, N, 1]
         series = rupture.open(record)
         step, self.time, self.u, self.f, self.f_N, pinned = (series[name] for name in names)
-        kappa, self.mu_s, mu_d = (series[f"junctions.{n}"] for n in ("kappa", "mu_s", "mu_d"))
+        kappa, self.mu_s, self.mu_d = (series[f"junctions.{n}"] for n in ("kappa", "mu_s", "mu_d"))
         if not np.all(np.diff(step) == 1):
             sys.exit(f"{record} does not have a sample of each step")
         self.attachment = rupture.open(prepared)["junctions/attachment"][:, 0]  # [m]
         self.k = np.sqrt(kappa * self.f_N)
-        self.f_thres, self.f_slip = self.mu_s * self.f_N, mu_d * self.f_N
+        self.f_thres, self.f_slip = self.mu_s * self.f_N, self.mu_d * self.f_N
         self.pinned = pinned == 1
         change = np.diff(self.pinned.astype(int), axis=0, prepend=self.pinned[:1])
         self.breaks, self.repins = change < 0, change > 0
@@ -86,15 +86,15 @@ def claim_1F(pulled):
             "pinned: |f - k_ij (x - x_ij)|/f_thres": linear,
             "largest f/f_N before a break": before.max(),
             "smallest that would have been reached a step later": later.min(),
-            "slipping: |f - 0.17 f_N|/f_thres": dropped,
+            f"slipping: |f - {pulled.mu_d:g} f_N|/f_thres": dropped,
             "repinned: |f|/f_N": zero,
             "steps between t_R and the repinning": late,
             "blocks moved forwards throughout": yes(pulled.is_forward()),
         },
         note="Relative to f_thres, over every step of all junctions. Time is discrete: a junction"
-        " breaks in the first step in which it would carry more than 0.4 f_N, so that the largest"
-        " force is up to one step's stretch below that; it is zero in the first step at or after"
-        " t_R.",
+        f" breaks in the first step in which it would carry more than {pulled.mu_s:g} f_N, so that"
+        " the largest force is up to one step's stretch below that; it is zero in the first step"
+        " at or after t_R.",
     )
 
 

@@ -3,10 +3,11 @@
 import numpy as np
 
 from claims.judge import judged
+from claims.paper import MU_D, MU_S
 from data.records import report
 from data.tables import write_table
 
-LIMITS = (0.4 / 2, 0.17)  # mu_s/2 and mu_d of the reference parameters
+LIMITS = (MU_S / 2, MU_D)
 
 
 def claim_1G(steady, limits):
@@ -26,8 +27,8 @@ def claim_1G(steady, limits):
             "tau/p at 0.1 mm/s and 1 m/s": [mu[0], mu[-1]],
             **case,
             "largest standard error": max(steady["mu_error"]),
-            "tau/p at 1 nm/s (mu_s/2 = 0.2)": limits["mu"][0],
-            "tau/p at 1 km/s (mu_d = 0.17)": limits["mu"][1],
+            f"tau/p at 1 nm/s (mu_s/2 = {LIMITS[0]:g})": limits["mu"][0],
+            f"tau/p at 1 km/s (mu_d = {LIMITS[1]:g})": limits["mu"][1],
         },
         note="The law itself is run, without the slider. Renewal theory is derived in"
         " docs/tests.md, 'Friction at constant speed'. The limits are read at speeds at which"

@@ -1,6 +1,6 @@
 """Chooses the event most like the paper's of independent loads:
 
-    most_like.py CHECKPOINT_EVERY load-01-events.json ...
+    most_like.py CHECKPOINT_EVERY load-201-events.json ...
 
 It has the least sum of squared logarithms of the ratios of its speed before the slow stretch, its
 slowest stencil, both transitions and the duration to the paper's. Prints the load, where to

@@ -3,11 +3,11 @@
 import numpy as np
 
 from claims.judge import judged
+from claims.paper import MU_D, MU_S
 from data.tables import points_of, write_table
 from maps.front_map import beyond_trigger, front_type
 from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
-MU_S, MU_D = 0.4, 0.17  # Table S1
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
 SHOWN_SIGMA_BAR = 0.0
 COLOURS = {0.2: BLACK, 0.3: BLUE}

@@ -5,12 +5,13 @@ from quadrature import SHAPES, largest_mean_force, mean_force, sigma_of_unit_wid
 from quadrature import uniform_closed_form
 
 from claims.judge import judged
+from claims.paper import MU_D, MU_S
 from data.tables import read_table, write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
 
-MU_S, MU_D = 0.4, 0.17  # reference parameters, as the tool's defaults
 DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average
+AT = (0.1, 0.3, 1.0)  # sigma-bar, for readers
 LINES = {"uniform": "-", "bell": "--"}
 MARKERS = {"uniform": "o", "bell": "s"}  # of the largest values
 
@@ -83,7 +84,8 @@ def claim_S5(uniform, bell):
         "bell - quadrature": np.abs(bell.mu_bar - bell.quadrature).max(),
     }
     falls = bool(np.all(np.diff(uniform.mu_bar) < 0) and np.all(np.diff(bell.mu_bar) < 0))
-    at = {f"{s.shape} at 0.1, 0.3, 1.0": s.mu_bar[[5, 15, 50]] for s in (uniform, bell)}
+    places = [np.argmin(np.abs(uniform.sigma_bar - sigma_bar)) for sigma_bar in AT]
+    at = {f"{s.shape} at {', '.join(map(str, AT))}": s.mu_bar[places] for s in (uniform, bell)}
     case = {
         "falls from each to the next": "yes" if falls else "no",
         "largest deviation of mu-bar": max(off.values()),

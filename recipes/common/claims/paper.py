@@ -2,6 +2,9 @@
 and to choose the event most like the paper's. No simulation reads them, and no measurement but for
 L_0, a factor common to all points of Figure 3 D."""
 
+# Table S1: friction at which a pinned junction breaks, and of a slipping one
+MU_S, MU_D = 0.4, 0.17
+
 # Fig. 2 and the text on it: a fast-slow-fast event
 FAST = 1 / 3  # speed of the front before its slow stretch [c_s]
 SLOW = 1 / 100  # along it [c_s]
