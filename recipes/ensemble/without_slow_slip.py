@@ -2,7 +2,7 @@
 
     without_slow_slip.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
 
-RUN is results/data/ensemble/simplified-03, say. An event counts if it is fast-slow under any
+RUN is results/data/ensemble/simplified-01. An event counts if it is fast-slow under any
 convention. Prints, by the events' numbers, {convention: {"with", "without"}}: the event, and the
 front without slow slip, null where nothing ruptures.
 """

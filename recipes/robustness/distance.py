@@ -77,7 +77,6 @@ def draw(maps, fronts, stem):
 
 
 def make(data, results):
-    """`data`: of an event, as it is and continued under the distance law."""
     points = points_of(data / "robustness/distance.csv")
     named = [
         (row | {"variant": f"d_R {1e6 * float(row['junctions.d_R']):g} um"}, result)

@@ -113,7 +113,7 @@ def slow_speeds(slow):
 
 
 def words_compared(front, case):
-    """The same, with length over duration of the slow stretch: 0.2 L in 1 ms."""
+    """Measured speeds over the paper's, the last one that of 0.2 L in 1 ms."""
     length = paper.TRANSITIONS[1] - paper.TRANSITIONS[0]
     of_paper = length * front["L"] / paper.SLOW_FOR / front["c_s"]
     return {

@@ -7,7 +7,7 @@ from rupture.errors import Failure
 
 VIDEOS = {"movie.webm": "video/webm", "movie.mp4": "video/mp4"}
 ANIMATION = "movie.gif"
-STILL = "movie.png"  # shown before a video is started, and on paper
+STILL = "movie.png"  # shown before a video is started
 
 
 @dataclass(frozen=True)

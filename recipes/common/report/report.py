@@ -29,8 +29,8 @@ from runs.written import take
 from symbols import typeset
 
 HERE = Path(__file__).resolve().parent
-MANY = 12  # commands of a step, or checksums, beyond which only their number is of interest
-MANY_SUMS = 100
+MANY = 12  # commands of a step, beyond which only their number is of interest
+MANY_SUMS = 100  # checksums
 SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
 
 

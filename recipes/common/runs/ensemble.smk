@@ -1,6 +1,6 @@
-# Loads from t = 0. Those with seed 1 are shown: load-01, the reference slider, by Figures 1 and S1; with
-# --from-scratch, the checkpoints in checkpoints/ come from it, too. The others are independent: claims are
-# judged by them.
+# Loads. Those with seed 1, from t = 0, are shown: load-01, the reference slider, by Figure 1, the others by
+# Figures S2 and S6 and robustness; with --from-scratch, the checkpoints in checkpoints/ come from load-01,
+# too. Those of other seeds are independent: claims are judged by them.
 LOAD_UNTIL = 1.2  # s
 CHECKPOINT_EVERY = 0.05  # s
 BEFORE_FIRST_BREAK = 0.18  # s; the decaying law's is at 0.1845 s, that of the others at 0.1895 s
