@@ -16,10 +16,7 @@ python=/usr/bin/python3
 [[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME
-if [[ -x /usr/bin/snakemake ]]; then
-  export PYTHONNOUSERSITE=1               # Debian's packages, not the user's own
-  export SETUPTOOLS_USE_DISTUTILS=stdlib  # half the time to import Snakemake
-fi
+[[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1  # Debian's packages, not the user's own
 # The Python package is beside the recipes, or where an installation has it.
 export PYTHONPATH=$root/recipes/common:$root/python:$root/../../lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
 exec "$python" "$root/recipes/common/reproduce/__main__.py" "$@"

@@ -7,7 +7,6 @@ from unittest import mock
 from pytest import mark, raises
 
 from claims import judge
-from claims.claim import VERDICTS
 from claims.judge import PRIMARY, RELATIONS, as_number, conditions_of, holds, interval, judged
 from claims.judge import met, table, unmet, unmet_text
 from conftest import ROOT, approx
@@ -177,6 +176,3 @@ class TestTable:
                 if isinstance(condition, dict):
                     assert condition and set(condition) <= set(RELATIONS)
                     assert all(map(is_finite, condition.values()))
-
-    def test_verdicts_are_four(self):
-        assert len(VERDICTS) == 4

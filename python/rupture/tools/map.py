@@ -9,7 +9,7 @@ from rupture.programs import analyze
 from rupture.tables import imported
 from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete, progress, say_written
-from rupture.tools.window import add_window, events_in, open_record, window_of
+from rupture.tools.window import add_window, open_record, window_of
 
 SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
@@ -138,7 +138,7 @@ def run():
     record = open_record(options.record)
     events = analyze("events", options.record)["events"]
     begin, end = window_of(options, record, events)
-    shown = events_in(events, begin, end)
+    shown = [one for one in events if one["t_end"] >= begin and one["t_start"] <= end]
     figure = figure_of(record, options.record, shown, (begin, end))
     with complete(options.output, options.force) as path:
         figure.savefig(path, dpi=200)

@@ -73,7 +73,3 @@ def window_of(options, record, events):
         between = f"between {begin:g} s and {end:g} s"
         raise UsageError(f"fewer than two samples lie {between}: give a longer time")
     return begin, end
-
-
-def events_in(events, begin, end):
-    return [event for event in events if event["t_end"] >= begin and event["t_start"] <= end]

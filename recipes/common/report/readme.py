@@ -15,7 +15,7 @@ from types import SimpleNamespace
 
 from caption import PLACE, filled
 from claims import paper
-from claims.claim import SHOWN_ONLY, VERDICTS
+from claims.claim import SHOWN_ONLY, STANDINGS
 from data.records import report
 from data.tables import read_rows, write_table
 from pictures.panels import name_line
@@ -77,7 +77,7 @@ def sentences(rows):
     """From the table of verdicts; `all` counts them."""
     counts = Counter(row["verdict"] for row in rows if row["verdict"])
     results = {row["id"]: row | json.loads(row["numbers"]) for row in rows}
-    results["all"] = dict.fromkeys(VERDICTS, 0) | counts | {"claims": counts.total()}
+    results["all"] = dict.fromkeys(STANDINGS, 0) | counts | {"claims": counts.total()}
     return filled(SENTENCES, [SimpleNamespace(id=i, measured=m) for i, m in results.items()])
 
 
