@@ -252,8 +252,8 @@ def load_map(data, folder, parts):
         if not all(map(is_like_analyze, seeds.values())):
             raise ValueError("front types differ from those of `analyze front`")
     grid = {place: {1: fronts[place][1]} for place in map(place_of, read_rows(tables[0]))}
-    boundary = [place_of(row) for row in read_rows(Path(data) / folder / "boundary.csv")]
-    return fronts, grid, boundary
+    boundary = dict.fromkeys(map(place_of, read_rows(Path(data) / folder / "boundary.csv")))
+    return fronts, grid, [*boundary]
 
 
 def slow_stretch(front):

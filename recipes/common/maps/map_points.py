@@ -3,6 +3,8 @@
 map_points.py between MAP.csv OUTPUT                  halfway between two, of which one is fast
 map_points.py boundary MAP.csv [BETWEEN.csv] OUTPUT   next to another type, given the former, too
 map_points.py variants MAPS.csv OUTPUT                next to another type on one of several maps
+
+The former have seed 1, the others seeds 1 to 5.
 """
 
 from data.tables import read_rows, write_table
@@ -24,10 +26,11 @@ def main(which, grid, *rest):
     *between, output = rest
     grid_rows = read_rows(grid)
     between_types = types_in(read_rows(between[0])) if between else {}
+    seeds = [1] if which == "between" else [1, 2, 3, 4, 5]
     places = {
         "between": lambda: to_refine(types_in(grid_rows)),
         "boundary": lambda: boundary(types_in(grid_rows), between_types),
         "variants": lambda: boundary_of_variants(grid_rows),
     }[which]()
-    rows = ([f"{number:.12g}" for number in place] for place in places)
-    write_table(output, ["tau-bar", "sigma-bar"], rows)
+    rows = ((seed, *(f"{number:.12g}" for number in place)) for place in places for seed in seeds)
+    write_table(output, ["numerics.seed", "tau-bar", "sigma-bar"], rows)
