@@ -1,13 +1,14 @@
 """The events of independent loads, picture and table."""
 
 from itertools import chain
+from operator import itemgetter
 
 import alternation
 import numpy as np
 
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
-from data.tables import write_table
+from data.tables import write_events
 from events.choose_events import read_events
 from events.event_claims import is_fast_slow_fast, yes
 from events.fronts import has_slow_stretch, is_fast_only
@@ -26,16 +27,6 @@ NAMES = {  # setting: title
 SHOWN = (-1, 5)  # after the first block that is shown [ms]
 BACK = 0.1  # lines break where they go back by more [ms]
 FROM = 0.2  # of L; before, fronts begin in many ways
-OF_SLOW = {  # name in a report: for readers
-    "x_from": "x_from [m]",
-    "x_to": "x_to [m]",
-    "duration": "duration [s]",
-    "speed": "median speed [m/s]",
-    "mean": "mean speed [m/s]",
-    "slowest": "slowest stencil [m/s]",
-    "fast_before": "fast_before [m/s]",
-    "fast_after": "fast_after [m/s]",
-}
 
 
 def kind_of(event):
@@ -80,14 +71,6 @@ def draw(loads, stem):
     save(fig, stem)
 
 
-def rows(loads):
-    """Each event that spans the interface, with its slow stretch below c_s/20."""
-    for load, pairs in chain(*(of.items() for of in loads.values())):
-        for kind, event in pairs:
-            slow = map((event["slow"] or {}).get, OF_SLOW)
-            yield load, event["t_start"], event["type"], kind, yes(is_fast_slow_fast(event)), *slow
-
-
 def summary(loads):
     """Text for the terminal."""
     names = ("loads", "span", "in words", "fast only", "other", "slow stretch", "meet 2A")
@@ -129,8 +112,13 @@ def make(data, results):
     loads = of_loads(data, "events", spanning_events)
     draw(loads, results / "ensemble")
     alternation.draw(loads["load"], results / "alternation")
-    names = ["load", "t_start [s]", "type", "kind", "meets 2A", *OF_SLOW.values()]
-    write_table(results / "events.csv", names, rows(loads))
+    events = (
+        event | {"load": load, "kind": kind, "meets 2A": yes(is_fast_slow_fast(event))}
+        for load, pairs in chain(*(of.items() for of in loads.values()))
+        for kind, event in pairs
+    )
+    columns = {name: itemgetter(name) for name in ("load", "type", "kind", "meets 2A")}
+    write_events(results / "events.csv", events, columns)
     own = [alternation.own_result(loads["load"]), own_result_of_product(products)]
     write_own(results, own, summary(loads))
     return []

@@ -5,7 +5,7 @@ import rupture
 
 from claims.judge import judged
 from data.records import report, values
-from data.tables import write_fronts, write_table
+from data.tables import write_events, write_fronts
 from events.conventions import PRIMARY
 from events.event_claims import case_S2
 from events.fronts import is_fast_slow
@@ -49,23 +49,6 @@ def draw(data, fronts, stem):
     save(fig, stem)
 
 
-def write_events(path, pairs):
-    """`pairs`: each fast-slow event of the load, and its front without slow slip."""
-    keys = {  # of the slow stretch
-        "slow from [m]": "x_from",
-        "fast before [m/s]": "fast_before",
-        "slow speed [m/s]": "speed",
-        "duration [s]": "duration",
-    }
-    rows = (
-        [event["t_start"], *map(event["slow"].get, keys.values()), front["type"], front["x_arrest"]]
-        for event, without in pairs
-        for front in [without or {"type": "none", "x_arrest": None}]
-    )
-    names = ["t_start [s]", *keys, "without slow slip", "arrest without slow slip [m]"]
-    write_table(path, names, rows)
-
-
 def claim_S2(fronts, pairs, others):
     event, without = fronts.values()
     slow = event["slow"]
@@ -99,5 +82,12 @@ def make(data, results):
     pairs = [(of["with"], of["without"]) for of in events if is_fast_slow(of["with"])]
     draw(data / "figS2", fronts, results / "figS2")
     write_fronts(results / "front-speed.csv", fronts)
-    write_events(results / "events.csv", pairs)
+    write_events(
+        results / "events.csv",
+        (event | {"without": without or {}} for event, without in pairs),
+        {
+            "without slow slip": lambda event: event["without"].get("type", "none"),
+            "arrest without slow slip [m]": lambda event: event["without"].get("x_arrest"),
+        },
+    )
     return [claim_S2(fronts, pairs, without_slow_slip(continued))]

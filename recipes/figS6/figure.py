@@ -5,7 +5,7 @@ import rupture
 
 from claims.judge import judged, unmet
 from data.records import report, values
-from data.tables import write_fronts, write_table
+from data.tables import write_events, write_fronts
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
 from events.event_claims import case_of_event, words_case, words_shown
@@ -69,22 +69,6 @@ def draw(record, fronts, stem):
     save(fig, stem)
 
 
-def write_events(path, events):
-    names = {  # of the slow stretch
-        "slow from [m]": "x_from",
-        "to [m]": "x_to",
-        "duration [s]": "duration",
-        "slow speed [m/s]": "speed",
-        "fast before [m/s]": "fast_before",
-        "fast after [m/s]": "fast_after",
-    }
-    rows = (
-        [e["t_start"], *map((e["slow"] or {}).get, names.values()), "; ".join(e["unmet"])]
-        for e in events
-    )
-    write_table(path, ["t_start [s]", *names, "conditions of S6A not met"], rows)
-
-
 def measured(fronts, events):
     slow, longer = fronts["event"]["slow"], fronts["t_R-double"]["slow"] or {}
     case = case_of_event(fronts["event"])
@@ -113,7 +97,8 @@ def make(data, results):
     fronts = {run: report(data / f"figS6/{run}-front-c_s-8.json") for run in RUNS}
     draw(data / "figS6/event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
-    write_events(results / "events.csv", events)
+    not_met = {"conditions of S6A not met": lambda event: "; ".join(event["unmet"])}
+    write_events(results / "events.csv", events, not_met)
     first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
     return [
         judged(

@@ -7,7 +7,7 @@ import numpy as np
 
 from claims.judge import judged, unmet
 from data.records import report, values
-from data.tables import points_of, write_table
+from data.tables import points_of, write_events
 from events.choose_events import read_events
 from events.conventions import IN_WORDS, PRIMARY
 from events.event_claims import case_of_event, words_case, words_shown
@@ -18,8 +18,6 @@ from maps.front_map import TYPES, read_map, types_of, write_types
 from maps.map_conventions import ALONG_TAU, out_of_order
 from maps.map_panels import draw_regions, name_regions
 from pictures.plotting import DOUBLE, FAST, SINGLE, SLOW, figure, save
-
-COLUMNS = ["x_from", "x_to", "duration", "speed", "fast_before", "fast_after"]
 
 
 def draw(events, stem):
@@ -36,16 +34,6 @@ def draw(events, stem):
         axes[-1].plot([], [], ".", color=colour, label=label)
     axes[-1].legend(loc="center left", bbox_to_anchor=(1, 0.5), handletextpad=0, borderpad=0)
     save(fig, stem)
-
-
-def write_events(path, events):
-    names = ["t_start [s]", "type", *COLUMNS, "criteria of 2A not met"]
-    rows = (
-        [event["t_start"], event["type"], *map(slow.get, COLUMNS), "; ".join(unmet("Exp", case))]
-        for event in events
-        for slow, case in [(event["slow"] or {}, case_of_event(event))]
-    )
-    write_table(path, names, rows)
 
 
 def slow_stretch(front):
@@ -123,7 +111,11 @@ def make(data, results):
         for convention in (PRIMARY, IN_WORDS)
     )
     draw(spanning, results / "exponential")
-    write_events(results / "exponential-events.csv", spanning)
+    columns = {
+        "type": lambda event: event["type"],
+        "criteria of 2A not met": lambda event: "; ".join(unmet("Exp", case_of_event(event))),
+    }
+    write_events(results / "exponential-events.csv", spanning, columns)
     fronts = read_map(points_of(data / "robustness/exponential-map.csv"))
     fig, axes = figure(SINGLE, 0.85 * SINGLE)
     draw_regions(axes, types := types_of(fronts), types)

@@ -10,6 +10,17 @@ import numpy as np
 from data.records import report
 from rupture.replacing import replacing
 
+SLOW_STRETCH = {  # name in a report: for readers
+    "x_from": "slow from [m]",
+    "x_to": "slow to [m]",
+    "duration": "duration [s]",
+    "speed": "slow speed [m/s]",
+    "mean": "mean slow speed [m/s]",
+    "slowest": "slowest stencil [m/s]",
+    "fast_before": "fast before [m/s]",
+    "fast_after": "fast after [m/s]",
+}
+
 
 def write_table(path, names, rows):
     """All or nothing."""
@@ -32,6 +43,19 @@ def write_fronts(path, fronts):
         for row in zip(front["x"], front["t_rupture"], front["v_c"])
     )
     write_table(path, ["front", "x [m]", "t_rupture [s]", "v_c [m/s]"], rows)
+
+
+def write_events(path, events, columns):
+    """When each starts, its slow stretch, and {heading: function of an event}."""
+    rows = (
+        [
+            event["t_start"],
+            *map((event["slow"] or {}).get, SLOW_STRETCH),
+            *(of(event) for of in columns.values()),
+        ]
+        for event in events
+    )
+    write_table(path, ["t_start [s]", *SLOW_STRETCH.values(), *columns], rows)
 
 
 def read_table(path):
