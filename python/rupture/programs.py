@@ -10,7 +10,7 @@ from glob import escape
 from pathlib import Path
 
 import rupture
-from rupture.errors import Failure
+from rupture.errors import Failure, UsageError
 
 PACKAGE = Path(__file__).resolve().parent
 # The programs of a build, and of an installation with the package in lib/python3/dist-packages.
@@ -51,12 +51,13 @@ def options_of(options):
 
 
 def output_of(program, *arguments):
-    """Runs a program: its standard output. A Failure with its sentence if it failed."""
+    """Runs a program: its standard output. A Failure with its sentence if it failed, a UsageError
+    if what it was asked for is not possible."""
     command = command_of(program) + [word for given in arguments for word in words(given)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         said = done.stderr.strip().splitlines()[-1:] or [f"{program} ended with {done.returncode}"]
-        raise Failure(said[0])
+        raise (UsageError if done.returncode == 2 else Failure)(said[0])
     return done.stdout
 
 

@@ -1,6 +1,6 @@
 """Edges between types of fronts on prepared interfaces (maps/edges.py) on another lattice:
 
-    lattice.py PROGRAMS FOLDER N_X N_S SIGMA_BAR "OPTION ..." [COARSER ...]
+    lattice.py FOLDER N_X N_S SIGMA_BAR "OPTION ..." [COARSER ...]
 
 N_S junctions per block, options of `prepare`, and what this printed for the coarser lattices.
 README.md explains the scaling."""
@@ -51,13 +51,13 @@ def guess(coarser):
     return last + (last - before) / 2
 
 
-def main(programs, folder, N_x, N_s, sigma_bar, options, *coarser):
+def main(folder, N_x, N_s, sigma_bar, options, *coarser):
     values, found = scaled(int(N_x), float(N_s)), [report(path) for path in coarser]
     stencil, slow_below = ways(int(N_x), values["slider.M"])
     words = [f"--set {name}={value:.12g}" for name, value in values.items()]
     words = " ".join(["--sigma-bar", sigma_bar, *words, options]).split()
     with scratch(Path(folder)) as folder:
-        fronts = Interfaces(programs, folder, words, STEP, ["--stencil", stencil])
+        fronts = Interfaces(folder, words, STEP, ["--stencil", stencil])
         guesses = {kind: guess([edges[kind] for edges in found]) for kind in TYPES[1:]}
         return {
             kind: fronts.edge(kind, near, slow_below=slow_below) for kind, near in guesses.items()

@@ -70,7 +70,7 @@ rule convergence_edges:
     priority: 10  # long, and finer ones wait for it
     message: "convergence: bisect tau_bar_0, {wildcards.setting}-{wildcards.sigma}-{wildcards.N_x}"
     shell:
-        "{CALL} {input.script} {BIN} {params.folder} {wildcards.N_x} {params.N_s} {wildcards.sigma}"
+        "{CALL} {input.script} {params.folder} {wildcards.N_x} {params.N_s} {wildcards.sigma}"
         " {params.options:q} {input.coarser} > {output} 2> {log}"
 
 

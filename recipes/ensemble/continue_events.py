@@ -1,6 +1,6 @@
 """Continues every fast-slow-fast event of a load in other ways, and measures what becomes of it:
 
-    continue_events.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
+    continue_events.py RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
 
 RUN is results/data/ensemble/load-203, say: names of the load's checkpoints and events begin so. The
 commands run in the folder RUN-scratch, which is deleted at the end. Prints, by the events' numbers:
@@ -58,7 +58,7 @@ def continued(workshop, branch, duration, slip_at):
         **{run: short(front[PRIMARY]) for run, front in fronts.items()},
         IN_WORDS: {run: without_lines(front[IN_WORDS]) for run, front in fronts.items()},
         "slip": {place: {run: of_run[place] for run, of_run in slips.items()} for place in slip_at},
-        "phi": {when: short(workshop.analyze("phi", path)) for when, path in phi.items()},
+        "phi": {when: short(rupture.analyze("phi", path)) for when, path in phi.items()},
     }
 
 
@@ -100,7 +100,7 @@ def measure(workshop, event):
         "t_start": event["t_start"],
         "unmodified": workshop.front("event"),
         IN_WORDS: without_lines(event),
-        "strength": workshop.analyze("strength", workshop.path("start")),
+        "strength": rupture.analyze("strength", workshop.path("start")),
         "peaks": peaks_of(rupture.open(workshop.path("event-record"))),
         "branches": branches,
         "undriven": short(workshop.front("undriven")),
@@ -109,11 +109,11 @@ def measure(workshop, event):
     }
 
 
-def main(programs, run, *options):
+def main(run, *options):
     found = {}
     for event in read_events(f"{run}-events.json", IN_WORDS):
         if event["fast_slow_fast"]:
             with scratch(Path(f"{run}-scratch")) as folder:
-                workshop = Workshop(programs, run, *options, folder)
+                workshop = Workshop(run, *options, folder)
                 found[event["number"]] = measure(workshop, event)
     return found

@@ -1,6 +1,6 @@
 """Runs the fast-slow events of a load with the simplified law without slow slip:
 
-    without_slow_slip.py PROGRAMS RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
+    without_slow_slip.py RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
 
 RUN is results/data/ensemble/simplified-01. An event counts if it is fast-slow under any
 convention. Prints, by the events' numbers, {convention: {"with", "without"}}: the event, and the
@@ -41,12 +41,12 @@ def measure(workshop, by_convention):
     }
 
 
-def main(programs, run, *options):
+def main(run, *options):
     chosen = {
         number: by_convention
         for number, by_convention in events_by_convention(report(f"{run}-events.json"))
         if any(is_fast_slow(event) for event in by_convention.values() if event)
     }
     with scratch(Path(f"{run}-scratch")) as folder:
-        workshop = Workshop(programs, run, *options, folder)
+        workshop = Workshop(run, *options, folder)
         return {number: measure(workshop, event) for number, event in chosen.items()}

@@ -1,20 +1,19 @@
 """The programs at work in a folder: runs of events, and what is measured of them."""
 
-import subprocess
-import sys
-from contextlib import contextmanager
-from pathlib import Path
+from contextlib import suppress
 
 import h5py
+import rupture
+from rupture.errors import UsageError
+from rupture.programs import output_of
 
 from events.choose_events import start
 from events.continuations import BRANCHES
-from events.conventions import PRIMARY, Analysis, words_of
+from events.conventions import PRIMARY, each_way, words_of
 from events.fronts import LOADING_ZONE
 from events.slip import until, with_peak_speed
 
 RECORD_EVERY = "1e-5"  # [s]
-NO_EVENT = 2  # exit code of `analyze front` where nothing ruptured
 LONG = ("time", "slip", "histogram", "bins", "x")  # series that nobody needs for each run
 
 
@@ -26,22 +25,10 @@ def without_lines(front):
     return front and {key: value for key, value in front.items() if not isinstance(value, list)}
 
 
-@contextmanager
-def without_event():
-    """Goes on behind the block where `analyze front` finds no event."""
-    try:
-        yield
-    except subprocess.CalledProcessError as error:
-        if error.returncode != NO_EVENT:
-            raise
-
-
 class Workshop:
     """Runs programs in a folder, with a load of which checkpoints are there."""
 
-    def __init__(self, programs, load, checkpoint_every, record_options, folder):
-        self.programs = Path(programs).resolve()
-        self.analyze = Analysis(programs)
+    def __init__(self, load, checkpoint_every, record_options, folder):
         self.load, self.checkpoint_every = load, float(checkpoint_every)
         self.record_options = record_options.split()
         self.folder = folder
@@ -50,8 +37,7 @@ class Workshop:
         return self.folder / f"{name}.h5"
 
     def run(self, tool, source, name, *options):
-        words = [self.programs / tool, source, "-o", self.path(name), "--force", "--quiet"]
-        subprocess.run([*words, *map(str, options)], stdout=sys.stderr, check=True)
+        output_of(tool, source, "-o", self.path(name), "--force", "--quiet", *options)
 
     def start(self, event):
         """Makes the state shortly before an event of the load."""
@@ -74,11 +60,11 @@ class Workshop:
                 return found
         _, x = BRANCHES.get(name.split("-")[0], (None, LOADING_ZONE))
         command, beyond = "front --event 0", ["--skip-below-x", x]
-        with without_event():
-            return self.analyze.each(command, record, ways, beyond)
+        with suppress(UsageError):
+            return each_way(command, record, ways, *beyond)
         for way, options in ways.items():  # down to the pinned fraction of some, nothing ruptures
-            with without_event():
-                found[way] = self.analyze(command, record, [*beyond, *words_of(options)])
+            with suppress(UsageError):
+                found |= each_way(command, record, {way: {}}, *beyond, *words_of(options))
         return found
 
     def front(self, name):
@@ -89,10 +75,9 @@ class Workshop:
         slow stretch, or reaches the leading edge, or to the end. With the peak of the speed."""
         front = self.front(name) or {"slow": None, "t_rupture": [None]}
         last = until(front)
-        end = [] if last is None else ["--to", last]
         record = self.path(f"{name}-record")
         return {
             place: short(with_peak_speed(slip))
             for place, x in places.items()
-            for slip in [self.analyze("slip", record, ["--x", x, *end])]
+            for slip in [rupture.analyze("slip", record, x=x, to=last)]
         }

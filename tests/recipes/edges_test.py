@@ -37,7 +37,7 @@ class TestBisection:
 
         monkeypatch.setattr(edges.Interfaces, "front", lambda self, steps: steps)
         monkeypatch.setattr(edges, "front_type", kind)
-        return edges.Interfaces(".", None, [])
+        return edges.Interfaces(None, [])
 
     def test_an_edge_is_halfway_to_the_first_front_of_a_type(self, interfaces):
         for kind, how, expected in (

@@ -2,8 +2,8 @@
 `analyze front`. The first is the primary convention; each other differs from it in one way."""
 
 import json
-import subprocess
-from pathlib import Path
+
+from rupture.programs import output_of
 
 from claims.claim import PRIMARY
 from events.fronts import SLOW_BELOW
@@ -36,21 +36,10 @@ def words_of(options):
     return [str(word) for option in options.items() for word in option]
 
 
-class Analysis:
-    """`analyze` of a folder of programs."""
-
-    def __init__(self, programs):
-        self.program = Path(programs).resolve() / "analyze"
-
-    def __call__(self, command, path, options=()):
-        """The report of `analyze COMMAND FILE --json OPTION...`. Raises CalledProcessError."""
-        return self.each(command, path, {PRIMARY: {}}, options)[PRIMARY]
-
-    def each(self, command, path, ways, options=()):
-        """{name: report} of the ways to measure {name: options}, the primary one first. The file
-        is read once."""
-        words = [str(self.program), *command.split(), str(path), "--json", *map(str, options)]
-        _, *others = (" ".join(words_of(way)) for way in ways.values())
-        words += ["--also", "; ".join(others)] if others else []
-        output = subprocess.run(words, stdout=subprocess.PIPE, check=True).stdout
-        return dict(zip(ways, map(json.loads, output.splitlines()), strict=True))
+def each_way(command, path, ways, *options):
+    """{name: report of `analyze COMMAND`} of the ways to measure {name: options}, the primary one
+    first. The file is read once."""
+    _, *others = (" ".join(words_of(way)) for way in ways.values())
+    also = ["--also", "; ".join(others)] if others else []
+    output = output_of("analyze", *command.split(), path, "--json", *options, *also)
+    return dict(zip(ways, map(json.loads, output.splitlines()), strict=True))

@@ -1,6 +1,6 @@
 """Where fronts on prepared interfaces change from arrested to slow and from slow to fast:
 
-    edges.py PROGRAMS FOLDER SIGMA_BAR [OPTION ...]
+    edges.py FOLDER SIGMA_BAR [OPTION ...]
 
 bisects tau_bar_0 at one sigma_bar, with options of `prepare` (--set junctions.mu_d=0). Works in
 FOLDER, which is deleted at the end. Prints, under each convention of a map,
@@ -10,13 +10,13 @@ FOLDER, which is deleted at the end. Prints, under each convention of a map,
 each halfway between two fronts STEP apart.
 """
 
-import subprocess
-import sys
 from functools import cache
 from pathlib import Path
 
+from rupture.programs import output_of
+
 from data.scratch import scratch
-from events.conventions import PRIMARY, Analysis
+from events.conventions import PRIMARY, each_way
 from maps.front_map import COMMANDS, SKIP_BELOW_X, TYPES, front_type
 from maps.map_conventions import MEASURES
 
@@ -46,28 +46,24 @@ def around(is_so, guess):
 class Interfaces:
     """Prepared interfaces of one sigma_bar, run in a folder; `measured`: options of `analyze`."""
 
-    def __init__(self, programs, folder, options, step=STEP, measured=()):
-        self.programs = Path(programs).resolve()
-        self.analyze = Analysis(programs)
+    def __init__(self, folder, options, step=STEP, measured=()):
         self.folder = folder
         self.options = options
         self.step = step
         self.measured = ["--skip-below-x", SKIP_BELOW_X, *measured]
 
-    def run(self, tool, *words):
-        command = [self.programs / tool, *words, "--quiet", "--force"]
-        subprocess.run(list(map(str, command)), stdout=sys.stderr, check=True)
-
     @cache  # conventions share fronts
     def front(self, steps):
         """With other pinned fractions, as read_map() has them."""
         start, end, record = (self.folder / f"{name}.h5" for name in ("start", "end", "record"))
-        self.run("prepare", "--tau-bar", f"{steps * self.step:g}", *self.options, "-o", start)
+        silent = ["--quiet", "--force"]
+        prestress = ["--tau-bar", f"{steps * self.step:g}"]
+        output_of("prepare", *prestress, *self.options, "-o", start, *silent)
         recorded = ["--record", record, "--record-every", "1e-3", "--crossings", CROSSINGS]
         until = ["--until-quiet", "--arrived-below", min(COMMANDS), "--threads", 1]
-        self.run("restart", start, "-o", end, *until, *recorded)
+        output_of("restart", start, "-o", end, *until, *recorded, *silent)
         ways: dict = {PRIMARY: {}} | {f: {"--ruptured-below": f} for f in COMMANDS}
-        found = self.analyze.each("front", record, ways, self.measured)
+        found = each_way("front", record, ways, *self.measured)
         return found.pop(PRIMARY) | {"at": found}
 
     def edge(self, kind, guess=None, **how):
@@ -84,9 +80,9 @@ class Interfaces:
         return round((first(is_so, *ends) - 0.5) * self.step, 6)
 
 
-def main(programs, folder, sigma_bar, *options):
+def main(folder, sigma_bar, *options):
     with scratch(Path(folder)) as folder:
-        interfaces = Interfaces(programs, folder, ["--sigma-bar", sigma_bar, *options])
+        interfaces = Interfaces(folder, ["--sigma-bar", sigma_bar, *options])
         return {
             name: {kind: interfaces.edge(kind, **how) for kind in TYPES[1:]}
             for name, how in MEASURES.items()

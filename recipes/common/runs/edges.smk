@@ -29,5 +29,5 @@ rule edges:
     wildcard_constraints: setting="|".join(EDGES), sigma="[0-9.]+", seed="[0-9]+"
     message: "edges: bisect tau_bar_0 at sigma_bar = {wildcards.sigma}, {wildcards.setting}"
     shell:
-        "{CALL} {input.script} {BIN} {params.folder} {wildcards.sigma} {params.options}"
+        "{CALL} {input.script} {params.folder} {wildcards.sigma} {params.options}"
         " --set numerics.seed={wildcards.seed} > {output} 2> {log}"

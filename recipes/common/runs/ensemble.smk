@@ -104,11 +104,12 @@ rule events:
         **content_of(h5=f"{DATA}/{{load}}-record.h5"),
         script="recipes/ensemble/measure_events.py",
         conventions="recipes/common/events/conventions.py",
+        programs="python/rupture/programs.py",
     output: f"{DATA}/{{load}}-events.json"
     log: f"{LOGS}/{{load}}-events.log"
     params: code=CODE
     message: "events: find the rupture events of {wildcards.load}, under each convention"
-    shell: "{CALL} {input.script} {BIN} {input.h5} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {input.h5} > {output} 2> {log}"
 
 
 rule product:
@@ -120,7 +121,7 @@ rule product:
     params: code=CODE
     wildcard_constraints: seed="[0-9]{3}"
     message: "product: measure the fronts of {wildcards.setting}-{wildcards.seed} under all combinations of conventions"
-    shell: "{CALL} {input.script} {BIN} {input.h5} {wildcards.setting} > {output} 2> {log}"
+    shell: "{CALL} {input.script} {input.h5} {wildcards.setting} > {output} 2> {log}"
 
 
 # The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
@@ -138,7 +139,7 @@ rule continued:
         else "recipes/ensemble/continue_events.py",
         shared=[
             "recipes/ensemble/workshop.py",
-            "python/rupture/files.py",
+            *("python/rupture/files.py", "python/rupture/programs.py"),
             *(f"recipes/common/events/{name}.py" for name in ("conventions", "continuations", "fronts", "slip")),
         ],
     output: f"{DATA}/{{load}}-continued.json"
@@ -147,7 +148,7 @@ rule continued:
     params: code=CODE, run=f"{DATA}/{{load}}", crossings=CROSSINGS
     message: "continued: continue the events of {wildcards.load} in other ways"
     shell:
-        "{CALL} {input.script} {BIN} {params.run} {CHECKPOINT_EVERY} {params.crossings:q}"
+        "{CALL} {input.script} {params.run} {CHECKPOINT_EVERY} {params.crossings:q}"
         " > {output} 2> {log}"
 
 
