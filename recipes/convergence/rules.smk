@@ -29,10 +29,10 @@ rule convergence_lammps:
         **script("recipes/convergence/lammps.py"),
     output: f"{DATA}/convergence/lammps.json"
     log: f"{LOGS}/convergence/lammps.log"
-    params: lmp=shutil.which("lmp") or ""
+    params: lmp=shutil.which("lmp") or ""  # :q would leave out an empty word
     message: "convergence: run them in LAMMPS"
     shell:
-        "{CALL} {input.script} {params.lmp:q} {input.bulk} {input.compare} {input.start} {input.end}"
+        "{CALL} {input.script} '{params.lmp}' {input.bulk} {input.compare} {input.start} {input.end}"
         " > {output} 2> {log}"
 
 
@@ -71,7 +71,7 @@ rule convergence_edges:
     message: "convergence: bisect tau_bar_0, {wildcards.setting}-{wildcards.sigma}-{wildcards.N_x}"
     shell:
         "{CALL} {input.script} {params.folder} {wildcards.N_x} {params.N_s} {wildcards.sigma}"
-        " {params.options:q} {input.coarser} > {output} 2> {log}"
+        " '{params.options}' {input.coarser} > {output} 2> {log}"
 
 
 figure(
