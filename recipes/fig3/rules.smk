@@ -12,8 +12,8 @@ L0_REPORTS = [f"fig3/l0-seed-{seed}.json" for seed in L0_SEEDS]
 rule fig3_l0_seed:
     input:
         script="recipes/fig3/decay_length.py",
-        shared=["recipes/common/events/conventions.py", "recipes/common/maps/front_map.py"],
-        programs="python/rupture/programs.py",
+        conventions="recipes/common/events/conventions.py",
+        shared=["python/rupture/programs.py", "recipes/common/maps/front_map.py"],
     output: f"{DATA}/fig3/l0-seed-{{seed}}.json"
     log: f"{LOGS}/fig3/l0-seed-{{seed}}.log"
     priority: 80  # long: before what is short

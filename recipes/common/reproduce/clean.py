@@ -37,13 +37,6 @@ def own_links():
     return [*filter(os.path.islink, links), *filter(os.path.lexists, locks)]
 
 
-def delete_empty(folders):
-    """Those of others that were empty before stay."""
-    for folder in sorted(folders, reverse=True):  # what is in a folder comes first
-        with suppress(OSError):
-            folder.rmdir()
-
-
 def left_in(place):
     """Files and links."""
     if place.is_symlink() or not place.is_dir():
@@ -73,7 +66,10 @@ def clean(*_):
     for file in files + links:
         file.unlink()
     parents = {parent for one in listed + folders + links for parent in one.parents}
-    delete_empty(one for one in parents if HOME in one.parents)
+    for folder in sorted(parents, reverse=True):  # what is in a folder comes first
+        with suppress(OSError):
+            if HOME in folder.parents:
+                folder.rmdir()
     places = (RESULTS, OWN) if WORK else (RESULTS, OWN / ".snakemake", BUILD)
     left = [path for place in places for path in left_in(place)]
     say(f"Deleted {', '.join(deleted)}." if deleted else "Nothing was deleted.")

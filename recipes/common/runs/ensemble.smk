@@ -103,8 +103,7 @@ rule events:
     input:
         **content_of(h5=f"{DATA}/{{load}}-record.h5"),
         script="recipes/ensemble/measure_events.py",
-        conventions="recipes/common/events/conventions.py",
-        programs="python/rupture/programs.py",
+        shared=["recipes/common/events/conventions.py", "python/rupture/programs.py"],
     output: f"{DATA}/{{load}}-events.json"
     log: f"{LOGS}/{{load}}-events.log"
     params: code=CODE
