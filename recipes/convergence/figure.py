@@ -6,7 +6,7 @@ import numpy as np
 import continuum
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
-from data.tables import read_rows, write_table
+from data.tables import points_of, write_table
 from events.event_claims import yes
 from maps.front_map import IMPOSSIBLE, place_of, type_on_map
 from pictures.plotting import BLACK, DOUBLE, LINES, lettered, save
@@ -16,7 +16,9 @@ STEPS = ["2e-7", "1e-7", "5e-8"]  # [s]
 SPEED = "slow speed [m/s]"
 OF_FRONT = ("speed", "duration", "x_from", "x_to")
 SLOW = dict(zip((SPEED, "duration [s]", "slow from [m]", "slow to [m]"), OF_FRONT))
-COLUMNS = ["type", *SLOW, "arrested at [m]", "speed with ends [m/s]", "duration with ends [s]"]
+WITH_ENDS = ("speed with ends [m/s]", "duration with ends [s]")
+COLUMNS = ["type", *SLOW, "arrested at [m]", *WITH_ENDS]
+IMPOSSIBLE_FRONT = {"type": IMPOSSIBLE, "x_arrest": None, "slow": None}
 
 
 # --- reading -------------------------------------------------------------------------------
@@ -43,11 +45,12 @@ def read_events(data):
 def read_places(data):
     """{name: case}. Of each place, the largest step comes first."""
     cases: dict[str, list] = {}
-    for row in read_rows(data / "convergence/time-step.csv"):
-        kind = type_on_map(row["type"]) if row["status"] == "done" else IMPOSSIBLE
-        numbers = {name: float(row[name]) if row[name] else None for name in COLUMNS[1:]}
+    for row, result in points_of(data / "convergence/time-step.csv"):
+        front, with_ends = (result.get(name, IMPOSSIBLE_FRONT) for name in ("front", "whole"))
+        case = event_front(front) | {"type": type_on_map(front["type"])}
+        case |= zip(WITH_ENDS, map((with_ends["slow"] or {}).get, OF_FRONT))
         name = "tau_bar_0 {:g}, sigma_bar {:g}".format(*place_of(row))
-        cases.setdefault(name, []).append({"type": kind} | numbers)
+        cases.setdefault(name, []).append(case)
     return cases
 
 
