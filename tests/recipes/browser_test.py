@@ -50,7 +50,7 @@ def moved_page(tmp_path_factory):
 def test_nothing_bars_readers(tmp_path, page, width, scheme):
     seen = look(tmp_path, page, width, scheme)
     assert seen["faults"] == []
-    files = [*page.parent.glob("**/*.png"), page.with_name("movie.gif")]
+    files = [*page.parent.glob("**/[!.]*.png"), page.with_name("movie.gif")]
     assert set(seen["images"]) == {path.as_uri() for path in files}
     assert (seen["ground"] == "rgb(255, 255, 255)") == (scheme == "light")
 
