@@ -210,28 +210,34 @@ def complain(name, sentence):
         print(f"{start}rupture {name}: {in_one_line(sentence)}", file=sys.stderr, flush=True)
 
 
+def exit_code(run, say):
+    """Calls `run` with nothing: its exit code, or that of what went wrong, which `say` is told."""
+    try:
+        try:
+            return run() or 0
+        finally:  # also after --help
+            sys.stdout.flush()
+    except UsageError as error:
+        say(error)
+        return 2
+    except Failure as error:
+        say(error)
+        return 1
+    except OSError as error:  # those of other files are Failures
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more
+        if isinstance(error, BrokenPipeError):  # such as that of `| head`
+            return 141
+        say(f"{error.filename or 'standard output'}: {error.strerror or error}")
+        return 1
+    except MemoryError:
+        say("not enough memory")
+        return 1
+
+
 def run_tool(name, run):
     """Calls `run` with nothing: the exit code of the program."""
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, end_by_signal)
-    try:
-        try:
-            run()
-        finally:  # also after --help
-            sys.stdout.flush()
-    except UsageError as error:
-        complain(name, str(error))
-        return 2
-    except Failure as error:
-        complain(name, str(error))
-        return 1
-    except OSError as error:  # those of other files are Failures
-        complain(name, f"{error.filename or 'standard output'}: {error.strerror or error}")
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more
-        return 1
-    except MemoryError:
-        complain(name, "not enough memory")
-        return 1
-    return 0
+    return exit_code(run, lambda error: complain(name, str(error)))

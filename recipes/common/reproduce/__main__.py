@@ -1,11 +1,12 @@
 """./reproduce.sh COMMAND [OPTION]..."""
 
-import os
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 
-from rupture.errors import Failure, UsageError
+from rupture.errors import Failure
+from rupture.tools.command_line import exit_code
 from reproduce import checks, compute
 from reproduce.clean import clean
 from reproduce.command_line import figures, listing, make_parser, read
@@ -55,32 +56,5 @@ def main(*words):
     return RUN[request.command](request, Processes())
 
 
-def discard_output():
-    """What is left of it, which Python writes at its end."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-def main_or_sentence(*words):
-    """The exit code: 1 if a command failed, 2 if the command line is wrong."""
-    try:
-        try:
-            return main(*words)
-        finally:  # also after --help
-            sys.stdout.flush()
-    except UsageError as error:
-        complain(error)
-        return 2
-    except Failure as failure:
-        complain(failure)
-        return 1
-    except BrokenPipeError:  # such as that of `| head`
-        discard_output()
-        return 141
-    except OSError as error:
-        discard_output()
-        complain(f"{error.filename or 'standard output'}: {error.strerror}.")
-        return 1
-
-
 if __name__ == "__main__":
-    sys.exit(main_or_sentence(*sys.argv[1:]))
+    sys.exit(exit_code(partial(main, *sys.argv[1:]), complain))
