@@ -152,7 +152,7 @@ def test_clean_follows_no_link(project):
 def test_standard_output_that_takes_nothing_is_said(project, to, reason):
     command = ["bash", "-c", f"./reproduce.sh list >{to}"]
     done = subprocess.run(command, cwd=project.root, stderr=subprocess.PIPE, text=True)
-    assert (done.returncode, done.stderr) == (1, f"reproduce.sh: standard output: {reason}.\n")
+    assert (done.returncode, done.stderr) == (1, f"reproduce.sh: standard output: {reason}\n")
 
 
 def test_notes_about_the_profile_are_hidden():

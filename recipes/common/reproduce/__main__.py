@@ -5,7 +5,6 @@ import time
 from collections.abc import Callable
 from functools import partial
 
-from rupture.errors import Failure
 from rupture.tools.command_line import exit_code
 from reproduce import checks, compute
 from reproduce.clean import clean
