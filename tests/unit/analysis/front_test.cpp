@@ -87,13 +87,6 @@ TEST(FrontSpeed, is_negative_towards_the_driven_edge) {
   EXPECT_NEAR(*speed_of(line)[20], -kFast, 1e-7 * kFast);
 }
 
-TEST(Front, without_a_slow_stretch_is_fast) {
-  const Front front = measure(line_of([](std::size_t) { return kFast; }));
-  EXPECT_EQ(front.type, FrontType::fast);
-  EXPECT_FALSE(front.slow || front.x_arrest);
-  for (std::size_t i = 2; i + 2 < kBlocks; ++i) EXPECT_NEAR(*front.v_c[i], kFast, 1e-7 * kFast);
-}
-
 TEST(Front, that_does_not_reach_the_leading_edge_is_arrested) {
   RuptureLine line = slow_between(20, 35);
   arrest_behind(line, 40);
@@ -215,15 +208,6 @@ TEST(Front, may_skip_a_block_in_its_slow_stretch) {
   EXPECT_EQ(front.type, FrontType::slow);
   ASSERT_TRUE(front.slow);
   EXPECT_LE(front.slow->x_to, 41 * kSpacing);
-}
-
-TEST(Front, of_no_rupture_is_none) {
-  RuptureLine line = slow_between(20, 35);
-  for (auto& t : line.t_rupture) t.reset();
-  const Front front = measure(line);
-  EXPECT_EQ(front.type, FrontType::none);
-  EXPECT_FALSE(front.x_arrest);
-  EXPECT_FALSE(front.slow);
 }
 
 // --- stencils at the ends of the slow stretch
@@ -382,10 +366,6 @@ TEST(Events, carry_the_front_of_their_own_ruptures) {
   EXPECT_EQ(found[1].front.line.t_rupture[1], 0.205);
   EXPECT_EQ(found[0].front.type, FrontType::arrested);
   EXPECT_EQ(found[2].front.type, FrontType::arrested) << "one block, at the leading edge";
-}
-
-TEST(Events, are_none_without_ruptures) {
-  EXPECT_TRUE(find_events(Parameters{}, {}, {kTime, kForce}, kQuiet, FrontCriteria{}).empty());
 }
 
 }  // namespace

@@ -3,20 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "rupture/model/derived.hpp"
-
 namespace rupture {
 namespace {
-
-TEST(SlowSlipEstimate, is_equation_S1) {
-  Parameters p;
-  p.delta_t_R = 0.0;  // <t_R> = 2 ms
-  p.kappa = 4e10;
-  // f_N = 0.25 N: k_ij = sqrt(4e10 / 4) = 1e5 N/m, tau_slip = 0.17 * 25 N, k_i = 1e7 N/m
-  EXPECT_NEAR(slow_slip_estimate(p, 25.0), 4.2 * 4.25 / (1e7 * 2e-3), 1e-15);
-}
 
 TEST(SlowSlipEstimate, is_zero_where_nothing_drives_it) {
   Parameters p;
@@ -79,25 +67,10 @@ TEST(Relaxation, counts_time_in_mean_slipping_times) {
   EXPECT_DOUBLE_EQ(relax(equal, 0)->duration, 1.0);
 }
 
-TEST(Relaxation, depends_on_seed_and_replica_only) {
-  Parameters other;
-  other.seed = 2;
-  EXPECT_EQ(relax(Parameters{}, 5)->duration, relax(Parameters{}, 5)->duration);
-  EXPECT_NE(relax(Parameters{}, 5)->duration, relax(Parameters{}, 6)->duration);
-  EXPECT_NE(relax(Parameters{}, 5)->duration, relax(other, 5)->duration);
-}
-
 TEST(Relaxation, does_not_happen_when_junctions_keep_f_slip) {
   Parameters p;
   p.f_new = NewForce::f_slip;
   EXPECT_NEAR(relax(p, 0)->net_slip, 0.0, 1e-12);
-}
-
-TEST(Relaxation, has_no_end_if_f_thres_is_little_above_f_slip) {
-  Parameters p;
-  p.mu_s = p.mu_d;
-  EXPECT_FALSE(relax(p, 0));
-  EXPECT_FALSE(relax_ensemble(p, 2));
 }
 
 }  // namespace
