@@ -16,12 +16,6 @@ Content example() {
           {"/state/u_x", make_array(std::span(values), {1, 2}, "m")}};
 }
 
-TEST(Sha256, agrees_with_the_published_test_vectors) {
-  EXPECT_EQ(sha256({}), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(sha256(testing::bytes_of("abc")),
-            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-}
-
 TEST(ContentChecksum, is_what_it_has_always_been) {
   // Computed with the Python of docs/schema.md; a change here breaks every stored checksum.
   EXPECT_EQ(content_checksum(example(), 2),
