@@ -121,11 +121,6 @@ TEST(Guard, finds_an_error_since_the_start_that_short_looks_allow) {
   expect_one(watch(simulation, 250, 4), Check::energy, Severity::alarm, {"from t = 0 s to "});
 }
 
-TEST(Guard, reports_a_concern_once) {
-  Simulation simulation = stiffly_driven(3.9e9);
-  EXPECT_EQ(watch(simulation, 10, 5000).size(), 1U);
-}
-
 // The slider slides and is slowed down by friction from 10 m/s to 0.3 m/s; then its junctions, so
 // stiff that the time step cannot follow, are pinned all at once.
 TEST(Guard, finds_an_error_since_the_last_look_that_is_small_since_the_start) {

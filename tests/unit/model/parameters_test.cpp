@@ -71,18 +71,6 @@ TEST(ParameterTable, sets_the_member_that_the_row_names_and_no_other) {
   }
 }
 
-TEST(ParameterTable, says_which_laws_use_a_parameter) {
-  const ParameterInfo& v_slow = find_parameter("junctions.v_slow");
-  EXPECT_TRUE(is_used(v_slow, Law::simplified));
-  EXPECT_FALSE(is_used(v_slow, Law::reference));
-  EXPECT_TRUE(is_used(find_parameter("junctions.mu_s"), Law::simplified));
-  Parameters p;
-  p.v_slow = 1.0;
-  EXPECT_EQ(used_text(p, v_slow), "0.0015");
-  p.law = Law::simplified;
-  EXPECT_EQ(used_text(p, v_slow), "1");
-}
-
 TEST(ParameterText, reads_back_to_the_same_bits) {
   Parameters p;
   p.L = 0.1 + 0.2;
