@@ -69,5 +69,17 @@ TEST(UnitsTaken, are_what_is_taken) {
   EXPECT_EQ(units_taken("1"), "");
 }
 
+TEST(UnknownText, suggests_the_nearest_name_if_most_of_it_was_written) {
+  const auto text = [](std::string_view word, const std::vector<std::string_view>& candidates) {
+    return unknown_text("name", word, candidates, "help");
+  };
+  EXPECT_EQ(text("kitten", {"sitting", "mitten"}), "unknown name 'kitten': did you mean 'mitten'?");
+  EXPECT_EQ(text("xyz", {"abc", "x.y", "xy"}), "unknown name 'xyz': did you mean 'xy'?");
+  EXPECT_EQ(text("leaf", {"a.leaf", "leer"}), "unknown name 'leaf': did you mean 'a.leaf'?");
+  EXPECT_EQ(text("v", {"a.L", "a.V"}), "unknown name 'v': did you mean 'a.V'?");
+  EXPECT_EQ(text("ab", {"ax", "xy"}), "unknown name 'ab': did you mean 'ax'?");
+  EXPECT_EQ(text("abc", {"axy"}), "unknown name 'abc'; see help");
+}
+
 }  // namespace
 }  // namespace rupture

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rupture/model/user_text.hpp"
-
 namespace rupture {
 namespace {
 
@@ -41,15 +39,6 @@ TEST(State, starts_undeformed_at_rest_with_every_junction_pinned) {
   EXPECT_EQ(state.junctions.attachment.rows(), p.Nx);
   EXPECT_EQ(state.junctions.attachment.cols(), p.N_s);
   for (Eigen::Index i = 0; i < p.Nx; ++i) EXPECT_EQ(pinned_fraction(state.junctions, i), 1.0);
-}
-
-TEST(State, counts_pinned_junctions) {
-  Parameters p;
-  p.N_s = 4;
-  State state(p);
-  state.junctions.repin_time(2, 1) = 1e-3;
-  EXPECT_EQ(pinned_fraction(state.junctions, 2), 0.75);
-  EXPECT_EQ(pinned_fraction(state.junctions, 1), 1.0);
 }
 
 TEST(State, tells_time_and_driving_point_from_the_step_count) {
@@ -97,18 +86,6 @@ TEST(State, keeps_its_clock_when_only_the_driving_speed_changes) {
   change_pace(p, after, state);
   EXPECT_EQ(state.clock, Clock{});
   EXPECT_EQ(drive_position(after, state.drive, 8), 6.5);
-}
-
-TEST(UnknownText, suggests_the_nearest_name_if_most_of_it_was_written) {
-  const auto text = [](std::string_view word, const std::vector<std::string_view>& candidates) {
-    return unknown_text("name", word, candidates, "help");
-  };
-  EXPECT_EQ(text("kitten", {"sitting", "mitten"}), "unknown name 'kitten': did you mean 'mitten'?");
-  EXPECT_EQ(text("xyz", {"abc", "x.y", "xy"}), "unknown name 'xyz': did you mean 'xy'?");
-  EXPECT_EQ(text("leaf", {"a.leaf", "leer"}), "unknown name 'leaf': did you mean 'a.leaf'?");
-  EXPECT_EQ(text("v", {"a.L", "a.V"}), "unknown name 'v': did you mean 'a.V'?");
-  EXPECT_EQ(text("ab", {"ax", "xy"}), "unknown name 'ab': did you mean 'ax'?");
-  EXPECT_EQ(text("abc", {"axy"}), "unknown name 'abc'; see help");
 }
 
 }  // namespace
