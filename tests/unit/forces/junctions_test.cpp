@@ -2,8 +2,6 @@
 // of the law does to them. Each branch of a law is in law_histories_test.cpp.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "hand_made_interface.hpp"
 #include "rupture/model/random.hpp"
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "rupture/model/derived.hpp"
 
 namespace rupture {
