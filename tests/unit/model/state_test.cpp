@@ -21,14 +21,6 @@ TEST(Field, keeps_zero_padding_around_every_row) {
   }
 }
 
-TEST(Field, addresses_the_same_block_by_index_row_and_view) {
-  Field field(5, 4);
-  field(3, 2) = 7.0;
-  EXPECT_EQ(field.row(2)[3], 7.0);
-  EXPECT_EQ(field.blocks()(2, 3), 7.0);
-  EXPECT_EQ(field.blocks().sum(), 7.0);
-}
-
 TEST(State, starts_undeformed_at_rest_with_every_junction_pinned) {
   const Parameters p;
   const State state(p);
