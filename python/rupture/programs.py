@@ -130,11 +130,11 @@ def analyze(command, *inputs, **options):
 
 def verify(path):
     """The content checksum of a file, after a check of its bytes and its content by `analyze
-    checksum`; a Failure if one of them is not that which the file states, or if its run goes on.
+    verify`; a Failure if one of them is not that which the file states, or if its run goes on.
 
     >>> rupture.verify("small.h5") == rupture.open("small.h5").checksum
     True
     """
-    output_of("analyze", "checksum", path)
+    output_of("analyze", "verify", path)
     with rupture.open(path) as file:
         return file.checksum

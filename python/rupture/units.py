@@ -12,7 +12,8 @@ AMOUNT = re.compile(rf"([-+]?{NUMBER})\s*({UNIT})?")
 def amount(text):
     """The number as it is written; its unit, the prefix and the symbol of that."""
     match = AMOUNT.fullmatch(text)
-    if not match or (match[4] in ("m", "s") and match[3] in ("G", "M", "k")):  # no megaseconds
+    is_small = match and match[4] in ("m", "s", "m/s")  # no megaseconds
+    if not match or (is_small and match[3] in ("G", "M", "k")):
         raise ValueError(f"'{text}' is not a number")
     return match.groups(default="")
 

@@ -51,7 +51,7 @@ def fit(rows):
 
 
 def chosen(rows, model, variants=VARIED):
-    """A row is of a variant such as "full, k_i, wide": the model, and what varies."""
+    """A row is of a variant such as "full, t_R and tau_0, wide": the model, and what varies."""
     variant_of = ((row, row["variant"].split(", ")) for row in rows)
     return [row for row, (of, name, *_) in variant_of if of == model and name in variants]
 

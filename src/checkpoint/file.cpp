@@ -64,6 +64,15 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// Whether a checksum of the file, of any version, has the place of its .sum, or nothing has.
+bool may_replace_sum(const fs::path& path) {
+  const fs::path sum = sum_path(path);
+  struct stat info {};
+  if (::lstat(sum.c_str(), &info) != 0) return true;
+  return S_ISREG(info.st_mode) &&
+         text_of(sum).ends_with(fmt::format("  {}\n", path.filename().string()));
+}
+
 // Gives a file its name and replaces its .sum, or removes the latter. Both are on the disk before
 // anything is replaced, and no .sum is there while it would be that of the other file.
 void publish(PendingFile file, const fs::path& path, const std::string& line, IfExists if_exists,
@@ -153,6 +162,7 @@ void check_output(const fs::path& path, IfExists if_exists) {
   if (::lstat(sum.c_str(), &info) == 0 && S_ISDIR(info.st_mode)) {
     fail("{} is a folder where the checksum of {} belongs; give another path", sum, path.string());
   }
+  if (if_exists == IfExists::refuse && !may_replace_sum(path)) fail_existing(sum);
   const fs::path folder = folder_of(path);
   if (::access((folder / ".").c_str(), F_OK) != 0 ||
       ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
@@ -218,11 +228,12 @@ fs::path sum_path(const fs::path& path) {
   return path.string() + ".sum";
 }
 
-void restore_sum(const fs::path& path) {
+void restore_sum(const fs::path& path, IfExists if_exists) {
+  const fs::path sum = sum_path(path);
   const std::string line = sum_line(read_file(path).checksum, path);
-  if (text_of(sum_path(path)) != line) {
-    PendingFile(sum_path(path), std::as_bytes(std::span(line))).commit(IfExists::replace);
-  }
+  if (text_of(sum) == line) return;
+  if (may_replace_sum(path)) if_exists = IfExists::replace;
+  if (!PendingFile(sum, std::as_bytes(std::span(line))).commit(if_exists)) fail_existing(sum);
 }
 
 }  // namespace rupture

@@ -130,7 +130,10 @@ void check_record(const std::filesystem::path& path, const Parameters& parameter
 RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& parameters,
                            const std::vector<ProvenanceEntry>& provenance, IfExists if_exists,
                            Content rows_before, const RecordParts& parts, std::size_t flush_every)
-    : path_(std::move(path)), if_exists_(if_exists), flush_every_(flush_every) {
+    : path_(std::move(path)),
+      if_exists_(if_exists),
+      flush_every_(flush_every),
+      part_has_samples_(!rows_before.empty()) {
   check_record(path_, parameters, if_exists);
   begin(rows_, layout::kSeries, Sample{}, parameters);
   begin(rows_, layout::kRuptures, Rupture{}, parameters);
@@ -139,7 +142,6 @@ RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& paramet
     rows_before[layout::kCrossingLevels] = make_array(std::span(levels), {levels.size()}, "1");
   }
   if (parts.fields == Fields::record) begin(rows_, layout::kFields, FieldSample{}, parameters);
-  part_has_samples_ = !rows_before.empty();
   Content first = std::move(rows_before);  // with what stays as it is
   first.merge(recorded_run_content(parts.run));
   first.merge(Content(rows_));  // all datasets are there, even if without rows

@@ -63,7 +63,7 @@ std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
   const auto& words = info.valid.words;
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
-    throw UsageError("{} must be {} (got '{}')", info.name, fmt::join(words, " or "), text);
+    throw UsageError("{} must be {} (got '{}')", info.name, alternatives(words), text);
   }
   return found - words.begin();
 }

@@ -88,7 +88,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::size_t distance(std::string_view word, std::string_view candidate) {
   const auto leaf = candidate.substr(candidate.find('.') + 1);
   const auto group = candidate.substr(0, candidate.size() - leaf.size());
-  return edit_distance(word.substr(word.find('.') + 1), leaf) + (word.starts_with(group) ? 0 : 2);
+  const auto own_leaf = word.substr(word.find('.') + 1);
+  return std::min(edit_distance(word, candidate),
+                  edit_distance(own_leaf, leaf) + (word.starts_with(group) ? 0 : 2));
 }
 
 }  // namespace
@@ -113,9 +115,7 @@ std::string units_taken(std::string_view unit) {
     const std::string word = fmt::format("{}{}", kMultiples[n].prefix, symbol_of(unit));
     if (word != unit && takes(unit, kMultiples[n])) taken.push_back(word);
   }
-  const std::string last = taken.back();
-  taken.pop_back();
-  return fmt::format(" (unit {} or {})", fmt::join(taken, ", "), last);
+  return fmt::format(" (unit {})", alternatives(taken));
 }
 
 std::string unknown_text(std::string_view what, std::string_view word,

@@ -66,6 +66,8 @@ constexpr std::size_t kLargest = 1U << 20U;  // [bytes] of a dataset
 enum class Edit { erase, copy, retype, reshape, fill, set_element, set_text, set_unit };
 constexpr std::array kEdits = {Edit::erase, Edit::copy,        Edit::retype,   Edit::reshape,
                                Edit::fill,  Edit::set_element, Edit::set_text, Edit::set_unit};
+constexpr std::array kTypes = {DataType::float64, DataType::int64, DataType::uint32,
+                               DataType::uint16,  DataType::uint8, DataType::text};
 constexpr std::array<std::uint64_t, 12> kLengths = {0, 1,  2,  3,     4,         5,
                                                     6, 12, 64, 65536, 1U << 31U, ~0ULL};
 using Double = std::numeric_limits<double>;
@@ -117,7 +119,7 @@ void edit(Content& content, Edit edit, Bytes& input) {
       content[std::string(1, '/').append(input.text())] = dataset;
       return;
     case Edit::retype:
-      changed.type = input.pick(kDataTypes);
+      changed.type = input.pick(kTypes);
       break;
     case Edit::reshape:
       changed.shape.assign(input.take<std::uint8_t>() % 4, 0);

@@ -70,6 +70,7 @@ class TestFullProduct:
     def test_each_way_to_measure_is_combined_with_each_other(self):
         found = combinations()
         assert len(found) == 3 * 3 * 4 * 3  # stencil, pinned fraction, slow below, ends
+        assert found[PRIMARY] == {}
         both = found["stencil 3, 20 % pinned"]
         assert both == {"--stencil": 3, "--ruptured-below": 0.2}
 

@@ -213,11 +213,11 @@ def test_a_list_of_a_file_is_a_number_of_a_shape(plan):
 def test_what_cannot_be_named_read_or_written_is_said_with_the_file(plan, tmp_path):
     with pytest.raises(UsageError, match="rename the file: its results take its name"):
         plan(CHAIN, "my sweep")
-    with pytest.raises(Failure, match="^cannot read or write none.ini: No such file"):
+    with pytest.raises(Failure, match="^none.ini: No such file"):
         plan_sweep(Path("none.ini"), tmp_path)
     Path("file").touch()
     Path("own.ini").write_text(CHAIN)
-    with pytest.raises(Failure, match="^cannot read or write .*file: File exists$"):
+    with pytest.raises(Failure, match="file: File exists$"):
         plan_sweep(Path("own.ini"), Path("file"))
 
 
@@ -228,7 +228,7 @@ def test_files_of_the_user_are_not_replaced(plan, ending):
     mine = Path(f"results/sweeps/other/other{ending}")
     mine.parent.mkdir()
     mine.write_text("mine")
-    with pytest.raises(UsageError, match=f"^other.ini: {mine} was not written by this program"):
+    with pytest.raises(UsageError, match=f"^other.ini: {mine} is not in results"):
         plan(CHAIN, "other")
     assert ([*mine.parent.iterdir()], mine.read_text()) == ([mine], "mine")
     assert mine.name not in Path("results/.rupture-files").read_text()

@@ -69,6 +69,7 @@ REFUSED = [  # a file of fig3, what is wrong in it, and what is said
         ("claims.json", text, "claims.json holds no table of claims (")
         for text in ("[{", '[{"id": "3A"}]', "7", "[1]", '{"id": "3A"}')
     ),
+    ("claims.json", "other verdict", "claim 3Aw: not a verdict: 'partly'"),
     ("claims.json", "doubled", "Claim '3Aw' is in"),
     ("claims.json", "unlisted", "a claim '3Z' that claims.toml does not list"),
     ("fig3.png", "no picture", "fig3.png is not a PNG"),
@@ -174,7 +175,7 @@ def test_files_of_others_are_not_replaced(project):
         path.symlink_to("mine")
         done = project.report()
         assert (done.returncode, done.stderr.count("\n")) == (1, 1)
-        assert f"report.py: {path} was not written by" in done.stderr
+        assert f"report.py: {path} is not in" in done.stderr
         assert path.readlink().name == "mine"
         path.unlink()
     project.page.write_text("mine")
@@ -226,9 +227,10 @@ def test_the_picture_of_all_claims_shows_them_as_they_are(project):
 @pytest.mark.parametrize("name, text, sentence", REFUSED)
 def test_refuses_what_cannot_be_shown(project, name, text, sentence):
     path = project.results / "fig3" / name
-    if text in ("doubled", "unlisted"):
+    if text in ("doubled", "unlisted", "other verdict"):
         [claim, *_] = json.loads(path.read_text())
-        text = json.dumps([claim, claim] if text == "doubled" else [claim | {"id": "3Z"}])
+        changed = {"doubled": {}, "unlisted": {"id": "3Z"}, "other verdict": {"verdict": "partly"}}
+        text = json.dumps([claim | changed[text]] * (1 + (text == "doubled")))
     path.write_text(text)
     done = project.report()
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)

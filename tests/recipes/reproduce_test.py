@@ -22,10 +22,10 @@ REFUSED = [  # a command line, and the sentence
     ("--dry-run fig3", "--dry-run is for sweep only$"),
     ("fig3 --cores 0", "--cores must be a whole number, 1 or more"),
     ("fig3 --cores=1e9", "--cores must be a whole number, 1 or more"),
-    ("fig3 --cores", "--cores expected one argument"),
+    ("fig3 --cores", "--cores needs a value"),
     ("fig3 --fast", "unknown option '--fast'"),
     ("fig3 --from", "unknown option '--from': did you mean '--from-scratch'\\?$"),
-    ("fig3 --dry-run=1", "--dry-run ignored explicit argument '1'"),
+    ("fig3 --dry-run=1", "--dry-run takes no value .got '1'."),
     ("fig3 --profile nope", "--profile: there is no .*/nope/config.yaml"),
     ("fig3 --profile=", "--profile: there is no"),
     ("fig3 --programs /nope", "--programs: the programs are not in '/nope': there is no"),
@@ -77,7 +77,7 @@ def test_a_folder_that_cannot_be_written_is_named(project):
     project.write("build")
     done = project.call("report")
     assert (done.returncode, done.stderr.count("\n")) == (1, 1)
-    assert "build cannot be written (Not a directory)." in done.stderr
+    assert "build cannot be written (Not a directory)" in done.stderr
 
 
 def make(project, *files):

@@ -84,7 +84,7 @@ def test_wrong_lists_and_ranges(sentence):
         ("0.3µm", 0.3e-6, "m"),
         ("1mm", 1e-3, "m"),
         ("1m", 1, "m"),
-        ("2km/s", 2000, "m/s"),
+        ("2mm/s", 0.002, "m/s"),
         ("1e999", float("inf"), ""),
         ("1e99999999ms", float("inf"), "s"),
     ],
@@ -211,7 +211,7 @@ WHOLE = f"[sweep]\n{COMMANDS}"
             + ("{b}**{b}**{b}**{b}", "sqrt({b} - 10)", "({b} - 10) ** 0.5", "{b} * 1e308 * 10")
         ),
         (f"{WHOLE}[values]\na = 1 to 1e5\nb = 1 to 1e5", "10,000,000,000 points; at most 100,000"),
-        ("no section", r"line 1: expected .sweep. first \(got 'no section'\)"),
+        ("no section", r"line 1: expected .SECTION. first \(got 'no section'\)"),
         (f"{WHOLE}[values]\na\n", r"line 5: expected NAME = VALUE or .SECTION. \(got 'a'\)"),
         (f"{WHOLE}[values]\na = 1\na = 2\n", "'a' in section 'values' already exists"),
         (f"{WHOLE}[values]\n[values]\n", "section 'values' already exists"),

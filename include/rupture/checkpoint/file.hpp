@@ -119,7 +119,8 @@ EditedFile read_edited(const std::filesystem::path& path);
 /// `<path>.sum`.
 std::filesystem::path sum_path(const std::filesystem::path& path);
 
-/// Writes the .sum of a file if it is missing or says anything else. Throws Failure.
-void restore_sum(const std::filesystem::path& path);
+/// Writes the .sum of a file if it is missing, or says anything else and may be replaced. Throws
+/// Failure.
+void restore_sum(const std::filesystem::path& path, IfExists if_exists);
 
 }  // namespace rupture

@@ -1,6 +1,8 @@
 // What users write: numbers with units, and names that they mistype.
 #pragma once
 
+#include <fmt/ranges.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +15,13 @@ namespace rupture {
 /// number without a unit comes back as it is, but for a plus in front; none if the unit is another
 /// one, or there is no number in front of it.
 std::optional<std::string> in_unit(std::string_view text, std::string_view unit);
+
+/// "a", "a or b", or "a, b or c".
+std::string alternatives(const auto& words) {
+  const auto last = std::prev(words.end());
+  return fmt::format("{}{}{}", fmt::join(words.begin(), last, ", "),
+                     last == words.begin() ? "" : " or ", *last);
+}
 
 /// What may stand behind a number of this unit, such as " (unit s, ms, us or ns)"; "" if nothing
 /// may.

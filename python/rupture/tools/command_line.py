@@ -24,6 +24,8 @@ WHOLE = re.compile(r"[-+]?\d{1,18}", re.ASCII)
 WORDING = {  # of argparse, and of the programs in C++
     r"^argument (?:-\w/)?": "",
     r"^(\S+): (?=must|is |expected|ignored|invalid)": r"\1 ",
+    r"expected one argument": "needs a value",
+    r"ignored explicit argument ('.*')": r"takes no value (got \1)",
     r"invalid choice: '(.*)' \(choose from (.*)\)": r"must be one of \2 (got \1)",
     r"^unrecognized arguments: (-\S*).*": r"unknown option '\1'",
     r"^unrecognized arguments: (\S+).*": r"unexpected file '\1': give only one file",

@@ -60,8 +60,8 @@ def take(work):
         work.mkdir(parents=True, exist_ok=True)
         taken = open(lock, "a", encoding="utf-8")
         fcntl.flock(taken, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except PermissionError:
-        raise Failure(f"cannot write {lock}: no write permission; {other}") from None
+    except PermissionError as error:
+        raise Failure(f"cannot write {error.filename}: no write permission; {other}") from None
     except BlockingIOError:
         raise Failure(f"another run uses {work}: wait for it, or {other}") from None
     return taken

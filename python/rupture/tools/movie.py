@@ -180,7 +180,7 @@ def run():
     writer_of(options.output)
     record = open_record(options.record)
     if options.colour != "speed" and "fields/u_x" not in record:
-        raise Failure("--colour needs a record with displacement fields (restart --fields T)")
+        raise Failure("--colour needs a record with displacement fields (run with --fields T)")
     events = analyze("events", options.record)["events"] if options.event is not None else []
     window = window_of(options, record, events)
     with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output):

@@ -12,6 +12,7 @@ REPRODUCED = "reproduced"
 DEPENDS = "depends"
 DIFFERS = "differs"
 NOT_COMPARABLE = "not comparable"
+VERDICTS = (REPRODUCED, DEPENDS, DIFFERS, NOT_COMPARABLE)
 PRIMARY = "primary"  # the convention by which the shown case is measured
 SHOWN_ONLY = "shown case only"  # begins the reason of a verdict without units
 HOLDS, FAILS = "holds as shown", "fails as shown"
@@ -64,6 +65,10 @@ class Claim:
         if not self.reason.startswith(SHOWN_ONLY):
             return self.verdict
         return HOLDS if self.shown else FAILS
+
+    def __post_init__(self):
+        if self.verdict not in VERDICTS:
+            raise ValueError(f"claim {self.id}: not a verdict: '{self.verdict}'")
 
 
 def plain(value):

@@ -46,16 +46,16 @@ def write_fronts(path, fronts):
 
 
 def write_events(path, events, columns):
-    """When each starts, its slow stretch, and {heading: function of an event}."""
+    """{heading: function of an event}, when each starts, and its slow stretch."""
     rows = (
         [
+            *(of(event) for of in columns.values()),
             event["t_start"],
             *map((event["slow"] or {}).get, SLOW_STRETCH),
-            *(of(event) for of in columns.values()),
         ]
         for event in events
     )
-    write_table(path, ["t_start [s]", *SLOW_STRETCH.values(), *columns], rows)
+    write_table(path, [*columns, "t_start [s]", *SLOW_STRETCH.values()], rows)
 
 
 def read_table(path):

@@ -4,7 +4,7 @@ map_points.py between MAP.csv OUTPUT                  halfway between two, of wh
 map_points.py boundary MAP.csv [BETWEEN.csv] OUTPUT   next to another type, given the former, too
 map_points.py variants MAPS.csv OUTPUT                next to another type on one of several maps
 
-The former have seed 1, the others seeds 1 to 5.
+`between` has seed 1, the others seeds 1 to 5.
 """
 
 from data.tables import read_rows, write_table

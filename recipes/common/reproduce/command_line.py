@@ -20,7 +20,7 @@ PURPOSE = (
 )
 SUMMARY = "compute figures of the paper, their claims, and sweeps of your own"
 COMMANDS = {
-    "all": "all figures above except {}, {} and {}; then the report".format(*BESIDE_ALL),
+    "all": f"all figures above except {', '.join(BESIDE_ALL)}; then the report",
     "sweep": "FILE.ini: run the model for all values in the file (docs/sweeps.md)",
     "report": "write results/index.html: all figures and claims on one page",
     "list": "print this list",

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rupture.errors import Failure
 from runs.fingerprint import fingerprint_of_programs
-from runs.written import LIST, append_to, note
+from runs.written import LIST, append_to, note, take
 from reproduce.project import LOGS, PROGRAMS, ROOT, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
@@ -76,6 +76,9 @@ def prepare(request, processes):
     for path in (RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl")):
         if path.is_symlink():
             raise Failure(f"{path} is a link, which is not followed: move it away.")
+    if request.command != "sweep":  # before hours of computing
+        page = ("index.html", "claims.png", "claims.pdf") if request.command == "all" else ()
+        take(RESULTS, *(RESULTS / name for name in ("ro-crate-metadata.json", *page)))
     if request.programs:
         ensure_packages(processes, "run")
     else:

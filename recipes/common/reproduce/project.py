@@ -6,6 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from rupture.errors import Failure
+from rupture.tools.command_line import in_one_line
 
 SHARE = Path(__file__).resolve().parents[3]  # recipes and what they read
 # `rupture reproduce` names the folder for results. Elsewhere they are beside the recipes.
@@ -54,4 +55,5 @@ def say(text=""):
 
 def complain(text):
     with suppress(OSError):  # nobody can read it
-        print(f"{'reproduce' if WORK else 'reproduce.sh'}: {text}", file=sys.stderr, flush=True)
+        name = "reproduce" if WORK else "reproduce.sh"
+        print(f"{name}: {in_one_line(str(text)).rstrip('.')}", file=sys.stderr, flush=True)

@@ -38,11 +38,11 @@ def note(results, *paths):
 
 def take(results, *paths):
     """Notes files below `results`. A Failure if one is there that is not ours."""
-    for path in paths:
-        is_ours = os.path.relpath(path, results) in written(results) and not path.is_symlink()
-        if os.path.lexists(path) and not is_ours:
+    ours = written(results)
+    for path in filter(os.path.lexists, paths):
+        if os.path.relpath(path, results) not in ours or path.is_symlink():
             raise Failure(
-                f"{path} was not written by this program ({results}/{LIST} has what was), and is"
-                " not replaced: move it away."
+                f"{path} is not in {results}/{LIST} and is not replaced: move it away, and all of"
+                f" {results} if an earlier version wrote it"
             )
     note(results, *paths)

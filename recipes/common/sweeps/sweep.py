@@ -105,7 +105,8 @@ def make_point(commands, values, base):
             filled[name] = line.format(**fields)
         except (AttributeError, KeyError, IndexError, TypeError, ValueError):
             known = " and ".join(f"{{{name}}}" for name in fields)
-            why = "" if base else "; {base} needs base = FILE.h5 in [sweep]"
+            lacks_base = "{base" in line and not base
+            why = "; {base} needs base = FILE.h5 in [sweep]" if lacks_base else ""
             raise UsageError(f"'{line}' may refer to {known} only{why}") from None
     return Point(values, filled, base)
 
@@ -272,7 +273,8 @@ def place_and_sentence(error):
         number, line = error.errors[0]
         said = f"expected NAME = VALUE or [SECTION] (got {line})".replace("\\n", "")
         return f"{error.source}, line {number}: {said}"
-    said = str(error).partition("]: ")[2] or f"expected [sweep] first (got {error.line.strip()!r})"
+    said = str(error).partition("]: ")[2]
+    said = said or f"expected [SECTION] first (got {error.line.strip()!r})"
     return f"{error.source}, line {error.lineno}: {said}"
 
 
@@ -282,13 +284,14 @@ def errors_of(path):
     try:
         yield
     except OSError as error:
-        raise Failure(f"cannot read or write {error.filename or path}: {error.strerror}") from None
+        paths = dict.fromkeys((str(path), str(error.filename or path)))
+        raise Failure(f"{': '.join(paths)}: {error.strerror}") from None
     except UnicodeDecodeError:
         raise UsageError(f"{path}: it is not UTF-8 text") from None
     except configparser.Error as error:
         raise UsageError(place_and_sentence(error)) from None
     except (Failure, ValueError) as error:
-        raise UsageError(f"{path}: {error}") from None
+        raise UsageError(f"{path}: {' '.join(str(error).split())}") from None
 
 
 def read_sweep(path, seed=""):

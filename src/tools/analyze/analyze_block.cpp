@@ -110,8 +110,9 @@ double speed(const po::variables_map& values, const std::string& option) {
 
 std::vector<double> speeds(const po::variables_map& values) {
   const double from = speed(values, "v-from"), to = speed(values, "v-to");
-  if (to < from)
-    throw UsageError("--v-to must be at least --v-from, {:g} m/s (got {:g})", from, to);
+  if (to < from) {
+    throw UsageError("--v-from must be at most --v-to, {:g} m/s (got {:g} m/s)", to, from);
+  }
   return speeds_between(from, to, int_between(values, "points", 1, 10000));
 }
 

@@ -58,7 +58,8 @@ class Account {
     say("{}  {}\n", finding.verdict.name, in_one_line(finding.text));
     std::fflush(stdout);
     ++counts_[finding.verdict];
-    if (finding.verdict != kIntact && finding.verdict != kSkipped) all_good_ = false;
+    const bool good = finding.verdict == kIntact || finding.verdict == kSkipped;
+    if (!good) bad_.push_back(finding.text);
   }
 
   /// "3 intact, 1 damaged".
@@ -70,14 +71,15 @@ class Account {
     return text;
   }
 
-  /// Throws Failure if any finding was bad.
+  /// Throws Failure, with the sentence of the finding if it is the only one, if any was bad.
   void demand_all_good() const {
-    if (!all_good_) throw Failure("not all files are intact: " + summary());
+    if (bad_.empty()) return;
+    throw Failure(bad_.size() == 1 ? bad_.front() : "not all files are intact: " + summary());
   }
 
  private:
   std::map<Verdict, int> counts_;
-  bool all_good_ = true;
+  std::vector<std::string> bad_;
 };
 
 /// Throws Failure if the manifest cannot be read, names no file or is none.

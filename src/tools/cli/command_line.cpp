@@ -15,6 +15,7 @@
 #include "cli/option_values.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
+#include "rupture/checkpoint/file.hpp"
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
@@ -155,12 +156,13 @@ std::string unknown_option_text(const std::string& option, const po::options_des
   for (const auto& description : known.options()) {
     names.push_back("--" + description->long_name());
   }
-  return unknown_text("option", option, {names.begin(), names.end()},
+  return unknown_text("option", option.substr(0, option.find('=')), {names.begin(), names.end()},
                       fmt::format("rupture {} --help", tool));
 }
 
-/// Throws UsageError if the word is the unit of a number that stands in front of it.
+/// Throws UsageError if the word is the unit of a number that stands in front of it, and no file.
 void refuse_unit(const std::string& word) {
+  if (is_there(word)) return;
   for (const ParameterInfo& info : parameter_table()) {
     if (!in_unit("1 " + word, info.unit)) continue;
     throw UsageError("unexpected word '{}': write the number and its unit as one word, as in 1{}",

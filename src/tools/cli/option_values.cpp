@@ -47,7 +47,7 @@ std::vector<std::string> plain(std::vector<std::string> words, const ValueKind& 
     }
     const auto choices = split(kind.name, '|');
     if (kind.kind == "choice" && std::ranges::count(choices, word) == 0) {
-      refuse(fmt::format("must be {} (got {})", fmt::join(choices, " or "), word));
+      refuse(fmt::format("must be {} (got {})", alternatives(choices), word));
     }
     if constexpr (std::is_same_v<T, int>) {
       if (int value = 0; !boost::conversion::try_lexical_convert(word, value)) {

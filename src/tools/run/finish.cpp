@@ -23,7 +23,7 @@ RecordFile read_part(const std::filesystem::path& path) try {
   std::error_code ignored;
   if (status(path, ignored).type() != std::filesystem::file_type::not_found) throw;
   std::filesystem::path record = path;  // a run may end, and complete its record, at any moment
-  if (path.extension() == ".part" && is_there(record.replace_extension())) {
+  if (path.extension() == ".part" && exists(record.replace_extension(), ignored)) {
     throw Failure("{} is gone: its run has ended, and its record is {}", path.string(),
                   record.string());
   }

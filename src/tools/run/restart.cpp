@@ -13,8 +13,8 @@ namespace {
 
 /// When the run is to end.
 struct RunEnd {
-  std::optional<double> until, duration;         // [s]
-  std::optional<boost::optional<double>> quiet;  // [s]; without a time, pause_between_events()
+  bool when_quiet = false;
+  std::optional<double> until, duration, quiet;  // [s]
   std::optional<double> arrived_below;           // pinned fraction
 };
 
@@ -36,8 +36,7 @@ void add_restart_options(po::options_description& options) {
   add("until", seconds(), "run until this time");
   add("for", seconds(), "run for this long");
   add("until-quiet", seconds_or("5 t_R"),
-      "stop as soon as no junction has broken for T (default: 5 t_R) or an event has spanned the "
-      "interface");
+      "stop as soon as no junction has broken for T or an event has spanned the interface");
   add("arrived-below", number("F"),
       "with --until-quiet: after an event has spanned, wait until less than this fraction of the "
       "junctions at the leading edge is pinned; default 0.3, at which a block ruptures");
@@ -48,14 +47,15 @@ RunEnd run_end(const po::variables_map& values) {
   end.until = optional_non_negative(values, "until");
   end.duration = optional_non_negative(values, "for");
   if (values.count("until-quiet") > 0) {
-    end.quiet = values["until-quiet"].as<boost::optional<double>>();
-    if (*end.quiet) non_negative(**end.quiet, "until-quiet");
+    end.when_quiet = true;
+    const auto quiet = values["until-quiet"].as<boost::optional<double>>();
+    if (quiet) end.quiet = non_negative(*quiet, "until-quiet");
   }
   if (values.count("arrived-below") > 0) end.arrived_below = arrived_below(values);
   if (end.until && end.duration) {
     throw UsageError("--until and --for cannot be combined: give one of them");
   }
-  if (!end.until && !end.duration && !end.quiet) {
+  if (!end.until && !end.duration && !end.when_quiet) {
     throw UsageError("no end of the run was given: give --until T, --for T or --until-quiet");
   }
   return end;
@@ -75,8 +75,8 @@ StopRule stop_rule(const RunEnd& end, const Checkpoint& checkpoint) {
     if (end.duration.value_or(0.0) > 0.0) interval(p, checkpoint.state.clock, *end.duration, "for");
     rule.last_step = now + steps_in(p, end.duration.value_or(kLongestQuietRun));
   }
-  if (end.quiet) {
-    rule.quiet_steps = steps_in(p, end.quiet->value_or(pause_between_events(p)));
+  if (end.when_quiet) {
+    rule.quiet_steps = steps_in(p, end.quiet.value_or(pause_between_events(p)));
     rule.arrived_below = end.arrived_below;
   }
   return rule;

@@ -49,7 +49,8 @@ std::vector<fs::path> checkpoints_of(const fs::path& output) {
   }
   std::sort(found.rbegin(), found.rend());
   std::vector<fs::path> paths;
-  if (is_there(output)) paths.push_back(output);
+  std::error_code loop;
+  if (fs::exists(output, loop)) paths.push_back(output);
   for (auto& [t, path] : found) paths.push_back(std::move(path));
   return paths;
 }
@@ -81,6 +82,9 @@ bool may_write(const fs::path& path, const Checkpoint& start) try {
 /// Failure if it holds anything else, unless that will be replaced.
 Content recorded(const fs::path& path, const RunPlan& plan) try {
   if (!is_there(path)) return {};
+  if (std::error_code loop; !fs::exists(path, loop)) {
+    throw Failure("{} exists; give --force to replace it", path.string());
+  }
   RecordFile file = read_record_file(path);
   const Record& record = file.record;
   if (record.run == recorded_run(plan) && record.crossing_levels == plan.options.crossings &&

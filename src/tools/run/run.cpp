@@ -259,7 +259,7 @@ void Run::save(const fs::path& path) {
 void restore_sums(const std::vector<fs::path>& paths, const OutputOptions& output) {
   if (output.sum == SumFile::omit) return;
   for (const fs::path& path : paths) {
-    if (is_there(path) && !is_there(sum_path(path))) restore_sum(path);
+    if (is_there(path)) restore_sum(path, output.if_exists);
   }
 }
 

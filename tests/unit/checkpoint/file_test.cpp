@@ -86,7 +86,7 @@ TEST_F(File, with_equal_content_leaves_the_sum_untouched) {
 TEST_F(File, gets_a_sum_in_the_form_of_today) {
   const auto checksum = write_checkpoint(file("x.h5"), small_checkpoint(), IfExists::refuse);
   spill(file("x.h5.sum"), checksum + "  x.h5\n");
-  restore_sum(file("x.h5"));
+  restore_sum(file("x.h5"), IfExists::refuse);
   EXPECT_EQ(slurp(file("x.h5.sum")), "content-sha256 " + checksum + "  x.h5\n");
 }
 
