@@ -64,28 +64,31 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Whether a checksum of the file, of any version, has the place of its .sum, or nothing has.
-bool may_replace_sum(const fs::path& path) {
-  const fs::path sum = sum_path(path);
+// The line of a .sum; nothing if anything but a short file has this name. No link is followed.
+std::string line_in(const fs::path& sum) {
   struct stat info {};
-  if (::lstat(sum.c_str(), &info) != 0) return true;
-  return S_ISREG(info.st_mode) &&
-         text_of(sum).ends_with(fmt::format("  {}\n", path.filename().string()));
+  if (::lstat(sum.c_str(), &info) != 0 || !S_ISREG(info.st_mode) || info.st_size > 512) return "";
+  std::ifstream file(sum, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 // Gives a file its name and replaces its .sum, or removes the latter. Both are on the disk before
-// anything is replaced, and no .sum is there while it would be that of the other file.
+// anything is replaced, and no .sum is there while it would be that of the other file. Of what is
+// no .sum, nothing is removed; it is replaced only if a .sum is wanted and the file may be, too.
 void publish(PendingFile file, const fs::path& path, const std::string& line, IfExists if_exists,
              SumFile wanted) {
   const fs::path sum = sum_path(path);
-  const bool is_other = is_there(sum);  // if not, one that appears now is of another run
+  const bool is_other = is_there(sum);           // if not, one that appears now is of another run
+  const bool is_current = line_in(sum) == line;  // workflow rules go by its modification time
+  const bool is_wanted = wanted == SumFile::write;
   std::optional<PendingFile> new_sum;
-  if (text_of(sum) != line) {  // workflow rules go by its modification time
-    if (wanted == SumFile::write) new_sum.emplace(sum, std::as_bytes(std::span(line)));
+  if (!is_current && (may_replace_sum(path) || (is_wanted && if_exists == IfExists::replace))) {
+    if (is_wanted) new_sum.emplace(sum, std::as_bytes(std::span(line)));
     if (is_other) remove_durably(sum);
   }
   if (!file.commit(if_exists)) fail_existing(path);
   if (new_sum) new_sum->commit(IfExists::replace);
+  if (is_wanted && !is_current && !new_sum) fail_existing(sum);
 }
 
 // What can be told of a file whose header does not fit, and is found out in a child process.
@@ -162,7 +165,6 @@ void check_output(const fs::path& path, IfExists if_exists) {
   if (::lstat(sum.c_str(), &info) == 0 && S_ISDIR(info.st_mode)) {
     fail("{} is a folder where the checksum of {} belongs; give another path", sum, path.string());
   }
-  if (if_exists == IfExists::refuse && !may_replace_sum(path)) fail_existing(sum);
   const fs::path folder = folder_of(path);
   if (::access((folder / ".").c_str(), F_OK) != 0 ||
       ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
@@ -228,10 +230,20 @@ fs::path sum_path(const fs::path& path) {
   return path.string() + ".sum";
 }
 
+bool may_replace_sum(const fs::path& path) {
+  const fs::path sum = sum_path(path);
+  if (!is_there(sum)) return true;
+  const std::string line = line_in(sum), label = labelled("");
+  const std::size_t start = line.starts_with(label) ? label.size() : 0;  // not in old versions
+  constexpr std::size_t digits = 64;
+  return line.size() > start + digits &&
+         line.substr(start + digits) == sum_line("", path).substr(label.size());
+}
+
 void restore_sum(const fs::path& path, IfExists if_exists) {
   const fs::path sum = sum_path(path);
   const std::string line = sum_line(read_file(path).checksum, path);
-  if (text_of(sum) == line) return;
+  if (line_in(sum) == line) return;
   if (may_replace_sum(path)) if_exists = IfExists::replace;
   if (!PendingFile(sum, std::as_bytes(std::span(line))).commit(if_exists)) fail_existing(sum);
 }

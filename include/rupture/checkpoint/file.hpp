@@ -119,6 +119,9 @@ EditedFile read_edited(const std::filesystem::path& path);
 /// `<path>.sum`.
 std::filesystem::path sum_path(const std::filesystem::path& path);
 
+/// Whether nothing has the place of a file's .sum, or a .sum of any version. Throws Failure.
+bool may_replace_sum(const std::filesystem::path& path);
+
 /// Writes the .sum of a file if it is missing, or says anything else and may be replaced. Throws
 /// Failure.
 void restore_sum(const std::filesystem::path& path, IfExists if_exists);

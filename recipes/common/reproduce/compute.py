@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rupture.errors import Failure
 from runs.fingerprint import fingerprint_of_programs
-from runs.written import LIST, append_to, note, take
+from runs.written import LIST, append_to, note, refuse_others
 from reproduce.project import LOGS, PROGRAMS, ROOT, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
@@ -78,7 +78,7 @@ def prepare(request, processes):
             raise Failure(f"{path} is a link, which is not followed: move it away.")
     if request.command != "sweep":  # before hours of computing
         page = ("index.html", "claims.png", "claims.pdf") if request.command == "all" else ()
-        take(RESULTS, *(RESULTS / name for name in ("ro-crate-metadata.json", *page)))
+        refuse_others(RESULTS, *(RESULTS / name for name in ("ro-crate-metadata.json", *page)))
     if request.programs:
         ensure_packages(processes, "run")
     else:

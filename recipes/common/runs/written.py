@@ -36,8 +36,8 @@ def note(results, *paths):
         have.update(new)
 
 
-def take(results, *paths):
-    """Notes files below `results`. A Failure if one is there that is not ours."""
+def refuse_others(results, *paths):
+    """A Failure if a file is there, below `results`, that is not ours."""
     ours = written(results)
     for path in filter(os.path.lexists, paths):
         if os.path.relpath(path, results) not in ours or path.is_symlink():
@@ -45,4 +45,9 @@ def take(results, *paths):
                 f"{path} is not in {results}/{LIST} and is not replaced: move it away, and all of"
                 f" {results} if an earlier version wrote it"
             )
+
+
+def take(results, *paths):
+    """Notes files as ours, if no others are there."""
+    refuse_others(results, *paths)
     note(results, *paths)

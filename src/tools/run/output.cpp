@@ -82,8 +82,17 @@ void check_distinct(const std::vector<std::filesystem::path>& outputs,
   }
 }
 
+void check_sums(const std::vector<std::filesystem::path>& files, const OutputOptions& output) {
+  if (output.sum == SumFile::omit || output.if_exists == IfExists::replace) return;
+  for (const auto& file : files) {
+    if (may_replace_sum(file)) continue;
+    throw Failure("{} exists; give --force to replace it", sum_path(file).string());
+  }
+}
+
 void check_output(const OutputOptions& output, const std::filesystem::path& input) {
   check_distinct({output.output}, input);
+  check_sums({output.output}, output);
   check_output(output.output, output.if_exists);
 }
 

@@ -48,8 +48,11 @@ std::filesystem::path file_to_write(const po::variables_map& values, const std::
 void check_distinct(const std::vector<std::filesystem::path>& outputs,
                     const std::filesystem::path& input);
 
+/// Throws Failure if a .sum is wanted where something else is that may not be replaced.
+void check_sums(const std::vector<std::filesystem::path>& files, const OutputOptions& output);
+
 /// Throws unless the output may be written: UsageError as check_distinct(), Failure as
-/// check_output().
+/// check_output() and check_sums().
 void check_output(const OutputOptions& output, const std::filesystem::path& input = {});
 
 struct WrittenFile {

@@ -77,6 +77,7 @@ void check_files(const RunPlan& plan, const fs::path& input) {
   const auto& record = plan.options.record;
   if (record) files.push_back(*record);
   check_distinct(files, input);
+  check_sums(files, plan.options.output);
   for (const fs::path& path : checkpoints) check_output(path, if_checkpoint_exists(plan, path));
   if (record) check_record(*record, plan.start.parameters, if_record_exists(plan.options));
 }
