@@ -59,11 +59,6 @@ std::string sum_line(const std::string& checksum, const fs::path& path) {
   return fmt::format("{}  {}\n", labelled(checksum), path.filename().string());
 }
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // The line of a .sum; nothing if anything but a short file has this name. No link is followed.
 std::string line_in(const fs::path& sum) {
   struct stat info {};
