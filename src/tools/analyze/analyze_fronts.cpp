@@ -131,13 +131,12 @@ int print_each(const Parsed& parsed, Report (*measure)(const RecordCommand&)) {
   const auto ways = ways_of(parsed);
   Parsed as_recorded = parsed;
   as_recorded.values.erase("ruptured-below");
-  RecordCommand command = record_of(as_recorded);
-  const std::vector<Rupture> recorded = command.record.ruptures;
+  const RecordCommand read = record_of(as_recorded);
+  RecordCommand command = read;
   std::vector<Report> reports;
   for (const po::variables_map& way : ways) {
     command.values = way;
-    command.record.ruptures = recorded;
-    command.record.ruptures = ruptures_below(command.record, fraction(way, "ruptured-below"));
+    command.record.ruptures = ruptures_below(read.record, fraction(way, "ruptured-below"));
     reports.push_back(measure(command));
   }
   for (const Report& report : reports) print(report, parsed.values);
