@@ -55,9 +55,6 @@ class PendingFile {
   std::filesystem::path path_, temporary_;
 };
 
-/// Throws Failure: the file exists and may not be replaced.
-[[noreturn]] void fail_existing(const std::filesystem::path& path);
-
 /// Removes a file, if there is one, and brings that to disk. Throws Failure.
 void remove_durably(const std::filesystem::path& path);
 

@@ -67,17 +67,29 @@ std::string line_in(const fs::path& sum) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// Whether it is that of a .sum of the file, of any version.
+bool is_sum_line(const std::string& line, const fs::path& path) {
+  const std::string label = labelled("");
+  const std::size_t start = line.starts_with(label) ? label.size() : 0;  // not in old versions
+  constexpr std::size_t digits = 64;
+  return line.size() > start + digits &&
+         line.substr(start + digits) == sum_line("", path).substr(label.size());
+}
+
 // Gives a file its name and replaces its .sum, or removes the latter. Both are on the disk before
 // anything is replaced, and no .sum is there while it would be that of the other file. Of what is
 // no .sum, nothing is removed; it is replaced only if a .sum is wanted and the file may be, too.
 void publish(PendingFile file, const fs::path& path, const std::string& line, IfExists if_exists,
              SumFile wanted) {
   const fs::path sum = sum_path(path);
-  const bool is_other = is_there(sum);           // if not, one that appears now is of another run
-  const bool is_current = line_in(sum) == line;  // workflow rules go by its modification time
+  const bool is_other = is_there(sum);  // if not, one that appears now is of another run
+  const std::string there = line_in(sum);
+  const bool is_current = there == line;  // workflow rules go by its modification time
   const bool is_wanted = wanted == SumFile::write;
+  const bool may_replace =
+      !is_other || is_sum_line(there, path) || (is_wanted && if_exists == IfExists::replace);
   std::optional<PendingFile> new_sum;
-  if (!is_current && (may_replace_sum(path) || (is_wanted && if_exists == IfExists::replace))) {
+  if (!is_current && may_replace) {
     if (is_wanted) new_sum.emplace(sum, std::as_bytes(std::span(line)));
     if (is_other) remove_durably(sum);
   }
@@ -227,12 +239,7 @@ fs::path sum_path(const fs::path& path) {
 
 bool may_replace_sum(const fs::path& path) {
   const fs::path sum = sum_path(path);
-  if (!is_there(sum)) return true;
-  const std::string line = line_in(sum), label = labelled("");
-  const std::size_t start = line.starts_with(label) ? label.size() : 0;  // not in old versions
-  constexpr std::size_t digits = 64;
-  return line.size() > start + digits &&
-         line.substr(start + digits) == sum_line("", path).substr(label.size());
+  return !is_there(sum) || is_sum_line(line_in(sum), path);
 }
 
 void restore_sum(const fs::path& path, IfExists if_exists) {

@@ -136,7 +136,7 @@ class RecordWriter {
   std::size_t flush_every_;
   Content rows_;  // that were appended since the last flush
   std::unique_ptr<GrowingFile> part_;
-  bool part_has_samples_ = false;
+  bool part_has_samples_;
 };
 
 /// Reads a finished record or a .part, which ends at its last flush, or before the first one that

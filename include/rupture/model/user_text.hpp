@@ -3,6 +3,7 @@
 
 #include <fmt/ranges.h>
 
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>

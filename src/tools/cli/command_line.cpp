@@ -162,9 +162,8 @@ std::string unknown_option_text(const std::string& option, const po::options_des
 
 /// Throws UsageError if the word is the unit of a number that stands in front of it, and no file.
 void refuse_unit(const std::string& word) {
-  if (is_there(word)) return;
   for (const ParameterInfo& info : parameter_table()) {
-    if (!in_unit("1 " + word, info.unit)) continue;
+    if (!in_unit("1 " + word, info.unit) || is_there(word)) continue;
     throw UsageError("unexpected word '{}': write the number and its unit as one word, as in 1{}",
                      word, word);
   }

@@ -13,6 +13,7 @@
 #include "cli/text.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -42,7 +43,7 @@ std::string text_of(const ParameterInfo& info) {
   if (info.symbol != "-") add("symbol", info.symbol);
   if (is_number) add("unit", info.unit);
   add("default", parameter_text(Parameters{}, info));
-  add("value", is_number ? range_text(info) : fmt::format("{}", fmt::join(words, " or ")));
+  add("value", is_number ? range_text(info) : alternatives(words));
   add("laws", fmt::format("{}", fmt::join(law_names(info.laws), ", ")));
   if (info.restart == Restart::must_keep) add("restart", "cannot change it");
   return text;

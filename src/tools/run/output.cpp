@@ -85,8 +85,7 @@ void check_distinct(const std::vector<std::filesystem::path>& outputs,
 void check_sums(const std::vector<std::filesystem::path>& files, const OutputOptions& output) {
   if (output.sum == SumFile::omit || output.if_exists == IfExists::replace) return;
   for (const auto& file : files) {
-    if (may_replace_sum(file)) continue;
-    throw Failure("{} exists; give --force to replace it", sum_path(file).string());
+    if (!may_replace_sum(file)) fail_existing(sum_path(file));
   }
 }
 

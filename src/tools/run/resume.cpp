@@ -82,9 +82,7 @@ bool may_write(const fs::path& path, const Checkpoint& start) try {
 /// Failure if it holds anything else, unless that will be replaced.
 Content recorded(const fs::path& path, const RunPlan& plan) try {
   if (!is_there(path)) return {};
-  if (std::error_code loop; !fs::exists(path, loop)) {
-    throw Failure("{} exists; give --force to replace it", path.string());
-  }
+  if (std::error_code loop; !fs::exists(path, loop)) fail_existing(path);
   RecordFile file = read_record_file(path);
   const Record& record = file.record;
   if (record.run == recorded_run(plan) && record.crossing_levels == plan.options.crossings &&
