@@ -6,7 +6,7 @@ from itertools import takewhile
 import numpy as np
 import rupture
 
-from claims.judge import judged
+from claims.judge import judged, units_with
 from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
@@ -46,6 +46,10 @@ def case_1Dw(events):
         ),
         "large drops by other events": int(np.sum(large & ~spanning)),
         "large drops by spanning events": int(np.sum(large & spanning)),
+        "largest drop by another event/largest drop": float(
+            drops[~spanning].max(initial=0) / drops.max()
+        ),
+        "drops of at least 0.4 of the largest": int(np.sum(drops >= 0.4 * drops.max())),
     }
 
 
@@ -55,6 +59,18 @@ def units_1D(paths, cases):
         name_of(path): {name: [case(read_events(path))] for name, case in cases.items()}
         for path in paths
     }
+
+
+def claim_1Dw(events, paths):
+    case, units = case_1Dw(events), units_1D(paths, {PRIMARY: case_1Dw})
+    smaller = "drops of at least 0.4 of the largest"
+    measured = case | {
+        f"loads with five or more {smaller}": units_with(lambda of: of[smaller] >= 5, units),
+        "loads where no other event has a tenth of the largest": units_with(
+            lambda of: of["largest drop by another event/largest drop"] < 0.1, units
+        ),
+    }
+    return judged("1Dw", measured, case, units)
 
 
 def claim_1D(events, paths):
@@ -169,9 +185,9 @@ def make(data, results):
     peaks = peaks_of(record)
     write_tables(results, loading, events, record, front)
     loads, continued = (of_ensemble(data, "load", kind) for kind in ("events", "continued"))
-    shown_1Dw, shown_1Ew = case_1Dw(events), case_1E(peaks, front, middle)
+    shown_1Ew = case_1E(peaks, front, middle)
     return [
-        judged("1Dw", shown_1Dw, shown_1Dw, units_1D(loads, {PRIMARY: case_1Dw})),
+        claim_1Dw(events, loads),
         claim_1D(events, loads),
         judged("1Ew", shown_1Ew, shown_1Ew, units_1E(continued, {PRIMARY: middle})),
         claim_1E(record, peaks, front, continued),

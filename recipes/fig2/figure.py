@@ -3,6 +3,7 @@ event."""
 
 import numpy as np
 import rupture
+from most_like import PAPER
 
 from claims import paper
 from claims.own_result import OwnResult, write_own
@@ -23,11 +24,16 @@ EVENTS = {  # label, colour, marker
 PAPER_SPEEDS = {paper.FAST: "$c_s/3$", paper.SLOW: "$c_s/100$"}  # [c_s]
 
 
+def at_transitions(front):
+    """When this front is at 0.4 L and at 0.6 L, after its first rupture [ms]."""
+    t_rupture = values(front["t_rupture"])
+    after = (t_rupture - np.nanmin(t_rupture)) * 1e3
+    return np.interp(paper.TRANSITIONS, np.array(front["x"]) / front["L"], after)
+
+
 def draw_slow_of_paper(axes, front):
     """The paper's slow stretch, 0.4 L to 0.6 L in 1 ms, from when this front is at 0.4 L."""
-    x_over_L, t_rupture = np.array(front["x"]) / front["L"], values(front["t_rupture"])
-    t_from = np.interp(paper.TRANSITIONS[0], x_over_L, t_rupture)
-    start = (t_from - np.nanmin(t_rupture)) * 1e3
+    start, _ = at_transitions(front)
     end = start + paper.SLOW_FOR * 1e3
     axes.plot(paper.TRANSITIONS, [start, end], color="white", linewidth=2.5)
     axes.plot(paper.TRANSITIONS, [start, end], **OF_PAPER)
@@ -84,6 +90,10 @@ def make(data, results):
         first = (candidates := choice["candidates"])[0]
         write_columns(results / "most-like.csv", list(first), candidates)
         measured = {"loads": choice["loads"], "candidates": len(candidates), **first}
+        (crossing,) = np.diff(at_transitions(fronts[MOST_LIKE]))
+        measured |= {"from 0.4 L to 0.6 L in [ms]": float(crossing)} | {
+            f"median, {name}": float(np.median([row[name] for row in candidates])) for name in PAPER
+        }
         question = "how near does the event most like the paper's come to it?"
         own = [OwnResult("nearest", question, measured)]
     write_own(results, own)

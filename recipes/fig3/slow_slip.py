@@ -181,7 +181,8 @@ def make(data, results):
     path, *others = slow.tables_of(data, "slow_slip")
     prepared, of_event = slow.fronts(path), read_rows(data / "slow_slip_event.csv")
     event = slow.usable([row | {"blocks": int(row["blocks"] or 0)} for row in of_event])
-    draw(varied(prepared), event, fit(varied(prepared)), results / "fig3C-inset")
+    of_SI = varied(prepared, K_I_OF_SI[PRIMARY])
+    draw(of_SI, event, fit(of_SI), results / "fig3C-inset")
     rows = [{"interface": "prepared"} | row for row in prepared]
     rows += [{"interface": "event"} | row for row in event]
     names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]

@@ -8,7 +8,7 @@ from data.records import report, values
 from data.tables import write_events, write_fronts
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
-from events.event_claims import case_of_event, words_case, words_shown
+from events.event_claims import case_of_event, judged_in_words
 from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
 from maps.map_claims import make_map
@@ -52,9 +52,9 @@ def draw_speeds(axes, fronts):
         x, v_c = (values(front[name])[ahead] for name in ("x", "v_c"))
         axes.plot(x / front["L"], v_c, marker, color=colour, markerfacecolor="none")
     axes.plot([], [], "o", color=BLACK, markerfacecolor="none", label="block ahead of the front")
-    allowed = fronts["event"]["c_s"] / 8
-    axes.axhline(allowed, color=BLACK, linewidth=0.8)
-    name_line(axes, "$c_s/8$", allowed)
+    limit = fronts["event"]["c_s"] / 10
+    axes.axhline(limit, color=BLACK, linewidth=0.8)
+    name_line(axes, "$c_s/10$", limit)
     axes.set(ylim=(5, 1e4))
     axes.legend(loc="upper right")
 
@@ -108,6 +108,6 @@ def make(data, results):
             units=below_c_s_over_8(loads, case_of_event),
             note="Slow means below c_s/8; shown is the first event fast-slow-fast in words.",
         ),
-        judged("S6Aw", words_shown(first), words_case(first), units_in_words(loads)),
+        judged_in_words("S6Aw", first, units_in_words(loads)),
         *make_map(data, results, **MAP),
     ]

@@ -10,7 +10,8 @@ from claims.judge import holds
 from conftest import ROOT, approx
 from events.continuations import BRANCHES, LEAD, OWN_BLOCK
 from events.conventions import IN_WORDS, PRIMARY
-from events.event_claims import case_3Bw, case_5Aw, case_of_event, ratios_3Cr
+from events.event_claims import IN_ORDER, case_3Bw, case_5Aw, case_of_event, ratios_3Cr
+from events.event_claims import words_and_order_case
 from events.slip import peaks_of
 from events.units import of_event
 from rupture.files import Ruptures
@@ -29,6 +30,8 @@ def front(kind="slow", arrest=None, in_words=True):
         "fast_slow_fast": in_words,
         "slow": SLOW if kind == "slow" else None,
         "t_rupture": [0.0, 1e-3, 2e-3, 3e-3],
+        "x": [0.01, 0.05, 0.07, 0.09],
+        "v_c": [9.0, -9.0, C_S / 11, 9.0],  # in the loading zone, backwards, slow
     }
 
 
@@ -57,6 +60,19 @@ class TestLoads:
         assert holds("2Cw", [case])
         assert not holds("2Cw", [case | {"length/duration/c_s": 1 / 71}])
         assert case_of_event(front("fast"))["length/duration/c_s"] is None
+
+    @mark.parametrize(
+        "t_rupture, expected",
+        [
+            ([0.0, 0.1, 0.2, 1.0, 2.0, 2.1, 2.2], "yes"),
+            ([0.0, 2.1, 2.0, 1.0, 1.9, 2.1, 2.2], "no"),  # what is before the stretch comes after
+            ([0.0, 0.1, 0.2, 1.0, 2.0, 0.4, 0.3], "no"),  # what is behind it comes before
+        ],
+    )
+    def test_an_event_is_fast_slow_fast_in_order_of_time(self, t_rupture, expected):
+        slow = SLOW | {"x_from": 0.5 * L, "x_to": 0.67 * L, "t_from": 1.0, "t_to": 2.0}
+        case = words_and_order_case(front() | {"slow": slow, "t_rupture": t_rupture})
+        assert case[IN_ORDER] == expected
 
 
 class TestContinuations:

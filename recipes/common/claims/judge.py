@@ -142,14 +142,15 @@ def verdict_of_shares(claim_id, shown, shares):
     """The 90 % intervals have to lie on the right side, not only the shares."""
     unit, holding = table()[claim_id]["unit"], "holds" if shown else "does not hold"
     worst, best = min(shares, key=lambda s: s.low), max(shares, key=lambda s: s.high)
-    decides = worst if shown else best
     if shown and worst.low >= needed(claim_id):
         return REPRODUCED, f"holds as shown and in at least {worst.text(unit)}"
     if not shown and best.high <= FEW:
         return DIFFERS, f"does not hold as shown, and in at most {best.text(unit)}"
-    enough = worst.part() >= needed(claim_id) if shown else best.part() <= FEW
+    primary, decides, to = shares[0], *((worst, "down") if shown else (best, "up"))
+    extreme = "" if decides is primary else f", {to} to {decides.text(unit)}"
+    enough = worst.part() > needed(claim_id) if shown else best.part() < FEW
     few = f"; too few {plural(unit)} for a verdict" if enough else ""
-    return DEPENDS, f"{holding} as shown; in {decides.text(unit)}{few}"
+    return DEPENDS, f"{holding} as shown; in {primary.text(unit)}{extreme}{few}"
 
 
 def verdict_of(claim_id, shown, shares):
@@ -178,6 +179,12 @@ def verdict_of_state(held):
     if len(holding) < len(failing):
         return DEPENDS, f"holds only under {', '.join(holding)} (of {len(held)} conventions)"
     return DEPENDS, f"holds except under {', '.join(failing)} (of {len(held)} conventions)"
+
+
+def units_with(is_so, units):
+    """Of how many a case is so, under the primary convention."""
+    found = [any(map(is_so, measured.get(PRIMARY, []))) for measured in units.values()]
+    return f"{sum(found)} of {len(found)}"
 
 
 def share_of_spanning(claim_id, units):

@@ -8,10 +8,11 @@ show and of each event of the ensemble alike.
 import numpy as np
 
 from claims import paper
-from claims.judge import holds, judged, unmet
+from claims.judge import holds, judged, units_with, unmet
 from data.records import values
 from events.fronts import LOADING_ZONE, front_spans, is_fast_slow, middle_of_slow_stretch
 
+IN_ORDER = "fast, slow and fast in order of time"
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
 
 
@@ -61,8 +62,34 @@ def words_case(front):
     return case_of_event(front) | {"fast-slow-fast in words": yes(front["fast_slow_fast"])}
 
 
+def in_order_of_time(front):
+    """Whether it is fast, slow and fast one after the other: most blocks before the slow stretch
+    rupture before it does, and most of those behind it afterwards. It is not if the front begins
+    within the slow stretch."""
+    if not front["fast_slow_fast"]:
+        return False
+    slow, time = front["slow"], values(front["t_rupture"])
+    x = np.linspace(0, front["L"], len(time))
+    before, behind = time[(x > LOADING_ZONE) & (x < slow["x_from"])], time[x > slow["x_to"]]
+    return bool(np.nanmedian(before) < slow["t_from"] and np.nanmedian(behind) > slow["t_to"])
+
+
+def words_and_order_case(front):
+    return words_case(front) | {IN_ORDER: yes(in_order_of_time(front))}
+
+
+def judged_in_words(claim_id, front, units):
+    """Claims 2Aw, S6Aw and Expe. That the order holds in time, too, is no condition."""
+    case = words_and_order_case(front)
+    measured = words_shown(front) | {
+        IN_ORDER: case[IN_ORDER],
+        "loads with such an event": units_with(lambda of: of[IN_ORDER] == "yes", units),
+    }
+    return judged(claim_id, measured, case, units)
+
+
 def words_shown(front):
-    """The same for readers."""
+    """Of words_case(), for readers."""
     slow = front["slow"] or {}
     return {
         "fast-slow-fast in words": words_case(front)["fast-slow-fast in words"],
@@ -96,9 +123,9 @@ def claims_of_fronts(slow_front, in_words, with_ends, fast_front, units, units_i
     }
     return [
         judged("2A", speeds, case, units),
-        judged("2Aw", words_shown(in_words), words_case(in_words), units_in_words),
+        judged_in_words("2Aw", in_words, units_in_words),
         judged("2B", fast, case_of_event(fast_front), units),
-        judged("2Cw", words_compared(slow_front, case), case, units),
+        judged("2Cw", words_compared(slow_front, case, units), case, units),
         judged("2C", speeds_compared(slow_front, case), case, units),
     ]
 
@@ -112,7 +139,17 @@ def slow_speeds(slow):
     }
 
 
-def words_compared(front, case):
+def is_in_place(case):
+    """2Cw, and the slow stretch begins and ends within 0.1 L of the paper's, and lasts as long
+    within a factor of 2; no condition of a claim."""
+    if unmet("2Cw", case):
+        return False
+    apart = (case[end] - x for end, x in zip(("from [L]", "to [L]"), paper.TRANSITIONS))
+    factor = case["duration [ms]"] / (paper.SLOW_FOR * 1e3)
+    return all(abs(distance) <= 0.1 for distance in apart) and 0.5 <= factor <= 2
+
+
+def words_compared(front, case, units):
     """Measured speeds over the paper's, the last one that of 0.2 L in 1 ms."""
     length = paper.TRANSITIONS[1] - paper.TRANSITIONS[0]
     of_paper = length * front["L"] / paper.SLOW_FOR / front["c_s"]
@@ -122,6 +159,7 @@ def words_compared(front, case):
         "length/duration over the paper's 0.2 L in 1 ms": ratio(
             case["length/duration/c_s"], of_paper
         ),
+        "loads with an event in place, too": units_with(is_in_place, units),
     }
 
 
@@ -170,21 +208,23 @@ def details_3A(unmodified, stopped):
     }
 
 
-def arrest_past_transition(unmodified, no_slow_slip):
-    """[L]; the transition is where the unmodified front becomes slow."""
-    arrest, slow = no_slow_slip["x_arrest"], unmodified["slow"]
-    apart = None if arrest is None or slow is None else arrest - slow["x_from"]
-    return ratio(apart, no_slow_slip["L"])
+def arrest_past(x, no_slow_slip):
+    """[L]"""
+    arrest = no_slow_slip["x_arrest"]
+    return ratio(None if arrest is None or x is None else arrest - x, no_slow_slip["L"])
 
 
 def case_3B(unmodified, no_slow_slip):
-    return {"arrest - transition [L]": arrest_past_transition(unmodified, no_slow_slip)}
+    """The transition is where the unmodified front becomes slow."""
+    transition = (unmodified["slow"] or {}).get("x_from")
+    return {"arrest - transition [L]": arrest_past(transition, no_slow_slip)}
 
 
-def case_3Bw(in_words, no_slow_slip):
-    """`in_words`: the unmodified front, measured so."""
-    past = arrest_past_transition(in_words, no_slow_slip)
-    return {"arrest - first stencil below c_s/10 [L]": past}
+def case_3Bw(unmodified, no_slow_slip):
+    x, v_c = values(unmodified["x"]), values(unmodified["v_c"])
+    slow = x[(x > LOADING_ZONE) & (v_c > 0) & (v_c < unmodified["c_s"] / 10)]
+    first = float(slow[0]) if len(slow) else None
+    return {"arrest - first stencil below c_s/10 [L]": arrest_past(first, no_slow_slip)}
 
 
 def details_3B(unmodified, no_slow_slip):

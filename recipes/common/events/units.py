@@ -13,7 +13,7 @@ from claims.judge import holds
 from data.records import report
 from events.continuations import BRANCHES, OWN_BLOCK, SLIP_AT
 from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
-from events.event_claims import EVENT_CLAIMS, case_S2, words_case
+from events.event_claims import EVENT_CLAIMS, case_S2, words_and_order_case
 from events.fronts import has_slow_stretch
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
@@ -48,8 +48,8 @@ def of_loads(paths, case, conventions=None):
 
 
 def in_words(paths):
-    """Claims 2Aw, S6Aw and Expw."""
-    return of_loads(paths, words_case, {PRIMARY: IN_WORDS})
+    """Claims 2Aw, S6Aw, Expe and Expw."""
+    return of_loads(paths, words_and_order_case, {PRIMARY: IN_WORDS})
 
 
 def below_c_s_over_8(paths, case):
@@ -117,7 +117,7 @@ OF_EVENT: dict[str, tuple] = {  # conventions, what the case is made of
     "3Cv": (OF_SLIP, lambda view: [view.of_branch("slip", view.block)]),
     "4AB": (OF_FRONTS, View.widened),
     "3Aw": (AT_BRANCHES, lambda view: [view.of_branch(IN_WORDS, "stopped")]),
-    "3Bw": (AT_BRANCHES, lambda view: (view.event[IN_WORDS], view.of_branch("no-slow-slip"))),
+    "3Bw": (AT_BRANCHES, lambda view: view.fronts("no-slow-slip")),
     "3Cw": (AT_BRANCHES, lambda view: [view.of_branch("slip", OWN_BLOCK)]),
     "5A": ({}, View.undriven),
     "5Aw": ({}, lambda view: (view.event[IN_WORDS], *view.undriven())),

@@ -46,8 +46,8 @@ def row_of(result):
     found = result.measured.items()
     numbers = {key: short(value) for key, value in found if (result.id, key) in PLACES}
     share = next(iter(getattr(result, "shares", [])), SimpleNamespace(holds="", units=""))
-    verdict = getattr(result, "verdict", "")
-    return [result.id, verdict, share.holds, share.units, json.dumps(numbers)]
+    texts = (getattr(result, name, "") for name in ("closeness_of", "verdict"))
+    return [result.id, *texts, share.holds, share.units, json.dumps(numbers)]
 
 
 def front_rows(name, front):
@@ -59,11 +59,10 @@ def front_rows(name, front):
 
 
 def write_tables(root, claims, own):
-    """Of leading rows, and of events with a column per block."""
-    leading = [claim for claim in claims if not claim.closeness_of]
+    """Of claims and own results, and of events with a column per block."""
     named = [result for result in own if result.id in dict(PLACES)]
-    names = ["id", "verdict", "holds", "units", "numbers"]
-    write_table(root / TABLE, names, map(row_of, [*leading, *named]))
+    names = ["id", "closeness of", "verdict", "holds", "units", "numbers"]
+    write_table(root / TABLE, names, map(row_of, [*claims, *named]))
     fronts = {name: report(root / f"results/data/{name}-front.json") for name in EVENTS}
     x = {short(x / front["L"], 4): None for front in fronts.values() for x in front["x"]}
     rows = [row for name, front in fronts.items() for row in front_rows(name, front)]
@@ -74,10 +73,12 @@ def write_tables(root, claims, own):
 
 
 def sentences(rows):
-    """From the table of verdicts; `all` counts them."""
-    counts = Counter(row["verdict"] for row in rows if row["verdict"])
+    """From the table of verdicts; `all` counts those of leading rows, `closer` the others."""
     results = {row["id"]: row | json.loads(row["numbers"]) for row in rows}
-    results["all"] = dict.fromkeys(STANDINGS, 0) | counts | {"claims": counts.total()}
+    for name, is_closer in (("all", False), ("closer", True)):
+        of = (row for row in rows if row["verdict"] and bool(row["closeness of"]) == is_closer)
+        counts = Counter(row["verdict"] for row in of)
+        results[name] = dict.fromkeys(STANDINGS, 0) | counts | {"claims": counts.total()}
     return filled(SENTENCES, [SimpleNamespace(id=i, measured=m) for i, m in results.items()])
 
 
