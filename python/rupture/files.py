@@ -234,7 +234,7 @@ class Record(File):
 
     @property
     def finished(self):
-        """False of a `.part`, the record of a run that goes on or was interrupted."""
+        """False for a `.part`, the record of a run that is in progress or was interrupted."""
         return text(self.file.attrs["format"]) == RECORD
 
     @property

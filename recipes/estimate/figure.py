@@ -46,10 +46,11 @@ def claims_of(reference, unbreakable):
             measured,
             shown,
             others=dict(others),
-            note="One block that moves until its force is back each time one of its 100 junctions"
-            " is pinned; means over 1000 blocks. The net slip is the same for all of them (it"
-            " depends on the order of events only), and is reached when no junction slips any more."
-            " Primary: the slip in the first 2 <t_R>, the time that the paper names.",
+            note="Each time one of the block's 100 junctions is pinned, the block moves until the"
+            " force on it is the same as before; means over 1000 blocks. The net slip is the same"
+            " for all of them (it depends only on the order of events), and is reached when no"
+            " junction slips any more. Primary convention: the slip in the first 2 <t_R>, the time"
+            " that the paper names.",
         ),
         judged("tR2", measured, measured),
     ]

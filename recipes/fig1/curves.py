@@ -154,12 +154,12 @@ def claim_1E(record, peaks, front, paths):
             "blocks within 0.1 ms": int((distance <= NEAR).sum()),
             "the others are at [mm]": np.array(front["x"])[distance > NEAR] * 1e3,
         },
-        note="The case shown is event I, with all blocks beyond x = 2 cm; the"
-        " curve is that of the block in the middle. A block ruptures when 70 % of its junctions"
-        " have broken, and tau/p is largest just before. Blocks farther off may be in the"
-        " loading zone, where later loading exceeds it or junctions break gradually before the"
-        " front starts, and where the front is slow or has just been. Peaks count until 0.5 ms"
-        " after the last rupture of the front.",
+        note="The case shown is event I, with all blocks beyond x = 2 cm; the curve is that of"
+        " the block in the middle. A block ruptures when 70 % of its junctions have broken, and"
+        " tau/p is largest just before. Blocks with larger differences may lie in the loading"
+        " zone, where later loading exceeds this maximum or junctions break gradually before the"
+        " front starts, or where the front is slow or was slow just before. Peaks count until 0.5"
+        " ms after the last rupture of the front.",
     )
 
 

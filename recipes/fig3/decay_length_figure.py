@@ -85,12 +85,13 @@ def claim(paths):
             "least and most of a front [mm]": [min(lengths), max(lengths)] if lengths else None,
             **{f"l_0, {name} [mm]": other["l_0 [mm]"] for name, other in cases.items()},
         },
-        note="The excess of the shear force over tau_0, when the block that ruptures next (x_0)"
-        " carries its largest force; an exponential from x_0 to 3 blocks ahead, median over the"
-        " blocks of the slow stretch, then over the fronts. Other conventions fit other blocks, or"
-        " take the distance at which the excess has fallen to 1/e. The excess is not exponential:"
-        " the farther a fit reaches, the longer l_0. The fit to 8 blocks ahead was added when the"
-        " others were known, because it alone leaves the 25 %.",
+        note="l_0 is fitted to the excess of the shear force over tau_0, when the block that"
+        " ruptures next (x_0) carries its largest force: an exponential from x_0 to 3 blocks"
+        " ahead, median over the blocks of the slow stretch, then over the fronts. Other"
+        " conventions fit other blocks, or take the distance at which the excess has fallen to"
+        " 1/e. The excess is not exponential: the farther a fit reaches, the longer l_0. The fit"
+        " to 8 blocks ahead was added when the others were known, because it alone exceeds the 25"
+        " %.",
     )
 
 

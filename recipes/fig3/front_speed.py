@@ -160,12 +160,12 @@ def claim(path, phi, l_0, others):
         },
         note=f"Fronts that span, with at least {slow.BLOCKS} measured blocks; v_slow slip (mean)"
         f" and v_c (median) belong to the same blocks, in both models. {slow.WHERE} l_0 is the"
-        " paper's 7 mm; it is a factor common to all points, so that with the fitted one R^2 and"
-        " the difference of the slopes are the same: not a separate convention. Full model at"
-        " sigma-bar = 0.1, simplified one without a width of phi: it has one spring per block;"
-        " at sigma-bar = 0 both have none. The scaling knows no width: v_c over the scaled slow"
-        f" slip is {ratios(phi)}. With the strength that phi leaves in place of"
-        f" tau_thres the full model's is {ratios(phi, numbers(phi, 'strength'))}.",
+        " paper's 7 mm, a factor common to all points: the fitted l_0 gives the same R^2 and the"
+        " same difference of the slopes, so it is not a separate convention. The full model is at"
+        " sigma-bar = 0.1; the simplified one has one spring per block and thus no width of phi;"
+        " at sigma-bar = 0 neither has one. The scaling does not include the width: v_c over the"
+        f" scaled slow slip is {ratios(phi)}. If tau_thres is replaced by the strength that phi"
+        f" leaves, this ratio in the full model is {ratios(phi, numbers(phi, 'strength'))}.",
     )
 
 

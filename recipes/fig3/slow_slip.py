@@ -151,7 +151,7 @@ def claim_3Ci(path, event, others):
         " slow. A change of tau_slip alone is nearly a change of units (p and k_i do not depend on"
         " it). Where k_i varies, the trigger region's prestress does not change. Measured/estimate"
         f" there: {beside_text(rows, K_I[PRIMARY])}; with a prestress that compensates for the"
-        f" driving spring: {beside_text(rows, 'k_i')}; with a driving spring as much stiffer as"
+        f" driving spring: {beside_text(rows, 'k_i')}; with a driving spring stiffened like"
         f" the slider instead: {beside_text(rows, 'k_i and K')}. At other prestresses of the"
         f" interface: {beside_text(rows, 'prestress')}.",
     )

@@ -106,11 +106,11 @@ def claim_5B(stretch, c_s, branches, others):
             "all branches, driven": [branch["driven"] for branch in branches],
         },
         note="The stretch lies between the first two dynamic events (more than half of the blocks"
-        " within 1 ms) and ends 10 ms before the second; the verdict is that of the branch in the"
-        " middle of its time. Branches follow at each tenth of it, on the 10 ms grid of the"
-        " checkpoints: in the last one the second event has begun to nucleate. The front creeps in"
-        " bursts of some ms; branched off within one, it continues for some blocks before it"
-        " stops.",
+        " rupture within 1 ms) and ends 10 ms before the second. The branch in the middle of its"
+        " time decides the verdict. There is a branch at each tenth of it, on the 10 ms grid of the"
+        " checkpoints; in the last one the second event has begun to nucleate. The front creeps in"
+        " bursts of some ms; if a branch begins within one, the front continues for some blocks"
+        " before it stops.",
     )
 
 

@@ -27,9 +27,9 @@ MAP = dict(
     slow_below=(20, 8, 10, 30, 40),
     claims=("S6Bw", "S6B"),
     note=(
-        "As 4D, slow below c_s/20 as there; c_s/8 is what the acceptance of S6A allows a slow"
-        " stretch. tau_bar_0 counts from mu_d, the friction just after breaking; it falls to mu_new"
-        " < mu_d while junctions slip, so fronts cross at negative tau_bar_0, too."
+        "As in 4D, slow means below c_s/20; only S6A allows slow stretches of up to c_s/8."
+        " tau_bar_0 is relative to mu_d, the friction just after breaking. Friction falls further"
+        " to mu_new while junctions slip, so fronts also cross at negative tau_bar_0."
     ),
 )
 RATIOS = {"fast/slow before", "fast/slow after"}
@@ -106,7 +106,7 @@ def make(data, results):
             shown=case_of_event(fronts["event"]),
             measured=measured(fronts, events),
             units=below_c_s_over_8(loads, case_of_event),
-            note="Slow means below c_s/8; shown is the first event fast-slow-fast in words.",
+            note="Slow means below c_s/8. Shown: the first event fast-slow-fast in words.",
         ),
         judged_in_words("S6Aw", first, units_in_words(loads)),
         *make_map(data, results, **MAP),

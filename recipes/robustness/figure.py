@@ -97,7 +97,7 @@ def claim_strict(events, unmodified, continued, loads):
             "slow stretch of the event of Figure 2": slow_stretch(unmodified),
             "the same, continued with exponential times": slow_stretch(continued),
         },
-        note="The case shown is the (first) event that meets most of the conditions. The event"
+        note="The case shown is the (first) event that meets the most conditions. The event"
         " of Figure 2 is also continued with exponential times, from the moment when its front is"
         " at 0.14 L.",
     )

@@ -68,10 +68,10 @@ def claims_of(maps):
         case_in_words,
         case_of,
         case_of(maps) | {k: v for name, m in maps.items() for k, v in measured(name, m).items()},
-        "Order: with rising tau_bar_0 arrested, slow, fast, never back, at each sigma_bar,"
-        " with all three at two or more, and no place fast below-left of an arrested one. Block"
-        " spacing and mass, p per block, H, h and the trigger region's length are kept, so N_x = 43"
-        " and 85, M and F_N in proportion to N_x.",
+        "Order: at each sigma_bar, fronts are arrested, slow and fast with rising tau_bar_0, and"
+        " never the reverse; all three types occur at two sigma_bar or more; no fast place is"
+        " below-left of an arrested one. Block spacing and mass, p per block, H, h and the trigger"
+        " region's length are kept, so N_x = 43 and 85, M and F_N in proportion to N_x.",
     )
 
 

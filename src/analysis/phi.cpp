@@ -1,7 +1,5 @@
 #include "rupture/analysis/phi.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,6 +9,7 @@
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 #include "rupture/model/normal_contact.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace rupture {
 namespace {
@@ -84,7 +83,7 @@ void refuse_single_springs(const Parameters& p) {
   throw Failure(
       "the checkpoint has junctions.law = {}: a single spring per block has no "
       "distribution of forces; use a checkpoint of the {} law",
-      law.name, fmt::join(others, " or the "));
+      law.name, alternatives(others));
 }
 
 std::vector<double> normal_forces(const Parameters& p, const State& state) {

@@ -26,7 +26,7 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, kMostSeconds);
-  // A handler of ours or of a sanitizer would report what is expected here, or go on.
+  // A handler of ours or of a sanitizer would report what is expected here, or continue.
   for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) std::signal(signal, SIG_DFL);
   int code = ChildEnd::kThrew;
   try {

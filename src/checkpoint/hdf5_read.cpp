@@ -126,7 +126,7 @@ void check_storage(Id dataset, const std::string& path, Accept accept) {
   fail("{} is not stored as rupture does, in one piece in this file", path);
 }
 
-// An array of which nothing was ever written would be read as zeros.
+// An array that was never written would be read as zeros.
 void check_stored_size(Id dataset, const std::string& path, const Dataset& data) {
   const hsize_t stored = H5Dget_storage_size(dataset);
   if (stored == data.bytes.size()) return;

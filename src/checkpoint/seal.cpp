@@ -98,7 +98,7 @@ ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   check_attributes(attributes, kind);
   ContentFile unsealed = {kind, "", attributes.content_checksum, reader.content()};
   check_finite(unsealed.content);
-  // One that only a newer build knows is no damage, though it spoils the checksum.
+  // One that only a newer build knows is not damage, although it changes the checksum.
   refuse_unknown_parameters(unsealed.content);
   if (kind == FileKind::open_record) return unsealed;  // its pieces have checksums of their own
   const std::string computed = content_checksum(unsealed.content, attributes.schema_version);

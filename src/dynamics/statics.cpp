@@ -186,7 +186,7 @@ std::optional<State> newton(const Parameters& p, const LoadCase& load_case,
 
 State compressed(const Parameters& p) {
   if (p.Nx * p.Nz > kMostBlocks) {
-    throw UsageError("slider.Nx x slider.Nz = {}: an equilibrium has at most {} blocks",
+    throw UsageError("slider.Nx x slider.Nz = {}: an equilibrium can have at most {} blocks",
                      p.Nx * p.Nz, kMostBlocks);
   }
   State state(p);

@@ -1,6 +1,6 @@
 // The decaying interface law (Fig. S6): the reference law, but for a slipping force that falls with
-// time. It stands for another behaviour of single junctions, to show that results do not hinge on
-// the reference one.
+// time. It is an example of another behaviour of single junctions, to show that results do not
+// depend on the reference one.
 //
 // Breaking and the loop as in junction_law.hpp; valid for mu_new <= mu_d. Its own, with t_s the
 // time since the junction broke:

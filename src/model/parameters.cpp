@@ -1,7 +1,6 @@
 #include "rupture/model/parameters.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -231,7 +230,7 @@ void validate_law(const Parameters& p) {
     throw UsageError(
         "junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
         "under the {} law, set {}",
-        fmt::join(law_names(f_new.laws), " and the "), law.name, law.slow_slip_off);
+        alternatives(law_names(f_new.laws)), law.name, law.slow_slip_off);
   }
 }
 

@@ -169,7 +169,7 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     assert refused["sentence"].startswith("prepare: --tau-bar 2 would put junctions beyond")
     assert crashed.returncode == 1
     assert "2 points: 1 failed, 1 unfinished." in crashed.stdout
-    assert "The same command tries unfinished points again." in crashed.stderr
+    assert "To retry the unfinished points, run the same command again." in crashed.stderr
     files = {path.suffix for path in (sweep.root / "results/sweeps/my").iterdir()}
     assert files == {".ini", ".csv", ".hdf5", ".png", ".pdf"}
     assert re.findall(r"\] +(\d+)/(\d+) ", crashed.stdout)[-1] == ("2", "2")

@@ -130,7 +130,7 @@ REFUSED = [
     ("[sweep]", "[sweep]\npoints = heading.csv", "there are no points"),
     ("[sweep]", "[sweep]\nbase = no.h5", "no.h5 does not exist"),
     ("[sweep]", "[sweep]\nbase = bad.h5", "the base cannot be used: .*bad.h5"),
-    ("[sweep]", "[sweep]\nbase = record.h5", "is a record; runs go on from checkpoints"),
+    ("[sweep]", "[sweep]\nbase = record.h5", "is a record; runs continue from checkpoints"),
     ("--until-quiet", "--fro 1", "unknown option '--fro': did you mean '--for'"),
     ("--until-quiet", "--record-every 1", "restart needs --until or --for or --until-quiet, which"),
     ("front r.h5", "front r.h5 --slowbelow 0.1", "unknown option '--slowbelow'.*'--slow-below'"),
@@ -301,7 +301,7 @@ Failed:
   and 1 other sentence; the table has all
 Unfinished:
   1 x crash
-No point has a value of front.v_c.9 (v).
+No point has a value for front.v_c.9 (v).
 """
 
 

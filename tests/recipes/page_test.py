@@ -66,7 +66,7 @@ CAPTIONS = [  # a caption, and what becomes of it
 ]
 REFUSED = [  # a file of fig3, what is wrong in it, and what is said
     *(
-        ("claims.json", text, "claims.json holds no table of claims (")
+        ("claims.json", text, "claims.json is not a table of claims (")
         for text in ("[{", '[{"id": "3A"}]', "7", "[1]", '{"id": "3A"}')
     ),
     ("claims.json", "other verdict", "claim 3Aw: not a verdict: 'partly'"),

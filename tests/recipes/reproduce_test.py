@@ -195,7 +195,7 @@ def test_another_version_does_not_judge_the_layout(project):
 @pytest.mark.parametrize(
     "variables, sentence",
     [
-        ({}, "the profile slurm computes in an allocation of SLURM; give the command to sbatch"),
+        ({}, "the profile slurm needs an allocation of SLURM; run the command with sbatch"),
         ({"SLURM_JOB_ID": "7", "SLURM_STEP_ID": "0"}, "inside a step of a job"),
     ],
 )

@@ -13,7 +13,7 @@
 
 namespace rupture {
 
-/// Whether the stencils that touch both the slow stretch and its surroundings count to neither, to
+/// Whether the stencils that touch both the slow stretch and its surroundings belong to neither, to
 /// the slow stretch, or to its fast surroundings.
 enum class StencilsAtEnds { neither, slow, fast };
 
@@ -27,7 +27,7 @@ struct FrontCriteria {
   std::size_t half_stencil() const { return stencil / 2; }  ///< blocks on either side of its centre
 };
 
-/// One interface-length array each; a block that did not rupture has no value.
+/// Arrays with a value per interface block; a block that did not rupture has none.
 struct RuptureLine {
   std::vector<double> x;    ///< position of the blocks [m]
   FirstRuptures t_rupture;  ///< first rupture in the window [s]
@@ -54,8 +54,8 @@ bool spans(FrontType type);
 ///
 /// The centres of slow stencils form a run first..last. With h = half_stencil(), centres up to h
 /// blocks from its first or last one, on either side, have stencils that touch both the slow
-/// stretch and its surroundings. StencilsAtEnds says where they count, for places, times and speeds
-/// alike:
+/// stretch and its surroundings. StencilsAtEnds says where they belong, for places, times and
+/// speeds alike:
 ///
 ///              fast before       slow                    fast after
 ///   neither    .. first-h-1      first+h .. last-h       last+h+1 ..
@@ -65,7 +65,7 @@ bool spans(FrontType type);
 /// The stretch grows only over stencils that exist, beyond the loading zone, and only while the
 /// blocks rupture one after the other.
 struct SlowStretch {
-  double x_from = 0, x_to = 0;  ///< first and last block that count to the stretch [m]
+  double x_from = 0, x_to = 0;  ///< first and last block of the stretch [m]
   double t_from = 0, t_to = 0;  ///< when these two ruptured [s]
   double t_last_stencil = 0;    ///< when the centre of the last slow stencil ruptured [s]
   double speed = 0;             ///< median of v_c over the stretch [m/s]
@@ -76,8 +76,8 @@ struct SlowStretch {
   /// Length over duration [m/s]; no value for a single block.
   std::optional<double> mean() const;
 
-  /// Medians of v_c over the stencils that count to the fast sides, beyond the loading zone, and
-  /// run forwards.
+  /// Medians of v_c over the stencils that belong to the fast sides, lie beyond the loading zone
+  /// and run forwards.
   std::optional<double> fast_before, fast_after;  ///< [m/s]
 };
 
@@ -85,7 +85,7 @@ struct Front {
   RuptureLine line;
   std::vector<std::optional<double>> v_c;
   FrontType type = FrontType::none;
-  bool reached_edge = false;          ///< whether the leading edge ruptured, be it alone
+  bool reached_edge = false;          ///< whether the leading edge ruptured, even alone
   bool fast_slow_fast = false;        ///< in the paper's words, see measure_front()
   std::size_t backward_stencils = 0;  ///< beyond the loading zone, where v_c < 0
   std::optional<double> x_arrest;     ///< furthest ruptured block if the front did not span: of an

@@ -54,10 +54,10 @@ struct SlowSlipCriteria {
 std::optional<SlowSlipTime> slow_slip_time(const Parameters& parameters, const Front& front,
                                            std::size_t block, const SlowSlipCriteria& criteria);
 
-/// The blocks that count to the front's slow stretch.
+/// The blocks of the front's slow stretch.
 std::vector<std::size_t> slow_blocks(const Front& front);
 
-/// Straight line through the slip between 20 % and 80 % of what happens in `time`; slope [m/s].
+/// Straight line between 20 % and 80 % of the slip in `time`; slope [m/s].
 std::optional<LineFit> fit_slow_slip(const SlipHistory& history, const SlowSlipTime& time);
 
 }  // namespace rupture

@@ -55,7 +55,7 @@ inline constexpr double kSlowSlipCoefficient = 4.2;
 double slow_slip_estimate(const Parameters& parameters, double p);
 
 /// The relaxation of one block. All junctions slip at f_slip at t = 0, so the force on the block is
-/// N_s f_slip, and its neighbours move along, so that it stays that. Junction j is pinned at its
+/// N_s f_slip, and stays so, because its neighbours move along. Junction j is pinned at its
 /// t_R with f_new = 0; the block moves forwards until the pinned junctions make up for the lost
 /// f_slip. Those that reach f_thres on the way break, drop to f_slip, and draw another t_R.
 ///
@@ -72,7 +72,7 @@ struct Relaxation {
   double duration = 0;        ///< time at which every junction has been pinned once [<t_R>]
   double quiet_time = 0;      ///< time from which no junction slips any more [<t_R>]
 
-  /// How it came about: `slip` after each junction that was pinned, at `time`.
+  /// Its course: `slip` after each junction that was pinned, at `time`.
   struct Course {
     std::vector<double> time;  ///< [<t_R>]
     std::vector<double> slip;  ///< [f_slip / k_ij]

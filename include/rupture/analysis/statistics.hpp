@@ -11,8 +11,8 @@ namespace rupture {
 std::optional<double> median(std::vector<double> values);
 
 /// A straight line by least squares. The standard error, like that below, is that of
-/// independent residuals; neighbouring samples of a smooth series have alike ones, and then it
-/// is too small.
+/// independent residuals; those of neighbouring samples of a smooth series are alike, and it is too
+/// small.
 struct LineFit {
   double slope;
   double r_squared;    ///< coefficient of determination

@@ -46,7 +46,7 @@ std::string header_text(FileKind kind, std::span<const std::byte> body);
 /// file name for the message.
 FileKind header_kind(std::span<const std::byte> file, const std::string& name);
 
-/// Whether a file that is already there may be written over.
+/// Whether an existing file may be replaced.
 enum class IfExists { refuse, replace };
 
 /// Whether to write `<path>.sum`, a line with the content checksum, beside a file.
@@ -91,8 +91,8 @@ struct Changed : Failure {
   using Failure::Failure;
 };
 
-/// Whether libhdf5 is let loose on a file in this process at once, or first in a child process,
-/// which costs some milliseconds: what crashes libhdf5 then becomes a Failure.
+/// Whether libhdf5 opens a file in this process at once, or first in a child process, which costs
+/// some milliseconds and turns a crash of libhdf5 into a Failure.
 enum class Opening { here, in_child_first };
 
 /// Reads a file and verifies everything that can be verified without knowing what the datasets
@@ -115,14 +115,14 @@ struct EditedFile {
   Content content;
 };
 
-/// Reads it, first in a child process, which takes the harm if the file makes libhdf5 crash. Throws
+/// Reads it, first in a child process, in case the file makes libhdf5 crash. Throws
 /// Failure in one sentence that names the file, also if it holds no checkpoint or record.
 EditedFile read_edited(const std::filesystem::path& path);
 
 /// `<path>.sum`.
 std::filesystem::path sum_path(const std::filesystem::path& path);
 
-/// Whether nothing has the place of a file's .sum, or a .sum of any version. Throws Failure.
+/// Whether the path of a file's .sum is free, or holds a .sum of any version. Throws Failure.
 bool may_replace_sum(const std::filesystem::path& path);
 
 /// Writes the .sum of a file if it is missing, or says anything else and may be replaced. Throws

@@ -23,9 +23,9 @@ Content parameters_of_schema_2(const Content& content);
 /// Throws Failure if the content has a parameter that this build does not know.
 void refuse_unknown_parameters(const Content& content);
 
-/// Throws Failure if a parameter is missing, unknown or out of range, or if they make no sense
-/// together. Parameters that older builds did not have may be missing: they take their default,
-/// which is how those builds behaved.
+/// Throws Failure if a parameter is missing, unknown or out of range, or if they contradict each
+/// other. Parameters that older builds did not have may be missing: they take their default, which
+/// is how those builds behaved.
 Parameters read_parameters(const Content& content);
 
 }  // namespace rupture

@@ -1,4 +1,4 @@
-// Where a file comes from: one entry per tool that had a hand in it, oldest first.
+// Where a file comes from: one entry per tool that contributed, oldest first.
 #pragma once
 
 #include <string>

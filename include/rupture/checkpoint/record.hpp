@@ -1,6 +1,6 @@
-// Records: time series that grow while a run goes on.
+// Records: time series that grow during a run.
 //
-// While the run goes on they live in `<path>.part`, which can be read at any time up to its last
+// Until the run ends they are in `<path>.part`, which can be read at any time up to its last
 // flush; finish() turns it into `<path>`, sealed like a checkpoint. If the run is interrupted the
 // .part stays, and another run can begin with what it holds.
 #pragma once
@@ -47,7 +47,7 @@ struct FieldSample {
 
 /// Whether a record holds the displacement of all blocks.
 enum class Fields { omit, record };
-/// By which --resume knows a record: no part of the content checksum.
+/// By which --resume recognises a record; not part of the content checksum.
 struct RecordedRun {
   std::string id = {};                      ///< that all files of the run share; empty: unknown
   double every = 0;                         ///< sampling interval [s]

@@ -11,7 +11,7 @@
 namespace rupture {
 
 /// With more blocks than this, the equations are solved in the order of nested dissection [1]. That
-/// is faster from 2,000 blocks on, but it changes the last bits. Those of recipes and tests shall
+/// is faster from 2,000 blocks on, but it changes the last bits. Those of recipes and tests must
 /// stay; none of their sliders has more than 7,000 blocks.
 inline constexpr std::int64_t kBlocksOfDissection = 10000;
 

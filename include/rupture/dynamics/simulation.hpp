@@ -33,9 +33,9 @@ class Helpers;
 class Simulation {
  public:
   /// Takes over a complete state. The bulk is shared out among `threads` threads, which changes no
-  /// bit of any result. Of the pinned fractions `crossings`, ruptures() tells as well when blocks
-  /// fall below them. Throws UsageError if the parameters are invalid or not those that the state
-  /// was made with.
+  /// bit of any result. ruptures() also reports when blocks fall below the pinned
+  /// fractions `crossings`. Throws UsageError if the parameters are invalid or not those that the
+  /// state was made with.
   Simulation(const Parameters& parameters, State state, int threads = 1,
              const std::vector<double>& crossings = {});
   ~Simulation();
@@ -58,7 +58,7 @@ class Simulation {
 
   /// Events of the run since it began: since this simulation was made, or before it as well.
   const RunSoFar& run() const { return run_; }
-  /// Goes on with a run that another simulation began.
+  /// Continues a run that another simulation began.
   void resume_from(const RunSoFar& run) { run_ = run; }
 
   /// Block ruptures since this simulation was made, and crossings of the fractions asked for, in
@@ -110,9 +110,9 @@ class Simulation {
   bool blown_up_ = false;
 };
 
-/// The state going on under other parameters: its time and driving point stay where they are, its
-/// junctions become those of another law. Throws UsageError if they are invalid, or if one changes
-/// that must be kept.
+/// The state, to be continued with other parameters: its time and driving point stay where they
+/// are, its junctions become those of another law. Throws UsageError if they are invalid, or if one
+/// changes that must be kept.
 State continued(State state, const Parameters& after);
 
 /// The number of threads with which a slider of this size runs fastest: one while it is small, then

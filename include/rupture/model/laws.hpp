@@ -15,9 +15,9 @@ namespace rupture {
 /// distribution phi, or one that stands for them.
 enum class SpringsPerBlock { N_s, one };
 
-/// A number that a law remembers of each spring if it does not draw, when the spring breaks, the
-/// time at which it is pinned again, but finds when it is due. A dataset of /state/junctions; of a
-/// slipping spring it is never 0.
+/// A number that a law remembers for each spring if it does not draw, when the spring breaks, the
+/// time at which it is pinned again, but decides this in each step. A dataset of /state/junctions;
+/// never 0 while the spring slips.
 struct SpringMemory {
   JunctionArray<double> Junctions::*array;
   std::string_view name;  ///< of the dataset

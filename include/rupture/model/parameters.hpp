@@ -21,7 +21,7 @@ enum class SlippingTimes { gaussian, exponential };
 /// switches slow slip off (Fig. 3B).
 enum class NewForce { zero, f_slip };
 
-/// How a junction goes on once it has broken (forces/interface_law.hpp): the reference law, the
+/// What a junction does once it has broken (forces/interface_law.hpp): the reference law, the
 /// simplified one with a single spring per block (Fig. S2), the decaying one (Fig. S6), or the
 /// distance law, in which junctions slip for a distance.
 enum class Law { reference, simplified, decaying, distance };
@@ -30,8 +30,8 @@ enum class Law { reference, simplified, decaying, distance };
 /// row; or, for prepared interfaces, a ceiling above the top row, with F_N on the bottom row.
 enum class Support { foundation, ceiling };
 
-/// The normal force that the stiffness k_ij of a block's junctions follows: its p_i, or that of an
-/// even load, F_N / N_x, throughout.
+/// The normal force that the stiffness k_ij of a block's junctions follows: its p_i, or always that
+/// of an even load, F_N / N_x.
 enum class StiffnessFrom { current, initial };
 
 /// What becomes of the pinned junctions of a block without contact: they follow it, or they break.
@@ -150,8 +150,8 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info);
 /// The values that a number may have, as in "above 0 and at most 1000".
 std::string range_text(const ParameterInfo& info);
 
-/// Sets one parameter from text. Throws UsageError if the name is unknown, the text is no value of
-/// the right kind, or the value is outside the row's validity range.
+/// Sets one parameter from text. Throws UsageError if the name is unknown, the text is not a value
+/// of the right kind, or the value is outside the row's validity range.
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
 
 /// The value as text that set_parameter reads back to the same bits.

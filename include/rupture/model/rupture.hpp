@@ -39,7 +39,7 @@ inline double pause_between_events(const Parameters& p) {
   return 5.0 * p.t_R;
 }
 
-/// Events that a run has seen since it began. With them, a run that was interrupted goes on and
+/// Events that a run has seen since it began. With them, an interrupted run continues and
 /// ends as if it had not been.
 struct RunSoFar {
   std::string id = {};                 ///< that all files of the run share (docs/schema.md)

@@ -74,7 +74,7 @@ double time(const Parameters& parameters, const State& state);
 /// Position x_drive of the driving point at `step` [m].
 double drive_position(const Parameters& parameters, const Drive& drive, std::int64_t step);
 
-/// Part of continued(): lets the state go on under the dt and V of `after`. Its time and its
+/// Part of continued(): gives the state the dt and V of `after`. Its time and its
 /// driving point stay where they are.
 void change_pace(const Parameters& before, const Parameters& after, State& state);
 

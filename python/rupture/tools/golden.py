@@ -71,7 +71,7 @@ def run_pipeline(pipeline, tools, folder):
     path = f"{tools}:{tools}/../../bin:{os.environ.get('PATH', os.defpath)}"
     program = shutil.which(pipeline[0], path=path)
     if not program:
-        hint = "give a program, or make it one with chmod +x"
+        hint = "give a program, or make it executable with chmod +x"
         raise Failure(f"the pipeline {pipeline[0]} cannot be run: {hint}")
     words = [os.path.abspath(program), *pipeline[1:]]  # it is run in another folder
     shutil.rmtree(folder, ignore_errors=True)
@@ -106,7 +106,7 @@ def read_golden(path, text):
             raise Failure(f"{path} has a line that is not {form}: {line}")
         wanted[found[2]] = found[1]
     if not wanted:
-        raise Failure(f"{path} names no files; write it again with: {regenerate_command()}")
+        raise Failure(f"{path} lists no files; write it again with: {regenerate_command()}")
     return wanted
 
 
@@ -130,7 +130,7 @@ def advise(differences, wanted, work, tools):
         print(
             "To compare files with 'analyze diff', first run this once with a version that passes."
         )
-    print(f"If the change is meant:\n  {regenerate_command()}")
+    print(f"If the change is intended:\n  {regenerate_command()}")
 
 
 def keep_as_equal(work):

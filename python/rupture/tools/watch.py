@@ -1,4 +1,4 @@
-"""watch: a run that goes on, by the record that it writes."""
+"""watch: a run in progress, by the record that it writes."""
 
 import fcntl
 import shutil

@@ -25,8 +25,8 @@ def parse_options():
         "CHECKPOINT... -o FILE.xdmf",
         "Writes a file with which ParaView and VTK open checkpoints as one series in time:"
         " displacement, velocity and stress of the blocks; tau, p and the pinned fraction along the"
-        " interface. It refers to the checkpoints, which have to stay where they are. What they do"
-        " not hold as such, stress and interface, is written to FILE-derived.hdf5.",
+        " interface. It refers to the checkpoints, which must stay where they are. Stresses and"
+        " interface, which must be computed, are written to FILE-derived.hdf5.",
         "write a series of checkpoints for ParaView and VTK",
         "checkpoint",
     )
@@ -50,7 +50,7 @@ def in_time(checkpoints):
         if other.checksum != checkpoint.checksum:
             raise Failure(
                 f"{other.path} and {checkpoint.path} are different states of t ="
-                f" {checkpoint.time:g} s; a series has one state of a time: leave one out"
+                f" {checkpoint.time:g} s; a series has one state per time: leave one out"
             )
     return [series[time] for time in sorted(series)]
 

@@ -90,7 +90,7 @@ def read_claims(path):
     except (OSError, ValueError, TypeError) as error:
         recipe = path.parent.name
         raise Failure(
-            f"{path} holds no table of claims ({error}): delete it and run ./reproduce.sh {recipe}."
+            f"{path} is not a table of claims ({error}): delete it and run ./reproduce.sh {recipe}."
         ) from error
 
 

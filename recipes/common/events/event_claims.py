@@ -374,8 +374,8 @@ EVENT_CLAIMS: dict[str, tuple] = {  # what measures the case, what readers see o
     "4AB": (
         case_4AB,
         details_4AB,
-        "Both start 0.5 ms before the first rupture, those of the ensemble when the front is at the"
-        " branch. Widened: the blocks from 0.25 L on, which is itself the position of one.",
+        "Both events start 0.5 ms before their first rupture, those of the ensemble when the front"
+        " is at the branch. phi is widened in all blocks from x = 0.25 L on, including that block.",
     ),
     "5A": (
         case_5A,

@@ -55,13 +55,13 @@ def place_of(request):
         return Place(f"with {request.cores} cores", request.cores, megabytes)
     if "SLURM_JOB_ID" not in os.environ:
         raise Failure(
-            f"the profile {request.profile.name} computes in an allocation of SLURM; give the"
-            " command to sbatch or salloc, as docs/cluster.md says"
+            f"the profile {request.profile.name} needs an allocation of SLURM; run the command"
+            " with sbatch or salloc, as in docs/cluster.md"
         )
     if INSIDE_STEP.fullmatch(os.environ.get("SLURM_STEP_ID", "")):
         raise Failure(
             "inside a step of a job (srun), further steps would wait for its cores for ever;"
-            " use the usual profile here, or salloc or sbatch."
+            " use the default profile here, or salloc or sbatch."
         )
     cores = count_cores(os.environ["SLURM_JOB_CPUS_PER_NODE"])
     name = f"in job {os.environ['SLURM_JOB_ID']} of SLURM, with {cores} cores"

@@ -51,7 +51,7 @@ def take_lock(lock, name):
     except BlockingIOError:
         return False
     except OSError as error:  # of some shared file systems
-        complain(f"cannot lock this folder ({error.strerror}): start no second run in it.")
+        complain(f"cannot lock this folder ({error.strerror}): do not start a second run in it.")
     return is_at(lock, f"build/.{name}")
 
 

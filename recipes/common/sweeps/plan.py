@@ -37,7 +37,7 @@ def keep_base(path, results):
         raise UsageError(f"the base cannot be used: {said}") from None
     content = Path(path).read_bytes()
     if not content.startswith(b"rupture-checkpoint\n"):
-        raise UsageError(f"the base {path} is a record; runs go on from checkpoints")
+        raise UsageError(f"the base {path} is a record; runs continue from checkpoints")
     copy = results / "data/bases" / f"{checksum[:16]}.h5"
     write(results, copy, content)
     write(results, Path(f"{copy}.sum"), f"content-sha256 {checksum}  {copy.name}\n".encode())

@@ -146,7 +146,7 @@ def print_summary(sweep, table, missing):
             print(f"{status.capitalize()}:", *lines, sep="\n")
     for heading, path in sweep.columns.items() if counts["done"] else ():
         if all(row[heading] is None for row in table):
-            print(f"No point has a value of {path} ({heading}).")
+            print(f"No point has a value for {path} ({heading}).")
     return counts[UNFINISHED]
 
 
@@ -162,5 +162,5 @@ def report_sweep(sweep, store, missing):
     print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
     print(draw(stem, sweep, columns) or f"Picture: {stem}.png and .pdf", flush=True)
     if unfinished:
-        print("The same command tries unfinished points again.", file=sys.stderr)
+        print("To retry the unfinished points, run the same command again.", file=sys.stderr)
     return 1 if unfinished else 0

@@ -31,7 +31,7 @@ inline int print(const Report& report, const po::variables_map& values) {
 /// All of them, in the order of the help.
 const std::vector<const Command*>& commands();
 
-/// Reads the checkpoint that was named. `wanted` stands in the sentence if there is none.
+/// Reads the checkpoint that was named. `wanted` is what the error asks for if there is none.
 Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted = "a checkpoint");
 
 /// All files that were named.

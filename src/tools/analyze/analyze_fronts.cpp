@@ -10,7 +10,7 @@
 namespace rupture::tools {
 namespace {
 
-/// The type, and what stands beside it.
+/// The type, and what is reported with it.
 Quantities kind_quantities(const Front& front) {
   return {
       type_quantity(front),

@@ -145,7 +145,7 @@ Json lineage_json(const Lineage& lineage) {
 
 /// A shell script that makes a file of the same content, called `output`, and checks it and every
 /// file on the way. Throws Failure, saying which file to start from, if the first steps are not
-/// known; or if no step started from `start`, or a step is no command of ours.
+/// known; or if no step started from `start`, or a step is not a command of ours.
 std::string rebuild_script(const Lineage& lineage, const std::string& output,
                            const std::optional<StartFile>& start) {
   if (lineage.kind == FileKind::open_record) {

@@ -104,7 +104,7 @@ std::vector<ManifestLine> read_manifest(const fs::path& path) {
     line.file = path.parent_path() / name;
     lines.push_back(std::move(line));
   }
-  if (lines.empty()) throw Failure("the manifest {} names no files", path.string());
+  if (lines.empty()) throw Failure("the manifest {} lists no files", path.string());
   return lines;
 }
 

@@ -188,8 +188,8 @@ void add_criteria_options(po::options_description& options) {
   add("stencil", integer("N")->default_value(5),
       "odd number of blocks of the stencil whose end points give v_c");
   add("stencils-at-ends", one_of("neither|slow|fast")->default_value("neither"),
-      "whether stencils that touch both the slow stretch and its surroundings count to neither, to "
-      "the slow stretch, or to the fast sides");
+      "whether stencils that touch both the slow stretch and its surroundings belong to neither, "
+      "to the slow stretch, or to the fast sides");
   add("ruptured-below", number("F")->default_value(kRupturedFraction, "0.3"),
       "pinned fraction below which a block counts as ruptured: 0.3, or one of the record's "
       "--crossings");

@@ -84,7 +84,7 @@ std::string single_input(const po::variables_map& values, const std::string& pos
                          const std::string& wanted);
 
 /// Runs a tool's body and turns exceptions into one line on standard error and an exit code. If the
-/// reader of standard output goes away, the body goes on; then SIGPIPE ends the process.
+/// reader of standard output goes away, the body continues; then SIGPIPE ends the process.
 int run_tool(const std::string& name, const std::function<int()>& body);
 
 /// Runs a program that is one command.

@@ -21,7 +21,7 @@ struct Interrupted {
 };
 
 /// Puts /dev/null where a standard stream is closed, so that no file gets its number, which other
-/// output would then go to. Reading and writing go on to fail.
+/// output would then go to. Reading and writing still fail.
 void occupy_standard_streams();
 
 /// True if standard output is a pipe that nobody reads.

@@ -38,7 +38,7 @@ constinit const Command load_command = {
     "put the slider under its normal load, then drive it from the side",
     "Finds the equilibrium of the slider under its normal load F_N, then moves the driving\n"
     "point at speed V, and writes a checkpoint from which the run can be continued.\n"
-    "It ends with the energy account: supplied = stored + lost to damping and junctions.",
+    "At the end, prints the energy account: supplied = stored + lost to damping and junctions.",
     {add_load_options, add_run_options},
     load,
     run_quantities,

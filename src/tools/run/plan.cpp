@@ -60,7 +60,7 @@ Checkpoints checkpoints_of(const RunPlan& plan) {
   return checkpoints;
 }
 
-/// Of a run that goes on, takes the checkpoints that were written before from those to come.
+/// Removes from the checkpoints of a resumed run those that were written before.
 void leave_out_what_was_written(RunPlan& plan) {
   const auto first = plan.checkpoints.begin();
   const auto later = plan.checkpoints.upper_bound(plan.begin.state.step);
@@ -92,7 +92,7 @@ void add_run_options(po::options_description& options) {
   add("record-every", seconds()->default_value(1e-4, "1e-4"),
       "sampling interval of the record; the times of ruptures are exact to one time step");
   add("crossings", text("F,..."),
-      "pinned fractions besides 0.3 whose crossing by a block is recorded, such as 0.2,0.5");
+      "also record when a block falls below these pinned fractions, such as 0.2,0.5");
   add("fields", seconds(),
       "sampling interval of the displacement of all blocks, for pictures and movies; part of the "
       "record, 8 bytes per block and sample; default: none");

@@ -25,9 +25,9 @@ struct RunOptions {
   std::optional<double> fields = {};        ///< sampling interval of the fields [s]
   std::optional<int> threads = {};          ///< none: as many as pay
   bool reports_alarms = false;              ///< instead of stopping at one
-  bool resume = false;                      ///< go on with what the same run has left, if anything
+  bool resume = false;                      ///< continue from what the same run left, if any
   bool is_dry = false;                      ///< only say what the run would need
-  std::vector<std::string> arguments = {};  ///< argv, of which the command that goes on is made
+  std::vector<std::string> arguments = {};  ///< argv, from which the resuming command is made
 };
 
 void add_run_options(po::options_description& options);  ///< with those of outputs

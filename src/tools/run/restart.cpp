@@ -106,7 +106,7 @@ constinit const Command restart_command = {
     "continue a checkpoint, also with other parameters",
     "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
     "the\nuninterrupted run; --set changes parameters from now on, e.g. --set driving.V=0.\n"
-    "It ends with the energy account: supplied = stored + lost to damping and junctions.",
+    "At the end, prints the energy account: supplied = stored + lost to damping and junctions.",
     {add_restart_options, add_run_options},
     restart,
     run_quantities,

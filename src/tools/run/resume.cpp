@@ -63,7 +63,7 @@ std::optional<Checkpoint> read_if_intact(const fs::path& path) try {
   return std::nullopt;
 }
 
-/// True if this is a checkpoint, be it damaged.
+/// True if this is a checkpoint, even a damaged one.
 bool is_checkpoint(const fs::path& path) try {
   return identify(path) == FileKind::checkpoint;
 } catch (const Failure&) {

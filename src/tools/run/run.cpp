@@ -32,7 +32,7 @@ struct RunSummary {
 Quantities rows_of(const EnergyBalance& energy) {
   return {
       {"supplied", "J", "work of the driving point and of the load", energy.supplied},
-      {"stored", "J", "gain of all energies", energy.stored},
+      {"stored", "J", "gain of kinetic and elastic energy", energy.stored},
       {"damping", "J", "energy taken by damping", energy.damping},
       {"junctions", "J", "work done against the junctions", energy.junctions},
       {"relative_error", "1", "error, relative to the largest term", energy.relative_error()},
@@ -263,7 +263,7 @@ void restore_sums(const std::vector<fs::path>& paths, const OutputOptions& outpu
   }
 }
 
-/// The command that goes on with the run.
+/// The command that resumes the run.
 std::string resuming_command(const RunOptions& options) {
   auto arguments = options.arguments;
   if (!options.resume) arguments.insert(arguments.begin() + 1, "--resume");

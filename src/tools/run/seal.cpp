@@ -115,7 +115,7 @@ constinit const Command seal_command = {
     "check and seal a file that another program edited",
     "Checks a checkpoint or record that was edited or repacked by another program, such as h5py\n"
     "or MATLAB, and writes a sealed one, whose provenance says that it was edited outside.\n"
-    "Attributes other than unit, and how datasets are stored, are not kept.",
+    "Attributes other than unit, and the storage layout of datasets, are not kept.",
     {[](po::options_description& options) {
       options.add_options()("original", input_file("checkpoint or record"),
                             "the file before it was edited; the datasets that differ are named");

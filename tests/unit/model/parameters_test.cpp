@@ -183,8 +183,7 @@ TEST(Validate, says_what_does_not_go_together) {
   const std::string row =
       " m is not the height of a row of blocks: give a multiple of the spacing ";
   const std::string no_slow_slip =
-      "junctions.f_new = f_slip is only for the reference and the distance law: to switch slow "
-      "slip "
+      "junctions.f_new = f_slip is only for the reference or distance law: to switch slow slip "
       "off under the ";
   const std::vector<Combination> all = {
       {"slider.H=0.08",
