@@ -67,7 +67,7 @@ def runs_with(bench, isa):
 
 
 def measure(bench, isa, rows, scratch, *options):
-    """What Google Benchmark says of these rows; their names begin with the instruction set."""
+    """Google Benchmark's results for these rows; their names begin with the instruction set."""
     environment = os.environ | {"RUPTURE_ISA": isa, "TMPDIR": str(scratch)}
     filtered = f"--benchmark_filter=^({rows})"
     said = json.loads(
@@ -96,7 +96,7 @@ def lammps(lmp, variant, steps, scratch):
 
 
 def measure_lammps(lmp, seconds, scratch):
-    """As Google Benchmark would say it."""
+    """LAMMPS's results in the form of Google Benchmark."""
     for variant in VARIANTS:
         steps = 1000 * int(seconds * 1e3 / lammps(lmp, variant, 2000, scratch) + 1)
         for us in (lammps(lmp, variant, steps, scratch) for _ in range(2)):
@@ -105,9 +105,8 @@ def measure_lammps(lmp, seconds, scratch):
 
 
 def measured(options, bench, scratch):
-    """Everything in turn, several times, so that a busy spell does not hit one row only. The
-    scratch folder stands beside the result: files are to be measured on a disk, and /tmp may be
-    none."""
+    """Everything in turn, several times, so that a busy spell does not affect only one row.
+    The scratch folder is beside the result: files must be on a disk, and /tmp may be in memory."""
     available = [isa for isa in INSTRUCTION_SETS if runs_with(bench, isa)]
     lmp = shutil.which(os.environ.get("LMP", "lmp"))
     if not lmp:

@@ -21,7 +21,7 @@ __all__ = ["Checkpoint", "Failure", "File", "Record", "Result", "analyze", "open
 
 
 def __getattr__(name):
-    """`rupture.__version__`, that of the programs; what needs h5py, when it is asked for."""
+    """`rupture.__version__` is that of the programs; h5py is imported only when it is needed."""
     if name == "__version__":
         return output_of("analyze", "--version").split("rupture ")[1].split(",")[0]
     if name in ("Checkpoint", "File", "Record", "open"):

@@ -1,5 +1,5 @@
-"""The text of 512 bytes in front of each file and of each piece of a `.part`, and the pieces as one
-file in memory; docs/schema.md."""
+"""The 512-byte header of each file and of each piece of a `.part`, and the pieces as one file in
+memory; docs/schema.md."""
 
 import hashlib
 import io
@@ -26,7 +26,7 @@ EXPLANATIONS = {CHECKPOINT: WHOLE, RECORD: WHOLE, PART: PIECE}
 
 
 def refuse_what_is_no_file(path):
-    """Before it is opened, which would wait for the other end of a pipe."""
+    """Call it before opening the path: opening a pipe would wait for its other end."""
     wanted = "give the path of a checkpoint or record"
     if not os.fspath(path):
         raise Failure(f"the name of an input is empty; {wanted}")
@@ -89,13 +89,13 @@ def check_seal(data, path):
 
 
 def stated_size(header):
-    """What the header says [bytes]; 0 if it says nothing."""
+    """The size that the header states [bytes]; 0 if it states none."""
     found = re.match(rb".*\nbytes (\d+)\n", header)
     return int(found[1]) if found else 0
 
 
 def pieces(data):
-    """The intact pieces of a `.part`, up to the first that is not whole."""
+    """The pieces of a `.part`, up to the first that is not intact."""
     start = 0
     while HEADER < (size := stated_size(data[start : start + HEADER])) <= len(data) - start:
         piece = data[start : start + size]

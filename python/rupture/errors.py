@@ -6,10 +6,10 @@ class Failure(Exception):
 
 
 class UsageError(Failure):
-    """A command line that asks for what is not possible; exit code 2."""
+    """A command line that asks for something impossible; exit code 2."""
 
 
 class NoSuchName(Failure, KeyError):
-    """As of any mapping, so that `file.get(name, default)` works."""
+    """A KeyError, as in any mapping, so that `file.get(name, default)` works."""
 
     __str__ = Exception.__str__  # that of a KeyError has quotation marks

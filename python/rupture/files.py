@@ -24,13 +24,13 @@ Ruptures = namedtuple("Ruptures", "time step block x")
 
 
 def plain(value):
-    """A scalar of a file as Python's own."""
+    """A scalar of a file as a Python object."""
     return value.decode() if isinstance(value, bytes) else value.item()
 
 
 class File(Mapping):
     """What checkpoints and records have in common. A mapping from names to arrays, which are read
-    from the file when they are asked for. Usable in `with`.
+    from the file when they are used. Works in `with`.
 
     >>> sorted(checkpoint)[:3]
     ['drive/origin_position', 'drive/origin_step', 'f_x']
@@ -61,7 +61,7 @@ class File(Mapping):
         return item if isinstance(item, h5py.Dataset) else None
 
     def dataset(self, name):
-        """The h5py.Dataset of a name, a path or, with a point in it, a parameter."""
+        """The h5py.Dataset of a name, a path or, if there is a dot in it, a parameter."""
         for path in (f"{self.home}/{name}", name, f"parameters/{name.replace('.', '/')}"):
             if found := self.dataset_at(path):
                 return found
@@ -81,7 +81,7 @@ class File(Mapping):
         return value.astype(int) if value.dtype.kind == "u" else value  # counts may be subtracted
 
     def __contains__(self, name):
-        """Whether iteration gives this name, also with its group, without listing all of them."""
+        """Whether iteration yields this name, which may include its group."""
         return isinstance(name, str) and any(
             self.is_data(path) and (found := self.dataset_at(path)) and found.name == f"/{path}"
             for path in (f"{self.home}/{name}", name)
@@ -129,8 +129,8 @@ class File(Mapping):
 
     @property
     def checksum(self):
-        """The content checksum that the file states; `rupture.verify()` recomputes it. That of a
-        record which is not finished is not known yet, and empty."""
+        """The content checksum that the file states; `rupture.verify()` recomputes it. It is
+        empty for an unfinished record."""
         return text(self.file.attrs.get("content_checksum", ""))
 
     @property
@@ -239,7 +239,7 @@ class Record(File):
 
     @property
     def ruptures(self):
-        """When which block ruptured: time [s], step, block and x [m], an array each.
+        """When each block ruptured: time [s], step, block and x [m], an array each.
 
         >>> record.ruptures.time[:2], record.ruptures.block[:2]
         (array([0.000117 , 0.0001278]), array([1, 2]))
@@ -259,7 +259,7 @@ class Record(File):
 
 def open_file(path):
     """A `Checkpoint` or a `Record`, after a check of the SHA-256 over its bytes. A `.part` is read
-    as far as it is written now, and stays as it was when the file grows: open it again.
+    as far as it has been written; to see later samples, open it again.
 
     >>> rupture.open("small.h5").time
     0.002

@@ -46,19 +46,19 @@ ROUNDING = 1e-6  # of times [ms]
 
 
 def pyplot_without_window():
-    """For files, whatever display or toolkit is set; it may be missing."""
+    """pyplot for writing files, whatever display or toolkit is set. Matplotlib may be missing."""
     pyplot = imported("matplotlib.pyplot")
     pyplot.switch_backend("agg")
     return pyplot
 
 
 def plain_text(name):
-    """The name of a file as matplotlib draws it: no formula, and no byte that is no text."""
+    """The name of a file as text for matplotlib, without formulas and undecodable bytes."""
     return os.fsencode(name).decode(errors="replace").replace("$", r"\$")
 
 
 def rows_in(record, t_zero, window):
-    """Indices of at most ROWS samples of a record, evenly, in `window` [ms after t_zero]."""
+    """Indices of at most ROWS samples of a record in `window` [ms after t_zero], evenly spaced."""
     time = (record.time - t_zero) * MILLISECONDS
     shown = np.flatnonzero((time > window[0] - ROUNDING) & (time < window[1] + ROUNDING))
     return shown[:: max(1, -(-len(shown) // ROWS))]
@@ -100,7 +100,7 @@ def draw_pinned_scale(figure, image, axes, **place):
 
 
 def name_line(axes, text, height):
-    """At the right end of a horizontal line, outside the panel, where no data are."""
+    """Writes a name at the right end of a horizontal line, outside the panel."""
     place = {"xycoords": axes.get_yaxis_transform(), "textcoords": "offset points"}
     axes.annotate(text, (1, height), xytext=(3, 0), va="center", **place)
 

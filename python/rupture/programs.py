@@ -51,8 +51,8 @@ def options_of(options):
 
 
 def output_of(program, *arguments):
-    """Runs a program: its standard output. A Failure with its sentence if it failed, a UsageError
-    if what it was asked for is not possible."""
+    """Runs a program and returns its standard output. Raises Failure with its sentence if it
+    failed, UsageError if it was asked for something impossible."""
     command = command_of(program) + [word for given in arguments for word in words(given)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
@@ -62,7 +62,7 @@ def output_of(program, *arguments):
 
 
 class Result:
-    """The files that a run wrote. They are opened when they are asked for."""
+    """The files that a run wrote. They are opened when they are used."""
 
     def __init__(self, output, record):
         self.output = Path(output)  # the checkpoint at its end
@@ -88,7 +88,7 @@ class Result:
 
     @property
     def checkpoints(self):
-        """The paths of the checkpoints on the way, in the order of their times."""
+        """The paths of the checkpoints written during the run, in order of time."""
         if not (own := self.checkpoint.dataset_at("run/id")):
             return []
         mine = []
@@ -129,8 +129,8 @@ def analyze(command, *inputs, **options):
 
 
 def verify(path):
-    """The content checksum of a file, after a check of its bytes and its content by `analyze
-    verify`; a Failure if one of them is not that which the file states, or if its run goes on.
+    """Verifies a file's bytes and content with `analyze verify`, and returns its content checksum.
+    Raises Failure if they do not have the checksums stored in the file, or if it is unfinished.
 
     >>> rupture.verify("small.h5") == rupture.open("small.h5").checksum
     True

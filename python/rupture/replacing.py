@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all, also after a power cut or in folders of others."""
+"""Files that appear whole or not at all, even after a power cut or in folders of other users."""
 
 import ctypes
 import errno
@@ -12,8 +12,8 @@ HERE, NO_REPLACE = -100, 1  # AT_FDCWD and RENAME_NOREPLACE of Linux
 
 
 def rename_to_new(temporary, path):
-    """Raises FileExistsError if there is a file already. Some network file systems know no such
-    renaming, but links."""
+    """Raises FileExistsError if there is a file already. Some network file systems lack such a
+    renaming, but have links."""
     names = HERE, os.fsencode(temporary), HERE, os.fsencode(path)
     if ctypes.CDLL(None, use_errno=True).renameat2(*names, NO_REPLACE):
         if (number := ctypes.get_errno()) not in (errno.EINVAL, errno.ENOSYS):
@@ -38,7 +38,7 @@ unfinished: dict[Path, int] = {}  # temporary files and their descriptors
 
 
 def discard(temporary):
-    """Once it has its name, or somebody took it away, there is nothing to delete."""
+    """Deletes a temporary file, unless it has been renamed or is gone."""
     file = unfinished.pop(temporary)
     if is_at(file, temporary):
         temporary.unlink()
@@ -46,7 +46,7 @@ def discard(temporary):
 
 
 def end_by_signal(number, _):
-    """A handler: an exception could be lost in a library, or become another one."""
+    """A signal handler. It raises nothing: a library could swallow or replace an exception."""
     for temporary in list(unfinished):
         discard(temporary)
     signal.signal(number, signal.SIG_DFL)
@@ -55,8 +55,8 @@ def end_by_signal(number, _):
 
 @contextmanager
 def replacing(path, rename=os.replace):
-    """A temporary path, whose file becomes that of `path` at the end; with `rename_to_new`, only
-    if there is none by then."""
+    """Yields a temporary path, whose file is renamed to `path` at the end; with `rename_to_new`,
+    only if there is none by then."""
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.stem}.tmp.{secrets.token_hex(4)}{path.suffix}")

@@ -37,7 +37,7 @@ def positions(file):
 
 
 def dimensions_of(file, name, array):
-    """The names of an array's dimensions, by its group; an own one for each that has no name."""
+    """The names of an array's dimensions, by its group; a dimension without a name gets its own."""
     path = name if "/" in name and name.split("/")[0] in file.dimensions else f"{file.home}/{name}"
     group = path.rpartition("/")[0]
     named = file.dimensions.get(group, ())[: np.ndim(array)]
@@ -46,7 +46,7 @@ def dimensions_of(file, name, array):
 
 
 def labels_of(file, name):
-    """For axes of plots; those of records are in the file."""
+    """Labels for the axes of plots; records have theirs in the file."""
     own, units = LONG_NAMES.get(name, name), "s" if name == "time" else "m"
     if name in file:
         own, units = file.dataset(name).attrs.get("long_name", own), file.units(name)

@@ -29,6 +29,6 @@ def in_si(text):
 
 
 def without_unit(text):
-    """10ms as 0.01. What has no unit stays as it is."""
+    """10ms becomes 0.01. A text without a unit stays as it is."""
     match = AMOUNT.fullmatch(text)
     return repr(in_si(text)[0]) if match and match[2] else text

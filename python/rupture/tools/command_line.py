@@ -57,7 +57,7 @@ def whole_number(text, least, words=()):
 
 
 class Once(argparse.Action):
-    """Keeps a value, and refuses another one, which would silently take its place."""
+    """Stores a value, and refuses a second one, which would silently replace it."""
 
     given = False
 
@@ -69,8 +69,7 @@ class Once(argparse.Action):
 
 
 class Answer(argparse.Action):
-    """Prints what `const` makes of the parser. argparse's own help hides that it could not be
-    written."""
+    """Prints what `const` returns for the parser. argparse's own help hides a failed write."""
 
     def __call__(self, parser, *_):
         print(self.const(parser))
@@ -92,7 +91,7 @@ def name_in_help(option):
 
 
 def help_text(parser):
-    """From the description, in the layout of the programs in C++."""
+    """The help, made from the description, in the layout of the C++ programs."""
     said = parser.description_json()
     names = [name_in_help(option) for option in said["options"]]
     width = max(map(len, names)) + 3
@@ -114,7 +113,7 @@ class Parser(argparse.ArgumentParser):
         self.register("action", None, Once)
 
     def add_argument(self, *names, kind="text", unit="", **more):
-        """`kind` and `unit` of its value are those of the description."""
+        """`kind` and `unit` of the value go into the description."""
         action = super().add_argument(*names, **more)
         vars(action).update(kind=kind, unit=unit)
         return action
@@ -134,7 +133,7 @@ class Parser(argparse.ArgumentParser):
         raise UsageError(f"{message}; see {self.called} --help")
 
     def parse(self):
-        """What was given, of the options that were added and those that all programs have."""
+        """The values given for the options that were added and for those that all programs have."""
         add = partial(self.add_argument, action=Answer, nargs=0)
         add("-h", "--help", const=help_text, help="show this help and exit")
         text = "print name, options and input as one JSON object and exit"
@@ -143,7 +142,7 @@ class Parser(argparse.ArgumentParser):
         return self.parse_args()
 
     def parse_known_args(self, args=None, namespace=None):
-        """Of several mistakes, an option with a wrong name is told first."""
+        """Of several mistakes, an unknown option is reported first."""
         words = list(sys.argv[1:] if args is None else args)
         try:
             known, rest = super().parse_known_args(words, namespace)
@@ -202,7 +201,7 @@ def option_json(action):
 
 
 def in_one_line(text):
-    """Whatever the names of files hold."""
+    """The text in one line, without control characters, which names of files may contain."""
     return "".join(letter if letter.isprintable() else "?" for letter in text)
 
 
@@ -213,7 +212,7 @@ def complain(name, sentence):
 
 
 def exit_code(run, say):
-    """Calls `run` with nothing: its exit code, or that of what went wrong, which `say` is told."""
+    """Calls `run()`. Returns its exit code, or that of an error, which is passed to `say`."""
     try:
         try:
             return run() or 0
@@ -237,7 +236,7 @@ def exit_code(run, say):
 
 
 def run_tool(name, run):
-    """Calls `run` with nothing: the exit code of the program."""
+    """Calls `run()` and returns the exit code of the program."""
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) != signal.SIG_IGN:

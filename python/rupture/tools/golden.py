@@ -50,8 +50,8 @@ def regenerate_command():
 
 
 def take(work):
-    """The open lock: only one run at a time may use the folder, and only what such runs made in it
-    is ever deleted."""
+    """Returns the open lock. Only one run at a time may use the folder, and only what such runs
+    made in it is ever deleted."""
     lock = work / "rupture-golden.lock"
     other = "give another folder with --work"
     if not lock.exists() and ((work / "found").exists() or (work / "equal").exists()):
@@ -89,14 +89,14 @@ def run_pipeline(pipeline, tools, folder):
 
 
 def checksum_of(file, tools):
-    """Empty of a damaged file: `analyze` says on the error stream what is wrong with it."""
+    """The checksum of a file; empty if it is damaged, which `analyze` reports on stderr."""
     command = [tools / "analyze", "checksum", file.name]
     done = subprocess.run(command, cwd=file.parent, stdout=subprocess.PIPE, text=True, check=False)
     return done.stdout.strip()
 
 
 def read_golden(path, text):
-    """Checksums by names."""
+    """Checksums by file name."""
     if text is None:
         raise Failure(f"there is no golden file {path}; write it with: {regenerate_command()}")
     wanted = {}
@@ -117,7 +117,7 @@ def difference(name, wanted, found):
 
 
 def advise(differences, wanted, work, tools):
-    """Files can be compared where those with the golden checksums are still there."""
+    """Prints how to compare the files, if those with the golden checksums are still there."""
     print(f"The files of this run are in {work}/found.")
     commands = []
     for name in (name for what, name in differences if what == "differs"):

@@ -55,7 +55,7 @@ def draw_tau_over_p(figure, axes, record, rows, t_zero):
 
 
 def spread(places, low, high):
-    """Heights of the numbers at these places, in order: near them, and not on each other."""
+    """Heights of the numbers at these places, in order: near them, but not overlapping."""
     apart = (high - low) * min(LINE, 1 / max(1, len(places)))
     heights, free = [], low
     for place in places:
@@ -67,7 +67,7 @@ def spread(places, low, high):
 
 
 def mark_events(axes, events, t_zero, numbered):
-    """A mark at the right where each event begins, and its number."""
+    """Marks at the right where each event begins, and writes its number."""
     low, high = axes.get_ylim()
     starts = [(event["t_start"] - t_zero) * plotting.MILLISECONDS for event in events]
     size = min(6.5, 6.5 / LINE / max(1, len(events)))
@@ -80,7 +80,7 @@ def mark_events(axes, events, t_zero, numbered):
 
 
 def draw_speeds(axes, path, events):
-    """Those of the events that span the interface; of all if none does."""
+    """The front speeds of the events that span the interface; of all events if none does."""
     chosen = [event for event in events if event["spanning"]] or events
     names = {event["number"]: f"event {event['number']}" for event in chosen[:NAMED]}
     speeds = (analyze("front", path, event=number) for number in names)

@@ -62,8 +62,8 @@ def writer_of(path):
 
 @contextmanager
 def reasons_of_ffmpeg(output):
-    """If ffmpeg stops, its reason is the sentence; the signal of the broken pipe would leave none,
-    and matplotlib's log another one."""
+    """If ffmpeg stops, the error gives its reason; the signal of the broken pipe would give none,
+    and matplotlib's log a different one."""
     signal.signal(signal.SIGPIPE, signal.SIG_IGN)
     logging.getLogger("matplotlib.animation").setLevel(logging.CRITICAL)
     try:
@@ -74,7 +74,7 @@ def reasons_of_ffmpeg(output):
 
 
 def chosen_samples(time, window, most):
-    """Indices of at most so many samples in the window, evenly."""
+    """Indices of at most so many samples in the window, evenly spaced."""
     shown = np.flatnonzero((time >= window[0]) & (time <= window[1]))
     if not len(shown):
         between = f"between {window[0]:g} s and {window[1]:g} s"
@@ -140,7 +140,7 @@ def values_of(record, rows, colour):
 
 
 def norm_of(values, colour):
-    """From colours to values, the same in all frames."""
+    """The scale from values to colours, the same in all frames."""
     colors = imported("matplotlib.colors")
     limit = np.quantile(np.abs(values), 0.995) or 1.0
     if colour == "speed":

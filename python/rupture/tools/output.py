@@ -1,4 +1,4 @@
-"""Files appear complete or not at all, and replace others only if that is asked for."""
+"""Files appear complete or not at all, and replace others only on request."""
 
 import os
 import sys
@@ -23,7 +23,7 @@ def check_folder(path):
 
 
 def check_output(name, force, endings=(), inputs=()):
-    """Before anything is computed."""
+    """Checks the path of an output before anything is computed."""
     path = Path(name)
     if not os.fspath(name):
         raise UsageError("the name of an output is empty; give the path of a file")
@@ -41,7 +41,7 @@ def check_output(name, force, endings=(), inputs=()):
 
 
 def progress(items, count, what):
-    """The items; meanwhile, a line on a terminal says how far it is."""
+    """Yields the items, and shows the progress in one line of the terminal."""
     on_terminal = sys.stderr.isatty()
     for number, item in enumerate(items, 1):
         if on_terminal:
@@ -58,7 +58,7 @@ def say_written(*paths):
 
 @contextmanager
 def complete(path, force):
-    """The name to write to, whose file gets the name `path` when all has gone well."""
+    """The temporary path to write to; its file is renamed to `path` if all goes well."""
     path = Path(path)
     try:
         with replacing(path, os.replace if force else rename_to_new) as hidden:

@@ -38,7 +38,7 @@ def parse_options():
 
 
 def current(path):
-    """The record as it is now: the `.part`, or what became of it."""
+    """The record as it is now: the `.part`, or the finished record."""
     whole = Path(str(path).removesuffix(".part"))
     if not whole.name:
         raise Failure(f"'{path}' names no file; {WANTED}")
@@ -57,8 +57,8 @@ def current(path):
 
 
 def is_being_written(path):
-    """Whether a run holds its lock (docs/decisions/0008-records-in-pieces.md); True where the file
-    system does not tell."""
+    """Whether a run holds its lock (docs/decisions/0008-records-in-pieces.md); True if the file
+    system cannot tell."""
     try:
         with open(path, "rb") as file:
             asked = struct.pack(FLOCK, fcntl.F_WRLCK, 0, 0, 0, 0)
@@ -69,8 +69,8 @@ def is_being_written(path):
 
 
 def latest(path):
-    """The record as it is now. Raises Failure if its run was killed; a run takes its lock, and
-    finishes its record, in a moment, so there is a second look."""
+    """The record as it is now. Raises Failure if its run was killed. It looks twice, because a run
+    takes a moment to take its lock and to finish its record."""
     for pause in (MOMENT, 0.0):
         record = current(path)
         if record.finished or is_being_written(record.path):
@@ -96,7 +96,7 @@ def text_of(record):
 
 
 class Text:
-    """A line that is rewritten; off a terminal, a line each time."""
+    """One line that is rewritten in a terminal; elsewhere, a new line each time."""
 
     def draw(self, record):
         start, end = (CLEAR, "") if sys.stdout.isatty() else ("", "\n")

@@ -1,4 +1,4 @@
-"""The record that a program draws, and the time of it."""
+"""The record that a program draws, and the time window."""
 
 from functools import partial
 
@@ -46,7 +46,7 @@ def window_of_event(events, number):
 
 
 def asked_window(options, first, last):
-    """What --from and --to say of a record from `first` to `last` [s], [s]."""
+    """The window of --from and --to in a record from `first` to `last` [s], [s]."""
     begin = first if options.begin is None else options.begin
     end = last if options.end is None else options.end
     record = f"the record, which goes from {first:.7g} s to {last:.7g} s"
@@ -60,7 +60,7 @@ def asked_window(options, first, last):
 
 
 def window_of(options, record, events):
-    """The time to be drawn [s], [s]."""
+    """The time window to draw [s], [s]."""
     first, last = record.time[[0, -1]]
     if options.event is None:
         begin, end = asked_window(options, first, last)

@@ -43,7 +43,7 @@ def open_checkpoint(path):
 
 
 def in_time(checkpoints):
-    """One per time, in order: the last checkpoint on the way is often the end of a run, too."""
+    """One checkpoint per time, in order: the last one of a run is often also its end."""
     series: dict = {}
     for checkpoint in checkpoints:
         other = series.setdefault(checkpoint.time, checkpoint)
@@ -56,7 +56,7 @@ def in_time(checkpoints):
 
 
 def refuse_odd_names(names):
-    """XDMF puts a colon behind the name of a file, and is XML."""
+    """Refuses names that XDMF cannot refer to: it is XML, and a colon ends a file's name."""
     for name in names:
         if ":" in name or not name.isprintable():
             what = "a colon" if ":" in name else "an unusual character"
@@ -64,7 +64,7 @@ def refuse_odd_names(names):
 
 
 def write_derived(group, checkpoint):
-    """What follows from a checkpoint, which does not hold it."""
+    """Writes the quantities that are computed from a checkpoint."""
     bulk = stress_of(checkpoint["u_x"], checkpoint["u_z"], checkpoint.parameters)
     places = np.stack(np.broadcast_arrays(checkpoint.x, checkpoint.z[:, None], 0.0), axis=-1)
     group.create_dataset("slider", data=places)
@@ -117,7 +117,7 @@ def text_of(name, steps):
 
 
 def write_numbers(path, checkpoints):
-    """By way of memory, because libhdf5 does not survive a full disk."""
+    """Writes the file in memory first, because libhdf5 does not survive a full disk."""
     image = io.BytesIO()
     with h5py.File(image, "w") as file:
         for number, checkpoint in enumerate(progress(checkpoints, len(checkpoints), "state")):
@@ -126,7 +126,7 @@ def write_numbers(path, checkpoints):
 
 
 def write_all(checkpoints, output, derived, force):
-    """Neither file takes its name before both are written."""
+    """Renames neither file before both are written."""
     beside = [os.path.relpath(one.path, output.parent) for one in checkpoints]
     refuse_odd_names([*beside, derived.name])
     steps = [

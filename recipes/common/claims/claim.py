@@ -61,7 +61,7 @@ class Claim:
 
     @property
     def standing(self):
-        """The verdict for readers; without units it speaks of the shown case alone."""
+        """The verdict for readers; without units, it refers only to the shown case."""
         if not self.reason.startswith(SHOWN_ONLY):
             return self.verdict
         return HOLDS if self.shown else FAILS
@@ -77,7 +77,7 @@ def plain(value):
 
 
 def write_claims(path, claims):
-    """Writes all or nothing. NaN is an error: what has no value is None."""
+    """Writes all or nothing. NaN is an error: a missing value is None."""
     rows = [asdict(claim) for claim in claims]
     text = json.dumps(rows, indent=2, ensure_ascii=False, allow_nan=False, default=plain) + "\n"
     write_whole(path, text)

@@ -36,7 +36,7 @@ def table():
 
 
 def in_order(claims):
-    """As the table has them: a leading row before those that ask for more."""
+    """In the order of the table: a leading row before those that ask for more."""
     return sorted(claims, key=lambda claim: list(table()).index(claim.id))
 
 
@@ -44,7 +44,7 @@ def in_order(claims):
 
 
 def conditions_of(claim_id):
-    """{quantity: {relation: bound, ...}, or what it has to be}"""
+    """{quantity: {relation: bound, ...}, or the value that it must have}"""
     conditions = table()[claim_id]["conditions"]
     return conditions_of(conditions) if isinstance(conditions, str) else conditions
 
@@ -62,7 +62,7 @@ def met(condition, value):
 
 
 def as_read(name, value):
-    """0.005 of "slowest/c_s" is c_s/200; a bound is a text as the table has it."""
+    """0.005 of "slowest/c_s" is c_s/200; a bound is a text as in the table."""
     if name.endswith("/c_s") and isinstance(value, (int, float)) and value > 0:
         return f"c_s/{1 / value:.3g}" if value < 1 else f"{value:.3g} c_s"
     return number(value)
@@ -85,7 +85,7 @@ def holds(claim_id, cases):
 
 
 def unmet(claim_id, case):
-    """The quantities of the conditions that a case does not meet; all have to be measured."""
+    """The quantities whose conditions a case does not meet; all must have been measured."""
     return [name for name, c in conditions_of(claim_id).items() if not met(c, case[name])]
 
 
@@ -116,7 +116,8 @@ def is_one_state(claim_id):
 
 
 def share_of(claim_id, convention, units):
-    """Of units measured under one convention. The majority of its seeds speaks for one state."""
+    """The share of units measured under one convention. For one state, the majority of its seeds
+    decides."""
     held = [holds(claim_id, cases) for cases in units]
     if is_one_state(claim_id):
         return Share(convention, int(2 * sum(held) > len(held)), 1, None, None)
@@ -125,8 +126,8 @@ def share_of(claim_id, convention, units):
 
 def shares_of(claim_id, units):
     """One per convention, the primary one first. `units`: {unit: {convention: [case, ...]}}. A unit
-    that has no case under a convention counts against the claim; one without the convention is no
-    unit under it."""
+    that has no case under a convention counts against the claim; one without the convention is not
+    a unit under it."""
     by_convention: dict[str, list] = {PRIMARY: []}
     for measured in units.values():
         for convention, cases in measured.items():
@@ -139,7 +140,7 @@ def needed(claim_id):
 
 
 def verdict_of_shares(claim_id, shown, shares):
-    """The 90 % intervals have to lie on the right side, not only the shares."""
+    """The 90 % intervals must lie beyond the limit, not only the shares."""
     unit, holding = table()[claim_id]["unit"], "holds" if shown else "does not hold"
     worst, best = min(shares, key=lambda s: s.low), max(shares, key=lambda s: s.high)
     if shown and worst.low >= needed(claim_id):
@@ -169,7 +170,7 @@ def verdict_of(claim_id, shown, shares):
 
 
 def verdict_of_state(held):
-    """Of one state. `held`: {convention: whether the claim holds under it}"""
+    """The verdict for one state. `held`: {convention: whether the claim holds under it}"""
     holding, failing = ([name for name, does in held.items() if does == so] for so in (True, False))
     every = f" under all {len(held)} conventions" if len(held) > 1 else ""
     if not failing:

@@ -1,5 +1,5 @@
-"""Results of our own, which no claim of the paper speaks of: measured, without verdict. Some
-have an expectation in numbers that was fixed before."""
+"""Results of our own, on questions that the paper does not raise: measured, without verdict. For
+some, an expectation in numbers was fixed beforehand."""
 
 import json
 from dataclasses import asdict, dataclass, field
@@ -36,7 +36,7 @@ class OwnResult:
 
 
 def compared(name, measured, question, expected):
-    """With an expectation."""
+    """A result with an expectation."""
     held = all(met(condition, measured[of]) for of, condition in expected.items())
     return OwnResult(name, question, measured, expected, held)
 
@@ -59,7 +59,7 @@ def write_own(folder, results, before=""):
 
 
 def read_own(folder):
-    """Those of a recipe; none if it has none or has not run."""
+    """The own results of a recipe; an empty list if it has none or has not run."""
     path = Path(folder) / OWN
     if not path.exists():
         return []

@@ -1,5 +1,5 @@
 """The paper's numbers, in one place. What is measured is compared with them, in claims, in pictures
-and to choose the event most like the paper's. No simulation reads them, and no measurement but for
+and to choose the event most like the paper's. No simulation reads them, and no measurement except
 L_0, a factor common to all points of Figure 3 D."""
 
 # Table S1: friction at which a pinned junction breaks, and of a slipping one

@@ -23,7 +23,7 @@ def cells(claim):
 
 
 def print_table(claims):
-    """A row that asks for more than the paper says stands indented below the leading one."""
+    """A row that asks for more than the paper says is indented below the leading one."""
     print(f"{'claim':6}of the paper\n{FORM.format(*HEADS).rstrip()}")
     print("-" * WIDTH)
     for claim in claims:
@@ -39,7 +39,7 @@ def summary(claims):
 
 
 def print_claims(folder):
-    """Of the recipe with these results."""
+    """Prints the claims of the recipe with these results."""
     claims = read_claims(folder / CLAIMS)
     print(f"\n{folder.name}: {summary(claims) or 'no claims of its own'}\n")
     if claims:

@@ -27,7 +27,7 @@ def value_text(name, value):
 
 
 def filled_sentence(text, known):
-    """Nothing if it has places and none of them can be filled."""
+    """The sentence, filled; nothing if it has places and none of them can be filled."""
     places = [(claim_id, " ".join(name.split())) for claim_id, name in PLACE.findall(text)]
     if places and not known.keys() & {*places}:
         return ""
@@ -43,7 +43,7 @@ def of_files(text, names):
 
 
 def filled(text, claims):
-    """A place may go over the end of a line."""
+    """The text with its places filled. A place may extend over the end of a line."""
     known = {(one.id, k): value_text(k, v) for one in claims for k, v in one.measured.items()}
     parts = SENTENCE.split(text)  # sentences, and between them what ends one
     return "".join(p if n % 2 else filled_sentence(p, known) for n, p in enumerate(parts))

@@ -3,7 +3,7 @@
 
 It says what is in results/ and how it was made, for programs and archives: files, checksums,
 versions, commands and times as RO-Crate 1.1 (https://w3id.org/ro/crate/1.1). Paths are relative to
-results/, so that the folder may be copied alone. Equal results give equal texts but for dates.
+results/, so that the folder may be copied alone. Equal results give equal texts, except for dates.
 """
 
 import hashlib
@@ -47,7 +47,7 @@ def entity(identity, kind, **properties):
 
 
 def flat(value, graph):
-    """What stands in a property. Of an entity that is a reference; the entity itself, with what is
+    """The value of a property. For an entity, this is a reference; the entity itself, with what is
     nested in it and without empty properties, joins the graph: {id: entity}."""
     if isinstance(value, list):
         return [flat(each, graph) for each in value]

@@ -69,7 +69,7 @@ def draw_legend(axes):
 
 
 def draw_glance(claims, stem):
-    """Downwards; figures are apart, and named once."""
+    """Draws rows downwards; figures are separated, and named once."""
     recipes = [table()[claim.id]["recipe"] for claim in claims]
     first = [recipe not in recipes[:n] for n, recipe in enumerate(recipes)]
     heights = {c.id: n + GAP * sum(first[1 : n + 1]) for n, c in enumerate(claims)}
@@ -94,7 +94,7 @@ def draw_glance(claims, stem):
 
 
 def glance_picture(results, claims):
-    """Drawn anew; None without any claim over units."""
+    """Draws the picture; None if there is no claim over units."""
     found = [claim for claim in claims if claim.shares]
     if not found:
         return None

@@ -30,7 +30,7 @@ def noted(path):
 
 
 class Accounts:
-    """What is noted of the job that made a file last, by file."""
+    """What was noted about the job that last made a file, by file."""
 
     def __init__(self, root):
         jobs = noted(root / "results/jobs.jsonl")

@@ -59,7 +59,7 @@ def front_rows(name, front):
 
 
 def write_tables(root, claims, own):
-    """Of claims and own results, and of events with a column per block."""
+    """Writes the tables: of claims and own results, and of events with a column per block."""
     named = [result for result in own if result.id in dict(PLACES)]
     names = ["id", "closeness of", "verdict", "holds", "units", "numbers"]
     write_table(root / TABLE, names, map(row_of, [*claims, *named]))

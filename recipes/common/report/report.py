@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes results/index.html, one page with all figures and claims: report.py [PROJECT'S FOLDER]
 
-Shows what is there, from results/NAME/ of any number of recipes, and links to files in results/
-alone, which may be copied without the rest. Programs can read the same in the file that crate.py
+Shows the results in results/NAME/ of any number of recipes, and links only to files in results/,
+which may be copied without the rest. Programs can read the same in the file that crate.py
 writes.
 """
 
@@ -41,7 +41,7 @@ def files_of(folder, pattern):
 
 
 class Recipe:
-    """One that has results, for its section; `shown` are all that have one."""
+    """A recipe with results, for its section; `shown` are all recipes that have a section."""
 
     def __init__(self, root, name, shown, accounts):
         folder = root / "results" / name

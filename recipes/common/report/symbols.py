@@ -103,5 +103,5 @@ def typeset_html(page):
 
 
 def typeset(text):
-    """Of a plain text."""
+    """The HTML of a plain text."""
     return typeset_html(str(escape(text)))

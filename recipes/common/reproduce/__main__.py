@@ -14,7 +14,7 @@ from reproduce.processes import Processes, ensure_packages
 
 
 def recipes(request, processes):
-    """Those that are named, or all with their report."""
+    """Computes the named recipes, or all and their report."""
     started = time.monotonic()
     is_all = request.command == "all"
     named = [name for name in figures() if name not in BESIDE_ALL] if is_all else request.words

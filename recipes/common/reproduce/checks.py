@@ -52,7 +52,7 @@ def run_ctest(processes, preset, log, cores):
 
 
 def slowest_tests(log):
-    """The ten tests that took longest [s], longest first, of the text that ctest logged."""
+    """The ten tests in ctest's log that took longest [s], longest first."""
     took = re.findall(r"Test +#\d+: (\S+) \.*.*? ([\d.]+) sec$", log, re.MULTILINE)
     return sorted(((float(seconds), name) for name, seconds in took), reverse=True)[:10]
 
@@ -68,7 +68,7 @@ def run_tests(request, processes):
 
 
 def test_slurm(request, processes):
-    """Where SLURM cannot be installed, ctest says that this was skipped."""
+    """If SLURM cannot be installed, ctest reports that these tests were skipped."""
     build(processes, request.cores, "tools", "run")
     try:
         ensure_packages(processes, "slurm")
@@ -80,7 +80,7 @@ def test_slurm(request, processes):
 
 
 def defines_layout(program):
-    """Whether this version does. Another one is an error in CI only, which must check all."""
+    """Whether this version defines the layout. Another one is an error only in CI."""
     said = subprocess.run([program, "--version"], capture_output=True, check=True, text=True).stdout
     version, name = re.findall(r"\d+", said)[0], Path(program).name
     if version != LAYOUT[name]:
@@ -94,7 +94,7 @@ def defines_layout(program):
 
 
 def compile_commands():
-    """Each C++ file and header by itself; a header that a source includes first, with that."""
+    """One command per C++ file and header; a header that a source includes first is left out."""
     first = re.compile(r'#include ["<](.+)[">]')
     sources = [path for one in ("src", "tests", "benchmarks") for path in Path(one).rglob("*.cpp")]
     found = [first.search(path.read_text()) for path in sources]

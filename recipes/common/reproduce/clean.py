@@ -15,13 +15,13 @@ NAMED = 20  # of the files that are left
 
 
 def own_files():
-    """Those of the list, which may be anybody's, that lie in results/ and behind no link."""
+    """The listed files in results/ that are not behind links. Anybody may have written the list."""
     listed = [RESULTS / name for name in (*written(RESULTS), LIST)]
     return [one for one in listed if RESULTS in one.parents and one.resolve() == one]
 
 
 def own_folders():
-    """Those of runs, and builds of these sources; behind no link either."""
+    """The folders of runs, and of builds of these sources; not behind links either."""
     home = f"\nCMAKE_HOME_DIRECTORY:INTERNAL={SHARE}\n"
     caches = [*BUILD.glob("CMakeCache.txt"), *BUILD.glob("*/CMakeCache.txt")]
     builds = [one.parent for one in caches if home in one.read_text(errors="replace")]
@@ -30,7 +30,7 @@ def own_folders():
 
 
 def own_links():
-    """With which `rupture reproduce` shows the recipes their folder; and at the end the locks, that
+    """The links through which recipes of `rupture reproduce` find their files, then the locks, that
     of this run last."""
     links = [OWN / name for name in ("results", *READ)] if WORK else []
     locks = [BUILD / f".{name}" for name in ("lock-of-programs", "lock")]
@@ -38,7 +38,7 @@ def own_links():
 
 
 def left_in(place):
-    """Files and links."""
+    """The files and links in a place."""
     if place.is_symlink() or not place.is_dir():
         return [place] if os.path.lexists(place) else []
     return [one for one in sorted(place.rglob("*")) if one.is_symlink() or not one.is_dir()]

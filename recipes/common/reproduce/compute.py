@@ -24,14 +24,14 @@ INSIDE_STEP = re.compile(r"\d{1,6}")  # the interactive step of salloc has a lar
 
 
 def count_cores(text):
-    """Of all nodes: SLURM_JOB_CPUS_PER_NODE is like 16(x2),8."""
+    """The cores of all nodes: SLURM_JOB_CPUS_PER_NODE is like 16(x2),8."""
     return sum(
         int(cores) * int(nodes or 1) for cores, nodes in re.findall(r"(\d+)(?:\(x(\d+)\))?", text)
     )
 
 
 def memory_of_allocation(environment, cores):
-    """[MB], as far as SLURM says how much it gives; else None."""
+    """Memory [MB], or None if SLURM does not state it."""
     if per_core := environment.get("SLURM_MEM_PER_CPU"):
         return int(per_core) * cores
     if per_node := environment.get("SLURM_MEM_PER_NODE"):
@@ -72,7 +72,7 @@ def place_of(request):
 
 
 def prepare(request, processes):
-    """Where the commands run, once there is everything that they need."""
+    """Prepares what the commands need, and returns where they run."""
     for path in (RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl")):
         if path.is_symlink():
             raise Failure(f"{path} is a link, which is not followed: move it away.")
@@ -88,7 +88,7 @@ def prepare(request, processes):
 
 
 def options_of_snakemake(request, place, **config):
-    """A stale lock of Snakemake's own must not stop the next run: only one has its turn anyway."""
+    """With --nolock: a stale lock of Snakemake must not stop a run, and runs have our own lock."""
     settings = {"from_scratch": int(request.from_scratch), **config}
     if request.programs:
         settings["bin"] = request.programs
@@ -102,14 +102,14 @@ def options_of_snakemake(request, place, **config):
 
 
 def run_pipeline(processes, targets, options):
-    """Its exit code."""
+    """Returns Snakemake's exit code."""
     script = ROOT / "recipes/common/reproduce/pipeline.py"
     command = [sys.executable, script, *targets, "--", *options]
     return processes.run([str(word) for word in command])
 
 
 def note_run(recipes, place, started):
-    """For the report: which recipes, with how many cores, when, and for how long."""
+    """Notes for the report which recipes ran, with how many cores, when, and for how long."""
     run = {"recipes": " ".join(recipes), "where": place.name, "started": int(started)}
     run["seconds"] = int(time.time() - started)
     with append_to(RESULTS / "runs.jsonl") as file:
@@ -132,8 +132,8 @@ def reproduce(request, recipes, processes):
 
 
 def is_current(path):
-    """Whether what describes the results is newer than every job that made one, and than all texts
-    and scripts that it comes from: it would say the same again."""
+    """Whether a description of the results is newer than every job that made one and than all texts
+    and scripts behind it, so that it would be the same if it were written again."""
     scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
     texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md"), PROGRAMS / "load"]
     shown = [RESULTS / "jobs.jsonl", *RESULTS.glob("movie.*"), *RESULTS.glob("*/*.json")]
@@ -142,7 +142,7 @@ def is_current(path):
 
 
 def write_crate(processes):
-    """What is in results/ and how it was made, for programs: in a second or so."""
+    """Writes what is in results/ and how it was made, for programs; takes about a second."""
     if is_current(RESULTS / "ro-crate-metadata.json"):
         return
     if processes.run([sys.executable, "recipes/common/report/crate.py"]):
@@ -150,7 +150,7 @@ def write_crate(processes):
 
 
 def run_sweep(request, processes):
-    """The table is written even if points could not be computed: it says which, and why."""
+    """Writes the table even if points could not be computed; it states which, and why."""
     from sweeps import plan, points, report
 
     place = prepare(request, processes)

@@ -1,4 +1,4 @@
-"""Plans and computes with Snakemake, in a process of its own:
+"""Plans and computes with Snakemake, in a separate process:
 
     pipeline.py TARGET... -- OPTION OF SNAKEMAKE...
 """
@@ -32,7 +32,7 @@ class Errors(io.StringIO):
 
 
 def snakemake(*arguments):
-    """Its exit code. This is the program `snakemake`, without starting it anew each time."""
+    """Does what the program `snakemake` does, in this process. Returns the exit code."""
     try:
         with contextlib.redirect_stderr(Errors()):
             run_snakemake([*arguments])
@@ -42,7 +42,7 @@ def snakemake(*arguments):
 
 
 def plan(targets, options):
-    """(file, state, what to do) of all files behind the targets; None if it cannot plan."""
+    """(file, state, what to do) for all files behind the targets; None if planning fails."""
     table = io.StringIO()
     with contextlib.redirect_stdout(table):
         if snakemake(*targets, "--summary", *options):
@@ -56,7 +56,7 @@ def is_done(rows):
 
 
 def compute(targets, options):
-    """One plan shows whether there is anything to do. If so, each stage needs a plan of its own."""
+    """The first plan shows whether there is anything to do. If so, each stage has its own plan."""
     rows = plan([*STAGES, *targets], options)
     if rows is None:
         return 1

@@ -1,4 +1,4 @@
-"""Programs that ./reproduce.sh starts, of which nothing is to be left behind.
+"""Starts programs for ./reproduce.sh, and leaves none of them running.
 
 Each has a process group of its own. A signal to ./reproduce.sh is passed on to the group. A guard,
 which outlives ./reproduce.sh, ends the group if ./reproduce.sh was killed. The programs hold a lock
@@ -45,7 +45,7 @@ def open_lock(name):
 
 
 def take_lock(lock, name):
-    """Not one that `clean` has deleted meanwhile: the next run takes another."""
+    """Fails for a lock that `clean` has deleted meanwhile, because the next run takes another."""
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
@@ -67,7 +67,7 @@ def wait_for(lock, name):
 
 
 class Processes:
-    """Two runs in the same folder would overwrite each other's files, so only one has its turn."""
+    """Two runs in one folder would overwrite each other's files, so only one at a time may run."""
 
     def __init__(self):
         self.group = None
@@ -100,7 +100,7 @@ class Processes:
         return subprocess.Popen(command, stdin=stdin, start_new_session=True, pass_fds=[self.lock])
 
     def run(self, command):
-        """The exit code of a program. Processes that it has left running are ended with it."""
+        """Runs a program and returns its exit code. Processes that it leaves running are ended."""
         self.is_starting = True
         process = self.start(command, subprocess.DEVNULL)
         guard = self.start(["sh", "-c", GUARD, str(process.pid)], subprocess.PIPE)
@@ -119,17 +119,17 @@ class Processes:
 
 
 def set_up(processes, *words):
-    """The script has said why, if it fails."""
+    """If the script fails, it has printed the reason."""
     if code := processes.run([SET_UP, *map(str, words)]):
         sys.exit(code)
 
 
 def ensure_packages(processes, *purposes):
-    """An installed rupture has been installed with them."""
+    """Installs what is missing. An installed rupture has its packages."""
     if not WORK:
         set_up(processes, "packages", *purposes)
 
 
 def build(processes, cores, target, *purposes):
-    """While it compiles, packages for these purposes are installed."""
+    """Builds a target. Packages for these purposes are installed in the meantime."""
     set_up(processes, "build", cores, target, *purposes)

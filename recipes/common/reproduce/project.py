@@ -1,4 +1,4 @@
-"""Where things are, and how the commands talk."""
+"""Where files are, and how the commands print."""
 
 import os
 import sys
@@ -16,12 +16,12 @@ LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/common/profiles")
 READ = ("recipes", "checkpoints", "docs", "benchmarks", "CITATION.cff")
-# Recipes that `all` leaves out: they judge no claim and take minutes each.
+# Recipes that `all` leaves out: they judge no claim and take long.
 BESIDE_ALL = ("choices", "convergence", "speeds")
 
 
 def enter_root():
-    """Where recipes and results are. Of `rupture reproduce` it has links to both."""
+    """Enters the folder of recipes and results. For `rupture reproduce`, it has links to both."""
     if WORK:
         try:
             ROOT.mkdir(exist_ok=True)
@@ -38,8 +38,8 @@ def enter_root():
 
 
 def use_own_environment():
-    """Caches in the project's folder; with Debian's Snakemake, no packages of the user's own. It
-    imports distutils, which setuptools would replace by its own in a quarter of a second."""
+    """Puts caches into the project's folder and, with Debian's Snakemake, ignores the user's own
+    packages. Snakemake imports distutils, and setuptools would take 0.25 s to replace it."""
     cache = ROOT / "build/cache"
     (cache / "matplotlib").mkdir(parents=True, exist_ok=True)
     if os.access("/usr/bin/snakemake", os.X_OK):
@@ -49,7 +49,7 @@ def use_own_environment():
 
 
 def say(text=""):
-    """At once: the programs that are started next print, too."""
+    """Prints at once, before the programs that are started next."""
     print(text, flush=True)
 
 
