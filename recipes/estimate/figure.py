@@ -49,8 +49,7 @@ def claims_of(reference, unbreakable):
             note="Each time one of the block's 100 junctions is pinned, the block moves until the"
             " force on it is the same as before; means over 1000 blocks. The net slip is the same"
             " for all of them (it depends only on the order of events), and is reached when no"
-            " junction slips any more. Primary convention: the slip in the first 2 <t_R>, the time"
-            " that the paper names.",
+            " junction slips any more. Primary: the slip in 2 <t_R>, the time in the paper.",
         ),
         judged("tR2", measured, measured),
     ]

@@ -116,8 +116,7 @@ def is_one_state(claim_id):
 
 
 def share_of(claim_id, convention, units):
-    """The share of units measured under one convention. For one state, the majority of its seeds
-    decides."""
+    """The share of units under one convention; for one state, the majority of its seeds decides."""
     held = [holds(claim_id, cases) for cases in units]
     if is_one_state(claim_id):
         return Share(convention, int(2 * sum(held) > len(held)), 1, None, None)
