@@ -30,7 +30,7 @@ rule convergence_lammps:
     output: f"{DATA}/convergence/lammps.json"
     log: f"{LOGS}/convergence/lammps.log"
     params: lmp=shutil.which("lmp") or ""  # :q would leave out an empty word
-    message: "convergence: run them in LAMMPS"
+    message: "convergence: run the free blocks in LAMMPS"
     shell:
         "{CALL} {input.script} '{params.lmp}' {input.bulk} {input.compare} {input.start} {input.end}"
         " > {output} 2> {log}"

@@ -38,7 +38,7 @@ use rule restart_recorded as fig1_pull with:
             changes="--set driving.V=1e-3",
             record_every="2e-7",
         ),
-    message: "fig1: pull them at 1 mm/s with a sample in each step"
+    message: "fig1: pull the blocks at 1 mm/s, and record every step"
 
 
 rule fig1_steady:

@@ -42,7 +42,7 @@ use rule restart_before_event as fig2_before with:
     log: f"{LOGS}/most-like-before.log"
     params:
         **event_of(lambda wildcards, input: f"{DATA}/ensemble/$({VALUE} {input.choice} load)")
-    message: "fig2: go to 0.5 ms before the event most like the paper's"
+    message: "fig2: run to 0.5 ms before the event most like the paper's"
 
 
 rule fig2_film:

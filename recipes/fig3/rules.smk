@@ -19,7 +19,7 @@ rule fig3_l0_seed:
     priority: 80  # long: before what is short
     params: code=CODE, folder=f"{DATA}/fig3/l0-seed-{{seed}}-scratch"
     wildcard_constraints: seed="|".join(map(str, L0_SEEDS))
-    message: "fig3: run slow fronts with seed {wildcards.seed}, fit the decay length ahead of them"
+    message: "fig3: run slow fronts with seed {wildcards.seed}, and fit the decay length ahead of them"
     shell: "{CALL} {input.script} {wildcards.seed} {params.folder} > {output} 2> {log}"
 
 

@@ -67,7 +67,7 @@ rule quasistatic_seed:
     params: code=CODE, folder=f"{DATA}/ensemble/h0-{{seed}}-scratch"
     priority: 90  # long: first
     wildcard_constraints: seed="|".join(H0_SEEDS)
-    message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}, stop the driving"
+    message: "fig5: drive the slider at h = 0 with seed {wildcards.seed}, and stop the driving"
     shell:
         "{CALL} {input.script} {input.h5} {wildcards.seed} {H0_UNTIL} {QUASISTATIC_EVERY}"
         " {params.folder} > {output} 2> {log}"

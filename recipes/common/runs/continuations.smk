@@ -21,7 +21,7 @@ use rule restart as event_branch with:
     output: **with_sums(h5=f"{DATA}/{{event}}/branch.h5")
     log: f"{LOGS}/{{event}}/branch.log"
     params: **run_with(lambda wildcards, input: f"--until $({VALUE} {input.front} t_rupture.8)")
-    message: "{wildcards.event}: go to the moment when the front is at 0.14 L"
+    message: "{wildcards.event}: run until the front is at 0.14 L"
 
 
 # Slip is followed until the front leaves its slow stretch; then the whole slider moves. A front
@@ -62,4 +62,4 @@ use rule restart as event_amid_slow with:
     output: **with_sums(h5=f"{DATA}/{{event}}/amid-slow.h5")
     log: f"{LOGS}/{{event}}/amid-slow.log"
     params: **run_with(lambda wildcards, input: f"--until $({CALL} {input.script} {input.front})")
-    message: "{wildcards.event}: go to the middle of the slow stretch"
+    message: "{wildcards.event}: run to the middle of the slow stretch"

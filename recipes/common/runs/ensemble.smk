@@ -71,7 +71,7 @@ rule nothing_drawn:
     output: touch(f"{DATA}/{{state}}.undrawn")
     log: f"{LOGS}/{{state}}.undrawn.log"
     params: code=CODE
-    message: "{wildcards.state}: make sure that no slipping time has been drawn yet"
+    message: "{wildcards.state}: check that no slipping time has been drawn yet"
     shell: "{PYTHON} {input.script} {input.h5} 2> {log}"
 
 
@@ -145,7 +145,7 @@ rule continued:
     log: f"{LOGS}/{{load}}-continued.log"
     priority: 80  # long: before what is short
     params: code=CODE, run=f"{DATA}/{{load}}", crossings=CROSSINGS
-    message: "continued: continue the events of {wildcards.load} in other ways"
+    message: "continued: continue the events of {wildcards.load} with changes"
     shell:
         "{CALL} {input.script} {params.run} {CHECKPOINT_EVERY} {params.crossings:q}"
         " > {output} 2> {log}"

@@ -33,7 +33,7 @@ if FROM_SCRATCH:
         output: **with_sums(h5=f"{DATA}/{{event}}.h5")
         log: f"{LOGS}/{{event}}.log"
         params: **event_of(SHOWN_LOAD, "{event}")
-        message: "{wildcards.event}: go to 0.5 ms before the event"
+        message: "{wildcards.event}: run to 0.5 ms before the event"
 
 else:
 
@@ -55,7 +55,7 @@ rule event_compared:
         manifest="checkpoints/manifest",
     output: f"{DATA}/{{event}}.compared"
     log: f"{LOGS}/{{event}}.compared.log"
-    message: "{wildcards.event}: compare its checksum with checkpoints/manifest"
+    message: "{wildcards.event}: compare the checksum with checkpoints/manifest"
     shell:
         "{{ grep -xFf {input.sum} {input.manifest} > {output}"
         " || {{ echo 'not in checkpoints/manifest (see checkpoints/README.md):';"

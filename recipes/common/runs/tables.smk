@@ -37,7 +37,7 @@ rule choose:
     log: f"{LOGS}/{{folder}}/choice.log"
     params: by=lambda wildcards: EVENTS_OF[wildcards.folder][1]
     wildcard_constraints: folder=names(EVENTS_OF)
-    message: "{wildcards.folder}: choose the events to be shown"
+    message: "{wildcards.folder}: choose the events to show"
     shell: "{CALL} {input.script} {params.by} {input.events} {CHECKPOINT_EVERY} > {output} 2> {log}"
 
 
@@ -49,7 +49,7 @@ use rule restart_before_event as before_event with:
     log: f"{LOGS}/{{folder}}/before.log"
     params: **event_of(load_of)
     wildcard_constraints: folder=names(EVENTS_OF)
-    message: "{wildcards.folder}: go to 0.5 ms before the event"
+    message: "{wildcards.folder}: run to 0.5 ms before the event"
 
 
 # Where a map of front types needs more points (map_points.py).
@@ -71,5 +71,5 @@ for recipe, made in FIGURES.items():
         input: **made.inputs
         output: made.outputs
         log: f"{LOGS}/{recipe}.log"
-        message: "{rule}: draw, compare with the claims"
+        message: "{rule}: draw, and judge the claims"
         shell: "{PYTHON} recipes/common/pictures/make.py {input.script} 2> {log}"

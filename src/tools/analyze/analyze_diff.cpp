@@ -125,7 +125,7 @@ std::string report_text(const Json& json, const Pair& pair) {
     text += in_one_line(difference["path"]) + ": " + difference_text(difference, pair);
   }
   if (cut > 0) {
-    text += fmt::format("{} arrays were compared in the rows that both have\n", cut.dump());
+    text += fmt::format("arrays compared only in the rows that both have: {}\n", cut.dump());
   }
   if (differences.empty()) return text + "equal\n";
   return text +

@@ -125,9 +125,10 @@ Report report_of(const Front& front, const SlowSlips& slips) {
   };
   if (slips.x.empty()) return {rows, "no block has slow slip that can be measured\n"};
   return {rows,
-          fmt::format("{} blocks slip at {} mm/s on average (Eq. S1: {} mm/s); front: {} m/s\n",
-                      slips.x.size(), tools::text_of(average(slips.speed), 1e-3),
-                      tools::text_of(estimate, 1e-3), tools::text_of(front_speed))};
+          fmt::format("{} block{}, mean slip speed {} mm/s (Eq. S1: {} mm/s); front: {} m/s\n",
+                      slips.x.size(), slips.x.size() == 1 ? "" : "s",
+                      tools::text_of(average(slips.speed), 1e-3), tools::text_of(estimate, 1e-3),
+                      tools::text_of(front_speed))};
 }
 
 void add_slow_slip_options(po::options_description& options) {
