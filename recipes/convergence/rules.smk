@@ -10,7 +10,7 @@ CONVERGENCE_RUNS = {
 RUNS |= CONVERGENCE_RUNS
 
 
-# The slider of event I is let go: without load, foundation, drive and junctions its blocks swing freely.
+# The slider of event I is released: without load, foundation, drive and junctions its blocks oscillate freely.
 # The first step takes it to forces that are those of the free blocks.
 LET_GO = (
     "--set slider.F_N=1e-9 --set slider.foundation=1e-15 --set driving.K=0 --set junctions.kappa=1e-15"

@@ -1,4 +1,4 @@
-"""Continues every fast-slow-fast event of a load in other ways, and measures what becomes of it:
+"""Continues every fast-slow-fast event of a load with changes, and measures what becomes of it:
 
     continue_events.py RUN CHECKPOINT_EVERY OPTIONS_OF_RECORDS
 

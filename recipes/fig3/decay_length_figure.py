@@ -90,8 +90,7 @@ def claim(paths):
         " ahead, median over the blocks of the slow stretch, then over the fronts. Other"
         " conventions fit other blocks, or take the distance at which the excess has fallen to"
         " 1/e. The excess is not exponential: the farther a fit reaches, the longer l_0. The fit"
-        " to 8 blocks ahead was added when the others were known, because it alone exceeds the 25"
-        " %.",
+        " to 8 blocks ahead was added when the others were known, because it alone exceeds 25 %.",
     )
 
 

@@ -10,9 +10,8 @@ namespace rupture {
 /// The median; the mean of the two middle values of an even number; no value if there are none.
 std::optional<double> median(std::vector<double> values);
 
-/// A straight line by least squares. The standard error, like that below, is that of
-/// independent residuals; those of neighbouring samples of a smooth series are alike, and it is too
-/// small.
+/// A straight line by least squares. The standard error, like that below, assumes independent
+/// residuals; for a smooth series, whose neighbouring residuals are alike, it is too small.
 struct LineFit {
   double slope;
   double r_squared;    ///< coefficient of determination

@@ -6,7 +6,7 @@ import numpy as np
 
 
 def report(path):
-    """A report of `analyze ... --json`."""
+    """Reads a report of `analyze ... --json`."""
     with open(path, encoding="utf-8") as file:
         return json.load(file)
 

@@ -23,7 +23,7 @@ SLOW_STRETCH = {  # name in a report: for readers
 
 
 def write_table(path, names, rows):
-    """All or nothing."""
+    """Writes all or nothing."""
     with replacing(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
         table.writerow(names)
@@ -31,7 +31,7 @@ def write_table(path, names, rows):
 
 
 def write_columns(path, names, rows):
-    """These columns of rows by name; empty where a row has none."""
+    """Writes these columns of rows by name; empty where a row has no value."""
     write_table(path, names, ([row.get(name) for name in names] for row in rows))
 
 
@@ -59,7 +59,7 @@ def write_events(path, events, columns):
 
 
 def read_table(path):
-    """Columns by name; numbers where all are."""
+    """Reads columns by name; as numbers if all cells are numbers."""
     with open(path, newline="", encoding="utf-8") as file:
         names, *rows = csv.reader(file)
     return {name: as_numbers(column) for name, column in zip(names, zip(*rows))}

@@ -131,7 +131,7 @@ def claims_of_fronts(slow_front, in_words, with_ends, fast_front, units, units_i
 
 
 def slow_speeds(slow):
-    """Of a slow stretch, in three ways [m/s]."""
+    """The speed in a slow stretch, in three ways [m/s]."""
     return {
         "median slow speed [m/s]": slow["speed"],
         "mean slow speed [m/s]": slow["mean"],
@@ -286,7 +286,7 @@ def ratios_3Cr(slips, peak):
 
 
 def largest_change_of_mean(before, after):
-    """Of any block's mean force, relative to that mean."""
+    """The largest change of any block's mean force, relative to that mean."""
     old, new = np.array(before["mean"]), np.array(after["mean"])
     return np.max(np.abs(new - old) / np.abs(old))
 

@@ -6,7 +6,7 @@ from events.continuations import LEAD
 
 
 def peak_speed(slip):
-    """Of the fast slip, between two samples [m/s]; None where the block does not stop."""
+    """Peak speed of the fast slip, between two samples [m/s]; None if the block does not stop."""
     if slip["t_arrest"] is None:
         return None
     time, moved = np.array(slip["time"]), np.array(slip["slip"])

@@ -36,7 +36,7 @@ def name_of(path):
 
 
 def of_loads(paths, case, conventions=None):
-    """Of each event. `conventions`: {name: name in the file}; None: all of them."""
+    """The cases of each event. `conventions`: {name: name in the file}; None: all of them."""
     units = {}
     for path in paths:
         events = report(path)
@@ -126,7 +126,7 @@ FROM_SLOW = ("3A", "3B", "4AB", "5A", "5Aw")  # made of an original first, which
 
 
 def of_event(claim_id, event):
-    """An event whose original is not slow in one way to measure it is no unit there."""
+    """An event whose original is not slow under a convention is not a unit under it."""
     (conventions, made_of), (case, *_) = OF_EVENT[claim_id], EVENT_CLAIMS[claim_id]
     found = {}
     for name, fields in ({PRIMARY: {}} | conventions).items():

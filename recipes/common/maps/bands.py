@@ -18,5 +18,5 @@ def bands_of(data, setting, seed=1):
 
 
 def width(edges, convention=PRIMARY):
-    """Of the band in tau_bar_0."""
+    """The width of the band in tau_bar_0."""
     return edges[convention]["fast"] - edges[convention]["slow"]

@@ -102,7 +102,7 @@ def case_of_map(fronts, grid, boundary_seeds, axis=ALONG_TAU, **how):
 
 
 def case_in_words(fronts, grid, **how):
-    """Of the leading row."""
+    """What the leading row asks of a map."""
     types = types_of(fronts, **how)
     present, out_of_order = front_map.order_in_words({place: types[place] for place in grid})
     return {"types present": present, "sigma_bar out of order": out_of_order}

@@ -132,8 +132,7 @@ def reproduce(request, recipes, processes):
 
 
 def is_current(path):
-    """Whether a description of the results is newer than every job that made one and than all texts
-    and scripts behind it, so that it would be the same if it were written again."""
+    """Whether a description of the results is newer than all jobs, texts and scripts behind it."""
     scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
     texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md"), PROGRAMS / "load"]
     shown = [RESULTS / "jobs.jsonl", *RESULTS.glob("movie.*"), *RESULTS.glob("*/*.json")]

@@ -1,6 +1,6 @@
-# Loads. Those with seed 1, from t = 0, are shown: load-01, the reference slider, by Figure 1, the others by
+# Loads. Those with seed 1, from t = 0, are shown: load-01, the reference slider, in Figure 1, the others in
 # Figures S2 and S6 and robustness; with --from-scratch, the checkpoints in checkpoints/ come from load-01,
-# too. Those of other seeds are independent: claims are judged by them.
+# too. Those with other seeds are independent: claims are judged on them.
 LOAD_UNTIL = 1.2  # s
 CHECKPOINT_EVERY = 0.05  # s
 BEFORE_FIRST_BREAK = 0.18  # s; the decaying law's is at 0.1845 s, that of the others at 0.1895 s
@@ -125,7 +125,7 @@ rule product:
 
 # The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
 # fast-slow-fast event of the reference slider, Figure S2 for the fast-slow ones with the simplified law.
-# A checkpoint holds its parameters, so that an event goes on under the choice of its load (recipes/choices).
+# A checkpoint holds its parameters, so that an event continues with the choice of its load (recipes/choices).
 CONTINUED_LOADS = [*LOADS_OF["load"], *LOADS_OF["simplified"]]
 
 

@@ -3,8 +3,8 @@
 #
 #     RUNS["fig1/event"] = run("fast-slow-fast", "--for 0.005", record_every="1e-6")
 #
-# It goes on from fast-slow-fast.h5, and makes fig1/event-record.h5 and fig1/event-end.h5; with REPORTS,
-# fig1/event-front.json follows. What no table has is a rule, in which a recipe says what differs:
+# It continues fast-slow-fast.h5, and makes fig1/event-record.h5 and fig1/event-end.h5; with REPORTS,
+# fig1/event-front.json follows. Everything else is a rule, in which a recipe states what differs:
 #
 #     use rule load_recorded as speeds_load with:
 #         output: **recorded(f"{DATA}/speeds/load")  # h5, h5_sum, record, record_sum
@@ -88,7 +88,7 @@ def figure(name, *, pictures=(), tables=(), own=(), events=(), start=(), refine=
 
 
 def run(start, options, changes="", record_every="1e-5"):
-    """A row of RUNS: the checkpoint to go on from, and the rest as for run_with()."""
+    """A row of RUNS: the checkpoint to continue, and the rest as for run_with()."""
     return {"start": start} | run_with(options, changes=changes, record_every=record_every)
 
 

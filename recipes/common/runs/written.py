@@ -25,7 +25,7 @@ def append_to(path):
 
 
 def note(results, *paths):
-    """Before the files are written, so that those of a run that is killed are known, too."""
+    """Call it before the files are written, so that those of a killed run are known, too."""
     folder = Path(results).resolve()
     have = known.setdefault(folder, written(folder))
     names = dict.fromkeys(os.path.relpath(path, results) for path in paths)
@@ -37,7 +37,7 @@ def note(results, *paths):
 
 
 def refuse_others(results, *paths):
-    """A Failure if a file is there, below `results`, that is not ours."""
+    """Raises Failure if one of these files exists below `results` and is not ours."""
     ours = written(results)
     for path in filter(os.path.lexists, paths):
         if os.path.relpath(path, results) not in ours or path.is_symlink():

@@ -42,7 +42,7 @@ class Programs:
         return json.loads(output_of(*command))
 
     def described(self, line):
-        """What the program of this command says of itself. It refuses wrong options then, too."""
+        """The program's description of this command, which also refuses wrong options."""
         tool, *words = words_in(line)
         check_known(tool, PROGRAMS, "there is no program")
         return self.answer(tool, *words, "--describe")

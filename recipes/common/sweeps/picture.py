@@ -15,7 +15,7 @@ HATCHED = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6"
 
 
 def plain(text):
-    """For Matplotlib, which takes what is between two $ for a formula."""
+    """The text for Matplotlib, which takes what is between two $ for a formula."""
     return text.replace("$", r"\$")
 
 

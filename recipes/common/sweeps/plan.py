@@ -22,14 +22,14 @@ ENDINGS = (".csv", ".hdf5", ".png", ".pdf")
 
 
 def write(results, path, content, *others):
-    """Takes the names of the others, which are to come, too."""
+    """Also reserves the names of the files that are written later."""
     take(results, path, *others)
     with replacing(path) as part:
         part.write_bytes(content)
 
 
 def keep_base(path, results):
-    """A copy whose name is that of its content, with its .sum."""
+    """Makes a copy named after its content, with its .sum."""
     try:
         checksum = output_of("analyze", "checksum", path).strip()
     except Failure as failure:

@@ -9,7 +9,7 @@ names, and a status: done, failed with the tool's sentence, or unfinished if a p
 
 Each result is kept when it is there, in results/data/points/ID.json, with its `origin`: a digest
 of the sources (or programs), of this file and of the base. Only points without a result of this
-origin, and unfinished ones, are computed, so a batch that is interrupted goes on where it was, and
+origin, and unfinished ones, are computed, so an interrupted batch continues where it was, and
 a crash does not keep the other points from being computed. OUTPUT is written when none is
 unfinished: a line for each, with a digest of its result.
 """

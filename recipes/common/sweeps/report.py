@@ -1,4 +1,4 @@
-"""Says what a user's sweep would compute, and what came out.
+"""Reports what a user's sweep would compute, and its results.
 
 Collects the points that there are: writes NAME.csv, NAME.hdf5 (the same columns and units) and, for
 one or two varied values, NAME.png and NAME.pdf beside the plan. Numbers are written with all their
@@ -98,7 +98,7 @@ def write_csv(path, columns):
 
 
 def fixed(texts):
-    """UTF-8 of the length of the longest one."""
+    """The texts as UTF-8, all as long as the longest one."""
     encoded = [text.encode() for text in texts]
     return np.array(encoded, h5py.string_dtype("utf-8", max([1, *map(len, encoded)])))
 
@@ -130,8 +130,8 @@ def preview(sweep, missing, folder_of_tools):
 
 
 def print_summary(sweep, table, missing):
-    """`missing`: how many points were unfinished before. A quantity without value is such as the
-    front speed at a block that is not there."""
+    """`missing`: how many points were unfinished before. A quantity without a value is, for
+    instance, the front speed at a block that does not exist."""
     counts = Counter(row["status"] for row in table)
     states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", UNFINISHED) if counts[s])
     print(f"\n{sweep.title}: {plural(len(table), 'point')}: {states}.")

@@ -175,7 +175,7 @@ def varied_in(products, points):
 
 
 def suggestion(name, known):
-    """Rather a name that differs in capitals only than a similar one."""
+    """Prefers a name that differs only in capitals to a similar one."""
     same = [other for other in known if other.lower() == name.lower()]
     near = [*same, *difflib.get_close_matches(name, known, n=1)]
     return f": did you mean '{near[0]}'?" if near else ""
@@ -268,7 +268,7 @@ def sweep_of(ini, name, seed=""):
 
 
 def place_and_sentence(error):
-    """Of a configparser.Error, whose own sentence has several lines."""
+    """The place and sentence of a configparser.Error, whose own message has several lines."""
     if hasattr(error, "errors"):
         number, line = error.errors[0]
         said = f"expected NAME = VALUE or [SECTION] (got {line})".replace("\\n", "")

@@ -11,7 +11,7 @@ LIMIT = 100_000  # points of a sweep
 
 
 def text_of(number):
-    """12 digits: 0.1 + 0.2 is 0.3."""
+    """A number with 12 digits: 0.1 + 0.2 is 0.3."""
     return f"{number:.12g}"
 
 
