@@ -94,7 +94,7 @@ def make(data, results):
         measured |= {"from 0.4 L to 0.6 L in [ms]": float(crossing)} | {
             f"median, {name}": float(np.median([row[name] for row in candidates])) for name in PAPER
         }
-        question = "how near does the event most like the paper's come to it?"
+        question = "how close does the event most like the paper's come to it?"
         own = [OwnResult("nearest", question, measured)]
     write_own(results, own)
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
