@@ -5,7 +5,7 @@
 RUN is results/data/ensemble/load-203, say: names of the load's checkpoints and events begin so. The
 commands run in the folder RUN-scratch, which is deleted at the end. Prints, by the events' numbers:
 
-    "unmodified"    front of the event as it is; "in words": measured so
+    "unmodified"    front of the unchanged event; "in words": measured so
     "strength"      of each block before the event
     "peaks"         of tau/p of each block
     "branches"      {branch: {run: front, "in words": {run: front}, "slip": {x: {run: slip}},
@@ -73,7 +73,7 @@ def under_conventions(workshop, branch):
 
 
 def run_event(workshop, event, times, duration):
-    """The event as it is, and its states at the times of the branches."""
+    """The unchanged event, and its states at the times of the branches."""
     workshop.start(event)
     at = ["--checkpoint-at", *sorted(times.values())]
     workshop.recorded(workshop.path("start"), "event", "--for", duration, *at)

@@ -31,7 +31,7 @@ def fronts_of(data, event):
 
 
 def draw_event(axes, data, event):
-    """The pinned fraction as it is and with the wider phi, with the same time axis."""
+    """The pinned fraction, unchanged and with the wider phi, with the same time axis."""
     t_zero, window = window_of(*fronts_of(data, event))
     for axis, run in zip(axes, (event, f"{event}/wider")):
         image = draw_pinned(axis, rupture.open(data / f"{run}-record.h5"), t_zero, window)
@@ -49,7 +49,7 @@ def draw(data, stem):
     fig, axes = figure(0.7 * DOUBLE, 0.7 * DOUBLE, nrows=len(EVENTS), ncols=2, sharey="row")
     for row, (event, name) in zip(axes, reversed(EVENTS.items())):
         image = draw_event(row, data, event)
-        for axis, title in zip(row, ("as it is", r"wider $\varphi$")):
+        for axis, title in zip(row, ("unchanged", r"wider $\varphi$")):
             axis.set_title(f"{name}, {title}")
         draw_pinned_scale(fig, image, row)
     for axis, text in zip(axes[0], "AB"):

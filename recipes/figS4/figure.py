@@ -13,7 +13,7 @@ from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
 
 EVENT = "second-slow"
 STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows
-TITLES = ("event II, as it is", r"event II, wider $\varphi$ beyond $0.25\,L$")
+TITLES = ("event II, unchanged", r"event II, wider $\varphi$ beyond $0.25\,L$")
 REGION = 0.25  # phi was changed from here on, this block included [L]
 BINS = 30
 MN = 1e3  # [mN/N]
