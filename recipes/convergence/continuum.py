@@ -92,7 +92,7 @@ def draw(panels, edges):
             if limit != MISSING:
                 axes.errorbar(0, limit, error, fmt=marker, capsize=2, **look)
                 axes.plot([0, x[-1]], [limit, found[-1]], ":", linewidth=0.8, **look)
-        axes.set(xlabel="spacing/that of the paper", xlim=(-0.06, 1.06), ylim=(0, 0.24))
+        axes.set(xlabel="spacing/paper's spacing", xlim=(-0.06, 1.06), ylim=(0, 0.24))
         axes.set_title(interfaces.replace(", ", ",\n"))
     panels[0].set_ylabel(r"$\bar\tau_0$")
     panels[0].legend(loc="lower right")
