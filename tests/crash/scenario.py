@@ -57,27 +57,20 @@ def run(command, folder, options=None, **environment):
     return conftest.run(*shlex.split(command), cwd=folder, env=env, **options)
 
 
-def run_with_fault(command, folder, fault="", at=0, log=""):
-    """The same with the fault at the at-th call that touches a file of the folder."""
-    settings = {"FAULT": fault, "FAULT_AT": at} if fault else {}
-    if log:
-        settings["FAULT_LOG"] = log
-    return run(command, folder, LD_PRELOAD=FAULTS, **settings)
-
-
 def log_of(scenario):
     """The calls of a run that is left alone, one per line."""
     with Folder(scenario.old) as folder, tempfile.NamedTemporaryFile("r") as log:
-        outcome = run_with_fault(scenario.command, folder.path, log=log.name)
+        outcome = run(scenario.command, folder.path, LD_PRELOAD=FAULTS, FAULT_LOG=log.name)
         assert outcome.returncode == 0, outcome.stderr
         return log.read().splitlines()
 
 
 def faulted(scenario, fault, at):
-    """How the command ends with a fault, and the files that it leaves."""
+    """How the command ends with a fault at the at-th call that touches a file of its folder, and
+    the files that it leaves."""
+    settings = {"LD_PRELOAD": FAULTS, "FAULT": fault, "FAULT_AT": at}
     with Folder(scenario.old) as folder:
-        outcome = run_with_fault(scenario.command, folder.path, fault, at)
-        return outcome, folder.files()
+        return run(scenario.command, folder.path, **settings), folder.files()
 
 
 class Folder:
