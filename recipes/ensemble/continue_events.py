@@ -24,16 +24,8 @@ from workshop import Workshop, short, without_lines
 
 from data.scratch import scratch
 from events.choose_events import read_events
-from events.continuations import (
-    BEFORE_TRANSITION,
-    BRANCHES,
-    CONTINUATIONS,
-    DURATION,
-    OWN_BLOCK,
-    SLIP_AT,
-    SLIPS,
-    WIDER,
-)
+from events.continuations import BEFORE_TRANSITION, BRANCHES, CONTINUATIONS, DURATION
+from events.continuations import OWN_BLOCK, SLIP_AT, SLIPS, WIDER
 from events.conventions import IN_WORDS, PRIMARY, WAYS
 from events.fronts import middle_of_slow_stretch
 from events.slip import peaks_of

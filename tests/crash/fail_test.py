@@ -2,20 +2,8 @@
 
 import errno
 
-from scenario import (
-    INPUTS,
-    LONG,
-    case,
-    check_ended,
-    check_next_run,
-    each_scenario,
-    faulted,
-    log_of,
-    made,
-    new_state,
-    sums,
-    without_notes,
-)
+from scenario import INPUTS, LONG, case, check_ended, check_next_run, each_scenario
+from scenario import faulted, log_of, made, new_state, sums, without_notes
 
 ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS)
 LASTING = [f"{error}+" for error in ROOM]  # so do later calls that need room

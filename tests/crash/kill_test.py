@@ -2,16 +2,8 @@
 
 import signal
 
-from scenario import (
-    case,
-    check_files,
-    check_next_run,
-    each_scenario,
-    faulted,
-    log_of,
-    new_state,
-    readable_rows,
-)
+from scenario import case, check_files, check_next_run, each_scenario
+from scenario import faulted, log_of, new_state, readable_rows
 
 
 def moments(scenario):

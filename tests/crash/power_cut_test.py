@@ -3,16 +3,8 @@
 import re
 
 from disk import Disk
-from scenario import (
-    case,
-    check_files,
-    check_next_run,
-    each_scenario,
-    log_of,
-    new_state,
-    readable_rows,
-    scenarios,
-)
+from scenario import case, check_files, check_next_run, each_scenario
+from scenario import log_of, new_state, readable_rows, scenarios
 
 
 def replayed(scenario):

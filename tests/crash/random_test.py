@@ -11,19 +11,8 @@ import time
 from collections import namedtuple
 
 from conftest import BIN
-from scenario import (
-    INPUTS,
-    Folder,
-    LONG,
-    case,
-    check_files,
-    made,
-    readable_rows,
-    run,
-    sums,
-    without_notes,
-    without_temporaries,
-)
+from scenario import INPUTS, Folder, LONG, case, check_files, made
+from scenario import readable_rows, run, sums, without_notes, without_temporaries
 
 LOAD = (
     "load --config driven.ini --until 2e-3 --checkpoint-every 1e-4 --record-every 2e-6"

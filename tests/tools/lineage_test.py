@@ -8,15 +8,8 @@ import h5py
 import pytest
 
 from changes import change
-from commands import (
-    checksum_of,
-    expect_rebuilt,
-    json_of,
-    lines_of,
-    output_of,
-    run_script,
-    script_for,
-)
+from commands import checksum_of, expect_rebuilt, json_of, lines_of
+from commands import output_of, run_script, script_for
 
 pytestmark = pytest.mark.usefixtures("small_ini")
 

@@ -12,16 +12,7 @@ import h5py
 import numpy as np
 import pytest
 
-from commands import (
-    SANITIZED,
-    checksum_of,
-    files,
-    json_of,
-    lines_of,
-    output_of,
-    refuses,
-    run,
-)
+from commands import SANITIZED, checksum_of, files, json_of, lines_of, output_of, refuses, run
 from conftest import BIN
 
 pytestmark = pytest.mark.usefixtures("small_ini")

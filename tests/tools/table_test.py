@@ -35,18 +35,8 @@ import h5py
 import pytest
 
 from changes import change
-from commands import (
-    SANITIZED,
-    changed,
-    checksum_of,
-    expect_rebuilt,
-    files,
-    is_like,
-    lines_of,
-    name_of,
-    run,
-    sum_line,
-)
+from commands import SANITIZED, changed, checksum_of, expect_rebuilt, files
+from commands import is_like, lines_of, name_of, run, sum_line
 from conftest import BIN, ROOT
 
 Row = namedtuple("Row", "setup steps")
