@@ -9,14 +9,11 @@ import subprocess
 from collections import namedtuple
 from pathlib import Path
 
-import pytest
-
 from conftest import BIN, BUILD
 
 SANITIZED = re.search(r"^RUPTURE_SANITIZE:\w+=.", (BUILD / "CMakeCache.txt").read_text(), re.M)
 NOBODY = 65534  # root may write everywhere
 Done = namedtuple("Done", "code out err")  # minus the signal's number if one ended the program
-small_ini = pytest.mark.usefixtures("small_ini")
 
 
 def run(command, disk=None, memory=None, nobody=False, stdout=None, env=None):
