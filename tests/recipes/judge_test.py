@@ -120,11 +120,6 @@ class TestJudge:
         with raises(KeyError):
             holds("alone", [{"y": 1}])
 
-    def test_one_case_of_a_unit_is_enough(self):
-        assert holds("one", [BAD, GOOD])
-        assert not holds("one", [BAD])
-        assert not holds("one", [])
-
     @mark.parametrize("claim_id, shown, beside, verdict, reason", JUDGED)
     def test_a_verdict_and_its_reason(self, claim_id, shown, beside, verdict, reason):
         claim = judged(claim_id, {}, shown, **beside)
