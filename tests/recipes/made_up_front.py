@@ -6,7 +6,7 @@ from maps.front_map import speeds
 
 C_S = 1000.0  # [m/s]
 SPACING = 0.0025  # [m]
-LAST = 19  # block; the first ten are in the trigger region
+LAST = 19  # block; the first ten do not count
 
 
 def front(slower=None, arrives=True):

@@ -16,7 +16,7 @@ from data.tables import points_of, read_rows, write_table
 from events.fronts import SLOW_BELOW
 
 STENCIL = 5  # blocks
-SKIP_BELOW_X = 0.0275  # [m] as in the sweeps' commands: such stencils touch the trigger region
+SKIP_BELOW_X = 0.0275  # [m] as in the sweeps' commands: up to the first stencil beyond the trigger
 TYPES = ("arrested", "slow", "fast")
 IMPOSSIBLE = "impossible"
 COMMANDS = {0.2: "pinned_20", 0.5: "pinned_50"}  # of sweeps: --ruptured-below another fraction
@@ -78,7 +78,7 @@ def speeds(front, stencil):
 
 
 def beyond_trigger(front, stencil=None):
-    """Speeds of the stencils that do not touch the trigger region [m/s]; None: those measured."""
+    """Speeds of the stencils that count, beyond SKIP_BELOW_X [m/s]; None: those measured."""
     first = int(np.searchsorted(front["x"], SKIP_BELOW_X, side="right"))
     if stencil is None:
         return values(front["v_c"])[first:]
