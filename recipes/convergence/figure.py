@@ -21,9 +21,6 @@ COLUMNS = ["type", *SLOW, "arrested at [m]", *WITH_ENDS]
 IMPOSSIBLE_FRONT = {"type": IMPOSSIBLE, "x_arrest": None, "slow": None}
 
 
-# --- reading -------------------------------------------------------------------------------
-
-
 def event_front(front):
     """As `analyze front` reports it."""
     slow = front["slow"] or {}
@@ -52,9 +49,6 @@ def read_places(data):
         name = "tau_bar_0 {:g}, sigma_bar {:g}".format(*place_of(row))
         cases.setdefault(name, []).append(case)
     return cases
-
-
-# --- what they say -------------------------------------------------------------------------
 
 
 def changes_type(case):
@@ -108,9 +102,6 @@ def own_result(cases, edges, lammps):
         " does LAMMPS move the blocks in the same way?",
         measured=lammps_measured(lammps) | measured,
     )
-
-
-# --- picture and table ---------------------------------------------------------------------
 
 
 def draw_event(axes, number, fronts):

@@ -31,9 +31,6 @@ def measured_fronts(seed):
     return {tau_bar: f for tau_bar, f in seed["fronts"].items() if f["profiles"]}
 
 
-# --- picture -------------------------------------------------------------------------------
-
-
 def exponential_through_middle(x, excess, l_0):
     """An exponential with this l_0 that has the fitted blocks in its middle."""
     fitted = slice(FITTED[0], FITTED[1] + 1)
@@ -63,9 +60,6 @@ def draw(seed, stem):
     axes.set_ylabel(r"$(\tau - \tau_0)/(\tau - \tau_0)_{x_0}$")
     axes.legend(loc="upper right")
     save(fig, stem)
-
-
-# --- claim ---------------------------------------------------------------------------------
 
 
 def claim(paths):

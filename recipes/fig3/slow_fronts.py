@@ -68,9 +68,6 @@ def speeds(rows):
     return numbers(rows, "front speed [m/s]")
 
 
-# --- seeds ---------------------------------------------------------------------------------
-
-
 def tables_of(data, sweep):
     """Those of a sweep that are there: of the seed that is shown, and of others."""
     return [*data.glob(f"{sweep}.csv"), *sorted(data.glob(f"{sweep}-seed-*.csv"))]

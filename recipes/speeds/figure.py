@@ -26,9 +26,6 @@ def select(rows, **wanted):
     return [row for row in rows if wanted.items() <= row.items()]
 
 
-# --- results -------------------------------------------------------------------------------
-
-
 def proportional(rows):
     fronts, ratios = numbers(rows, FRONT), numbers(rows, SLIP) / numbers(rows, FRONT)
     low, high = np.percentile(ratios, (10, 90))
@@ -72,9 +69,6 @@ def strength_by_slip(rows):
         "lowest of any load": min(map(correlation, loads)),
         "looked at afterwards: with the slip after 2 ms": correlation(rows, "slip after 2 ms [m]"),
     }
-
-
-# --- picture -------------------------------------------------------------------------------
 
 
 def draw_pairs(axes, rows):

@@ -32,9 +32,6 @@ def make_cmake(project, says):
     project.program("cmake", f'echo "$*" >> calls\n{text}')
 
 
-# --- building ------------------------------------------------------------------------------
-
-
 def test_figures_and_sweeps_build_the_programs_only(project):
     make_cmake(project, "ninja: no work to do.\\n")
     project.write("my.ini", SWEEP)
@@ -83,9 +80,6 @@ def test_a_failed_build_shows_its_end(project):
     assert (done.returncode, done.stdout) == (1, "")
     end = "error: x\nreproduce.sh: The build failed; the whole output is in"
     assert end in done.stderr
-
-
-# --- packages ------------------------------------------------------------------------------
 
 
 def test_nothing_is_installed_if_nothing_is_missing(project):

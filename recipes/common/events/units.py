@@ -32,9 +32,6 @@ def name_of(path):
     return Path(path).name.rsplit("-", 1)[0]
 
 
-# --- loads ---------------------------------------------------------------------------------
-
-
 def of_loads(paths, case, conventions=None):
     """The cases of each event. `conventions`: {name: name in the file}; None: all of them."""
     units = {}
@@ -69,9 +66,6 @@ def without_slow_slip(path):
             (c for c in cases_of if holds("S2", [c])), (cases_of or [NO_S2])[0]
         )
     return found
-
-
-# --- events of loads -----------------------------------------------------------------------
 
 
 @dataclass(frozen=True)

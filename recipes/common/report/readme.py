@@ -38,9 +38,6 @@ def short(value, digits=3):
     return float(f"{value:.{digits}g}") if isinstance(value, float) else value
 
 
-# --- tables --------------------------------------------------------------------------------
-
-
 def row_of(result):
     """The share is that under the primary convention, the numbers those that sentences name."""
     found = result.measured.items()
@@ -67,9 +64,6 @@ def write_tables(root, claims, own):
     x = {short(x / front["L"], 4): None for front in fronts.values() for x in front["x"]}
     rows = [row for name, front in fronts.items() for row in front_rows(name, front)]
     write_table(root / FRONTS, ["event", "x/L", *x], rows)
-
-
-# --- sentences and picture -----------------------------------------------------------------
 
 
 def sentences(rows):

@@ -61,9 +61,6 @@ class Recipe:
         self.jobs, self.sums = accounts.jobs(files), origin.checksums(root, files)
 
 
-# --- all claims ----------------------------------------------------------------------------
-
-
 def rows_of(recipes):
     """[(recipe, claim), ...] in the order of claims.toml."""
     found = {}
@@ -76,9 +73,6 @@ def rows_of(recipes):
                 raise Failure(f"Claim '{claim.id}' is in {path} although it was found before.")
             found[claim.id] = recipe, claim
     return [found[claim_id] for claim_id in table() if claim_id in found]
-
-
-# --- the page ------------------------------------------------------------------------------
 
 
 def duration(seconds):

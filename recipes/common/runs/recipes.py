@@ -21,9 +21,6 @@ def label(name):
     return f"Figure {figure[1]}" if figure else ""
 
 
-# --- the README of a recipe ----------------------------------------------------------------
-
-
 @dataclass(frozen=True)
 class Readme:
     title: str

@@ -15,9 +15,6 @@ def text_of(number):
     return f"{number:.12g}"
 
 
-# --- expressions ------------------------------------------------------------------------------
-
-
 @functools.cache  # the points of a sweep repeat most of what they calculate
 def number_of(expression):
     if not re.fullmatch(r"(?:sqrt\b|[-+*/() ])*", re.sub(NUMBER, "", expression)):
@@ -46,9 +43,6 @@ def calculate(expression, values):
 @functools.cache
 def references(text):
     return re.findall(r"\{([^{}]+)\}", text)
-
-
-# --- lists and ranges -------------------------------------------------------------------------
 
 
 def numbers_between(first, last, how, step):
