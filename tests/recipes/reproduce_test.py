@@ -34,6 +34,7 @@ REFUSED = [  # a command line, and the sentence
     ("Fig2", "there is no figure or command 'Fig2': did you mean fig2\\?$"),
     ("FIGs6", "there is no figure or command 'FIGs6': did you mean figS6\\?$"),
     ("xyz", "there is no figure or command 'xyz': see ./reproduce.sh list$"),
+    ("xyz fig33 test nope", "there is no figure or command 'xyz': see ./reproduce.sh list$"),
     ("test fig3", "'test' cannot be combined with other commands or figures$"),
 ]
 

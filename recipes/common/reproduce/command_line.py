@@ -119,7 +119,7 @@ def check_commands(request):
     """One command, or several figures."""
     if request.dry_run:
         raise UsageError("--dry-run is for sweep only")
-    for word in set(request.words).difference(figures()):
+    for word in [one for one in request.words if one not in figures()]:
         if word not in COMMANDS:
             by_lower = {name.lower(): name for name in [*figures(), *COMMANDS]}
             near = difflib.get_close_matches(word.lower(), by_lower, 1)
