@@ -7,6 +7,7 @@ from slip_history import gini, slip_in_bins
 
 from claims.own_result import compared, text_of
 from conftest import approx
+from data.tables import numbers
 
 
 @mark.parametrize(
@@ -38,6 +39,11 @@ def test_a_transient_ends_where_the_speed_stays_near_the_final_one(before, lengt
     v_c = np.where(x < 0.06, before, 200).tolist()
     front = {"x": x, "v_c": [None, None, *v_c[2:-2], None, None], "L": 0.14}
     assert transient(front) == approx(length)
+
+
+def test_a_zero_is_a_number():
+    found = numbers([{"slip": cell} for cell in (0.0, "0", "", None)], "slip")
+    assert found == approx([0, 0, np.nan, np.nan], nan_ok=True)
 
 
 def test_exponent():

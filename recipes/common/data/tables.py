@@ -88,4 +88,5 @@ def points_of(path):
 
 def numbers(rows, column):
     """One column of such rows; NaN where it is empty."""
-    return np.array([float(row[column]) if row.get(column) else np.nan for row in rows])
+    cells = (row.get(column) for row in rows)
+    return np.array([np.nan if cell in (None, "") else float(cell) for cell in cells])
