@@ -32,11 +32,7 @@ use rule load_once as choices_start with:
     output: **with_sums(h5=f"{DATA}/choices/{{choice}}-start.h5")
     log: f"{LOGS}/choices/{{choice}}-start.log"
     priority: 110  # the loads wait for it
-    params:
-        **run_with(
-            f"--until {START}",
-            changes=lambda wildcards: CHOICES[wildcards.choice][1],
-        ),
+    params: **run_with(f"--until {START}", changes=lambda wildcards: CHOICES[wildcards.choice][1])
     message: f"choices: drive the slider to t = {START} s, {{wildcards.choice}}"
 
 

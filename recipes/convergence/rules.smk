@@ -1,10 +1,9 @@
 import shutil
 
 # Convergence with the time step and the lattice. It decides nothing, and `all` leaves it out.
-CONVERGENCE_EVENTS = ["fast-slow-fast", "second-slow", "fast-only"]  # I, II, III
 CONVERGENCE_RUNS = {
     f"convergence/{event}-{dt}": run(event, f"--for {DURATION}", f"--set numerics.dt={dt}")
-    for event in CONVERGENCE_EVENTS
+    for event in EVENTS
     for dt in ("1e-7", "5e-8")  # beside the unchanged 2e-7 s
 }
 RUNS |= CONVERGENCE_RUNS
@@ -78,7 +77,7 @@ figure(
     "convergence",
     tables=["convergence", "edges"],
     own=OWN_RESULTS,
-    events=CONVERGENCE_EVENTS,
+    events=EVENTS,
     reads=[
         *("convergence/lammps.json", "convergence/time-step.csv"),
         *(
@@ -87,7 +86,7 @@ figure(
             for sigma in ("0", "0.1", "0.285")
             for N_x in lattices
         ),
-        *(f"{event}-front.json" for event in CONVERGENCE_EVENTS),
+        *(f"{event}-front.json" for event in EVENTS),
         *(f"{run}-front.json" for run in CONVERGENCE_RUNS),
     ],
 )

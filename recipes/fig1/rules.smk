@@ -44,9 +44,7 @@ use rule restart_recorded as fig1_pull with:
 rule fig1_steady:
     output: f"{FIG1}/steady-{{speeds}}.json"
     log: f"{LOGS}/fig1/steady-{{speeds}}.log"
-    params:
-        code=CODE,
-        speeds=lambda wildcards: FIG1_SPEEDS[wildcards.speeds],
+    params: code=CODE, speeds=lambda wildcards: FIG1_SPEEDS[wildcards.speeds]
     wildcard_constraints: speeds="|".join(FIG1_SPEEDS)
     message: "fig1: slide a block at constant speeds ({params.speeds})"
     shell:

@@ -40,8 +40,7 @@ use rule restart_before_event as fig2_before with:
         ),
     output: **with_sums(h5=f"{DATA}/most-like.h5")
     log: f"{LOGS}/most-like-before.log"
-    params:
-        **event_of(lambda wildcards, input: f"{DATA}/ensemble/$({VALUE} {input.choice} load)")
+    params: **event_of(lambda wildcards, input: f"{DATA}/ensemble/$({VALUE} {input.choice} load)")
     message: "fig2: run to 0.5 ms before the event most like the paper's"
 
 

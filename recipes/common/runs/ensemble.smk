@@ -31,9 +31,7 @@ SHARED = f"-t{BEFORE_FIRST_BREAK:.9f}.h5"  # ending of the checkpoint that loads
 
 def checkpoints_of_load(run):
     """Those that every load of the ensemble has."""
-    return checkpoints_of(
-        run, until=LOAD_UNTIL, every=CHECKPOINT_EVERY, start=BEFORE_FIRST_BREAK
-    )
+    return checkpoints_of(run, until=LOAD_UNTIL, every=CHECKPOINT_EVERY, start=BEFORE_FIRST_BREAK)
 
 
 wildcard_constraints:
@@ -160,6 +158,4 @@ def repeated(names):
 
 def of_ensemble(setting, *kinds):
     """The same of the loads of a kind."""
-    return repeated(
-        f"ensemble/{load}-{kind}.json" for load in LOADS_OF[setting] for kind in kinds
-    )
+    return repeated(f"ensemble/{load}-{kind}.json" for load in LOADS_OF[setting] for kind in kinds)
