@@ -238,6 +238,11 @@ def test_refuses_what_cannot_be_shown(project, name, text, sentence):
     assert not project.page.exists()
 
 
+def test_durations_are_rounded_before_minutes_are_counted():
+    texts = ["9.9 s", "119 s", "2 min 0 s", "3 min 0 s"]
+    assert [*map(report.duration, (9.9, 119.4, 119.6, 179.7))] == texts
+
+
 def test_an_empty_page_says_what_to_run(tmp_path):
     page = page_of(Project(tmp_path))
     assert "./reproduce.sh all" in page

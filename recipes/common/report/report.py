@@ -78,9 +78,8 @@ def rows_of(recipes):
 def duration(seconds):
     if seconds < 10:
         return f"{seconds:.1f} s"
-    if seconds < 120:
-        return f"{seconds:.0f} s"
-    return f"{seconds // 60:.0f} min {seconds % 60:.0f} s"
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes} min {rest} s" if minutes > 1 else f"{60 * minutes + rest} s"
 
 
 def contents(root):
