@@ -1,19 +1,18 @@
-# What depends on choices that the paper leaves open. The loads with our choices are
-# those of the ensemble. The chain of commands is in README.md.
+# What depends on choices that the paper leaves open: choices.ini has them, and their prepared interfaces. The
+# loads with our choices are those of the ensemble. The chain of commands is in README.md.
+from sweeps.sweep import options, parse_ini
+
 START = 0.17  # s; with half edge springs, the decaying law breaks junctions before 0.18 s
-BOTH = "--set slider.edge_springs=half --set slider.damping_along=spring"
+INTERFACES_ONLY = ("variant reference", "variant K-tenth")
+VARIANTS = parse_ini("recipes/choices/choices.ini")
 CHOICES = {  # name: kind of load, parameters
-    "damping-half": ("load", "--set slider.damping=0.025"),  # eta^2, so eta x 0.5
-    "damping-twice": ("load", "--set slider.damping=0.4"),
-    "stiffness-initial": ("load", "--set junctions.k_ij_from=initial"),
-    "springs-linear": ("load", "--set slider.springs=linearised"),
-    "foundation-damped": ("load", "--set slider.foundation_damping=0.1"),  # as the bulk
-    "contact-lost": ("load", "--set junctions.without_contact=break"),
-    "edge-springs-half": ("load", "--set slider.edge_springs=half"),
-    "damping-along-spring": ("load", "--set slider.damping_along=spring"),
-    "both": ("load", BOTH),
+    section.removeprefix("variant "): ("load", options(VARIANTS[section]))
+    for section in VARIANTS.sections()
+    if section.startswith("variant ") and section not in INTERFACES_ONLY
+}
+CHOICES |= {
     "decaying-exact": ("decaying", f"{SETTINGS['decaying'][0]} --set junctions.repin=exact"),
-    "decaying-both": ("decaying", f"{SETTINGS['decaying'][0]} {BOTH}"),
+    "decaying-both": ("decaying", f"{SETTINGS['decaying'][0]} {CHOICES['both'][1]}"),
 }
 OF_KIND = {"load": ("events", "continued"), "decaying": ("events",)}  # what there is of each load
 
