@@ -1,18 +1,12 @@
 """Fits that several figures make."""
 
-from dataclasses import dataclass
+from collections import namedtuple
 
 import numpy as np
 
-
-@dataclass(frozen=True)
-class ProportionalFit:
-    """y = slope x. R^2 compares with the mean of y, as for a line with an intercept: it says how
-    much better the fit is than no dependence on x at all."""
-
-    slope: float
-    r_squared: float
-    points: int
+# y = slope x. R^2 compares with the mean of y, as for a line with an intercept: it says how much
+# better the fit is than no dependence on x at all.
+ProportionalFit = namedtuple("ProportionalFit", "slope r_squared points")
 
 
 def fit_through_origin(x, y):
