@@ -1,6 +1,6 @@
 """Figure 4 C, its data and claim 4C."""
 
-from dataclasses import dataclass
+from collections import namedtuple
 
 import numpy as np
 
@@ -26,17 +26,9 @@ MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}
 CURVES = {"uniform": "-", "bell": "--"}
 FEWEST_EVENTS = 5  # for a test over events
 KINDS = ("slow", "fast")
-
-
-@dataclass(frozen=True)
-class Block:
-    """Of an event, or in the middle of a prepared interface."""
-
-    kind: str  # one of MARKERS
-    sigma_bar: float
-    tau_bar_0: float
-    mu_bar_eff: float
-    shape: str = ""  # of phi, where it was prepared
+# Of an event, or of a prepared interface, where all beyond the trigger region are alike; `kind` is
+# one of MARKERS, `shape` that of a prepared phi.
+Block = namedtuple("Block", "kind sigma_bar tau_bar_0 mu_bar_eff shape", defaults=[""])
 
 
 # --- data ----------------------------------------------------------------------------------
