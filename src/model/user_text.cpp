@@ -7,7 +7,6 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -64,18 +63,20 @@ std::string shifted(std::string_view number, int by) {
   if (digits.starts_with('+')) digits.remove_prefix(1);
   std::int64_t exponent = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-  if (error != std::errc{} || std::abs(exponent) > 1'000'000) return std::string(number);
+  constexpr std::int64_t most = 1'000'000;  // far beyond all doubles
+  if (error != std::errc{} || exponent > most || exponent < -most) return std::string(number);
   return fmt::format("{}e{}", number.substr(0, e), exponent + by);
 }
 
 /// Twice the number of single-character edits that turn a into b; one of case alone counts half.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j < row.size(); ++j) row[j] = 2 * j;
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::size_t diagonal = std::exchange(row[0], 2 * (i + 1));
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const bool same_letter = std::tolower(a[i]) == std::tolower(b[j]);
+      const bool same_letter = lower(a[i]) == lower(b[j]);
       const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : same_letter ? 1 : 2);
       diagonal = row[j + 1];
       row[j + 1] = std::min({substituted, diagonal + 2, row[j] + 2});

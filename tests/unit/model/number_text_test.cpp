@@ -48,6 +48,7 @@ TEST(InUnit, takes_multiples_of_every_unit_of_a_parameter) {
   EXPECT_EQ(in_unit("75.6g", "kg"), "75.6e-3");
   EXPECT_EQ(in_unit("2kg", "kg"), "2");
   EXPECT_EQ(in_unit("3", "1"), "3");
+  EXPECT_EQ(in_unit("1e-9223372036854775808mm", "m"), "1e-9223372036854775808") << "as good as 0";
 }
 
 TEST(InUnit, refuses_other_units_and_what_is_no_number) {
