@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/any.hpp>
+#include <cstdlib>
 
 #include "run/plan.hpp"
 #include "rupture/checkpoint/checksum.hpp"
@@ -19,7 +20,7 @@ std::string shortest_text(const Parameters& p, const Clock& clock, std::int64_t 
   std::string text;
   for (int digits = 1; digits <= most; ++digits) {
     text = fmt::format("{:.{}g}", t, digits);
-    if (step_at(p, clock, std::stod(text)) == step) break;
+    if (step_at(p, clock, std::strtod(text.c_str(), nullptr)) == step) break;
   }
   return text;
 }
