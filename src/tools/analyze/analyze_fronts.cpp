@@ -100,7 +100,7 @@ void add_also_option(po::options_description& options) {
 
 /// The options that were given, with these criteria in their place.
 po::variables_map with_criteria(const Parsed& parsed, const std::string& words) {
-  const std::vector<std::string> split = po::split_unix("--also " + words);
+  const auto split = po::split_unix("--also " + words, " \t", "'\"", /*escape=*/"");
   std::vector<const char*> argv;
   for (const std::string& word : split) argv.push_back(word.c_str());
   const std::string tool = "analyze " + parsed.arguments.front();
@@ -119,7 +119,7 @@ po::variables_map with_criteria(const Parsed& parsed, const std::string& words) 
 std::vector<po::variables_map> ways_of(const Parsed& parsed) {
   std::vector<po::variables_map> ways = {parsed.values};
   if (parsed.values.count("also") == 0) return ways;
-  for (const auto& words : po::split_unix(parsed.values["also"].as<std::string>(), ";")) {
+  for (const auto& words : split(parsed.values["also"].as<std::string>(), ';')) {
     ways.push_back(with_criteria(parsed, words));
   }
   if (ways.size() == 1) throw UsageError("--also is empty: give options, as in '--stencil 5'");
