@@ -59,7 +59,7 @@ std::vector<fs::path> checkpoints_of(const fs::path& output) {
 std::optional<Checkpoint> read_if_intact(const fs::path& path) try {
   return read_checkpoint(path);
 } catch (const Failure& damage) {
-  say_on(stderr, "not used to resume: {}\n", damage.what());
+  say_on(stderr, "not used to resume: {}\n", in_one_line(damage.what()));
   return std::nullopt;
 }
 
