@@ -36,7 +36,7 @@ double bell_strength(double a) {
     (bell.phi > a * bell.F ? low : high) = z;
   }
   const Bell bell(high);
-  return bell.F - a * bell.H;
+  return std::max(bell.F - a * bell.H, 0.0);  // rounding only: it may be 1e-60
 }
 
 /// Sum of min(f + stretch, f_slip) over slipping junctions, for stretches that only grow.

@@ -37,6 +37,7 @@ TEST(Strength, of_a_wide_bell_has_a_closed_form) {
                             a * (std::pow(y, 5) / 4.0 - std::pow(y, 6) / 8.0);
     EXPECT_NEAR(effective_strength(PhiShape::bell, a * std::sqrt(2.0 / 21.0)), expected, 1e-14);
   }
+  for (const double a : {1e60, 1e300, 1e308}) EXPECT_EQ(effective_strength(PhiShape::bell, a), 0.0);
 }
 
 /// mu-bar by quadrature of the density of a shape as the paper writes it (Fig. S5), to about 1e-8.
