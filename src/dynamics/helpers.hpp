@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <list>
 #include <thread>
@@ -87,9 +88,15 @@ class Helpers {
       const BandWork& work, const std::function<void()>& meanwhile = [] {}) {
     const auto begin = all_.empty() ? Helper::Clock::time_point() : Helper::Clock::now();
     for (Helper& helper : all_) helper.ask(work, begin);
-    work(0);
-    meanwhile();
+    std::exception_ptr failure;  // such as std::bad_alloc; helpers must not outlive the work
+    try {
+      work(0);
+      meanwhile();
+    } catch (...) {
+      failure = std::current_exception();
+    }
     for (Helper& helper : all_) helper.complete(begin);
+    if (failure) std::rethrow_exception(failure);
   }
 
  private:

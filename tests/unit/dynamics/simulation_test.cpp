@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
+#include "dynamics/helpers.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/forces/interface_law.hpp"
@@ -167,6 +169,17 @@ TEST(Simulation, forgets_ruptures_from_before_it_began) {
   EXPECT_TRUE(second.ruptures().empty());
   EXPECT_FALSE(second.run().leading_edge_ruptured);
   EXPECT_EQ(second.run().last_break, first.state().step);
+}
+
+TEST(Helpers, finish_their_bands_before_this_thread_leaves_without_memory) {
+  std::atomic<int> finished = 0;
+  Helpers helpers(3);
+  const BandWork work = [&](int band) {
+    if (band > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ++finished;
+  };
+  EXPECT_THROW(helpers.share(work, [] { throw std::bad_alloc(); }), std::bad_alloc);
+  EXPECT_EQ(finished, 3);
 }
 
 TEST(Simulation, refuses_parameters_that_make_no_sense) {
