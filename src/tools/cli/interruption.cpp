@@ -12,8 +12,9 @@
 namespace rupture::tools {
 namespace {
 
-// NOLINTBEGIN(*-avoid-non-const-global-variables): nothing else can a signal handler write
-volatile std::sig_atomic_t noted = 0;
+// NOLINTBEGIN(*-avoid-non-const-global-variables): nothing else can a signal handler write, which
+// may run in any thread
+std::atomic<int> noted = 0;
 std::atomic<double> noted_at = 0.0;  // [s]
 static_assert(decltype(noted_at)::is_always_lock_free, "else a handler may not write it");
 // NOLINTEND(*-avoid-non-const-global-variables)
@@ -23,8 +24,8 @@ extern "C" void note(int signal) {
   clock_gettime(CLOCK_MONOTONIC, &now);
   const double seconds = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
   if (noted == 0) {
+    noted_at = seconds;  // first: another signal may come in between
     noted = signal;
-    noted_at = seconds;
   } else if (seconds - noted_at > 0.5) {
     std::signal(signal, SIG_DFL);
     raise(signal);
