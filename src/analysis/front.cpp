@@ -104,7 +104,7 @@ std::optional<SlowStretch> describe(const Front& front, const Stretch& run,
   slow.t_last_stencil = *front.line.t_rupture[run.last];
   slow.speed = *median(v_c);
   slow.stencils = run.last - run.first + 1;
-  slow.slowest = *std::min_element(v_c.begin(), v_c.end());
+  slow.slowest = std::ranges::min(v_c);
   slow.fast_before = median(speeds(front.v_c, loading_zone, between.first));
   slow.fast_after = median(speeds(front.v_c, between.last + 1, front.v_c.size()));
   return slow;
@@ -160,9 +160,7 @@ double smallest_force(const LoadingCurve& loading, double from, double to) {
 
 Event describe(const Parameters& p, std::span<const Rupture> ruptures, const LoadingCurve& loading,
                double quiet, const FrontCriteria& criteria) {
-  const auto furthest =
-      std::max_element(ruptures.begin(), ruptures.end(),
-                       [](const Rupture& a, const Rupture& b) { return a.block < b.block; });
+  const auto furthest = std::ranges::max_element(ruptures, {}, &Rupture::block);
   Event event;
   event.t_start = ruptures.front().time;
   event.t_end = ruptures.back().time;

@@ -70,8 +70,8 @@ std::string sha256(std::span<const std::byte> bytes) {
 
 bool is_checksummed(std::string_view path) {
   if (path.ends_with("/x") || path.ends_with("/z")) return false;
-  return std::any_of(kChecksummedGroups.begin(), kChecksummedGroups.end(),
-                     [&](std::string_view group) { return path.starts_with(group); });
+  return std::ranges::any_of(kChecksummedGroups,
+                             [&](std::string_view group) { return path.starts_with(group); });
 }
 
 std::string content_checksum(const Content& content, std::int64_t schema) {

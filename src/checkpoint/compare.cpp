@@ -95,8 +95,7 @@ std::vector<Difference> diff(const Content& a, const Content& b) {
   for (const auto& [path, dataset] : b) {
     if (!a.contains(path)) differences.push_back({.path = path, .change = Change::only_in_b});
   }
-  std::sort(differences.begin(), differences.end(),
-            [](const Difference& x, const Difference& y) { return x.path < y.path; });
+  std::ranges::sort(differences, {}, &Difference::path);
   return differences;
 }
 

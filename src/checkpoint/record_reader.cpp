@@ -28,8 +28,8 @@ std::uint64_t rows_in(const Content& content, const std::string& path) {
 
 // Whether the record holds a part that it may lack; one is there or not as a whole.
 bool has(const Content& content, const std::string& group) {
-  return std::any_of(content.begin(), content.end(),
-                     [&](const auto& entry) { return entry.first.starts_with(group); });
+  return std::ranges::any_of(content,
+                             [&](const auto& entry) { return entry.first.starts_with(group); });
 }
 
 // Copies the rows of a table whose step is at most `last`.
@@ -190,8 +190,8 @@ void check_falls(const Record& record, const char* group, const std::vector<Rupt
 void check_levels(const Record& record) {
   const auto& levels = record.crossing_levels;
   const auto strange = [](double f) { return f <= 0.0 || f > 1.0 || f == kRupturedFraction; };
-  if (std::any_of(levels.begin(), levels.end(), strange) ||
-      std::adjacent_find(levels.begin(), levels.end(), std::greater_equal()) != levels.end()) {
+  if (std::ranges::any_of(levels, strange) ||
+      std::ranges::adjacent_find(levels, std::greater_equal()) != levels.end()) {
     fail("{} holds {}; expected ascending fractions up to 1, without {}", layout::kCrossingLevels,
          fmt::join(levels, ", "), kRupturedFraction);
   }
@@ -272,8 +272,9 @@ std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
         fraction, fmt::join(held, ", "), fraction);
   }
   std::vector<Rupture> ruptures;
-  std::copy_if(record.crossings.begin(), record.crossings.end(), std::back_inserter(ruptures),
-               [&](const Rupture& crossing) { return crossing.pinned_below == fraction; });
+  for (const Rupture& crossing : record.crossings) {
+    if (crossing.pinned_below == fraction) ruptures.push_back(crossing);
+  }
   return ruptures;
 }
 

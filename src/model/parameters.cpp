@@ -60,7 +60,7 @@ double parse_number(const ParameterInfo& info, std::string_view text, bool whole
 
 std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
   const auto& words = info.valid.words;
-  const auto found = std::find(words.begin(), words.end(), text);
+  const auto found = std::ranges::find(words, text);
   if (found == words.end()) {
     throw UsageError("{} must be {} (got '{}')", info.name, alternatives(words), text);
   }
@@ -149,16 +149,15 @@ const std::vector<ParameterInfo>& parameter_table() {
 }
 
 const ParameterInfo& find_parameter(std::string_view name) {
-  for (const auto& info : parameter_table()) {
-    if (info.name == name) return info;
-  }
+  const auto found = std::ranges::find(parameter_table(), name, &ParameterInfo::name);
+  if (found != parameter_table().end()) return *found;
   std::vector<std::string_view> names;
   for (const auto& info : parameter_table()) names.push_back(info.name);
   throw UsageError(unknown_text("parameter", name, names, "rupture parameters"));
 }
 
 bool is_used(const ParameterInfo& info, Law law) {
-  return info.laws.empty() || std::find(info.laws.begin(), info.laws.end(), law) != info.laws.end();
+  return info.laws.empty() || std::ranges::count(info.laws, law) > 0;
 }
 
 std::string used_text(const Parameters& parameters, const ParameterInfo& info) {

@@ -56,11 +56,8 @@ double driving_force(const Parameters& p, const State& state) {
 }
 
 double pinned_fraction(const Junctions& junctions, Eigen::Index i) {
-  Eigen::Index pinned = 0;
-  for (Eigen::Index j = 0; j < junctions.repin_time.cols(); ++j) {
-    pinned += is_slipping(junctions.repin_time(i, j)) ? 0 : 1;
-  }
-  return static_cast<double>(pinned) / static_cast<double>(junctions.repin_time.cols());
+  const auto row = junctions.repin_time.row(i);
+  return static_cast<double>((row >= Junctions::never).count()) / static_cast<double>(row.size());
 }
 
 }  // namespace rupture

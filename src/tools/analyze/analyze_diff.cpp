@@ -113,8 +113,7 @@ std::string difference_text(const Json& json, const Pair& pair) {
 
 /// Number of datasets that at least one of the files holds.
 std::size_t dataset_count(const Pair& pair, const std::vector<Difference>& differences) {
-  const auto added = std::count_if(differences.begin(), differences.end(),
-                                   [](const auto& d) { return d.change == Change::only_in_b; });
+  const auto added = std::ranges::count(differences, Change::only_in_b, &Difference::change);
   return pair.a.size() + static_cast<std::size_t>(added);
 }
 

@@ -60,7 +60,7 @@ bool is_our_command(const std::string& text) {
   constexpr std::array<std::string_view, 4> tools = {"load", "prepare", "restart", "modify-phi"};
   constexpr std::string_view harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+=.,- ";
-  return std::find(tools.begin(), tools.end(), text.substr(0, text.find(' '))) != tools.end() &&
+  return std::ranges::count(tools, text.substr(0, text.find(' '))) > 0 &&
          text.find_first_not_of(harmless) == std::string::npos;
 }
 

@@ -271,7 +271,7 @@ void refuse_other_laws(const Parameters& p) {
 }
 
 void refuse_empty_names(const std::vector<std::string>& inputs) {
-  if (std::find(inputs.begin(), inputs.end(), "") == inputs.end()) return;
+  if (std::ranges::count(inputs, "") == 0) return;
   throw UsageError("the name of an input is empty; give the path of a file");
 }
 

@@ -92,8 +92,7 @@ std::string histograms_text(const ChangedPhi& phi) {
   std::string text =
       fmt::format("junctions of the {} changed blocks by the force they carry\n", changed);
   if (changed == 0) return text;
-  const auto largest = std::max(*std::max_element(old_counts.begin(), old_counts.end()),
-                                *std::max_element(new_counts.begin(), new_counts.end()));
+  const auto largest = std::max(std::ranges::max(old_counts), std::ranges::max(new_counts));
   text += "   f_T/f_thres   before                            after\n";
   for (std::size_t n = 0; n < kBins; ++n) {
     const double low = 2.0 * static_cast<double>(n) / kBins - 1.0;

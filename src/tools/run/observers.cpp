@@ -71,9 +71,8 @@ std::string joined(const std::vector<Part>& parts) {
 
 /// As many of the parts as fit, the last one cut if it does not.
 std::string fitted(std::vector<Part> parts, std::size_t width) {
-  const auto ranks_below = [](const Part& a, const Part& b) { return a.rank < b.rank; };
   while (parts.size() > 1 && joined(parts).size() > width) {
-    parts.erase(std::max_element(parts.begin(), parts.end(), ranks_below));
+    parts.erase(std::ranges::max_element(parts, {}, &Part::rank));
   }
   return joined(parts).substr(0, width);
 }
