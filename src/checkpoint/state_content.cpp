@@ -42,7 +42,7 @@ Shape shape_of(Eigen::Index rows, Eigen::Index columns) {
 }
 
 template <class T>
-Dataset array_dataset(const JunctionArray<T>& array, std::string_view unit) {
+Dataset array_dataset(const RowMajorArray<T>& array, std::string_view unit) {
   return make_array(std::span(array.data(), static_cast<std::size_t>(array.size())),
                     shape_of(array.rows(), array.cols()), unit);
 }
@@ -52,14 +52,14 @@ Dataset field_dataset(const Field& field, std::string_view unit) {
 }
 
 template <class T>
-void read_junctions(const Content& content, const char* path, JunctionArray<T>& array) {
+void read_junctions(const Content& content, const char* path, RowMajorArray<T>& array) {
   const auto values = read_array<T>(content, path, shape_of(array.rows(), array.cols()));
-  array = JunctionArray<T>::Map(values.data(), array.rows(), array.cols());
+  array = RowMajorArray<T>::Map(values.data(), array.rows(), array.cols());
 }
 
 void read_field(const Content& content, const char* path, Field& field) {
   const auto values = read_array<double>(content, path, shape_of(field.Nz(), field.Nx()));
-  field.blocks() = RowMajorArray::Map(values.data(), field.Nz(), field.Nx());
+  field.blocks() = RowMajorArray<double>::Map(values.data(), field.Nz(), field.Nx());
 }
 
 // A pinned junction has no repin time: stored as 0, in memory `never`.
@@ -80,8 +80,8 @@ double repin_time_from(std::uint8_t slipping, double stored, Eigen::Index block,
   return pinned_as_written ? Junctions::never : stored;
 }
 
-void read_repin_times(const Content& content, JunctionArray<double>& repin_time) {
-  JunctionArray<std::uint8_t> slipping(repin_time.rows(), repin_time.cols());
+void read_repin_times(const Content& content, RowMajorArray<double>& repin_time) {
+  RowMajorArray<std::uint8_t> slipping(repin_time.rows(), repin_time.cols());
   read_junctions(content, kSlipping, slipping);
   read_junctions(content, kRepinTime, repin_time);
   for (Eigen::Index i = 0; i < repin_time.rows(); ++i) {
@@ -148,7 +148,7 @@ Content state_content(const State& state) {
   for (const FieldRow& row : kFields) content[row.path] = field_dataset(state.*row.field, row.unit);
 
   const Junctions& junctions = state.junctions;
-  const JunctionArray<std::uint8_t> slipping =
+  const RowMajorArray<std::uint8_t> slipping =
       junctions.repin_time.unaryExpr(&is_slipping).cast<std::uint8_t>();
   content[kAttachment] = array_dataset(junctions.attachment, "m");
   content[kSlipping] = array_dataset(slipping, "1");

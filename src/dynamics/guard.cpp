@@ -111,7 +111,7 @@ Maybe strength(const Simulation& simulation, std::int64_t first_step) {
 
 Place fastest_block(const State& state) {
   Place place = {0, 0};
-  const RowMajorArray squares = state.v_x.blocks().square() + state.v_z.blocks().square();
+  const RowMajorArray<double> squares = state.v_x.blocks().square() + state.v_z.blocks().square();
   squares.maxCoeff(&place.j, &place.i);
   return place;
 }

@@ -67,7 +67,7 @@ class DecayingLaw final : public JunctionLaw<DecayingLaw> {
     blocks_.recompute_sum(i);
   }
 
-  JunctionArray<double> rate_;  // (mu_d - mu_new) / t_R of the last draw [1/s]
+  RowMajorArray<double> rate_;  // (mu_d - mu_new) / t_R of the last draw [1/s]
 };
 
 }  // namespace rupture

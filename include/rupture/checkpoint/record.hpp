@@ -63,18 +63,16 @@ struct RecordParts {
 };
 
 struct Record {
-  using Counts = Eigen::Array<std::uint16_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
   Parameters parameters;
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
   RecordedRun run;
   std::vector<double> time;  ///< one value per sample [s]
   std::vector<std::int64_t> step;
-  std::vector<double> F_T;      ///< [N]
-  std::vector<double> x_drive;  ///< [m]
-  Counts pinned;                ///< [samples][Nx]
-  RowMajorArray p, tau;         ///< [samples][Nx] [N]
-  RowMajorArray u_x;            ///< [samples][Nx] [m]
+  std::vector<double> F_T;              ///< [N]
+  std::vector<double> x_drive;          ///< [m]
+  RowMajorArray<std::uint16_t> pinned;  ///< [samples][Nx]
+  RowMajorArray<double> p, tau;         ///< [samples][Nx] [N]
+  RowMajorArray<double> u_x;            ///< [samples][Nx] [m]
   std::vector<Rupture> ruptures;
   std::vector<double> crossing_levels;   ///< other pinned fractions, ascending,
   std::vector<Rupture> crossings;        ///< and when blocks fell below them

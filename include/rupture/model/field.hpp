@@ -30,12 +30,13 @@ struct CacheLineAllocator {
 
 using AlignedVector = std::vector<double, CacheLineAllocator<double>>;
 
-using RowMajorArray = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+template <class T>
+using RowMajorArray = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 class Field {
  public:
-  using View = Eigen::Map<RowMajorArray, 0, Eigen::OuterStride<>>;
-  using ConstView = Eigen::Map<const RowMajorArray, 0, Eigen::OuterStride<>>;
+  using View = Eigen::Map<RowMajorArray<double>, 0, Eigen::OuterStride<>>;
+  using ConstView = Eigen::Map<const RowMajorArray<double>, 0, Eigen::OuterStride<>>;
 
   Field() = default;
   Field(Eigen::Index Nx, Eigen::Index Nz)

@@ -19,7 +19,7 @@ enum class SpringsPerBlock { N_s, one };
 /// time at which it is pinned again, but decides this in each step. A dataset of /state/junctions;
 /// never 0 while the spring slips.
 struct SpringMemory {
-  JunctionArray<double> Junctions::*array;
+  RowMajorArray<double> Junctions::*array;
   std::string_view name;  ///< of the dataset
   std::string_view unit;
   double minimum;  ///< smallest valid value

@@ -9,9 +9,6 @@
 
 namespace rupture {
 
-template <class T>
-using JunctionArray = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// The junctions of all interface blocks; arrays of shape [Nx][springs_per_block].
 struct Junctions {
   /// A repin time later than every simulation: marks a pinned junction.
@@ -20,16 +17,16 @@ struct Junctions {
   static constexpr double unknown = 0.0;
 
   /// Attachment point x_ij on the track, measured like u_x from the undeformed block position [m].
-  JunctionArray<double> attachment;
+  RowMajorArray<double> attachment;
   /// Time at which a slipping junction is pinned again [s]; `never` while it is pinned.
-  JunctionArray<double> repin_time;
+  RowMajorArray<double> repin_time;
   /// How many slipping times this junction has drawn so far.
-  JunctionArray<std::uint32_t> draws;
+  RowMajorArray<std::uint32_t> draws;
   /// Simplified law only, else empty: time until which the attachment point moves by itself [s];
   /// negative where it moves towards -x, 0 where the spring has never broken.
-  JunctionArray<double> slow_until;
+  RowMajorArray<double> slow_until;
   /// Distance law only, else empty: how far a slipping junction still slides [m]; 0 while pinned.
-  JunctionArray<double> slip_left;
+  RowMajorArray<double> slip_left;
 };
 
 /// Position of the driving point: x_drive(n) = origin_position + V (n - origin_step) dt.

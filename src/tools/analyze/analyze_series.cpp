@@ -99,7 +99,7 @@ std::string text_of(const Record& record) {
 
 /// Forces and displacement of one block.
 Quantities block_quantities(const Record& record, Eigen::Index block) {
-  const auto series = [&](const RowMajorArray& values) {
+  const auto series = [&](const RowMajorArray<double>& values) {
     const auto column = values.col(block);
     return std::vector<double>(column.begin(), column.end());
   };
@@ -152,7 +152,7 @@ constinit const Command loading_command = {
     },
     [] {
       Record none;
-      none.p = none.tau = none.u_x = RowMajorArray(0, 1);
+      none.p = none.tau = none.u_x = RowMajorArray<double>(0, 1);
       return join({quantities_of(none), block_quantities(none, 0)});
     }};
 

@@ -34,8 +34,8 @@ Sample sample_of(const Simulation& simulation) {
 std::vector<float> rounded(const Field& field) {
   const auto blocks = field.blocks();
   std::vector<float> values(static_cast<std::size_t>(blocks.size()));
-  using Rounded = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Eigen::Map<Rounded>(values.data(), blocks.rows(), blocks.cols()) = blocks.cast<float>();
+  Eigen::Map<RowMajorArray<float>>(values.data(), blocks.rows(), blocks.cols()) =
+      blocks.cast<float>();
   return values;
 }
 
