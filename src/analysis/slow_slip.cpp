@@ -168,15 +168,6 @@ Mean measured_friction(const SteadySliding& block, double v, const SteadyRun& ru
   return mean_of(mu).value();
 }
 
-std::vector<double> speeds_between(double v_from, double v_to, int points) {
-  std::vector<double> speeds;
-  for (int n = 0; n < points; ++n) {
-    const double part = points > 1 ? static_cast<double>(n) / (points - 1) : 0.0;
-    speeds.push_back(v_from * std::pow(v_to / v_from, part));
-  }
-  return speeds;
-}
-
 double slow_slip_estimate(const Parameters& parameters, double p) {
   if (p <= 0.0 || parameters.f_new == NewForce::f_slip) return 0.0;
   const double k_i = static_cast<double>(parameters.N_s) * junction_stiffness(parameters, p);

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "context.hpp"
+#include "rupture/checkpoint/record.hpp"
 
 namespace rupture {
 namespace {
@@ -40,11 +41,6 @@ void sync_folder_of(const fs::path& path) {
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() < 0 && errno == EACCES) return;
   if (folder.get() < 0 || (::fsync(folder.get()) != 0 && errno != EINVAL)) fail_writing(path);
-}
-
-[[noreturn]] void fail_locked(const fs::path& path) {
-  fail("another run is writing {}; wait until it has ended, or give another --record",
-       path.string());
 }
 
 struct flock whole_file_for_writing() {
@@ -154,10 +150,10 @@ std::optional<std::vector<std::byte>> read_start(const Descriptor& file, std::si
   return bytes;
 }
 
-bool is_locked(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+bool is_being_written(const fs::path& part) {
+  const Descriptor file(::open(part.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0 && errno == ENOENT) return false;  // its run has just ended
-  if (file.get() < 0) fail_writing(path);
+  if (file.get() < 0) fail_writing(part);
   struct flock lock = whole_file_for_writing();
   return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
@@ -169,7 +165,10 @@ GrowingFile::GrowingFile(fs::path path, std::span<const std::byte> bytes, IfExis
   for (bool is_there = false; !is_there;) {
     const Descriptor old(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
     if (old.get() < 0 && errno != ENOENT && errno != ELOOP) fail_writing(path_);
-    if (old.get() >= 0 && !lock(old)) fail_locked(path_);
+    if (old.get() >= 0 && !lock(old)) {
+      fail("another run is writing {}; wait until it has ended, or give another --record",
+           path_.string());
+    }
     if (old.get() >= 0 && !is_at(old, path_)) continue;
     const bool may_replace = old.get() >= 0 || errno == ELOOP;
     if (may_replace && if_exists == IfExists::refuse) fail_existing(path_);

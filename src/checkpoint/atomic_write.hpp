@@ -58,10 +58,6 @@ class PendingFile {
 /// Removes a file, if there is one, and brings that to disk. Throws Failure.
 void remove_durably(const std::filesystem::path& path);
 
-/// Whether a GrowingFile, of any process, is writing the file. False where the file system has no
-/// locks.
-bool is_locked(const std::filesystem::path& path);
-
 /// A file that grows, and that no other process writes, nor another object of this one: it is
 /// locked before it gets its name, and one that it replaces is locked meanwhile. Readers are not
 /// locked out: HDF5 asks for flock() before it reads, and this is a lock of the other kind, which

@@ -15,6 +15,20 @@
 namespace rupture {
 namespace {
 
+// Steps from one representable number to the other; at least 1 if their bits differ, so that -0 and
+// +0 are one step apart.
+std::uint64_t ulp_distance(double a, double b) {
+  // Maps the bits to integers in the order of the numbers: ..., -min, -0, +0, +min, ...
+  const auto ordered = [](double x) {
+    constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    return (bits & sign) != 0 ? ~bits : bits | sign;
+  };
+  const std::uint64_t x = ordered(a);
+  const std::uint64_t y = ordered(b);
+  return x > y ? x - y : y - x;
+}
+
 template <class T>
 void keep_larger(Largest<T>& largest, T value, std::uint64_t index) {
   if (value > largest.value) largest = {value, index};
@@ -118,18 +132,6 @@ std::size_t keep_common_rows(Content& a, Content& b) {
     ++cut;
   }
   return cut;
-}
-
-std::uint64_t ulp_distance(double a, double b) {
-  // Maps the bits to integers in the order of the numbers: ..., -min, -0, +0, +min, ...
-  const auto ordered = [](double x) {
-    constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    return (bits & sign) != 0 ? ~bits : bits | sign;
-  };
-  const std::uint64_t x = ordered(a);
-  const std::uint64_t y = ordered(b);
-  return x > y ? x - y : y - x;
 }
 
 Number number_at(const Dataset& dataset, std::uint64_t index) {

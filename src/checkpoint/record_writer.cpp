@@ -116,10 +116,6 @@ std::filesystem::path part_path(const std::filesystem::path& path) {
   return path.string() + ".part";
 }
 
-bool is_being_written(const std::filesystem::path& part) {
-  return is_locked(part);
-}
-
 void check_record(const std::filesystem::path& path, const Parameters& parameters,
                   IfExists if_exists) {
   check_count_range(parameters);

@@ -175,15 +175,13 @@ void Simulation::note_ruptures() {
     const double limit = fraction * springs;
     for (std::size_t i = 0; i < below.size(); ++i) {
       const bool now = law_->pinned()[i] < limit;
-      if (now && !below[i]) note({state_.step, time(), static_cast<std::int64_t>(i), fraction});
+      if (now && !below[i]) {
+        ruptures_.push_back({state_.step, time(), static_cast<std::int64_t>(i), fraction});
+        if (fraction == kRupturedFraction) add_rupture(parameters_, ruptures_.back(), run_);
+      }
       below[i] = now;
     }
   }
-}
-
-void Simulation::note(const Rupture& rupture) {
-  ruptures_.push_back(rupture);
-  if (rupture.pinned_below == kRupturedFraction) add_rupture(parameters_, rupture, run_);
 }
 
 Power Simulation::power(double damping_power, const double* bottom_velocity) const {

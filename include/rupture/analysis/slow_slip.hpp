@@ -40,9 +40,6 @@ struct SteadyRun {
 /// the standard error there is that of the step, up to about 1/steps_per_cycle of the value.
 Mean measured_friction(const SteadySliding& block, double v, const SteadyRun& run = {});
 
-/// `points` speeds from v_from to v_to at equal ratios, both ends included [m/s].
-std::vector<double> speeds_between(double v_from, double v_to, int points);
-
 // Slow slip from the parameters: Eq. S1 and the relaxation of one block behind its coefficient (SI,
 // "Estimate of v_slow slip from Model Parameters").
 

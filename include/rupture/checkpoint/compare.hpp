@@ -48,10 +48,6 @@ Content checksummed_part(const Content& content);
 /// many. So a record can be compared with the start of a longer one.
 std::size_t keep_common_rows(Content& a, Content& b);
 
-/// Steps from one representable number to the other; at least 1 if their bits differ, so that
-/// -0 and +0 are one step apart.
-std::uint64_t ulp_distance(double a, double b);
-
 /// One element of a dataset of numbers; `index` in storage order.
 using Number = std::variant<double, std::int64_t>;
 Number number_at(const Dataset& dataset, std::uint64_t index);

@@ -84,7 +84,6 @@ class Simulation {
   void damp_support();
   void move_interface();
   void note_ruptures();
-  void note(const Rupture& rupture);
   Power power(double damping_power, const double* bottom_velocity) const;
   Power initial_power();
   void add_work();

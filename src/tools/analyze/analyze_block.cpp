@@ -1,6 +1,7 @@
 // analyze estimate, steady-state: slow slip and friction of one block, by theory and simulated.
 #include <fmt/core.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "analyze/analyze.hpp"
@@ -108,12 +109,19 @@ double speed(const po::variables_map& values, const std::string& option) {
                    kFastest, v);
 }
 
+/// At equal ratios, both ends included [m/s].
 std::vector<double> speeds(const po::variables_map& values) {
   const double from = speed(values, "v-from"), to = speed(values, "v-to");
   if (to < from) {
     throw UsageError("--v-from must be at most --v-to, {:g} m/s (got {:g} m/s)", to, from);
   }
-  return speeds_between(from, to, int_between(values, "points", 1, 10000));
+  const int points = int_between(values, "points", 1, 10000);
+  std::vector<double> v;
+  for (int n = 0; n < points; ++n) {
+    const double part = points > 1 ? static_cast<double>(n) / (points - 1) : 0.0;
+    v.push_back(from * std::pow(to / from, part));
+  }
+  return v;
 }
 
 Report steady_sliding(const Parameters& p, const std::vector<double>& speeds,
