@@ -19,15 +19,6 @@ extern const Command steady_state_command, quantities_command;
 // of any file
 extern const Command checksum_command, verify_command, diff_command, show_command, lineage_command;
 
-/// What a command prints: rows, and what follows their table in the text.
-struct Report {
-  Quantities rows;
-  std::string closing;
-};
-inline int print(const Report& report, const po::variables_map& values) {
-  return print(report.rows, report.closing, values);
-}
-
 /// All of them, in the order of the help.
 const std::vector<const Command*>& commands();
 

@@ -147,7 +147,8 @@ int measure_strength(const Parsed& parsed) {
   }
   const Checkpoint checkpoint = checkpoint_of(parsed, "a checkpoint, or give --shape");
   refuse_single_springs(checkpoint.parameters);
-  return print(quantities_of(block_strengths(checkpoint.parameters, checkpoint.state)), "", values);
+  const auto blocks = block_strengths(checkpoint.parameters, checkpoint.state);
+  return print({quantities_of(blocks), ""}, values);
 }
 
 }  // namespace
@@ -179,7 +180,7 @@ constinit const Command phi_command = {
       const int bins = int_between(parsed.values, "bins", 1, 100000);
       refuse_single_springs(checkpoint.parameters);
       const auto blocks = block_forces(checkpoint.parameters, checkpoint.state);
-      return print(quantities_of(blocks, bins), "", parsed.values);
+      return print({quantities_of(blocks, bins), ""}, parsed.values);
     },
     [] { return quantities_of(std::vector<BlockForces>{}, 0); }};
 

@@ -192,7 +192,7 @@ constinit const Command classify_command = {
     [](const Parsed& parsed) {
       const RecordCommand command = record_of(parsed);
       const Front front = front_of(command, choose_event(command));
-      return print(classification_of(front), kind_name(front) + "\n", parsed.values);
+      return print({classification_of(front), kind_name(front) + "\n"}, parsed.values);
     },
     [] { return classification_of({}); }};
 

@@ -148,7 +148,7 @@ constinit const Command loading_command = {
       if (const auto x = optional_non_negative(parsed.values, "x")) {
         rows = join({rows, block_quantities(record, block_at(record.parameters, *x))});
       }
-      return print(rows, text_of(record), parsed.values);
+      return print({rows, text_of(record)}, parsed.values);
     },
     [] {
       Record none;

@@ -203,15 +203,15 @@ void add_format_options(po::options_description& options) {
   options.add_options()("csv", "print the series as CSV");
 }
 
-int print(const Quantities& rows, const std::string& closing, const po::variables_map& values) {
+int print(const Report& report, const po::variables_map& values) {
   const bool json = values.count("json") > 0, csv = values.count("csv") > 0;
   if (json && csv) throw UsageError("--json and --csv cannot be combined: give one of them");
   if (json) {
-    print_json(rows);
+    print_json(report.rows);
   } else if (csv) {
-    say("{}", table(rows, Form::csv));
+    say("{}", table(report.rows, Form::csv));
   } else {
-    say("{}{}", table(rows, Form::text), closing);
+    say("{}{}", table(report.rows, Form::text), report.closing);
   }
   return kDone;
 }

@@ -90,9 +90,15 @@ std::vector<NamedQuantity> named(const std::string& prefix, const Quantities& ro
 void add_json_option(po::options_description& options);
 void add_format_options(po::options_description& options);
 
-/// Prints the form that was asked for to standard output: one JSON object, CSV, or text, in which
-/// `closing` follows the table; kDone. Throws UsageError for two forms at once.
-int print(const Quantities& rows, const std::string& closing, const po::variables_map& values);
+/// What a command prints: rows, and what follows their table in the text.
+struct Report {
+  Quantities rows;
+  std::string closing;
+};
+
+/// Prints the form that was asked for to standard output: one JSON object, CSV, or text; kDone.
+/// Throws UsageError for two forms at once.
+int print(const Report& report, const po::variables_map& values);
 
 /// Prints one JSON object to standard output.
 void print_json(const Quantities& rows);
