@@ -1,6 +1,5 @@
 #include "rupture/analysis/slow_slip.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <functional>

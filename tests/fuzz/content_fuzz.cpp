@@ -3,7 +3,6 @@
 // it was.
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>

@@ -2,7 +2,6 @@
 // in analysis/slow_slip.hpp, where the theory is derived.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 #include "rupture/analysis/slow_slip.hpp"

@@ -7,7 +7,6 @@
 #include "analyze/analyze.hpp"
 #include "analyze/records.hpp"
 #include "cli/option_values.hpp"
-#include "cli/text.hpp"
 #include "rupture/analysis/slip.hpp"
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"

@@ -1,6 +1,5 @@
 #include "cli/text.hpp"
 
-#include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // parameters: what --set and --config take.
 #include "rupture/model/parameters.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -11,7 +10,6 @@
 #include "cli/command_line.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
-#include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 #include "rupture/model/user_text.hpp"
 

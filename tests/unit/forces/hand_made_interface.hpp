@@ -5,7 +5,6 @@
 // always slips for 2 ms.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 
 #include "rupture/forces/interface_law.hpp"
