@@ -26,8 +26,7 @@ struct LibraryFailure : Failure {
   using Failure::Failure;
 };
 
-/// Throws LibraryFailure "cannot <doing>: <HDF5's innermost reason>" if an HDF5 call returned
-/// < 0.
+/// Throws LibraryFailure "cannot <doing>: <HDF5's innermost reason>" if an HDF5 call returned < 0.
 void check(std::int64_t result, std::string_view doing);
 
 /// Owns one HDF5 identifier, of whatever it is.

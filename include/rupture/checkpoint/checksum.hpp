@@ -26,9 +26,8 @@ bool is_checksummed(std::string_view path);
 /// build if the content is equal. Up to schema 2, all parameters that there were count as they are.
 std::string content_checksum(const Content& content, std::int64_t schema = kSchemaVersion);
 
-/// Label of a content checksum wherever one is printed. Not "sha256", because it is not
-/// what sha256sum gives for the file, and so that sha256sum -c takes no line of ours for one of its
-/// own.
+/// Label of a content checksum wherever one is printed. Not "sha256", because it is not what
+/// sha256sum gives for the file, and so that sha256sum -c takes no line of ours for one of its own.
 inline constexpr std::string_view kChecksumLabel = "content-sha256";
 
 /// "content-sha256 <64 hex digits>".

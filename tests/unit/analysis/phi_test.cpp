@@ -1,5 +1,4 @@
-// Distributions of junction forces: their shapes, how they are measured and how
-// they are replaced.
+// Distributions of junction forces: their shapes, how they are measured and how they are replaced.
 #include "rupture/analysis/phi.hpp"
 
 #include <gtest/gtest.h>
@@ -37,9 +36,8 @@ TEST_P(Shape, has_quantiles_in_ascending_antisymmetric_order) {
 
 TEST_P(Shape, has_quantiles_whose_variance_tends_to_unit_sigma_squared) {
   const double variance = unit_sigma(GetParam()) * unit_sigma(GetParam());
-  // n quantiles are too narrow by a part of 1/n^2 (uniform) or about 1.8
-  // n^-1.25 (bell, whose tails end like (1 - xi)^4): 0.6 % of the variance for
-  // the bell of 100 junctions
+  // n quantiles are too narrow by a part of 1/n^2 (uniform) or about 1.8 n^-1.25 (bell, whose tails
+  // end like (1 - xi)^4): 0.6 % of the variance for the bell of 100 junctions
   EXPECT_NEAR(mean_square(unit_quantiles(GetParam(), 100)), variance, 0.006 * variance);
   EXPECT_NEAR(mean_square(unit_quantiles(GetParam(), 10000)), variance, 2e-5 * variance);
 }
@@ -143,8 +141,7 @@ TEST_F(Interface, becomes_as_wide_as_it_can_with_the_same_means) {
     const auto q = unit_quantiles(shape, 90);
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_NEAR(now()[i].mean, then()[i].mean, 1e-12 * then()[i].mean);
-      // pinned junctions: all but every tenth; their forces are exact quantiles
-      // about their mean
+      // pinned junctions: all but every tenth; their forces are exact quantiles about their mean
       std::vector<double> pinned;
       for (std::size_t j = 0; j < 100; ++j) {
         if (j % 10 != 0) pinned.push_back(now()[i].forces[j]);
@@ -217,8 +214,7 @@ TEST_F(Interface, refuses_a_width_that_would_break_a_junction_and_tells_the_larg
     const auto& block = impossible[static_cast<std::size_t>(i)];
     EXPECT_DOUBLE_EQ(block.x, static_cast<double>(i) * 2.5e-3);
     EXPECT_TRUE(untouched(i));
-    // slightly less than the largest width is possible for this block, slightly
-    // more is not
+    // slightly less than the largest width is possible for this block, slightly more is not
     PhiChange alone;
     alone.x_from = alone.x_to = block.x;
     State copy = before_;

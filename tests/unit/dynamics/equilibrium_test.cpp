@@ -1,5 +1,4 @@
-// The normal-load equilibrium, found directly in both orders of elimination and
-// by relaxation.
+// The normal-load equilibrium, found directly in both orders of elimination and by relaxation.
 #include "rupture/dynamics/equilibrium.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +17,7 @@ using testing::message_of;
 using testing::small_slider;
 using testing::static_residual;
 
-/// Demands that both sliders are the same but for `rounding`, relative to the
-/// largest displacement.
+/// Demands that both sliders are the same but for `rounding`, relative to the largest displacement.
 void expect_same(const State& found, const State& expected, double rounding) {
   const double largest_u = largest(expected.u_x, expected.u_z);
   EXPECT_LT((found.u_x.blocks() - expected.u_x.blocks()).abs().maxCoeff(), rounding * largest_u);
@@ -46,8 +44,7 @@ TEST_F(Equilibrium, has_symmetric_p_that_bears_the_load_and_antisymmetric_tau) {
   }
   EXPECT_NEAR(std::accumulate(p.begin(), p.end(), 0.0), p_.F_N, 1e-9 * p_.F_N);
   EXPECT_NEAR(std::accumulate(tau.begin(), tau.end(), 0.0), 0.0, 1e-9 * p_.F_N);
-  // Compressed from above the slider spreads: friction holds the driven side
-  // back towards +x.
+  // Compressed from above the slider spreads: friction holds the driven side back towards +x.
   EXPECT_LT(tau.front(), -0.01 * mean);
 }
 

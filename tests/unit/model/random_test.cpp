@@ -22,9 +22,8 @@ double uniform_of(std::uint32_t first, std::uint32_t second) {
   return (static_cast<double>(bits) + 0.5) * 0x1p-52;
 }
 
-// Known answers for philox4x32 with 10 rounds, from Random123's kat_vectors:
-// counter (4 words), key (2 words, low word of the seed first), output (4
-// words, of which the first two are used).
+// Known answers for philox4x32 with 10 rounds, from Random123's kat_vectors: counter (4 words), key
+// (2 words, low word of the seed first), output (4 words, of which the first two are used).
 TEST(Uniform, is_philox4x32_10) {
   EXPECT_EQ(uniform(0, 0, 0, Purpose{0}, 0), uniform_of(0x6627e8d5, 0xe169c58d));
   EXPECT_EQ(uniform(-1, 0xffffffff, 0xffffffff, Purpose{0xffffffff}, 0xffffffff),
@@ -129,8 +128,7 @@ TEST(NormalQuantile, inverts_the_distribution_function) {
     const double p = n / 1000.0;
     EXPECT_NEAR(Phi(normal_quantile(p)), p, 1e-14 * p) << p;
   }
-  // dPhi/Phi = (z^2 + ...) dz/z: far out, rounding of z weighs z^2 times as
-  // much
+  // dPhi/Phi = (z^2 + ...) dz/z: far out, rounding of z weighs z^2 times as much
   for (double p = 1e-3; p > 1e-30; p *= 0.1) {
     const double z = normal_quantile(p);
     EXPECT_NEAR(Phi(z), p, 1e-15 * (1.0 + z * z) * p) << p;
