@@ -170,9 +170,8 @@ void Simulation::damp_support() {
 }
 
 void Simulation::note_ruptures() {
-  const auto springs = static_cast<double>(springs_per_block(parameters_));
   for (auto& [fraction, below] : pinned_below_) {
-    const double limit = fraction * springs;
+    const double limit = pinned_limit(parameters_, fraction);
     for (std::size_t i = 0; i < below.size(); ++i) {
       const bool now = law_->pinned()[i] < limit;
       if (now && !below[i]) {

@@ -1,8 +1,16 @@
 #include "rupture/model/rupture.hpp"
 
+#include <cmath>
+
 #include "rupture/model/derived.hpp"
 
 namespace rupture {
+
+double pinned_limit(const Parameters& p, double fraction) {
+  const auto springs = static_cast<double>(springs_per_block(p));
+  const double product = fraction * springs, whole = std::round(product);
+  return whole / springs == fraction ? whole : product;
+}
 
 bool spans(const Parameters& p, const FirstRuptures& first, double skip_below_x) {
   if (!first.back()) return false;

@@ -24,6 +24,10 @@ struct Rupture {
   bool operator==(const Rupture&) const = default;
 };
 
+/// With fewer pinned junctions than this a block is below the fraction: with 55 of 100 it is not
+/// below 0.55, although 0.55 * 100 is more than 55.
+double pinned_limit(const Parameters& p, double fraction);
+
 /// Blocks up to this x do not count: driving or a trigger ruptures them [m].
 inline constexpr double kLoadingZone = 0.02;
 
