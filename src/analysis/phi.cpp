@@ -125,7 +125,7 @@ std::vector<ImpossibleBlock> change_phi(const Parameters& p, State& state,
   std::vector<ImpossibleBlock> impossible;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const BlockForces block = forces_of(p, state, i);
-    if (block.x < change.x_from || block.x > change.x_to) continue;
+    if (!change.includes(block.x)) continue;
     if (block.f_thres <= 0.0) {  // not pressed
       impossible.push_back({block.x, 0.0});
     } else if (const auto stopped = spread(state, i, block, change)) {

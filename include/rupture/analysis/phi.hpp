@@ -51,6 +51,9 @@ struct PhiChange {
       sigma_bar;  ///< none: as wide as each block allows, half-width f_thres - |mean|
   double x_from = 0, x_to = 1e300;  ///< blocks with x_from <= x <= x_to [m]
   Slipping slipping = Slipping::keep;
+
+  /// Whether a block at x [m] is one of them, to rounding: 35 l is not quite 0.0875 m.
+  bool includes(double x) const { return x >= x_from * (1.0 - 1e-9) && x <= x_to * (1.0 + 1e-9); }
 };
 
 /// A block whose junctions cannot take the requested phi without one exceeding f_thres.

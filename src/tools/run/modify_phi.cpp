@@ -109,7 +109,7 @@ void refuse_unchanged(const Parameters& p, const State& before, const PhiChange&
                       const std::vector<ImpossibleBlock>& impossible) {
   bool is_empty = true;
   for (const BlockForces& block : block_forces(p, before)) {
-    if (block.x < change.x_from || block.x > change.x_to) continue;
+    if (!change.includes(block.x)) continue;
     is_empty = false;
     const bool slips = change.slipping == Slipping::keep && block.slipping == 1.0;
     if (!slips && std::ranges::count(impossible, block.x, &ImpossibleBlock::x) == 0) return;
