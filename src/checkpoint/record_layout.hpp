@@ -76,14 +76,17 @@ inline constexpr std::tuple kFields = {
     Column{"/fields/u_z", "m", "displacement of the block along z", &FieldSample::u_z},
 };
 
-/// Type of the elements of such a dataset.
+/// The values of a row of such a dataset, and their type.
 template <class T>
-DataType type_of(const T&) {
-  return kDataTypeOf<T>;
+std::span<const T> values_of(const T& value) {
+  return {&value, 1};
 }
 template <class T>
-DataType type_of(const std::vector<T>&) {
-  return kDataTypeOf<T>;
+std::span<const T> values_of(const std::vector<T>& values) {
+  return values;
+}
+DataType type_of(const auto& entry) {
+  return kDataTypeOf<typename decltype(values_of(entry))::value_type>;
 }
 
 /// Shape of so many rows of such a dataset: a value per row,

@@ -16,15 +16,6 @@ namespace {
 
 namespace layout = record_layout;
 
-template <class T>
-std::span<const T> values_of(const T& value) {
-  return {&value, 1};
-}
-template <class T>
-std::span<const T> values_of(const std::vector<T>& values) {
-  return values;
-}
-
 // Adds the datasets of a table, without rows.
 template <class Table, class Row>
 void begin(Content& rows, const Table& table, const Row& row, const Parameters& parameters) {
@@ -45,10 +36,11 @@ void check_size(const std::string& path, const Shape& shape, std::size_t size) {
 template <class Table, class Row>
 void add_row(Content& rows, const Table& table, const Row& row) {
   layout::for_each(table, [&](const auto& column) {
-    check_size(column.path, rows.at(column.path).shape, values_of(row.*column.member).size());
+    check_size(column.path, rows.at(column.path).shape,
+               layout::values_of(row.*column.member).size());
   });
   layout::for_each(table, [&](const auto& column) {
-    const auto bytes = std::as_bytes(values_of(row.*column.member));
+    const auto bytes = std::as_bytes(layout::values_of(row.*column.member));
     Dataset& dataset = rows.at(column.path);
     dataset.bytes.insert(dataset.bytes.end(), bytes.begin(), bytes.end());
     ++dataset.shape[0];
