@@ -14,11 +14,6 @@ namespace {
 
 constexpr const char* kUnknown = "a newer rupture";  // that wrote a file
 
-[[noreturn]] void refuse_newer(std::int64_t schema_version, const std::string& writer) {
-  fail("written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}", writer,
-       schema_version, version, kSchemaVersion, writer + (writer == kUnknown ? "" : " or newer"));
-}
-
 // Other programs see the first piece of a .part alone, which has no rows.
 constexpr const char* kNoteInPieces =
     "the samples so far are in further pieces behind this one: rupture finish THIS -o NEW.h5 "
@@ -35,10 +30,11 @@ std::string writer_of(const hdf5::Reader& reader) {
 
 hdf5::RootAttributes attributes_of(const hdf5::Reader& reader) {
   hdf5::RootAttributes attributes = reader.attributes();
-  if (attributes.schema_version > kSchemaVersion) {
-    refuse_newer(attributes.schema_version, writer_of(reader));
-  }
-  return attributes;
+  if (attributes.schema_version <= kSchemaVersion) return attributes;
+  const std::string writer = writer_of(reader);
+  fail("written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}{}",
+       writer, attributes.schema_version, version, kSchemaVersion, writer,
+       writer == kUnknown ? "" : " or newer");
 }
 
 // That of a file without header. An unfinished record is no whole file.

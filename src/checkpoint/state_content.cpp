@@ -47,10 +47,6 @@ Dataset array_dataset(const RowMajorArray<T>& array, std::string_view unit) {
                     shape_of(array.rows(), array.cols()), unit);
 }
 
-Dataset field_dataset(const Field& field, std::string_view unit) {
-  return array_dataset<double>(field.blocks(), unit);
-}
-
 template <class T>
 void read_junctions(const Content& content, const char* path, RowMajorArray<T>& array) {
   const auto values = read_array<T>(content, path, shape_of(array.rows(), array.cols()));
@@ -145,7 +141,9 @@ Content state_content(const State& state) {
   }
   content[kOriginStep] = make_scalar(state.drive.origin_step, "1");
   content[kOriginPosition] = make_scalar(state.drive.origin_position, "m");
-  for (const FieldRow& row : kFields) content[row.path] = field_dataset(state.*row.field, row.unit);
+  for (const FieldRow& row : kFields) {
+    content[row.path] = array_dataset<double>((state.*row.field).blocks(), row.unit);
+  }
 
   const Junctions& junctions = state.junctions;
   const RowMajorArray<std::uint8_t> slipping =

@@ -67,6 +67,29 @@ std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
   return found - words.begin();
 }
 
+void validate_law(const Parameters& p) {
+  if (p.mu_d > p.mu_s) {
+    throw UsageError(
+        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a slipping junction "
+        "cannot carry more than its strength",
+        p.mu_d, p.mu_s);
+  }
+  const LawInfo& law = law_info(p.law);
+  if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new > p.mu_d) {
+    throw UsageError(
+        "junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the {} law the "
+        "slipping force falls",
+        p.mu_new, p.mu_d, law.name);
+  }
+  const ParameterInfo& f_new = find_parameter("junctions.f_new");
+  if (!is_used(f_new, p.law) && p.f_new != NewForce::zero) {
+    throw UsageError(
+        "junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
+        "under the {} law, set {}",
+        alternatives(law_names(f_new.laws)), law.name, law.slow_slip_off);
+  }
+}
+
 }  // namespace
 
 const std::vector<ParameterInfo>& parameter_table() {
@@ -207,33 +230,6 @@ std::vector<const ParameterInfo*> differing(const Parameters& a, const Parameter
   }
   return found;
 }
-
-namespace {
-
-void validate_law(const Parameters& p) {
-  if (p.mu_d > p.mu_s) {
-    throw UsageError(
-        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a slipping junction "
-        "cannot carry more than its strength",
-        p.mu_d, p.mu_s);
-  }
-  const LawInfo& law = law_info(p.law);
-  if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new > p.mu_d) {
-    throw UsageError(
-        "junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the {} law the "
-        "slipping force falls",
-        p.mu_new, p.mu_d, law.name);
-  }
-  const ParameterInfo& f_new = find_parameter("junctions.f_new");
-  if (!is_used(f_new, p.law) && p.f_new != NewForce::zero) {
-    throw UsageError(
-        "junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
-        "under the {} law, set {}",
-        alternatives(law_names(f_new.laws)), law.name, law.slow_slip_off);
-  }
-}
-
-}  // namespace
 
 void validate(const Parameters& p) {
   const double l = block_spacing(p);

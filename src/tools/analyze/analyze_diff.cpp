@@ -111,12 +111,6 @@ std::string difference_text(const Json& json, const Pair& pair) {
   return shape.empty() ? scalar_text(json) : array_text(json, element_count(shape));
 }
 
-/// Number of datasets that at least one of the files holds.
-std::size_t dataset_count(const Pair& pair, const std::vector<Difference>& differences) {
-  const auto added = std::ranges::count(differences, Change::only_in_b, &Difference::change);
-  return pair.a.size() + static_cast<std::size_t>(added);
-}
-
 std::string report_text(const Json& json, const Pair& pair) {
   const Json &differences = json["differences"], &cut = json["cut"];
   std::string text;
@@ -144,8 +138,9 @@ int compare(const Parsed& parsed) {
   Pair pair = {checksummed_part(a.content), checksummed_part(b.content)};
   const std::size_t cut = parsed.values.count("common") > 0 ? keep_common_rows(pair.a, pair.b) : 0;
   const auto differences = diff(pair.a, pair.b);
+  const auto added = std::ranges::count(differences, Change::only_in_b, &Difference::change);
   Json json = {{"equal", differences.empty()},
-               {"datasets", dataset_count(pair, differences)},
+               {"datasets", std::ssize(pair.a) + added},  // that at least one of the files holds
                {"cut", cut},
                {"differences", Json::array()}};
   for (const auto& d : differences) json["differences"].push_back(difference_json(pair, d));
