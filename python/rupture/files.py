@@ -41,7 +41,7 @@ class File(Mapping):
 
     def __init__(self, path, file):
         self.path = Path(path)
-        self.file = file
+        self.opened = file
 
     def __enter__(self):
         return self
@@ -50,10 +50,18 @@ class File(Mapping):
         self.close()
 
     def close(self):
-        self.file.close()
+        self.opened.close()
+
+    @property
+    def file(self):
+        """The h5py.File."""
+        if not self.opened:
+            raise Failure(f"{self.path} was closed: open it again")
+        return self.opened
 
     def __repr__(self):
-        return f"<rupture.{type(self).__name__} {str(self.path)!r}: {', '.join(self)}>"
+        names = ", ".join(self) if self.opened else "closed"
+        return f"<rupture.{type(self).__name__} {str(self.path)!r}: {names}>"
 
     def dataset_at(self, path):
         """The h5py.Dataset of a path, None if there is none."""

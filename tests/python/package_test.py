@@ -160,6 +160,13 @@ def test_a_content_that_is_not_as_stated_is_damaged(small):
     fails("changed.h5: its content has the checksum", rupture.verify, path)
 
 
+def test_a_closed_file_says_so(small):
+    with rupture.open("small.h5") as file:
+        assert "u_x" in repr(file)
+    assert repr(file) == "<rupture.Checkpoint 'small.h5': closed>"
+    fails("^small.h5 was closed: open it again$", file.get, "u_x")
+
+
 def test_names_that_a_file_lacks(small):
     fails("has no u_y; did you mean u_[xz]?", rupture.open("small.h5").units, "u_y")
 
@@ -235,6 +242,22 @@ def test_a_refusal_is_its_sentence(small, monkeypatch):
     fails("^load: small.h5 exists", rupture.run, "load", output="small.h5", until=0.001)
     monkeypatch.setenv("RUPTURE_BIN", "/nowhere")
     fails("RUPTURE_BIN=/nowhere", rupture.run, "load", output="other.h5")
+
+
+def test_arrays_odd_names_and_options_given_anyway(small):
+    times = {"until": np.float64(1e-4), "checkpoint_at": np.array([2e-5, 4e-5])}
+    made = rupture.run("load", output="-x.h5", record="-r.h5", config=SMALL, quiet=True, **times)
+    assert len(made.checkpoints) == 2
+    assert rupture.analyze("events", made.record, json=True)["events"] == []
+    assert rupture.run("map", "-r.h5", output="odd.png").exists()
+    after = rupture.run("restart", "-x.h5", output="after.h5", for_=1e-5)
+    assert rupture.verify(after.checkpoint) == after.checksum
+
+
+def test_what_differs_is_a_report(small):
+    assert rupture.analyze("diff", *small.checkpoints[:2])["differences"]
+    assert rupture.analyze("diff", *2 * [small.checkpoint])["equal"]
+    fails("none.h5 does not exist", rupture.analyze, "diff", "small.h5", "none.h5")
 
 
 def test_files_that_are_open_are_inputs(small):
