@@ -34,12 +34,14 @@ def sync(path):
     os.close(opened)
 
 
-unfinished: dict[Path, int] = {}  # temporary files and their descriptors
+unfinished: dict[Path, int | None] = {}  # temporary files and their descriptors
 
 
 def discard(temporary):
     """Deletes a temporary file, unless it has been renamed or is gone."""
     file = unfinished.pop(temporary)
+    if file is None:  # a signal came while it was made
+        return temporary.unlink(missing_ok=True)
     if is_at(file, temporary):
         temporary.unlink()
     os.close(file)
@@ -60,7 +62,12 @@ def replacing(path, rename=os.replace):
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.stem}.tmp.{secrets.token_hex(4)}{path.suffix}")
-    file = os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
+    unfinished[temporary] = None
+    try:
+        file = os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
+    except OSError:
+        del unfinished[temporary]
+        raise
     unfinished[temporary] = file
     try:
         yield temporary

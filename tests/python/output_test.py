@@ -64,6 +64,18 @@ def test_a_file_that_appears_meanwhile_is_kept(folder):
     assert (Path("new").read_text(), left()) == ("theirs", [])
 
 
+def test_a_signal_while_the_temporary_file_is_made_leaves_nothing(folder):
+    program = """if True:
+        import os, signal
+        from rupture.replacing import end_by_signal, replacing
+        signal.signal(signal.SIGTERM, end_by_signal)
+        make = os.open
+        os.open = lambda *words: (make(*words), os.kill(os.getpid(), signal.SIGTERM))[0]
+        with replacing("x"):
+            pass"""
+    assert (run("/usr/bin/python3", "-c", program).returncode, left()) == (-15, [])
+
+
 def test_a_link_in_the_place_of_the_temporary_file_is_neither_followed_nor_deleted(folder):
     Path("theirs").write_text("theirs")
     with mock.patch("secrets.token_hex", return_value="0"):
