@@ -185,8 +185,11 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     assert [row["F_N [N]"] for row in rows()] == ["1920.0", "", "1920.0"]
 
     compute(sweep, "0.2")
+    plan = (sweep.root / "results/sweeps/my/my.ini").read_text()
+    sweep.write("my.ini", (sweep.root / "my.ini").read_text().replace("0.2", "0.2, 0.1"))
     said = sweep.call("sweep", "my.ini", "--programs", "bin", "--dry-run").stdout
-    assert said == "Prestress: 1 point: 1 done, 0 to compute\n"
+    assert said == "Prestress: 2 points: 2 done, 0 to compute\n"
+    assert (sweep.root / "results/sweeps/my/my.ini").read_text() == plan, "that of the table"
 
     last, computed = compute(sweep, "0.2", needs="threads = 2\nmemory = 2 GB")
     assert computed == 0, "a point less, and other needs"

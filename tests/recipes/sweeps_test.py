@@ -145,7 +145,7 @@ def test_points_from_a_table(read, tmp_path):
     (tmp_path / "x").mkdir()
     assert read(text, "x/sweep").points == []
     table = tmp_path / "points.csv"
-    for content in (b"a,b\n1,2\n3,4\n", b"\xef\xbb\xbfa,b\r\n1,2\r\n\r\n3,4\r\n"):
+    for content in (b"a, b\n1, 2\n3,4\n", b"\xef\xbb\xbfa,b\r\n1,2\r\n\r\n3,4\r\n"):
         table.write_bytes(content)
         found = [tuple(p.values.values()) for p in read(text, "x/sweep").points]
         assert found == [("1", "1", "2"), ("2", "1", "2"), ("1", "3", "4"), ("2", "3", "4")]
@@ -204,7 +204,7 @@ WHOLE = f"[sweep]\n{COMMANDS}"
         ("", "no section .sweep."),
         ("[sweep]\n", "no section .commands."),
         *((f"{WHOLE}x = load {{{n}}}\n", "may refer to {values} only") for n in ("o", "values.x")),
-        *((f"{WHOLE}[values]\na = {n}\n", "depend on each other") for n in ("{a}", "{a}.real")),
+        *((f"{WHOLE}[values]\na = {n}\n", "depend on itself") for n in ("{a}", "{a}.real")),
         *(  # no finite real number
             (f"{WHOLE}[values]\nb = 9\na = {text}", re.escape(f"'{text}' "))
             for text in ("{z} + 1", "__import__('os') * {b}", "1 / 0 * {b}", "{b} +", "{b} + x")

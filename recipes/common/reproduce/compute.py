@@ -155,7 +155,7 @@ def run_sweep(request, processes):
     place = prepare(request, processes)
     tools = request.programs or PROGRAMS
     os.environ["RUPTURE_BIN"] = os.path.abspath(tools)
-    sweep = plan.plan_sweep(request.file, RESULTS)
+    sweep = plan.plan_sweep(request.file, RESULTS, request.dry_run)
     code = fingerprint_of_programs(request.programs)
     store = points.PointStore(RESULTS / "data/points", code)
     missing = store.unfinished(sweep.points)

@@ -121,7 +121,8 @@ def draw_columns(stem, sweep, columns):
     by_name = {column.name: column for column in columns}
     varied = [by_name[name] for name in sweep.varied if name not in SEEDS]
     if len(varied) not in (1, 2):
-        return f"No picture: {len(varied)} values vary; pictures are drawn of one or two."
+        vary = f"{len(varied)} values vary (seeds do not count)"
+        return f"No picture: {vary}; pictures are drawn of one or two."
     for axis in varied:
         if None in axis.cells:
             return f"No picture: some points have no {axis.name}."

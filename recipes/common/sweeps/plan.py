@@ -58,8 +58,9 @@ def write_plan(ini, output, results):
     write(results, output, text.getvalue().encode(), *others)
 
 
-def make_plan(path, results):
-    """Its path. Replaces the former plan once nothing is wrong."""
+def make_plan(path, results, is_dry):
+    """The sweep. Replaces the former plan, which tells what the table is of, once nothing is wrong,
+    unless it is only to be shown."""
     if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", path.stem):
         raise UsageError(
             "rename the file: its results take its name, which may contain only letters, digits,"
@@ -79,12 +80,14 @@ def make_plan(path, results):
     units = check_points(sweep.points, programs)
     ini["quantities"], units_of_columns = check_columns(sweep, programs)
     ini["units"] = units | units_of_columns
+    if is_dry:
+        return sweep
     output = results / "sweeps" / path.stem / f"{path.stem}.ini"
     write_plan(ini, output, results)
-    return output
+    return read_sweep(output)
 
 
-def plan_sweep(path, results):
+def plan_sweep(path, results, is_dry=False):
     """The sweep as it is planned. The programs are those of $RUPTURE_BIN."""
     with errors_of(path):
-        return read_sweep(make_plan(path, results))
+        return make_plan(path, results, is_dry)

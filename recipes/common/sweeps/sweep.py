@@ -82,7 +82,8 @@ def evaluate(values):
             if references(known.get(name, "")):
                 known[name] = calculate(known[name], known)
     except CycleError as error:
-        raise UsageError(f"{', '.join(error.args[1][1:])} depend on each other") from None
+        names = ", ".join(error.args[1][1:])
+        raise UsageError(f"{names}: a value cannot depend on itself") from None
     return known
 
 
@@ -117,7 +118,7 @@ def rows_of(path):
         return []
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
-            table = csv.DictReader(file, restkey="")
+            table = csv.DictReader(file, restkey="", skipinitialspace=True)
             rows = {table.line_num: row for row in table}
             names = table.fieldnames or []
     except (UnicodeDecodeError, csv.Error):
@@ -243,7 +244,7 @@ def sweep_of(ini, name, seed=""):
     check_form(ini)
     section = ini["sweep"]
     base = section.get("base", "")
-    commands = dict(ini["commands"])
+    commands = {name: line.removeprefix("rupture ") for name, line in ini["commands"].items()}
     products = combinations(ini, seed)
     count = sum(math.prod(len(texts) for texts in lists.values()) for lists in products)
     if count > LIMIT:
@@ -290,6 +291,8 @@ def errors_of(path):
         raise UsageError(f"{path}: it is not UTF-8 text") from None
     except configparser.Error as error:
         raise UsageError(place_and_sentence(error)) from None
+    except RecursionError:
+        raise UsageError(f"{path}: 'like' leads back to the same file") from None
     except (Failure, ValueError) as error:
         raise UsageError(f"{path}: {' '.join(str(error).split())}") from None
 
