@@ -45,7 +45,9 @@ def mapped(path):
         with open(path, "rb") as file:
             whole = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
     except (FileNotFoundError, NotADirectoryError):
-        raise Failure(f"{path} does not exist; give the path of a checkpoint or record") from None
+        part = f" yet, but {path}.part does" if os.path.exists(f"{path}.part") else ""
+        wanted = "give the path of a checkpoint or record"
+        raise Failure(f"{path} does not exist{part}; {wanted}") from None
     except ValueError:
         raise Failure(f"{path} is empty; expected a checkpoint or record") from None
     except OSError as error:

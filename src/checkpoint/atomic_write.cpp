@@ -129,6 +129,10 @@ void fail_existing(const fs::path& path) {
   fail("{} exists; give --force to replace it", path.string());
 }
 
+void fail_unfinished(const fs::path& path) {
+  fail("{} exists; give --resume to continue its run, or --force to replace it", path.string());
+}
+
 void remove_durably(const fs::path& path) {
   if (::unlink(path.c_str()) == 0) {
     sync_folder_of(path);

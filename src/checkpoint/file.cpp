@@ -32,7 +32,10 @@ std::size_t readable_size(const fs::path& path) {
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) {
     if (errno != ENOENT && errno != ENOTDIR) fail_reading(path);
-    fail("{} does not exist; give the path of a checkpoint or record", path.string());
+    const std::string name = path.string(), part = name + ".part";
+    std::error_code ignored;
+    fail("{} does not exist{}; give the path of a checkpoint or record", name,
+         fs::exists(part, ignored) ? fmt::format(" yet, but {} does", part) : "");
   }
   if (S_ISDIR(info.st_mode)) {
     fail("{} is a folder; give the path of a checkpoint or record", path.string());

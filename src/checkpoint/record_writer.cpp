@@ -112,7 +112,11 @@ void check_record(const std::filesystem::path& path, const Parameters& parameter
                   IfExists if_exists) {
   check_count_range(parameters);
   check_output(path, if_exists);
-  check_output(part_path(path), if_exists);
+  const auto part = part_path(path);
+  std::error_code ignored;
+  if (if_exists == IfExists::refuse && std::filesystem::exists(part, ignored))
+    fail_unfinished(part);
+  check_output(part, if_exists);
 }
 
 RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& parameters,

@@ -37,7 +37,7 @@ def check(command, options, codes, containers=()):
             ends = run_pair(f"{command} {options}", folder, containers)
             assert sorted(code for code, _ in ends) in codes, ends
             for code, words in ends:
-                sentence = r"\w+: [^\n]*(another run|exists; give --force)[^\n]*\n"
+                sentence = r"\w+: [^\n]*(another run|exists; give --)[^\n]*\n"
                 assert re.fullmatch(sentence if code else "", without_notes(words)), words
             files = folder.files()
             assert sums(files) == wanted

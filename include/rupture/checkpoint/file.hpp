@@ -68,6 +68,9 @@ bool is_there(const std::filesystem::path& path);
 /// Throws Failure: the file exists and may not be replaced.
 [[noreturn]] void fail_existing(const std::filesystem::path& path);
 
+/// The same for a file of a run that can be continued.
+[[noreturn]] void fail_unfinished(const std::filesystem::path& path);
+
 /// Throws Failure if a file could not be written to `path`: it exists and may not be replaced, it
 /// is no regular file, or its folder is missing or read-only. Call it before a long run.
 void check_output(const std::filesystem::path& path, IfExists if_exists);

@@ -178,7 +178,11 @@ IfExists if_checkpoint_exists(const RunPlan& plan, const fs::path& path) {
   const bool may_replace = path == plan.options.output.output
                                ? plan.rewrites_output
                                : plan.options.resume && may_write(path, plan.start);
-  return may_replace ? IfExists::replace : plan.options.output.if_exists;
+  const IfExists given = plan.options.output.if_exists;
+  const bool may_resume = given == IfExists::refuse && !plan.options.resume;
+  std::error_code ignored;
+  if (may_resume && fs::exists(path, ignored) && may_write(path, plan.start)) fail_unfinished(path);
+  return may_replace ? IfExists::replace : given;
 }
 
 }  // namespace rupture::tools
