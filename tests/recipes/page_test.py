@@ -28,8 +28,8 @@ SAYS = [
     ("fig3", '<a href="#figS3">another</a>; the README'),
     ("fig3", "load -o fig3.h5 --until 1.2 analyze front fig3.h5</code>"),
     ("fig2", "Measured &lt;script&gt;twice&lt;/script&gt;."),
-    ("fig2", '<th scope="row">speed [m/s]</th><td>12.3</td></tr>'),
-    ("fig2", '<th scope="row">list [mm]</th><td>1</td><td>none</td></tr>'),
+    ("fig2", '<th scope="row">speed [m/s]</th><td><span>12.3</span></td></tr>'),
+    ("fig2", '<th scope="row">list [mm]</th><td><span>1</span><span>none</span></td></tr>'),
     ("fig2", "primary: 7 of 20 (0.20 to 0.53)"),
     ("fig2", "holds as it should"),
     ("fig2", "What the pipeline ran: 2 jobs, 51 s"),
@@ -41,10 +41,10 @@ SAYS = [
     ("fig2", "load.h5</code>"),
     ("fig2", "5eed5eed"),
     ("fig2", 'our own, without verdict: how near?</summary> <table class="numbers">'),
-    ("fig2", '<th scope="row">off by [mm]</th><td>1.5</td></tr>'),
-    ("fig2", '<th scope="row">a</th><td>none</td></tr>'),
+    ("fig2", '<th scope="row">off by [mm]</th><td><span>1.5</span></td></tr>'),
+    ("fig2", '<th scope="row">a</th><td><span>none</span></td></tr>'),
     ("fig2", "not as expected: how near?</summary>"),
-    ("fig2", "(expected: at most 1)</th><td>1.5</td>"),
+    ("fig2", "(expected: at most 1)</th><td><span>1.5</span></td>"),
 ]
 OWN = {"id": "near", "question": "how near?", "measured": {"off by [mm]": 1.5, "a": None}}
 EXPECTED = OWN | {"expected": {"off by [mm]": {"at_most": 1}}, "met": False}
