@@ -85,6 +85,7 @@ def test_a_signal_ends_all_that_runs(sweep, name, code):
     process.send_signal(signal.Signals[name])
     assert process.wait(WITHIN) == code
     assert sweep.running() == []
+    assert process.stderr.read().endswith("were finished before are kept\n")
 
 
 def test_a_signal_ends_what_was_started_in_the_background_of_a_script(sweep):

@@ -110,6 +110,7 @@ class Processes:
         code = process.wait()
         self.group = None
         if self.received:
+            complain("interrupted; results that were finished before are kept")
             sys.exit(128 + self.received)  # and the guard looks after what is left
         guard.communicate(b"" if code else b"\n")
         return code
