@@ -68,8 +68,8 @@ struct RootAttributes {
 /// What other programs are told about a dataset besides its unit.
 struct Label {
   std::string long_name;
-  std::vector<std::string>
-      axes;  ///< dataset with the values along each dimension; itself in a scale, none if unknown
+  /// Dataset with the values along each dimension; itself in a scale, none if unknown.
+  std::vector<std::string> axes;
 };
 using Labels = std::map<std::string, Label>;  ///< by path
 

@@ -47,8 +47,7 @@ enum class Slipping { keep, pin };
 
 struct PhiChange {
   PhiShape shape = PhiShape::uniform;
-  std::optional<double>
-      sigma_bar;  ///< none: as wide as each block allows, half-width f_thres - |mean|
+  std::optional<double> sigma_bar;  ///< none: as wide as each block allows, to f_thres - |mean|
   double x_from = 0, x_to = 1e300;  ///< blocks with x_from <= x <= x_to [m]
   Slipping slipping = Slipping::keep;
 

@@ -55,9 +55,9 @@ struct RunSoFar {
                                        ///< next two, if a build without them began the run
   double last_rupture = 0;             ///< of any block in this event; 0 before the first [s]
   bool spanned = false;                ///< whether this event or one before it has spanned
-  std::optional<std::int64_t> quiet_steps =
-      {};                                    ///< its StopRule (dynamics/run.hpp), by which alone
-  std::optional<double> arrived_below = {};  ///< a run until quiet is known to have ended
+  /// Its StopRule (dynamics/run.hpp), by which alone a run until quiet is known to have ended.
+  std::optional<std::int64_t> quiet_steps = {};
+  std::optional<double> arrived_below = {};
 
   bool operator==(const RunSoFar&) const = default;
 };

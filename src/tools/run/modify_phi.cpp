@@ -105,10 +105,10 @@ std::string histograms_text(const ChangedPhi& phi) {
 }
 
 /// Throws if no block was changed: a copy under another name would pass for the new distribution.
-void refuse_unchanged(const Parameters& p, const State& before, const PhiChange& change,
-                      const std::vector<ImpossibleBlock>& impossible) {
+void refuse_unchanged(const Parameters& p, const ChangedPhi& phi, const PhiChange& change) {
+  const auto& impossible = phi.impossible;
   bool is_empty = true;
-  for (const BlockForces& block : block_forces(p, before)) {
+  for (const BlockForces& block : phi.before) {
     if (!change.includes(block.x)) continue;
     is_empty = false;
     const bool slips = change.slipping == Slipping::keep && block.slipping == 1.0;
@@ -179,16 +179,15 @@ int modify_phi(const Parsed& parsed) {
   Checkpoint checkpoint = read_checkpoint(path);
   check_output(output, path);
   const Parameters& p = checkpoint.parameters;
-  const State before = checkpoint.state;
-  ChangedPhi phi = {.impossible = change_phi(p, checkpoint.state, change)};
-  refuse_unchanged(p, before, change, phi.impossible);
-  phi.largest_change =
-      largest_change(friction_forces(p, before), friction_forces(p, checkpoint.state));
+  const auto friction = friction_forces(p, checkpoint.state);
+  ChangedPhi phi = {.before = block_forces(p, checkpoint.state)};
+  phi.impossible = change_phi(p, checkpoint.state, change);
+  refuse_unchanged(p, phi, change);
+  phi.after = block_forces(p, checkpoint.state);
+  phi.largest_change = largest_change(friction, friction_forces(p, checkpoint.state));
   checkpoint.run.reset();  // what follows is not the run that the input came from
   checkpoint.provenance.push_back(
       make_provenance("modify-phi", parsed.arguments, checkpoint.checksum, shell_line(command)));
-  phi.before = block_forces(p, before);
-  phi.after = block_forces(p, checkpoint.state);
   return write_and_report(FileKind::checkpoint, checkpoint_content(checkpoint), quantities_of(phi),
                           text_of(phi), output);
 }

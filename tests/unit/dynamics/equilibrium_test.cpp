@@ -84,8 +84,7 @@ TEST(EquilibriumFailure, names_the_block_whose_junctions_are_too_weak) {
   p.mu_s = 0.2;  // the outermost blocks carry tau/p = 0.2216
   p.mu_d = 0.1;
   EXPECT_EQ(message_of<Failure>([&] { normal_load_equilibrium(p); }),
-            "the junctions of block 0 cannot bear the normal load: |f|/f_thres = "
-            "1.11 at F_N = "
+            "the junctions of block 0 cannot bear the normal load: |f|/f_thres = 1.11 at F_N = "
             "1920 N; raise junctions.mu_s or slider.foundation, or lower slider.F_N");
 }
 
