@@ -81,12 +81,6 @@ TEST(FrontSpeed, has_no_value_near_the_edges_and_holes_or_where_the_ends_rupture
   for (const std::size_t i : {2U, 54U, 27U, 29U, 31U, 33U}) EXPECT_TRUE(v_c[i]) << i;
 }
 
-TEST(FrontSpeed, is_negative_towards_the_driven_edge) {
-  RuptureLine line = line_of([](std::size_t) { return kFast; });
-  std::reverse(line.t_rupture.begin(), line.t_rupture.end());
-  EXPECT_NEAR(*speed_of(line)[20], -kFast, 1e-7 * kFast);
-}
-
 TEST(Front, that_does_not_reach_the_leading_edge_is_arrested) {
   RuptureLine line = slow_between(20, 35);
   arrest_behind(line, 40);
