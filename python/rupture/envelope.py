@@ -22,19 +22,19 @@ PIECE = (
     "One of the pieces of an unfinished record, which follow each other in this file.\n"
     "An HDF5 file starts at byte 512 of each.\n"
 )
+WANTED = "give the path of a checkpoint or record"
 EXPLANATIONS = {CHECKPOINT: WHOLE, RECORD: WHOLE, PART: PIECE}
 
 
 def refuse_what_is_no_file(path):
     """Call it before opening the path: opening a pipe would wait for its other end."""
-    wanted = "give the path of a checkpoint or record"
     if not os.fspath(path):
-        raise Failure(f"the name of an input is empty; {wanted}")
+        raise Failure(f"the name of an input is empty; {WANTED}")
     mode = os.stat(path).st_mode
     if stat.S_ISDIR(mode):
-        raise Failure(f"{path} is a folder; {wanted}")
+        raise Failure(f"{path} is a folder; {WANTED}")
     if not stat.S_ISREG(mode):
-        raise Failure(f"{path} is not a regular file; {wanted}")
+        raise Failure(f"{path} is not a regular file; {WANTED}")
 
 
 @contextmanager
@@ -46,8 +46,7 @@ def mapped(path):
             whole = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
     except (FileNotFoundError, NotADirectoryError):
         part = f" yet, but {path}.part does" if os.path.exists(f"{path}.part") else ""
-        wanted = "give the path of a checkpoint or record"
-        raise Failure(f"{path} does not exist{part}; {wanted}") from None
+        raise Failure(f"{path} does not exist{part}; {WANTED}") from None
     except ValueError:
         raise Failure(f"{path} is empty; expected a checkpoint or record") from None
     except OSError as error:

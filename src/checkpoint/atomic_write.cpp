@@ -125,12 +125,8 @@ bool PendingFile::commit(IfExists if_exists) {
   return true;
 }
 
-void fail_existing(const fs::path& path) {
-  fail("{} exists; give --force to replace it", path.string());
-}
-
-void fail_unfinished(const fs::path& path) {
-  fail("{} exists; give --resume to continue its run, or --force to replace it", path.string());
+void fail_existing(const fs::path& path, std::string_view rather) {
+  fail("{} exists; give {}--force to replace it", path.string(), rather);
 }
 
 void remove_durably(const fs::path& path) {

@@ -65,14 +65,11 @@ def test_a_file_that_appears_meanwhile_is_kept(folder):
 
 
 def test_a_signal_while_the_temporary_file_is_made_leaves_nothing(folder):
-    program = """if True:
-        import os, signal
-        from rupture.replacing import end_by_signal, replacing
-        signal.signal(signal.SIGTERM, end_by_signal)
-        make = os.open
-        os.open = lambda *words: (make(*words), os.kill(os.getpid(), signal.SIGTERM))[0]
-        with replacing("x"):
-            pass"""
+    program = """from rupture.replacing import *
+signal.signal(signal.SIGTERM, end_by_signal)
+make = os.open
+os.open = lambda *words: (make(*words), os.kill(os.getpid(), signal.SIGTERM))[0]
+replacing("x").__enter__()"""
     assert (run("/usr/bin/python3", "-c", program).returncode, left()) == (-15, [])
 
 

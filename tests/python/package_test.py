@@ -160,14 +160,11 @@ def test_a_content_that_is_not_as_stated_is_damaged(small):
     fails("changed.h5: its content has the checksum", rupture.verify, path)
 
 
-def test_a_closed_file_says_so(small):
-    with rupture.open("small.h5") as file:
-        assert "u_x" in repr(file)
-    assert repr(file) == "<rupture.Checkpoint 'small.h5': closed>"
-    fails("^small.h5 was closed: open it again$", file.get, "u_x")
-
-
-def test_names_that_a_file_lacks(small):
+def test_names_that_a_file_lacks_and_closed_files(small):
+    with rupture.open("small.h5") as closed:
+        pass
+    assert repr(closed) == "<rupture.Checkpoint 'small.h5': closed>"
+    fails("^small.h5 was closed: open it again$", closed.get, "u_x")
     fails("has no u_y; did you mean u_[xz]?", rupture.open("small.h5").units, "u_y")
 
 
@@ -215,11 +212,6 @@ def test_xarray_alone_finds_dimensions_positions_and_units(folder):
                 assert np.allclose(found[name], getattr(record, name))
 
 
-def test_programs_that_draw_give_the_path_of_the_picture(small):
-    path = rupture.run("map", "small-record.h5", output="map.png")
-    assert (path, path.read_bytes()[1:4]) == (Path("map.png"), b"PNG")
-
-
 def test_programs_have_the_version_of_the_package():
     assert [part.isdigit() for part in rupture.__version__.split(".")] == 3 * [True]
 
@@ -249,15 +241,11 @@ def test_arrays_odd_names_and_options_given_anyway(small):
     made = rupture.run("load", output="-x.h5", record="-r.h5", config=SMALL, quiet=True, **times)
     assert len(made.checkpoints) == 2
     assert rupture.analyze("events", made.record, json=True)["events"] == []
-    assert rupture.run("map", "-r.h5", output="odd.png").exists()
+    path = rupture.run("map", "-r.h5", output="map.png")
+    assert (path, path.read_bytes()[1:4]) == (Path("map.png"), b"PNG")
     after = rupture.run("restart", "-x.h5", output="after.h5", for_=1e-5)
     assert rupture.verify(after.checkpoint) == after.checksum
-
-
-def test_what_differs_is_a_report(small):
-    assert rupture.analyze("diff", *small.checkpoints[:2])["differences"]
-    assert rupture.analyze("diff", *2 * [small.checkpoint])["equal"]
-    fails("none.h5 does not exist", rupture.analyze, "diff", "small.h5", "none.h5")
+    assert rupture.analyze("diff", *made.checkpoints)["differences"]  # exit code 1
 
 
 def test_files_that_are_open_are_inputs(small):

@@ -65,11 +65,9 @@ struct ContentFile {
 /// be found out.
 bool is_there(const std::filesystem::path& path);
 
-/// Throws Failure: the file exists and may not be replaced.
-[[noreturn]] void fail_existing(const std::filesystem::path& path);
-
-/// The same for a file of a run that can be continued.
-[[noreturn]] void fail_unfinished(const std::filesystem::path& path);
+/// Throws Failure: the file exists and may not be replaced; `rather` names a better way.
+[[noreturn]] void fail_existing(const std::filesystem::path& path, std::string_view rather = {});
+inline constexpr std::string_view kResume = "--resume to continue its run, or ";
 
 /// Throws Failure if a file could not be written to `path`: it exists and may not be replaced, it
 /// is no regular file, or its folder is missing or read-only. Call it before a long run.

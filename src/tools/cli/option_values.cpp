@@ -30,9 +30,6 @@ double pinned_fraction(double value, const Given& given, const std::string& opti
 /// The word of a number without its unit.
 std::string plain_number(const std::string& word, const std::string& unit) {
   const auto number = in_unit(word, unit);
-  if (!number && in_unit("1" + word, unit)) {
-    refuse(fmt::format("{0} is a unit: write it behind its number, as in 1{0}", word));
-  }
   if (!number) refuse(fmt::format("{} is not a number{}", word, units_taken(unit)));
   if (double value = 0.0; !boost::conversion::try_lexical_convert(*number, value)) {
     refuse(fmt::format("{} is too large", word));

@@ -181,7 +181,9 @@ IfExists if_checkpoint_exists(const RunPlan& plan, const fs::path& path) {
   const IfExists given = plan.options.output.if_exists;
   const bool may_resume = given == IfExists::refuse && !plan.options.resume;
   std::error_code ignored;
-  if (may_resume && fs::exists(path, ignored) && may_write(path, plan.start)) fail_unfinished(path);
+  if (may_resume && fs::exists(path, ignored) && may_write(path, plan.start)) {
+    fail_existing(path, kResume);
+  }
   return may_replace ? IfExists::replace : given;
 }
 
