@@ -123,9 +123,8 @@ std::string unknown_text(std::string_view what, std::string_view word,
                          const std::vector<std::string_view>& candidates, std::string_view see) {
   const auto distance_to = [&](std::string_view candidate) { return distance(word, candidate); };
   const std::string_view near = *std::ranges::min_element(candidates, {}, distance_to);
-  const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size());
-  const std::size_t length = word.size() - std::max(word.find('.') + 1, dashes);  // of the name
-  if (distance_to(near) > std::max<std::size_t>(length, 3))  // V or v is driving.V, nx Nx
+  const std::size_t length = word.size() - (word.find('.') + 1);  // of the name without its group
+  if (distance_to(near) > std::max<std::size_t>(length, 3))       // V or v is driving.V, nx Nx
     return fmt::format("unknown {} '{}'; see {}", what, word, see);
   return fmt::format("unknown {} '{}': did you mean '{}'?", what, word, near);
 }
