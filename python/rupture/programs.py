@@ -53,7 +53,7 @@ def options_of(options):
 
 def output_of(program, *arguments):
     """Runs a program and returns its standard output. Raises Failure with its sentence if it
-    failed, UsageError if it was asked for something impossible. Files that differ are no failure."""
+    failed, UsageError if it was asked for something impossible. That files differ is a result."""
     command = command_of(program) + [word for given in arguments for word in words(given)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     differs = done.returncode == 1 and done.stdout and not done.stderr

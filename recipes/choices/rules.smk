@@ -1,5 +1,5 @@
-# What depends on choices that the paper leaves open: choices.ini has them, and their prepared interfaces. The
-# loads with our choices are those of the ensemble. The chain of commands is in README.md.
+# What depends on choices that the paper leaves open. choices.ini lists them, for loads and for prepared
+# interfaces; INTERFACES_ONLY get no loads. The loads with our choices are those of the ensemble.
 from sweeps.sweep import options, parse_ini
 
 START = 0.17  # s; with half edge springs, the decaying law breaks junctions before 0.18 s

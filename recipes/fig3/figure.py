@@ -119,7 +119,7 @@ def rows(events):
 MADE_OF = {  # what the case of a claim is measured from
     "3Aw": lambda event: (event.in_words("stopped"),),
     "3A": lambda event: (event.front(), event.front("stopped")),
-    "3Bw": lambda event: (event.front(), event.front("no-slow-slip")),
+    "3Bw": lambda event: (event.front(), event.in_words(), event.front("no-slow-slip")),
     "3B": lambda event: (event.front(), event.front("no-slow-slip")),
     "3Cw": lambda event: (event.own_slips(),),
     "3C": lambda event: (event.slips(),),

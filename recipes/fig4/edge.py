@@ -34,7 +34,7 @@ def cases(edges):
 
 
 def largest_shift(edges):
-    """Of the edge of fast fronts, by slow slip, under any convention."""
+    """How far slow slip moves the edge of fast fronts at most, over sigma_bar and conventions."""
     return max(
         abs(with_slip[name]["fast"] - without[name]["fast"])
         for _, with_slip, without in edges
@@ -55,7 +55,7 @@ def make(data, results):
     shown = others.pop(PRIMARY)
     (difference,) = shown
     measured = shown | {
-        "at most under other conventions": max(c[difference] for c in others.values()),
+        "largest difference under other conventions": max(c[difference] for c in others.values()),
         "largest change of the edge of fast fronts by slow slip": largest_shift(edges),
     }
     measured |= {

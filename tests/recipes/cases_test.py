@@ -80,7 +80,10 @@ class TestContinuations:
         "arrest, expected", [(0.084, True), (0.0565, True), (0.0855, False), (None, False)]
     )
     def test_3Bw(self, arrest, expected):
-        assert holds("3Bw", [case_3Bw(front(), front("arrested", arrest))]) == expected
+        case = case_3Bw(front(), front(), front("arrested", arrest))
+        assert holds("3Bw", [case]) == expected
+        later = [arrest and approx((arrest - x) / L) for x in (0.07 + 2 * 0.04, 0.07)]
+        assert list(case.values())[1:] == later
 
     @mark.parametrize("last, expected", [(3.04e-3, approx(0.05)), (None, None)])
     def test_5Aw_goes_by_the_time_below_c_s_over_10(self, last, expected):

@@ -48,9 +48,9 @@ FEW = "(primary); too few loads for a verdict"
 OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
     (GOOD, units(20, 0), "reproduced", "holds as shown and in at least 20 of 20 loads (primary)"),
     (GOOD, units(14, 6), "reproduced", "14 of 20 loads (primary)"),  # one exists: above a half
-    (GOOD, units(13, 7), "depends", f"holds as shown; in 13 of 20 loads {FEW}"),
+    (GOOD, units(13, 7), "depends", f"holds as shown, and in 13 of 20 loads {FEW}"),
     (GOOD, units(9, 11), "depends", "9 of 20 loads (primary)"),
-    (BAD, units(20, 0), "depends", "does not hold as shown; in 20 of 20 loads (primary)"),
+    (BAD, units(20, 0), "depends", "does not hold as shown; holds in 20 of 20 loads (primary)"),
     (BAD, units(1, 19), "differs", "not hold as shown, and in at most 1 of 20 loads (primary)"),
     (BAD, units(2, 18), "depends", f"2 of 20 loads {FEW}"),
     (BAD, units(3, 17), "depends", f"3 of 20 loads {FEW}"),

@@ -140,7 +140,7 @@ def needed(claim_id):
 
 def verdict_of_shares(claim_id, shown, shares):
     """The 90 % intervals must lie beyond the limit, not only the shares."""
-    unit, holding = table()[claim_id]["unit"], "holds" if shown else "does not hold"
+    unit = table()[claim_id]["unit"]
     worst, best = min(shares, key=lambda s: s.low), max(shares, key=lambda s: s.high)
     if shown and worst.low >= needed(claim_id):
         return REPRODUCED, f"holds as shown and in at least {worst.text(unit)}"
@@ -150,7 +150,8 @@ def verdict_of_shares(claim_id, shown, shares):
     extreme = "" if decides is primary else f", {to} to {decides.text(unit)}"
     enough = worst.part() > needed(claim_id) if shown else best.part() < FEW
     few = f"; too few {plural(unit)} for a verdict" if enough else ""
-    return DEPENDS, f"{holding} as shown; in {primary.text(unit)}{extreme}{few}"
+    holding = "holds as shown, and" if shown else "does not hold as shown; holds"
+    return DEPENDS, f"{holding} in {primary.text(unit)}{extreme}{few}"
 
 
 def verdict_of(claim_id, shown, shares):
@@ -182,7 +183,7 @@ def verdict_of_state(held):
 
 
 def units_with(is_so, units):
-    """Of how many a case is so, under the primary convention."""
+    """How many have a case that is so, under the primary convention, as "4 of 20"."""
     found = [any(map(is_so, measured.get(PRIMARY, []))) for measured in units.values()]
     return f"{sum(found)} of {len(found)}"
 

@@ -12,6 +12,7 @@ from claims.judge import holds, judged, units_with, unmet
 from data.records import values
 from events.fronts import LOADING_ZONE, front_spans, is_fast_slow, middle_of_slow_stretch
 
+HALF_STENCIL = 2  # blocks
 IN_ORDER = "fast, slow and fast in order of time"
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
 
@@ -89,7 +90,7 @@ def judged_in_words(claim_id, front, units):
 
 
 def words_shown(front):
-    """Of words_case(), for readers."""
+    """The quantities of words_case(), for readers."""
     slow = front["slow"] or {}
     return {
         "fast-slow-fast in words": words_case(front)["fast-slow-fast in words"],
@@ -139,6 +140,9 @@ def slow_speeds(slow):
     }
 
 
+IN_PLACE = "loads with an event also within 0.1 L of 0.4 L and 0.6 L, and a factor of 2 of 1 ms"
+
+
 def is_in_place(case):
     """2Cw, and the slow stretch begins and ends within 0.1 L of the paper's, and lasts as long
     within a factor of 2; no condition of a claim."""
@@ -159,7 +163,7 @@ def words_compared(front, case, units):
         "length/duration over the paper's 0.2 L in 1 ms": ratio(
             case["length/duration/c_s"], of_paper
         ),
-        "loads with an event in place, too": units_with(is_in_place, units),
+        IN_PLACE: units_with(is_in_place, units),
     }
 
 
@@ -187,6 +191,8 @@ def judged_event(claim_id, events, units):
     for other, fronts in others:
         beside = details(*fronts) | {"holds": yes(holds(claim_id, [case(*fronts)]))}
         measured |= {f"{other}: {key}": value for key, value in beside.items()}
+    counted = COUNTED.get(claim_id, {}).items()
+    measured |= {name: units_with(is_so, units) for name, is_so in counted}
     return judged(claim_id, measured, case(*first), units, note)
 
 
@@ -209,7 +215,7 @@ def details_3A(unmodified, stopped):
 
 
 def arrest_past(x, no_slow_slip):
-    """[L]"""
+    """How far beyond x the front without slow slip arrests [L]; None if x is, or if it does not."""
     arrest = no_slow_slip["x_arrest"]
     return ratio(None if arrest is None or x is None else arrest - x, no_slow_slip["L"])
 
@@ -220,11 +226,39 @@ def case_3B(unmodified, no_slow_slip):
     return {"arrest - transition [L]": arrest_past(transition, no_slow_slip)}
 
 
-def case_3Bw(unmodified, no_slow_slip):
+FIRST, CENTRE, ANYWHERE = (
+    f"arrest - {place} [L]"
+    for place in (
+        "first stencil below c_s/10",
+        "the centre of that stencil",
+        "first stencil below c_s/10 anywhere",
+    )
+)
+
+
+def case_3Bw(unmodified, in_words, no_slow_slip):
+    """From the first end of the first stencil in the slow stretch of `in_words`, the unmodified
+    front measured so; and from two other places that readers may mean."""
     x, v_c = values(unmodified["x"]), values(unmodified["v_c"])
+    start = in_words["slow"] and in_words["slow"]["x_from"]
+    centre = start and round(start + HALF_STENCIL * (x[1] - x[0]), 9)
     slow = x[(x > LOADING_ZONE) & (v_c > 0) & (v_c < unmodified["c_s"] / 10)]
-    first = float(slow[0]) if len(slow) else None
-    return {"arrest - first stencil below c_s/10 [L]": arrest_past(first, no_slow_slip)}
+    places = {FIRST: start, CENTRE: centre, ANYWHERE: slow[0] if len(slow) else None}
+    return {name: arrest_past(place, no_slow_slip) for name, place in places.items()}
+
+
+def is_near(name):
+    """Whether 3Bw would hold from another place."""
+    return lambda case: holds("3Bw", [{FIRST: case[name]}])
+
+
+COUNTED = {  # of claims: what is counted over units, without a verdict
+    "3Bw": {
+        "events that arrest without slow slip": lambda case: case[FIRST] is not None,
+        "within 0.1 L of the centre of that stencil": is_near(CENTRE),
+        "within 0.1 L of the first stencil below c_s/10 anywhere": is_near(ANYWHERE),
+    }
+}
 
 
 def details_3B(unmodified, no_slow_slip):
@@ -360,7 +394,11 @@ def details_5A(unmodified, undriven):
 
 EVENT_CLAIMS: dict[str, tuple] = {  # what measures the case, what readers see of it, a note
     "3Aw": (words_case, words_shown, ""),
-    "3Bw": (case_3Bw, case_3Bw, ""),
+    "3Bw": (
+        case_3Bw,
+        case_3Bw,
+        "From the first end of the first stencil below c_s/10 in the stretch of 2Aw.",
+    ),
     "3Cw": (
         case_3C,
         details_3C,

@@ -92,6 +92,9 @@ class View:
     def fronts(self, run):
         return self.front("unmodified"), self.front(run)
 
+    def around_transition(self):
+        return self.event["unmodified"], self.event[IN_WORDS], self.of_branch("no-slow-slip")
+
     def widened(self):
         return *self.fronts("wider"), *(self.of_branch("phi", n) for n in ("before", "after"))
 
@@ -111,7 +114,7 @@ OF_EVENT: dict[str, tuple] = {  # conventions, what the case is made of
     "3Cv": (OF_SLIP, lambda view: [view.of_branch("slip", view.block)]),
     "4AB": (OF_FRONTS, View.widened),
     "3Aw": (AT_BRANCHES, lambda view: [view.of_branch(IN_WORDS, "stopped")]),
-    "3Bw": (AT_BRANCHES, lambda view: view.fronts("no-slow-slip")),
+    "3Bw": (AT_BRANCHES, lambda view: view.around_transition()),
     "3Cw": (AT_BRANCHES, lambda view: [view.of_branch("slip", OWN_BLOCK)]),
     "5A": ({}, View.undriven),
     "5Aw": ({}, lambda view: (view.event[IN_WORDS], *view.undriven())),

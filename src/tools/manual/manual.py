@@ -18,7 +18,7 @@ import jinja2
 # The files behind `input` or `holds` of a description; any file if it is not here.
 PATTERNS = {
     "checkpoint": "*.h5",
-    "record": "*.h5*",  # or .h5.part
+    "record": "*.[hp]*[5t]",  # .h5 or .h5.part, not .h5.sum
     "file": "*.h5",
     "options and parameters": "*.ini",
 }
