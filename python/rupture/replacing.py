@@ -34,14 +34,13 @@ def sync(path):
     os.close(opened)
 
 
-unfinished: dict[Path, int | None] = {}  # temporary files and their descriptors
+ENDING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
+unfinished: dict[Path, int] = {}  # temporary files and their descriptors
 
 
 def discard(temporary):
     """Deletes a temporary file, unless it has been renamed or is gone."""
     file = unfinished.pop(temporary)
-    if file is None:  # a signal came while it was made
-        return temporary.unlink(missing_ok=True)
     if is_at(file, temporary):
         temporary.unlink()
     os.close(file)
@@ -62,13 +61,12 @@ def replacing(path, rename=os.replace):
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.stem}.tmp.{secrets.token_hex(4)}{path.suffix}")
-    unfinished[temporary] = None
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)  # none between file and note
     try:
         file = os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
-    except OSError:
-        del unfinished[temporary]
-        raise
-    unfinished[temporary] = file
+        unfinished[temporary] = file
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
     try:
         yield temporary
         if not is_at(file, temporary):

@@ -70,7 +70,7 @@ Stretch widened(const Front& front, Stretch stretch, std::size_t n, const FrontC
   return stretch;
 }
 
-/// The centres that count to the slow stretch around a run of slow stencils; none if it is shorter
+/// The centres that belong to the slow stretch around a run of slow stencils; none if it is shorter
 /// than a stencil and those that touch its surroundings do not count.
 std::optional<Stretch> counted(const Front& front, const Stretch& run,
                                const FrontCriteria& criteria) {
@@ -80,7 +80,7 @@ std::optional<Stretch> counted(const Front& front, const Stretch& run,
   return Stretch{run.first + h, run.last - h};
 }
 
-/// The centres between which no stencil counts to the fast sides.
+/// The centres between which no stencil belongs to the fast sides.
 Stretch not_fast(const Stretch& run, const FrontCriteria& criteria) {
   const std::size_t h = criteria.half_stencil();
   if (criteria.stencils_at_ends == StencilsAtEnds::fast) return {run.first + h, run.last - h};
@@ -110,7 +110,7 @@ std::optional<SlowStretch> describe(const Front& front, const Stretch& run,
   return slow;
 }
 
-/// The slow stretch that lasted longest; none if no block counts to any.
+/// The slow stretch that lasted longest; none if no block belongs to any.
 std::optional<SlowStretch> longest(const Front& front, double limit,
                                    const FrontCriteria& criteria) {
   std::optional<SlowStretch> longest;

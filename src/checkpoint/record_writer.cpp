@@ -114,7 +114,7 @@ void check_record(const std::filesystem::path& path, const Parameters& parameter
   check_output(path, if_exists);
   const auto part = part_path(path);
   std::error_code ignored;
-  if (if_exists == IfExists::refuse && std::filesystem::exists(part, ignored)) {
+  if (if_exists == IfExists::refuse && std::filesystem::is_regular_file(part, ignored)) {
     fail_existing(part, kResume);
   }
   check_output(part, if_exists);

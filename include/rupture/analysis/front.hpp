@@ -91,7 +91,7 @@ struct Front {
   std::optional<double> x_arrest;     ///< furthest ruptured block if the front did not span: of an
                                       ///< arrested one that reached the leading edge, that [m]
   std::optional<SlowStretch> slow;  ///< the slow stretch that lasted longest; none also where slow
-                                    ///< stencils exist but no block counts to any stretch
+                                    ///< stencils exist but no block belongs to any stretch
 };
 
 /// Measures the front in one rupture line. None: nothing ruptured; arrested: the event does not

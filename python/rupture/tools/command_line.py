@@ -16,7 +16,7 @@ from functools import partial
 
 from rupture.errors import Failure, UsageError
 from rupture.programs import output_of
-from rupture.replacing import end_by_signal
+from rupture.replacing import ENDING, end_by_signal
 from rupture.units import in_si
 
 CLEAR = "\r\033[K"  # the line of a terminal
@@ -238,7 +238,7 @@ def exit_code(run, say):
 def run_tool(name, run):
     """Calls `run()` and returns the exit code of the program."""
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+    for number in ENDING:
         if signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, end_by_signal)
     return exit_code(run, lambda error: complain(name, str(error)))

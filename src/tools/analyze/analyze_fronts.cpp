@@ -120,7 +120,7 @@ std::vector<po::variables_map> ways_of(const Parsed& parsed) {
   std::vector<po::variables_map> ways = {parsed.values};
   if (parsed.values.count("also") == 0) return ways;
   for (const auto& words : split(parsed.values["also"].as<std::string>(), ';')) {
-    if (words.find_first_not_of(' ') == std::string::npos) continue;
+    if (words.find_first_not_of(" \t") == std::string::npos) continue;
     ways.push_back(with_criteria(parsed, words));
   }
   if (ways.size() == 1) throw UsageError("--also is empty: give options, as in '--stencil 5'");

@@ -16,7 +16,8 @@ namespace {
 // may run in any thread
 std::atomic<int> noted = 0;
 std::atomic<double> noted_at = 0.0;  // [s]
-static_assert(decltype(noted_at)::is_always_lock_free, "else a handler may not write it");
+static_assert(decltype(noted)::is_always_lock_free && decltype(noted_at)::is_always_lock_free,
+              "else a handler may not write them");
 // NOLINTEND(*-avoid-non-const-global-variables)
 
 extern "C" void note(int signal) {

@@ -179,7 +179,8 @@ IfExists if_checkpoint_exists(const RunPlan& plan, const fs::path& path) {
                                ? plan.rewrites_output
                                : plan.options.resume && may_write(path, plan.start);
   const IfExists given = plan.options.output.if_exists;
-  const bool may_resume = given == IfExists::refuse && !plan.options.resume;
+  const bool may_resume =
+      path != plan.options.output.output && given == IfExists::refuse && !plan.options.resume;
   std::error_code ignored;
   if (may_resume && fs::exists(path, ignored) && may_write(path, plan.start)) {
     fail_existing(path, kResume);

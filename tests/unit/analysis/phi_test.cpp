@@ -132,6 +132,16 @@ TEST_F(Interface, is_measured_block_by_block) {
   EXPECT_NEAR(friction_forces(p_, state_)[2], sum, 1e-12);
 }
 
+TEST_F(Interface, is_changed_at_both_ends_of_a_region_to_rounding) {
+  PhiChange change;
+  change.x_from = 0.3;
+  change.x_to = 0.7;
+  for (const double x : {std::nextafter(0.3, 0.0), std::nextafter(0.7, 1.0)}) {
+    EXPECT_TRUE(change.includes(x));
+  }
+  EXPECT_FALSE(change.includes(0.2999) || change.includes(0.7001));
+}
+
 TEST_F(Interface, becomes_as_wide_as_it_can_with_the_same_means) {
   for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
     state_ = before_;

@@ -277,6 +277,28 @@ TEST_F(RecordWithParts, knows_its_levels_without_any_crossing) {
   EXPECT_TRUE(ruptures_below(read_record(file("r.h5")), 0.5).empty());
 }
 
+// 0.55 * 100 is more than 55: earlier builds recorded the crossing when 55 were still pinned.
+TEST_F(RecordWithParts, may_have_a_crossing_at_its_level_or_below) {
+  Parameters p = small_parameters();
+  p.kappa *= static_cast<double>(p.N_s) / 100;  // as stiff
+  p.N_s = 100;
+  for (const int crossed : {1, 2}) {
+    const RecordParts parts = {.crossing_levels = {0.55}};
+    RecordWriter out(file("r.h5"), p, {}, IfExists::replace, {}, parts, 8);
+    for (const int n : {0, 1, 2}) {
+      Sample sample = small_sample(kNx, n);
+      sample.pinned.assign(kNx, static_cast<std::uint16_t>(56 - n));
+      out.append(sample);
+      if (n != crossed) continue;
+      for (std::int64_t i = 0; i < static_cast<std::int64_t>(kNx); ++i) {
+        out.append(std::vector<Rupture>{{100 * n, 0.001 * n, i, 0.55}});
+      }
+    }
+    out.finish();
+    EXPECT_EQ(read_record(file("r.h5")).crossings.size(), kNx);
+  }
+}
+
 TEST_F(RecordWithParts, returns_fields_and_their_positions) {
   write("r.h5", both);
   const auto [record, content, ignored_bytes] = read_record_file(file("r.h5"));
