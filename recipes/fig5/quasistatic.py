@@ -5,7 +5,7 @@ import rupture
 from matplotlib.colors import LinearSegmentedColormap
 from quasistatic_stretch import MIDDLE, advances, read_ruptures
 
-from claims.judge import judged
+from claims.judge import holds, judged, units_with
 from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
@@ -74,14 +74,14 @@ def case_5B(c_s, speed, branch):
     return {"c_s/speed": c_s / speed, "blocks in 20 ms, V = 0": branch["stopped"]}
 
 
-def units_5B(paths):
+def units_5B(paths, hardly=HARDLY):
     """By quasistatic_seed.py. A front that hardly moves with the drive either says
     nothing about what happens without it."""
     found = {path.stem: report(path) for path in paths}
     return {
         name: {PRIMARY: [case_5B(load["c_s"], load["speed"], load["branch"])]}
         for name, load in found.items()
-        if load["branch"]["driven"] > HARDLY
+        if load["branch"]["driven"] > hardly
     }
 
 
@@ -104,6 +104,9 @@ def claim_5B(stretch, c_s, branches, others):
             "blocks in 20 ms, driven": middle["driven"],
             "all branches, V = 0": [branch["stopped"] for branch in branches],
             "all branches, driven": [branch["driven"] for branch in branches],
+            "holds for, of all loads, also where the front hardly moves with the drive": units_with(
+                lambda of: holds("5B", [of]), units_5B(others, hardly=-1)
+            ),
         },
         note="The stretch lies between the first two dynamic events (more than half of the blocks"
         " rupture within 1 ms) and ends 10 ms before the second. The branch in the middle of its"

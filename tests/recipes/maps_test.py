@@ -67,6 +67,8 @@ class TestTypes:
         for stencil in (3, 5, 7):
             assert front_type(front({9: 1.0}), stencil=stencil) == "fast", stencil
             assert front_type(front({10: 1.0}), stencil=stencil) == "slow", stencil
+            assert front_type(front({9: 1.0}), stencil=stencil, side="left") == "slow", stencil
+            assert front_type(front({8: 1.0}), stencil=stencil, side="left") == "fast", stencil
 
     def test_what_runs_backwards_counts_by_the_magnitude_of_its_speed(self):
         line = front()

@@ -77,9 +77,10 @@ def speeds(front, stencil):
     return v_c
 
 
-def beyond_trigger(front, stencil=None):
-    """Speeds of the stencils that count, beyond SKIP_BELOW_X [m/s]; None: those measured."""
-    first = int(np.searchsorted(front["x"], SKIP_BELOW_X, side="right"))
+def beyond_trigger(front, stencil=None, side="right"):
+    """Speeds of the stencils that count, beyond SKIP_BELOW_X [m/s]; None: those measured. "left":
+    from it on."""
+    first = int(np.searchsorted(front["x"], SKIP_BELOW_X, side=side))
     if stencil is None:
         return values(front["v_c"])[first:]
     return speeds(front, stencil)[first + stencil // 2 - STENCIL // 2 :]
@@ -93,16 +94,16 @@ def has_spanned(front):
     return 2 * np.isfinite(times).sum() > len(times) and bool((times < times[-1]).any())
 
 
-def front_type(front, slow_below=SLOW_BELOW, stencil=None, ruptured_below=None):
-    """The type by another threshold, stencil or pinned fraction than those that `analyze front` was
-    called with."""
+def front_type(front, slow_below=SLOW_BELOW, stencil=None, ruptured_below=None, side="right"):
+    """The type by another threshold, stencil, pinned fraction or first place than those that
+    `analyze front` was called with."""
     if front is None:
         return IMPOSSIBLE
     if ruptured_below is not None:
         front = front["at"][ruptured_below]
     if not has_spanned(front):
         return "arrested"
-    slow = np.abs(beyond_trigger(front, stencil)) < slow_below * front["c_s"]
+    slow = np.abs(beyond_trigger(front, stencil, side)) < slow_below * front["c_s"]
     return "slow" if slow.any() else "fast"
 
 

@@ -83,6 +83,9 @@ def measured(fronts, grid, boundary, thresholds):
         "fast points below-left of an arrest point": len({fast for fast, _ in below_left}),
         "grid points that step back along tau_bar_0": len(front_map.steps_back(types, ALONG_TAU)),
         "grid points that step back along sigma_bar": len(front_map.steps_back(types, ALONG_SIGMA)),
+        "places out of order, if the stencil at 27.5 mm counts": len(
+            map_conventions.out_of_order(fronts, grid, ALONG_TAU, side="left")
+        ),
         **seeds_measured(fronts, boundary),
         **bands,
         **others,
