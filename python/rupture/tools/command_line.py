@@ -128,6 +128,7 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("-f", "--force", action="store_true", help="replace an existing file")
 
     def error(self, message):
+        self.refuse_unknown(message.partition("unrecognized arguments: ")[2].split())
         for pattern, ours in WORDING.items():
             message = re.sub(pattern, ours, message)
         raise UsageError(f"{message}; see {self.called} --help")
@@ -145,13 +146,11 @@ class Parser(argparse.ArgumentParser):
         """Of several mistakes, an unknown option is reported first."""
         words = list(sys.argv[1:] if args is None else args)
         try:
-            known, rest = super().parse_known_args(words, namespace)
+            return super().parse_known_args(words, namespace)
         except UsageError as error:
             if "required" in str(error):
                 self.refuse_unknown(words)
             raise
-        self.refuse_unknown(rest)
-        return known, rest
 
     def refuse_unknown(self, words):
         known = [name for action in self.options() for name in action.option_strings]

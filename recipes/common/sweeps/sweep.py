@@ -271,9 +271,9 @@ def sweep_of(ini, name, seed=""):
 def place_and_sentence(error):
     """The place and sentence of a configparser.Error, whose own message has several lines."""
     if hasattr(error, "errors"):
-        number, line = error.errors[0]
+        line = str(error).splitlines()[1].partition("]: ")[2]  # in errors, some Pythons quote it
         said = f"expected NAME = VALUE or [SECTION] (got {line})".replace("\\n", "")
-        return f"{error.source}, line {number}: {said}"
+        return f"{error.source}, line {error.errors[0][0]}: {said}"
     said = str(error).partition("]: ")[2]
     said = said or f"expected [SECTION] first (got {error.line.strip()!r})"
     return f"{error.source}, line {error.lineno}: {said}"
