@@ -11,6 +11,7 @@ from events.conventions import IN_WORDS
 from events.event_claims import case_of_event, judged_in_words
 from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
+from maps.front_map import STENCIL
 from maps.map_claims import make_map
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from pictures.panels import ruptured_early, window_of
@@ -20,7 +21,7 @@ RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "o"),
     "t_R-double": (r"$2\,\langle t_R\rangle$", CHANGED, "^"),
 }
-ENDS = 2  # blocks between the middle and either end of a stencil
+ENDS = STENCIL // 2  # blocks between the middle and either end of a stencil
 MAP = dict(
     panel="B",
     tables=["map-boundary"],

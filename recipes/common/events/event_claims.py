@@ -11,8 +11,8 @@ from claims import paper
 from claims.judge import holds, judged, units_with, unmet
 from data.records import values
 from events.fronts import LOADING_ZONE, front_spans, is_fast_slow, middle_of_slow_stretch
+from maps.front_map import STENCIL
 
-HALF_STENCIL = 2  # blocks
 IN_ORDER = "fast, slow and fast in order of time"
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
 
@@ -241,7 +241,7 @@ def case_3Bw(unmodified, in_words, no_slow_slip):
     front measured so; and from two other places that readers may mean."""
     x, v_c = values(unmodified["x"]), values(unmodified["v_c"])
     start = in_words["slow"] and in_words["slow"]["x_from"]
-    centre = start and round(start + HALF_STENCIL * (x[1] - x[0]), 9)
+    centre = start and round(start + STENCIL // 2 * (x[1] - x[0]), 9)
     slow = x[(x > LOADING_ZONE) & (v_c > 0) & (v_c < unmodified["c_s"] / 10)]
     places = {FIRST: start, CENTRE: centre, ANYWHERE: slow[0] if len(slow) else None}
     return {name: arrest_past(place, no_slow_slip) for name, place in places.items()}
