@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "context.hpp"
-#include "rupture/checkpoint/record.hpp"
 
 namespace rupture {
 namespace {

@@ -2,6 +2,7 @@
 // besides.
 #pragma once
 
+#include <span>
 #include <tuple>
 
 #include "hdf5.hpp"

@@ -120,6 +120,10 @@ struct EditedFile {
 /// Failure in one sentence that names the file, also if it holds no checkpoint or record.
 EditedFile read_edited(const std::filesystem::path& path);
 
+/// Whether a run is writing this .part, which must exist, now. False where the file system has no
+/// locks. Throws Failure if the file cannot be opened.
+bool is_being_written(const std::filesystem::path& part);
+
 /// `<path>.sum`.
 std::filesystem::path sum_path(const std::filesystem::path& path);
 

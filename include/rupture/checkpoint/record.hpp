@@ -82,10 +82,6 @@ struct Record {
 /// `<path>.part`, where the record lives until it is finished.
 std::filesystem::path part_path(const std::filesystem::path& path);
 
-/// Whether a run is writing this .part, which must exist, now. False where the file system has no
-/// locks. Throws Failure if the file cannot be opened.
-bool is_being_written(const std::filesystem::path& part);
-
 /// Throws unless a run with these parameters may write this record: Failure as check_output(), also
 /// of its .part; UsageError if N_s does not fit the 16 bits of a pinned count.
 void check_record(const std::filesystem::path& path, const Parameters& parameters,
