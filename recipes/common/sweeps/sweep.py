@@ -216,9 +216,12 @@ def needs_of(section):
     return {"megabytes": megabytes, "threads": int(threads)}
 
 
-def parse_ini(path):
+def parse_ini(path, read=()):
     """Sections that it lacks are those of the file `like`, variants only if it has none. Paths in
-    [sweep], which are relative to the file's folder, become relative to the working directory."""
+    [sweep], which are relative to the file's folder, become relative to the working directory.
+    `read`: the files that led here."""
+    if path in read:
+        raise UsageError("'like' leads back to the same file")
     ini = configparser.RawConfigParser(
         default_section="", delimiters="=", inline_comment_prefixes="#;"
     )
@@ -232,7 +235,7 @@ def parse_ini(path):
     for key in {"base", "points", "like"} & {*section}:
         section[key] = os.path.normpath(Path(path).parent / section[key])
     if "like" in section:
-        other = parse_ini(section.pop("like"))
+        other = parse_ini(section.pop("like"), (*read, path))
         ini.files += other.files  # type: ignore[attr-defined]
         present = {name.partition(" ")[0] for name in ini.sections()}
         ini.read_dict({n: other[n] for n in other.sections() if n.partition(" ")[0] not in present})
@@ -291,8 +294,6 @@ def errors_of(path):
         raise UsageError(f"{path}: it is not UTF-8 text") from None
     except configparser.Error as error:
         raise UsageError(place_and_sentence(error)) from None
-    except RecursionError:
-        raise UsageError(f"{path}: 'like' leads back to the same file") from None
     except (Failure, ValueError) as error:
         raise UsageError(f"{path}: {' '.join(str(error).split())}") from None
 
