@@ -11,7 +11,7 @@ from claims.judge import interval, shares_of
 from claims.own_result import OwnResult, write_own
 from data.tables import read_rows, write_table
 from events.choose_events import read_events
-from events.event_claims import case_of_event
+from events.front_claims import case_of_event
 from events.fronts import LOADING_ZONE, is_fast_only
 from events.units import OF_EVENT, in_words, of_events, of_loads
 from maps.front_map import IMPOSSIBLE, STENCIL, band, place_of, speeds, type_on_map

@@ -4,10 +4,10 @@ steps, the reference one first: a list, each front with its values by the headin
 import numpy as np
 
 import continuum
+from claims.judge import yes
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import points_of, write_table
-from events.event_claims import yes
 from maps.front_map import IMPOSSIBLE, place_of, type_on_map
 from pictures.plotting import BLACK, DOUBLE, LINES, lettered, save
 

@@ -6,11 +6,12 @@ from operator import itemgetter
 import alternation
 import numpy as np
 
+from claims.judge import yes
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import write_events
 from events.choose_events import read_events
-from events.event_claims import is_fast_slow_fast, yes
+from events.front_claims import is_fast_slow_fast
 from events.fronts import has_slow_stretch, is_fast_only
 from events.product import CLAIMS as PRODUCT_CLAIMS
 from events.product import range_of

@@ -6,7 +6,7 @@ from itertools import takewhile
 import numpy as np
 import rupture
 
-from claims.judge import judged, units_with
+from claims.judge import judged, units_with, yes
 from data.records import report, values
 from data.tables import write_table
 from events.choose_events import read_events
@@ -120,7 +120,7 @@ def case_1E(peaks, front, blocks=beyond_loading_zone):
     before, at_peak, after = (values(peaks[n])[chosen] for n in ("before", "at_peak", "after"))
     return {
         "peak minus rupture [ms]": None if np.isnan(farthest) else farthest * 1e3,
-        "rises and falls": "yes" if np.all((before < at_peak) & (after < at_peak)) else "no",
+        "rises and falls": yes(np.all((before < at_peak) & (after < at_peak))),
     }
 
 

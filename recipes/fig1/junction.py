@@ -8,9 +8,8 @@ import sys
 import numpy as np
 import rupture
 
-from claims.judge import judged
+from claims.judge import judged, yes
 from data.tables import write_table
-from events.event_claims import yes
 
 EVERY = 20  # of the steps that go into the table; where something changes, all
 SHOWN = 1  # block

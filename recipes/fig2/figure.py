@@ -9,7 +9,7 @@ from claims import paper
 from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import write_columns, write_fronts
-from events.event_claims import case_of_event, claims_of_fronts
+from events.front_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_ensemble, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
 from pictures.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save

@@ -13,7 +13,7 @@ import numpy as np
 
 from claims import paper
 from events.choose_events import read_events, start
-from events.event_claims import case_of_event
+from events.front_claims import case_of_event
 from events.fronts import has_slow_stretch
 from events.units import name_of
 

@@ -4,7 +4,7 @@ import numpy as np
 from quadrature import SHAPES, largest_mean_force, mean_force, sigma_of_unit_width
 from quadrature import uniform_closed_form
 
-from claims.judge import judged
+from claims.judge import judged, yes
 from claims.paper import MU_D, MU_S
 from data.tables import read_table, write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
@@ -87,7 +87,7 @@ def claim_S5(uniform, bell):
     places = [np.argmin(np.abs(uniform.sigma_bar - sigma_bar)) for sigma_bar in AT]
     at = {f"{s.shape} at {', '.join(map(str, AT))}": s.mu_bar[places] for s in (uniform, bell)}
     case = {
-        "falls from each to the next": "yes" if falls else "no",
+        "falls from each to the next": yes(falls),
         "largest deviation of mu-bar": max(off.values()),
     }
     return judged(

@@ -8,7 +8,7 @@ from data.records import report, values
 from data.tables import write_events, write_fronts
 from events.choose_events import read_events
 from events.conventions import IN_WORDS
-from events.event_claims import case_of_event, judged_in_words
+from events.front_claims import case_of_event, judged_in_words
 from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
 from maps.front_map import STENCIL

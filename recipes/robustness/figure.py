@@ -10,7 +10,7 @@ from data.records import report, values
 from data.tables import points_of, write_events
 from events.choose_events import read_events
 from events.conventions import IN_WORDS, PRIMARY
-from events.event_claims import case_of_event, judged_in_words, words_case, words_shown
+from events.front_claims import case_of_event, judged_in_words, words_case, words_shown
 from events.fronts import has_slow_stretch, is_fast_only
 from events.units import in_words as units_in_words
 from events.units import of_ensemble, of_loads

@@ -10,8 +10,8 @@ from claims.judge import holds
 from conftest import ROOT, approx
 from events.continuations import BRANCHES, LEAD, OWN_BLOCK
 from events.conventions import IN_WORDS, PRIMARY
-from events.event_claims import IN_ORDER, case_3Bw, case_5Aw, case_of_event, ratios_3Cr
-from events.event_claims import words_and_order_case
+from events.event_claims import case_3Bw, case_5Aw, ratios_3Cr
+from events.front_claims import IN_ORDER, case_of_event, words_and_order_case
 from events.slip import peaks_of
 from events.units import of_event
 from rupture.files import Ruptures

@@ -8,7 +8,8 @@ from conftest import approx
 from data.value import main as value
 from events.choose_events import choose
 from events.conventions import CONVENTIONS, PRIMARY
-from events.event_claims import case_3Cv, judged_event, speeds_compared
+from events.event_claims import case_3Cv, judged_event
+from events.front_claims import speeds_compared
 from events.product import combinations, range_of
 from events.slip import with_peak_speed
 from events.units import of_event

@@ -54,6 +54,11 @@ def as_number(bound):
     return float(Fraction(str(bound)))
 
 
+def yes(so):
+    """As conditions ask for it."""
+    return "yes" if so else "no"
+
+
 def met(condition, value):
     """A quantity that could not be measured (None) meets no condition."""
     if value is None or not isinstance(condition, dict):

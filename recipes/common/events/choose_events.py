@@ -11,7 +11,7 @@ from claims.judge import unmet
 from data.records import report
 from events.continuations import LEAD
 from events.conventions import DECAYING, PRIMARY
-from events.event_claims import case_of_event
+from events.front_claims import case_of_event
 from events.fronts import is_fast_only, is_fast_slow
 
 

@@ -6,7 +6,7 @@ from itertools import product
 
 from claims.judge import holds
 from events.conventions import CONVENTIONS, PRIMARY
-from events.event_claims import case_of_event
+from events.front_claims import case_of_event
 
 CLAIMS = {  # on fronts as they are, which costs no further simulation, by the setting of a load
     "load": ("2A", "2B", "2C"),

@@ -13,7 +13,8 @@ from claims.judge import holds
 from data.records import report
 from events.continuations import BRANCHES, OWN_BLOCK, SLIP_AT
 from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
-from events.event_claims import EVENT_CLAIMS, case_S2, words_and_order_case
+from events.event_claims import EVENT_CLAIMS, case_S2
+from events.front_claims import words_and_order_case
 from events.fronts import has_slow_stretch
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
