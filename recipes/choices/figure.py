@@ -1,5 +1,6 @@
 """Fronts under choices that the paper leaves open, a result of our own."""
 
+import textwrap
 from dataclasses import astuple, dataclass, replace
 
 import numpy as np
@@ -231,9 +232,8 @@ def draw_panel(axes, found, name):
     axes.locator_params("x", nbins=2)
     axes.xaxis.set_major_formatter("{x:g}")
     heading = f"{name}, {ALIKE[name]}" if name in ALIKE else name
-    for plain, shown in ((" ", "\n"), ("c_s", "$c_s$"), ("sigma", r"$\bar\sigma$")):
-        heading = heading.replace(plain, shown)
-    axes.set_xlabel(heading)
+    heading = textwrap.fill(heading.replace("sigma", "σ"), 8, break_long_words=False)
+    axes.set_xlabel(heading.replace("c_s", "$c_s$").replace("σ", r"$\bar\sigma$"))
 
 
 def draw(found, stem):
