@@ -17,6 +17,7 @@ from events.units import of_event
 from rupture.files import Ruptures
 
 L, C_S = 0.14, 968.0
+FURTHER = [f"branch at {place} L" for place in ("0.2", "0.25")]
 SLOW = dict(x_from=0.07, x_to=0.098, t_from=1e-3, t_to=2e-3, duration=1e-3, speed=25.0)
 SLOW |= dict(slowest=10.0, mean=28.0, fast_before=C_S / 3, fast_after=400.0)
 
@@ -99,8 +100,10 @@ class TestContinuations:
 
 class TestUnits:
     @staticmethod
-    def event(unmodified="slow"):
-        fronts = {"unmodified": front(unmodified), "stopped": front(), "wider": front("fast")}
+    def event(unmodified="slow", slow=SLOW):
+        original = front(unmodified)
+        original["slow"] = original["slow"] and slow
+        fronts = {"unmodified": original, "stopped": front(), "wider": front("fast")}
         slips = {run: {"fast_slip": 1.0, "slow_r_squared": 0.96} for run in ("t_R-half", "stopped")}
         slips["t_R-double"] = {"fast_slip": 1.05, "slow_r_squared": 0.96}
         of_branch = fronts | {
@@ -109,7 +112,7 @@ class TestUnits:
             "slip": {OWN_BLOCK: slips},
         }
         return {
-            "unmodified": front(unmodified),
+            "unmodified": original,
             IN_WORDS: front(),
             "branches": dict.fromkeys(BRANCHES, of_branch) | {"0.25": None},
             "conventions": {
@@ -121,16 +124,19 @@ class TestUnits:
         }
 
     @mark.parametrize(
-        "claim, unmodified, names",
+        "claim, original, names",
         [
-            ("3A", "slow", [PRIMARY, "branch at 0.2 L", "branch at 0.25 L", "stencil 7"]),
-            ("3A", "fast", []),
-            ("5A", "fast", []),
-            ("5Aw", "fast", [PRIMARY]),
+            ("3A", ["slow"], [PRIMARY, *FURTHER, "stencil 7"]),
+            ("3A", ["slow", None], []),  # the stretch is not longer than a stencil
+            ("3A", ["fast"], []),
+            ("5A", ["fast"], []),
+            ("5A", ["slow", SLOW | {"duration": 0}], []),
+            ("3A", ["slow", SLOW | {"duration": 0}], [PRIMARY, *FURTHER, "stencil 7"]),
+            ("5Aw", ["fast"], [PRIMARY]),
         ],
     )
-    def test_an_event_is_a_unit_where_its_front_is_slow(self, claim, unmodified, names):
-        assert sorted(of_event(claim, self.event(unmodified))) == sorted(names)
+    def test_an_event_is_a_unit_where_its_front_is_slow(self, claim, original, names):
+        assert sorted(of_event(claim, self.event(*original))) == sorted(names)
 
     @mark.parametrize("claim, held", [("3Aw", False), ("3Bw", True), ("3Cw", True)])
     def test_a_branch_without_a_front_counts_against_the_claim(self, claim, held):

@@ -153,7 +153,8 @@ def verdict_of_shares(claim_id, shown, shares):
         return DIFFERS, f"does not hold as shown, and in at most {best.text(unit)}"
     primary, decides, to = shares[0], *((worst, "down") if shown else (best, "up"))
     extreme = "" if decides is primary else f", {to} to {decides.text(unit)}"
-    enough = worst.part() > needed(claim_id) if shown else best.part() < FEW
+    parts = [share.part() for share in shares]
+    enough = min(parts) >= needed(claim_id) if shown else max(parts) <= FEW
     few = f"; too few {plural(unit)} for a verdict" if enough else ""
     holding = "holds as shown, and" if shown else "does not hold as shown; holds"
     return DEPENDS, f"{holding} in {primary.text(unit)}{extreme}{few}"

@@ -27,8 +27,17 @@ def is_fast_slow(front):
 
 
 def has_slow_stretch(front):
-    """Spans the interface, with a slow stretch beyond the loading zone."""
+    """Spans the interface, with a slow stencil beyond the loading zone."""
     return front["type"] == "slow"
+
+
+def is_measured(front):
+    """That stretch is longer than a stencil, and so has a speed, a beginning and an end."""
+    return has_slow_stretch(front) and front["slow"] is not None
+
+
+def takes_time(front):
+    return is_measured(front) and front["slow"]["duration"] > 0
 
 
 def is_fast_only(front):

@@ -15,7 +15,7 @@ from events.continuations import BRANCHES, OWN_BLOCK, SLIP_AT
 from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
 from events.event_claims import EVENT_CLAIMS, case_S2
 from events.front_claims import words_and_order_case
-from events.fronts import has_slow_stretch
+from events.fronts import has_slow_stretch, is_measured, takes_time
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
 FIRST_BLOCK, *OTHER_BLOCKS = SLIP_AT
@@ -120,18 +120,24 @@ OF_EVENT: dict[str, tuple] = {  # conventions, what the case is made of
     "5A": ({}, View.undriven),
     "5Aw": ({}, lambda view: (view.event[IN_WORDS], *view.undriven())),
 }
-FROM_SLOW = ("3A", "3B", "4AB", "5A", "5Aw")  # made of an original first, which has to be slow
+SLOW_AS_JUDGED = {  # of claims made of an original first: whether it can be compared with
+    "3A": is_measured,
+    "3B": is_measured,
+    "4AB": has_slow_stretch,
+    "5A": takes_time,
+    "5Aw": takes_time,
+}
 
 
 def of_event(claim_id, event):
-    """An event whose original is not slow under a convention is not a unit under it."""
+    """An event whose original is not slow as the claim judges it is not a unit under a convention."""
     (conventions, made_of), (case, *_) = OF_EVENT[claim_id], EVENT_CLAIMS[claim_id]
     found = {}
     for name, fields in ({PRIMARY: {}} | conventions).items():
         if "way" in fields and name not in (event["conventions"] or {}):
             continue
         parts = made_of(View(event, **fields))
-        if claim_id not in FROM_SLOW or has_slow_stretch(parts[0]):
+        if claim_id not in SLOW_AS_JUDGED or SLOW_AS_JUDGED[claim_id](parts[0]):
             found[name] = [] if None in parts else [case(*parts)]
     return found
 
