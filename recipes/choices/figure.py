@@ -1,7 +1,9 @@
 """Fronts under choices that the paper leaves open, a result of our own."""
 
 import textwrap
+import tomllib
 from dataclasses import astuple, dataclass, replace
+from pathlib import Path
 
 import numpy as np
 from scipy.stats import binom
@@ -10,16 +12,18 @@ from claims import paper
 from claims.claim import PRIMARY
 from claims.judge import interval, shares_of
 from claims.own_result import OwnResult, write_own
-from data.tables import read_rows, write_table
+from data.records import report
+from data.tables import write_table
 from events.choose_events import read_events
 from events.front_claims import case_of_event
 from events.fronts import LOADING_ZONE, is_fast_only
 from events.units import OF_EVENT, in_words, of_events, of_loads
-from maps.front_map import IMPOSSIBLE, STENCIL, band, place_of, speeds, type_on_map
+from maps.front_map import STENCIL, speeds
 from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
-# Choices that have no prepared interfaces; the others are the variants of choices.ini.
-DECAYING = ("decaying", "decaying-exact", "decaying-both")
+CHANGES = tomllib.loads(Path(__file__).with_name("choices.toml").read_text(encoding="utf-8"))
+DECAYING = ("decaying", *CHANGES["decaying"])  # without edges on prepared interfaces
+CHOICES = ("reference", *CHANGES["load"], *CHANGES["prepared"], *DECAYING)
 SETTLED = {"reference": "load", "decaying": "decaying"}  # in the ensemble: kind of load
 ROWS = {  # claims that are judged under each choice
     "reference": ("2A", "2Aw", "2B", "2C", "2Cw", "3Aw", "3Bw", "4AB"),
@@ -36,7 +40,7 @@ MEDIANS = {  # of fast-slow-fast events, by quantities of case_of_event()
     "lasts/ms": "duration [ms]",
 }
 FAST_ONLY = "fast only/c_s"  # of events that are fast everywhere
-SLOW = {"slow at sigma 0": 0.0, "slow at sigma 0.285": 0.285}  # of prepared interfaces: sigma_bar
+SLOW = {f"slow at sigma {sigma}": sigma for sigma in ("0", "0.285")}  # of prepared interfaces
 SHARES = (*ROWS["reference"], SHARE, *ROWS["decaying"])
 NUMBERS = (*MEDIANS, FAST_ONLY)
 PAPER = {
@@ -73,8 +77,8 @@ class Found:
         return replace(self, moved="up" if up else "down" if down else "")
 
     def text(self):
-        if self.value is None or self.n is None:
-            return "none" if self.low is None else f"{self.low:g} to {self.high:g}"
+        if self.value is None:
+            return f"{self.low:.4f} to {self.high:.4f}"
         share = f"{self.value * self.n:.0f}/{self.n}"
         return (share if self.least is None else f"{self.value:.3g}") + ("*" if self.moved else "")
 
@@ -124,18 +128,17 @@ def of_spanning(events):
     return found | {name: median(of) for name, of in known.items() if of}
 
 
-def bands(rows, choice):
-    """Of slow fronts on prepared interfaces; none without a row of this choice."""
-    types = {
-        place_of(row): type_on_map(row["type"]) or IMPOSSIBLE
-        for row in rows
-        if row["variant"] == choice
+def bands(data, choice):
+    """Of slow fronts on prepared interfaces, between bisected edges."""
+    if choice in DECAYING:
+        return {}
+    edges = {name: report(data / f"edges/{choice}-{sigma}-1.json") for name, sigma in SLOW.items()}
+    return {
+        name: Found(None, of[PRIMARY]["slow"], of[PRIMARY]["fast"]) for name, of in edges.items()
     }
-    ends = {name: band(types, sigma) or (None, None) for name, sigma in SLOW.items() if types}
-    return {name: Found(None, *limits) for name, limits in ends.items()}
 
 
-def measured(data, choice, rows):
+def measured(data, choice):
     """{quantity: what was found}, of what there is."""
     loads = f"ensemble/{SETTLED[choice]}" if choice in SETTLED else f"choices/{choice}"
     events, continued = (
@@ -149,15 +152,14 @@ def measured(data, choice, rows):
         if share.convention == PRIMARY
     }
     spanning = [event for path in events for event in read_events(path) if event["spanning"]]
-    return shares | of_spanning(spanning) | bands(rows, choice)
+    return shares | of_spanning(spanning) | bands(data, choice)
 
 
 def all_measured(data):
     """{(choice, quantity): what was found}; those as settled come first."""
     found: dict[tuple, Found] = {}
-    rows = read_rows(data / "choices/choices.csv")
-    for choice in (*dict.fromkeys(row["variant"] for row in rows), *DECAYING):
-        for name, one in measured(data, choice, rows).items():
+    for choice in CHOICES:
+        for name, one in measured(data, choice).items():
             found[choice, name] = one.beside(found.get((settled_of(choice), name)))
     return found
 

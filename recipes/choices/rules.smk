@@ -1,19 +1,16 @@
-# What depends on choices that the paper leaves open. choices.ini lists them, for loads and for prepared
-# interfaces; INTERFACES_ONLY get no loads. The loads with our choices are those of the ensemble.
-from sweeps.sweep import options, parse_ini
+import tomllib
 
+# What depends on choices that the paper leaves open (choices.toml). The loads with our choices are those of
+# the ensemble, the edges on prepared interfaces those of Figure 4.
 START = 0.17  # s; with half edge springs, the decaying law breaks junctions before 0.18 s
-INTERFACES_ONLY = ("variant reference", "variant K-tenth")
-VARIANTS = parse_ini("recipes/choices/choices.ini")
+CHANGES = tomllib.loads(Path("recipes/choices/choices.toml").read_text(encoding="utf-8"))
 CHOICES = {  # name: kind of load, parameters
-    section.removeprefix("variant "): ("load", options(VARIANTS[section]))
-    for section in VARIANTS.sections()
-    if section.startswith("variant ") and section not in INTERFACES_ONLY
+    name: (kind, f"{SETTINGS[kind][0]} {change}".strip())
+    for kind in ("load", "decaying")
+    for name, change in CHANGES[kind].items()
 }
-CHOICES |= {
-    "decaying-exact": ("decaying", f"{SETTINGS['decaying'][0]} --set junctions.repin=exact"),
-    "decaying-both": ("decaying", f"{SETTINGS['decaying'][0]} {CHOICES['both'][1]}"),
-}
+CHOICE_EDGES = CHANGES["load"] | CHANGES["prepared"]
+EDGES |= CHOICE_EDGES
 OF_KIND = {"load": ("events", "continued"), "decaying": ("events",)}  # what there is of each load
 
 
@@ -53,7 +50,7 @@ figure(
     tables=["choices"],
     own=OWN_RESULTS,
     reads=[
-        "choices/choices.csv",
+        *(of for name in ("reference", *CHOICE_EDGES) for of in edges(name, ["0", "0.285"])),
         *(of for kind in OF_KIND for of in of_choice("ensemble", kind, kind)),
         *(of for name, (kind, _) in CHOICES.items() for of in of_choice("choices", name, kind)),
     ],

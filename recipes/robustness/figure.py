@@ -91,6 +91,9 @@ def claim_strict(events, unmodified, continued, loads):
             "first to meet most of 2A at [s]": shown["t_start"],
             "slow speed [m/s]": slow.get("speed"),
             **{name: case[name] for name in ("duration [ms]", "from [L]", "to [L]")},
+            "between the crossings of c_s/20 [ms]": slow["between_crossings"] * 1e3
+            if slow
+            else None,
             "fast before [m/s]": slow.get("fast_before"),
             "fast after [m/s]": slow.get("fast_after"),
             "unmet criteria": ", ".join(unmet("Exp", case)) or "none",

@@ -14,6 +14,7 @@ SLOW_STRETCH = {  # name in a report: for readers
     "x_from": "slow from [m]",
     "x_to": "slow to [m]",
     "duration": "duration [s]",
+    "between_crossings": "between crossings [s]",
     "speed": "slow speed [m/s]",
     "mean": "mean slow speed [m/s]",
     "slowest": "slowest stencil [m/s]",
@@ -46,16 +47,21 @@ def write_fronts(path, fronts):
 
 
 def write_events(path, events, columns):
-    """{heading: function of an event}, when each starts, and its slow stretch."""
+    """{heading: function of an event}, when each starts, and what is known of its slow stretch.
+    Stencils at which the front runs backwards are in no such stretch."""
+    events = list(events)
+    known = {name for event in events for name in event["slow"] or ()}
+    stretch = {name: text for name, text in SLOW_STRETCH.items() if name in known}
     rows = (
         [
             *(of(event) for of in columns.values()),
             event["t_start"],
-            *map((event["slow"] or {}).get, SLOW_STRETCH),
+            event["backward_stencils"],
+            *map((event["slow"] or {}).get, stretch),
         ]
         for event in events
     )
-    write_table(path, [*columns, "t_start [s]", *SLOW_STRETCH.values()], rows)
+    write_table(path, [*columns, "t_start [s]", "backward stencils", *stretch.values()], rows)
 
 
 def read_table(path):

@@ -10,7 +10,7 @@ import sys
 from claims.judge import unmet
 from data.records import report
 from events.continuations import LEAD
-from events.conventions import DECAYING, PRIMARY
+from events.conventions import DECAYING, PRIMARY, WITH_ENDS
 from events.front_claims import case_of_event
 from events.fronts import is_fast_only, is_fast_slow
 
@@ -22,8 +22,14 @@ def start(event, checkpoint_every):
 
 
 def read_events(path, convention=PRIMARY):
-    """The events of a load as ensemble/measure_events.py lists them."""
-    return report(path)[convention]
+    """The events of a load as ensemble/measure_events.py lists them; under the primary convention
+    with the time between the crossings of the threshold, which is beside a slow stretch."""
+    found = report(path)
+    if convention == PRIMARY:
+        for event, with_ends in zip(found[PRIMARY], found.get(WITH_ENDS, [])):
+            if event["slow"]:
+                event["slow"]["between_crossings"] = with_ends["slow"]["duration"]
+    return found[convention]
 
 
 def choose(events):

@@ -170,9 +170,6 @@ def case_4AB(unmodified, wider, phi_before, phi_after):
 def details_4AB(unmodified, wider, phi_before, phi_after):
     return case_4AB(unmodified, wider, phi_before, phi_after) | {
         "its slowest stencil [m/s]": slowest(wider),
-        "slow stretch of the unmodified restart [ms]": unmodified["slow"]["duration"] * 1e3,
-        "slow stretch with the wider phi [ms]": (wider["slow"] or {"duration": 0})["duration"]
-        * 1e3,
     }
 
 

@@ -26,7 +26,7 @@ rule edges:
         code=CODE,
         folder=f"{DATA}/edges/{{setting}}-{{sigma}}-{{seed}}-scratch",
         options=lambda wildcards: EDGES[wildcards.setting],
-    wildcard_constraints: setting="|".join(EDGES), sigma="[0-9.]+", seed="[0-9]+"
+    wildcard_constraints: setting=".+", sigma="[0-9.]+", seed="[0-9]+"
     message: "edges: bisect tau_bar_0 at sigma_bar = {wildcards.sigma}, {wildcards.setting}"
     shell:
         "{CALL} {input.script} {params.folder} {wildcards.sigma} {params.options}"

@@ -2,7 +2,7 @@
 # and as a record of it; choose_events.py says by which rule they are chosen. The paper's event I is
 # fast-slow-fast, its event II second-slow, its event III fast-only.
 from events.continuations import DURATION
-from events.conventions import DECAYING, IN_WORDS, WAYS, words_of
+from events.conventions import DECAYING, IN_WORDS, WAYS, WITH_ENDS, words_of
 
 EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
 EVENTS_OF["shown"] = ("load-01", "shown")
@@ -12,7 +12,8 @@ RUNS |= {event: run(event, f"--for {DURATION}") for event in EVENTS}
 FRONT_WAYS = {
     "in-words": WAYS[IN_WORDS],
     "c_s-8": WAYS[DECAYING],
-    "with-ends": WAYS["ends to the slow"],
+    "with-ends": WAYS[WITH_ENDS],
+    "c_s-8-with-ends": WAYS[DECAYING] | WAYS[WITH_ENDS],
 }
 REPORTS |= {
     f"front-{name}": ("-record", f"front --event 0 {' '.join(words_of(way))}")
