@@ -14,20 +14,24 @@ RUNS |= CONVERGENCE_RUNS
 LET_GO = (
     "--set slider.F_N=1e-9 --set slider.foundation=1e-15 --set driving.K=0 --set junctions.kappa=1e-15"
 )
-RUNS["convergence/let-go"] = run("fast-slow-fast", "--for 2e-7", LET_GO)
-RUNS["convergence/free"] = run("convergence/let-go-end", "--for 0.0004")
+FREE = {"": "", "-both": " --set slider.edge_springs=half --set slider.damping_along=spring"}
+for name, change in FREE.items():
+    RUNS[f"convergence/let-go{name}"] = run("fast-slow-fast", "--for 2e-7", LET_GO + change)
+    RUNS[f"convergence/free{name}"] = run(f"convergence/let-go{name}-end", "--for 0.0004")
 
 
 rule convergence_lammps:
     input:
         **content_of(
-            start=f"{DATA}/convergence/let-go-end.h5", end=f"{DATA}/convergence/free-end.h5"
+            start=f"{DATA}/convergence/let-go{{of}}-end.h5",
+            end=f"{DATA}/convergence/free{{of}}-end.h5",
         ),
         bulk="benchmarks/lammps/bulk.in",
         compare="benchmarks/lammps/compare.in",
         **script("recipes/convergence/lammps.py"),
-    output: f"{DATA}/convergence/lammps.json"
-    log: f"{LOGS}/convergence/lammps.log"
+    output: f"{DATA}/convergence/lammps{{of}}.json"
+    log: f"{LOGS}/convergence/lammps{{of}}.log"
+    wildcard_constraints: of="|".join(FREE)
     params: lmp=shutil.which("lmp") or ""  # :q would leave out an empty word
     message: "convergence: run the free blocks in LAMMPS"
     shell:
@@ -79,7 +83,8 @@ figure(
     own=OWN_RESULTS,
     events=EVENTS,
     reads=[
-        *("convergence/lammps.json", "convergence/time-step.csv"),
+        "convergence/time-step.csv",
+        *(f"convergence/lammps{name}.json" for name in FREE),
         *(
             f"convergence/{setting}-{sigma}-{N_x}.json"
             for setting, (_, lattices) in LATTICE_EDGES.items()
