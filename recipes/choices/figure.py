@@ -181,8 +181,10 @@ def own_result(found):
             moved.setdefault(choice, []).append(f"{name} {one.moved}")
     told = {
         "which choices move what": "; ".join(
-            f"{choice}: {', '.join(what) or 'nothing'}" for choice, what in moved.items()
-        ),
+            f"{choice}: {', '.join(what)}" for choice, what in moved.items() if what
+        )
+        or None,
+        "nothing moved under": ", ".join(c for c, what in moved.items() if not what) or None,
         "a choice moves what is measured if": RULE,
         "same medians under": ", ".join(
             choice for choice in moved if medians(choice) == medians(settled_of(choice))
