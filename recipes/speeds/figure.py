@@ -20,6 +20,7 @@ VARIED = {"M": ("mass", "slider.M", 1), "eta": ("damping", "slider.damping", 2)}
 LENGTHS = {"prestress": ("", VERMILION), "long": (", slider twice as long", BLUE)}
 NAMES = "variant tau-bar sigma-bar numerics.seed slider.L slider.M slider.damping".split()
 GINI, LENGTH = "Gini coefficient", "transient [mm]"
+OF_SEEDS = "lowest and highest of a seed: "
 
 
 def select(rows, **wanted):
@@ -46,6 +47,13 @@ def inertia(pairs, text=""):
         for kind, tau_bar in KINDS.items()
         for what, speed in SPEEDS.items()
     }
+
+
+def over_seeds(pairs):
+    """The lowest and the highest exponent of any seed."""
+    seeds = {row["numerics.seed"] for row in select(pairs, variant="mass")}
+    of_seeds = [inertia(select(pairs, **{"numerics.seed": seed})) for seed in seeds]
+    return {OF_SEEDS + n: [f(of[n] for of in of_seeds) for f in (min, max)] for n in of_seeds[0]}
 
 
 def transients(rows):
@@ -82,7 +90,8 @@ def draw_exponents(axes, result):
     """Bars: what was expected."""
     for place, (name, bounds) in enumerate(result.expected.items()):
         axes.plot(bounds.values(), [place] * 2, color=SKY, linewidth=5)
-        axes.plot(result.measured[name], place, "o", color=BLACK)
+        axes.plot(result.measured[OF_SEEDS + name], [place] * 2, color=BLACK)
+        axes.plot(result.measured[name], place, "o", color=BLACK, markersize=2.5)
     names = [name.replace("exponent of ", "") for name in result.expected]
     axes.set_yticks(range(len(names)), names)
     axes.set(xlabel="exponent", ylim=(len(result.expected) - 0.5, -0.5))
@@ -119,7 +128,9 @@ def make(data, results):
     near = select(pairs, **{"x [m]": 0.055})
     measured = {
         "proportional": proportional(select(pairs, variant="prestress")),
-        "inertia": inertia(pairs) | inertia(near, "looked at afterwards, x = 55 mm: "),
+        "inertia": inertia(pairs)
+        | over_seeds(pairs)
+        | inertia(near, "looked at afterwards, x = 55 mm: "),
         "transient": transients(homogeneous),
         "gini": strength_by_slip(blocks),
     }
