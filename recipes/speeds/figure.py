@@ -89,7 +89,7 @@ def draw_pairs(axes, rows):
 def draw_exponents(axes, result):
     """Bars: what was expected."""
     for place, (name, bounds) in enumerate(result.expected.items()):
-        axes.plot(bounds.values(), [place] * 2, color=SKY, linewidth=5)
+        axes.plot(bounds.values(), [place] * 2, color=SKY, linewidth=5, solid_capstyle="butt")
         axes.plot(result.measured[OF_SEEDS + name], [place] * 2, color=BLACK)
         axes.plot(result.measured[name], place, "o", color=BLACK, markersize=2.5)
     names = [name.replace("exponent of ", "") for name in result.expected]
