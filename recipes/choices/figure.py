@@ -193,6 +193,10 @@ def own_result(found):
         "comparisons": sum(one.moved is not None for one in found.values()),
         "moved": sum(map(len, moved.values())),
     }
+    for name, sigma in SLOW.items():
+        edges = [one.high for (_, of), one in found.items() if of == name]
+        told[f"fast from, sigma_bar {sigma}, lowest"] = min(edges)
+        told[f"fast from, sigma_bar {sigma}, highest"] = max(edges)
     question = "which choices that the paper leaves open move the fronts?"
     return OwnResult(id="choices", question=question, measured=told)
 
