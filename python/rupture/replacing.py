@@ -28,10 +28,18 @@ def is_at(file, path):
     return False
 
 
-def sync(path):
-    opened = os.open(path, os.O_RDONLY)
-    os.fsync(opened)
-    os.close(opened)
+def sync_folder(path):
+    """Makes a renaming durable. Some file systems cannot, and a folder may forbid reading; then the
+    file is in place all the same."""
+    try:
+        opened = os.open(path, os.O_RDONLY)
+        try:
+            os.fsync(opened)
+        finally:
+            os.close(opened)
+    except OSError as error:
+        if error.errno not in (errno.EACCES, errno.EINVAL):
+            raise
 
 
 ENDING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
@@ -73,7 +81,7 @@ def replacing(path, rename=os.replace):
             raise OSError(errno.ESTALE, "its temporary file was moved", str(path))
         os.fsync(file)
         rename(temporary, path)
-        sync(path.parent)
+        sync_folder(path.parent)
     finally:
         discard(temporary)
 

@@ -1,6 +1,7 @@
 """What map, movie, watch and xdmf have in common: packages that are missing, and files that appear
 whole or not at all. What they refuse is in tools/tables/drawing.txt."""
 
+import errno
 import os
 import sys
 from pathlib import Path
@@ -96,3 +97,17 @@ def test_file_and_folder_are_synced(folder):
     with mock.patch("os.fsync", note), replacing("y") as hidden:
         pass
     assert synced == [(f"{folder}/{hidden}", False), (str(folder), True)]
+
+
+@pytest.mark.parametrize("name, number", [("open", errno.EACCES), ("fsync", errno.EINVAL)])
+def test_a_folder_may_forbid_reading_or_syncing(folder, name, number):
+    call = getattr(os, name)
+
+    def refuse_folders(place, *more):
+        if os.path.isdir(place):
+            raise OSError(number, os.strerror(number))
+        return call(place, *more)
+
+    with mock.patch.object(os, name, refuse_folders), replacing("y") as hidden:
+        hidden.write_text("y")
+    assert Path("y").read_text() == "y"
