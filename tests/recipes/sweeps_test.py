@@ -45,6 +45,7 @@ def read(tmp_path):
         ("1mm/s, 2e-3", "1mm/s 2e-3"),
         ("1 to 3 ms", "1ms 2ms 3ms"),
         ("0 to 2mm/s by 1 mm/s", "0mm/s 1mm/s 2mm/s"),
+        ("1um to 3µm by 1μm", "1μm 2μm 3μm"),
     ],
 )
 def test_lists_and_ranges(text, expected):
@@ -59,6 +60,7 @@ WRONG_LISTS = {
     "'nan' is not a number": ["0 to 1 by nan"],
     "must be finite": ["0 to 1 in 1e400", "-1e308 to 1e308"],
     "must be whole": ["0 to 1 in 2.5"],
+    "give its step": ["0.1 to 0.5", "1 to 2.5", "1.5 to 3 ms"],
     "the same unit": ["1ms to 2s by 1ms", "1ms to 2ms in 3ms"],
     "has an empty value": ["1,,2", ""],
 }

@@ -4,7 +4,7 @@ import functools
 import math
 import re
 
-from rupture.units import NUMBER, amount, without_unit
+from rupture.units import NUMBER, PREFIXES, amount, without_unit
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 LIMIT = 100_000  # points of a sweep
@@ -49,6 +49,8 @@ def numbers_between(first, last, how, step):
     """Numbers from first to last, so many of them or so far apart."""
     if not all(math.isfinite(end) for end in (first, last, last - first, step)):
         raise ValueError("its numbers must be finite")
+    if not how and not (first.is_integer() and last.is_integer()):
+        raise ValueError("give its step (by 0.1) or how many values it has (in 5)")
     if how == "in" and step != int(step):
         raise ValueError("the number of values must be whole")
     if how == "in":
@@ -64,8 +66,9 @@ def numbers_between(first, last, how, step):
 
 def span(first, last, how, step):
     """The values of a range, in the unit in which they are written."""
-    texts, units, *_ = zip(*map(amount, (first, last, step or "1")))
-    if len({*units} - {""}) > 1 or (how == "in" and units[2]):
+    texts, units, *parts = zip(*map(amount, (first, last, step or "1")))
+    written = {(PREFIXES[prefix], symbol) for prefix, symbol in zip(*parts) if symbol}
+    if len(written) > 1 or (how == "in" and units[2]):
         raise ValueError("all its numbers need the same unit")
     first, last, step = map(float, texts)
     return [text_of(number) + max(units) for number in numbers_between(first, last, how, step)]
