@@ -61,7 +61,10 @@ rule quasistatic_seed:
         **content_of(h5=f"{H0_SHARED}.h5"),
         undrawn=f"{H0_SHARED}.undrawn",
         script="recipes/fig5/quasistatic_seed.py",
-        stretch_script="recipes/fig5/quasistatic_stretch.py",
+        shared=[
+            "recipes/fig5/quasistatic_stretch.py",
+            *("python/rupture/files.py", "python/rupture/programs.py"),
+        ],
     output: f"{DATA}/ensemble/h0-{{seed}}.json"
     log: f"{LOGS}/ensemble/h0-{{seed}}.log"
     params: code=CODE, folder=f"{DATA}/ensemble/h0-{{seed}}-scratch"

@@ -106,6 +106,18 @@ def matches(call, other):
     )
 
 
+@mark.parametrize("rule", ["events", "continued"])
+def test_rules_whose_results_take_long_list_what_changes_these(rule):
+    """The other rules depend on all that scripts share."""
+    rules = (ROOT / "recipes/common/runs/ensemble.smk").read_text()
+    inputs = re.findall(rf"^rule {rule}:(.*?)    output:", rules, re.MULTILINE | re.DOTALL)[0]
+    listed = {*re.findall(r'(\w+)(?:\.py|")', inputs)}
+    scripts = [*ROOT.glob("recipes/ensemble/*.py"), *ROOT.glob("recipes/common/events/*.py")]
+    texts = [path.read_text() for path in scripts if path.stem in listed]
+    used = {*re.findall(r"^from events\.(\w+)", "\n".join(texts), re.MULTILINE)}
+    assert "fronts" in used and used - listed <= {"product", "front_claims"}  # for other rules
+
+
 @fixture(scope="module", name="calls")
 def all_calls(tmp_path_factory):
     texts = [*planned(tmp_path_factory.mktemp("plan")), *of_sweeps()]

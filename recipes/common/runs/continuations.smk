@@ -59,6 +59,7 @@ use rule restart as event_amid_slow with:
         **content_of(h5=f"{DATA}/{{event}}.h5"),
         front=f"{DATA}/{{event}}-front.json",
         script="recipes/common/events/middle.py",
+        shared="recipes/common/events/fronts.py",
     output: **with_sums(h5=f"{DATA}/{{event}}/amid-slow.h5")
     log: f"{LOGS}/{{event}}/amid-slow.log"
     params: **run_with(lambda wildcards, input: f"--until $({CALL} {input.script} {input.front})")

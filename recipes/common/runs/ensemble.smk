@@ -101,7 +101,10 @@ rule events:
     input:
         **content_of(h5=f"{DATA}/{{load}}-record.h5"),
         script="recipes/ensemble/measure_events.py",
-        shared=["recipes/common/events/conventions.py", "python/rupture/programs.py"],
+        shared=[
+            *(f"recipes/common/events/{name}.py" for name in ("conventions", "fronts")),
+            "python/rupture/programs.py",
+        ],
     output: f"{DATA}/{{load}}-events.json"
     log: f"{LOGS}/{{load}}-events.log"
     params: code=CODE
@@ -137,7 +140,10 @@ rule continued:
         shared=[
             "recipes/ensemble/workshop.py",
             *("python/rupture/files.py", "python/rupture/programs.py"),
-            *(f"recipes/common/events/{name}.py" for name in ("conventions", "continuations", "fronts", "slip")),
+            *(
+                f"recipes/common/events/{name}.py"
+                for name in ("choose_events", "conventions", "continuations", "fronts", "slip")
+            ),
         ],
     output: f"{DATA}/{{load}}-continued.json"
     log: f"{LOGS}/{{load}}-continued.log"
