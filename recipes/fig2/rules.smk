@@ -63,7 +63,7 @@ figure(
     film=FIG2_FILM,
     reads=[
         *(f"{event}-{of}" for event in FIG2_EVENTS for of in ("front.json", "record.h5")),
-        *(f"fast-slow-fast-front-{way}.json" for way in FRONT_WAYS),
+        *(f"fast-slow-fast-front-{way}.json" for way in ("in-words", "with-ends")),
         *(["most-like.json"] if FIG2_OF_ALL else []),
         *FIG2_LOADS,
     ],
