@@ -9,27 +9,22 @@ from data.tables import write_table
 from events.event_claims import judged_event
 from events.fronts import middle_of_slow_stretch
 from events.units import of_ensemble, of_events
-from pictures.panels import draw_image, window_of
-from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, MAP, figure, letter, save
+from pictures.panels import window_of
+from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
 
-EVENT = "fast-slow-fast"
+EVENT, UNDRIVEN = "fast-slow-fast", "fast-slow-fast/undriven"
 STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}
-STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured
 
 
 def draw_loading(axes, data, t_zero, t_stop):
-    time, load = quasistatic.loading(data / f"{EVENT}-record.h5")
-    axes.plot((time - t_zero) * 1e3, load, color=AS_IT_IS, linewidth=2, label="driven")
-    time, load = quasistatic.loading(data / f"{EVENT}/undriven-record.h5")
-    axes.plot((time - t_zero) * 1e3, load, "--", color=CHANGED, label="stopped")
+    driven, undriven = (
+        quasistatic.loading(data / f"{run}-record.h5", t_zero) for run in (EVENT, UNDRIVEN)
+    )
+    axes.plot(*driven, color=AS_IT_IS, linewidth=2, label="driven")
+    axes.plot(*undriven, "--", color=CHANGED, label="stopped")
     axes.axvline((t_stop - t_zero) * 1e3, **STOP)
     axes.set(xlabel="time [ms]", ylabel="$F_T/F_N$")
     axes.legend(loc="upper right")
-
-
-def draw_map(axes, pinned, t_zero, colours, shown):
-    fraction = np.where(shown, pinned.pinned_fraction, np.nan)
-    return draw_image(axes, pinned, fraction, slice(None), t_zero, cmap=colours, vmin=0, vmax=1)
 
 
 def draw_lines(axes, fronts, t_zero, t_stop):
@@ -47,20 +42,16 @@ def draw(data, fronts, t_stop, stem):
     t_zero, window = window_of(fronts[0])
     fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
     draw_loading(axes[0], data, t_zero, t_stop)
-    driven, undriven = (
-        rupture.open(data / f"{run}-record.h5") for run in (EVENT, f"{EVENT}/undriven")
-    )
-    grey = draw_map(axes[1], driven, t_zero, quasistatic.GREYS, True)
-    image = draw_map(axes[1], undriven, t_zero, MAP, undriven.pinned_fraction < STILL)
+    records = (rupture.open(data / f"{run}-record.h5") for run in (EVENT, UNDRIVEN))
+    quasistatic.draw_pinned(fig, axes[1], *records, t_zero)
     draw_lines(axes[1], fronts, t_zero, t_stop)
     axes[1].set(ylim=window)
-    quasistatic.draw_scales(fig, axes[1], image, grey)
     letter(axes[0], "A")
     save(fig, stem)
 
 
 def make(data, results):
-    fronts = [report(data / f"{run}-front.json") for run in (EVENT, f"{EVENT}/undriven")]
+    fronts = [report(data / f"{run}-front.json") for run in (EVENT, UNDRIVEN)]
     t_stop = middle_of_slow_stretch(fronts[0])
     draw(data, fronts, t_stop, results / "fig5A")
     names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]

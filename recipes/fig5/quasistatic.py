@@ -9,62 +9,55 @@ from claims.judge import holds, judged, units_with
 from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
-from pictures.panels import along_interface
+from pictures.panels import draw_image
 from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, MAP, figure, letter, save
 
 GREYS = LinearSegmentedColormap.from_list("greys", ["0.5", "1"])  # black lines can be seen on it
-SLIPPING = 0.05  # part of a block's junctions from which a stopped run is shown
+STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured
 HARDLY = 2  # blocks
 SHOWN_BEFORE, SHOWN_AFTER = 10e-3, 5e-3  # the dynamic events on either side [s]
 
 
-def loading(path):
-    """Time [s] and F_T / F_N."""
+def loading(path, t_zero=0.0):
+    """Time [ms after t_zero] and F_T / F_N."""
     record = rupture.open(path)
-    return record.time, record["F_T"] / record["slider.F_N"]
+    return (record.time - t_zero) * 1e3, record["F_T"] / record["slider.F_N"]
 
 
 def draw_loading(axes, load, stopped, window):
     axes.plot(*loading(load), color=AS_IT_IS, linewidth=0.8, label="driven at $h = 0$")
     axes.plot(*loading(stopped), color=CHANGED, label="driving stopped")
     axes.axvspan(*window, color="0.9", linewidth=0, label="shown on the right")
-    axes.set(xlabel="time [s]", ylabel="$F_T/F_N$", xlim=(0, None), ylim=(0, None))
+    axes.set(xlabel="time [ms]", ylabel="$F_T/F_N$", xlim=(0, None), ylim=(0, None))
     axes.legend(loc="lower right")
 
 
-def draw_image(axes, pinned, values, window, colours):
-    shown = (pinned.time >= window[0]) & (pinned.time <= window[1])
-    x, look = pinned.x / pinned.x[-1], {"cmap": colours, "shading": "nearest", "rasterized": True}
-    return axes.pcolormesh(x, pinned.time[shown], values[shown], vmin=0, vmax=1, **look)
+def draw_pinned(fig, axes, driven, stopped, t_zero=0.0):
+    """The pinned fraction: grey as driven, in colour where blocks slip after the driving stops."""
 
+    def draw_shown(record, shown, colours):
+        fraction = np.where(shown, record.pinned_fraction, np.nan)
+        return draw_image(axes, record, fraction, slice(None), t_zero, cmap=colours, vmin=0, vmax=1)
 
-def draw_scales(fig, axes, stopped, driven):
-    """Of the two images."""
-    for image, name in ((stopped, "stopped"), (driven, "driven")):
+    grey = draw_shown(driven, True, GREYS)
+    colour = draw_shown(stopped, stopped.pinned_fraction < STILL, MAP)
+    for image, name in ((colour, "stopped"), (grey, "driven")):
         fig.colorbar(image, ax=axes, label=f"pinned fraction, {name}", aspect=30)
-
-
-def draw_maps(fig, axes, load, stopped, window, t_branch):
-    pinned, after = rupture.open(load), rupture.open(stopped)
-    grey = draw_image(axes, pinned, pinned.pinned_fraction, window, GREYS)
-    slipping = np.ma.masked_where(after.pinned_fraction > 1 - SLIPPING, after.pinned_fraction)
-    colour = draw_image(axes, after, slipping, window, MAP)
-    axes.axhline(t_branch, color=CHANGED, linestyle=":", label="driving stops")
-    along_interface(axes)
-    axes.set(ylabel="time [s]", ylim=window)
-    draw_scales(fig, axes, colour, grey)
 
 
 def draw(data, stretch, L, stem):
     load = data / "quasistatic-load-record.h5"
     stopped = data / f"quasistatic-stopped-{MIDDLE}-record.h5"
     first, second = stretch["dynamic_events"][:2]
-    window = (first - SHOWN_BEFORE, second + SHOWN_AFTER)
+    window = (first - SHOWN_BEFORE) * 1e3, (second + SHOWN_AFTER) * 1e3
     fig, axes = figure(DOUBLE, 0.42 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
     draw_loading(axes[0], load, stopped, window)
-    draw_maps(fig, axes[1], load, stopped, window, float(stretch["branches"][MIDDLE]))
+    draw_pinned(fig, axes[1], rupture.open(load), rupture.open(stopped))
+    t_branch = float(stretch["branches"][MIDDLE]) * 1e3
+    axes[1].axhline(t_branch, color=CHANGED, linestyle=":", label="driving stops")
     time, tip = np.array(stretch["tip"]).T
-    axes[1].step(tip / L, time, where="pre", color=AS_IT_IS, linewidth=1, label="tip, driven")
+    axes[1].step(tip / L, time * 1e3, where="pre", color=AS_IT_IS, linewidth=1, label="tip, driven")
+    axes[1].set(ylim=window)
     axes[1].legend(loc="lower right", bbox_to_anchor=(1, 0.1))
     letter(axes[0], "B")
     save(fig, stem)
