@@ -71,8 +71,8 @@ class Workshop:
         return self.fronts(name, {PRIMARY: {}})[PRIMARY]
 
     def slips(self, name, places):
-        """{place: slip} at {place: x}, as rule event_slip measures it: until the front leaves its
-        slow stretch, or reaches the leading edge, or to the end. With the peak of the speed."""
+        """{place: slip} at {place: x}, until the front leaves its slow stretch, or reaches the
+        leading edge, or to the end. With the peak of the speed."""
         front = self.front(name) or {"slow": None, "t_rupture": [None]}
         last = until(front)
         record = self.path(f"{name}-record")

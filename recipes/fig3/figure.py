@@ -1,6 +1,7 @@
 """Figure 3: A-C, their data and claims here, the rest in the modules beside this one."""
 
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import decay_length_figure
@@ -69,25 +70,28 @@ class Event:
     def in_words(self, run=""):
         return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front-in-words.json")
 
-    def own_slips(self):
-        """Of the block 0.06 L before the event's own transition, as rule event_slip measures it:
-        while the front is slow, or until it has arrived."""
-        front = self.in_words()
-        x = front["slow"]["x_from"] - BEFORE_TRANSITION * front["L"]
-        records = {run: self.data / f"{self.name}/{run}-record.h5" for run in SLIPS}
-        return {
-            run: rupture.analyze("slip", record, x=x, to=until(self.front(run)))
-            for run, record in records.items()
+    def record(self, run):
+        return self.data / f"{self.name}/{run}-record.h5"
+
+    @cache
+    def slips(self, x=SLIP_X):
+        """Of a block, while the front is slow or until it has arrived: later, the whole slider
+        moves."""
+        slips = {
+            run: rupture.analyze("slip", self.record(run), x=x, to=until(self.front(run)))
+            for run in SLIPS
         }
+        return {run: with_peak_speed(slip) for run, slip in slips.items()}
+
+    def own_slips(self):
+        """Of the block 0.06 L before the event's own transition."""
+        front = self.in_words()
+        return self.slips(front["slow"]["x_from"] - BEFORE_TRANSITION * front["L"])
 
     def peak_speed(self):
         """Of the block that panel C shows, between steps [m/s]."""
-        slip = rupture.analyze("slip", self.data / f"{self.name}/every-step-record.h5", x=SLIP_X)
+        slip = rupture.analyze("slip", self.record("every-step"), x=SLIP_X)
         return float(np.max(np.diff(slip["slip"]) / np.diff(slip["time"])))
-
-    def slips(self):
-        paths = {run: self.data / f"{self.name}/{run}-slip.json" for run in SLIPS}
-        return {run: with_peak_speed(report(path)) for run, path in paths.items()}
 
 
 def draw(events, stem):

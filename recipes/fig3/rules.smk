@@ -31,7 +31,6 @@ figure(
     reads=[
         *(f"{event}/{run}-front.json" for event in FIG3_SHOWN for run in FIG3_RUNS),
         *(f"{event}/{run}-record.h5" for event in FIG3_SHOWN for run in (*FIG3_RUNS, "every-step")),
-        *(f"{event}/{run}-slip.json" for event in FIG3_SHOWN for run in SLIPS),
         *(f"{event}-front{way}.json" for event in FIG3_SHOWN for way in ("", "-in-words")),
         *(f"{event}/stopped-front-in-words.json" for event in FIG3_SHOWN),
         *of_ensemble("load", "continued"),

@@ -23,7 +23,10 @@ FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-ev
 # record.
 UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings")
 # Commands that no rule runs: scripts read these records, or call the program, themselves.
-ONLY_BY_HAND = ("analyze loading --x", "analyze events", "analyze events --slow-below")
+ONLY_BY_HAND = (
+    *("analyze loading --x", "analyze events", "analyze events --slow-below"),
+    "analyze slip --x --to",
+)
 # {option: value} of what `load` and `prepare` start from.
 PARAMETERS = json.loads(run("analyze", "quantities", "--json").stdout)["parameters"]
 DEFAULTS = {f"--{row['name']}": str(row["default"]) for row in PARAMETERS} | {"--sigma-bar": "0"}

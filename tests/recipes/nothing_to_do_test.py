@@ -11,15 +11,20 @@ from runs.written import append_to
 from stand_ins import Project
 
 TINY = """\
-STAGES["start"]["tiny"] = [f"{DATA}/fast-only.compared"]
+rule tiny_report:
+    output: f"{DATA}/tiny.json"
+    message: "tiny: report"
+    shell: "echo 1 > {output}"
 
-rule tiny:
-    input: **content_of(h5=f"{DATA}/fast-only.h5"), **script("recipes/tiny/tiny.py")
-    output: f"{RESULTS}/tiny/claims.json"
-    message: "tiny: draw"
-    shell: "{PYTHON} {input.script} > {output}"
+figure("tiny", events=["fast-only"], reads=["fast-only.h5", "tiny.json"])
 """
-DRAW, VERIFY = "tiny: draw", "fast-only: verify the shipped checkpoint"
+FIGURE = """\
+def make(data, results):
+    for ending in ("png", "pdf"):
+        (results / f"tiny.{ending}").write_text(ending)
+    return []
+"""
+DRAW, VERIFY = "tiny: draw, and judge the claims", "fast-only: verify the shipped checkpoint"
 CRATE = "results/ro-crate-metadata.json"
 
 
@@ -31,7 +36,7 @@ class Tiny(Project):
         for rules in root.glob("recipes/*/rules.smk"):
             shutil.rmtree(rules.parent)
         self.write("recipes/tiny/rules.smk", TINY)
-        self.write("recipes/tiny/tiny.py", "print([])\n")
+        self.write("recipes/tiny/figure.py", FIGURE)
         self.write("src/load.cpp", "// 1\n")
         self.program("cmake", "")
         self.program("load", "")
@@ -64,8 +69,8 @@ def tiny_project(tmp_path):
 def test_what_was_run_is_noted_for_the_report(tiny):
     tiny.steps()
     last = json.loads((tiny.root / "results/jobs.jsonl").read_text().splitlines()[-1])
-    assert (last["rule"], last["output"]) == ("tiny", ["results/tiny/claims.json"])
-    assert "recipes/tiny/tiny.py" in last["command"]
+    assert (last["rule"], last["output"][0]) == ("tiny", "results/tiny/claims.json")
+    assert "recipes/tiny/figure.py" in last["command"]
     crate = json.loads((tiny.root / CRATE).read_text())
     [run] = [each for each in crate["@graph"] if each["@id"] == "#run-tiny"]
     assert run["startTime"] <= run["endTime"]
@@ -86,12 +91,13 @@ def test_what_describes_the_results_is_written_again_when_that_may_differ(tiny):
 
 
 def test_is_said_and_whatever_is_stale_is_found(tiny):
-    assert len(tiny.steps()) == 3
+    assert len(tiny.steps()) == 4
     assert tiny.steps() == []
-    rules = TINY.replace("> {output}", "| tee {output}")
+    rules = TINY.replace("echo 1", "echo 2")
     for change, words, last_step in (
         (tiny.append, ["src/load.cpp"], VERIFY),
-        (tiny.append, ["recipes/tiny/tiny.py"], DRAW),
+        (tiny.append, ["src/load.cpp"], DRAW),  # a figure may run programs
+        (tiny.append, ["recipes/tiny/figure.py"], DRAW),
         (tiny.append, ["recipes/common/claims/claim.py"], DRAW),
         (tiny.write, ["recipes/tiny/rules.smk", rules], DRAW),
         (tiny.ship, ["another checkpoint"], DRAW),

@@ -1,9 +1,4 @@
-"""One value of a JSON file, for use in a command: {VALUE} choice.json fast-slow-fast.until
-
-Several names stand for the first of them that has a value; one that begins with = is a value:
-
-    {VALUE} front.json slow.t_to t_rupture.56 =1e9
-"""
+"""One value of a JSON file, for use in a command: {VALUE} choice.json fast-slow-fast.until"""
 
 import json
 import sys
@@ -19,11 +14,7 @@ def find(tree, name):
     return tree
 
 
-def main(path, *names):
+def main(path, name):
     with open(path, encoding="utf-8") as file:
-        tree = json.load(file)
-    for name in names:
-        value = name[1:] if name.startswith("=") else find(tree, name)
-        if value is not None:
-            return value
-    return sys.exit(f"value.py: {path} has no value {' or '.join(names)}.")
+        value = find(json.load(file), name)
+    return sys.exit(f"value.py: {path} has no value {name}.") if value is None else value

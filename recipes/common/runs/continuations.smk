@@ -1,6 +1,6 @@
 # Continuations of an event whose front becomes slow: the runs behind Figures 3 A-C, 4 A-B, 5 A and S4.
 # {event} is one that figures show (events.smk); events/continuations.py says what each run changes.
-from events.continuations import CONTINUATIONS, SLIPS, WIDER
+from events.continuations import CONTINUATIONS, WIDER
 
 WITHOUT_DRIVE = CONTINUATIONS["stopped"]
 for event in EVENTS:
@@ -22,23 +22,6 @@ use rule restart as event_branch with:
     log: f"{LOGS}/{{event}}/branch.log"
     params: **run_with(lambda wildcards, input: f"--until $({VALUE} {input.front} t_rupture.8)")
     message: "{wildcards.event}: run until the front is at 0.14 L"
-
-
-# Slip is followed until the front leaves its slow stretch; then the whole slider moves. A front
-# without one is followed until it reaches the leading edge, one that stops until the end.
-rule event_slip:
-    input:
-        **content_of(h5=f"{DATA}/{{event}}/{{continuation}}-record.h5"),
-        front=f"{DATA}/{{event}}/{{continuation}}-front.json",
-    output: f"{DATA}/{{event}}/{{continuation}}-slip.json"
-    log: f"{LOGS}/{{event}}/{{continuation}}-slip.log"
-    params: code=CODE
-    wildcard_constraints: continuation="|".join(SLIPS)
-    message: "{wildcards.event}: measure the slip at x = 0.34 L ({wildcards.continuation})"
-    shell:
-        "{BIN}/analyze slip {input.h5} --x 0.0476"
-        " --to $({VALUE} {input.front} slow.t_to t_rupture.56 =1e9)"
-        " --json > {output} 2> {log}"
 
 
 rule event_wider_phi:

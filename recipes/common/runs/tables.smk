@@ -71,5 +71,6 @@ for recipe, made in FIGURES.items():
         input: **made.inputs
         output: made.outputs
         log: f"{LOGS}/{recipe}.log"
+        params: code=CODE
         message: "{rule}: draw, and judge the claims"
         shell: "{PYTHON} recipes/common/pictures/make.py {input.script} 2> {log}"
