@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Collects the points of a sweep in one table:
 
     collect.py SWEEP.ini SEED POINTS_FOLDER CODE TABLE.csv
@@ -33,7 +32,3 @@ def main(sweep_file, seed, folder, code, path):
     values = names_of_values(sweep.points)
     names = [*values, "status", "sentence", *sweep.columns, "point", "digest"]
     write_columns(path, names, table)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -102,7 +102,7 @@ rule table:
     wildcard_constraints: sweep="|".join(SWEEPS) or "none"
     log: f"{LOGS}/{{sweep}}.log"
     message: "{wildcards.sweep}: collect the points"
-    shell: "{PYTHON} {input.script} {params.sweep} {POINTS} {params.code} {output} 2> {log}"
+    shell: "{CALL} {input.script} {params.sweep} {POINTS} {params.code} {output} 2> {log}"
 
 
 rule sweep:
