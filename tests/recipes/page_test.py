@@ -191,7 +191,7 @@ def test_the_movie_comes_first_if_there_is_one(project):
     assert '<img src="movie.gif"' in page_of(project).partition('id="gallery"')[0]
     spill(project.results / "movie.mp4", "MP4")
     top = page_of(project).partition('id="gallery"')[0]
-    assert '<source src="movie.mp4" type="video/mp4">' in top
+    assert '<video src="movie.mp4"' in top
     assert '<img src="movie.gif"' not in top and "poster" not in top
     spill(project.results / "movie.png", "PNG")
     assert 'poster="movie.png"' in page_of(project)

@@ -22,7 +22,7 @@ from runs.written import take
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 from origin import Accounts, builds, checksums
-from picture import ANIMATION, VIDEOS
+from picture import MOVIES
 from runs.recipes import read_readme, recipe_names
 
 CITATION = Path(__file__).resolve().parents[3] / "CITATION.cff"
@@ -38,7 +38,7 @@ OF_THE_RUN: dict[str, str | None] = {
     "index.html": "All figures and claims on one page",
     "jobs.jsonl": "Each job that was run: rule, command, inputs, outputs, start and time",
     "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
-    **dict.fromkeys(("claims.pdf", "claims.png", *VIDEOS, ANIMATION)),
+    **dict.fromkeys(("claims.pdf", "claims.png", *MOVIES)),
 }
 
 

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 from rupture.errors import Failure
 
-VIDEOS = {"movie.webm": "video/webm", "movie.mp4": "video/mp4"}
-ANIMATION = "movie.gif"
+MOVIES = ("movie.webm", "movie.mp4", "movie.gif")
 STILL = "movie.png"  # shown before a video is started
 
 
@@ -30,10 +29,6 @@ def picture(path, alt):
     return Picture(path.name, pdf.name if pdf.exists() else None, width, height, alt)
 
 
-def find_movie(results):
-    """The one in results/, whoever has made it; None if there is none. Of the videos, which have a
-    name and a type, the preferred one comes first."""
-    videos = [(name, kind) for name, kind in VIDEOS.items() if (results / name).exists()]
-    animation, still = (n if (results / n).exists() else None for n in (ANIMATION, STILL))
-    found = {"videos": videos, "animation": animation, "still": still}
-    return found if videos or animation else None
+def first_in(results, *names):
+    """The first of these files that is there, whoever has made it; None if there is none."""
+    return next((name for name in names if (results / name).exists()), None)

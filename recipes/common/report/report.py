@@ -22,7 +22,7 @@ from rupture.replacing import write_whole
 from readme import update_readme
 from crate import CRATE, write_crate
 from glance import glance_picture
-from picture import find_movie, picture
+from picture import MOVIES, STILL, first_in, picture
 from runs.recipes import label, natural, read_readme, recipe_names
 from rupture.errors import Failure
 from runs.written import take
@@ -97,7 +97,8 @@ def contents(root):
         "leading": leading,
         "listed": sum("closeness_of" not in row for row in table().values()),
         "counts": [(sum(claim.standing == s for claim in leading), s) for s in STANDINGS],
-        "movie": find_movie(root / "results"),
+        "movie": first_in(root / "results", *MOVIES),
+        "still": first_in(root / "results", STILL),
         "glance": glance_picture(
             root / "results", [claim for recipe in recipes for claim in recipe.claims]
         ),
