@@ -14,7 +14,8 @@ from conftest import ROOT, approx
 ROW = {"recipe": "fig0", "says": "something", "accepted": "if it is", "unit": "load"}
 MADE_UP = {
     "all": ROW | {"conditions": {"x/L": {"at_least": "1/4", "at_most": 0.5}, "type": "fast"}},
-    "same": ROW | {"conditions": "all"},
+    "same": ROW | {"like": "all"},
+    "like": ROW | {"like": "all", "conditions": {"type": "slow"}},
     "one": ROW | {"conditions": {"x": {"above": 2}}, "exists": True},
     "alone": ROW | {"unit": "", "conditions": {"x": {"below": 1}}},
     "state": ROW | {"unit": "seed", "conditions": {"x": {"below": 1}}},
@@ -95,6 +96,7 @@ class TestJudge:
         ):
             for name in ("all", "same"):
                 assert holds(name, [{"x/L": x, "type": kind}]) == expected, (x, kind)
+        assert unmet("like", {"x/L": 0.7, "type": "slow"}) == ["x/L"]
 
     def test_names_what_is_not_met(self):
         assert unmet("all", {"x/L": 0.7, "type": "slow"}) == ["x/L", "type"]
@@ -166,7 +168,8 @@ class TestTable:
 
     def test_every_row_is_complete(self):
         for claim_id, row in table().items():
-            assert {"recipe", "says", "accepted", "conditions"} <= set(row)
+            assert {"recipe", "says", "accepted"} <= set(row)
+            assert {"conditions", "like"} & set(row)
             assert table()[row.get("closeness_of", claim_id)]["recipe"] == row["recipe"]
             assert (ROOT / f"recipes/{row['recipe']}/rules.smk").exists()
             for condition in conditions_of(claim_id).values():

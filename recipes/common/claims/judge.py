@@ -45,8 +45,8 @@ def in_order(claims):
 
 def conditions_of(claim_id):
     """{quantity: {relation: bound, ...}, or the value that it must have}"""
-    conditions = table()[claim_id]["conditions"]
-    return conditions_of(conditions) if isinstance(conditions, str) else conditions
+    row = table()[claim_id]
+    return (conditions_of(row["like"]) if "like" in row else {}) | row.get("conditions", {})
 
 
 def as_number(bound):
