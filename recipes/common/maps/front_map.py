@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from data.records import values
-from data.tables import points_of, read_rows, write_table
+from data.tables import SLOW_STRETCH, points_of, read_rows, write_table
 from events.fronts import SLOW_BELOW
 
 STENCIL = 5  # blocks
@@ -257,21 +257,15 @@ def load_map(data, folder, parts):
     return fronts, grid, [*boundary]
 
 
-def slow_stretch(front):
-    """Where and how fast the front was slow; empty where it was not."""
-    slow = (front and front["slow"]) or {}
-    return [slow.get(name, "") for name in ("x_from", "x_to", "speed")]
-
-
 def write_types(path, fronts):
-    """One row per point."""
-    names = ("slow from [m]", "slow to [m]", "slow speed [m/s]")
+    """One row per point, with where and how fast the front was slow."""
+    stretch = {name: SLOW_STRETCH[name] for name in ("x_from", "x_to", "speed")}
     rows = [
-        [*place, seed, front_type(front), *slow_stretch(front)]
+        [*place, seed, front_type(front), *map(((front and front["slow"]) or {}).get, stretch)]
         for place, seeds in sorted(fronts.items())
         for seed, front in sorted(seeds.items())
     ]
-    write_table(path, ["tau_bar_0", "sigma_bar", "seed", "type", *names], rows)
+    write_table(path, ["tau_bar_0", "sigma_bar", "seed", "type", *stretch.values()], rows)
 
 
 def write_variants(path, maps):
