@@ -10,7 +10,6 @@ import numpy as np
 
 from claims import paper
 from claims.judge import judged
-from data.fits import fit_through_origin
 from data.records import report
 from data.tables import numbers, write_columns
 from events.conventions import PRIMARY
@@ -47,7 +46,7 @@ def slip(rows):
 
 
 def fit(rows):
-    return fit_through_origin(scaled_slip(rows), slow.speeds(rows))
+    return slow.fit_through_origin(scaled_slip(rows), slow.speeds(rows))
 
 
 def chosen(rows, model, variants=VARIED):
@@ -151,7 +150,7 @@ def claim(path, phi, l_0, others):
             "points": [full.points, simplified.points],
             f"slow fronts left out, with fewer than {slow.BLOCKS} blocks": slow.too_short(path),
             "R^2, both on one line": fit(rows).r_squared,
-            "R^2, both, unscaled": fit_through_origin(slip(rows), slow.speeds(rows)).r_squared,
+            "R^2, both, unscaled": slow.fit_through_origin(slip(rows), slow.speeds(rows)).r_squared,
             "R^2, full, with other widths of phi too": fit(
                 chosen(rows, "full") + other_widths
             ).r_squared,

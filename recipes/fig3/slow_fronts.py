@@ -1,7 +1,11 @@
-"""Slow fronts on prepared interfaces, and the slow slip behind them: how it is measured, and seeds
-as units of claims. Rows are those of a sweep's table, with what was measured in one window."""
+"""Slow fronts on prepared interfaces, and the slow slip behind them: how it is measured, fits, and
+seeds as units of claims. Rows are those of a sweep's table, with what was measured in one window.
+"""
 
+from collections import namedtuple
 from pathlib import Path
+
+import numpy as np
 
 from data.tables import numbers, points_of
 from events.conventions import PRIMARY
@@ -66,6 +70,20 @@ def without_near_arrest(rows):
 def speeds(rows):
     """v_c [m/s]"""
     return numbers(rows, "front speed [m/s]")
+
+
+# y = slope x. R^2 compares with the mean of y, as for a line with an intercept: it says how much
+# better the fit is than no dependence on x at all.
+ProportionalFit = namedtuple("ProportionalFit", "slope r_squared points")
+
+
+def fit_through_origin(x, y):
+    x, y = np.asarray(x, float), np.asarray(y, float)
+    if len(x) < 2:
+        return None
+    slope = (x @ y) / (x @ x)
+    residual = ((y - slope * x) ** 2).sum()
+    return ProportionalFit(slope, 1 - residual / ((y - y.mean()) ** 2).sum(), len(x))
 
 
 def tables_of(data, sweep):

@@ -10,7 +10,6 @@ import numpy as np
 
 from claims import paper
 from claims.judge import holds, judged
-from data.fits import fit_through_origin
 from data.tables import numbers, read_rows, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
@@ -47,7 +46,7 @@ def estimate_and_measured(rows):
 
 
 def fit(rows):
-    return fit_through_origin(*estimate_and_measured(rows))
+    return slow.fit_through_origin(*estimate_and_measured(rows))
 
 
 def case_3Ci(rows):

@@ -10,8 +10,8 @@ import slow_fronts
 import slow_slip
 from claims import paper
 from conftest import ROOT, approx
-from data.fits import fit_through_origin
 from data.tables import write_table
+from slow_fronts import fit_through_origin
 from sweeps.sweep import read_sweep
 
 
