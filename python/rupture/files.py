@@ -208,11 +208,8 @@ class Checkpoint(File):
         >>> checkpoint.time
         0.002
         """
-        step = self["step"] - self.value_or("clock/origin_step", 0)
-        return self.value_or("clock/origin_time", 0.0) + step * self.parameters["numerics.dt"]
-
-    def value_or(self, name, default):
-        return self[name] if name in self else default
+        step = self["step"] - self.get("clock/origin_step", 0)
+        return self.get("clock/origin_time", 0.0) + step * self.parameters["numerics.dt"]
 
     @property
     def pinned_fraction(self):
