@@ -207,7 +207,7 @@ def in_one_line(text):
 def complain(name, sentence):
     with suppress(OSError):  # nobody can read it
         start = CLEAR if sys.stderr.isatty() else ""
-        print(f"{start}rupture {name}: {in_one_line(sentence)}", file=sys.stderr, flush=True)
+        print(f"{start}{name}: {in_one_line(sentence)}", file=sys.stderr, flush=True)
 
 
 def exit_code(run, say):
@@ -240,4 +240,4 @@ def run_tool(name, run):
     for number in ENDING:
         if signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, end_by_signal)
-    return exit_code(run, lambda error: complain(name, str(error)))
+    return exit_code(run, lambda error: complain(f"rupture {name}", str(error)))

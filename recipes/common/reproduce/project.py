@@ -1,12 +1,10 @@
 """Where files are, and how the commands print."""
 
 import os
-import sys
-from contextlib import suppress
 from pathlib import Path
 
 from rupture.errors import Failure
-from rupture.tools.command_line import in_one_line
+from rupture.tools import command_line
 
 SHARE = Path(__file__).resolve().parents[3]  # recipes and what they read
 # `rupture reproduce` names the folder for results. Elsewhere they are beside the recipes.
@@ -54,6 +52,4 @@ def say(text=""):
 
 
 def complain(text):
-    with suppress(OSError):  # nobody can read it
-        name = "reproduce" if WORK else "reproduce.sh"
-        print(f"{name}: {in_one_line(str(text)).rstrip('.')}", file=sys.stderr, flush=True)
+    command_line.complain("reproduce" if WORK else "reproduce.sh", str(text).rstrip("."))
