@@ -80,7 +80,7 @@ def test_units_and_headings_are_settled(plan):
 @pytest.mark.parametrize("path", ["fig4/strength-curves.ini", "figS6/map.ini"])
 def test_sweeps_of_recipes_are_in_the_same_form(plan, path):
     recipe = ROOT / "recipes" / path
-    sweep = plan(re.sub("(?<=like  = )", f"{recipe.parent}/", recipe.read_text()))
+    sweep = plan(re.sub("(?<=like = )", f"{recipe.parent}/", recipe.read_text()))
     assert [p.id for p in sweep.points] == [p.id for p in read_sweep(recipe).points]
 
 
