@@ -1,7 +1,6 @@
 """The command line of ./reproduce.sh."""
 
 import argparse
-import difflib
 import os
 import re
 from functools import partial
@@ -12,6 +11,7 @@ from rupture.tools import command_line
 from rupture.tools.command_line import Answer, help_text, whole_number
 from runs.recipes import read_readme, recipe_names
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
+from sweeps.sweep import suggestion
 
 PROGRAM = "rupture reproduce" if WORK else "./reproduce.sh"
 PURPOSE = (
@@ -121,10 +121,8 @@ def check_commands(request):
         raise UsageError("--dry-run is for sweep only")
     for word in [one for one in request.words if one not in figures()]:
         if word not in COMMANDS:
-            by_lower = {name.lower(): name for name in [*figures(), *COMMANDS]}
-            near = difflib.get_close_matches(word.lower(), by_lower, 1)
-            hint = f"did you mean {by_lower[near[0]]}?" if near else f"see {PROGRAM} list"
-            raise UsageError(f"there is no figure or command '{word}': {hint}")
+            hint = suggestion(word, [*figures(), *COMMANDS]) or f": see {PROGRAM} list"
+            raise UsageError(f"there is no figure or command '{word}'{hint}")
         if len(request.words) > 1:
             raise UsageError(f"'{word}' cannot be combined with other commands or figures")
 

@@ -176,10 +176,10 @@ def varied_in(products, points):
 
 
 def suggestion(name, known):
-    """Prefers a name that differs only in capitals to a similar one."""
-    same = [other for other in known if other.lower() == name.lower()]
-    near = [*same, *difflib.get_close_matches(name, known, n=1)]
-    return f": did you mean '{near[0]}'?" if near else ""
+    """Of a similar name, or one that differs only in capitals."""
+    by_lower = {other.lower(): other for other in known}
+    near = difflib.get_close_matches(name.lower(), by_lower, n=1)
+    return f": did you mean '{by_lower[near[0]]}'?" if near else ""
 
 
 def check_known(name, known, what):
