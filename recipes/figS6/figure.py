@@ -27,11 +27,9 @@ MAP = dict(
     tables=["map-boundary"],
     slow_below=(20, 8, 10, 30, 40),
     claims=("S6Bw", "S6B"),
-    note=(
-        "As in 4D, slow means below c_s/20; only S6A allows slow stretches of up to c_s/8."
-        " tau_bar_0 is relative to mu_d, the friction just after breaking. Friction falls further"
-        " to mu_new while junctions slip, so fronts also cross at negative tau_bar_0."
-    ),
+    note="As in 4D, slow means below c_s/20; only S6A allows slow stretches of up to c_s/8."
+    " tau_bar_0 is relative to mu_d, the friction just after breaking. Friction falls further"
+    " to mu_new while junctions slip, so fronts also cross at negative tau_bar_0.",
 )
 RATIOS = {"fast/slow before", "fast/slow after"}
 

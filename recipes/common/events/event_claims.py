@@ -10,7 +10,7 @@ from claims import paper
 from claims.judge import holds, judged, units_with, yes
 from data.records import values
 from events.front_claims import ratio, slowest, words_case, words_shown
-from events.fronts import LOADING_ZONE, front_spans, is_fast_slow, middle_of_slow_stretch
+from events.fronts import LOADING_ZONE, front_spans, is_fast_slow
 from maps.front_map import STENCIL
 
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
@@ -182,34 +182,32 @@ def case_S2(event, without):
     }
 
 
-def largest_difference(unmodified, undriven, stopped_at=None):
-    """Of the rupture lines after the driving stops [s], in the middle of the slow stretch if no
-    other time is given; None where a block does not rupture."""
-    since = stopped_at or middle_of_slow_stretch(unmodified)
+def largest_difference(unmodified, undriven, stopped_at):
+    """Of the rupture lines after the driving stops [s]; None where a block does not rupture."""
     original, other = values(unmodified["t_rupture"]), values(undriven["t_rupture"])
-    difference = float(np.max(np.abs(other - original)[original > since]))
+    difference = float(np.max(np.abs(other - original)[original > stopped_at]))
     return None if np.isnan(difference) else difference
 
 
-def case_5A(unmodified, undriven, stopped_at=None):
-    """The driving stops in the middle of the slow stretch, if no other time is given [s]."""
+def case_5A(unmodified, undriven, stopped_at):
+    """`stopped_at`: when the driving stops [s]."""
     if unmodified["slow"] is None or unmodified["slow"]["duration"] == 0:
         return {"difference/slow duration": None}
     difference = largest_difference(unmodified, undriven, stopped_at)
     return {"difference/slow duration": ratio(difference, unmodified["slow"]["duration"])}
 
 
-def case_5Aw(in_words, unmodified, undriven, stopped_at=None):
+def case_5Aw(in_words, unmodified, undriven, stopped_at):
     """As 5A; `in_words`: the unmodified front, measured so."""
     difference = largest_difference(unmodified, undriven, stopped_at)
     slow_for = in_words["slow"] and in_words["slow"]["duration"]
     return {"difference/time below c_s/10": ratio(difference, slow_for)}
 
 
-def details_5A(unmodified, undriven):
-    case, slow = case_5A(unmodified, undriven), unmodified["slow"]
+def details_5A(unmodified, undriven, stopped_at):
+    case, slow = case_5A(unmodified, undriven, stopped_at), unmodified["slow"]
     share = case["difference/slow duration"]
-    passed = values(unmodified["t_rupture"]) <= middle_of_slow_stretch(unmodified)
+    passed = values(unmodified["t_rupture"]) <= stopped_at
     return {
         "driving stopped at [L]": np.array(unmodified["x"])[passed].max() / unmodified["L"],
         "largest difference of the rupture line [us]": share and share * slow["duration"] * 1e6,
