@@ -6,8 +6,7 @@ import rupture
 from claims.judge import judged, unmet
 from data.records import report, values
 from data.tables import write_events, write_fronts
-from events.choose_events import read_events
-from events.conventions import IN_WORDS
+from events.choose_events import first_in_words
 from events.front_claims import case_of_event, judged_in_words
 from events.units import below_c_s_over_8, of_ensemble
 from events.units import in_words as units_in_words
@@ -89,18 +88,13 @@ def measured(fronts, with_ends, events):
 def make(data, results):
     loads = of_ensemble(data, "decaying", "events")
     events = report(data / "figS6/choice.json")["events"]
-    in_words = [
-        event
-        for event in read_events(data / "ensemble/decaying-01-events.json", IN_WORDS)
-        if event["spanning"]
-    ]
     fronts = {run: report(data / f"figS6/{run}-front-c_s-8.json") for run in RUNS}
     with_ends = report(data / "figS6/event-front-c_s-8-with-ends.json")
     draw(data / "figS6/event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
     not_met = {"conditions of S6A not met": lambda event: "; ".join(event["unmet"])}
     write_events(results / "events.csv", events, not_met)
-    first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
+    first = first_in_words(data / "ensemble/decaying-01-events.json")
     return [
         judged(
             "S6A",

@@ -8,8 +8,7 @@ import numpy as np
 from claims.judge import judged, unmet
 from data.records import report, values
 from data.tables import points_of, write_events
-from events.choose_events import read_events
-from events.conventions import IN_WORDS, PRIMARY
+from events.choose_events import first_in_words, read_events
 from events.front_claims import case_of_event, judged_in_words, words_case, words_shown
 from events.fronts import has_slow_stretch, is_fast_only
 from events.units import in_words as units_in_words
@@ -54,9 +53,8 @@ def case_of_map(fronts):
     }
 
 
-def claims_in_words(in_words, of_map, loads):
+def claims_in_words(first, of_map, loads):
     """Of the events, of the map, and of both."""
-    first = next((event for event in in_words if event["fast_slow_fast"]), in_words[0])
     shown, case, units = words_shown(first), words_case(first), units_in_words(loads)
     with_map = {
         unit: {name: [case | of_map for case in cases] for name, cases in measured.items()}
@@ -109,10 +107,7 @@ def claim_strict(events, unmodified, continued, loads):
 def make(data, results):
     loads = of_ensemble(data, "exponential", "events")
     events = data / "ensemble/exponential-01-events.json"
-    spanning, in_words = (
-        [event for event in read_events(events, convention) if event["spanning"]]
-        for convention in (PRIMARY, IN_WORDS)
-    )
+    spanning = [event for event in read_events(events) if event["spanning"]]
     draw(spanning, results / "exponential")
     columns = {
         "type": lambda event: event["type"],
@@ -128,6 +123,6 @@ def make(data, results):
     runs = ("fast-slow-fast", "fast-slow-fast/exponential")
     unmodified, continued = (report(data / f"{run}-front.json") for run in runs)
     strict = claim_strict(spanning, unmodified, continued, loads)
-    words = claims_in_words(in_words, case_of_map(fronts), loads)
+    words = claims_in_words(first_in_words(events), case_of_map(fronts), loads)
     distance.make(data, results)
     return [strict, *words, *geometry.make(data / "robustness", results)]

@@ -10,7 +10,7 @@ import sys
 from claims.judge import unmet
 from data.records import report
 from events.continuations import LEAD
-from events.conventions import DECAYING, PRIMARY, WITH_ENDS
+from events.conventions import DECAYING, IN_WORDS, PRIMARY, WITH_ENDS
 from events.front_claims import case_of_event
 from events.fronts import is_fast_only, is_fast_slow
 
@@ -30,6 +30,12 @@ def read_events(path, convention=PRIMARY):
             if event["slow"]:
                 event["slow"]["between_crossings"] = with_ends["slow"]["duration"]
     return found[convention]
+
+
+def first_in_words(path):
+    """The first that is fast-slow-fast in words (claims S6Aw, Expe), or that spans."""
+    spanning = [event for event in read_events(path, IN_WORDS) if event["spanning"]]
+    return next((event for event in spanning if event["fast_slow_fast"]), spanning[0])
 
 
 def choose(events):
