@@ -33,7 +33,7 @@ def read_events(path, convention=PRIMARY):
 
 
 def first_in_words(path):
-    """The first that is fast-slow-fast in words (claims S6Aw, Expe), or that spans."""
+    """Of those that span the first that is fast-slow-fast in words (S6Aw, Expe), or the first."""
     spanning = [event for event in read_events(path, IN_WORDS) if event["spanning"]]
     return next((event for event in spanning if event["fast_slow_fast"]), spanning[0])
 

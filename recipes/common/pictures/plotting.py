@@ -27,7 +27,7 @@ def figure(width=SINGLE, height=None, **subplots):
     return plt.subplots(figsize=(width, height or 0.75 * width), **subplots)
 
 
-def lettered(layout, width=DOUBLE, height=None, **subplots):
+def lettered(layout, width, height, **subplots):
     """Figure and {letter: panel}, with the letters drawn; `layout` as "AB;CC"."""
     plt.rcParams.update(STYLE)
     fig, panels = plt.subplot_mosaic(layout, figsize=(width, height), **subplots)
