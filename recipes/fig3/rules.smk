@@ -12,8 +12,10 @@ L0_REPORTS = [f"fig3/l0-seed-{seed}.json" for seed in L0_SEEDS]
 rule fig3_l0_seed:
     input:
         script="recipes/fig3/decay_length.py",
-        conventions="recipes/common/events/conventions.py",
-        shared=["python/rupture/programs.py", "recipes/common/maps/front_map.py"],
+        shared=[
+            *("python/rupture/files.py", "python/rupture/programs.py"),
+            *("recipes/common/events/conventions.py", "recipes/common/maps/front_map.py"),
+        ],
     output: f"{DATA}/fig3/l0-seed-{{seed}}.json"
     log: f"{LOGS}/fig3/l0-seed-{{seed}}.log"
     priority: 80  # long: before what is short
