@@ -77,7 +77,7 @@ class Found:
         return replace(self, moved="up" if up else "down" if down else "")
 
     def text(self):
-        if self.value is None:
+        if self.value is None or self.n is None:
             return f"{self.low:.4f} to {self.high:.4f}"
         share = f"{self.value * self.n:.0f}/{self.n}"
         return (share if self.least is None else f"{self.value:.3g}") + ("*" if self.moved else "")
