@@ -9,19 +9,6 @@ namespace {
 
 using testing::kAllLaws;
 
-Content example() {
-  const std::vector<double> values = {0.5, -1.25};
-  return {{"/parameters/slider/L", make_scalar(0.14, "m")},
-          {"/parameters/junctions/f_new", make_text("zero")},
-          {"/state/u_x", make_array(std::span(values), {1, 2}, "m")}};
-}
-
-TEST(ContentChecksum, is_what_it_has_always_been) {
-  // Computed with the Python of docs/schema.md; a change here breaks every stored checksum.
-  EXPECT_EQ(content_checksum(example(), 2),
-            "e50eee69396f97f53890922ef4bf7816e4537ac5ea6e548d27127a519ebfa919");
-}
-
 // --- which parameters count: what the law uses, and of the later ones what differs from its
 // default
 
