@@ -20,32 +20,9 @@ Parameters with_law(Law law, std::int64_t N_s) {
   p.law = law;
   if (law == Law::decaying) p.mu_d = 0.2;
   p.mu_new = 0.12;
-  p.dt = 1e-4;
-  p.v_slow = 10.0;
   p.d_R = kDistance;
   p.delta_d_R = 0.0;
   return p;
-}
-
-TEST(Claim1F, one_junction_rises_to_mu_s_drops_to_mu_d_and_is_zero_after_t_R) {
-  Parameters p;  // the reference junction
-  p.Nx = 1;
-  p.N_s = 1;
-  Interface block(p);
-  const double f_N = mean_normal_force(Parameters{}) / 100.0;
-  block.press(f_N);
-  const double to_break = p.mu_s * f_N / block.k_ij();
-  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0 - 1e-13}) {
-    block.move(part * to_break, 0.0);
-    EXPECT_NEAR(block.friction() / f_N, 0.4 * part, 1e-12 * 0.4);
-  }
-  block.move(to_break * (1.0 + 1e-13), 0.0);
-  EXPECT_NEAR(block.friction() / f_N, 0.17, 1e-12 * 0.17);
-  const double t_R = slipping_time(p, 0, 0, 0);
-  block.move(3.0 * to_break, 0.999 * t_R);
-  EXPECT_NEAR(block.friction() / f_N, 0.17, 1e-12 * 0.17);
-  block.move(3.0 * to_break, t_R);
-  EXPECT_EQ(block.friction(), 0.0);
 }
 
 TEST(SeveralBlocks, draw_and_rub_independently) {
@@ -80,26 +57,6 @@ TEST(DecayingLaw, stays_between_mu_d_and_mu_new_when_t_R_has_changed) {
     law->update(&u, &v, {&p_i, &k_ij, &w}, 1e-3 - 1e-6);
     law->friction(&u, {&p_i, &k_ij, &w}, &tau);
     EXPECT_NEAR(tau, t_R == 1e-3 ? 0.2 : 0.12 + 0.08 * 1.001 / 8.0, kRounding);
-  }
-}
-
-TEST(SimplifiedLaw, has_the_stiffness_and_strength_of_all_junctions_together) {
-  Interface block(with_law(Law::simplified, 50));  // f_N = 1 N on each of 50
-  EXPECT_EQ(block.junctions().attachment.cols(), 1);
-  block.move(0.1, 0.0);
-  EXPECT_NEAR(block.friction(), 50 * 0.2, 1e-13);
-  EXPECT_EQ(block.move(0.21, 0.0).broken, 1);
-  EXPECT_NEAR(block.friction(), 50 * kSlipForce, 1e-13);
-}
-
-TEST(SimplifiedLaw, pulls_a_sliding_block_forwards_no_harder_than_mu_d_p) {
-  for (const double sign : {1.0, -1.0}) {
-    Interface block(with_law(Law::simplified, 1));
-    double u = kBrokenAt;
-    block.move(sign * u, 0.0);
-    for (int n = 1; n < 400; ++n) block.move(sign * (u += 1e-6), 1e-4);  // 0.4 m if nothing stopped
-    EXPECT_NEAR(block.friction(), -sign * kSlipForce, kRounding);
-    EXPECT_EQ(block.pinned(), 0);
   }
 }
 

@@ -222,6 +222,16 @@ follows_the_current_normal_force*
   p=0.25 t=1e-4 u=0.22 f=0.0425
   p=4 t=2e-4 u=0.23 f=0.21
 
+# The spring stands for 50 junctions; slow slip moves its attachment point by 0.1 m at each step.
+== junctions.law=simplified junctions.N_s=50 numerics.dt=1e-2 junctions.v_slow=10
+has_the_stiffness_and_strength_of_all_junctions_together
+  u=0.1 f=10 a=0
+  u=0.21 broken=1 f=8.5
+pulls_a_sliding_block_forwards_no_harder_than_mu_d_p*
+  t=1e-4 u=0.22 a=0.225
+  u=0.23 f=-8.5 a=0.315 pinned=0
+  u=0.24 f=-8.5 a=0.325 pinned=0
+
 # A junction slides by 0.3 m.
 == junctions.law=distance junctions.d_R=0.3 junctions.delta_d_R=0
 is_elastic_up_to_f_thres_and_breaks_above_it
