@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <limits>
-#include <thread>
 
 #include "fixtures.hpp"
 
@@ -16,7 +14,6 @@ namespace fs = std::filesystem;
 using testing::expect_contains;
 using testing::message_of;
 using testing::single_springs;
-using testing::slurp;
 using testing::small_checkpoint;
 
 class CheckpointFile : public testing::InFolder {
@@ -61,23 +58,6 @@ TEST_F(CheckpointFile, grows_by_little_with_each_step_of_its_provenance) {
   write(checkpoint);
   EXPECT_LT(fs::file_size(file("x.h5")), before + 100 * (1100 + 2 * 20));
   EXPECT_EQ(read_checkpoint(file("x.h5")).provenance, checkpoint.provenance);
-}
-
-TEST_F(CheckpointFile, of_the_reference_lattice_survives) {
-  Checkpoint written;
-  written.state = State(written.parameters);
-  written.state.v_x(56, 30) = 0.25;
-  const std::string checksum = write(written);
-  EXPECT_EQ(content_checksum(checkpoint_content(read_checkpoint(file("x.h5")))), checksum);
-  EXPECT_LT(fs::file_size(file("x.h5")), 300000U);
-}
-
-TEST_F(CheckpointFile, of_equal_content_is_equal_bytes_at_any_time) {
-  write(small_checkpoint());
-  const std::string first = slurp(file("x.h5"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's times count seconds
-  write_checkpoint(file("y.h5"), small_checkpoint(), IfExists::refuse);
-  EXPECT_EQ(slurp(file("y.h5")), first);
 }
 
 TEST_F(CheckpointFile, with_nan_is_not_written) {
