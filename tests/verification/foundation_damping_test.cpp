@@ -58,12 +58,5 @@ TEST(FoundationDamping, never_pulls_and_leaves_a_block_without_contact_alone) {
   }
 }
 
-TEST(FoundationDamping, shortens_the_stable_time_step) {
-  Parameters p = testing::small_slider(9, 5);
-  const double without = stable_time_step(p);
-  p.foundation_damping = 10.0;
-  EXPECT_LT(stable_time_step(p), 0.9 * without);
-}
-
 }  // namespace
 }  // namespace rupture
