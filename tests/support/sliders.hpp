@@ -5,7 +5,6 @@
 
 #include <random>
 #include <string>
-#include <vector>
 
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/dynamics/simulation.hpp"

@@ -132,7 +132,7 @@ TEST_F(Interface, is_measured_block_by_block) {
   EXPECT_NEAR(friction_forces(p_, state_)[2], sum, 1e-12);
 }
 
-TEST_F(Interface, is_changed_at_both_ends_of_a_region_to_rounding) {
+TEST(PhiChange, includes_both_ends_of_its_region_to_rounding) {
   PhiChange change;
   change.x_from = 0.3;
   change.x_to = 0.7;
