@@ -9,16 +9,6 @@
 namespace rupture {
 namespace {
 
-/// On a foundation 10,000 times softer than the bulk it moves as a whole; always pressed.
-Parameters swinging() {
-  Parameters p = testing::small_slider(9, 5);
-  p.K = p.V = 0.0;
-  p.F_N = 9e-3;
-  p.foundation = 1e-4;
-  p.foundation_damping = 0.2;
-  return p;
-}
-
 constexpr double v_0 = 4e-4;  // [m/s]
 
 /// Speed of a column of mass M_c on its spring and dashpot, sent off from its rest with v_0.
@@ -30,7 +20,12 @@ double oscillator(const Parameters& p, double t) {
 }
 
 TEST(FoundationDamping, lets_a_slider_swing_out_as_a_damped_oscillator) {
-  const Parameters p = swinging();
+  // On a foundation 10,000 times softer than the bulk it moves as a whole; always pressed.
+  Parameters p = testing::small_slider(9, 5);
+  p.K = p.V = 0.0;
+  p.F_N = 9e-3;
+  p.foundation = 1e-4;
+  p.foundation_damping = 0.2;
   State start = normal_load_equilibrium(p);
   start.v_z.blocks() = v_0;
   Simulation simulation(p, start);

@@ -2,8 +2,6 @@
 // in analysis/slow_slip.hpp, where the theory is derived.
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
 
@@ -15,8 +13,6 @@ SteadySliding block_of(const Parameters& p) {
   return {p, mean_normal_force(Parameters{})};
 }
 
-const std::vector<double> kSpeeds = {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 1e-1, 1.0};  // [m/s]
-
 // Claim 1G allows 1 %, but then t_R could be wrong by a quarter. 4000 cycles leave 0.05 % of
 // scatter at most; a step is 1/4000 of a cycle, and events come up to a step late twice in a cycle.
 constexpr double kTolerance = 0.002, kStep = 2.0 / 4000.0;
@@ -27,7 +23,7 @@ TEST(SteadySliding, follows_renewal_theory_and_falls_monotonically_with_speed) {
   keeping_f_slip.f_new = NewForce::f_slip;
   for (const Parameters& p : {Parameters{}, exponential, keeping_f_slip}) {
     double before = 1.0;
-    for (const double v : kSpeeds) {
+    for (const double v : {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 1e-1, 1.0}) {  // [m/s]
       const double expected = renewal_friction(block_of(p), v);
       const Mean measured = measured_friction(block_of(p), v);
       EXPECT_NEAR(measured.value, expected, kTolerance * expected) << v << " m/s";

@@ -37,10 +37,6 @@ void arrest_behind(RuptureLine& line, std::size_t last) {
   for (std::size_t n = last + 1; n < kBlocks; ++n) line.t_rupture[n].reset();
 }
 
-std::vector<std::optional<double>> speed_of(const RuptureLine& line) {
-  return front_speed(line, FrontCriteria{});
-}
-
 Front measure(RuptureLine line, const FrontCriteria& criteria = {}) {
   return measure_front(Parameters{}, std::move(line), criteria);
 }
@@ -61,7 +57,7 @@ TEST(RuptureLine, holds_the_first_rupture_of_each_block_in_the_window) {
 
 TEST(FrontSpeed, is_the_inverse_slope_over_the_stencil) {
   // blocks 20-24 take 3 fast intervals and a slow one
-  const auto v_c = speed_of(slow_between(23, 40));
+  const auto v_c = front_speed(slow_between(23, 40), {});
   EXPECT_NEAR(*v_c[22], 4.0 / (3.0 / kFast + 1.0 / kSlow), 1e-6);
   const auto v_3 = front_speed(slow_between(23, 40), {.stencil = 3});
   EXPECT_NEAR(*v_3[22], kFast, 1e-6 * kFast);
@@ -76,7 +72,7 @@ TEST(FrontSpeed, has_no_value_near_the_edges_and_holes_or_where_the_ends_rupture
   RuptureLine line = line_of([](std::size_t) { return kFast; });
   line.t_rupture[30].reset();
   line.t_rupture[12] = line.t_rupture[8];
-  const auto v_c = speed_of(line);
+  const auto v_c = front_speed(line, {});
   for (const std::size_t i : {0U, 1U, 55U, 56U, 28U, 30U, 32U, 10U}) EXPECT_FALSE(v_c[i]) << i;
   for (const std::size_t i : {2U, 54U, 27U, 29U, 31U, 33U}) EXPECT_TRUE(v_c[i]) << i;
 }

@@ -90,14 +90,11 @@ class Interface : public ::testing::Test {
         const double pinned = (0.5 + noise()) * block.f_thres;
         const bool slips = j % 10 == 0;
         state_.junctions.attachment(i, j) =
-            state_.u_x(i, 0) - (slips ? block.f_slip : pinned) / stiffness(i);
+            state_.u_x(i, 0) - (slips ? block.f_slip : pinned) / block.k_ij;
         if (slips) state_.junctions.repin_time(i, j) = 1e-3;
       }
     }
     before_ = state_;
-  }
-  double stiffness(Eigen::Index i) const {
-    return junction_stiffness(p_, normal_forces(p_, state_)[static_cast<std::size_t>(i)]);
   }
   /// Whether the junctions of block i are what they were, to the bit.
   bool untouched(Eigen::Index i) const {
@@ -114,14 +111,15 @@ class Interface : public ::testing::Test {
 
 TEST_F(Interface, is_measured_block_by_block) {
   const BlockForces block = now()[2];
-  const double f_N = normal_forces(p_, state_)[2] / 100.0;
+  const double p_i = normal_forces(p_, state_)[2], f_N = p_i / 100.0;
   EXPECT_DOUBLE_EQ(block.x, 2 * 2.5e-3);
   EXPECT_DOUBLE_EQ(block.f_thres, 0.4 * f_N);
   EXPECT_DOUBLE_EQ(block.f_slip, 0.17 * f_N);
   EXPECT_DOUBLE_EQ(block.slipping, 0.1);
   double sum = 0.0, squares = 0.0;
   for (Eigen::Index j = 0; j < 100; ++j) {
-    const double f = stiffness(2) * (state_.u_x(2, 0) - state_.junctions.attachment(2, j));
+    const double f =
+        junction_stiffness(p_, p_i) * (state_.u_x(2, 0) - state_.junctions.attachment(2, j));
     EXPECT_DOUBLE_EQ(block.forces[static_cast<std::size_t>(j)], f);
     sum += f;
     squares += f * f;

@@ -1,7 +1,6 @@
 // Prepared interfaces: the prescribed prestress, the quantiles, the trigger, and what is refused.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numeric>
 
 #include "rupture/analysis/phi.hpp"

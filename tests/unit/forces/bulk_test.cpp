@@ -42,10 +42,6 @@ struct Lattice {
   void displace(const Map& map) {
     set(state.u_x, state.u_z, map);
   }
-  template <class Map>
-  void move(const Map& map) {
-    set(state.v_x, state.v_z, map);
-  }
   /// Displacements of up to `size` [m].
   void shake(double size) {
     testing::Noise noise(size);
@@ -87,7 +83,7 @@ Lattice turning(const Parameters& p, double angle) {
   Lattice a(p);
   const double c = std::cos(angle), s = std::sin(angle), rate = 1.0 / a.l();
   a.displace([&](double x, double z) { return Vector{(c - 1) * x - s * z, s * x + (c - 1) * z}; });
-  a.move([&](double x, double z) {
+  a.set(a.state.v_x, a.state.v_z, [&](double x, double z) {
     return Vector{-rate * (s * x + c * z), rate * (c * x - s * z)};
   });
   return a;
