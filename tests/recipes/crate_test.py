@@ -20,16 +20,12 @@ CITED = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
 DATES = ("datePublished", "startTime", "endTime")
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 NOW, PUBLISHED = 1.75e9, "2025-06-15T15:06:40+00:00"
-LICENCE, PAPERS = (
-    "https://spdx.org/licenses/MIT",
-    "#Proceedings-of-the-National-Academy-of-Sciences",
-)
+LICENCE = "https://spdx.org/licenses/MIT"
+PAPERS = "#Proceedings-of-the-National-Academy-of-Sciences"
 FILES = ("a%20b%23.csv", "claims.json", "fig3.pdf", "fig3.png", "front.csv")
 SAYS = [  # an entity, and what it has
-    (
-        CRATE,
-        {"@type": "CreativeWork", "conformsTo": {"@id": SPECIFICATION}, "about": {"@id": "./"}},
-    ),
+    (CRATE, {"@type": "CreativeWork", "conformsTo": {"@id": SPECIFICATION}}),
+    (CRATE, {"about": {"@id": "./"}}),
     ("./", {"@type": "Dataset", "datePublished": PUBLISHED, "license": {"@id": LICENCE}}),
     ("./", {"citation": {"@id": PAPER["url"]}, "name": f"Results of {CITED['title']}"}),
     (LICENCE, {"name": "MIT License"}),

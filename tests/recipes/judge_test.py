@@ -63,6 +63,7 @@ OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
     (GOOD, units(20, 0, other=14), "reproduced", "14 of 20 loads (other)"),
     (BAD, units(0, 20, other=2), "depends", f"up to 2 of 20 loads {FEW}".replace(PRIMARY, "other")),
 ]
+OTHER_LOW, OTHER_HIGH = ({"others": {"other": found}} for found in (LOW, HIGH))
 JUDGED = [  # a claim, the shown case, what was measured beside it, and the same
     ("alone", LOW, {}, "reproduced", "holds"),
     ("alone", HIGH, {}, "differs", "does not hold"),
@@ -73,17 +74,11 @@ JUDGED = [  # a claim, the shown case, what was measured beside it, and the same
     ("state", LOW, {"units": seeds(3, 3)}, "reproduced", "holds under all 2 conventions"),
     ("state", LOW, {"units": seeds(3, 2)}, "depends", "except under other (of 2 conventions)"),
     ("state", LOW, {"units": seeds(2, 0)}, "differs", "does not hold under all 2 conventions"),
-    ("alone", LOW, {"others": {"other": LOW}}, "reproduced", "holds under all 2 conventions"),
-    ("alone", HIGH, {"others": {"other": HIGH}}, "differs", "not hold under all 2 conventions"),
-    ("alone", LOW, {"others": {"other": HIGH}}, "depends", "except under other (of 2 conventions)"),
-    (
-        "alone",
-        HIGH,
-        {"others": {"other": LOW}},
-        "depends",
-        "except under primary (of 2 conventions)",
-    ),
-    ("alone", None, {"others": {"other": LOW}}, "not comparable", "could not be measured"),
+    ("alone", LOW, OTHER_LOW, "reproduced", "holds under all 2 conventions"),
+    ("alone", HIGH, OTHER_HIGH, "differs", "not hold under all 2 conventions"),
+    ("alone", LOW, OTHER_HIGH, "depends", "except under other (of 2 conventions)"),
+    ("alone", HIGH, OTHER_LOW, "depends", "except under primary (of 2 conventions)"),
+    ("alone", None, OTHER_LOW, "not comparable", "could not be measured"),
 ]
 
 
@@ -102,12 +97,9 @@ class TestJudge:
         assert unmet("all", {"x/L": 0.7, "type": "slow"}) == ["x/L", "type"]
 
     def test_says_what_was_wanted_and_what_there_is(self):
+        between = {"at_least": "1/200", "at_most": "1/50"}
         for condition, value, text in (
-            (
-                {"at_least": "1/200", "at_most": "1/50"},
-                1 / 49.6,
-                "v c_s/200 to c_s/50, got c_s/49.6",
-            ),
+            (between, 1 / 49.6, "v c_s/200 to c_s/50, got c_s/49.6"),
             ({"below": 0.5}, None, "v below c_s/2, got none"),
             ({"above": 2}, 1.25, "v above 2 c_s, got 1.25 c_s"),
             ("fast", "slow", "v fast, got slow"),

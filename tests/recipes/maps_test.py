@@ -204,10 +204,8 @@ class TestClaims:
         assert held == dict.fromkeys(WAYS, (0, 1)) | {along_sigma: (1, 1)}
         assert claim.reason.startswith(f"holds only under {along_sigma}")
         assert claim.shares[0].convention == PRIMARY
-        assert (words.verdict, len(words.shares)) == (
-            "reproduced",
-            len(WAYS) - 1,
-        )  # without an axis
+        shares = len(WAYS) - 1  # without an axis
+        assert (words.verdict, len(words.shares)) == ("reproduced", shares)
 
 
 class TestOrderInWords:

@@ -61,9 +61,7 @@ def content(dataset, law):
     name, value, kind = dataset.name.removeprefix(GROUP), dataset[()], dataset.dtype.name
     if name in DEFAULTS and law is not None and name not in USED[law]:
         value = DEFAULTS[name] if isinstance(DEFAULTS[name], bytes) else np.float64(DEFAULTS[name])
-    elif (
-        dataset.dtype.kind == "S"
-    ):  # numpy drops the padding of a text, whose length is of its type
+    elif dataset.dtype.kind == "S":  # numpy drops the padding of a text, which counts
         value = value.ljust(dataset.dtype.itemsize, b"\0")
     return (b"text", value) if isinstance(value, bytes) else (kind.encode(), value.tobytes())
 

@@ -99,7 +99,9 @@ def words_of(command):
 
 def remove(pattern):
     """Files whose names match, as a shell takes it."""
-    for name in glob.glob(pattern):
+    names = glob.glob(pattern)
+    assert names, pattern
+    for name in names:
         os.remove(name)
 
 
@@ -227,13 +229,8 @@ def options_in(command):
     if not found:
         return command, {}
     name, value = found.groups()
-    values: dict = {
-        "disk": int,
-        "stdout": str,
-        "memory": lambda gib: int(gib) << 30,
-        "nobody": bool,
-    }
-    return command[found.end() :], {name: values[name](value or "yes")}
+    kinds: dict = {"disk": int, "stdout": str, "nobody": bool, "memory": lambda n: int(n) << 30}
+    return command[found.end() :], {name: kinds[name](value or "yes")}
 
 
 def expect_command(step, command, chosen, first):
