@@ -8,7 +8,6 @@ import pytest
 from PIL import Image
 
 import rupture
-from commands import refuses
 from conftest import SMALL, draws
 from rupture import plotting
 from rupture.tools.map import LINE, slip_speed, spread
@@ -54,12 +53,6 @@ def test_draws_with_any_name_and_any_backend(small, name):
     env = os.environ | {"MPLBACKEND": "QtAgg", "QT_QPA_PLATFORM": "none"}
     draws("map", name, "-o", "odd.png", "-f", env=env)
     Path(name).unlink()
-
-
-def test_refuses_a_backend_that_matplotlib_does_not_know(small):
-    env = os.environ | {"MPLBACKEND": "none"}
-    command = "map small-record.h5 -o x.png"
-    refuses(command, 1, "...refuses its settings: Key backend...", env=env)
 
 
 def test_the_slip_speed_is_that_of_the_blocks(small):

@@ -1,6 +1,5 @@
 """movie and watch: frames and formats; a run that is watched to its end."""
 
-import os
 import shutil
 import signal
 import subprocess
@@ -55,15 +54,6 @@ def test_fields_colour_the_slider_but_for_times_without_any(folder):
     film = "movie f-record.h5 -o y.gif --from 0.25ms --to 0.35ms"
     sentence = "the record has no fields between 0.00025 s and 0.00035 s; choose a longer time"
     refuses(film, 1, sentence)
-
-
-def test_says_why_ffmpeg_failed(small, tmp_path):
-    ffmpeg = tmp_path / "ffmpeg"
-    ffmpeg.write_text("#!/bin/sh\necho much >&2; echo no room >&2; exit 1\n")
-    ffmpeg.chmod(0o755)
-    env = os.environ | {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
-    film = "movie small-record.h5 -o y.mp4 --frames 9"
-    refuses(film, 1, "cannot write y.mp4: ffmpeg: no room", env=env)
 
 
 def start(name, until):
