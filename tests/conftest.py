@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 
 import pytest
@@ -29,6 +30,15 @@ def run(program, *words, **options):
     """A finished program and what it printed; one that has no path is ours."""
     command = [BIN / program if (BIN / program).exists() else program, *map(str, words)]
     return subprocess.run(command, capture_output=True, text=True, check=False, **options)
+
+
+def started(command, part, pieces=0, **options):
+    """A run whose unfinished record is there, and has so many pieces."""
+    it = subprocess.Popen(command, **options)
+    while not part.exists() or part.read_bytes().count(b"rupture-record-part\n") < pieces:
+        assert it.poll() is None, "the run ended before that"
+        time.sleep(0.001)
+    return it
 
 
 def draws(name, *arguments, **options):

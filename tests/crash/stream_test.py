@@ -3,11 +3,10 @@
 import shlex
 import signal
 import subprocess
-import time
 
 import pytest
 
-from conftest import BIN, run
+from conftest import BIN, run, started
 from scenario import INPUTS, Folder, made, sums
 
 LOAD = (
@@ -51,13 +50,8 @@ def test_a_stream_that_is_closed_or_has_no_reader_costs_no_file(redirections, en
 def test_a_record_that_is_moved_is_the_same_file_under_another_name(whole):
     tool, *options = shlex.split(LOAD)
     with Folder(INPUTS) as folder:
-        with subprocess.Popen(
-            [BIN / tool, *options, "-q"], cwd=folder.path, stderr=subprocess.PIPE
-        ) as process:
-            part = folder.path / "r.h5.part"
-            end = time.monotonic() + 60
-            while not part.exists() and time.monotonic() < end:
-                time.sleep(0.0005)
+        command, part = [BIN / tool, *options, "-q"], folder.path / "r.h5.part"
+        with started(command, part, cwd=folder.path, stderr=subprocess.PIPE) as process:
             part.rename(folder.path / "moved")
             _, said = process.communicate(timeout=120)
         assert (process.returncode, said) == (0, b"")

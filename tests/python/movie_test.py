@@ -11,7 +11,7 @@ from PIL import Image
 
 import rupture
 from commands import refuses
-from conftest import BIN, SMALL, draws, run
+from conftest import BIN, SMALL, draws, run, started
 from rupture.tools.movie import SLOWEST, chosen_samples, values_of
 
 
@@ -57,13 +57,10 @@ def test_fields_colour_the_slider_but_for_times_without_any(folder):
 
 
 def start(name, until):
-    """A run that is recorded, and has begun its record."""
     command = [BIN / "load", "-q", "-o", f"{name}.h5", "--until", until, "--config", SMALL]
     record = ["--record", f"{name}-record.h5", "--record-every", "2e-5"]
-    it = subprocess.Popen([*command, *record, "--checkpoint-every", "1e-2"])
-    while not list(Path().glob(f"{name}-record.h5*")):
-        assert it.poll() in (None, 0)
-    return it
+    part = Path(f"{name}-record.h5.part")
+    return started([*command, *record, "--checkpoint-every", "1e-2"], part)
 
 
 def test_watch_follows_a_run_to_its_end(folder):

@@ -7,7 +7,6 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 import tomllib
 from pathlib import Path
 from unittest import mock
@@ -19,7 +18,7 @@ import pytest
 import rupture
 import rupture.files
 import rupture.programs
-from conftest import BIN, ROOT, SMALL, need_modules
+from conftest import BIN, ROOT, SMALL, need_modules, started
 from rupture.envelope import sealed_header
 from rupture.tables import imported
 
@@ -50,9 +49,7 @@ def killed(name, pieces):
     part = Path(f"{name}-record.h5.part")
     command = [str(BIN / "load"), f"--config={SMALL}", "-q", "-o", f"{name}.h5", "--until", "0.2"]
     record = ["--record", f"{name}-record.h5", "--record-every", "2e-6"]
-    run = subprocess.Popen([*command, *record, "--checkpoint-every", "1e-4"])
-    while not part.exists() or part.read_bytes().count(b"rupture-record-part\n") < pieces:
-        time.sleep(0.01)
+    run = started([*command, *record, "--checkpoint-every", "1e-4"], part, pieces)
     with h5py.File(part, "r") as first:  # while it is written
         blocks, samples = first["parameters/slider/Nx"][()], first["series/time"].shape
         note = first.attrs["note"].decode()

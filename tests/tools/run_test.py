@@ -3,9 +3,7 @@ common, and what --dry-run foresees. The rest is in tables/."""
 
 import json
 import signal
-import subprocess
 import sys
-import time
 from pathlib import Path
 
 import h5py
@@ -13,7 +11,7 @@ import numpy as np
 import pytest
 
 from commands import SANITIZED, checksum_of, files, json_of, lines_of, output_of, refuses, run
-from conftest import BIN
+from conftest import BIN, started
 
 pytestmark = pytest.mark.usefixtures("small_ini")
 
@@ -192,9 +190,7 @@ def test_summaries_have_the_fields_that_analyze_quantities_lists():
 def test_finish_takes_another_name_while_the_run_goes_on_undisturbed():
     command = "load --config small.ini -o a.h5 --until 0.02 -q --record r.h5 --record-every 2e-6"
     part, (tool, *words) = Path("r.h5.part"), command.split()
-    process = subprocess.Popen([BIN / tool, *words])
-    while not part.exists() or part.read_bytes().count(b"rupture-record-part\n") < 3:
-        time.sleep(0.001)
+    process = started([BIN / tool, *words], part, pieces=3)
     process.send_signal(signal.SIGSTOP)
     sentence = "a run is writing r.h5.part and will write ./r.h5 when it ends: give another output"
     refuses("finish r.h5.part -o ./r.h5", 1, sentence)
