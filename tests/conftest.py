@@ -33,10 +33,11 @@ def run(program, *words, **options):
 
 
 def started(command, part, pieces=0, **options):
-    """A run whose unfinished record is there, and has so many pieces."""
-    it = subprocess.Popen(command, **options)
+    """A run whose unfinished record is there, and has at least this many pieces."""
+    it, end = subprocess.Popen(command, **options), time.monotonic() + 60
     while not part.exists() or part.read_bytes().count(b"rupture-record-part\n") < pieces:
         assert it.poll() is None, "the run ended before that"
+        assert time.monotonic() < end, "the run takes too long"
         time.sleep(0.001)
     return it
 

@@ -1,7 +1,7 @@
 import tomllib
 
-# What depends on choices that the paper leaves open (choices.toml). The loads with our choices are those of
-# the ensemble, the edges on prepared interfaces those of Figure 4.
+# What depends on choices that the paper leaves open (choices.toml). The loads with our choices are
+# those of the ensemble, the edges on prepared interfaces those of Figure 4.
 START = 0.17  # s; with half edge springs, the decaying law breaks junctions before 0.18 s
 CHANGES = tomllib.loads(Path("recipes/choices/choices.toml").read_text(encoding="utf-8"))
 CHOICES = {  # name: kind of load, parameters

@@ -77,6 +77,7 @@ def claims_in_words(first, of_map, loads):
 def claim_strict(events, unmodified, continued, loads):
     shown = min(events, key=lambda event: len(unmet("Exp", case_of_event(event))))
     slow, case = shown["slow"] or {}, case_of_event(shown)
+    lasts = slow.get("between_crossings")
     accepted = [event for event in events if not unmet("Exp", case_of_event(event))]
     return judged(
         "Exp",
@@ -89,9 +90,7 @@ def claim_strict(events, unmodified, continued, loads):
             "first to meet most of 2A at [s]": shown["t_start"],
             "slow speed [m/s]": slow.get("speed"),
             **{name: case[name] for name in ("duration [ms]", "from [L]", "to [L]")},
-            "between the crossings of c_s/20 [ms]": slow["between_crossings"] * 1e3
-            if slow
-            else None,
+            "between the crossings of c_s/20 [ms]": lasts and lasts * 1e3,
             "fast before [m/s]": slow.get("fast_before"),
             "fast after [m/s]": slow.get("fast_after"),
             "unmet criteria": ", ".join(unmet("Exp", case)) or "none",

@@ -20,7 +20,7 @@ VARIED = {"M": ("mass", "slider.M", 1), "eta": ("damping", "slider.damping", 2)}
 LENGTHS = {"prestress": ("", VERMILION), "long": (", slider twice as long", BLUE)}
 NAMES = "variant tau-bar sigma-bar numerics.seed slider.L slider.M slider.damping".split()
 GINI, LENGTH = "Gini coefficient", "transient [mm]"
-OF_SEEDS = "lowest and highest of a seed: "
+OF_SEEDS = "lowest and highest over seeds: "
 
 
 def select(rows, **wanted):

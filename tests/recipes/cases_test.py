@@ -127,7 +127,7 @@ class TestUnits:
         "claim, original, names",
         [
             ("3A", ["slow"], [PRIMARY, *FURTHER, "stencil 7"]),
-            ("3A", ["slow", None], []),  # the stretch is not longer than a stencil
+            ("3A", ["slow", None], []),  # the stretch is shorter than a stencil
             ("3A", ["fast"], []),
             ("5A", ["fast"], []),
             ("5A", ["slow", SLOW | {"duration": 0}], []),

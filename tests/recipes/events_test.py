@@ -1,13 +1,15 @@
 """Kinds of events, and which of a load are shown (recipes/common/events)."""
 
+import json
+
 import numpy as np
 from pytest import mark, raises
 
 from claims.judge import holds
 from conftest import approx
 from data.value import main as value
-from events.choose_events import choose
-from events.conventions import CONVENTIONS, PRIMARY
+from events.choose_events import choose, read_events
+from events.conventions import CONVENTIONS, PRIMARY, WITH_ENDS
 from events.event_claims import case_3Cv, judged_event
 from events.front_claims import speeds_compared
 from events.product import combinations, range_of
@@ -151,3 +153,15 @@ def test_speeds_are_compared_with_the_papers():
         "fast/slowest": 30.0,
         "over the paper's 33": approx(0.9),
     }
+
+
+@mark.parametrize(
+    "x_from, x_to, lasts", [(0.06, 0.09, 2.0), (0.01, 0.03, None), (0.06, 0.07, None)]
+)
+def test_the_time_between_crossings_is_that_of_the_same_stretch(tmp_path, x_from, x_to, lasts):
+    within = {"x_from": 0.07, "x_to": 0.08, "duration": 1.0}
+    around = {"x_from": x_from, "x_to": x_to, "duration": 2.0}
+    found = {PRIMARY: [{"slow": within}, {"slow": None}], WITH_ENDS: 2 * [{"slow": around}]}
+    (tmp_path / "events.json").write_text(json.dumps(found))
+    first, other = read_events(tmp_path / "events.json")
+    assert (first["slow"].get("between_crossings"), other["slow"]) == (lasts, None)

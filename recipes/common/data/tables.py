@@ -49,19 +49,16 @@ def write_fronts(path, fronts):
 def write_events(path, events, columns):
     """{heading: function of an event}, when each starts, and what is known of its slow stretch.
     Stencils at which the front runs backwards are in no such stretch."""
-    events = list(events)
-    known = {name for event in events for name in event["slow"] or ()}
-    stretch = {name: text for name, text in SLOW_STRETCH.items() if name in known}
     rows = (
         [
             *(of(event) for of in columns.values()),
             event["t_start"],
             event["backward_stencils"],
-            *map((event["slow"] or {}).get, stretch),
+            *map((event["slow"] or {}).get, SLOW_STRETCH),
         ]
         for event in events
     )
-    write_table(path, [*columns, "t_start [s]", "backward stencils", *stretch.values()], rows)
+    write_table(path, [*columns, "t_start [s]", "backward stencils", *SLOW_STRETCH.values()], rows)
 
 
 def read_table(path):

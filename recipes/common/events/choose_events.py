@@ -22,18 +22,19 @@ def start(event, checkpoint_every):
 
 
 def read_events(path, convention=PRIMARY):
-    """The events of a load as ensemble/measure_events.py lists them; under the primary convention
-    with the time between the crossings of the threshold, which is beside a slow stretch."""
+    """The events of a load as ensemble/measure_events.py lists them. Under the primary convention,
+    slow stretches also have the time between the crossings of the threshold, if it is known."""
     found = report(path)
     if convention == PRIMARY:
         for event, with_ends in zip(found[PRIMARY], found.get(WITH_ENDS, [])):
-            if event["slow"]:
-                event["slow"]["between_crossings"] = with_ends["slow"]["duration"]
+            within, around = event["slow"], with_ends["slow"]
+            if within and around["x_from"] <= within["x_from"] and within["x_to"] <= around["x_to"]:
+                within["between_crossings"] = around["duration"]
     return found[convention]
 
 
 def first_in_words(path):
-    """Of those that span the first that is fast-slow-fast in words (S6Aw, Expe), or the first."""
+    """The first spanning event that is so (S6Aw, Expe); if none is, the first that spans."""
     spanning = [event for event in read_events(path, IN_WORDS) if event["spanning"]]
     return next((event for event in spanning if event["fast_slow_fast"]), spanning[0])
 

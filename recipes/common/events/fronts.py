@@ -32,7 +32,7 @@ def has_slow_stretch(front):
 
 
 def is_measured(front):
-    """That stretch is longer than a stencil, and so has a speed, a beginning and an end."""
+    """That stretch is not shorter than a stencil, and so has a speed, a beginning and an end."""
     return has_slow_stretch(front) and front["slow"] is not None
 
 

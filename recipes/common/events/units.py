@@ -120,7 +120,7 @@ OF_EVENT: dict[str, tuple] = {  # conventions, what the case is made of
     "5A": ({}, View.undriven),
     "5Aw": ({}, lambda view: (view.event[IN_WORDS], *view.undriven())),
 }
-SLOW_AS_JUDGED = {  # of claims made of an original first: whether it can be compared with
+SLOW_AS_JUDGED = {  # of claims made of an original first: whether that can be compared with
     "3A": is_measured,
     "3B": is_measured,
     "4AB": has_slow_stretch,
@@ -130,7 +130,7 @@ SLOW_AS_JUDGED = {  # of claims made of an original first: whether it can be com
 
 
 def of_event(claim_id, event):
-    """An event whose original is not slow as the claim judges it is not a unit under a convention."""
+    """By convention; an event is a unit only if its original is slow as the claim judges it."""
     (conventions, made_of), (case, *_) = OF_EVENT[claim_id], EVENT_CLAIMS[claim_id]
     found = {}
     for name, fields in ({PRIMARY: {}} | conventions).items():
