@@ -82,7 +82,7 @@ def steps_measured(cases):
 
 def lammps_measured(data):
     """What lammps.py printed, with our choices and with others."""
-    measured = {}
+    measured: dict[str, object] = {}
     for name, file in LAMMPS.items():
         found = report(data / f"convergence/{file}.json")
         if not found:

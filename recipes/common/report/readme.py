@@ -59,9 +59,9 @@ def write_tables(root, claims, own):
     """Writes the tables: of claims and own results, and of events with a column per block. An own
     result that `all` leaves out keeps its row."""
     names = ["id", "closeness of", "verdict", "holds", "units", "numbers"]
-    rows = {row["id"]: row.values() for row in read_rows(root / TABLE) if not row["verdict"]}
-    rows |= {result.id: row_of(result) for result in own}
-    named = [row for name, row in rows.items() if name in dict(PLACES)]
+    ours = {row["id"]: row.values() for row in read_rows(root / TABLE) if not row["verdict"]}
+    ours |= {result.id: row_of(result) for result in own}
+    named = [row for name, row in ours.items() if name in dict(PLACES)]
     write_table(root / TABLE, names, [*map(row_of, claims), *named])
     fronts = {name: report(root / f"results/data/{name}-front.json") for name in EVENTS}
     x = {short(x / front["L"], 4): None for front in fronts.values() for x in front["x"]}
