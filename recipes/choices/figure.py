@@ -179,7 +179,10 @@ def own_result(found):
     for (choice, name), one in found.items():
         if one.moved:
             moved.setdefault(choice, []).append(f"{name} {one.moved}")
+    most_first = sorted(moved.items(), key=lambda pair: -len(pair[1]))
     told = {
+        "moved under": ", ".join(f"{choice} ({len(what)})" for choice, what in most_first if what)
+        or None,
         "which choices move what": "; ".join(
             f"{choice}: {', '.join(what)}" for choice, what in moved.items() if what
         )
