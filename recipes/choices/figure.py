@@ -40,7 +40,7 @@ MEDIANS = {  # of fast-slow-fast events, by quantities of case_of_event()
     "lasts/ms": "duration [ms]",
 }
 FAST_ONLY = "fast only/c_s"  # of events that are fast everywhere
-SLOW = {f"slow at sigma {sigma}": sigma for sigma in ("0", "0.285")}  # of prepared interfaces
+SLOW = {f"slow at sigma {sigma}": sigma for sigma in CHANGES["sigma_bars"]}
 SHARES = (*ROWS["reference"], SHARE, *ROWS["decaying"])
 NUMBERS = (*MEDIANS, FAST_ONLY)
 PAPER = {
@@ -164,11 +164,11 @@ def all_measured(data):
     return found
 
 
-def choices_of(found):
-    return list(dict.fromkeys(choice for choice, _ in found))
-
-
 # --- results -------------------------------------------------------------------------------
+
+
+def joined(texts, between=", "):
+    return between.join(texts) or None
 
 
 def own_result(found):
@@ -181,18 +181,15 @@ def own_result(found):
             moved.setdefault(choice, []).append(f"{name} {one.moved}")
     most_first = sorted(moved.items(), key=lambda pair: -len(pair[1]))
     told = {
-        "moved under": ", ".join(f"{choice} ({len(what)})" for choice, what in most_first if what)
-        or None,
-        "which choices move what": "; ".join(
-            f"{choice}: {', '.join(what)}" for choice, what in moved.items() if what
-        )
-        or None,
-        "nothing moved under": ", ".join(c for c, what in moved.items() if not what) or None,
+        "moved under": joined(f"{choice} ({len(what)})" for choice, what in most_first if what),
+        "which choices move what": joined(
+            (f"{choice}: {joined(what)}" for choice, what in moved.items() if what), "; "
+        ),
+        "nothing moved under": joined(choice for choice, what in moved.items() if not what),
         "a choice moves what is measured if": RULE,
-        "same medians under": ", ".join(
+        "same medians under": joined(
             choice for choice in moved if medians(choice) == medians(settled_of(choice))
-        )
-        or None,
+        ),
         "comparisons": sum(one.moved is not None for one in found.values()),
         "moved": sum(map(len, moved.values())),
     }
@@ -210,7 +207,7 @@ def summary(found):
     for names in (SHARES, NUMBERS, tuple(SLOW)):
         form = "{:22}" + "".join(f"{{:{max(9, len(name) + 2)}}}" for name in names)
         lines = [("", *names)]
-        for choice in choices_of(found):
+        for choice in CHOICES:
             of_choice = (found.get((choice, name)) for name in names)
             cells = [one.text() if one else "" for one in of_choice]
             lines += [(choice, *cells)] if any(cells) else []
@@ -229,12 +226,11 @@ def draw_found(axes, one, y):
 
 
 def draw_panel(axes, found, name):
-    choices = choices_of(found)
-    for y, choice in enumerate(choices):
+    for y, choice in enumerate(CHOICES):
         if one := found.get((choice, name)) or found.get((choice, ALIKE.get(name))):
             draw_found(axes, one, y)
             if choice in SETTLED and None not in (one.value, one.low):
-                of = [y for y, other in enumerate(choices) if settled_of(other) == choice]
+                of = [y for y, other in enumerate(CHOICES) if settled_of(other) == choice]
                 axes.fill_betweenx((of[0] - 0.5, of[-1] + 0.5), one.low, one.high, color="0.88")
     if name in PAPER:
         axes.axvline(PAPER[name], color=BLACK, linestyle="--", linewidth=0.8)
@@ -254,7 +250,7 @@ def draw(found, stem):
         draw_panel(axes, found, name)
     for axes, text in zip(panels[:, 0], "AB"):
         letter(axes, text)
-    panels[0, 0].set_yticks(range(len(choices_of(found))), choices_of(found))
+    panels[0, 0].set_yticks(range(len(CHOICES)), CHOICES)
     panels[0, 0].invert_yaxis()
     save(fig, stem)
 

@@ -50,7 +50,7 @@ figure(
     tables=["choices"],
     own=OWN_RESULTS,
     reads=[
-        *(of for name in ("reference", *CHOICE_EDGES) for of in edges(name, ["0", "0.285"])),
+        *(of for name in ("reference", *CHOICE_EDGES) for of in edges(name, CHANGES["sigma_bars"])),
         *(of for kind in OF_KIND for of in of_choice("ensemble", kind, kind)),
         *(of for name, (kind, _) in CHOICES.items() for of in of_choice("choices", name, kind)),
     ],

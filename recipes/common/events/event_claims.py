@@ -10,7 +10,7 @@ from claims import paper
 from claims.judge import holds, judged, units_with, yes
 from data.records import values
 from events.front_claims import ratio, slowest, words_case, words_shown
-from events.fronts import LOADING_ZONE, front_spans, is_fast_slow
+from events.fronts import LOADING_ZONE, front_spans, is_fast_slow, takes_time
 from maps.front_map import STENCIL
 
 SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
@@ -191,7 +191,7 @@ def largest_difference(unmodified, undriven, stopped_at):
 
 def case_5A(unmodified, undriven, stopped_at):
     """`stopped_at`: when the driving stops [s]."""
-    if unmodified["slow"] is None or unmodified["slow"]["duration"] == 0:
+    if not takes_time(unmodified):
         return {"difference/slow duration": None}
     difference = largest_difference(unmodified, undriven, stopped_at)
     return {"difference/slow duration": ratio(difference, unmodified["slow"]["duration"])}
