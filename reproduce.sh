@@ -12,11 +12,10 @@ root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 
 # Debian's Python comes first: another one on the PATH may lack h5py.
 python=/usr/bin/python3
-[[ -x $python ]] || "$root/recipes/common/reproduce/set-up.sh" python "$@"
+[[ -x $python ]] || bash "$root/recipes/common/reproduce/set-up.sh" python "$@"
 [[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME
 [[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1  # Debian's packages, not the user's own
-# The Python package is beside the recipes, or where an installation has it.
-export PYTHONPATH=$root/recipes/common:$root/python:$root/../../lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1
+export PYTHONPATH=$root/recipes/common:$root/python PYTHONDONTWRITEBYTECODE=1
 exec "$python" "$root/recipes/common/reproduce/__main__.py" "$@"

@@ -19,7 +19,12 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ruptureConfig.cmake
               cmake/RuptureCheckpointTest.cmake
         DESTINATION ${_package})
 
+# Here every file has the place that it has in the sources, so that the recipes find it. A link leads to
+# the Python package.
 set(_share ${CMAKE_INSTALL_DATADIR}/rupture)
+set(_link ${CMAKE_BINARY_DIR}/installed/rupture)
+file(CREATE_LINK ../../../lib/python3/dist-packages/rupture ${_link} SYMBOLIC)
+install(FILES ${_link} DESTINATION ${_share}/python)
 install(PROGRAMS reproduce.sh DESTINATION ${_share})
 install(DIRECTORY recipes checkpoints docs DESTINATION ${_share} USE_SOURCE_PERMISSIONS
         PATTERN __pycache__ EXCLUDE)

@@ -13,8 +13,9 @@ import rupture
 from rupture.errors import Failure, UsageError
 
 PACKAGE = Path(__file__).resolve().parent
-# The programs of a build, and of an installation with the package in lib/python3/dist-packages.
-BESIDE = (PACKAGE / "../../build/release/bin", PACKAGE / "../../../../libexec/rupture")
+CLONE = PACKAGE.parents[1]
+IS_CLONE = (CLONE / "CMakeLists.txt").exists()  # else an installation, in its lib/python3/dist-packages
+OWN = CLONE / "build/release/bin" if IS_CLONE else PACKAGE.parents[3] / "libexec/rupture"
 
 DRAWING = ("map", "movie", "xdmf")  # they write no checkpoint, and have no --quiet
 
@@ -23,9 +24,9 @@ def command_of(program):
     """The words that start a program: of the folder $RUPTURE_BIN, of this build or installation,
     or of `rupture` on the PATH."""
     own = os.environ.get("RUPTURE_BIN")
-    for folder in [Path(own)] if own else BESIDE:
-        if os.access(folder / program, os.X_OK):
-            return [str(folder / program)]
+    folder = Path(own or OWN)
+    if os.access(folder / program, os.X_OK):
+        return [str(folder / program)]
     if not own and shutil.which("rupture"):
         return ["rupture", program]
     where = f"not in RUPTURE_BIN={own}" if own else "neither built nor installed, nor on the PATH"

@@ -83,7 +83,7 @@ def test_a_folder_that_cannot_be_written_is_named(project):
 
 def make(project, *files):
     for name in files:
-        project.write(name, f"\nCMAKE_HOME_DIRECTORY:INTERNAL={project.root.resolve()}\n")
+        project.write(name, "\nCMAKE_PROJECT_NAME:STATIC=rupture\n")
 
 
 def test_clean_deletes_what_was_written_here_and_names_the_rest(project):

@@ -1,6 +1,7 @@
 """The installed CMake package, as the project of a user (project/) uses it."""
 
 import re
+import shlex
 import shutil
 import tempfile
 import unittest
@@ -9,13 +10,14 @@ from pathlib import Path
 from conftest import BUILD, ROOT, run
 
 PROJECT = ROOT / "tests/regression/project"
+ODD = "Jørgen's \"copy\" (v2) {new}"  # a name of a folder
 
 
 class Package(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.prefix = Path(folder.name) / "prefix"
+        self.prefix = Path(folder.name) / ODD
         self.source = Path(folder.name) / "project"
         self.build = Path(folder.name) / "build"
         shutil.copytree(PROJECT, self.source)
@@ -65,9 +67,8 @@ class Package(unittest.TestCase):
         said = self.ctest().stdout
         self.assertIn("50% tests passed, 1 tests failed out of 2", said)
         self.assertIn("Files that differ, 3 of 3: event-record.h5 event.h5", said)
-        self.assertIn(
-            f"{self.prefix}/libexec/rupture/analyze diff {self.build}/my_pipeline.files/equal", said
-        )
+        analyze = shlex.quote(f"{self.prefix}/libexec/rupture/analyze")
+        self.assertIn(f"{analyze} diff {self.build}/my_pipeline.files/equal", said)
 
         said = self.regenerate()
         self.assertIn("my_program.sums is current", said)
@@ -76,7 +77,7 @@ class Package(unittest.TestCase):
         self.assertEqual(old.read_text(encoding="utf-8"), before)
 
     def test_rupture_finds_its_tools_and_recipes_and_writes_where_it_is_called(self):
-        folder = self.prefix.parent / "work"
+        folder = self.prefix.parent / f"work in {ODD}"
         folder.mkdir()
         rupture = self.prefix / "bin/rupture"
         self.assertEqual([path.name for path in rupture.parent.iterdir()], ["rupture"])
@@ -88,9 +89,23 @@ class Package(unittest.TestCase):
         self.done(rupture, "reproduce", "figS1", cwd=folder)
         self.assertTrue((folder / "results/figS1/claims.json").exists())
         self.assertEqual(sorted(self.prefix.rglob("*")), before)
+        self.resolve_all_figures(folder / ".rupture")
         done = run(rupture, "reproduce", "test")
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no figure or command 'test'", done.stderr)
+
+    def resolve_all_figures(self, folder):
+        """Plans them from nothing: every file that a rule reads is there, or another rule makes it."""
+        (folder / "../results").rename(folder / "../other")
+        (folder / "../results").mkdir()
+        names = re.findall(r"^  (\S+)", self.done(self.prefix / "bin/rupture", "reproduce", "list"), re.M)
+        figures = names[: names.index("all")]
+        self.assertGreaterEqual(len(figures), 17)
+        options = ("--snakefile", "recipes/Snakefile", "--cores", "1", "--dry-run", *figures)
+        programs = f"bin={self.prefix}/libexec/rupture"
+        said = self.done("snakemake", *options, "--config", programs, cwd=folder)
+        for figure in figures:
+            self.assertRegex(said, rf"\n{figure} +1 ")
 
     def test_a_project_without_compiled_languages_needs_the_tools_alone(self):
         self.write_project("NONE")

@@ -4,7 +4,7 @@ import os
 import shutil
 from contextlib import suppress
 
-from reproduce.project import READ, ROOT, SHARE, WORK, say
+from reproduce.project import READ, ROOT, WORK, say
 from runs.written import LIST, written
 
 HOME = (WORK or ROOT).resolve()
@@ -21,10 +21,10 @@ def own_files():
 
 
 def own_folders():
-    """The folders of runs, and of builds of these sources; not behind links either."""
-    home = f"\nCMAKE_HOME_DIRECTORY:INTERNAL={SHARE}\n"
+    """The folders of runs, and of builds of rupture; not behind links either."""
+    name = "\nCMAKE_PROJECT_NAME:STATIC=rupture\n"  # wherever the sources were at that time
     caches = [*BUILD.glob("CMakeCache.txt"), *BUILD.glob("*/CMakeCache.txt")]
-    builds = [one.parent for one in caches if home in one.read_text(errors="replace")]
+    builds = [one.parent for one in caches if name in one.read_text(errors="replace")]
     found = [OWN / ".snakemake", BUILD / "log", BUILD / "cache", *builds]
     return [one for one in found if one.resolve() == one and one.is_dir()]
 

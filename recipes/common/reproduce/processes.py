@@ -121,7 +121,7 @@ class Processes:
 
 def set_up(processes, *words):
     """If the script fails, it has printed the reason."""
-    if code := processes.run([SET_UP, *map(str, words)]):
+    if code := processes.run(["bash", SET_UP, *map(str, words)]):
         sys.exit(code)
 
 

@@ -13,7 +13,7 @@ ROOT = WORK / ".rupture" if WORK else SHARE
 LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/common/profiles")
-READ = ("recipes", "checkpoints", "docs", "benchmarks", "CITATION.cff")
+READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 # Recipes that `all` leaves out: they judge no claim and take long.
 BESIDE_ALL = ("choices", "convergence", "speeds")
 

@@ -88,8 +88,19 @@ ensure_python() {
 
 # --- building ------------------------------------------------------------------------------
 
+# The build of a folder that was copied or moved: it would compile the sources of the other folder.
+belongs_elsewhere() {
+  local home
+  home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "build/$1/CMakeCache.txt" 2>/dev/null) &&
+    [[ ! $home -ef . ]]
+}
+
 # In CI a warning of the reference compiler is an error, too.
-configure() { quietly "configure-$1" "Configuring" cmake --preset "$1" ${CI:+-DRUPTURE_WERROR=ON}; }
+configure() {
+  local fresh=()
+  ! belongs_elsewhere "$1" || fresh=(--fresh)
+  quietly "configure-$1" "Configuring" cmake --preset "$1" "${fresh[@]}" ${CI:+-DRUPTURE_WERROR=ON}
+}
 
 # Only if there is something to compile or to link.
 say_building() {
@@ -121,10 +132,10 @@ run_build() {
 
 # If another file than the presets has changed, Ninja configures by itself.
 build() {
-  [[ build/release/build.ninja -nt CMakePresets.json ]] || {
+  if belongs_elsewhere release || [[ ! build/release/build.ninja -nt CMakePresets.json ]]; then
     say_building
     configure release
-  }
+  fi
   run_build "$@" || {
     tail -n 60 "$logs/build.log" >&2
     die "The build failed; the whole output is in $PWD/$logs/build.log."

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Runs the program of the Python package that has the name of this file, which is a link in a build
-and a copy in the folder libexec/rupture of an installation."""
+"""Runs the program of the Python package that has the name of this file, of which builds and
+installations have copies."""
 
 import os
 import signal
@@ -9,9 +9,8 @@ from importlib import import_module
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PACKAGES = (HERE / "../../../python", HERE / "../../lib/python3/dist-packages")
-sys.path[:0] = [str(folder.resolve()) for folder in PACKAGES if (folder / "rupture").is_dir()][:1]
-os.environ.setdefault("RUPTURE_BIN", os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, str((HERE / r"""@RUPTURE_HOME@/python""").resolve()))
+os.environ.setdefault("RUPTURE_BIN", str(HERE))
 
 
 # A stream that is closed would become the next file. As in cli/interruption.cpp, output that nobody
