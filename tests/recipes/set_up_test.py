@@ -11,6 +11,7 @@ import pytest
 from stand_ins import SWEEP, Project
 
 NOBODY = 65534
+SET_UP = "recipes/common/reproduce/set-up.sh"
 AS_ROOT = pytest.mark.skipif(os.geteuid() != 0, reason="installs packages, if only by stand-ins")
 MISSING = "[[ $* != *--simulate* ]] || { echo Inst x; exit; }\n"
 WAIT = "for i in {{1..100}}; do [[ -e {0} ]] && break; sleep 0.1; done; [[ -e {0} ]] || exit 1\n"
@@ -23,7 +24,7 @@ def copied_project():
 
 
 def set_up(project, *words, **options):
-    return project.call(*words, command="recipes/common/reproduce/set-up.sh", **options)
+    return project.call(SET_UP, *words, command="bash", **options)
 
 
 def make_cmake(project, says):
@@ -52,8 +53,7 @@ def test_a_first_build_is_said_at_once_and_its_percentage_moves(project):
     text = WAIT.format("said") + "[[ $1 == --build ]] || exit 0\n"
     text += "for n in 1 2 3 4; do echo [$n/40] Building x.o; done\n" + WAIT.format("moved")
     project.program("cmake", text)
-    command = "recipes/common/reproduce/set-up.sh"
-    with project.start("build", "2", "tools", command=command) as started:
+    with project.start(SET_UP, "build", "2", "tools", command="bash") as started:
         lines = iter(started.stdout or ())
         assert next(lines, "").startswith("Building")
         project.write("said")
@@ -62,15 +62,18 @@ def test_a_first_build_is_said_at_once_and_its_percentage_moves(project):
     assert started.returncode == 0
 
 
-def test_configures_if_the_presets_are_newer(project):
+def test_configures_if_the_presets_are_newer_or_the_build_is_of_other_sources(project):
     make_cmake(project, "")
     presets = project.write("CMakePresets.json")
     ninja = project.write("build/release/build.ninja")
-    for path in (presets, ninja, presets):
+    for path, home in ((presets, ""), (ninja, project.root), (presets, "."), (ninja, "/elsewhere")):
+        project.write("build/release/CMakeCache.txt", f"CMAKE_HOME_DIRECTORY:INTERNAL={home}\n")
         path.touch()
         set_up(project, "build", "2", "tools")
-    configured = [call.startswith("--preset release") for call in project.calls().splitlines()]
-    assert configured == [True, False, False, True, False]
+    configured = [call for call in project.calls().splitlines() if "--build" not in call]
+    assert [*map(str.split, configured)] == [
+        ["--preset", "release", *more] for more in (["--fresh"], [], ["--fresh"])
+    ]
 
 
 def test_a_failed_build_shows_its_end(project):

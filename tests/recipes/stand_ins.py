@@ -39,6 +39,8 @@ class Project:
         self.program("apt-get", "")  # nothing is missing
         for name in ("recipes", "python"):
             shutil.copytree(ROOT / name, root / name)
+        for script in root.rglob("*.sh"):
+            script.chmod(0o644)  # as some archives unpack it
         for name in ("reproduce.sh", "packages.txt", "CITATION.cff"):
             shutil.copy2(ROOT / name, root / name)
 

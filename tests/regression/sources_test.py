@@ -1,0 +1,64 @@
+"""Sources in any folder: which commit a build of them states, and that line ends stay as they are."""
+
+import os
+import subprocess
+
+import pytest
+
+from conftest import ROOT, need, run, skip
+from installed_test import ODD
+
+need("git")
+PROJECT = f"""cmake_minimum_required(VERSION 3.25)
+project(odd VERSION 1.2 LANGUAGES NONE)
+include({ROOT}/cmake/Version.cmake)
+"""
+OURS, OTHERS = "submitted-v2", "submitted-v3"  # tags of our repository, and of another
+UNKNOWN = "unknown (the sources are no git repository)"
+OF_ANOTHER_USER = "unknown (the git repository belongs to another user)"
+
+
+def git(folder, *words):
+    who = ("-c", "user.name=x", "-c", "user.email=x@x")
+    subprocess.run(["git", *who, *words], cwd=folder, check=True, capture_output=True)
+
+
+def make_repository(folder, tag):
+    folder.mkdir(exist_ok=True)
+    git(folder, "init")
+    git(folder, "commit", "--allow-empty", "-m", "first")
+    git(folder, "tag", "-a", tag, "-m", "a version")
+
+
+@pytest.mark.parametrize(
+    "own, variables, owner, commit",
+    [
+        (True, {}, 0, OURS),
+        (True, {"GIT_DIR": "../.git", "GIT_WORK_TREE": "..", "GIT_INDEX_FILE": "/x"}, 0, OURS),
+        (True, {}, 65534, OF_ANOTHER_USER),
+        (False, {}, 0, UNKNOWN),
+    ],
+)
+def test_only_the_repository_of_the_sources_names_the_commit(
+    folder, own, variables, owner, commit
+):
+    if owner and os.geteuid() != 0:
+        pytest.skip("Only root gives a folder to others.")
+    make_repository(folder, OTHERS)
+    source = folder / ODD
+    source.mkdir()
+    if own:
+        make_repository(source, OURS)
+    (source / "CMakeLists.txt").write_text(PROJECT)
+    os.chown(source, owner or os.geteuid(), -1)
+    for words in ("-S . -B ../build -G Ninja", "--build ../build --target rupture_version"):
+        done = run("cmake", *words.split(), cwd=source, env=os.environ | variables)
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert f'commit = "{commit}";' in (folder / "build/version.cpp").read_text()
+
+
+def test_a_clone_has_our_line_ends(folder):
+    if not (ROOT / ".git").exists():
+        skip("These sources are no git repository.")
+    git(folder, "-c", "core.autocrlf=true", "clone", "--depth=1", f"file://{ROOT}", "clone")
+    assert "  fig3 " in run("bash", "clone/reproduce.sh", "list").stdout
