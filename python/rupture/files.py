@@ -6,6 +6,7 @@ The examples use a checkpoint and a record of a small slider:
 """
 
 import difflib
+import io
 from collections import namedtuple
 from collections.abc import Mapping
 from functools import cached_property
@@ -262,6 +263,13 @@ class Record(File):
         return self["pinned"] / self.springs_per_block
 
 
+class Unlocked(io.BufferedReader):
+    """A file that HDF5 need not open itself: it would lock it, which fails on some file systems and
+    while another program does. Nobody closes it but HDF5, by no longer using it."""
+
+    __del__ = io.BufferedReader.close
+
+
 def open_file(path):
     """A `Checkpoint` or a `Record`, after a check of the SHA-256 over its bytes. A `.part` is read
     as far as it has been written; to see later samples, open it again.
@@ -274,7 +282,7 @@ def open_file(path):
         if kind == PART:
             return Record(path, joined(data))
     try:
-        file = h5py.File(path, "r")
+        file = h5py.File(Unlocked(io.FileIO(path)), "r")
     except OSError as error:
         raise Failure(f"cannot read {path}: {error}") from None
     return (Checkpoint if kind == CHECKPOINT else Record)(path, file)

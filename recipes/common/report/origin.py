@@ -58,7 +58,7 @@ class Accounts:
 def written_by(path):
     """The program that wrote a checkpoint or record: the last entry of its provenance."""
     try:
-        with h5py.File(path) as file:
+        with h5py.File(path, "r", locking=False) as file:
             entries = file["provenance"]
             last = entries[max(entries)]
             words = (last[name].asstr()[()] for name in ("version", "commit", "compiler"))

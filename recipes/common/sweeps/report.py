@@ -104,7 +104,7 @@ def fixed(texts):
 
 
 def write_hdf5(path, title, columns):
-    with replacing(path) as part, h5py.File(part, "w") as file:
+    with replacing(path) as part, h5py.File(part, "w", locking=False) as file:
         file.attrs["title"] = fixed([title]).reshape(())
         for column in columns:
             cells = column.positions if column.unit else fixed(column.texts)
