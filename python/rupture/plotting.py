@@ -1,5 +1,6 @@
 """The look of all pictures, and the panels that several draw."""
 
+import logging
 import os
 
 import numpy as np
@@ -46,9 +47,15 @@ ROUNDING = 1e-6  # of times [ms]
 
 
 def pyplot_without_window():
-    """pyplot for writing files, whatever display or toolkit is set. Matplotlib may be missing."""
+    """pyplot for programs that write files. No display, toolkit or matplotlibrc counts, and nothing
+    is said if no home folder can keep Matplotlib's cache. Matplotlib may be missing."""
+    os.environ.update(MATPLOTLIBRC=os.devnull, MPLBACKEND="agg")
+    os.environ.setdefault("HOME", os.devnull)  # an unknown user has none
+    logging.getLogger("matplotlib").setLevel(logging.CRITICAL)
     pyplot = imported("matplotlib.pyplot")
-    pyplot.switch_backend("agg")
+    pyplot.switch_backend("agg")  # it may be imported already
+    pyplot.rcdefaults()
+    pyplot.rcParams.update(STYLE)
     return pyplot
 
 

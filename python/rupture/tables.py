@@ -26,7 +26,7 @@ def imported(name):
     except ImportError:
         package = f"apt-get install python3-{name.split('.')[0]}"
         raise Failure(f"{name} is not installed; install it, on Debian with {package}") from None
-    except ValueError as error:  # of the user's settings, such as MPLBACKEND
+    except (RuntimeError, ValueError) as error:  # of HOME, or of settings such as MPLBACKEND
         raise Failure(f"{name} refuses its settings: {error}") from None
 
 

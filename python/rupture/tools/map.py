@@ -105,7 +105,6 @@ def draw_speeds(axes, path, events):
 
 def figure_of(record, path, events, window):
     pyplot = plotting.pyplot_without_window()
-    pyplot.rcParams.update(plotting.STYLE)
     figure, axes = pyplot.subplots(1, 4, figsize=(10, 4.2))
     axes[1].sharey(axes[0])
     axes[2].sharey(axes[0])

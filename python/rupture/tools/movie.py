@@ -1,10 +1,9 @@
 """movie: a record as a film."""
 
-import logging
 import shutil
 import signal
 import subprocess
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 
@@ -61,16 +60,19 @@ def writer_of(path):
 
 
 @contextmanager
-def reasons_of_ffmpeg(output):
-    """If ffmpeg stops, the error gives its reason; the signal of the broken pipe would give none,
-    and matplotlib's log a different one."""
+def reasons_of_ffmpeg(output, path):
+    """If ffmpeg stops early or writes nothing, the error gives a reason; the signal of the broken
+    pipe would give none."""
     signal.signal(signal.SIGPIPE, signal.SIG_IGN)
-    logging.getLogger("matplotlib.animation").setLevel(logging.CRITICAL)
+    reason = "it ended without a complete film"
     try:
-        yield
+        with suppress(BrokenPipeError):
+            yield
+            if path.stat().st_size:
+                return
     except subprocess.CalledProcessError as error:
         reason = [f"exit code {error.returncode}", *error.stderr.strip().splitlines()][-1]
-        raise Failure(f"cannot write {output}: ffmpeg: {reason}") from None
+    raise Failure(f"cannot write {output}: ffmpeg: {reason}")
 
 
 def chosen_samples(time, window, most):
@@ -148,9 +150,7 @@ def norm_of(values, colour):
     return colors.Normalize(values.min() if colour == "displacement" else -limit, limit)
 
 
-def draw_frames(record, window, options, path):
-    pyplot = plotting.pyplot_without_window()
-    pyplot.rcParams.update(plotting.STYLE)
+def draw_frames(pyplot, record, window, options, path):
     with_bulk = "fields/u_x" in record
     times = record["fields/time"] if with_bulk else record.time
     rows = chosen_samples(times, window, options.frames)
@@ -177,12 +177,13 @@ def draw_frames(record, window, options, path):
 def run():
     options = parse_options()
     check_output(options.output, options.force, ENDINGS, [options.record])
+    pyplot = plotting.pyplot_without_window()
     writer_of(options.output)
     record = open_record(options.record)
     if options.colour != "speed" and "fields/u_x" not in record:
         raise Failure("--colour needs a record with displacement fields (run with --fields T)")
     events = analyze("events", options.record)["events"] if options.event is not None else []
     window = window_of(options, record, events)
-    with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output):
-        draw_frames(record, window, options, path)
+    with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output, path):
+        draw_frames(pyplot, record, window, options, path)
     say_written(options.output)

@@ -111,6 +111,7 @@ class Text:
 class Window:
     def __init__(self, pyplot):
         self.pyplot = pyplot
+        pyplot.rcdefaults()
         pyplot.rcParams.update(plotting.STYLE)
         self.figure, self.axes = pyplot.subplots(figsize=(5, 5))
         pyplot.show(block=False)

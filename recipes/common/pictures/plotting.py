@@ -2,11 +2,11 @@
 
 from rupture.plotting import BLACK, BLUE, GREEN, LINES, ORANGE, PURPLE, SKY, VERMILION
 from rupture.plotting import MAP  # noqa: F401  (for the recipes)
-from rupture.plotting import STYLE as LOOK
 from rupture.plotting import pyplot_without_window
 from rupture.replacing import replacing
 
 plt = pyplot_without_window()
+plt.rcParams["axes.prop_cycle"] = plt.cycler(color=LINES)
 
 MM = 1 / 25.4  # [inch]
 SINGLE = 89 * MM  # width of one column [inch]
@@ -18,18 +18,14 @@ EVENT = {"I": GREEN, "II": PURPLE, "III": SKY}
 AS_IT_IS, CHANGED = BLACK, ORANGE  # a run, and one in which something was changed
 OF_PAPER = {"color": BLACK, "linestyle": ":", "linewidth": 0.8}  # lines of the paper's numbers
 
-STYLE = LOOK | {"axes.prop_cycle": plt.cycler(color=LINES)}
-
 
 def figure(width=SINGLE, height=None, **subplots):
     """plt.subplots() in the style of the project; lengths in inches."""
-    plt.rcParams.update(STYLE)
     return plt.subplots(figsize=(width, height or 0.75 * width), **subplots)
 
 
 def lettered(layout, width, height, **subplots):
     """Figure and {letter: panel}, with the letters drawn; `layout` as "AB;CC"."""
-    plt.rcParams.update(STYLE)
     fig, panels = plt.subplot_mosaic(layout, figsize=(width, height), **subplots)
     for text, axes in panels.items():
         letter(axes, text)

@@ -43,7 +43,7 @@ def use_own_environment():
     if os.access("/usr/bin/snakemake", os.X_OK):
         os.environ["PYTHONNOUSERSITE"] = "1"
     os.environ.update(XDG_CACHE_HOME=str(cache), MPLCONFIGDIR=str(cache / "matplotlib"))
-    os.environ["SETUPTOOLS_USE_DISTUTILS"] = "stdlib"
+    os.environ.update(MATPLOTLIBRC=os.devnull, SETUPTOOLS_USE_DISTUTILS="stdlib")
 
 
 def say(text=""):
