@@ -418,8 +418,8 @@ def test_a_logarithmic_axis_where_positive_numbers_span_decades_or_are_geometric
         return Column("a", unit, [*cells]).scale
 
     assert scale("1", "100") == scale(None, 1, 200) == "log"
-    assert scale("1", "2", "4", "8") == "log"
-    assert scale("1", "2", "3", "4") == scale("100", "101", "102", "103") == "linear"
+    assert scale("0.1", "0.4", "1.6") == "log"
+    assert scale("1", "2", "3", "4") == scale("10", "11", "12") == "linear"
     assert scale("1", "99") == scale("0", "100") == scale("-1", "-100") == "linear"
     assert scale("1", "100", unit="") == "linear"
 
@@ -433,8 +433,8 @@ def test_medians_and_most_frequent_texts_in_the_order_of_fronts():
 
 
 def test_cells_and_margins_are_as_the_axis_shows_them():
-    linear = Column("a", "1", [1, 2, 4])
-    np.testing.assert_allclose(edges(linear), [0.5, 1.5, 3, 5])
+    linear = Column("a", "1", [1, 2, 5])
+    np.testing.assert_allclose(edges(linear), [0.5, 1.5, 3.5, 6.5])
     log = Column("a", "1", [1, 10, 100])
     np.testing.assert_allclose(edges(log), np.sqrt([0.1, 10, 1000, 1e5]))
     grid = cells(linear, Column("b", "1", [1, 1, 2]), lambda here: np.flatnonzero(here)[0])

@@ -43,6 +43,7 @@ def read(tmp_path):
         ("0 to 1 by 0.4", "0 0.4 0.8"),
         ("1e-3, 0.002,bell", "1e-3 0.002 bell"),
         ("1mm/s, 2e-3", "1mm/s 2e-3"),
+        ("0, 1mm/s,2mm/s", "0 1mm/s 2mm/s"),
         ("1 to 3 ms", "1ms 2ms 3ms"),
         ("0 to 2mm/s by 1 mm/s", "0mm/s 1mm/s 2mm/s"),
         ("1um to 3µm by 1μm", "1μm 2μm 3μm"),
@@ -63,6 +64,8 @@ WRONG_LISTS = {
     "give its step": ["0.1 to 0.5", "1 to 2.5", "1.5 to 3 ms"],
     "the same unit": ["1ms to 2s by 1ms", "1ms to 2ms in 3ms"],
     "has an empty value": ["1,,2", ""],
+    "is unclear: write 0.4mm/s, or 0mm/s, 4mm/s$": ["0,4mm/s"],
+    "is unclear: write 0.1mm/s, 4 mm/s$": ["0.1, 4 mm/s", "0.1,4 mm/s"],
 }
 
 
@@ -152,6 +155,9 @@ def test_points_from_a_table(read, tmp_path):
         found = [tuple(p.values.values()) for p in read(text, "x/sweep").points]
         assert found == [("1", "1", "2"), ("2", "1", "2"), ("1", "3", "4"), ("2", "3", "4")]
         assert list(read(text, "x/sweep").points[0].values) == ["seed", "a", "b"]
+    table.write_text("driving.V [mm/s],variant,status,v [m/s],type\n0.4,x,done,2,slow\n")
+    values = {"seed": "1", "driving.V": "0.4mm/s", "variant": "x"}
+    assert read(text, "x/sweep").points[0].values == values
 
 
 @pytest.mark.parametrize(
@@ -159,7 +165,7 @@ def test_points_from_a_table(read, tmp_path):
     [
         (b"a,b\n0.1\n", "points.csv, line 2: it needs as many cells as the first line"),
         (b"a,b\n0.1,1\n\n0.2,1,5\n", "points.csv, line 4: it needs as many cells"),
-        (b"a,a\n0.1,1\n", "points.csv: each column needs a heading of its own"),
+        (b"a,a [m]\n0.1,1\n", "points.csv: each column needs a heading of its own"),
         (b"a,\n0.1,1\n", "points.csv: each column needs a heading of its own"),
         (b"a\n\xff\n", "points.csv is not a CSV table in UTF-8"),
     ],

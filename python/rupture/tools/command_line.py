@@ -204,6 +204,10 @@ def in_one_line(text):
     return "".join(letter if letter.isprintable() else "?" for letter in text)
 
 
+def plural(number, noun):
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
 def complain(name, sentence):
     with suppress(OSError):  # nobody can read it
         start = CLEAR if sys.stderr.isatty() else ""

@@ -12,13 +12,12 @@ from rupture.errors import UsageError
 from rupture.programs import output_of
 from rupture.units import in_si
 from runs.fingerprint import PROGRAMS
-from sweeps.sweep import check_known, names_of_values, options, suggestion
+from sweeps.sweep import HEADING, check_known, names_of_values, options, suggestion
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table
 KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # points.py
 OPTION = re.compile(r"--[a-z][a-z-]*|-[a-z]")
-HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")
 OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"
 COMPUTES_NOTHING = "it computes nothing then"
 REFUSED = {

@@ -15,6 +15,7 @@ import h5py
 import numpy as np
 
 from rupture.replacing import replacing
+from rupture.tools.command_line import plural
 from rupture.units import without_unit
 from data.tables import write_table
 from maps.front_map import TYPES
@@ -61,13 +62,13 @@ class Column:
 
     @property
     def scale(self):
-        """Logarithmic where positive numbers span two decades, or four or more of them are spaced
+        """Logarithmic where positive numbers span two decades, or three or more of them are spaced
         by a factor."""
         places = np.unique(self.positions[np.isfinite(self.positions)])
         if not self.unit or not len(places) or places[0] <= 0:
             return "linear"
         spans = places[-1] >= TWO_DECADES * places[0]
-        return "log" if spans or (len(places) > 3 and is_geometric(places)) else "linear"
+        return "log" if spans or (len(places) > 2 and is_geometric(places)) else "linear"
 
 
 def text_of(cell):
@@ -86,7 +87,7 @@ def is_geometric(places):
 def columns_of(sweep, table):
     """Numbers are in the unit of their column, whatever unit they were written with."""
     values = names_of_values(sweep.points)
-    names = [*values, *sweep.columns, "status", "sentence", "point"]
+    names = [*values, "status", "sentence", *sweep.columns, "point"]
     for row in table:
         row |= {n: without_unit(row[n]) for n in values if n in row and sweep.units.get(n)}
     return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
@@ -113,10 +114,6 @@ def write_hdf5(path, title, columns):
 
 
 # --- what is said ------------------------------------------------------------------------------
-
-
-def plural(number, noun):
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def preview(sweep, missing, folder_of_tools):

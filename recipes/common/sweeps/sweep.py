@@ -42,6 +42,7 @@ FORMER = {  # sections and keys of [sweep] up to version 0.3, and what is writte
     "analyze": "write commands in [commands], as front = analyze front record.h5 --json",
     "table": "call this section [quantities]",
 }
+HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")
 MEGABYTES = {"MB": 1, "GB": 1000}
 
 
@@ -113,7 +114,8 @@ def make_point(commands, values, base):
 
 
 def rows_of(path):
-    """The points of a table, each as lists of one value; none while the table is still to come."""
+    """The points of a table, each as lists of one value; none while the table is still to come. The
+    unit in a heading is that of its cells; in a table of results, values come before `status`."""
     if not Path(path).exists():
         return []
     try:
@@ -123,12 +125,14 @@ def rows_of(path):
             names = table.fieldnames or []
     except (UnicodeDecodeError, csv.Error):
         raise UsageError(f"{path} is not a CSV table in UTF-8") from None
-    if len({*names}) < len(names) or "" in names:
+    columns = [(heading, *HEADING.findall(heading)[0][::2]) for heading in names]
+    if len({name for _, name, _ in columns}) < len(names) or "" in names:
         raise UsageError(f"{path}: each column needs a heading of its own")
     for number, row in rows.items():
         if "" in row or None in row.values():
             raise UsageError(f"{path}, line {number}: it needs as many cells as the first line")
-    return [{name: [cell] for name, cell in row.items()} for row in rows.values()]
+    values = columns[: [*names, "status"].index("status")]
+    return [{name: [row[at] + unit] for at, name, unit in values} for row in rows.values()]
 
 
 def is_values(section):

@@ -4,9 +4,13 @@ import functools
 import math
 import re
 
-from rupture.units import NUMBER, PREFIXES, amount, without_unit
+from rupture.units import NUMBER, PREFIXES, UNIT, amount, without_unit
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
+# A number without a unit before one with a unit, which may be that of both, or the comma a decimal
+# one: 0,4mm/s. Only a 0 with a blank behind its comma is clear.
+BARE = rf"\s*[-+]?{NUMBER}\s*"
+MIXED = re.compile(rf"(?:^|,)(?!\s*[0.]+\s*,\s){BARE},{BARE}({UNIT})\s*(?:,|$)")
 LIMIT = 100_000  # points of a sweep
 
 
@@ -84,4 +88,8 @@ def values_of(text):
     listed = [part.strip() for part in text.split(",")]
     if not all(listed):
         raise ValueError(f"'{text}' has an empty value")
+    if unit := MIXED.search(text):
+        each = re.sub(r"(?<=[\d.])(?=,|$)", unit[1], ", ".join(listed))
+        one = re.sub(r"(?<![.\d])(\d+),(?=\d+(?![.\d]))", r"\1.", text)
+        raise ValueError(f"'{text}' is unclear: write {', or '.join([one, each][one == text :])}")
     return listed
