@@ -18,6 +18,7 @@ from events.product import range_of
 from events.units import name_of, of_ensemble
 from pictures.panels import along_interface, ruptured_early
 from pictures.plotting import DOUBLE, lettered, save
+from rupture.tools.command_line import plural
 
 NAMES = {  # setting: title
     "load": "reference",
@@ -50,7 +51,7 @@ def draw_rupture_lines(axes, events, colour):
         time = (t_rupture[beyond] - t_rupture[beyond][0]) * 1e3
         time[np.diff(time, prepend=0) < -BACK] = np.nan
         axes.plot(x[beyond], time, color=colour, linewidth=0.5)
-    axes.set_title(f"{len(events)} events")
+    axes.set_title(plural(len(events), "event"))
 
 
 def draw(loads, stem):

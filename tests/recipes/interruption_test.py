@@ -123,6 +123,7 @@ def test_a_second_run_is_refused_while_the_first_one_runs(sweep):
     assert (done.returncode, done.stderr.count("\n")) == (1, 1)
     sentence = "reproduce.sh: another ./reproduce.sh is running in this folder; wait until"
     assert sentence in done.stderr
+    assert "2 to compute" in sweep.call("sweep", "my.ini", "--programs", "bin", "--dry-run").stdout
 
 
 def test_what_a_killed_run_leaves_behind_ends_and_the_same_command_goes_on(sweep):

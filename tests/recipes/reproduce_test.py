@@ -9,6 +9,7 @@ from unittest.mock import Mock, patch
 
 import pytest
 
+from reproduce import machine
 from reproduce.checks import defines_layout, slowest_tests
 from reproduce.compute import count_cores, memory_of_allocation
 from reproduce.pipeline import Errors
@@ -176,6 +177,23 @@ def test_memory_as_far_as_it_is_known():
     assert memory_of_allocation({"SLURM_MEM_PER_CPU": "500"}, 4) == 2000
     assert memory_of_allocation(per_node, 4) == 6000
     assert memory_of_allocation({}, 4) is None
+
+
+@pytest.mark.parametrize(
+    "group, files, cores, megabytes",
+    [
+        ("0::/a/b", {"a/cpu.max": "5 10", "a/b/cpu.max": "max 1", "a/memory.max": "1048576"}, 1, 1),
+        ("4:memory:/gone", {"memory/memory.limit_in_bytes": "2097152"}, 3, 2),
+        ("1:cpu:/", {"cpu/cpu.cfs_quota_us": "200000", "cpu/cpu.cfs_period_us": "90000"}, 2, 4096),
+    ],
+)
+def test_what_may_be_used_of_the_machine(folder, group, files, cores, megabytes):
+    for name, text in ({"own": group} | files).items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    with patch.multiple(machine, OWN=folder / "own", ALL=folder):
+        with patch("os.sched_getaffinity", lambda _: "045"), patch("os.sysconf", lambda _: 2**16):
+            assert (machine.usable_cores(), machine.usable_megabytes()) == (cores, megabytes)
 
 
 def test_the_ten_that_took_longest_are_read_from_the_log_of_ctest():

@@ -13,7 +13,7 @@ from rupture import plotting
 from rupture.errors import Failure
 from rupture.files import Record, open_file
 from rupture.tables import imported
-from rupture.tools.command_line import CLEAR, Parser
+from rupture.tools.command_line import CLEAR, Parser, plural
 
 LEVELS = " ▁▂▃▄▅▆▇█"
 SAMPLES = 1000  # the last ones, shown in a window
@@ -91,8 +91,8 @@ def text_of(record):
         return "no sample yet"
     width = shutil.get_terminal_size().columns - 50
     pinned = bar(record["pinned"][-1] / record.springs_per_block, max(width, 10))
-    force, count = record["F_T"][-1], len(record.ruptures.time)
-    return f"t = {record.time[-1]:.6f} s  F_T = {force:7.2f} N  {count:5} ruptures  |{pinned}|"
+    force, count = record["F_T"][-1], plural(len(record.ruptures.time), "rupture")
+    return f"t = {record.time[-1]:.6f} s  F_T = {force:7.2f} N  {count:>14}  |{pinned}|"
 
 
 class Text:

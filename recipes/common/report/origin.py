@@ -13,6 +13,7 @@ from pathlib import Path
 
 import h5py
 
+from rupture.tools.command_line import plural
 from runs.recipes import natural
 
 
@@ -98,7 +99,7 @@ def present_build(root):
 
 def processor():
     names = re.findall(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
-    return f"{names[0] if names else platform.machine()}, {os.cpu_count()} cores"
+    return f"{names[0] if names else platform.machine()}, {plural(os.cpu_count(), 'core')}"
 
 
 def last_run(root, jobs):

@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable
 from functools import partial
 
+from rupture.errors import Failure
 from rupture.tools.command_line import exit_code
 from reproduce import checks, compute
 from reproduce.clean import clean
@@ -52,7 +53,10 @@ def main(*words):
         print(listing() if request.command == "list" else make_parser().format_help())
         return 0
     enter_root()
-    return RUN[request.command](request, Processes())
+    processes = Processes()
+    if not (processes.has_turn or request.dry_run):
+        raise Failure("another ./reproduce.sh is running in this folder; wait until it is done.")
+    return RUN[request.command](request, processes)
 
 
 if __name__ == "__main__":

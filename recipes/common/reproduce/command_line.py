@@ -10,6 +10,7 @@ from rupture.errors import UsageError
 from rupture.tools import command_line
 from rupture.tools.command_line import Answer, help_text, whole_number
 from runs.recipes import read_readme, recipe_names
+from reproduce.machine import usable_cores
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
 from sweeps.sweep import suggestion
 
@@ -96,7 +97,7 @@ def make_parser():
     add("--profile", type=profile_at, metavar="NAME", default="local", help=text)
     text = "use the programs in this folder instead of building them"
     add("--programs", type=programs_at, metavar="FOLDER", help=text)
-    text = "use N cores of this machine (default: all)"
+    text = "use N cores of this machine (default: all that may be used)"
     read_cores = partial(whole_number, least=1)
     add("--cores", type=read_cores, kind="integer", unit="1", metavar="N", help=text)
     text = "print name, options and input as one JSON object and exit"
@@ -134,6 +135,6 @@ def read(words):
     if not request.words:
         return request
     request.command = request.words[0] if request.words[0] in COMMANDS else "recipes"
-    request.cores = request.cores or os.cpu_count() or 1
+    request.cores = request.cores or usable_cores()
     (check_sweep if request.command == "sweep" else check_commands)(request)
     return request

@@ -9,8 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rupture.errors import Failure
+from rupture.tools.command_line import plural
 from runs.fingerprint import fingerprint_of_programs
 from runs.written import LIST, append_to, note, refuse_others
+from reproduce.machine import usable_megabytes
 from reproduce.project import LOGS, PROGRAMS, ROOT, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
@@ -51,8 +53,7 @@ def place_of(request):
     """Raises Failure if the profile cannot be used here."""
     step = request.profile / STEP
     if not step.exists():
-        megabytes = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 2**20
-        return Place(f"with {request.cores} cores", request.cores, megabytes)
+        return Place(f"with {plural(request.cores, 'core')}", request.cores, usable_megabytes())
     if "SLURM_JOB_ID" not in os.environ:
         raise Failure(
             f"the profile {request.profile.name} needs an allocation of SLURM; run the command"
@@ -64,7 +65,7 @@ def place_of(request):
             " use the default profile here, or salloc or sbatch."
         )
     cores = count_cores(os.environ["SLURM_JOB_CPUS_PER_NODE"])
-    name = f"in job {os.environ['SLURM_JOB_ID']} of SLURM, with {cores} cores"
+    name = f"in job {os.environ['SLURM_JOB_ID']} of SLURM, with {plural(cores, 'core')}"
     return Place(name, cores, memory_of_allocation(os.environ, cores), step)
 
 
@@ -81,7 +82,7 @@ def prepare(request, processes):
         refuse_others(RESULTS, *(RESULTS / name for name in ("ro-crate-metadata.json", *page)))
     if request.programs:
         ensure_packages(processes, "run")
-    else:
+    elif processes.has_turn:  # else another run builds the same
         build(processes, request.cores, "tools", "run")
     use_own_environment()
     return place_of(request)

@@ -75,12 +75,10 @@ class Processes:
         self.received = None
         self.ending = signal.SIGINT  # the signal that the group then gets
         self.turn = open_lock("lock")  # it ends with this process
-        if not take_lock(self.turn, "lock"):
-            raise Failure(
-                "another ./reproduce.sh is running in this folder; wait until it is done."
-            )
+        self.has_turn = take_lock(self.turn, "lock")
         self.lock = open_lock("lock-of-programs")  # they inherit it
-        wait_for(self.lock, "lock-of-programs")
+        if self.has_turn:
+            wait_for(self.lock, "lock-of-programs")
         for number in SIGNALS:
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup
                 signal.signal(number, self.receive)
