@@ -95,6 +95,9 @@ struct StepResult {
 struct Kernels {
   std::string_view name;
 
+  /// What these kernels compute otherwise than they must; null if nothing.
+  const char* (*inexactness)();
+
   /// Doubles of scratch space that a band needs, 64-byte aligned and zero at first.
   std::ptrdiff_t (*scratch_size)(const LatticeShape&);
 
@@ -128,9 +131,13 @@ struct Kernels {
                   double* attachment);
 };
 
+/// Throws Failure if the library, or kernels that this processor can run, round otherwise than they
+/// must, because of options of the compiler or linker.
+void check_arithmetic();
+
 /// The kernels for the widest instruction set of this processor, or for the one that the
 /// environment variable RUPTURE_ISA names (sse2, avx2, avx512, neon, baseline). Throws UsageError
-/// if that one is unknown or the processor lacks it.
+/// if that one is unknown or the processor lacks it, Failure as check_arithmetic() does.
 const Kernels& kernels();
 
 /// The variant called `name`; null if this build does not hold it or this processor cannot run it.

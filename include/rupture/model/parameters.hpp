@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "rupture/model/exact_arithmetic.hpp"
+
 namespace rupture {
 
 /// Distribution T(t_R) of the time a junction spends slipping (Methods).

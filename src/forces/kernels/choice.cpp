@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "inexactness.hpp"
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/error.hpp"
 
@@ -40,6 +41,7 @@ std::vector<const Kernels*> available() {
 }
 
 const Kernels& choose() {
+  check_arithmetic();
   const char* wanted = std::getenv("RUPTURE_ISA");
   if (wanted == nullptr || *wanted == '\0') return *available().front();
   if (const Kernels* found = find_kernels(wanted)) return *found;
@@ -51,6 +53,17 @@ const Kernels& choose() {
 }
 
 }  // namespace
+
+void check_arithmetic() {
+  const char* fault = inexactness();
+  for (const auto* variant : available()) fault = fault == nullptr ? variant->inexactness() : fault;
+  if (fault == nullptr) return;
+  throw Failure(
+      "this build computes other bits than every other one ({}): build rupture without compiler "
+      "and "
+      "linker options that change floating-point results, such as -ffast-math",
+      fault);
+}
 
 const Kernels* find_kernels(std::string_view name) {
   for (const auto* variant : available()) {

@@ -2,6 +2,7 @@
 // RUPTURE_LANES is how many doubles its registers hold. Nothing here may include a library header
 // with inline functions: the linker would keep one copy of each for all variants, possibly one that
 // the processor cannot run.
+#include "inexactness.hpp"
 #include "interface.hpp"
 #include "step.hpp"
 
@@ -14,6 +15,7 @@ namespace rupture {
 
 extern const Kernels RUPTURE_JOIN(kernels_, RUPTURE_ISA);
 const Kernels RUPTURE_JOIN(kernels_, RUPTURE_ISA) = {RUPTURE_STRING(RUPTURE_ISA),
+                                                     inexactness,
                                                      scratch_size,
                                                      kick_drift,
                                                      elastic,

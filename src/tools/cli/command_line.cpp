@@ -291,6 +291,7 @@ int run_tool(const std::string& name, const std::function<int()>& body) {
   occupy_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);  // writing to a pipe that nobody reads only fails
   try {
+    check_arithmetic();
     const int code = body_or_help(body);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       if (nobody_reads_output()) end_by_signal(SIGPIPE);
