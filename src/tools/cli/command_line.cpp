@@ -85,8 +85,18 @@ std::string config_text(const std::string& path) {
     throw Failure("the configuration file {} is longer than {} bytes; give the path of an INI file",
                   path, longest);
   }
+  if (text.find('\0') != std::string::npos) {
+    throw Failure("the configuration file {} is UTF-16 or no text at all: save it as plain UTF-8",
+                  path);
+  }
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+/// A line of an INI file without the comment that ; begins, there or behind a space, as in sweeps.
+std::string without_comment(const std::string& line) {
+  const std::string text = " " + line;
+  return line.substr(0, std::min(text.find(" ;"), text.find("\t;")));
 }
 
 /// What a line of an INI file gives in the group that is open, or none; it may open another one.
@@ -129,7 +139,7 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
   for (int number = 1; std::getline(lines, line); ++number) {
     const std::string where = fmt::format("{}:{}: ", path, number);
     try {
-      for (const po::option& option : options_in(line, group, options)) {
+      for (const po::option& option : options_in(without_comment(line), group, options)) {
         if (option.unregistered) check_name(option.string_key, options, where);
         if (auto change = change_by(option, where)) {
           add_once(*std::move(change), changes);
