@@ -26,7 +26,7 @@ Ruptures = namedtuple("Ruptures", "time step block x")
 
 def plain(value):
     """A scalar of a file as a Python object."""
-    return value.decode() if isinstance(value, bytes) else value.item()
+    return text(value) if isinstance(value, bytes) else value.item()
 
 
 class File(Mapping):

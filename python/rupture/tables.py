@@ -17,7 +17,7 @@ LONG_NAMES |= {"time": "time", "x": "position of the block", "z": "height above 
 
 
 def text(attribute):
-    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
+    return attribute.decode(errors="replace") if isinstance(attribute, bytes) else str(attribute)
 
 
 def imported(name):

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cwchar>
+#include <locale>
 #include <set>
 
 #include "rupture/version.hpp"
@@ -46,6 +49,22 @@ std::string shell_quoted(const std::string& argument) {
   return quoted + "'";
 }
 
+// Names of files may be any bytes; in a file, those that are no UTF-8 become U+FFFD.
+std::string in_utf8(std::string_view text) {
+  using Utf8 = std::codecvt<char32_t, char8_t, std::mbstate_t>;
+  const auto& utf8 = std::use_facet<Utf8>(std::locale::classic());
+  std::string valid;
+  while (!text.empty()) {
+    std::mbstate_t start{};
+    const auto* from = reinterpret_cast<const char8_t*>(text.data());
+    const auto length = static_cast<std::size_t>(utf8.length(start, from, from + text.size(), 1));
+    const bool is_surrogate = length == 3 && text[0] == '\xED' && text[1] >= '\xA0';
+    valid += length == 0 || is_surrogate ? "\uFFFD" : text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return valid;
+}
+
 std::string entry_path(std::size_t index, std::string_view member) {
   return fmt::format("{}{:04}/{}", kProvenanceGroup, index, member);
 }
@@ -64,7 +83,8 @@ std::size_t count_entries(const Content& content) {
 
 ProvenanceEntry make_provenance(const std::string& tool, const std::vector<std::string>& arguments,
                                 const std::string& parent_checksum, const std::string& rebuild) {
-  return {tool, version, commit, shell_line(arguments), compiler_name(), parent_checksum, rebuild};
+  const std::string command_line = in_utf8(shell_line(arguments));
+  return {tool, version, commit, command_line, compiler_name(), parent_checksum, rebuild};
 }
 
 std::string shell_line(const std::vector<std::string>& arguments) {

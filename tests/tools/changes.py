@@ -71,7 +71,7 @@ def as_written(value):
     """A text has a fixed length in a file."""
     if not isinstance(value, str):
         return {"data": value, "dtype": None}
-    data = value.encode() or b"\0"
+    data = value.encode(errors="surrogateescape") or b"\0"
     return {"data": data, "dtype": h5py.string_dtype("utf-8", len(data))}
 
 
@@ -107,9 +107,9 @@ def stored(file, path, kind, shape, storage=""):
     h5d.create(file.id, path.encode(), KINDS.get(kind) or getattr(h5t, kind), space, properties)
 
 
-def repacked(file, path, kind="f8"):
+def repacked(file, path, kind="f8", packer=9):
     """Compressed and without unit."""
-    file.create_dataset(path, data=file.pop(path)[()], dtype=kind, chunks=True, compression=9)
+    file.create_dataset(path, data=file.pop(path)[()], dtype=kind, chunks=True, compression=packer)
 
 
 def many_ways(file):

@@ -7,6 +7,7 @@ from pathlib import Path
 import h5py
 import pytest
 
+import rupture
 from changes import change
 from commands import checksum_of, expect_rebuilt, json_of, lines_of
 from commands import output_of, run_script, script_for
@@ -39,6 +40,9 @@ def test_paths_that_are_no_utf8():
     name = os.fsdecode(b"\xff.h5")
     output_of(["load", "--config", "small.ini", "-o", name])
     expect_rebuilt(name)
+    assert rupture.open(name).provenance[0]["command_line"].endswith(" -o '\ufffd.h5'")
+    change(name, r'content put /provenance/0000/command_line "\udcff"')  # as earlier builds wrote
+    assert rupture.open(name).provenance[0]["command_line"] == "\ufffd"
     for command in ("lineage", "show"):
         said = json.loads(output_of(["analyze", command, name, "--json"]))
         assert said["checksum"] == checksum_of(name)
