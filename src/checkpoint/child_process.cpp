@@ -41,7 +41,7 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
 ChildEnd in_child_process(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child < 0) {
-    fail("cannot start a process: {}", std::strerror(errno));
+    throw Unreadable("cannot start a process: {}; try again later", std::strerror(errno));
   }
   if (child == 0) be_the_child(work);
   int status = 0;

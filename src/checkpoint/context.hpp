@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "rupture/checkpoint/file.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
@@ -21,6 +22,8 @@ template <class Work>
 auto naming(const std::filesystem::path& path, const Work& work) {
   try {
     return work();
+  } catch (const Unreadable& failure) {
+    throw Unreadable("{}: {}", path.string(), failure.what());
   } catch (const Failure& failure) {
     fail("{}: {}", path.string(), failure.what());
   }

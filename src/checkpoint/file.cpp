@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -23,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_reading(const fs::path& path) {
-  fail("cannot read {}: {}; check the permissions of the file and its folder", path.string(),
-       std::strerror(errno));
+  throw Unreadable("cannot read {}: {}; check the permissions of the file and its folder",
+                   path.string(), std::strerror(errno));
 }
 
 // Throws unless a regular file is there; returns its size [bytes].
@@ -102,24 +103,29 @@ void publish(PendingFile file, const fs::path& path, const std::string& line, If
 }
 
 // What can be told of a file whose header does not fit, and is found out in a child process.
-enum Remains : int { kUnreadable, kOtherContent, kContentAsSealed };
+enum Remains : int { kNothing, kNotReadableHere, kOtherContent, kContentAsSealed };
 
-int remains_of(std::span<const std::byte> file) {
-  const ChildEnd end = in_child_process([&] {
+int remains_of(std::span<const std::byte> file, const std::string& name) {
+  const std::function<int()> look = [&] {
     try {
       return open_edited(file).content_is_as_sealed ? kContentAsSealed : kOtherContent;
     } catch (const hdf5::LibraryFailure&) {
-      return kUnreadable;
+      return kNothing;
+    } catch (const Unreadable&) {
+      return kNotReadableHere;
     } catch (const Failure&) {  // readable, but nothing that rupture writes
       return kOtherContent;
     }
-  });
-  return end.signal == 0 ? end.code : kUnreadable;
+  };
+  const ChildEnd end = naming(name, [&] { return in_child_process(look); });
+  return end.signal == 0 ? end.code : kNothing;
 }
 
-// Throws Changed if the HDF5 part of a file whose seal is broken can be read all the same.
+// Throws Changed if the HDF5 part of a file whose seal is broken can be read all the same, and
+// Unreadable if it could be elsewhere.
 void refuse_if_readable(std::span<const std::byte> file, const std::string& name) {
-  const int remains = remains_of(file);
+  const int remains = remains_of(file, name);
+  if (remains == kNotReadableHere) naming(name, [&] { open_edited(file); });
   if (remains == kContentAsSealed) {
     throw Changed(
         "{} was changed after rupture sealed it (repacked by another program, an attribute added, "

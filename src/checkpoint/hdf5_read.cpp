@@ -1,6 +1,7 @@
 #include <fmt/ranges.h>
 #include <hdf5.h>
 
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -15,6 +16,18 @@ constexpr std::size_t kSmallestObject = 16;   // [bytes] less than the header of
 constexpr std::size_t kLongestVersion = 100;  // [bytes]
 constexpr std::size_t kCompression = 100;     // times that edited datasets may be packed
 
+// "4-byte big-endian float".
+std::string found_type(Id type) {
+  constexpr std::array kinds = {"integer",  "float",     "time",        "text", "bits", "opaque",
+                                "compound", "reference", "enumeration", "list", "array"};
+  const H5T_order_t order = H5Tget_order(type);
+  const char* is_ordered = order == H5T_ORDER_LE ? "little-endian " : "big-endian ";
+  return fmt::format("{}-byte {}{}{}", H5Tget_size(type),
+                     order == H5T_ORDER_LE || order == H5T_ORDER_BE ? is_ordered : "",
+                     H5Tget_sign(type) == H5T_SGN_NONE ? "unsigned " : "",
+                     kinds.at(static_cast<std::size_t>(H5Tget_class(type))));
+}
+
 DataType data_type(Id type, const std::string& path) {
   std::vector<std::string_view> numbers;
   for (const DataType candidate : kDataTypes) {
@@ -22,9 +35,9 @@ DataType data_type(Id type, const std::string& path) {
     if (candidate != DataType::text) numbers.push_back(type_name(candidate));
   }
   fail(
-      "{} has an element type that rupture never writes; it writes texts and "
-      "little-endian numbers ({})",
-      path, fmt::join(numbers, ", "));
+      "{} has elements that rupture never writes ({}); it writes texts and little-endian numbers "
+      "({})",
+      path, found_type(type), fmt::join(numbers, ", "));
 }
 
 Shape shape_of(Id space, const std::string& path) {
@@ -106,6 +119,7 @@ Dataset read_attribute(Id object, const std::string& name, const std::string& wh
   }
   Dataset data = described(type, space, largest_attribute, full_name);
   check(read(type, data.bytes.data()), doing);
+  if (accept == Accept::edited && data.shape == Shape{1}) data.shape.clear();  // as netCDF has them
   return data;
 }
 
@@ -115,13 +129,29 @@ std::string read_unit(Id dataset, const std::string& path, Accept accept) {
   return read_text({{name, read_attribute(dataset, "unit", path, accept)}}, name);
 }
 
+// Throws Unreadable if the elements were packed in a way that this libhdf5 does not know.
+void check_filters(Id properties, const std::string& path) {
+  for (int n = 0; n < H5Pget_nfilters(properties); ++n) {
+    std::array<char, 64> name{};
+    const auto filter = H5Pget_filter2(properties, static_cast<unsigned>(n), nullptr, nullptr,
+                                       nullptr, name.size() - 1, name.data(), nullptr);
+    if (filter < 0 || H5Zfilter_avail(filter) > 0) continue;
+    throw Unreadable(
+        "{} is packed with the HDF5 filter {} ({}), which this machine lacks: repack the file with "
+        "gzip where it was packed",
+        path, filter, name.data());
+  }
+}
+
 // Nothing is ever kept outside the file, nor, by us, chunked or compressed.
 void check_storage(Id dataset, const std::string& path, Accept accept) {
   const Handle properties(H5Dget_create_plist(dataset), "read " + path);
   const H5D_layout_t layout = H5Pget_layout(properties);
   const bool in_one_piece = layout == H5D_COMPACT || layout == H5D_CONTIGUOUS;
   const bool in_file = layout != H5D_VIRTUAL && H5Pget_external_count(properties) == 0;
-  if (in_file && (in_one_piece || accept == Accept::edited)) return;
+  if (in_file && (in_one_piece || accept == Accept::edited)) {
+    return check_filters(properties, path);
+  }
   fail("{} is not stored as rupture does, in one piece in this file", path);
 }
 

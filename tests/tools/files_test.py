@@ -105,7 +105,8 @@ def expect_said(command, sentence):
     done = refuses(command, 1, sentence)
     if command == "analyze verify x.h5":
         verdicts = {"was": "changed", "does": "missing"}
-        verdict = verdicts.get(sentence.split(" ")[1], "damaged")
+        other = "unreadable" if "filter" in sentence else "damaged"
+        verdict = verdicts.get(sentence.split(" ")[1], other)
         assert done.out.startswith(f"{verdict}  x.h5") and f"\n1 {verdict}\n" in done.out
     else:
         assert done.out == ""

@@ -92,13 +92,19 @@ struct Changed : Failure {
   using Failure::Failure;
 };
 
+/// Thrown if a file cannot be read here and now, whatever it holds: no permission, no memory, no
+/// process to be had, or a filter that this machine lacks.
+struct Unreadable : Failure {
+  using Failure::Failure;
+};
+
 /// Whether libhdf5 opens a file in this process at once, or first in a child process, which costs
 /// some milliseconds and turns a crash of libhdf5 into a Failure.
 enum class Opening { here, in_child_first };
 
 /// Reads a file and verifies everything that can be verified without knowing what the datasets
 /// mean: its bytes, schema version, content checksum and finite numbers. Throws Failure, and
-/// Changed where that can be told.
+/// Changed or Unreadable where that can be told.
 ContentFile read_file(const std::filesystem::path& path, Opening opening = Opening::here);
 
 /// The same for a file in memory; `name` is what messages call it. Throws Failure, never Changed.

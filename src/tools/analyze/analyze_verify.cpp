@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <new>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -39,11 +40,11 @@ constexpr Verdict kIntact = {0, "intact"};      // with the checksum that a mani
 constexpr Verdict kDiffers = {1, "differs"};    // intact, but with another checksum than that
 constexpr Verdict kUnlisted = {2, "unlisted"};  // intact, but the manifest does not list it
 constexpr Verdict kChanged = {3, "changed"};    // not as sealed, but readable: edited, or damaged
-constexpr Verdict kDamaged = {4, "damaged"};    // or no file of ours, or not readable
+constexpr Verdict kDamaged = {4, "damaged"};    // or no file of ours
 constexpr Verdict kUnfinished = {5, "unfinished"};  // a growing record, which nothing protects
 constexpr Verdict kMissing = {6, "missing"};        // no such file
 constexpr Verdict kEmpty = {7, "empty"};            // a folder without any *.h5
-constexpr Verdict kUnreadable = {8, "unreadable"};  // a folder
+constexpr Verdict kUnreadable = {8, "unreadable"};  // here and now: a file or folder
 constexpr Verdict kSkipped = {9, "skipped"};  // an unfinished record in a folder: not asked for
 
 struct Inspection {
@@ -121,6 +122,10 @@ Inspection inspect_file(const fs::path& file, const std::string& expected = {}) 
                                 file.string(), checksum, expected)};
 } catch (const Changed& changed) {
   return {kChanged, changed.what()};
+} catch (const Unreadable& failure) {
+  return {kUnreadable, failure.what()};
+} catch (const std::bad_alloc&) {
+  return {kUnreadable, fmt::format("cannot read {}: not enough memory", file.string())};
 } catch (const Failure& failure) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {kMissing, failure.what()};
@@ -135,19 +140,20 @@ fs::path place(const fs::path& file) {
 
 /// Verifies all *.h5 in a folder and in those below it, in the order of their names; links to
 /// folders are not followed. Where some are `listed` in a manifest these are left out, and all
-/// others are unlisted. Returns how many there are.
+/// others are unlisted. Returns how many there are, an unreadable folder being one.
 int inspect_folder(const fs::path& folder, const std::set<fs::path>& listed, Account& account) {
   std::error_code error;
   std::vector<fs::path> entries;
   for (fs::directory_iterator at(folder, error); at != end(at); at.increment(error)) {
     entries.push_back(at->path());
   }
+  int found = 0;
   if (error) {
+    ++found;
     account.add({kUnreadable, fmt::format("{} cannot be listed: {}; check its permissions",
                                           folder.string(), error.message())});
   }
   std::sort(entries.begin(), entries.end());
-  int found = 0;
   for (const fs::path& entry : entries) {
     if (fs::symlink_status(entry, error).type() == fs::file_type::directory) {
       found += inspect_folder(entry, listed, account);
@@ -224,7 +230,7 @@ given folders must be listed. A .sum file is a manifest; so are the lines printe
 intact files, without their first word.
 All files are checked, even if some are damaged. Exit code 0: all files are intact, 1: a file
 is changed, damaged, missing, unfinished, different from the manifest or not listed, or a
-folder is unreadable or contains no *.h5 files.)",
+folder contains no *.h5 files, or one of them is unreadable.)",
     {[](po::options_description& options) {
       options.add_options()("manifest", input_file("manifest"),
                             "file with lines 'content-sha256 <64 hex digits>  <file>', with names "
