@@ -42,7 +42,8 @@ def sync_folder(path):
             raise
 
 
-ENDING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
+WARNING = (signal.SIGUSR1, signal.SIGUSR2, signal.SIGXCPU)  # of schedulers
+ENDING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM, *WARNING)
 unfinished: dict[Path, int] = {}  # temporary files and their descriptors
 
 
@@ -60,6 +61,7 @@ def end_by_signal(number, _):
         discard(temporary)
     signal.signal(number, signal.SIG_DFL)
     os.kill(os.getpid(), number)
+    os._exit(128 + number)  # a process with the number 1, as in a container, is still there
 
 
 @contextmanager

@@ -10,7 +10,8 @@ import subprocess
 import time
 from collections import namedtuple
 
-from conftest import BIN
+from conftest import BIN, skip
+from rupture.replacing import ENDING
 from scenario import INPUTS, Folder, LONG, case, check_files, made
 from scenario import readable_rows, run, sums, without_notes, without_temporaries
 
@@ -122,7 +123,7 @@ def test_interruptions_are_saved_and_the_command_that_is_told_goes_on():
     """Also where the names of files are words of a command."""
     moments = random.Random(3)
     saved: set = set()
-    numbers = itertools.cycle((signal.SIGINT, signal.SIGTERM))
+    numbers = itertools.cycle((signal.SIGINT, *ENDING))
     for attempt, name, number in zip(range(10 * TIMES), itertools.cycle(NAMES), numbers):
         if attempt >= TIMES and saved == {*NAMES}:
             break
@@ -139,3 +140,13 @@ def test_interruptions_are_saved_and_the_command_that_is_told_goes_on():
             complete = folder.must_run(load(name, "--resume"))
             assert complete == f"{name} is complete\n"
     assert saved == {*NAMES}, "every run was over before its signal"
+
+
+def test_process_number_1_is_saved_and_ends_when_its_time_is_up():
+    """As in a container. The kernel repeats this signal every second."""
+    program = f"unshare --pid --fork {BIN}/load --config driven.ini --until 9 -o b.h5 -q"
+    with Folder(INPUTS) as folder:
+        outcome = run(f"bash -c 'ulimit -S -t 1; {program}'", folder.path)
+    if outcome.stderr.startswith("unshare: "):
+        skip("This user cannot give processes numbers of their own.")
+    assert outcome.returncode == 128 + signal.SIGXCPU and "saved as b-t" in outcome.stderr

@@ -27,7 +27,7 @@ def test_writes_a_video(small):
     assert Path("x.mp4").read_bytes()[4:8] == b"ftyp"
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGUSR2])
 def test_interrupted_ends_by_the_signal_and_leaves_nothing(small, number):
     before = sorted(Path().iterdir())
     command = [str(BIN / "movie"), "small-record.h5", "-o", "z.gif"]

@@ -79,7 +79,7 @@ def sweep_of_two_points(tmp_path):
         process.wait()  # what it has left behind may hold its output
 
 
-@pytest.mark.parametrize("name, code", [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+@pytest.mark.parametrize("name, code", [("SIGINT", 130), ("SIGUSR1", 138), ("SIGHUP", 129)])
 def test_a_signal_ends_all_that_runs(sweep, name, code):
     process = sweep.started()
     process.send_signal(signal.Signals[name])

@@ -15,11 +15,10 @@ from contextlib import suppress
 from pathlib import Path
 
 from rupture.errors import Failure
-from rupture.replacing import is_at
+from rupture.replacing import ENDING, is_at
 from reproduce.project import LOGS, ROOT, WORK, complain, say
 
 SET_UP = Path(__file__).with_name("set-up.sh")
-SIGNALS = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
 WAIT = 30.0  # [s] for programs of a run that was killed
 
 # Its input is a line when the group $0 has ended well, and ends with ./reproduce.sh.
@@ -79,7 +78,7 @@ class Processes:
         self.lock = open_lock("lock-of-programs")  # they inherit it
         if self.has_turn:
             wait_for(self.lock, "lock-of-programs")
-        for number in SIGNALS:
+        for number in ENDING:
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup
                 signal.signal(number, self.receive)
         if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # in the background of a script

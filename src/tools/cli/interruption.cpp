@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -27,22 +28,21 @@ extern "C" void note(int signal) {
   if (noted == 0) {
     noted_at = seconds;  // first: another signal may come in between
     noted = signal;
-  } else if (seconds - noted_at > 0.5) {
-    std::signal(signal, SIG_DFL);
-    raise(signal);
+  } else if (seconds - noted_at > 0.5 && signal != SIGXCPU) {  // the kernel repeats that one
+    end_by_signal(signal);
   }
 }
 
 }  // namespace
 
 void note_interruptions() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_IGN) continue;
     action = {};
     action.sa_handler = note;
-    action.sa_flags = SA_RESTART;
+    action.sa_flags = SA_RESTART | SA_NODEFER;  // so that it can end the process
     sigaction(signal, &action, nullptr);
   }
 }
@@ -64,9 +64,10 @@ bool nobody_reads_output() {
 }
 
 void end_by_signal(int signal) {
+  ::prctl(PR_SET_DUMPABLE, 0);  // or SIGXCPU would leave a core
   std::signal(signal, SIG_DFL);
   raise(signal);
-  std::abort();  // the signal ends the process
+  std::_Exit(128 + signal);  // a process with the number 1, as in a container, is still there
 }
 
 }  // namespace rupture::tools

@@ -6,9 +6,10 @@
 
 namespace rupture::tools {
 
-/// From now on, the first SIGINT, SIGTERM or SIGHUP is only noted; one that comes more than half a
-/// second later ends the process at once (a closed terminal sends two within a moment). Signals
-/// that were ignored, as under nohup, stay ignored.
+/// From now on, the first SIGINT, SIGTERM or SIGHUP, or SIGUSR1, SIGUSR2 or SIGXCPU, by which
+/// schedulers warn, is only noted; one that comes more than half a second later ends the process at
+/// once (a closed terminal sends two within a moment). Signals that were ignored, as under nohup,
+/// stay ignored.
 void note_interruptions();
 
 /// The signal that was noted, or 0.
