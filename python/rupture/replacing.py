@@ -5,6 +5,7 @@ import errno
 import os
 import secrets
 import signal
+import stat
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -78,6 +79,9 @@ def replacing(path, rename=os.replace):
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
     try:
+        with suppress(OSError):  # there is none, or no mode
+            if stat.S_ISREG(mode := path.lstat().st_mode):
+                os.fchmod(file, mode & 0o777)
         yield temporary
         if not is_at(file, temporary):
             raise OSError(errno.ESTALE, "its temporary file was moved", str(path))

@@ -102,6 +102,10 @@ PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes) : path
     file = Descriptor(::open(temporary_.c_str(), flags, 0666));
   } while (file.get() < 0 && errno == EEXIST);
   if (file.get() < 0) fail_writing(path_);
+  struct stat old {};  // for whose readers the new one is
+  if (::lstat(path_.c_str(), &old) == 0 && S_ISREG(old.st_mode)) {
+    ::fchmod(file.get(), old.st_mode & 0777U);
+  }
   if (write_all(file.get(), bytes) && ::fsync(file.get()) == 0) return;
   const int reason = errno;
   ::unlink(temporary_.c_str());
