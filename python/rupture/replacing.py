@@ -13,13 +13,18 @@ HERE, NO_REPLACE = -100, 1  # AT_FDCWD and RENAME_NOREPLACE of Linux
 
 
 def rename_to_new(temporary, path):
-    """Raises FileExistsError if there is a file already. Some network file systems lack such a
-    renaming, but have links."""
+    """Raises FileExistsError if there is a file already. Many file systems lack such a renaming,
+    some have no links either; there one can only look before."""
     names = HERE, os.fsencode(temporary), HERE, os.fsencode(path)
-    if ctypes.CDLL(None, use_errno=True).renameat2(*names, NO_REPLACE):
-        if (number := ctypes.get_errno()) not in (errno.EINVAL, errno.ENOSYS):
-            raise OSError(number, os.strerror(number), str(path))
-        os.link(temporary, path)
+    if not ctypes.CDLL(None, use_errno=True).renameat2(*names, NO_REPLACE):
+        return None
+    if ctypes.get_errno() != errno.EEXIST:
+        with suppress(OSError):
+            os.link(temporary, path)
+            return os.unlink(temporary)
+    if os.path.lexists(path):
+        raise FileExistsError(errno.EEXIST, "File exists", str(temporary), None, str(path))
+    return os.rename(temporary, path)
 
 
 def is_at(file, path):
@@ -68,7 +73,7 @@ def end_by_signal(number, _):
 @contextmanager
 def replacing(path, rename=os.replace):
     """Yields a temporary path, whose file is renamed to `path` at the end; with `rename_to_new`,
-    only if there is none by then."""
+    only if there is none by then. If that fails, the file stays, and the error has both names."""
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.stem}.tmp.{secrets.token_hex(4)}{path.suffix}")
@@ -86,10 +91,12 @@ def replacing(path, rename=os.replace):
         if not is_at(file, temporary):
             raise OSError(errno.ESTALE, "its temporary file was moved", str(path))
         os.fsync(file)
+        os.close(unfinished.pop(temporary))
         rename(temporary, path)
         sync_folder(path.parent)
     finally:
-        discard(temporary)
+        if temporary in unfinished:
+            discard(temporary)
 
 
 def write_whole(path, text):

@@ -64,14 +64,17 @@ bool is_at(const Descriptor& file, const fs::path& path) {
          ours.st_dev == there.st_dev && ours.st_ino == there.st_ino;
 }
 
-// False if there is a file already. Some network file systems know no such renaming, but links.
+// False if there is a file already. Many file systems know no such renaming, some no links either;
+// then one looks first, and only a file that appears between the two calls is not seen.
 bool rename_to_new(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
-  if (errno == EINVAL || errno == ENOSYS) {
-    if (::link(from.c_str(), to.c_str()) == 0) return ::unlink(from.c_str()) == 0;
+  if (errno != EEXIST && ::link(from.c_str(), to.c_str()) == 0) {
+    ::unlink(from.c_str());
+    return true;
   }
-  if (errno != EEXIST) fail_writing(to);
-  return false;
+  if (errno == EEXIST || is_there(to)) return false;
+  if (::rename(from.c_str(), to.c_str()) != 0) fail_writing(to);
+  return true;
 }
 
 }  // namespace
@@ -126,6 +129,15 @@ bool PendingFile::commit(IfExists if_exists) {
   temporary_.clear();
   sync_folder_of(path_);
   return true;
+}
+
+void try_output(const fs::path& path) {
+  const fs::path made = PendingFile(path, {}).keep(), renamed = temporary_path(path);
+  const int reason = ::rename(made.c_str(), renamed.c_str()) == 0 ? 0 : errno;
+  if (reason == 0) return remove_durably(renamed);
+  ::unlink(made.c_str());
+  errno = reason;
+  fail_writing(path);
 }
 
 void fail_existing(const fs::path& path, std::string_view rather) {

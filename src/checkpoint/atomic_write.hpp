@@ -36,8 +36,8 @@ class Descriptor {
 std::optional<std::vector<std::byte>> read_start(const Descriptor& file, std::size_t size);
 
 /// A file that appears complete or not at all: first under its temporary_path(), then, on
-/// commit(), under its own. Both throw Failure with the system's reason; without a commit nothing
-/// is left of it.
+/// commit(), under its own, with the mode of the file that it replaces. All throw Failure with the
+/// system's reason; without commit() or keep() nothing is left of it.
 class PendingFile {
  public:
   /// Writes the bytes and brings them to disk.
@@ -48,6 +48,8 @@ class PendingFile {
   /// Renames it to its path and brings that to disk. With IfExists::refuse it is false, and nothing
   /// has happened, if there is a file.
   bool commit(IfExists if_exists);
+  /// Leaves it under its temporary name, which is empty if it has got its own.
+  std::filesystem::path keep() { return std::exchange(temporary_, {}); }
 
   Descriptor file;  ///< for reading and appending
 

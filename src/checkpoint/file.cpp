@@ -83,7 +83,7 @@ bool is_sum_line(const std::string& line, const fs::path& path) {
 // Gives a file its name and replaces its .sum, or removes the latter. Both are on the disk before
 // anything is replaced, and no .sum is there while it would be that of the other file. Of what is
 // no .sum, nothing is removed; it is replaced only if a .sum is wanted and the file may be, too.
-void publish(PendingFile file, const fs::path& path, const std::string& line, IfExists if_exists,
+void publish(PendingFile& file, const fs::path& path, const std::string& line, IfExists if_exists,
              SumFile wanted) {
   const fs::path sum = sum_path(path);
   const bool is_other = is_there(sum);  // if not, one that appears now is of another run
@@ -100,6 +100,33 @@ void publish(PendingFile file, const fs::path& path, const std::string& line, If
   if (!file.commit(if_exists)) fail_existing(path);
   if (new_sum) new_sum->commit(IfExists::replace);
   if (is_wanted && !is_current && !new_sum) fail_existing(sum);
+}
+
+// Whether a link leads through /proc, as /dev/stdout does, to what this process has open.
+bool leads_through_proc(const fs::path& path) {
+  if (!fs::is_symlink(path)) return false;
+  const fs::path target = folder_of(path) / fs::read_symlink(path);
+  return target.string().starts_with("/proc/") || leads_through_proc(target);
+}
+
+// Throws if no new file may take this place: links are followed, and in a sticky folder, such as
+// /tmp, nobody can replace the files of others.
+void check_place(const fs::path& path) {
+  struct stat file {
+  }, folder{};
+  const bool exists = ::stat(path.c_str(), &file) == 0;
+  if (exists && S_ISDIR(file.st_mode)) {
+    fail("{} is a folder; give the path of a file to write", path.string());
+  }
+  if (exists && (!S_ISREG(file.st_mode) || leads_through_proc(path))) {
+    fail("{} is not a regular file; give the path of a file to write", path.string());
+  }
+  if (::lstat(path.c_str(), &file) != 0 || ::stat(folder_of(path).c_str(), &folder) != 0) return;
+  const uid_t user = ::geteuid();
+  const bool may_replace = user == 0 || user == file.st_uid || user == folder.st_uid;
+  if (may_replace || (folder.st_mode & S_ISVTX) == 0) return;
+  fail("{} is of another user, who alone may replace it in this sticky folder; give another path",
+       path.string());
 }
 
 // What can be told of a file whose header does not fit, and is found out in a child process.
@@ -168,19 +195,11 @@ void check_output(const fs::path& path, IfExists if_exists) {
   if (!path.has_filename()) {
     throw UsageError("{} ends with a slash, as folders do; give the path of a file", path.string());
   }
+  check_place(path);
   struct stat info {};
-  const bool exists = ::lstat(path.c_str(), &info) == 0;
-  if (exists && S_ISDIR(info.st_mode)) {
-    fail("{} is a folder; give the path of a file to write", path.string());
-  }
-  if (exists && if_exists == IfExists::refuse) fail_existing(path);
-  if (exists && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode)) {
-    fail("{} is not a regular file; give another path", path.string());
-  }
-  const std::string sum = sum_path(path);
-  if (::lstat(sum.c_str(), &info) == 0 && S_ISDIR(info.st_mode)) {
-    fail("{} is a folder where the checksum of {} belongs; give another path", sum, path.string());
-  }
+  if (::lstat(path.c_str(), &info) == 0 && if_exists == IfExists::refuse) fail_existing(path);
+  const fs::path sum = sum_path(path);
+  check_place(sum);
   const fs::path folder = folder_of(path);
   if (::access((folder / ".").c_str(), F_OK) != 0 ||
       ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
@@ -204,9 +223,16 @@ FileKind identify(const fs::path& path) {
 
 std::string write_content(const fs::path& path, FileKind kind, const Content& content,
                           IfExists if_exists, SumFile sum) {
-  check_output(path, if_exists);
   const Sealed sealed = naming(path, [&] { return seal(kind, content); });
-  publish(PendingFile(path, sealed.bytes), path, sum_line(sealed.checksum, path), if_exists, sum);
+  PendingFile file(path, sealed.bytes);
+  try {
+    check_output(path, if_exists);  // others may have written here during a run
+    publish(file, path, sum_line(sealed.checksum, path), if_exists, sum);
+  } catch (const Failure& failure) {
+    const std::string kept = file.keep();
+    if (kept.empty()) throw;
+    fail("{}; the result is kept as {}", failure.what(), kept);
+  }
   return sealed.checksum;
 }
 

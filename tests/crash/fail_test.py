@@ -1,9 +1,12 @@
 """Each call of a tool that touches a file fails in turn: full or broken disks, quotas, limits."""
 
 import errno
+from errno import EEXIST, EINVAL, EIO, EPERM
+
+import pytest
 
 from scenario import INPUTS, LONG, case, check_ended, check_next_run, each_scenario
-from scenario import faulted, log_of, made, new_state, sums, without_notes
+from scenario import faulted, kept_in, log_of, made, new_state, sums, without_notes
 
 ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS)
 LASTING = [f"{error}+" for error in ROOM]  # so do later calls that need room
@@ -39,13 +42,23 @@ def test_a_failure_of_any_call_is_reported_and_leaves_complete_files(scenario):
                     check_next_run(scenario, files)
 
 
-def test_a_disk_without_exclusive_renaming_is_no_failure():
-    prepare = made("prepare", "prepare --config rest.ini --tau-bar 0.5 -o b.h5", INPUTS)
+@pytest.mark.parametrize("lasting", ["", "+"])  # then links fail, too
+@pytest.mark.parametrize(
+    "error, option, code", [(EINVAL, "", 0), (EIO, "", 0), (EEXIST, "", 1), (EPERM, "--force", 1)]
+)
+def test_a_file_gets_its_name_in_another_way_or_is_kept(error, lasting, option, code):
+    prepare = made("prepare", f"prepare --config rest.ini --tau-bar 0.5 -o b.h5 {option}", INPUTS)
     number = next(n for n, line in enumerate(log_of(prepare), 1) if line.endswith(" b.h5"))
-    for error in (errno.EINVAL, errno.ENOSYS):
-        outcome, files = faulted(prepare, f"{error}", number)
-        assert (outcome.returncode, outcome.stderr) == (0, ""), error
-        assert prepare.is_done(files), error
+    outcome, files = faulted(prepare, f"{error}{lasting}", number)
+    assert (outcome.returncode, prepare.is_done(files)) == (code, code == 0)
+    assert kept_in(outcome.stderr, files, prepare.new) == ["b.h5"] * code
+
+
+def test_a_folder_without_renaming_is_refused_before_the_run():
+    load = made("load", "load --config driven.ini -o b.h5", INPUTS)
+    number = next(n for n, line in enumerate(log_of(load), 1) if line.startswith("rename"))
+    outcome, files = faulted(load, f"{EPERM}", number)
+    assert (outcome.returncode, outcome.stdout, files) == (1, "", load.old)
 
 
 @each_scenario()

@@ -218,6 +218,12 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to, 
                      [&] { return real(from_folder, from, to_folder, to, flags); });
 }
 
+int link(const char* from, const char* to) {
+  static auto* real = next<int(const char*, const char*)>("link");
+  if (!is_watched(from)) return real(from, to);
+  return fails(Needs::room) ? -1 : logged(real(from, to), "link", from, to);
+}
+
 int unlink(const char* path) {
   static auto* real = next<int(const char*)>("unlink");
   return change_name("unlink", path, "", [&] { return real(path); });

@@ -6,7 +6,7 @@ import subprocess
 import pytest
 
 from conftest import BIN
-from scenario import INPUTS, Folder, LONG, case, made, sums, without_notes, without_temporaries
+from scenario import INPUTS, Folder, LONG, case, kept_in, made, sums, without_notes
 
 LOAD = (
     "load --config driven.ini --until 4e-4 --checkpoint-every 1.5e-4 --record r.h5"
@@ -43,7 +43,7 @@ def check(command, options, codes, containers=()):
             assert sums(files) == wanted
             for name in wanted:
                 folder.must_run(f"analyze verify {name.removesuffix('.sum')}")
-            assert without_temporaries(files).keys() == files.keys()
+            kept_in("".join(words for _, words in ends), files, files)
 
 
 @pytest.mark.parametrize("command", [LOAD, PREPARE])

@@ -224,10 +224,19 @@ def check_failure(scenario, outcome, reason):
     assert named, f"no file is named: {said!r}"
 
 
+def kept_in(said, files, new):
+    """The names of which a message tells where their files are, for each temporary one. It is
+    whole, or an empty one that could not be removed."""
+    kept = [(name, found[1]) for name in files if (found := TEMPORARY.match(name))]
+    for name, target in kept:
+        assert f" ./{name}" in said and files[name] in (new.get(target), b""), name
+    return [target for _, target in kept]
+
+
 def check_ended(scenario, outcome, files, error):
     """The command succeeded, or failed for this reason and left the folder in order."""
     check_files(scenario, files)
-    assert [name for name in files if TEMPORARY.match(name)] == []
+    kept_in(outcome.stderr, files, scenario.new)
     if outcome.returncode == 0:
         assert scenario.is_done(files), "not all is written"
     else:

@@ -13,8 +13,8 @@ import rupture
 from commands import refuses
 from conftest import BIN, run
 from rupture.replacing import rename_to_new, replacing
-from rupture.tools.command_line import CLEAR
-from rupture.tools.output import progress
+from rupture.tools.command_line import CLEAR, Failure
+from rupture.tools.output import EXISTS, complete, progress
 
 
 @pytest.fixture
@@ -57,12 +57,19 @@ def left():
     return [path for path in Path().iterdir() if ".tmp." in path.name]
 
 
-def test_a_file_that_appears_meanwhile_is_kept(folder):
-    Path("theirs").write_text("theirs")
-    with pytest.raises(FileExistsError), replacing("new", rename_to_new) as temporary:
+def test_a_file_that_appears_meanwhile_is_kept_as_ours_is(folder):
+    with pytest.raises(Failure) as failure, complete("new", False) as temporary:
         temporary.write_text("ours")
-        os.link("theirs", "new")
-    assert (Path("new").read_text(), left()) == ("theirs", [])
+        Path("new").write_text("theirs")
+    assert (Path("new").read_text(), temporary.read_text()) == ("theirs", "ours")
+    assert f"{failure.value}" == f"new {EXISTS}; the result is kept as {temporary}"
+
+
+def test_a_disk_may_lack_exclusive_renaming_and_links(folder):
+    lacking = mock.patch("ctypes.CDLL"), mock.patch("os.link", side_effect=PermissionError)
+    with lacking[0], lacking[1], replacing("new", rename_to_new) as temporary:
+        temporary.write_text("ours")
+    assert (Path("new").read_text(), left()) == ("ours", [])
 
 
 def test_a_signal_while_the_temporary_file_is_made_leaves_nothing(folder):

@@ -18,8 +18,8 @@ standard output, lines: N their number, or something about JSON, as in expect_js
 is the head of CSV, whose lines have as many cells. Lines of the other stream are marked stdout:
 or stderr:. Without --force or --resume no file changed, behind 0= none at all; with 1+ files
 came although the command failed. In front of a command may stand [disk=BYTES], [stdout=FILE],
-[memory=GIB] and [nobody]: not as root. The command rebuilt FILE demands that the commands of its
-lineage make it from nothing.
+[memory=GIB] and [nobody]: not as root; [nobody=else]: and not as this user either. The command
+rebuilt FILE demands that the commands of its lineage make it from nothing.
 """
 
 import glob
@@ -229,7 +229,7 @@ def options_in(command):
     if not found:
         return command, {}
     name, value = found.groups()
-    kinds: dict = {"disk": int, "stdout": str, "nobody": bool, "memory": lambda n: int(n) << 30}
+    kinds: dict = {"disk": int, "stdout": str, "nobody": str, "memory": lambda n: int(n) << 30}
     return command[found.end() :], {name: kinds[name](value or "yes")}
 
 
@@ -239,6 +239,8 @@ def expect_command(step, command, chosen, first):
     command, options = options_in(command)
     if "memory" in options and SANITIZED:
         pytest.skip("AddressSanitizer needs more memory")
+    if options.get("nobody") == "else" and os.geteuid():
+        pytest.skip("only root can be two users")
     words, before = words_of(command), files()
     try:
         done = run(words, **options)

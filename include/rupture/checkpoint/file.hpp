@@ -73,6 +73,9 @@ inline constexpr std::string_view kResume = "--resume to continue its run, or ";
 /// is no regular file, or its folder is missing or read-only. Call it before a long run.
 void check_output(const std::filesystem::path& path, IfExists if_exists);
 
+/// Throws Failure if no file can be made, renamed and removed beside `path`. Call it as well.
+void try_output(const std::filesystem::path& path);
+
 /// The kind of file, from its header alone: cheap, and no verification. Throws Failure if there is
 /// no such file or it is not ours.
 FileKind identify(const std::filesystem::path& path);
@@ -81,8 +84,9 @@ FileKind identify(const std::filesystem::path& path);
 /// appears complete or not at all. A .sum that already says the same is left alone; one that says
 /// anything else is replaced or, without a request, removed. Throws Failure if a number is not
 /// finite, the path may not be written or the disk is full. The path then holds what it held
-/// before, unless it was only the .sum that could not be renamed. A process that is killed can
-/// leave a file without its .sum, but never with that of another.
+/// before, unless it was only the .sum that could not be renamed; what is whole on the disk is kept
+/// under a name that the message gives. A process that is killed can leave a file without its .sum,
+/// but never with that of another.
 std::string write_content(const std::filesystem::path& path, FileKind kind, const Content& content,
                           IfExists if_exists, SumFile sum = SumFile::omit);
 

@@ -1,6 +1,8 @@
 """Files appear complete or not at all, and replace others only on request."""
 
 import os
+import secrets
+import stat
 import sys
 from contextlib import contextmanager
 from pathlib import Path
@@ -8,18 +10,21 @@ from pathlib import Path
 from rupture.replacing import rename_to_new, replacing
 from rupture.tools.command_line import CLEAR, Failure, UsageError, in_one_line
 
-
-def refuse_existing(path):
-    raise Failure(f"{path} exists; give another name, or --force to replace it") from None
+EXISTS = "exists; give another name, or --force to replace it"
 
 
-def check_folder(path):
-    folder = path.parent
-    if not folder.is_dir():
-        raise Failure(f"cannot write {path}: {folder} is not an existing folder; give another path")
-    if not os.access(folder, os.W_OK | os.X_OK):
-        name = "the current folder" if folder == Path(".") else folder
-        raise Failure(f"cannot write {path}: no write permission in {name}; give another path")
+def try_output(path):
+    """Makes, renames and removes a file in the folder, before one is lost at the end."""
+    if path.parent.stat().st_mode & stat.S_ISVTX and os.path.lexists(path):
+        if os.geteuid() not in (0, path.parent.stat().st_uid, path.lstat().st_uid):
+            who = "of another user, who alone may replace it in this sticky folder"
+            raise Failure(f"{path} is {who}; give another path")
+    try:
+        with replacing(path, lambda temporary, _: temporary.unlink()) as temporary:
+            other = temporary.with_name(f".{secrets.token_hex(8)}.tmp")
+            temporary.rename(other).rename(temporary)
+    except OSError as error:
+        raise Failure(f"cannot write {path}: {error.strerror}; give another path") from None
 
 
 def check_output(name, force, endings=(), inputs=()):
@@ -29,15 +34,22 @@ def check_output(name, force, endings=(), inputs=()):
         raise UsageError("the name of an output is empty; give the path of a file")
     if endings and path.suffix.lower() not in endings:
         raise UsageError(f"{path} must end with {', '.join(endings[:-1])} or {endings[-1]}")
-    check_folder(path)
+    if not path.parent.is_dir():
+        why = f"{path.parent} is not an existing folder"
+        raise Failure(f"cannot write {path}: {why}; give another path")
     if any(path.exists() and os.path.exists(one) and path.samefile(one) for one in inputs):
         raise UsageError(f"{path} is the input, which is never changed: give another output")
     if path.is_dir():
         raise Failure(f"{path} is a folder; give the path of a file to write")
-    if path.exists() and not force:
-        refuse_existing(path)
-    if path.exists() and not path.is_file():
-        raise Failure(f"{path} is not a regular file; give another path")
+    links = [path]
+    while path.exists() and links[-1].is_symlink():
+        links.append(links[-1].parent / links[-1].readlink())
+    through_proc = any(str(one).startswith("/proc/") for one in links[1:])  # as /dev/stdout leads
+    if path.exists() and (not path.is_file() or through_proc):
+        raise Failure(f"{path} is not a regular file; give the path of a file to write")
+    if os.path.lexists(path) and not force:
+        raise Failure(f"{path} {EXISTS}")
+    try_output(path)
 
 
 def progress(items, count, what):
@@ -63,8 +75,9 @@ def complete(path, force):
     try:
         with replacing(path, os.replace if force else rename_to_new) as hidden:
             yield hidden
-    except FileExistsError:
-        refuse_existing(path)
     except OSError as error:
         reason = os.strerror(error.errno) if error.errno else str(error)
-        raise Failure(f"cannot write {path}: {reason}") from None
+        said = f"cannot write {path}: {reason}"
+        said = f"{path} {EXISTS}" if isinstance(error, FileExistsError) else said
+        kept = f"; the result is kept as {error.filename}" if error.filename2 else ""
+        raise Failure(said + kept) from None

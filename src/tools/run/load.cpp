@@ -18,7 +18,7 @@ int load(const Parsed& parsed) {
   const double until = non_negative(parsed.values, "until");
   const RunOptions options = run_options(parsed);
 
-  if (!options.resume) check_output(options.output);
+  if (!options.resume && !options.is_dry) check_output(options.output);
   Checkpoint start = {p,
                       options.is_dry ? roughly_loaded(p) : normal_load_equilibrium(p),
                       {make_provenance("load", parsed.arguments, "",

@@ -93,6 +93,7 @@ void check_output(const OutputOptions& output, const std::filesystem::path& inpu
   check_distinct({output.output}, input);
   check_sums({output.output}, output);
   check_output(output.output, output.if_exists);
+  try_output(output.output);
 }
 
 void announce(const WrittenFile& file, const OutputOptions& output) {

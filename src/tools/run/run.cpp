@@ -284,6 +284,7 @@ void say_where_it_begins(const RunPlan& plan) {
 /// Runs and writes what the plan says.
 void carry_out(const RunPlan& plan) {
   note_interruptions();
+  try_output(plan.options.output.output);
   Run run(plan);
   const bool is_interrupted = run.go() == Ending::interrupted;
   std::string where = " at its first step";

@@ -45,11 +45,6 @@ TEST_F(File, is_verified_by_the_rule_of_its_schema) {
   expect_contains(write_as(3, early), "its content has the checksum");
 }
 
-TEST_F(File, never_takes_the_place_of_a_device) {
-  EXPECT_EQ(message_of<Failure>([] { check_output("/dev/null", IfExists::replace); }),
-            "/dev/null is not a regular file; give another path");
-}
-
 TEST_F(File, has_a_header_of_512_bytes_that_people_can_read) {
   const std::string header = header_text(FileKind::checkpoint, testing::bytes_of("abc"));
   EXPECT_EQ(header.size(), kHeaderSize);
