@@ -115,7 +115,7 @@ def test_each_command_is_asked_once(plan):
     with mock.patch("rupture.programs.subprocess.run", side_effect=subprocess.run) as run:
         plan(CHAIN)
     asked = [call.args[0] for call in run.call_args_list]
-    assert len(asked) == 5 and len({tuple(words) for words in asked}) == 5
+    assert len(asked) == 9 == len({tuple(words) for words in asked})
 
 
 # --- refusals ---------------------------------------------------------------------------------
@@ -144,13 +144,25 @@ REFUSED = [
     ("-o s.h5", "-o 's.h5", "cannot be split into words"),
     ("stress ", "status ", "cannot be called 'status'"),
     ("{values}", "--tau-bar 1", "no command has {values}"),
+    ("= prepare", "= {values[13]}", "may refer to {values} only"),
+    ("{values}", "{values:>2000000000}", "may refer to {values} only"),
+    ("= prepare", "= {values} prepare", "no program '--tau-bar'"),
+    *(
+        ("-o s.h5", f"-o s.h5 {option}", f"write {option} as single options")
+        for option in ("-qf", "-fo", "--")
+    ),
+    *(
+        ("-o s.h5", f"{option}", "needs the name of a file in the point's own folder")
+        for option in ("-o /abs/s.h5", "--output=../s.h5", "-o .s.h5", "-o '' --quiet")
+    ),
+    ("-o e.h5 --record r.h5", "-o e.h5 --record ../../x", "--record needs the name of a file"),
     ("-o s.h5", "-o s.h5 --config x", "must not have --config: points would not follow"),
     *(
-        ("-o s.h5", f"-o s.h5 {option}", f"must not have {option}: a point starts in an empty")
+        ("-o e.h5", f"-o e.h5 {option}", f"must not have {option}: a point starts in an empty")
         for option in ("-f", "--force", "--resume")
     ),
     *(
-        ("-o s.h5", f"-o s.h5 {option}", f"must not have {option}: it computes nothing")
+        ("-o e.h5", f"-o e.h5 {option}", f"must not have {option}: it computes nothing")
         for option in ("--dry-run", "--help", "-h", "--version", "--describe")
     ),
     ("{values}", "{values} --tau-bar=0.1", "'--tau-bar' cannot be specified more than once"),
@@ -188,6 +200,10 @@ REFUSED = [
     ("type = ", "v/c_s = ", "cannot be the heading"),
     ("type = ", "status = ", "cannot be the heading"),
     ("type = ", "tau-bar = ", "cannot be the heading"),
+    ("type = ", "@SUM(1) = ", "cannot be the heading"),
+    (VALUES, f"[variant =cmd|calc!A0]\n{VALUES}", "variant must be a word or a name"),
+    (VALUES, f"{VALUES}\nseed = {'-' * 10_000}1 * {{tau-bar}}", "cannot be calculated"),
+    (VALUES, f"{VALUES}\nseed = {'(' * 10_000}1 * {{tau-bar}}", "cannot be calculated"),
 ]
 
 

@@ -17,14 +17,16 @@ from sweeps.sweep import HEADING, check_known, names_of_values, options, suggest
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table
 KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # points.py
-OPTION = re.compile(r"--[a-z][a-z-]*|-[a-z]")
+OPTION = re.compile(r"-[A-Za-z-]")  # how one begins; negative numbers do not
+PLAIN = re.compile(r"[A-Za-z0-9_][\w.-]*")  # name of a file in the point's folder
+WORDS = re.compile(r"[\w.][\w., +-]*")  # a value that is a text
 OUTSIDE = "a point starts in an empty folder, and must not change files elsewhere"
 COMPUTES_NOTHING = "it computes nothing then"
 REFUSED = {
-    "--config": "points would not follow what is in that file;"
+    "config": "points would not follow what is in that file;"
     " give the parameters with --set or in [values]",
-    **dict.fromkeys(("-f", "--force", "--resume"), OUTSIDE),
-    **dict.fromkeys(("-h", "--help", "--describe", "--version", "--dry-run"), COMPUTES_NOTHING),
+    **dict.fromkeys(("force", "resume"), OUTSIDE),
+    **dict.fromkeys(("help", "describe", "version", "dry-run"), COMPUTES_NOTHING),
 }
 
 
@@ -40,11 +42,17 @@ class Programs:
     def answer(self, *command):
         return json.loads(output_of(*command))
 
+    def options(self, tool, *words):
+        """{--name or -n: what the program says of its option}."""
+        check_known(tool, PROGRAMS, "there is no program")
+        command = [word for word in words[:1] if tool == "analyze"]
+        found = self.answer(tool, *command, "--describe").get("options", [])
+        shorts = {f"-{option['short']}": option for option in found if option["short"]}
+        return shorts | {f"--{option['name']}": option for option in found}
+
     def described(self, line):
         """The program's description of this command, which also refuses wrong options."""
-        tool, *words = words_in(line)
-        check_known(tool, PROGRAMS, "there is no program")
-        return self.answer(tool, *words, "--describe")
+        return self.answer(*words_in(line), "--describe")
 
 
 # --- commands ---------------------------------------------------------------------------------
@@ -57,23 +65,36 @@ def words_in(line):
         raise UsageError(f"'{line}' cannot be split into words ({error})") from None
 
 
+def given_in(line, programs):
+    """The names of the options in a command. What would write elsewhere, or compute nothing, is
+    refused here; of an unknown option the program itself has more to say."""
+    words = words_in(line)
+    known = programs.options(*words)
+    for word, following in zip(words, [*words[1:], "--"]):
+        option, equals, value = word.partition("=")
+        name, kind = (known.get(option, {}).get(key, "") for key in ("name", "kind"))
+        if name in REFUSED:
+            raise UsageError(f"'{line}' must not have {option}: {REFUSED[name]}")
+        if OPTION.match(word) and not name and not re.match("--.", word):
+            raise UsageError(f"'{line}': write {option} as single options, such as -q -o x.h5")
+        if kind == "output file" and not PLAIN.fullmatch(value if equals else following):
+            own = "needs the name of a file in the point's own folder"
+            raise UsageError(f"'{line}': {option} {own}, such as end.h5")
+        if name:
+            yield name
+
+
 def check_command(name, line, programs):
     if name in KEYS_OF_A_POINT:
         raise UsageError(f"a command cannot be called '{name}'; take another name")
-    words = words_in(line)
-    given = [match[0] for match in map(OPTION.match, words) if match]
-    for option in given:
-        if option in REFUSED:
-            raise UsageError(f"'{line}' must not have {option}: {REFUSED[option]}")
+    given = [*given_in(line, programs)]
     program = programs.described(line)
-    long_names = {f"-{option['short']}": f"--{option['name']}" for option in program["options"]}
     for group in program["one_needed"]:
-        needed = [f"--{name}" for name in group]
-        if not {long_names.get(option, option) for option in given}.intersection(needed):
-            needs = f"{program['name']} needs {' or '.join(needed)}"
+        if not {*group}.intersection(given):
+            needs = f"{program['name']} needs {' or '.join(f'--{name}' for name in group)}"
             raise UsageError(f"{needs}, which '{line}' does not have")
-    settings = re.findall(r"(?:^| )--set[ =](\S+?)=", " ".join(words))
-    settings += ["numerics.seed"] * given.count("--seed")  # --seed is short for it
+    settings = re.findall(r"(?:^| )--set[ =](\S+?)=", " ".join(words_in(line)))
+    settings += ["numerics.seed"] * given.count("seed")  # --seed is short for it
     for name, times in Counter(settings).items():
         if times > 1:
             raise UsageError(f"'{line}' sets {name} twice; remove it from [values] or [commands]")
@@ -87,6 +108,8 @@ def check_value(name, text, option):
     if text not in option.get("words", [text]):
         raise UsageError(f"{name} must be {' or '.join(option['words'])} (got '{text}')")
     if not (unit := option["unit"]):
+        if not WORDS.fullmatch(text):
+            raise UsageError(f"{name} must be a word or a name (got '{text}')")
         return text
     with suppress(ValueError):
         number, own = in_si(text)
@@ -169,7 +192,7 @@ def check_columns(sweep, programs):
             raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
         if stated not in ("", unit):
             raise UsageError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
-        if "/" in name or name in ("", ".", *columns, *taken):
+        if "/" in name or not WORDS.fullmatch(name) or name in (".", *columns, *taken):
             raise UsageError(f"'{heading}' cannot be the heading of a column; take another one")
         columns[name], units[name] = path, unit
     return columns, units

@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 
 from rupture.replacing import replacing
-from rupture.tools.command_line import plural
+from rupture.tools.command_line import in_one_line, plural
 from rupture.units import without_unit
 from data.tables import write_table
 from maps.front_map import TYPES
@@ -119,7 +119,7 @@ def write_hdf5(path, title, columns):
 def preview(sweep, missing, folder_of_tools):
     done = len(sweep.points) - len(missing)
     count = plural(len(sweep.points), "point")
-    print(f"{sweep.title}: {count}: {done} done, {len(missing)} to compute")
+    print(f"{in_one_line(sweep.title)}: {count}: {done} done, {len(missing)} to compute")
     if missing:
         print("Commands of the first point to compute:")
         for command in missing[0].commands.values():
@@ -131,7 +131,7 @@ def print_summary(sweep, table, missing):
     instance, the front speed at a block that does not exist."""
     counts = Counter(row["status"] for row in table)
     states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", UNFINISHED) if counts[s])
-    print(f"\n{sweep.title}: {plural(len(table), 'point')}: {states}.")
+    print(f"\n{in_one_line(sweep.title)}: {plural(len(table), 'point')}: {states}.")
     computed = missing - counts[UNFINISHED]
     print(f"Computed now: {computed}; already done: {len(table) - missing}.")
     for status in ("failed", UNFINISHED):

@@ -100,16 +100,14 @@ def options(values):
 
 
 def make_point(commands, values, base):
-    fields = {"values": options(values)} | ({"base": base} if base else {})
-    filled = {}
-    for name, line in commands.items():
-        try:
-            filled[name] = line.format(**fields)
-        except (AttributeError, KeyError, IndexError, TypeError, ValueError):
-            known = " and ".join(f"{{{name}}}" for name in fields)
+    fields = {"{values}": options(values)} | ({"{base}": shlex.quote(base)} if base else {})
+    for line in commands.values():
+        if any(part not in fields for part in re.findall(r"\{[^{}]*\}|[{}]", line)):
             lacks_base = "{base" in line and not base
             why = "; {base} needs base = FILE.h5 in [sweep]" if lacks_base else ""
-            raise UsageError(f"'{line}' may refer to {known} only{why}") from None
+            raise UsageError(f"'{line}' may refer to {' and '.join(fields)} only{why}")
+    place = re.compile("|".join(fields))
+    filled = {n: place.sub(lambda at: fields[at[0]], line) for n, line in commands.items()}
     return Point(values, filled, base)
 
 

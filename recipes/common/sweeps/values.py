@@ -39,7 +39,7 @@ def calculate(expression, values):
         filled = filled.replace(f"{{{name}}}", f"({without_unit(values[name])})")
     try:
         return number_of(filled)
-    except (ArithmeticError, MemoryError, SyntaxError, TypeError, ValueError) as error:
+    except (ArithmeticError, MemoryError, RecursionError, SyntaxError, TypeError, ValueError) as error:
         why = ", ".join(text for text in error.args if isinstance(text, str))
         raise ValueError(f"'{expression}' cannot be calculated ({why}), as {filled}") from None
 
