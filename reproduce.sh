@@ -18,4 +18,4 @@ python=/usr/bin/python3
 unset PYTHONHOME
 [[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1  # Debian's packages, not the user's own
 export PYTHONPATH=$root/recipes/common:$root/python PYTHONDONTWRITEBYTECODE=1
-exec "$python" "$root/recipes/common/reproduce/__main__.py" "$@"
+exec "$python" -P "$root/recipes/common/reproduce/__main__.py" "$@"

@@ -13,18 +13,22 @@ import rupture
 from rupture.errors import Failure, UsageError
 
 PACKAGE = Path(__file__).resolve().parent
-CLONE = PACKAGE.parents[1]
-IS_CLONE = (CLONE / "CMakeLists.txt").exists()  # else an installation, in its lib/python3/dist-packages
-OWN = CLONE / "build/release/bin" if IS_CLONE else PACKAGE.parents[3] / "libexec/rupture"
 
 DRAWING = ("map", "movie", "xdmf")  # they write no checkpoint, and have no --quiet
+
+
+def own_folder():
+    """Where the build or installation that this package belongs to has its programs."""
+    if (PACKAGE / "../../CMakeLists.txt").exists():
+        return PACKAGE.parents[1] / "build/release/bin"
+    return PACKAGE.parents[3] / "libexec/rupture"  # from lib/python3/dist-packages
 
 
 def command_of(program):
     """The words that start a program: of the folder $RUPTURE_BIN, of this build or installation,
     or of `rupture` on the PATH."""
     own = os.environ.get("RUPTURE_BIN")
-    folder = Path(own or OWN)
+    folder = Path(own or own_folder())
     if os.access(folder / program, os.X_OK):
         return [str(folder / program)]
     if not own and shutil.which("rupture"):

@@ -10,6 +10,8 @@ from unittest.mock import Mock, patch
 import pytest
 
 from reproduce import machine
+from rupture import programs
+from rupture.errors import Failure
 from reproduce.checks import defines_layout, slowest_tests
 from reproduce.compute import count_cores, memory_of_allocation
 from reproduce.pipeline import Errors
@@ -42,7 +44,7 @@ REFUSED = [  # a command line, and the sentence
 
 @pytest.fixture(name="project")
 def copied_project(tmp_path):
-    return Project(tmp_path)
+    return Project(tmp_path / "me/clone")
 
 
 @pytest.mark.parametrize("words, sentence", REFUSED)
@@ -69,10 +71,42 @@ def test_help_and_list_make_nothing(project):
     assert sorted(project.root.iterdir()) == before
 
 
-def test_modules_in_the_users_folder_are_not_taken_for_ours(project):
-    for name in ("data", "queue", "sweeps"):
+def test_modules_and_programs_elsewhere_are_not_taken_for_ours(project):
+    others = project.root / "../../lib/python3/dist-packages"
+    for name in ("data", "queue", "sweeps", others / "argparse", others / "rupture/__init__"):
         project.write(f"{name}.py", "raise RuntimeError\n")
     assert project.call("list").returncode == 0
+    project.program("../../../libexec/rupture/analyze", "")
+    project.write("CMakeLists.txt")  # it is a clone, without a build
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(programs, "PACKAGE", project.root / "python/rupture")
+        patched.delenv("RUPTURE_BIN")
+        patched.setenv("PATH", "")
+        with pytest.raises(Failure, match="program analyze not found: neither built"):
+            programs.command_of("analyze")
+
+
+@pytest.mark.parametrize(
+    "planted, link, sentence",
+    [
+        *(
+            (name, None, "cannot be written .File exists.")
+            for name in ("python/json.py", "recipes/Snakefile", "results", "docs")
+        ),
+        *(("results", link, f"{link} is a link") for link in (".rupture", ".rupture/build")),
+    ],
+)
+def test_a_prepared_folder_runs_nothing_and_keeps_its_files(project, planted, link, sentence):
+    project.environment = os.environ | {"RUPTURE_WORK": f"{project.root}/work"}
+    path = project.write(f"work/{'other' if link else '.rupture'}/{planted}")
+    if link:
+        (project.root / "work" / link).parent.mkdir(exist_ok=True)
+        (project.root / "work" / link).symlink_to(path.parent)
+    for command in ("clean", "report"):
+        done = project.call(command)
+        assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
+        assert re.search(sentence, done.stderr)
+    assert path.exists()
 
 
 def test_a_folder_that_cannot_be_written_is_named(project):

@@ -1,11 +1,12 @@
 """Symbols of plain texts as MathML, and what pictures show in words."""
 
 import re
+import types
 import xml.etree.ElementTree as ET
 
 import pytest
 
-from caption import seen
+from caption import as_html, filled, seen
 from claims.judge import table
 from conftest import ROOT
 from runs.recipes import read_readme, recipe_names
@@ -110,3 +111,10 @@ def test_every_recipe_describes_its_pictures(name):
     readme = read_readme(ROOT / "recipes" / name / "README.md")
     for picture in re.findall(r"`([\w-]+\.png)`", readme.caption) or [f"{name}.png"]:
         assert len(seen(picture, readme.title, readme.caption)) > len(readme.title) + 25
+
+
+def test_measured_texts_are_no_markdown():
+    text = "[a](javascript:b) ![c](https://d.e/f.png) *g* <https://h.i>"
+    claim = types.SimpleNamespace(id="2A", measured={"type": text})
+    shown = as_html(filled("It is {2A: type}.", [claim]), ())
+    assert not re.findall("<(?!/?(p|math|mi)>)", shown) and "[a](javascript:b)" in shown

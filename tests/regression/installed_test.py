@@ -83,6 +83,12 @@ class Package(unittest.TestCase):
         self.assertEqual([path.name for path in rupture.parent.iterdir()], ["rupture"])
         self.assertIn("0 steps", self.done(rupture, "load", "-o", folder / "a.h5"))
         self.assertTrue((self.prefix / "share/man/man1/rupture-load.1.gz").exists())
+        other = self.prefix.parent / "python/rupture/__init__.py"  # as beside a clone's src/
+        other.parent.mkdir(parents=True)
+        other.write_text("raise RuntimeError\n")
+        for name in ("json", "numpy", "sitecustomize"):
+            other.with_name(f"{name}.py").write_text("raise RuntimeError\n")
+        self.assertIn("Usage:", self.done(rupture, "map", "--help", cwd=other.parent))
         self.assertIn("  fig3 ", self.done(rupture, "reproduce", "list"))
         self.assertNotIn("tidy", self.done(rupture, "reproduce", "--help"))
         before = sorted(self.prefix.rglob("*"))

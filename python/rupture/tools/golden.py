@@ -68,7 +68,7 @@ def take(work):
 
 
 def run_pipeline(pipeline, tools, folder):
-    path = f"{tools}:{tools}/../../bin:{os.environ.get('PATH', os.defpath)}"
+    path = f"{tools}:{tools}/../../bin:{os.environ.get('PATH') or os.defpath}"
     program = shutil.which(pipeline[0], path=path)
     if not program:
         hint = "give a program, or make it executable with chmod +x"

@@ -1,6 +1,7 @@
 """One value of a JSON file, for use in a command: {VALUE} choice.json fast-slow-fast.until"""
 
 import json
+import re
 import sys
 
 
@@ -17,4 +18,6 @@ def find(tree, name):
 def main(path, name):
     with open(path, encoding="utf-8") as file:
         value = find(json.load(file), name)
-    return sys.exit(f"value.py: {path} has no value {name}.") if value is None else value
+    if not re.fullmatch(r"\w[\w.+-]*", f"{value}") or value is None:  # the shell splits others
+        sys.exit(f"value.py: {path} has no number or name {name}.")
+    return value

@@ -15,6 +15,7 @@ from symbols import typeset_html
 NOT_RUN = "not run"
 PLACE = re.compile(r"\{(\w+):\s([^{}]+)\}")  # {claim: quantity [unit]}
 SENTENCE = re.compile(r"((?<=\.)\s+(?=[A-Z{])|\n\s*\n|\n(?=- ))")  # what ends one, or an item
+MARKS_OF_MARKDOWN = re.compile(r"[\\`*_\[\]!]")
 LINK = re.compile(r'<a href="(?![a-z]+:|#)([^"]*)">(.*?)</a>', re.DOTALL)  # to a file
 
 
@@ -23,7 +24,8 @@ LINK = re.compile(r'<a href="(?![a-z]+:|#)([^"]*)">(.*?)</a>', re.DOTALL)  # to 
 
 def value_text(name, value):
     unit = split_unit(name)[1]
-    return number(value) if value is None else f"{number(value)}\u00a0{unit}".rstrip()
+    text = MARKS_OF_MARKDOWN.sub(r"\\\g<0>", number(value))  # a text is no link
+    return text if value is None else f"{text}\u00a0{unit}".rstrip()
 
 
 def filled_sentence(text, known):
@@ -65,7 +67,8 @@ def as_html(text, shown):
     toc = {"toc": {"baselevel": 2, "permalink": False}}
     converter = markdown.Markdown(extensions=["toc"], extension_configs=toc, output_format="html")
     converter.preprocessors.deregister("html_block")
-    converter.inlinePatterns.deregister("html")
+    for pattern in ("html", "autolink", "automail"):
+        converter.inlinePatterns.deregister(pattern)
     return typeset_html(LINK.sub(lambda found: link(found, shown), converter.convert(text)))
 
 

@@ -5,7 +5,6 @@ import json
 import os
 import platform
 import re
-import subprocess
 from collections import Counter
 from contextlib import suppress
 from functools import cache
@@ -13,6 +12,8 @@ from pathlib import Path
 
 import h5py
 
+from rupture.errors import Failure
+from rupture.programs import output_of
 from rupture.tools.command_line import plural
 from runs.recipes import natural
 
@@ -86,14 +87,13 @@ def checksums(root, files):
     return found
 
 
-def present_build(root):
+def present_build():
     """Version, commit and instruction set of the programs as they are now; None without them."""
     try:
-        command = [root / "build/release/bin/load", "--version"]
-        said = subprocess.run(command, capture_output=True, text=True, check=True)
-    except (OSError, subprocess.CalledProcessError):
+        said = output_of("load", "--version")
+    except Failure:
         return None
-    found = re.fullmatch(r"load \((rupture .*), (\S+)\)\s*", said.stdout)
+    found = re.fullmatch(r"load \((rupture .*), (\S+)\)\s*", said)
     return found and {"version": found[1], "instructions": found[2]}
 
 

@@ -106,7 +106,7 @@ def contents(root):
         "jobs": jobs,
         "run": origin.last_run(root, jobs),
         "builds": origin.builds(root, files),
-        "build": origin.present_build(root),
+        "build": origin.present_build(),
         "processor": origin.processor(),
     }
 

@@ -1,5 +1,6 @@
 """./reproduce.sh COMMAND [OPTION]..."""
 
+import os
 import sys
 import time
 from collections.abc import Callable
@@ -10,7 +11,7 @@ from rupture.tools.command_line import exit_code
 from reproduce import checks, compute
 from reproduce.clean import clean
 from reproduce.command_line import figures, listing, make_parser, read
-from reproduce.project import BESIDE_ALL, complain, enter_root, say
+from reproduce.project import BESIDE_ALL, PROGRAMS, complain, enter_root, say
 from reproduce.processes import Processes, ensure_packages
 
 
@@ -53,6 +54,7 @@ def main(*words):
         print(listing() if request.command == "list" else make_parser().format_help())
         return 0
     enter_root()
+    os.environ["RUPTURE_BIN"] = os.path.abspath(request.programs or PROGRAMS)
     processes = Processes()
     if not (processes.has_turn or request.dry_run):
         raise Failure("another ./reproduce.sh is running in this folder; wait until it is done.")

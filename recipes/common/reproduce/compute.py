@@ -13,7 +13,7 @@ from rupture.tools.command_line import plural
 from runs.fingerprint import fingerprint_of_programs
 from runs.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
-from reproduce.project import LOGS, PROGRAMS, ROOT, say, use_own_environment
+from reproduce.project import LOGS, PROGRAMS, ROOT, SHARE, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
 
@@ -104,7 +104,7 @@ def options_of_snakemake(request, place, **config):
 
 def run_pipeline(processes, targets, options):
     """Returns Snakemake's exit code."""
-    script = ROOT / "recipes/common/reproduce/pipeline.py"
+    script = SHARE / "recipes/common/reproduce/pipeline.py"
     command = [sys.executable, script, *targets, "--", *options]
     return processes.run([str(word) for word in command])
 
@@ -135,7 +135,8 @@ def reproduce(request, recipes, processes):
 def is_current(path):
     """Whether a description of the results is newer than all jobs, texts and scripts behind it."""
     scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
-    texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md"), PROGRAMS / "load"]
+    texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md")]
+    texts.append(Path(os.environ["RUPTURE_BIN"], "load"))
     shown = [RESULTS / "jobs.jsonl", *RESULTS.glob("movie.*"), *RESULTS.glob("*/*.json")]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
     return path.exists() and path.stat().st_mtime > max(one.stat().st_mtime for one in sources)
@@ -145,7 +146,7 @@ def write_crate(processes):
     """Writes what is in results/ and how it was made, for programs; takes about a second."""
     if is_current(RESULTS / "ro-crate-metadata.json"):
         return
-    if processes.run([sys.executable, "recipes/common/report/crate.py"]):
+    if processes.run([sys.executable, SHARE / "recipes/common/report/crate.py"]):
         raise Failure(f"{RESULTS}/ro-crate-metadata.json could not be written.")
 
 
@@ -154,14 +155,12 @@ def run_sweep(request, processes):
     from sweeps import plan, points, report
 
     place = prepare(request, processes)
-    tools = request.programs or PROGRAMS
-    os.environ["RUPTURE_BIN"] = os.path.abspath(tools)
     sweep = plan.plan_sweep(request.file, RESULTS, request.dry_run)
     code = fingerprint_of_programs(request.programs)
     store = points.PointStore(RESULTS / "data/points", code)
     missing = store.unfinished(sweep.points)
     if request.dry_run:
-        report.preview(sweep, missing, tools)
+        report.preview(sweep, missing, request.programs or PROGRAMS)
         return 0
     options = options_of_snakemake(request, place, sweep=sweep.files[0], code=code)
     run_pipeline(processes, ["sweep"], options)
@@ -179,4 +178,4 @@ def write_report_if_needed(processes):
 
 def write_report(processes):
     use_own_environment()
-    return processes.run([sys.executable, "recipes/common/report/report.py"])
+    return processes.run([sys.executable, SHARE / "recipes/common/report/report.py"])

@@ -11,6 +11,7 @@ SHARE = Path(__file__).resolve().parents[3]  # recipes and what they read
 WORK = Path(os.environ["RUPTURE_WORK"]) if "RUPTURE_WORK" in os.environ else None
 ROOT = WORK / ".rupture" if WORK else SHARE
 LOGS = Path("build/log")
+WRITTEN = (".snakemake", "build", LOGS, "build/cache")  # folders
 PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/common/profiles")
 READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
@@ -22,16 +23,21 @@ def enter_root():
     """Enters the folder of recipes and results. For `rupture reproduce`, it has links to both."""
     if WORK:
         try:
+            for folder in (ROOT, *(ROOT / one for one in WRITTEN)):
+                if folder.is_symlink():
+                    raise Failure(f"{folder} is a link, which is not followed: move it away.")
             ROOT.mkdir(exist_ok=True)
             (WORK / "results").mkdir(exist_ok=True)
             targets = {"results": Path("../results")} | {name: SHARE / name for name in READ}
             for name, target in targets.items():
                 link = ROOT / name
-                if not link.is_symlink() or link.readlink() != target:
-                    link.unlink(missing_ok=True)
+                if link.is_symlink() and link.readlink() != target:
+                    link.unlink()
+                if not link.is_symlink():
                     link.symlink_to(target)
         except OSError as error:
-            raise Failure(f"{error.filename} cannot be written ({error.strerror}).") from None
+            where = error.filename2 or error.filename
+            raise Failure(f"{where} cannot be written ({error.strerror}).") from None
     os.chdir(ROOT)
 
 

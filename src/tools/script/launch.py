@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -P
 """Runs the program of the Python package that has the name of this file, of which builds and
 installations have copies."""
 
