@@ -15,6 +15,7 @@ ROOT = Path(__file__).resolve().parents[1]
 BUILD = Path(os.environ.get("RUPTURE_BUILD", ROOT / "build/release"))
 BIN = BUILD / "bin"
 SMALL = ROOT / "tests/golden/small.ini"
+ODD = 'Jørgen\'s "copy" (v2) {new}'  # a name of a folder
 SKIPPED = 77  # as ctest knows it
 approx = functools.partial(pytest.approx, rel=0, abs=5e-8)
 

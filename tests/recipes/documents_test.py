@@ -1,5 +1,5 @@
-"""All that README, runs, pictures, python and sweeps print is typed in one folder, in this order. A
-slider of fewer blocks, which is driven faster, takes the place of the reference: runs take seconds."""
+"""All that README, runs, pictures, python and sweeps print is typed in one folder, in this order.
+A slider of fewer blocks, driven faster, takes the place of the reference: runs take seconds."""
 
 import os
 import re
@@ -34,8 +34,8 @@ PROGRAMS = {
 
 
 def commands_of(page):
-    """A command for each line in the shell, and one for each block in Python. The file of a sweep is
-    written. The README's first blocks set the project up, which other tests do."""
+    """A command for each line in the shell, and one for each block in Python. The file of a sweep
+    is written. The README's first blocks set the project up, which other tests do."""
     before, _, after = (ROOT / page).read_text("utf-8").partition("## Your own experiments\n")
     commands = []
     for language, code, indented in BLOCK.findall(after or before):

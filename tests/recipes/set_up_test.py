@@ -71,9 +71,7 @@ def test_configures_if_the_presets_are_newer_or_the_build_is_of_other_sources(pr
         path.touch()
         set_up(project, "build", "2", "tools")
     configured = [call for call in project.calls().splitlines() if "--build" not in call]
-    assert [*map(str.split, configured)] == [
-        ["--preset", "release", *more] for more in (["--fresh"], [], ["--fresh"])
-    ]
+    assert ["--fresh" in call for call in configured] == [True, False, True]
 
 
 def test_a_failed_build_shows_its_end(project):

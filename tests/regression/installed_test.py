@@ -7,10 +7,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from conftest import BUILD, ROOT, run
+from conftest import BUILD, ODD, ROOT, run
 
 PROJECT = ROOT / "tests/regression/project"
-ODD = "Jørgen's \"copy\" (v2) {new}"  # a name of a folder
 
 
 class Package(unittest.TestCase):
@@ -101,10 +100,11 @@ class Package(unittest.TestCase):
         self.assertIn("there is no figure or command 'test'", done.stderr)
 
     def resolve_all_figures(self, folder):
-        """Plans them from nothing: every file that a rule reads is there, or another rule makes it."""
+        """Plans them from nothing: what a rule reads is there, or another rule makes it."""
         (folder / "../results").rename(folder / "../other")
         (folder / "../results").mkdir()
-        names = re.findall(r"^  (\S+)", self.done(self.prefix / "bin/rupture", "reproduce", "list"), re.M)
+        listing = self.done(self.prefix / "bin/rupture", "reproduce", "list")
+        names = re.findall(r"^  (\S+)", listing, re.MULTILINE)
         figures = names[: names.index("all")]
         self.assertGreaterEqual(len(figures), 17)
         options = ("--snakefile", "recipes/Snakefile", "--cores", "1", "--dry-run", *figures)

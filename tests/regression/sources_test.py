@@ -1,12 +1,11 @@
-"""Sources in any folder: which commit a build of them states, and that line ends stay as they are."""
+"""Sources in any folder: which commit a build of them states, and that line ends stay."""
 
 import os
 import subprocess
 
 import pytest
 
-from conftest import ROOT, need, run, skip
-from installed_test import ODD
+from conftest import ODD, ROOT, need, run, skip
 
 need("git")
 PROJECT = f"""cmake_minimum_required(VERSION 3.25)
@@ -39,9 +38,7 @@ def make_repository(folder, tag):
         (False, {}, 0, UNKNOWN),
     ],
 )
-def test_only_the_repository_of_the_sources_names_the_commit(
-    folder, own, variables, owner, commit
-):
+def test_only_the_repository_of_the_sources_names_the_commit(folder, own, variables, owner, commit):
     if owner and os.geteuid() != 0:
         pytest.skip("Only root gives a folder to others.")
     make_repository(folder, OTHERS)

@@ -11,6 +11,7 @@ RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 # one: 0,4mm/s. Only a 0 with a blank behind its comma is clear.
 BARE = rf"\s*[-+]?{NUMBER}\s*"
 MIXED = re.compile(rf"(?:^|,)(?!\s*[0.]+\s*,\s){BARE},{BARE}({UNIT})\s*(?:,|$)")
+IMPOSSIBLE = (ArithmeticError, MemoryError, RecursionError)
 LIMIT = 100_000  # points of a sweep
 
 
@@ -39,7 +40,7 @@ def calculate(expression, values):
         filled = filled.replace(f"{{{name}}}", f"({without_unit(values[name])})")
     try:
         return number_of(filled)
-    except (ArithmeticError, MemoryError, RecursionError, SyntaxError, TypeError, ValueError) as error:
+    except (*IMPOSSIBLE, SyntaxError, TypeError, ValueError) as error:
         why = ", ".join(text for text in error.args if isinstance(text, str))
         raise ValueError(f"'{expression}' cannot be calculated ({why}), as {filled}") from None
 
