@@ -141,6 +141,10 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
     try {
       for (const po::option& option : options_in(without_comment(line), group, options)) {
         if (option.unregistered) check_name(option.string_key, options, where);
+        if (option.string_key == "force" || option.string_key == "resume") {
+          throw UsageError("{}{} replaces files: give it on the command line, not in a file", where,
+                           option.string_key);
+        }
         if (auto change = change_by(option, where)) {
           add_once(*std::move(change), changes);
         } else {
