@@ -54,14 +54,38 @@ std::string short_checksum(const std::string& checksum) {
   return checksum.empty() ? std::string("(unfinished)") : checksum.substr(0, digits);
 }
 
-/// Whether running the text can do no more than run one of rupture's tools: our commands hold
-/// names, numbers and words, nothing that a shell would interpret.
+/// The options that the commands of files have (run/files.hpp): those that determine the result.
+constexpr std::string_view kOfRuns = " --set --until --record-every --crossings --fields ";
+constexpr std::array<std::array<std::string_view, 2>, 4> kWritten = {
+    {{"load", kOfRuns},
+     {"restart", kOfRuns},
+     {"prepare",
+      " --set --tau-bar --sigma-bar --shape --x-trigger --tau-bar-trigger --no-trigger "},
+     {"modify-phi", " --shape --sigma-bar --x-from --x-to --slipping "}}};
+constexpr std::string_view kFlag = "--no-trigger";  // the others have a value
+
+/// Whether such an option has this value: a number or words, and NAME=VALUE only for --set.
+bool is_value(const std::string& word, std::string_view option) {
+  const bool is_option = word.starts_with('-') && word.find_first_of("0123456789") != 1;
+  return !word.empty() && !is_option &&
+         (word.find('=') != std::string::npos) == (option == "--set");
+}
+
+/// Whether the text is a command as the programs write it, so that running it does no more than
+/// make a file of the name that the script gives it.
 bool is_our_command(const std::string& text) {
-  constexpr std::array<std::string_view, 4> tools = {"load", "prepare", "restart", "modify-phi"};
   constexpr std::string_view harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+=.,- ";
-  return std::ranges::count(tools, text.substr(0, text.find(' '))) > 0 &&
-         text.find_first_not_of(harmless) == std::string::npos;
+  if (text.find_first_not_of(harmless) != std::string::npos) return false;
+  const auto words = split(text, ' ');
+  const auto program = std::ranges::find(kWritten, words.front(), [](auto row) { return row[0]; });
+  if (program == kWritten.end()) return false;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string& option = words[i];
+    if (program->back().find(" " + option + " ") == std::string_view::npos) return false;
+    if (option != kFlag && (++i == words.size() || !is_value(words[i], option))) return false;
+  }
+  return true;
 }
 
 std::string build_text(const ProvenanceEntry& entry) {
@@ -100,8 +124,8 @@ void check_steps(const Lineage& lineage, std::size_t first) {
     const std::string& command = lineage.chain[i].rebuild;
     if (command.empty() || command == kEditedOutside) fail_at_unknown(lineage, i);
     if (is_our_command(command)) continue;
-    throw Failure("{}: step {} is not a rupture command and will not be run: {}", lineage.name, i,
-                  in_one_line(command));
+    throw Failure("{}: step {} is not a command that rupture writes and will not be run: {}",
+                  lineage.name, i, in_one_line(command));
   }
 }
 
