@@ -20,12 +20,13 @@ def amount(text):
 
 def in_si(text):
     """The number and its unit, such as 0.01 and s of 10ms."""
-    number, unit, prefix, symbol = amount(text)
-    if not unit:
-        return float(number), ""
+    number, _, prefix, symbol = amount(text)
     unit, power = ("kg", -3) if symbol == "g" else (symbol, 0)
     mantissa, _, exponent = number.lower().partition("e")
-    return float(f"{mantissa}e{int(exponent or 0) + PREFIXES[prefix] + power}"), unit
+    value = float(f"{mantissa}e{int(exponent or 0) + PREFIXES[prefix] + power}")
+    if not value and re.search("[1-9]", mantissa):
+        raise ValueError(f"'{text}' is not a number that can be told from 0")
+    return value, unit
 
 
 def without_unit(text):

@@ -31,9 +31,12 @@ double pinned_fraction(double value, const Given& given, const std::string& opti
 std::string plain_number(const std::string& word, const std::string& unit) {
   const auto number = in_unit(word, unit);
   if (!number) refuse(fmt::format("{} is not a number{}", word, units_taken(unit)));
-  if (double value = 0.0; !boost::conversion::try_lexical_convert(*number, value)) {
+  double value = 0.0;
+  if (!boost::conversion::try_lexical_convert(*number, value)) {
     refuse(fmt::format("{} is too large", word));
   }
+  const bool is_zero = number->find_first_of("123456789") >= number->find_first_of("eE");
+  if (value == 0.0 && !is_zero) refuse(fmt::format("{} is too small: give 0 instead", word));
   return *number;
 }
 
