@@ -209,9 +209,12 @@ def plural(number, noun):
 
 
 def complain(name, sentence):
+    """Of a long sentence, in which words of users and files are, says the beginning and the end."""
+    line = in_one_line(sentence)
+    line = line if len(line) <= 1000 else f"{line[:700]}…{line[-300:]}"
     with suppress(OSError):  # nobody can read it
         start = CLEAR if sys.stderr.isatty() else ""
-        print(f"{start}{name}: {in_one_line(sentence)}", file=sys.stderr, flush=True)
+        print(f"{start}{name}: {line}", file=sys.stderr, flush=True)
 
 
 def exit_code(run, say):

@@ -193,9 +193,13 @@ int body_or_help(const std::function<int()>& body) {
   }
 }
 
+/// Of a long sentence, in which words of users and files are, only the beginning and the end.
 int complain(const std::string& name, const std::string& message, ExitCode code) {
+  constexpr std::size_t most = 1000, tail = 300;  // bytes
+  std::string line = in_one_line(message);
+  if (line.size() > most) line.replace(most - tail, line.size() - most, "…");
   std::fflush(stdout);
-  say_on(stderr, "{}: {}\n", name, in_one_line(message));
+  say_on(stderr, "{}: {}\n", name, line);
   return code;
 }
 
