@@ -1,6 +1,7 @@
 #include "cli/command_line.hpp"
 
 #include <fmt/core.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <cctype>
@@ -203,6 +204,13 @@ int complain(const std::string& name, const std::string& message, ExitCode code)
   return code;
 }
 
+/// Whether there is memory for small tasks. Libraries crash where they get none.
+bool has_memory() {
+  constexpr std::size_t enough = 16'000'000;  // bytes
+  void* const room = ::mmap(nullptr, enough, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return room != MAP_FAILED && ::munmap(room, enough) == 0;
+}
+
 }  // namespace
 
 std::string_view Command::name() const {
@@ -307,6 +315,10 @@ std::string single_input(const po::variables_map& values, const std::string& pos
 
 int run_tool(const std::string& name, const std::function<int()>& body) {
   occupy_standard_streams();
+  if (!has_memory()) {
+    for (const char* const part : {name.c_str(), ": not enough memory\n"}) std::fputs(part, stderr);
+    return kFailed;
+  }
   std::signal(SIGPIPE, SIG_IGN);  // writing to a pipe that nobody reads only fails
   try {
     check_arithmetic();
