@@ -93,6 +93,16 @@ def test_of_a_run_until_quiet_has_no_percentage():
         assert re.fullmatch(rf"t = \d\.\d+ s of at most 0\.3000 s   {RATE}", line.rstrip())
 
 
+def test_no_time_is_foretold_beyond_a_year():
+    ours, theirs = pty.openpty()
+    process = start(f"{LOAD} --set numerics.dt=1e-16", theirs)
+    os.close(theirs)
+    line = os.read(ours, 200).decode()
+    process.kill()
+    all_of(ours)
+    assert re.search(RATE, line) and "left" not in line
+
+
 def test_quiet_runs_show_nothing():
     assert on_terminal(f"load {SMALL} --until 0.1 -o a.h5 --quiet", 80) == [""]
 

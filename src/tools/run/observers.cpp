@@ -97,8 +97,9 @@ std::vector<Part> parts_of(const RunPlan& plan, const Simulation& now, double ra
   if (until_quiet) return parts;
   const double percent = std::floor(100.0 * static_cast<double>(step - first) / whole);
   parts.insert(parts.begin(), {0, fmt::format("{:3.0f} %", percent)});
+  constexpr double longest = 365 * 86400.0;  // [s]: beyond, a clock has jumped or nobody waits
   const double left = std::ceil(static_cast<double>(last - step) / rate);  // [s]
-  parts.push_back({1, fmt::format("{:>6} left", time_text(left))});
+  if (left < longest) parts.push_back({1, fmt::format("{:>6} left", time_text(left))});
   return parts;
 }
 
