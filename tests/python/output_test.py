@@ -13,6 +13,7 @@ import rupture
 from commands import refuses
 from conftest import BIN, run
 from rupture.replacing import rename_to_new, replacing
+from rupture.tools import xdmf
 from rupture.tools.command_line import CLEAR, Failure
 from rupture.tools.output import EXISTS, complete, progress
 
@@ -70,6 +71,22 @@ def test_a_disk_may_lack_exclusive_renaming_and_links(folder):
     with lacking[0], lacking[1], replacing("new", rename_to_new) as temporary:
         temporary.write_text("ours")
     assert (Path("new").read_text(), left()) == ("ours", [])
+
+
+@pytest.mark.parametrize("before", ["old", None])
+def test_both_files_of_xdmf_appear_or_neither(folder, before):
+    both, renamed = [Path("x.xdmf"), Path("x-derived.hdf5")], []
+    for path in both if before else ():
+        path.write_text(before)
+
+    def only_once(*names, rename=os.rename):
+        if renamed:
+            raise OSError(errno.EIO, "")
+        renamed.append(rename(*names))
+
+    with mock.patch("os.replace", only_once), pytest.raises(Failure, match="is as it was before"):
+        xdmf.write_all([], *both, force=True)
+    assert [path.read_text() if path.exists() else None for path in both] == [before] * 2
 
 
 def test_a_signal_while_the_temporary_file_is_made_leaves_nothing(folder):
