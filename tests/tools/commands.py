@@ -98,7 +98,8 @@ def changed(before, after):
 
 def name_of(tool):
     """In front of its sentences."""
-    is_python = (BIN / tool).resolve().suffix == ".py"
+    path = BIN / tool
+    is_python = path.is_file() and path.read_bytes().startswith(b"#!/usr/bin/python3")
     return f"rupture {tool}" if is_python else tool
 
 
