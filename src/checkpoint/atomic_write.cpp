@@ -77,6 +77,22 @@ bool rename_to_new(const fs::path& from, const fs::path& to) {
   return true;
 }
 
+// Removes what killed runs left of a file, its .sum and its checkpoints: temporary files that no
+// process has locked.
+void remove_leftovers(const fs::path& path) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_of(path), ignored)) {
+    const fs::path name = entry.path().filename();
+    const bool is_temporary = name.stem().extension() == ".tmp" && name.extension() > ".";
+    if (!is_temporary || !name.string().starts_with("." + path.stem().string())) continue;
+    const Descriptor file(::open(entry.path().c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
+    struct flock lock = whole_file_for_writing();
+    if (file.get() >= 0 && ::fcntl(file.get(), F_OFD_SETLK, &lock) == 0) {
+      ::unlink(entry.path().c_str());
+    }
+  }
+}
+
 }  // namespace
 
 fs::path folder_of(const fs::path& path) {
@@ -105,6 +121,7 @@ PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes) : path
     file = Descriptor(::open(temporary_.c_str(), flags, 0666));
   } while (file.get() < 0 && errno == EEXIST);
   if (file.get() < 0) fail_writing(path_);
+  lock(file);
   struct stat old {};  // for whose readers the new one is
   if (::lstat(path_.c_str(), &old) == 0 && S_ISREG(old.st_mode)) {
     ::fchmod(file.get(), old.st_mode & 0777U);
@@ -123,21 +140,30 @@ PendingFile::~PendingFile() {
 bool PendingFile::commit(IfExists if_exists) {
   if (if_exists == IfExists::refuse) {
     if (!rename_to_new(temporary_, path_)) return false;
-  } else if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    fail_writing(path_);
+    temporary_.clear();
+  } else {
+    rename_to(path_);
   }
-  temporary_.clear();
   sync_folder_of(path_);
   return true;
 }
 
+void PendingFile::rename_to(const fs::path& path) {
+  if (::rename(temporary_.c_str(), path.c_str()) != 0) fail_writing(path_);
+  temporary_.clear();
+}
+
+fs::path PendingFile::keep() {
+  const fs::path hidden = std::exchange(temporary_, {});
+  const fs::path shown = path_.string() + ".kept" + hidden.extension().string();
+  return hidden.empty() || ::rename(hidden.c_str(), shown.c_str()) != 0 ? hidden : shown;
+}
+
 void try_output(const fs::path& path) {
-  const fs::path made = PendingFile(path, {}).keep(), renamed = temporary_path(path);
-  const int reason = ::rename(made.c_str(), renamed.c_str()) == 0 ? 0 : errno;
-  if (reason == 0) return remove_durably(renamed);
-  ::unlink(made.c_str());
-  errno = reason;
-  fail_writing(path);
+  remove_leftovers(path);
+  const fs::path renamed = temporary_path(path);
+  PendingFile(path, {}).rename_to(renamed);
+  remove_durably(renamed);
 }
 
 void fail_existing(const fs::path& path, std::string_view rather) {
@@ -175,8 +201,8 @@ bool is_being_written(const fs::path& part) {
 
 GrowingFile::GrowingFile(fs::path path, std::span<const std::byte> bytes, IfExists if_exists)
     : path_(std::move(path)) {
+  remove_leftovers(path_);
   PendingFile pending(path_, bytes);
-  lock(pending.file);  // before others can find it
   for (bool is_there = false; !is_there;) {
     const Descriptor old(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
     if (old.get() < 0 && errno != ENOENT && errno != ELOOP) fail_writing(path_);

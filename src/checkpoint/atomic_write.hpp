@@ -48,8 +48,11 @@ class PendingFile {
   /// Renames it to its path and brings that to disk. With IfExists::refuse it is false, and nothing
   /// has happened, if there is a file.
   bool commit(IfExists if_exists);
-  /// Leaves it under its temporary name, which is empty if it has got its own.
-  std::filesystem::path keep() { return std::exchange(temporary_, {}); }
+  /// Leaves it under another name than its own, if possible one that is not hidden; the name is
+  /// empty if it has got its own.
+  std::filesystem::path keep();
+  /// Gives it this name instead of its own, and replaces what is there.
+  void rename_to(const std::filesystem::path& path);
 
   Descriptor file;  ///< for reading and appending
 

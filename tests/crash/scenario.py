@@ -24,7 +24,7 @@ MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # quicker than 
 
 SLIDER = "[slider]\nNx = 9\nNz = 5\nH = 0.07\n[driving]\nh = 0.0175\n"
 INPUTS = {"driven.ini": (SLIDER + "V = 1\n").encode(), "rest.ini": SLIDER.encode()}
-TEMPORARY = re.compile(r"^\.(.+)\.tmp\.[0-9a-f]+$")
+TEMPORARY = re.compile(r"^\.?(.+)\.(?:tmp|kept)\.[0-9a-f]+$")
 
 
 @dataclass(frozen=True)
@@ -229,7 +229,7 @@ def kept_in(said, files, new):
     whole, or an empty one that could not be removed."""
     kept = [(name, found[1]) for name in files if (found := TEMPORARY.match(name))]
     for name, target in kept:
-        assert f" ./{name}" in said and files[name] in (new.get(target), b""), name
+        assert name in said and files[name] in (new.get(target), b""), name
     return [target for _, target in kept]
 
 
