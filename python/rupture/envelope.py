@@ -8,12 +8,12 @@ import os
 import re
 import stat
 from collections import defaultdict
-from contextlib import contextmanager
 
 import h5py
 import numpy as np
 
 from rupture.errors import Failure
+from rupture.layout import Content
 
 HEADER = 512  # [bytes]
 CHECKPOINT, RECORD, PART = "rupture-checkpoint", "rupture-record", "rupture-record-part"
@@ -23,6 +23,7 @@ PIECE = (
     "An HDF5 file starts at byte 512 of each.\n"
 )
 WANTED = "give the path of a checkpoint or record"
+ROWS = re.compile(r"\[\d+\]")
 EXPLANATIONS = {CHECKPOINT: WHOLE, RECORD: WHOLE, PART: PIECE}
 
 
@@ -37,13 +38,12 @@ def refuse_what_is_no_file(path):
         raise Failure(f"{path} is not a regular file; {WANTED}")
 
 
-@contextmanager
 def mapped(path):
     """The bytes of a file, as they are now, without a copy."""
     try:
         refuse_what_is_no_file(path)
         with open(path, "rb") as file:
-            whole = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+            return memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
     except (FileNotFoundError, NotADirectoryError):
         part = f" yet, but {path}.part does" if os.path.exists(f"{path}.part") else ""
         raise Failure(f"{path} does not exist{part}; {WANTED}") from None
@@ -52,8 +52,6 @@ def mapped(path):
     except OSError as error:
         hint = "check the permissions of the file and its folder"
         raise Failure(f"cannot read {path}: {error.strerror}; {hint}") from None
-    with whole, memoryview(whole) as view:
-        yield view
 
 
 def kind_of(data, path):
@@ -106,30 +104,28 @@ def pieces(data):
         start += size
 
 
-def datasets(group):
-    """All datasets in a file or group, by path."""
-    items: dict = {}
-    group.visititems(items.__setitem__)
-    return {path: item for path, item in items.items() if isinstance(item, h5py.Dataset)}
-
-
-def joined(data):
-    """An open h5py.File with what the bytes of a `.part` hold, in time linear in their size. The
-    first piece has all datasets, later ones further rows of some of them."""
+def joined(data, path):
+    """An open h5py.File with what the bytes of a `.part` hold, and its Content, in time linear in
+    their size. The first piece has all datasets, later ones further rows of some of them."""
     whole = h5py.File(io.BytesIO(), "w")
     rows: dict[str, list] = defaultdict(list)
     units: dict = {}
+    first: dict = {}
     for piece in pieces(data):
         with h5py.File(io.BytesIO(piece), "r") as file:
+            content = Content(file, path, PART, len(piece))
+            first = first or content
             whole.attrs.update({"format": PART, "schema_version": file.attrs["schema_version"]})
-            for path, item in datasets(file).items():
-                if item.ndim:
-                    rows[path].append(item[()])
-                    units.setdefault(path, item.attrs.get("unit"))
+            for name, form in content.items():
+                if ROWS.sub("[]", first.get(name, ""), 1) != ROWS.sub("[]", form, 1):
+                    content.fail(f"{name} does not continue that of the first piece")
+                if (item := file[name]).ndim:
+                    rows[name].append(item[()])
+                    units.setdefault(name, item.attrs["unit"])
                 else:
-                    file.copy(item, whole, path)
-    for path, parts in rows.items():
-        dataset = whole.create_dataset(path, data=np.concatenate(parts))
-        if units[path] is not None:
-            dataset.attrs["unit"] = units[path]
-    return whole
+                    file.copy(item, whole, name)
+    for name, parts in rows.items():
+        dataset = whole.create_dataset(name, data=np.concatenate(parts))
+        dataset.attrs["unit"] = units[name]
+        first[name] = ROWS.sub(f"[{len(dataset)}]", first[name], 1)
+    return whole, first

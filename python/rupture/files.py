@@ -9,6 +9,7 @@ import difflib
 import io
 from collections import namedtuple
 from collections.abc import Mapping
+from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
 
@@ -17,8 +18,9 @@ import numpy as np
 
 from rupture import tables
 from rupture.elasticity import POISSON
-from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, datasets, joined, mapped
+from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, joined, mapped
 from rupture.errors import Failure, NoSuchName
+from rupture.layout import Content
 from rupture.tables import text
 
 Ruptures = namedtuple("Ruptures", "time step block x")
@@ -27,6 +29,16 @@ Ruptures = namedtuple("Ruptures", "time step block x")
 def plain(value):
     """A scalar of a file as a Python object."""
     return text(value) if isinstance(value, bytes) else value.item()
+
+
+@contextmanager
+def reading(path):
+    """What HDF5 and h5py raise is one sentence."""
+    try:
+        yield
+    except (OSError, RuntimeError, KeyError, TypeError, ValueError) as error:
+        hint = "copy it again or recreate it"
+        raise Failure(f"{path}: HDF5 cannot read it: {error}; {hint}") from None
 
 
 class File(Mapping):
@@ -40,9 +52,11 @@ class File(Mapping):
     home: str  # the group whose datasets need no group in their name
     dimensions: dict  # names of the dimensions, by group
 
-    def __init__(self, path, file):
+    def __init__(self, path, file, content):
         self.path = Path(path)
         self.opened = file
+        self.content = content  # the datasets
+        content.check(self)
 
     def __enter__(self):
         return self
@@ -64,16 +78,12 @@ class File(Mapping):
         names = ", ".join(self) if self.opened else "closed"
         return f"<rupture.{type(self).__name__} {str(self.path)!r}: {names}>"
 
-    def dataset_at(self, path):
-        """The h5py.Dataset of a path, None if there is none."""
-        item = self.file.get(path) if path else None
-        return item if isinstance(item, h5py.Dataset) else None
-
     def dataset(self, name):
         """The h5py.Dataset of a name, a path or, if there is a dot in it, a parameter."""
-        for path in (f"{self.home}/{name}", name, f"parameters/{name.replace('.', '/')}"):
-            if found := self.dataset_at(path):
-                return found
+        name = name.lstrip("/")
+        for path in (f"/{self.home}/{name}", f"/{name}", f"/parameters/{name.replace('.', '/')}"):
+            if path in self.content:
+                return self.file[path]
         near = difflib.get_close_matches(name, [*self, *self.parameters], 1)
         hint = f"; did you mean {near[0]}?" if near else f"; it has {', '.join(self)}"
         raise NoSuchName(f"{self.path} has no {name}{hint}")
@@ -84,28 +94,30 @@ class File(Mapping):
         >>> checkpoint["u_x"].shape
         (9, 17)
         """
-        value = self.dataset(name)[()]
+        value = self.value_of(self.dataset(name))
         if not isinstance(value, np.ndarray):
             return plain(value)
         return value.astype(int) if value.dtype.kind == "u" else value  # counts may be subtracted
 
+    def value_of(self, dataset):
+        with reading(self.path):
+            self.content.check_values(dataset.name, value := dataset[()], self)
+        return value
+
     def __contains__(self, name):
         """Whether iteration yields this name, which may include its group."""
-        return isinstance(name, str) and any(
-            self.is_data(path) and (found := self.dataset_at(path)) and found.name == f"/{path}"
-            for path in (f"{self.home}/{name}", name)
-        )
+        return name in self.paths or f"{self.home}/{name}" in self.paths
 
     def __iter__(self):
-        paths = datasets(self.file)
-        return (path.removeprefix(f"{self.home}/") for path in paths if self.is_data(path))
+        return (path.removeprefix(f"{self.home}/") for path in self.paths)
 
     def __len__(self):
         return sum(1 for _ in self)
 
-    @staticmethod
-    def is_data(path):
-        return path.split("/")[0] not in ("parameters", "provenance", "run")
+    @property
+    def paths(self):
+        others = ("/parameters/", "/provenance/", "/run/")
+        return [path[1:] for path in self.content if not path.startswith(others)]
 
     def units(self, name):
         """The unit of an array or of a parameter; "1" where it has none.
@@ -123,8 +135,15 @@ class File(Mapping):
         >>> record.parameters["slider.L"], record.parameters["junctions.law"]
         (0.14, 'reference')
         """
-        stored = datasets(self.file["parameters"])
-        return {path.replace("/", "."): plain(item[()]) for path, item in stored.items()}
+        paths = [path for path in self.content if path.startswith("/parameters/")]
+        values = {path: plain(self.value_of(self.file[path])) for path in paths}
+        return {path[12:].replace("/", "."): value for path, value in values.items()}
+
+    @cached_property
+    def sizes(self):
+        """Lengths in the table of layout.py, and the last block."""
+        Nx, Nz = self.parameters["slider.Nx"], self.parameters["slider.Nz"]
+        return {"Nx": Nx, "Nz": Nz, "S": self.springs_per_block, "last": Nx - 1}
 
     @property
     def provenance(self):
@@ -133,8 +152,9 @@ class File(Mapping):
         >>> [step["tool"] for step in checkpoint.provenance]
         ['load']
         """
-        steps = self.file["provenance"]
-        return [{name: plain(steps[n][name][()]) for name in steps[n]} for n in sorted(steps)]
+        steps = self.file.get("provenance", {})
+        read = self.value_of
+        return [{name: plain(read(steps[n][name])) for name in steps[n]} for n in sorted(steps)]
 
     @property
     def checksum(self):
@@ -277,12 +297,11 @@ def open_file(path):
     >>> rupture.open("small.h5").time
     0.002
     """
-    with mapped(path) as data:
-        kind = check_seal(data, path)
+    data = mapped(path)
+    kind = check_seal(data, path)
+    with reading(path):
         if kind == PART:
-            return Record(path, joined(data))
-    try:
+            return Record(path, *joined(data, path))
         file = h5py.File(Unlocked(io.FileIO(path)), "r")
-    except OSError as error:
-        raise Failure(f"cannot read {path}: {error}") from None
-    return (Checkpoint if kind == CHECKPOINT else Record)(path, file)
+        content = Content(file, path, kind, len(data))
+        return (Checkpoint if kind == CHECKPOINT else Record)(path, file, content)

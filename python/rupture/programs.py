@@ -96,13 +96,12 @@ class Result:
     @property
     def checkpoints(self):
         """The paths of the checkpoints written during the run, in order of time."""
-        if not (own := self.checkpoint.dataset_at("run/id")):
+        if not (own := self.checkpoint.get("run/id")):
             return []
         mine = []
         for path in self.output.parent.glob(f"{escape(self.output.stem)}-t*{self.output.suffix}"):
             with suppress(Failure), rupture.open(path) as file:  # others may be of any kind
-                other = isinstance(file, rupture.Checkpoint) and file.dataset_at("run/id")
-                if other and other[()] == own[()]:
+                if isinstance(file, rupture.Checkpoint) and file.get("run/id") == own:
                     mine.append((file.time, path))
         return [path for _, path in sorted(mine)]
 

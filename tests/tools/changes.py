@@ -41,6 +41,7 @@ STORAGE: dict = {
     "compressed": {"chunk": [(2, 5)], "deflate": [9]},
     "external": {"external": [b"/dev/zero", 0, 160]},
     "virtual": {"virtual": [SPACE, b"other.h5", b"/x", SPACE]},
+    "of_itself": {"virtual": [SPACE, b".", b"/state/u_x", SPACE]},
 }
 
 
