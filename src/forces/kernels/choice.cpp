@@ -59,9 +59,8 @@ void check_arithmetic() {
   for (const auto* variant : available()) fault = fault == nullptr ? variant->inexactness() : fault;
   if (fault == nullptr) return;
   throw Failure(
-      "this build computes other bits than every other one ({}): build rupture without compiler "
-      "and "
-      "linker options that change floating-point results, such as -ffast-math",
+      "this build computes other bits than every other one ({}): build rupture without options of "
+      "the compiler and the linker that change floating-point results, such as -ffast-math",
       fault);
 }
 
