@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "rupture/dynamics/equilibrium.hpp"
+#include "rupture/forces/bulk.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/normal_contact.hpp"
@@ -147,6 +148,20 @@ void add_displacement(const Parameters& p, const Unknowns& unknown, const Vector
   }
 }
 
+/// Net static force on every block [N]; overwrites f.
+void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,
+                   Field& f_x, Field& f_z) {
+  const NormalContact contact(p);
+  bulk.elastic(state.u_x, state.u_z, f_x, f_z);
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const auto forces = interface_forces(p, load_case, state, i);
+    f_x(i, 0) -= forces.tau;
+    f_z(i, 0) += forces.p;
+    f_z(i, p.Nz - 1) -= contact.top_force(state.u_z(i, p.Nz - 1));
+  }
+  if (load_case.K > 0.0) f_x(0, driving_row(p)) -= load_case.K * state.u_x(0, driving_row(p));
+}
+
 /// Newton's method; `Ordering` is Eigen's name for the order in which the factorisation takes the
 /// unknowns.
 template <class Ordering>
@@ -210,19 +225,6 @@ InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case,
   const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, normal);
   const bool k_i_varies = p.k_ij_from == StiffnessFrom::current;  // then with the root of p_i
   return {normal, k_i * u_x, dp_duz, k_i, k_i_varies ? dp_duz * k_i * u_x / (2.0 * normal) : 0.0};
-}
-
-void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,
-                   Field& f_x, Field& f_z) {
-  const NormalContact contact(p);
-  bulk.elastic(state.u_x, state.u_z, f_x, f_z);
-  for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    const auto forces = interface_forces(p, load_case, state, i);
-    f_x(i, 0) -= forces.tau;
-    f_z(i, 0) += forces.p;
-    f_z(i, p.Nz - 1) -= contact.top_force(state.u_z(i, p.Nz - 1));
-  }
-  if (load_case.K > 0.0) f_x(0, driving_row(p)) -= load_case.K * state.u_x(0, driving_row(p));
 }
 
 std::optional<Place> passed_block(const Parameters& p, const State& state) {

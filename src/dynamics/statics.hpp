@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/forces/bulk.hpp"
 #include "rupture/model/state.hpp"
 
 namespace rupture {
@@ -28,10 +27,6 @@ struct InterfaceForces {
 
 InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case, const State& state,
                                  Eigen::Index i);
-
-/// Net static force on every block [N]; overwrites f.
-void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,
-                   Field& f_x, Field& f_z);
 
 /// A block of the lattice: column i, row j.
 struct Place {

@@ -6,7 +6,6 @@
 #include "rupture/analysis/phi.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/model/random.hpp"
-#include "support/relaxation.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -48,12 +47,6 @@ TEST_F(Prepared, carries_the_prescribed_prestress) {
     const double wanted = (i < kTriggered ? 0.239 : 0.216) * p_.F_N / 57.0;
     EXPECT_NEAR(tau[i], wanted, 1e-12 * wanted) << "block " << i;
   }
-}
-
-TEST_F(Prepared, is_balanced_by_the_driving_spring) {
-  const double wanted = (9 * 0.239 + 48 * 0.216) * p_.F_N / 57.0;
-  EXPECT_NEAR(driving_force(p_, state_), wanted, 1e-10 * wanted);
-  EXPECT_EQ(time(p_, state_), 0.0);
 }
 
 TEST_F(Prepared, stays_at_rest_while_nothing_is_depinned) {
@@ -167,16 +160,6 @@ TEST_F(PreparedSprings, of_the_trigger_region_have_just_broken) {
 TEST_F(PreparedSprings, have_no_width) {
   EXPECT_EQ(largest_sigma_bar(p_, {0.2}), 0.0);
   EXPECT_THROW(prepared_state(p_, {0.2, 0.1}), UsageError);
-}
-
-TEST(Preparing, ends_where_damped_relaxation_ends) {
-  const Parameters p = under_ceiling(testing::small_slider(13, 7));
-  const Prestress prestress = {0.4, 0.1, PhiShape::uniform, 7e-3};
-  const State direct = prepared_state(p, prestress);
-  const State relaxed = testing::relaxed(p, {prescribed_friction(p, prestress), p.K}, 20e-3);
-  const double largest = direct.u_x.blocks().abs().maxCoeff();
-  EXPECT_LT((relaxed.u_x.blocks() - direct.u_x.blocks()).abs().maxCoeff(), 1e-10 * largest);
-  EXPECT_LT((relaxed.u_z.blocks() - direct.u_z.blocks()).abs().maxCoeff(), 1e-10 * largest);
 }
 
 }  // namespace
