@@ -274,10 +274,5 @@ TEST_P(InstructionSets, agree_to_the_last_bit_on_the_junctions) {
 INSTANTIATE_TEST_SUITE_P(Kernels, InstructionSets, ::testing::ValuesIn(kNames),
                          [](const auto& name) { return std::string(name.param); });
 
-TEST(Kernels, of_an_unknown_name_do_not_exist) {
-  EXPECT_EQ(find_kernels("mmx"), nullptr);
-  EXPECT_EQ(find_kernels(""), nullptr);
-}
-
 }  // namespace
 }  // namespace rupture
