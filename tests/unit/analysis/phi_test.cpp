@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/forces/interface_law.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -68,13 +67,6 @@ TEST(Bell, has_quantiles_that_satisfy_its_distribution_function) {
   for (std::size_t j = n / 2; j < n; ++j) {
     EXPECT_NEAR(0.5 + bell_integral(q[j]), (static_cast<double>(j) + 0.5) / n, 1e-12) << j;
   }
-}
-
-TEST(Uniform, has_evenly_spaced_quantiles) {
-  const auto q = unit_quantiles(PhiShape::uniform, 4);
-  EXPECT_DOUBLE_EQ(q[0], -0.75);
-  EXPECT_DOUBLE_EQ(q[1], -0.25);
-  EXPECT_DOUBLE_EQ(unit_sigma(PhiShape::uniform), std::sqrt(1.0 / 3.0));
 }
 
 /// A slider of 5 x 3 blocks at equilibrium whose junctions carry f = (1/2 + 1/4
@@ -242,24 +234,6 @@ TEST_F(Interface, leaves_blocks_alone_that_are_not_pressed_or_whose_junctions_al
   EXPECT_DOUBLE_EQ(impossible[0].x, 2.5e-3);
   EXPECT_EQ(impossible[0].largest_sigma_bar, 0.0);
   EXPECT_TRUE(untouched(1) && untouched(2));
-}
-
-TEST_F(Interface, is_not_broken_by_the_widest_phi) {
-  PhiChange change;
-  change.slipping = Slipping::pin;
-  change_phi(p_, state_, change);
-  Junctions junctions = state_.junctions;
-  const auto law = make_law(p_, junctions);
-  auto p_i = normal_forces(p_, state_);
-  std::vector<double> k_ij, w;
-  for (const double p : p_i) {
-    k_ij.push_back(junction_stiffness(p_, p));
-    w.push_back(p / 100.0 / k_ij.back());
-  }
-  EXPECT_EQ(
-      law->update(state_.u_x.row(0), state_.v_x.row(0), {p_i.data(), k_ij.data(), w.data()}, 0.0)
-          .broken,
-      0);
 }
 
 TEST(Histogram, counts_every_junction_once) {

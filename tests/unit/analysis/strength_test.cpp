@@ -1,4 +1,4 @@
-// Effective static friction: closed forms, quadrature, the forces of single junctions, and the
+// Effective static friction: quadrature, the forces of single junctions, and the
 // reference law itself.
 #include "rupture/analysis/strength.hpp"
 
@@ -13,30 +13,6 @@
 
 namespace rupture {
 namespace {
-
-TEST(Strength, of_a_uniform_phi_has_a_closed_form) {
-  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.0), 1.0) << "as of one junction";
-  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::bell, 0.0), 1.0);
-  // half-widths a = 1/4, 1/2 (where the maximum leaves the first break), 5/8 and 1
-  const double unit = 1.0 / std::sqrt(3.0);
-  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.25 * unit), 0.75);
-  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.5 * unit), 0.5);
-  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, 0.625 * unit), 0.4);
-  EXPECT_DOUBLE_EQ(effective_strength(PhiShape::uniform, unit), 0.25);
-}
-
-TEST(Strength, of_a_wide_bell_has_a_closed_form) {
-  // a >= 5/2: phi = a F with y = 1 + z <= 1, 5 y^3 - 15/4 y^4 = a (5/4 y^4 - 3/4 y^5), is
-  // 3 a y^2 - (5 a + 15) y + 20 = 0, and the strength is F - a H with H = y^5/4 - y^6/8.
-  for (const double a : {2.5, 3.0, 5.0}) {
-    const double b = 5.0 * a + 15.0;
-    const double y = (b - std::sqrt(b * b - 240.0 * a)) / (6.0 * a);
-    const double expected = 1.25 * std::pow(y, 4) - 0.75 * std::pow(y, 5) -
-                            a * (std::pow(y, 5) / 4.0 - std::pow(y, 6) / 8.0);
-    EXPECT_NEAR(effective_strength(PhiShape::bell, a * std::sqrt(2.0 / 21.0)), expected, 1e-14);
-  }
-  for (const double a : {1e60, 1e300, 1e308}) EXPECT_EQ(effective_strength(PhiShape::bell, a), 0.0);
-}
 
 /// mu-bar by quadrature of the density of a shape as the paper writes it (Fig. S5), to about 1e-8.
 double by_quadrature(PhiShape shape, double sigma_bar) {
@@ -66,7 +42,9 @@ TEST(Strength, agrees_with_quadrature) {
       EXPECT_NEAR(effective_strength(shape, sigma_bar), by_quadrature(shape, sigma_bar), 1e-7)
           << sigma_bar;
     }
+    EXPECT_DOUBLE_EQ(effective_strength(shape, 0.0), 1.0) << "as of one junction";
   }
+  for (const double a : {1e60, 1e300, 1e308}) EXPECT_EQ(effective_strength(PhiShape::bell, a), 0.0);
 }
 
 /// Junctions with f_thres = 4 N and f_slip = 1 N.

@@ -21,18 +21,6 @@ TEST(Field, keeps_zero_padding_around_every_row) {
   }
 }
 
-TEST(State, starts_undeformed_at_rest_with_every_junction_pinned) {
-  const Parameters p;
-  const State state(p);
-  EXPECT_EQ(state.step, 0);
-  for (const Field* field : {&state.u_x, &state.u_z, &state.v_x, &state.v_z}) {
-    EXPECT_EQ(field->blocks().abs().maxCoeff(), 0.0);
-  }
-  EXPECT_EQ(state.junctions.attachment.rows(), p.Nx);
-  EXPECT_EQ(state.junctions.attachment.cols(), p.N_s);
-  for (Eigen::Index i = 0; i < p.Nx; ++i) EXPECT_EQ(pinned_fraction(state.junctions, i), 1.0);
-}
-
 TEST(State, tells_time_and_driving_point_from_the_step_count) {
   Parameters p;
   p.dt = 0.1;
