@@ -175,21 +175,6 @@ TEST_F(RecordFile, in_the_making_is_readable_up_to_its_last_flush) {
   expect_samples(read_record(file("r.h5.part")), 20);
 }
 
-TEST_F(RecordFile, SLOW_in_the_making_ends_with_its_last_whole_piece) {
-  auto out = writer("r.h5", 4);
-  std::vector<std::size_t> sizes;
-  for (int n = 0; n <= 12; n += 4) {
-    append(out, n, n + 4);
-    sizes.push_back(fs::file_size(file("r.h5.part")));
-  }
-  const std::string whole = slurp(file("r.h5.part"));
-  for (std::size_t size = sizes[0]; size < whole.size(); size += 37) {
-    spill(file("cut.part"), whole.substr(0, size));
-    const auto pieces = std::upper_bound(sizes.begin(), sizes.end(), size) - sizes.begin();
-    expect_samples(read_record(file("cut.part")), static_cast<int>(4 * pieces));
-  }
-}
-
 TEST_F(RecordFile, in_the_making_ends_before_its_first_damaged_piece) {
   auto out = writer("r.h5", 4);
   append(out, 0, 4);
