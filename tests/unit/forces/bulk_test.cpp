@@ -188,6 +188,29 @@ TEST(Bulk, gives_the_forces_of_a_plain_sum_over_neighbours) {
   }
 }
 
+/// Of 2 x 2 blocks, the upper right one has moved to the right by 3/4 l and goes on at 1 m/s: its
+/// springs are 7/4, 5/4 and sqrt(65)/4 l long, along (1, 0), (3, 4)/5 and (7, 4)/sqrt(65).
+TEST(Bulk, of_two_by_two_blocks_with_half_edges_and_damping_along_springs_is_as_by_hand) {
+  Lattice a(with_other_bulk(small_slider(2, 2)));
+  a.state.u_x(1, 1) = 0.75 * a.l();
+  a.state.v_x(1, 1) = 1.0;
+  const auto expect = [&](Eigen::Index i, Eigen::Index j, Vector f, double unit) {
+    a.expect_force(i, j, {f.x * unit, f.z * unit}, 1e-14 * unit);
+  };
+  const double kl = a.k() * a.l();
+  a.elastic();
+  expect(0, 1, {0.375, 0.0}, kl);  // (7/4 - 1)/2
+  expect(1, 0, {0.075, 0.1}, kl);  // (5/4 - 1)/2 along (3, 4)/5
+  // (sqrt(65)/4 - sqrt(2))/2 along (7, 4)/sqrt(65)
+  expect(0, 0, {0.2610593864850795, 0.1491767922771883}, kl);
+  expect(1, 1, {-0.7110593864850795, -0.2491767922771883}, kl);
+  a.damping();
+  expect(0, 1, {1.0, 0.0}, a.eta());
+  expect(1, 0, {0.36, 0.48}, a.eta());                              // 3/5 along (3, 4)/5
+  expect(0, 0, {0.7538461538461538, 0.4307692307692308}, a.eta());  // 7/sqrt(65) of that direction
+  expect(1, 1, {-2.113846153846154, -0.9107692307692308}, a.eta());
+}
+
 /// Force on the right one of two blocks that have been drawn apart to (1 + e) times their distance.
 double pull(double e) {
   Lattice a(small_slider(3, 2));
