@@ -4,7 +4,7 @@ from unittest import mock
 
 import numpy as np
 
-from alternation import FROM, SLOW, alternates, changes, own_result, shuffled
+from alternation import FROM, SLOW, alternates, own_result, shuffled
 from conftest import approx
 
 
@@ -14,9 +14,6 @@ def kinds(text):
 
 
 class TestAlternation:
-    def test_counts_changes(self):
-        assert [changes(kinds(t)) for t in ("s", "ss", "s-s-", "ss--")] == [0, 0, 3, 1]
-
     def test_a_load_alternates_if_each_event_is_of_another_kind(self):
         for text, expected in (("-s-", True), ("s-s", True), ("s-ss-", False), ("s", False)):
             assert alternates(kinds(text)) == expected, text

@@ -62,13 +62,6 @@ def test_a_front_that_arrests_or_never_starts_does_not_span(kind, spans):
     assert judged_event("3A", {"event": (slow, slow | {"type": kind})}, {}).shown == spans
 
 
-class TestConventions:
-    def test_each_differs_from_the_primary_one_in_one_way(self):
-        assert CONVENTIONS[PRIMARY] == {}
-        others = [options for name, options in CONVENTIONS.items() if name != PRIMARY]
-        assert {len(options) for options in others} == {1}
-
-
 class TestFullProduct:
     def test_each_way_to_measure_is_combined_with_each_other(self):
         found = combinations()

@@ -54,7 +54,6 @@ OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
     (BAD, units(20, 0), "depends", "does not hold as shown; holds in 20 of 20 loads (primary)"),
     (BAD, units(1, 19), "differs", "not hold as shown, and in at most 1 of 20 loads (primary)"),
     (BAD, units(2, 18), "depends", f"2 of 20 loads {FEW}"),
-    (BAD, units(3, 17), "depends", f"3 of 20 loads {FEW}"),
     (BAD, units(4, 16), "depends", f"4 of 20 loads {FEW}"),
     (BAD, units(5, 15), "depends", "5 of 20 loads (primary)"),
     (GOOD, units(10, 10), "depends", f"10 of 20 loads {FEW}"),

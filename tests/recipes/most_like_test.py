@@ -33,10 +33,6 @@ class TestMostLike:
         ):
             assert unlikeness(ratios_of(event(**changed))) == approx(math.log(2) ** 2)
 
-    def test_median_and_mean_do_not_count(self):
-        changed = event(speed=24.0, mean=30.0, fast_after=800.0)
-        assert unlikeness(ratios_of(changed)) == approx(0)
-
     def test_an_event_that_lacks_one_is_no_candidate(self):
         for name in ("fast_before", "slowest", "x_from", "x_to", "duration", "fast_after"):
             assert ratios_of(event(**{name: None})) is None, name

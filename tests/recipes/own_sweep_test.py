@@ -173,7 +173,6 @@ REFUSED = [
     (VALUES, "", "there are no points"),
     (VALUES, f"{VALUES}\ndriving.v = 1", "no parameter 'driving.v': did you mean 'driving.V'"),
     (VALUES, f"{VALUES}\ntaubar = 1", "unknown option '--taubar': did you mean '--tau-bar'"),
-    (VALUES, f"{VALUES}\nuntil = 1", "unknown option '--until'"),
     (VALUES, f"{VALUES}\noutput = x", "'--output' cannot be specified more than once"),
     (VALUES, "tau-bar = 0.1, high, 0.2", r"tau-bar must be a finite number \(got 'high'"),
     (VALUES, "tau-bar = high", "--tau-bar high is not a number"),

@@ -91,10 +91,6 @@ class TestOneSeed:
         fronts = [{"l_0": dict.fromkeys(decay_length.METHODS, l_0)} for l_0 in (1, None, 2, 9)]
         assert decay_length.of_seed(fronts)[PRIMARY] == 2
 
-    def test_none_where_no_front_is_slow(self):
-        assert decay_length.of_seed([])[PRIMARY] is None
-        assert not holds("l0", [{"l_0 [mm]": None}])
-
 
 def front_of(speed, **others):
     """Its last stencils run at this speed [m/s]."""

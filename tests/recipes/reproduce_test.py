@@ -34,7 +34,6 @@ REFUSED = [  # a command line, and the sentence
     ("fig3 --programs /nope", "--programs: the programs are not in '/nope': there is no"),
     ("fig3 --programs=", "--programs: the programs are not in ''"),
     ("fig33", "there is no figure or command 'fig33': did you mean 'fig3'\\?$"),
-    ("Fig2", "there is no figure or command 'Fig2': did you mean 'fig2'\\?$"),
     ("FIGs6", "there is no figure or command 'FIGs6': did you mean 'figS6'\\?$"),
     ("xyz", "there is no figure or command 'xyz': see ./reproduce.sh list$"),
     ("xyz fig33 test nope", "there is no figure or command 'xyz': see ./reproduce.sh list$"),
