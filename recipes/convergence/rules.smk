@@ -1,6 +1,5 @@
 import shutil
 
-# Convergence with the time step and the lattice. It decides nothing, and `all` leaves it out.
 CONVERGENCE_RUNS = {
     f"convergence/{event}-{dt}": run(event, f"--for {DURATION}", f"--set numerics.dt={dt}")
     for event in EVENTS

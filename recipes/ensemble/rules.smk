@@ -1,5 +1,4 @@
-# Independent loads (runs/ensemble.smk), all their events, and each fast-slow-fast one continued in other
-# ways. The chain of commands is in README.md.
+# The loads and their events are in runs/ensemble.smk.
 figure(
     "ensemble",
     pictures=["ensemble", "alternation"],

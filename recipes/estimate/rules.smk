@@ -1,5 +1,3 @@
-# The SI's arithmetic of slow slip: relaxation of one block. See README.md.
-#
 # A force 600 times f_slip is out of reach in the relaxation.
 use rule load_once as estimate_unbreakable with:
     output: **with_sums(h5=f"{DATA}/estimate/unbreakable.h5")

@@ -1,4 +1,3 @@
-# Figure 1 D-G: the slider's loading, one block, one junction, steady sliding. See README.md.
 FIG1 = f"{DATA}/fig1"
 
 # One junction per block, which carries the normal force of a reference junction (F_N/57/100), under

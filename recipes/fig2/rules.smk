@@ -1,5 +1,3 @@
-# Figure 2: two events that span the interface, and of all independent loads the one most like the paper's
-# once there are all of them. The chain of commands is in README.md.
 import shutil
 
 FIG2_LOADS = of_ensemble("load", "events")

@@ -1,6 +1,4 @@
-# Figure 3. A-C: events I and II restarted under other conditions (runs/continuations.smk). C inset
-# and D: slow slip and speed of slow fronts in sweeps. Beside them the decay length l_0 ahead of slow
-# fronts, and fronts without a slipping force. See README.md.
+# The runs of A-C are in runs/continuations.smk.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FIG3_SHOWN = ("fast-slow-fast", "second-slow")  # I, II
 FIG3_SWEEPS = ["slow_slip", "slow_slip_event", "front_speed", "front_speed_phi", "no_slip_force"]

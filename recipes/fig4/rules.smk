@@ -1,4 +1,3 @@
-# Figure 4. The chain of commands is in README.md.
 FIG4_SHOWN = ["fast-slow-fast", "second-slow"]
 FIG4_MAP = ["map", "map-between", "map-boundary"]
 # The map of front types: a grid with one seed, then places halfway between fast neighbours and
@@ -7,9 +6,7 @@ PLACES["fig4/between"] = ("between", "fig4/map")
 PLACES["fig4/boundary"] = ("boundary", "fig4/map", "fig4/map-between")
 
 
-# A-B: events I and II, and the same with a wider distribution of junction forces
-# (runs/continuations.smk). C: prepared interfaces of either shape, the strength of the shapes
-# themselves, and the blocks of events I and II and of the ensemble. Edges of D by bisection.
+# The runs of A-B are in runs/continuations.smk.
 figure(
     "fig4",
     pictures=["fig4AB", "fig4C", "fig4D"],

@@ -1,5 +1,4 @@
-# Figure 5. A: the driving stopped during the slow front (runs/continuations.smk). B: driven at h = 0,
-# fronts creep between two dynamic events, and stop with the driving. See README.md.
+# The runs of A are in runs/continuations.smk.
 QUASISTATIC_UNTIL = 0.65  # s; the second dynamic event is over by then
 QUASISTATIC_EVERY = 0.01  # s
 QUASISTATIC_LOADED = checkpoints_of(

@@ -1,5 +1,3 @@
-# Figure S1: normal and friction forces along the interface, unloaded and before an event. See
-# README.md.
 use rule load_once as figS1_unloaded with:
     output: **with_sums(h5=f"{DATA}/figS1/unloaded.h5")
     log: f"{LOGS}/figS1/unloaded.log"

@@ -1,4 +1,3 @@
-# Figure S2: the simplified law, one spring per block and slow slip imposed. See README.md.
 from events.continuations import WITHOUT_SLOW_SLIP
 
 EVENTS_OF["figS2"] = ("simplified-01", "fast-slow")

@@ -1,4 +1,3 @@
-# Figure S4: Figure 4 A-B with the distributions of junction forces. See README.md.
 figure(
     "figS4",
     tables=["phi"],

@@ -1,5 +1,3 @@
-# Figure S6: the decaying law. A: a fast-slow-fast event that arises while the slider is driven. B: the map
-# of front types, of which a grid with one seed decides where five are needed.
 PLACES["figS6/boundary"] = ("boundary", "figS6/map")
 EVENTS_OF["figS6"] = ("decaying-01", "decaying")
 # The event as it is, and with longer slipping times: what of it follows from the decay.

@@ -1,6 +1,3 @@
-# Robustness of the results: exponential slipping times, other lengths and nucleation energies (does the
-# order of regions in Figure 4 D survive?), and the distance law, a question of our own: are there slow
-# fronts without a time scale? See README.md.
 PLACES["robustness/geometry-boundary"] = ("variants", "robustness/geometry")
 
 

@@ -1,5 +1,3 @@
-# Slip and fronts on prepared interfaces (fronts.ini), and loads of which slip and strength are compared.
-# The chains of commands are in README.md.
 FINE_LOAD = f"{DATA}/speeds/load-{{seed}}"
 FINE_STATES = checkpoints_of(FINE_LOAD, until=LOAD_UNTIL, every=CHECKPOINT_EVERY)
 
