@@ -2,9 +2,8 @@
 
     most_like.py CHECKPOINT_EVERY load-201-events.json ...
 
-It has the least sum of squared logarithms of the ratios of its speed before the slow stretch, its
-slowest stencil, both transitions and the duration to the paper's. Prints the load, where to
-continue it from, the number of loads, and all candidates in order: the first is the one chosen.
+README.md says how. Prints the load, where to continue it from, the number of loads, and all
+candidates in order: the first is the one chosen.
 """
 
 import sys

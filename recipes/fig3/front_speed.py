@@ -1,8 +1,6 @@
 """Figure 3 D, its data and its claim.
 
-Front speed and slow slip belong to the same blocks (slow_fronts.py). A run counts if its front
-spans and slows down, and at least BLOCKS blocks could be measured; the same for both models. The
-simplified law has one spring per block, hence no width of phi: where the convention is another
+The simplified law has one spring per block, hence no width of phi: where the convention is another
 width, it is that of the full model alone.
 """
 

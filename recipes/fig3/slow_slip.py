@@ -1,8 +1,4 @@
-"""Figure 3 C, inset, its data and the claims 3Ci and co.
-
-The measured slow slip of each run: the mean over its blocks and their extremes (slow_fronts.py). A
-run counts if its front spans and slows down, and at least BLOCKS blocks could be measured.
-"""
+"""Figure 3 C, inset, its data and the claims 3Ci and co."""
 
 from functools import partial
 
@@ -65,19 +61,16 @@ def conventions_3Ci(path, protocols=K_I):
     return {name: [case] for name, case in cases.items()}
 
 
-def ratios_of_neighbours(row):
-    """The faster over the slower of each two neighbouring blocks that slip slowly."""
+def largest_ratio(row):
+    """The faster over the slower of two neighbours behind a front; None if there are none, or one
+    does not slip forwards."""
     blocks = [round(x / WIDTH) for x in row["per_block"]["x"]]
     speed = row["per_block"]["speed"]
     pairs = zip(blocks, blocks[1:], speed, speed[1:])
-    return [max(v, w) / min(v, w) for one, next_one, v, w in pairs if next_one == one + 1]
-
-
-def largest_ratio(row):
-    """Of the neighbours behind a front; None if there are none, or one does not slip forwards."""
-    if min(row["per_block"]["speed"]) <= 0:
+    if min(speed) <= 0:
         return None
-    return max(ratios_of_neighbours(row), default=None)
+    ratios = (max(v, w) / min(v, w) for one, next_one, v, w in pairs if next_one == one + 1)
+    return max(ratios, default=None)
 
 
 def case_co(rows):

@@ -1,9 +1,6 @@
 """The one judge of claims: cases measured by the recipes, against the conditions of claims.toml.
 
-A claim is judged over units (independent realisations: loads, events) and under conventions (ways
-to measure that the paper leaves open). The shares over the conventions are what statistics calls a
-multiverse (Steegen et al. 2016). A set of prepared interfaces is one state; its seeds only say how
-sure its numbers are. docs/claims.md has the rules.
+docs/claims.md has the rules.
 """
 
 import tomllib
@@ -33,11 +30,6 @@ def table():
     except (OSError, ValueError) as error:
         raise Failure(f"The claims in {TABLE} cannot be read ({error}).") from error
     return {name: row | {"recipe": r} for r, rows in recipes.items() for name, row in rows.items()}
-
-
-def in_order(claims):
-    """In the order of the table: a leading row before those that ask for more."""
-    return sorted(claims, key=lambda claim: list(table()).index(claim.id))
 
 
 # --- one case ------------------------------------------------------------------------------

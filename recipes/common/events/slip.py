@@ -5,17 +5,13 @@ import numpy as np
 from events.continuations import LEAD
 
 
-def peak_speed(slip):
-    """Peak speed of the fast slip, between two samples [m/s]; None if the block does not stop."""
+def with_peak_speed(slip):
+    """That of the fast slip, between two samples [m/s]; None if the block does not stop."""
     if slip["t_arrest"] is None:
-        return None
+        return slip | {"peak_speed": None}
     time, moved = np.array(slip["time"]), np.array(slip["slip"])
     fast = time <= slip["t_arrest"]
-    return float(np.max(np.diff(moved[fast]) / np.diff(time[fast])))
-
-
-def with_peak_speed(slip):
-    return slip | {"peak_speed": peak_speed(slip)}
+    return slip | {"peak_speed": float(np.max(np.diff(moved[fast]) / np.diff(time[fast])))}
 
 
 def until(front):

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from claims.claim import write_claims
-from claims.judge import in_order
+from claims.judge import table
 from data.call import module_at
 
 RESULTS = Path("results")
@@ -15,7 +15,8 @@ RESULTS = Path("results")
 def main(path):
     results = RESULTS / Path(path).parent.name
     claims = module_at(path).make(RESULTS / "data", results)
-    write_claims(results / "claims.json", in_order(claims))
+    claims.sort(key=lambda claim: list(table()).index(claim.id))
+    write_claims(results / "claims.json", claims)
 
 
 if __name__ == "__main__":
