@@ -87,9 +87,6 @@ class TestTypes:
         backwards = front() | {"t_rupture": front()["t_rupture"][::-1]}
         assert front_type(backwards) == "arrested", "from the edge"
 
-    def test_what_cannot_be_prepared_has_no_type(self):
-        assert front_type(None) == "impossible"
-
     def test_the_type_none_of_analyze_counts_as_arrested(self):
         kinds = ("arrested", "slow", "fast", "", "none")
         assert [*map(front_map.type_on_map, kinds)] == [*kinds[:-1], "arrested"]

@@ -1,9 +1,5 @@
-"""Captions, from a recipe's README: Markdown with measured numbers, symbols and links.
-
-Numbers come from the results: "at {2A: fast before [m/s]}" becomes "at 229.1 m/s", from the claims
-and the own results that the recipe has written. In words, a caption is the text for those who do
-not see a picture.
-"""
+"""Captions, from a recipe's README (recipes/README.md says how): Markdown with measured numbers,
+symbols and links, and in words for those who do not see a picture."""
 
 import re
 

@@ -1,10 +1,5 @@
 #!/usr/bin/env python3
-"""Writes results/index.html, one page with all figures and claims: report.py [PROJECT'S FOLDER]
-
-Shows the results in results/NAME/ of any number of recipes, and links only to files in results/,
-which may be copied without the rest. Programs can read the same in the file that crate.py
-writes.
-"""
+"""Writes results/index.html, one page with all figures and claims: report.py [PROJECT'S FOLDER]"""
 
 import os
 import sys

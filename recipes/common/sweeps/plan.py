@@ -1,9 +1,7 @@
 """Plans a user's sweep.
 
 Checks the file and writes RESULTS/sweeps/NAME/NAME.ini, which Snakemake and report.py read. In
-it, all is settled that is not in the file itself: the base is a copy that is named after its
-content, so that the name of a point follows from that; a table of points is a copy, too, so that a
-change that a user makes during a run is for the next one; every column has a unit.
+it, base and table of points are copies (decision 7, docs/sweeps.md), and every column has a unit.
 """
 
 import io

@@ -1,9 +1,4 @@
-"""Reports what a user's sweep would compute, and its results.
-
-Collects the points that there are: writes NAME.csv, NAME.hdf5 (the same columns and units) and, for
-one or two varied values, NAME.png and NAME.pdf beside the plan. Numbers are written with all their
-digits; equal tables are equal bytes. A point that is not there is `unfinished`.
-"""
+"""Reports what a user's sweep would compute, and its results (docs/sweeps.md)."""
 
 import sys
 from collections import Counter

@@ -1,14 +1,5 @@
 """Sweeps: one chain of commands for many values. docs/sweeps.md describes their files, those of the
-recipes and those of users. Two things are for recipes only:
-
-`seeds = 2 to 5` in [sweep]: the same sweep again with each of these seeds, in tables of its own,
-results/data/NAME/SWEEP-seed-2.csv.
-
-A table of `points` may still be to come, from a rule: there are no points then.
-
-Each point is one file, results/data/points/ID.json, where ID follows from its commands: what is
-there already is not computed again, whichever sweep it belonged to, and adding values adds points.
-"""
+recipes and those of users, recipes/README.md what is for recipes only."""
 
 import configparser
 import csv

@@ -1,9 +1,6 @@
 # Sweeps (sweep.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv. Of a user's
 # own sweep (--config sweep=PLAN), only the points are made here: its table is written even if a point
-# cannot be computed (recipes/common/sweeps/).
-#
-# A job computes a batch of points and makes one small file, which has a digest of each result. The
-# results themselves are no outputs of the job, so that those that are done outlive one that is ended.
+# cannot be computed (recipes/common/sweeps/). Decision 11 explains what a job computes and makes.
 from runs.written import note
 from sweeps.points import PointStore
 from sweeps.sweep import BATCHES_OF_MANY, BATCHES_OF_ONE, batches_of, read_sweep
