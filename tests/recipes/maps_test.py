@@ -241,5 +241,11 @@ class TestRankTests:
         assert permutation([([1.0], [1.0])]) == 1.0
         assert permutation([([1.0], [])]) is None
 
+    def test_a_permutation_test_of_one_stratum_is_the_exact_mann_whitney_test(self):
+        random = np.random.default_rng(2)
+        first, second = random.normal(size=8), random.normal(0.7, size=11)
+        expected = mannwhitneyu(first, second, alternative="less", method="exact")
+        assert permutation([(first, second)]) == approx(expected.pvalue, abs=10**-12)
+
     def test_equal_groups_show_nothing(self):
         assert van_elteren([([1.0, 2.0], [1.0, 2.0])]) == approx(0.5)
