@@ -45,7 +45,7 @@ def test_a_missing_value_is_an_error(tmp_path):
     path.write_text('{"slow": null, "t": [null, 2.0]}')
     assert value(path, "t.1") == 2
     for name in ("t.0", "slow.t_to"):
-        with raises(SystemExit, match=f"has no value {name}"):
+        with raises(SystemExit, match=f"has no number or name {name}"):
             value(path, name)
 
 
