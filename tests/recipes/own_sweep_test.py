@@ -306,7 +306,7 @@ def test_numbers_are_in_the_unit_of_their_column():
 
 
 SUMMARY = """
-A: 10 points: 2 done, 7 failed, 1 unfinished.
+A?[2J: 10 points: 2 done, 7 failed, 1 unfinished.
 Computed now: 4; already done: 5.
 Failed:
   2 x worse
@@ -325,7 +325,7 @@ def test_summary(capsys):
     failed = [("failed", sentence) for sentence in (*"01234", "worse", "worse")]
     states = [("done", ""), *failed, ("unfinished", "crash"), ("done", "")]
     table = [{"status": status, "sentence": sentence, "v": None} for status, sentence in states]
-    sweep = Sweep("A", [], {"v": "front.v_c.9"}, [], {})
+    sweep = Sweep("A\x1b[2J", [], {"v": "front.v_c.9"}, [], {})
     assert (print_summary(sweep, table, 5), capsys.readouterr().out) == (1, SUMMARY)
     table[0]["v"] = 1.0
     assert print_summary(sweep, table[:1], 0) == 0
