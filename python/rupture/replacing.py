@@ -71,18 +71,25 @@ def end_by_signal(number, _):
 
 
 @contextmanager
+def undisturbed():
+    """Signals that end the program wait until all is done, such as a file and the note of it."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+@contextmanager
 def replacing(path, rename=os.replace):
     """Yields a temporary path, whose file is renamed to `path` at the end; with `rename_to_new`,
     only if there is none by then. If that fails, the file stays, and the error has both names."""
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.stem}.tmp.{secrets.token_hex(4)}{path.suffix}")
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)  # none between file and note
-    try:
+    with undisturbed():
         file = os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o666)
         unfinished[temporary] = file
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
     try:
         with suppress(OSError):  # there is none, or no mode
             if stat.S_ISREG(mode := path.lstat().st_mode):

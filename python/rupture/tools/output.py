@@ -1,13 +1,12 @@
 """Files appear complete or not at all, and replace others only on request."""
 
 import os
-import secrets
 import stat
 import sys
 from contextlib import contextmanager
 from pathlib import Path
 
-from rupture.replacing import rename_to_new, replacing
+from rupture.replacing import rename_to_new, replacing, undisturbed
 from rupture.tools.command_line import CLEAR, Failure, UsageError, in_one_line
 
 EXISTS = "exists; give another name, or --force to replace it"
@@ -20,9 +19,8 @@ def try_output(path):
             who = "of another user, who alone may replace it in this sticky folder"
             raise Failure(f"{path} is {who}; give another path")
     try:
-        with replacing(path, lambda temporary, _: temporary.unlink()) as temporary:
-            other = temporary.with_name(f".{secrets.token_hex(8)}.tmp")
-            temporary.rename(other).rename(temporary)
+        with undisturbed(), replacing(path, lambda made, _: made.unlink()) as made:
+            made.rename(f"{made}.tried").rename(made)
     except OSError as error:
         raise Failure(f"cannot write {path}: {error.strerror}; give another path") from None
 
