@@ -7,14 +7,12 @@ import alternation
 import numpy as np
 
 from claims.judge import yes
-from claims.own_result import OwnResult, write_own
-from data.records import report, values
+from claims.own_result import write_own
+from data.records import values
 from data.tables import write_events
 from events.choose_events import read_events
 from events.front_claims import is_fast_slow_fast
 from events.fronts import has_slow_stretch, is_fast_only
-from events.product import CLAIMS as PRODUCT_CLAIMS
-from events.product import range_of
 from events.units import name_of, of_ensemble
 from pictures.panels import along_interface, ruptured_early
 from pictures.plotting import DOUBLE, lettered, save
@@ -86,32 +84,9 @@ def summary(loads):
     return "".join(row.format(setting, *cells) for setting, cells in lines.items())
 
 
-def own_result_of_product(products):
-    """How far the shares of the claims on single fronts move if conventions are combined.
-    `products`: {setting: {load: report of measure_events.py}}."""
-    measured: dict[str, object] = {}
-    for setting, claims in PRODUCT_CLAIMS.items():
-        name = "reference" if setting == "load" else setting
-        reports = [*products[setting].values()]
-        measured |= {"combinations": len(reports[0]), f"loads, {name}": len(reports)}
-        for claim in claims:
-            measured[f"{claim}: fewest and most"] = list(range_of(reports, claim))
-    return OwnResult(
-        id="product",
-        question="for how many loads do 2A, 2B, 2C, S6A and Exp hold if several conventions"
-        " change at once?",
-        measured=measured,
-    )
-
-
-def of_loads(data, kind, read):
-    """{setting: {load: what is read}}"""
-    return {s: {name_of(path): read(path) for path in of_ensemble(data, s, kind)} for s in NAMES}
-
-
 def make(data, results):
-    products = of_loads(data, "product", report)
-    loads = of_loads(data, "events", spanning_events)
+    paths = {setting: of_ensemble(data, setting, "events") for setting in NAMES}
+    loads = {s: {name_of(one): spanning_events(one) for one in paths[s]} for s in NAMES}
     draw(loads, results / "ensemble")
     alternation.draw(loads["load"], results / "alternation")
     events = (
@@ -121,6 +96,5 @@ def make(data, results):
     )
     columns = {name: itemgetter(name) for name in ("load", "type", "kind", "meets 2A")}
     write_events(results / "events.csv", events, columns)
-    own = [alternation.own_result(loads["load"]), own_result_of_product(products)]
-    write_own(results, own, summary(loads))
+    write_own(results, [alternation.own_result(loads["load"])], summary(loads))
     return []

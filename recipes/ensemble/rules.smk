@@ -8,6 +8,5 @@ figure(
         *(f"ensemble/{load}-events.json" for load in LOADS),
         *(f"ensemble/{load}-continued.json" for load in CONTINUED_LOADS),
         *(f"ensemble/h0-{FIRST_SEED + n}.json" for n in range(20)),
-        *(of for setting in ("load", "decaying", "exponential") for of in of_ensemble(setting, "product")),
     ],
 )

@@ -75,7 +75,8 @@ def test_a_disk_may_lack_exclusive_renaming_and_links(folder):
 
 @pytest.mark.parametrize("before", ["old", None])
 def test_both_files_of_xdmf_appear_or_neither(folder, before):
-    both, renamed = [Path("x.xdmf"), Path("x-derived.hdf5")], []
+    both = [Path("x.xdmf"), Path("x-derived.hdf5")]
+    renamed: list = []
     for path in both if before else ():
         path.write_text(before)
 
@@ -85,7 +86,7 @@ def test_both_files_of_xdmf_appear_or_neither(folder, before):
         renamed.append(rename(*names))
 
     with mock.patch("os.replace", only_once), pytest.raises(Failure, match="is as it was before"):
-        xdmf.write_all([], *both, force=True)
+        xdmf.write_all([], both[0], both[1], force=True)
     assert [path.read_text() if path.exists() else None for path in both] == [before] * 2
 
 

@@ -118,7 +118,7 @@ def test_rules_whose_results_take_long_list_what_changes_these(rule):
     scripts = [*ROOT.glob("recipes/ensemble/*.py"), *ROOT.glob("recipes/common/events/*.py")]
     texts = [path.read_text() for path in scripts if path.stem in listed]
     used = {*re.findall(r"^from events\.(\w+)", "\n".join(texts), re.MULTILINE)}
-    assert "fronts" in used and used - listed <= {"product", "front_claims"}  # for other rules
+    assert "fronts" in used and used - listed <= {"front_claims"}  # for other rules
 
 
 @fixture(scope="module", name="calls")

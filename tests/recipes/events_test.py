@@ -12,7 +12,6 @@ from events.choose_events import choose, read_events
 from events.conventions import CONVENTIONS, PRIMARY, WITH_ENDS
 from events.event_claims import case_3Cv, judged_event
 from events.front_claims import speeds_compared
-from events.product import combinations, range_of
 from events.slip import with_peak_speed
 from events.units import of_event
 from pictures.panels import ruptured_early
@@ -62,25 +61,11 @@ def test_a_front_that_arrests_or_never_starts_does_not_span(kind, spans):
     assert judged_event("3A", {"event": (slow, slow | {"type": kind})}, {}).shown == spans
 
 
-class TestFullProduct:
-    def test_each_way_to_measure_is_combined_with_each_other(self):
-        found = combinations()
-        assert len(found) == 3 * 3 * 4 * 3  # stencil, pinned fraction, slow below, ends
-        assert found[PRIMARY] == {}
-        both = found["stencil 3, 20 % pinned"]
-        assert both == {"--stencil": 3, "--ruptured-below": 0.2}
-
-    def test_conventions_one_at_a_time_are_among_the_combinations(self):
-        found = combinations()
-        assert {name: found[name] for name in CONVENTIONS} == CONVENTIONS
-
-    def test_the_range_goes_over_combinations_not_over_loads(self):
-        loads = [
-            {"a": {"2A": True}, "b": {"2A": False}},
-            {"a": {"2A": True}, "b": {"2A": True}},
-            {"a": {"2A": False}, "b": {"2A": False}},
-        ]
-        assert range_of(loads, "2A") == (1, 2)
+class TestConventions:
+    def test_each_differs_from_the_primary_one_in_one_way(self):
+        assert CONVENTIONS[PRIMARY] == {}
+        others = [options for name, options in CONVENTIONS.items() if name != PRIMARY]
+        assert {len(options) for options in others} == {1}
 
 
 # Slip of a block: 1 um, then 5 um in 0.05 ms (0.1 m/s), then 1 um; after its arrest, faster still.

@@ -5,11 +5,8 @@ A way is options of front_type(), and the axis along which types may not step ba
 at the ends of a slow stretch count makes no difference to a type, so those ways are left out.
 """
 
-from itertools import product
-
-from claims.judge import holds, judged
+from claims.judge import judged
 from events.conventions import CONVENTIONS
-from events.product import combinations
 from maps.front_map import fast_below_left_of_arrested, steps_back, types_of, types_of_seeds
 
 OPTIONS = {  # of `analyze`: of front_type()
@@ -19,25 +16,15 @@ OPTIONS = {  # of `analyze`: of front_type()
 }
 
 
-def of_types(ways):
-    """Of {name: options of `analyze`} those that make a difference to types, for front_type()."""
-    return {
-        name: {OPTIONS[option]: value for option, value in options.items()}
-        for name, options in ways.items()
-        if set(options) <= set(OPTIONS)
-    }
-
-
-MEASURES = of_types(CONVENTIONS)
+MEASURES = {  # those that make a difference to types
+    name: {OPTIONS[option]: value for option, value in options.items()}
+    for name, options in CONVENTIONS.items()
+    if set(options) <= set(OPTIONS)
+}
 ALONG_TAU, ALONG_SIGMA = 0, 1  # axes of a place
 WAYS = {name: {"axis": ALONG_TAU} | how for name, how in MEASURES.items()} | {
     "order along sigma_bar": {"axis": ALONG_SIGMA}
 }
-
-PRODUCT = [  # all combinations of them
-    {"axis": axis} | how
-    for axis, how in product((ALONG_TAU, ALONG_SIGMA), of_types(combinations()).values())
-]
 
 ABOUT_UNITS = "The map of a seed has its own fronts at the boundary and those of seed 1 elsewhere."
 
@@ -58,18 +45,12 @@ def units_of_seeds(seeds, ways, case):
 
 
 def claims_over_seeds(leading, strict, shown, of_seeds, case_in_words, case, measured, note):
-    """The leading claim, and the one that asks for more, with how far the number of seeds for which
-    it holds moves if ways are combined. `shown`: the map of all seeds, or several; `of_seeds`: the
-    same of each seed, {seed: map}. The functions measure the cases of both claims in them."""
+    """The leading claim, and the one that asks for more. `shown`: the map of all seeds, or several;
+    `of_seeds`: the same of each seed, {seed: map}. The functions measure the cases in them."""
 
     def units(ways, measure):
         return units_of_seeds(of_seeds, ways, lambda seed, **way: measure(of_seeds[seed], **way))
 
-    held = [sum(holds(strict, [case(one, **way)]) for one in of_seeds.values()) for way in PRODUCT]
-    measured = measured | {
-        "combinations of conventions": len(held),
-        "seeds under them, fewest and most": [min(held), max(held)],
-    }
     words, note = case_in_words(shown), f"{note} {ABOUT_UNITS}"
     return [
         judged(leading, words, words, units(MEASURES, case_in_words), ABOUT_UNITS),

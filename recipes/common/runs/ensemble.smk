@@ -112,18 +112,6 @@ rule events:
     shell: "{CALL} {input.script} {input.h5} > {output} 2> {log}"
 
 
-rule product:
-    input:
-        **content_of(h5=f"{DATA}/ensemble/{{setting}}-{{seed}}-record.h5"),
-        **script("recipes/ensemble/measure_events.py"),
-    output: f"{DATA}/ensemble/{{setting}}-{{seed}}-product.json"
-    log: f"{LOGS}/ensemble/{{setting}}-{{seed}}-product.log"
-    params: code=CODE
-    wildcard_constraints: seed="[0-9]{3}"
-    message: "product: measure the fronts of {wildcards.setting}-{wildcards.seed} under all combinations of conventions"
-    shell: "{CALL} {input.script} {input.h5} {wildcards.setting} > {output} 2> {log}"
-
-
 # The events of a load under the changes that figures make: Figures 3 A-C, 4 A-B and 5 A for every
 # fast-slow-fast event of the reference slider, Figure S2 for the fast-slow ones with the simplified law.
 # A checkpoint holds its parameters, so that an event continues with the choice of its load (recipes/choices).
