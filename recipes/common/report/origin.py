@@ -71,7 +71,7 @@ def written_by(path):
 
 def builds(root, files):
     """How many of the checkpoints and records each build has written."""
-    paths = [root / name for name in files if re.fullmatch(r"results/.*\.h5", name)]
+    paths = [root / name for name in sorted(files) if re.fullmatch(r"results/.*\.h5", name)]
     return Counter(written_by(path) for path in paths if path.exists()).most_common()
 
 
