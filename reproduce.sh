@@ -10,6 +10,11 @@ set -euo pipefail
 
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 
+[[ $root != *:* ]] || { # it would be two folders with modules
+  echo "reproduce.sh: the name of the folder $root has a colon; rename it" >&2
+  exit 1
+}
+
 # Debian's Python comes first: another one on the PATH may lack h5py.
 python=/usr/bin/python3
 [[ -x $python ]] || bash "$root/recipes/common/reproduce/set-up.sh" python "$@"

@@ -294,6 +294,19 @@ def test_equal_tables_are_equal_bytes_and_written_whole_or_not_at_all(tmp_path):
     assert ([*tmp_path.iterdir()], path.read_bytes()) == ([path], before)
 
 
+def test_texts_are_no_formulas_and_stay_in_one_line():
+    cells = ["=cmd|x!A0", "@SUM(1)", "-x", "-0.1", "a\x1b]0;", None, True]
+    assert Column("a", "", cells).texts == [
+        "'=cmd|x!A0",
+        "'@SUM(1)",
+        "'-x",
+        "-0.1",
+        "a?]0;",
+        "",
+        "true",
+    ]
+
+
 def test_numbers_are_in_the_unit_of_their_column():
     values = [{"V": text, "law": "1mm"} for text in ("1mm/s", "2e-3")]
     points = [Point(each, {}, "") for each in values]

@@ -92,20 +92,37 @@ def test_modules_and_programs_elsewhere_are_not_taken_for_ours(project):
             (name, None, "cannot be written .File exists.")
             for name in ("python/json.py", "recipes/Snakefile", "results", "docs")
         ),
-        *(("results", link, f"{link} is a link") for link in (".rupture", ".rupture/build")),
+        *(
+            ("results", link, f"{link} is a link")
+            for link in (".rupture", ".rupture/build", ".rupture/build/log/recipes.log")
+        ),
     ],
 )
 def test_a_prepared_folder_runs_nothing_and_keeps_its_files(project, planted, link, sentence):
     project.environment = os.environ | {"RUPTURE_WORK": f"{project.root}/work"}
     path = project.write(f"work/{'other' if link else '.rupture'}/{planted}")
     if link:
-        (project.root / "work" / link).parent.mkdir(exist_ok=True)
+        (project.root / "work" / link).parent.mkdir(parents=True, exist_ok=True)
         (project.root / "work" / link).symlink_to(path.parent)
     for command in ("clean", "report"):
         done = project.call(command)
         assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
         assert re.search(sentence, done.stderr)
     assert path.exists()
+
+
+def test_folders_in_results_that_lead_elsewhere_are_refused(project):
+    project.program("load", "")
+    project.write("results/a")
+    (project.root / "results/figS1").symlink_to("..")
+    done = project.call("figS1", "--programs", "bin")
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
+    assert "results/figS1 is a link, which is not followed" in done.stderr
+
+
+def test_a_colon_would_make_two_folders_of_modules(tmp_path):
+    done = Project(tmp_path / "x:y").call("list")
+    assert (done.returncode, done.stdout) == (1, "") and "has a colon; rename it" in done.stderr
 
 
 def test_a_folder_that_cannot_be_written_is_named(project):

@@ -58,7 +58,7 @@ def take(work):
         raise Failure(f"{work} has a 'found' or 'equal' that another program made: {other}")
     try:
         work.mkdir(parents=True, exist_ok=True)
-        taken = open(lock, "a", encoding="utf-8")
+        taken = os.open(lock, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o666)
         fcntl.flock(taken, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except PermissionError as error:
         raise Failure(f"cannot write {error.filename}: no write permission; {other}") from None
@@ -175,7 +175,7 @@ def run():
     tools = Path(options.tools or os.path.dirname(sys.argv[0])).resolve()
     if not os.access(tools / "analyze", os.X_OK):
         raise Failure(f"no rupture tools in {tools}: give their folder with --tools")
-    golden = options.golden.resolve()
+    golden = options.golden.absolute()
     work = Path(options.work or f"{golden.name}.files").resolve()
     try:
         before = golden.read_text(encoding="utf-8") if golden.exists() else None

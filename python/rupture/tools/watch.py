@@ -1,6 +1,7 @@
 """watch: a run in progress, by the record that it writes."""
 
 import fcntl
+import os
 import shutil
 import struct
 import sys
@@ -135,6 +136,7 @@ class Window:
 def view(options):
     if options.text:
         return Text()
+    os.environ["MATPLOTLIBRC"] = os.devnull  # which could name any module as the backend
     pyplot = imported("matplotlib.pyplot")
     try:
         pyplot.figure()  # only now are the display and its toolkit looked for

@@ -13,7 +13,7 @@ from rupture.tools.command_line import plural
 from runs.fingerprint import fingerprint_of_programs
 from runs.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
-from reproduce.project import LOGS, PROGRAMS, ROOT, SHARE, say, use_own_environment
+from reproduce.project import LOGS, PROGRAMS, ROOT, SHARE, refuse_links, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
 
@@ -74,9 +74,8 @@ def place_of(request):
 
 def prepare(request, processes):
     """Prepares what the commands need, and returns where they run."""
-    for path in (RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl")):
-        if path.is_symlink():
-            raise Failure(f"{path} is a link, which is not followed: move it away.")
+    refuse_links(RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl"))
+    refuse_links(Path(at, folder) for at, folders, _ in os.walk(RESULTS) for folder in folders)
     if request.command != "sweep":  # before hours of computing
         page = ("index.html", "claims.png", "claims.pdf") if request.command == "all" else ()
         refuse_others(RESULTS, *(RESULTS / name for name in ("ro-crate-metadata.json", *page)))

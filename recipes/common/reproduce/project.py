@@ -11,7 +11,6 @@ SHARE = Path(__file__).resolve().parents[3]  # recipes and what they read
 WORK = Path(os.environ["RUPTURE_WORK"]) if "RUPTURE_WORK" in os.environ else None
 ROOT = WORK / ".rupture" if WORK else SHARE
 LOGS = Path("build/log")
-WRITTEN = (".snakemake", "build", "build/log", "build/cache")  # folders
 PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/common/profiles")
 READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
@@ -19,16 +18,22 @@ READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff"
 BESIDE_ALL = ("choices", "convergence", "speeds")
 
 
+def refuse_links(paths):
+    for path in paths:
+        if os.path.islink(path):
+            raise Failure(f"{path} is a link, which is not followed: move it away.")
+
+
 def enter_root():
-    """Enters the folder of recipes and results. For `rupture reproduce`, it has links to both."""
+    """Enters the folder of recipes and results. For `rupture reproduce`, it has links to both, and
+    no others, which might lead to files of the user."""
     if WORK:
         try:
-            for folder in (ROOT, *(ROOT / one for one in WRITTEN)):
-                if folder.is_symlink():
-                    raise Failure(f"{folder} is a link, which is not followed: move it away.")
+            targets = {"results": Path("../results")} | {name: SHARE / name for name in READ}
+            inside = (Path(at, one) for at, *names in os.walk(ROOT) for one in sum(names, []))
+            refuse_links((ROOT, *(one for one in inside if one not in map(ROOT.joinpath, targets))))
             ROOT.mkdir(exist_ok=True)
             (WORK / "results").mkdir(exist_ok=True)
-            targets = {"results": Path("../results")} | {name: SHARE / name for name in READ}
             for name, target in targets.items():
                 link = ROOT / name
                 if link.is_symlink() and link.readlink() != target:

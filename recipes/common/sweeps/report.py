@@ -1,5 +1,6 @@
 """Reports what a user's sweep would compute, and its results (docs/sweeps.md)."""
 
+import re
 import sys
 from collections import Counter
 from dataclasses import dataclass
@@ -21,6 +22,7 @@ from sweeps.sweep import names_of_values
 
 SHOWN = 5  # sentences of failed points
 TWO_DECADES = 100
+FORMULA = re.compile(r"[=@]|[-+](?![\d.])")  # of a spreadsheet
 
 
 # --- the table ---------------------------------------------------------------------------------
@@ -67,9 +69,10 @@ class Column:
 
 
 def text_of(cell):
-    if cell is None:
-        return ""
-    return str(cell).lower() if isinstance(cell, bool) else str(cell)
+    if isinstance(cell, str):
+        cell = in_one_line(cell)
+        return f"'{cell}" if FORMULA.match(cell) else cell
+    return "" if cell is None else str(cell).lower() if isinstance(cell, bool) else str(cell)
 
 
 def is_geometric(places):
@@ -131,7 +134,9 @@ def print_summary(sweep, table, missing):
     print(f"Computed now: {computed}; already done: {len(table) - missing}.")
     for status in ("failed", UNFINISHED):
         said = Counter(row["sentence"] for row in table if row["status"] == status)
-        lines = [f"  {times} x {sentence}" for sentence, times in said.most_common(SHOWN)]
+        lines = [
+            f"  {times} x {in_one_line(sentence)}" for sentence, times in said.most_common(SHOWN)
+        ]
         if len(said) > SHOWN:
             lines.append(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has all")
         if lines:
