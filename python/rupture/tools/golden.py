@@ -58,7 +58,7 @@ def take(work):
         raise Failure(f"{work} has a 'found' or 'equal' that another program made: {other}")
     try:
         work.mkdir(parents=True, exist_ok=True)
-        taken = os.open(lock, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o666)
+        taken = os.fdopen(os.open(lock, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o666))
         fcntl.flock(taken, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except PermissionError as error:
         raise Failure(f"cannot write {error.filename}: no write permission; {other}") from None
