@@ -136,9 +136,10 @@ class Window:
 def view(options):
     if options.text:
         return Text()
-    os.environ["MATPLOTLIBRC"] = os.devnull  # which could name any module as the backend
     pyplot = imported("matplotlib.pyplot")
     try:
+        if not os.environ.get("MPLBACKEND"):  # nor may a matplotlibrc here name any module
+            pyplot.switch_backend(dict.get(pyplot.rcParamsDefault, "backend"))
         pyplot.figure()  # only now are the display and its toolkit looked for
     except ImportError:
         return Text()
