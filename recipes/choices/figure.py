@@ -15,10 +15,10 @@ from claims.own_result import OwnResult, write_own
 from data.records import report
 from data.tables import write_table
 from events.choose_events import read_events
+from events.event_numbers import median_speed
 from events.front_claims import case_of_event
-from events.fronts import LOADING_ZONE, is_fast_only
+from events.fronts import is_fast_only
 from events.units import OF_EVENT, in_words, of_events, of_loads
-from maps.front_map import STENCIL, speeds
 from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 CHANGES = tomllib.loads(Path(__file__).with_name("choices.toml").read_text(encoding="utf-8"))
@@ -26,10 +26,10 @@ DECAYING = ("decaying", *CHANGES["decaying"])  # without edges on prepared inter
 CHOICES = ("reference", *CHANGES["load"], *CHANGES["prepared"], *DECAYING)
 SETTLED = {"reference": "load", "decaying": "decaying"}  # in the ensemble: kind of load
 ROWS = {  # claims that are judged under each choice
-    "reference": ("2A", "2Aw", "2B", "2C", "2Cw", "3Aw", "3Bw", "4AB"),
-    "decaying": ("S6Aw",),
+    "reference": ("2A", "2B", "2C", "3A", "3B", "4AB"),
+    "decaying": ("S6A",),
 }
-ALIKE = {"2Aw": "S6Aw"}  # in the same panel
+ALIKE = {"2A": "S6A"}  # in the same panel
 SHARE = "share in words"  # fast-slow-fast, of the spanning events
 MEDIANS = {  # of fast-slow-fast events, by quantities of case_of_event()
     "fast/c_s": "fast before/c_s",
@@ -94,7 +94,7 @@ def settled_of(choice):
 def units_of(claim, events, continued):
     if claim in OF_EVENT:
         return of_events(continued, claim)
-    if claim in ("2Aw", "S6Aw"):
+    if claim in ("2A", "S6A"):
         return in_words(events)
     return of_loads(events, case_of_event, {PRIMARY: PRIMARY})
 
@@ -108,20 +108,13 @@ def median(values):
     return Found(np.median(ordered), low, high, n, least, most)
 
 
-def fast_speed(event):
-    """Median beyond the loading zone, over c_s."""
-    x = np.linspace(0, event["L"], len(event["t_rupture"]))
-    v_c = speeds(event | {"x": x}, STENCIL)
-    return np.median(v_c[(x > LOADING_ZONE) & (v_c > 0)]) / event["c_s"]
-
-
 def of_spanning(events):
     """Quantities of spanning events. One that is slow in words and nowhere below c_s/20 has no slow
     stretch to be measured."""
     cases = [case_of_event(event) for event in events if event["fast_slow_fast"]]
     k, n = len(cases), len(events)
     values = {name: [case[key] for case in cases] for name, key in MEDIANS.items()}
-    values[FAST_ONLY] = [fast_speed(event) for event in events if is_fast_only(event)]
+    values[FAST_ONLY] = [median_speed(event) for event in events if is_fast_only(event)]
     known = {name: [v for v in of if v is not None] for name, of in values.items()}
     low, high = interval(k, n)
     found = {SHARE: Found(k / n, low, high, n)} if n else {}

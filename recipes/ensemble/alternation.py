@@ -65,7 +65,7 @@ def own_result(loads):
     chance, alternating = by_chance.T
     return OwnResult(
         id="alternation",
-        question="do fast-slow-fast events alternate with others in independent loads?",
+        question="do fast-slow-fast events alternate with others in independent runs?",
         measured={
             "loads": len(kinds),
             "loads that alternate": sum(map(alternates, kinds)),

@@ -11,7 +11,7 @@ commands run in the folder RUN-scratch, which is deleted at the end. Prints, by 
     "branches"      {branch: {run: front, "in words": {run: front}, "slip": {x: {run: slip}},
                     "phi": {"before", "after"}}}
     "undriven"      front if the driving stops in the middle of the slow stretch, "undriven_from"
-    "conventions"   {convention: {run: front}} of the first branch, and the unmodified event
+    "conventions"   {convention: {run: front}} of the unmodified event and of "wider"
 
 A branch is null where the front does not rupture its block; a front where nothing ruptures.
 """
@@ -25,8 +25,8 @@ from workshop import Workshop, short, without_lines
 from data.scratch import scratch
 from events.choose_events import read_events
 from events.continuations import BEFORE_TRANSITION, BRANCHES, CONTINUATIONS, DURATION
-from events.continuations import OWN_BLOCK, SLIP_AT, SLIPS, WIDER
-from events.conventions import IN_WORDS, PRIMARY, WAYS
+from events.continuations import OWN_BLOCK, SLIPS, WIDER
+from events.conventions import CONVENTIONS, IN_WORDS, PRIMARY, WAYS
 from events.fronts import middle_of_slow_stretch
 from events.slip import peaks_of
 
@@ -44,7 +44,7 @@ def continued(workshop, branch, duration, slip_at):
     workshop.recorded(workshop.path(f"{branch}-wider-start"), f"{branch}-wider", "--for", duration)
     phi = {"before": source, "after": workshop.path(f"{branch}-wider-start")}
     slips = {run: workshop.slips(f"{branch}-{run}", slip_at) for run in SLIPS}
-    ways = {PRIMARY: {}, IN_WORDS: WAYS[IN_WORDS]}
+    ways: dict[str, dict] = {PRIMARY: {}, IN_WORDS: WAYS[IN_WORDS]}
     fronts = {run: workshop.fronts(f"{branch}-{run}", ways) for run in FRONTS}
     return {
         **{run: short(front[PRIMARY]) for run, front in fronts.items()},
@@ -55,12 +55,12 @@ def continued(workshop, branch, duration, slip_at):
 
 
 def under_conventions(workshop, branch):
-    """Fronts of the first branch and of the unmodified event, without their lines."""
-    runs = {"unmodified": "event", **{run: f"{branch}-{run}" for run in FRONTS}}
-    found = {name: workshop.fronts(run, WAYS) for name, run in runs.items()}
+    """The unmodified front and the one with a wider phi, without their lines."""
+    runs = {"unmodified": "event", "wider": f"{branch}-wider"}
+    found = {name: workshop.fronts(run, CONVENTIONS) for name, run in runs.items()}
     return {
         convention: {name: without_lines(fronts[convention]) for name, fronts in found.items()}
-        for convention in WAYS
+        for convention in CONVENTIONS
     }
 
 
@@ -78,7 +78,7 @@ def measure(workshop, event):
     times = {branch: t for branch, t in ruptured.items() if t is not None}
     crossing = max(t for t in event["t_rupture"] if t is not None) - event["t_start"]
     amid_slow, duration = middle_of_slow_stretch(event), max(DURATION, 2 * crossing)
-    slip_at = SLIP_AT | {OWN_BLOCK: event["slow"]["x_from"] - BEFORE_TRANSITION * event["L"]}
+    slip_at = {OWN_BLOCK: event["slow"]["x_from"] - BEFORE_TRANSITION * event["L"]}
     run_event(workshop, event, times, duration)
     workshop.run("restart", workshop.path("start"), "amid-slow", "--until", amid_slow)
     stop = ["--set", "driving.V=0", "--for", duration]

@@ -1,4 +1,4 @@
-"""The events of independent loads, picture and table."""
+"""The events of independent runs, picture and table."""
 
 from itertools import chain
 from operator import itemgetter
@@ -6,12 +6,10 @@ from operator import itemgetter
 import alternation
 import numpy as np
 
-from claims.judge import yes
 from claims.own_result import write_own
 from data.records import values
 from data.tables import write_events
 from events.choose_events import read_events
-from events.front_claims import is_fast_slow_fast
 from events.fronts import has_slow_stretch, is_fast_only
 from events.units import name_of, of_ensemble
 from pictures.panels import along_interface, ruptured_early
@@ -73,13 +71,13 @@ def draw(loads, stem):
 
 def summary(loads):
     """Text for the terminal."""
-    names = ("loads", "span", "in words", "fast only", "other", "slow stretch", "meet 2A")
+    names = ("loads", "span", "in words", "fast only", "other", "slow stretch")
     lines: dict[str, tuple] = {"": names}
     for setting, of_setting in loads.items():
         kinds, events = [[pair[n] for pair in chain(*of_setting.values())] for n in (0, 1)]
         of_kinds = map(kinds.count, alternation.KINDS)
-        more = (sum(map(is_so, events)) for is_so in (has_slow_stretch, is_fast_slow_fast))
-        lines[setting] = (len(of_setting), len(events), *of_kinds, *more)
+        slow = sum(map(has_slow_stretch, events))
+        lines[setting] = (len(of_setting), len(events), *of_kinds, slow)
     row = "{:12}" + len(names) * "{:>14}" + "\n"
     return "".join(row.format(setting, *cells) for setting, cells in lines.items())
 
@@ -90,11 +88,11 @@ def make(data, results):
     draw(loads, results / "ensemble")
     alternation.draw(loads["load"], results / "alternation")
     events = (
-        event | {"load": load, "kind": kind, "meets 2A": yes(is_fast_slow_fast(event))}
+        event | {"load": load, "kind": kind}
         for load, pairs in chain(*(of.items() for of in loads.values()))
         for kind, event in pairs
     )
-    columns = {name: itemgetter(name) for name in ("load", "type", "kind", "meets 2A")}
+    columns = {name: itemgetter(name) for name in ("load", "type", "kind")}
     write_events(results / "events.csv", events, columns)
     write_own(results, [alternation.own_result(loads["load"])], summary(loads))
     return []

@@ -11,7 +11,7 @@ from events.choose_events import start
 from events.continuations import BRANCHES
 from events.conventions import PRIMARY, each_way, words_of
 from events.fronts import LOADING_ZONE
-from events.slip import until, with_peak_speed
+from events.slip import until
 
 RECORD_EVERY = "1e-5"  # [s]
 LONG = ("time", "slip", "histogram", "bins", "x")  # series that nobody needs for each run
@@ -72,12 +72,12 @@ class Workshop:
 
     def slips(self, name, places):
         """{place: slip} at {place: x}, until the front leaves its slow stretch, or reaches the
-        leading edge, or to the end. With the peak of the speed."""
+        leading edge, or to the end."""
         front = self.front(name) or {"slow": None, "t_rupture": [None]}
         last = until(front)
         record = self.path(f"{name}-record")
         return {
-            place: short(with_peak_speed(slip))
+            place: short(slip)
             for place, x in places.items()
             for slip in [rupture.analyze("slip", record, x=x, to=last)]
         }

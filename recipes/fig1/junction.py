@@ -73,21 +73,17 @@ def claim_1F(pulled):
     zero = np.abs(ratio[pulled.repins]).max()
     late = sorted(set(pulled.late()))
     bracketed = bool(np.all((before <= pulled.mu_s) & (pulled.mu_s < later)))
+    case = {
+        "largest deviation": max(linear, dropped, zero),
+        "breaks in the first step beyond f_thres": yes(bracketed),
+        "latest repinning after t_R [steps]": max(late),
+    }
     return judged(
         "1F",
-        shown={
-            "largest deviation": max(linear, dropped, zero),
-            "breaks in the first step beyond f_thres": yes(bracketed),
-            "latest repinning after t_R [steps]": max(late),
-        },
+        shown=case,
         measured={
             "junctions, breaks, repinnings": [ratio.shape[1], len(step), int(pulled.repins.sum())],
-            "pinned: |f - k_ij (x - x_ij)|/f_thres": linear,
-            "largest f/f_N before a break": before.max(),
-            "smallest that would have been reached a step later": later.min(),
-            f"slipping: |f - {pulled.mu_d:g} f_N|/f_thres": dropped,
-            "repinned: |f|/f_N": zero,
-            "steps between t_R and the repinning": late,
+            **case,
             "blocks moved forwards throughout": yes(pulled.is_forward()),
         },
         note="Relative to f_thres, over every step of all junctions. Time is discrete: a junction"

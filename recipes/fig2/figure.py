@@ -3,12 +3,12 @@ event."""
 
 import numpy as np
 import rupture
-from most_like import PAPER
 
 from claims import paper
-from claims.own_result import OwnResult, write_own
 from data.records import report, values
 from data.tables import write_columns, write_fronts
+from events.choose_events import read_events
+from events.event_numbers import numbers_of_events
 from events.front_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_ensemble, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
@@ -85,20 +85,12 @@ def make(data, results):
     draw(data, fronts, results / "fig2")
     write_fronts(results / "front-speed-II.csv", {"second-slow": fronts.pop("second-slow")})
     write_fronts(results / "front-speed.csv", fronts)
-    own = []
     if choice:
-        first = (candidates := choice["candidates"])[0]
-        write_columns(results / "most-like.csv", list(first), candidates)
-        measured = {"loads": choice["loads"], "candidates": len(candidates), **first}
-        (crossing,) = np.diff(at_transitions(fronts[MOST_LIKE]))
-        measured |= {"from 0.4 L to 0.6 L in [ms]": float(crossing)} | {
-            f"median, {name}": float(np.median([row[name] for row in candidates])) for name in PAPER
-        }
-        question = "how close does the event most like the paper's come to it?"
-        own = [OwnResult("nearest", question, measured)]
-    write_own(results, own)
+        candidates = choice["candidates"]
+        write_columns(results / "most-like.csv", list(candidates[0]), candidates)
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
-    ways = ("in-words", "with-ends")
-    again, with_ends = (report(data / f"fast-slow-fast-front-{way}.json") for way in ways)
+    again = report(data / "fast-slow-fast-front-in-words.json")
     units = of_loads(loads, case_of_event), in_words(loads)
-    return claims_of_fronts(slow, again, with_ends, fast, *units)
+    events = [event for path in loads for event in read_events(path)]
+    numbers = numbers_of_events(slow, fast, fronts.get(MOST_LIKE), events)
+    return [*claims_of_fronts(slow, again, fast, *units), *numbers]

@@ -1,4 +1,4 @@
-"""Chooses the event most like the paper's of independent loads:
+"""Chooses the event most like the paper's of independent runs:
 
     most_like.py CHECKPOINT_EVERY load-201-events.json ...
 
@@ -30,7 +30,7 @@ def ratios_of(event):
     """Measured over the paper's; None where the event spans without a slow stretch, or where one of
     the five is not known or zero. A stretch that is not fast at an end has no transition there."""
     case = case_of_event(event)
-    known = [case[key] for key, _ in PAPER.values()] + [case["fast/slow after"]]
+    known = [case[key] for key, _ in PAPER.values()] + [(event["slow"] or {}).get("fast_after")]
     if not has_slow_stretch(event) or not all(known):
         return None
     return {name: case[key] / of_paper for name, (key, of_paper) in PAPER.items()}

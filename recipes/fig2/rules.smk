@@ -56,12 +56,11 @@ rule fig2_film:
 figure(
     "fig2",
     tables=["front-speed", "front-speed-II", *(["most-like"] if FIG2_OF_ALL else [])],
-    own=OWN_RESULTS,
     events=EVENTS,
     film=FIG2_FILM,
     reads=[
         *(f"{event}-{of}" for event in FIG2_EVENTS for of in ("front.json", "record.h5")),
-        *(f"fast-slow-fast-front-{way}.json" for way in ("in-words", "with-ends")),
+        "fast-slow-fast-front-in-words.json",
         *(["most-like.json"] if FIG2_OF_ALL else []),
         *FIG2_LOADS,
     ],

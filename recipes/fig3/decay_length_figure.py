@@ -1,9 +1,10 @@
-"""Decay length of the shear force ahead of slow fronts: picture, data and claim l0."""
+"""Decay length of the shear force ahead of slow fronts: picture, data and claim 3D-length."""
 
 import numpy as np
 from decay_length import FITTED, METHODS
 
 from claims import paper
+from claims.claim import spread
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
@@ -62,14 +63,20 @@ def draw(seed, stem):
     save(fig, stem)
 
 
+def lengths_of(seed):
+    """l_0 of each front [mm]."""
+    found = (front["l_0"][PRIMARY] for front in measured_fronts(seed).values())
+    return [l_0 * 1e3 for l_0 in found if l_0 is not None]
+
+
 def claim(paths):
     seed = report(paths[0])
-    fronts = measured_fronts(seed).values()
-    lengths = [f["l_0"][PRIMARY] * 1e3 for f in fronts if f["l_0"][PRIMARY] is not None]
+    fronts, lengths = measured_fronts(seed).values(), lengths_of(seed)
     cases = {name: case(seed["l_0"][name]) for name in METHODS}
     shown = cases.pop(PRIMARY)
+    others = [of for other in cases.values() if (of := other["l_0 [mm]"]) is not None]
     return judged(
-        "l0",
+        "3D-length",
         shown=shown,
         units=units_of(paths),
         measured={
@@ -77,7 +84,7 @@ def claim(paths):
             "slow fronts": len(fronts),
             "profiles": sum(front["profiles"] for front in fronts),
             "least and most of a front [mm]": [min(lengths), max(lengths)] if lengths else None,
-            **{f"l_0, {name} [mm]": other["l_0 [mm]"] for name, other in cases.items()},
+            "least and most of the other conventions [mm]": [min(others), max(others)],
         },
         note="l_0 is fitted to the excess of the shear force over tau_0, when the block that"
         " ruptures next (x_0) carries its largest force: an exponential from x_0 to 3 blocks"
@@ -97,4 +104,6 @@ def make(data, results):
     profiles = {t: zip(f["x - x_0"], f["excess"]) for t, f in measured_fronts(shown).items()}
     rows = ([tau_bar, *row] for tau_bar, profile in profiles.items() for row in profile)
     write_table(results / "decay-length.csv", names, rows)
-    return [claim(paths)]
+    (l_0,) = case(shown["l_0"][PRIMARY]).values()
+    of = "{} prepared fronts"
+    return [claim(paths), spread("l_0 [mm]", paper.L_0 * 1e3, lengths_of(shown), of, shown=l_0)]

@@ -12,18 +12,19 @@ import rupture
 import slow_slip
 
 from claims import paper
+from claims.claim import Number
 from claims.judge import judged
 from data.records import report, values
 from data.tables import write_table
-from events.continuations import BEFORE_TRANSITION, SLIP_AT
-from events.event_claims import judged_event, ratios_3Cr
-from events.slip import until, with_peak_speed
+from events.continuations import BEFORE_TRANSITION, SLIP_X
+from events.event_claims import judged_event, slip_ratios
+from events.slip import until
 from events.units import of_ensemble, of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
-SLIP_X = next(iter(SLIP_AT.values()))  # [m]
+OF_REF_20 = f"The experiment of the paper's ref. 20: about {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s."
 SLIPS = {  # run: label, colour, line style
     "t_R-half": (r"$\langle t_R\rangle/2$", CHANGED, "--"),
     "stopped": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "-"),
@@ -77,11 +78,10 @@ class Event:
     def slips(self, x=SLIP_X):
         """Of a block, while the front is slow or until it has arrived: later, the whole slider
         moves."""
-        slips = {
+        return {
             run: rupture.analyze("slip", self.record(run), x=x, to=until(self.front(run)))
             for run in SLIPS
         }
-        return {run: with_peak_speed(slip) for run, slip in slips.items()}
 
     def own_slips(self):
         """Of the block 0.06 L before the event's own transition."""
@@ -121,13 +121,9 @@ def rows(events):
 
 
 MADE_OF = {  # what the case of a claim is measured from
-    "3Aw": lambda event: (event.in_words("stopped"),),
-    "3A": lambda event: (event.front(), event.front("stopped")),
-    "3Bw": lambda event: (event.front(), event.in_words(), event.front("no-slow-slip")),
-    "3B": lambda event: (event.front(), event.front("no-slow-slip")),
-    "3Cw": lambda event: (event.own_slips(),),
-    "3C": lambda event: (event.slips(),),
-    "3Cv": lambda event: (event.slips(),),
+    "3A": lambda event: (event.in_words("stopped"),),
+    "3B": lambda event: (event.in_words(), event.front("no-slow-slip")),
+    "3C": lambda event: (event.own_slips(),),
 }
 
 
@@ -136,12 +132,22 @@ def claims_of(events, continued):
         judged_event(c, {n: made_of(e) for e, n in events.items()}, of_events(continued, c))
         for c, made_of in MADE_OF.items()
     ]
+    peaks = {name: event.peak_speed() for event, name in events.items()}
     ratios = {
         f"{name}: {key}": value
         for event, name in events.items()
-        for key, value in ratios_3Cr(event.slips(), event.peak_speed()).items()
+        for key, value in slip_ratios(event.slips(), peaks[name]).items()
     }
-    return [*claims, judged("3Cr", ratios, None)]
+    measured = ratios | {"peak slip speeds [mm/s]": [peak * 1e3 for peak in peaks.values()]}
+    return [
+        *claims,
+        judged("3C-ratios", measured, None),
+        *(
+            Number(f"peak slip speed, {name} [mm/s]", None, peak * 1e3, note=OF_REF_20)
+            for name, peak in peaks.items()
+        ),
+        *(Number(quantity, None, ratio) for quantity, ratio in ratios.items()),
+    ]
 
 
 def make(data, results):

@@ -7,8 +7,8 @@ width, it is that of the full model alone.
 import numpy as np
 
 from claims import paper
+from claims.claim import spread
 from claims.judge import judged
-from data.records import report
 from data.tables import numbers, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import AS_IT_IS, CHANGED, SINGLE, lettered, save
@@ -128,32 +128,18 @@ def conventions(path, widths_path):
     return {name: [case] for name, case in cases.items()}
 
 
-def claim(path, phi, l_0, others):
-    """`l_0`: as it was fitted [m]; None if it could not be."""
+def claim(path, phi, others):
     rows = slow.fronts(path)
     fits = fits_of(rows)
     full, simplified = fits.values()
-    whole = fits_of(slow.fronts(path, slow.FOR_WHOLE_T_R))
-    case, other_widths = case_3D(rows), [row for row in phi if float(row["sigma-bar"]) != 0.1]
     return judged(
         "3D",
-        shown=case,
+        shown=case_3D(rows),
         units=slow.of_seeds([path, *others], conventions, ["front_speed", "front_speed_widths"]),
         measured={
             "slope, full": full.slope,
             "slope, simplified": simplified.slope,
-            **case,
-            "slopes with l_0 as fitted (claim l0)": l_0
-            and [f.slope * paper.L_0 / l_0 for f in fits.values()],
-            "points": [full.points, simplified.points],
-            f"slow fronts left out, with fewer than {slow.BLOCKS} blocks": slow.too_short(path),
-            "R^2, both on one line": fit(rows).r_squared,
-            "R^2, both, unscaled": slow.fit_through_origin(slip(rows), slow.speeds(rows)).r_squared,
-            "R^2, full, with other widths of phi too": fit(
-                chosen(rows, "full") + other_widths
-            ).r_squared,
-            "slopes from blocks followed for <t_R>": [whole[m].slope for m in fits],
-            "their R^2": [whole[m].r_squared for m in fits],
+            **case_3D(rows),
         },
         note=f"Fronts that span, with at least {slow.BLOCKS} measured blocks; v_slow slip (mean)"
         f" and v_c (median) belong to the same blocks, in both models. {slow.WHERE} l_0 is the"
@@ -176,4 +162,12 @@ def make(data, results):
     names += ["scaled slow slip [m/s]", "front speed [m/s]", "point"]
     write_columns(results / "front-speed.csv", names, scaled)
     others = [*seeds, *slow.tables_of(data, "front_speed_widths")]
-    return [claim(path, phi, report(data / "l0-seed-1.json")["l_0"][PRIMARY], others)]
+    full = chosen(rows, "full")
+    factor = spread(
+        "factor of Figure 3 D",
+        None,
+        slow.speeds(full) / scaled_slip(full),
+        "{} prepared fronts, reference law",
+        shown=fit(full).slope,
+    )
+    return [claim(path, phi, others), factor]

@@ -57,12 +57,6 @@ def fronts(table, window=PRIMARY):
     return usable([in_window(row, result, window) for row, result in points_of(table)])
 
 
-def too_short(table):
-    """How many slow fronts of such a table are not usable."""
-    slow = [row for row, _ in points_of(table) if row["type"] == "slow"]
-    return len(slow) - len(fronts(table))
-
-
 def without_near_arrest(rows):
     return [row for row, v_c in zip(rows, speeds(rows)) if v_c >= NEAR_ARREST]
 

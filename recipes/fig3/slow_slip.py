@@ -1,10 +1,7 @@
-"""Figure 3 C, inset, its data and the claims 3Ci and co."""
-
-from functools import partial
-
-import numpy as np
+"""Figure 3 C, inset, its data and the claims 3C-inset and 3C-neighbours."""
 
 from claims import paper
+from claims.claim import spread
 from claims.judge import holds, judged
 from data.tables import numbers, read_rows, write_columns
 from events.conventions import PRIMARY
@@ -13,12 +10,7 @@ import slow_fronts as slow
 
 MM = 1e3  # [mm/m]
 WIDTH = 0.14 / 56  # of a block [m]
-K_I = {  # the variant in which k_i varies, by convention
-    PRIMARY: "k_i alone",
-    "trigger's prestress varied with k_i": "k_i",
-    "K scaled with E": "k_i and K",
-}
-K_I_OF_SI = {
+K_I = {  # the variant in which k_i varies, by convention; primary: as the SI says
     PRIMARY: "k_i",
     "trigger's prestress unchanged": "k_i alone",
     "K scaled with E": "k_i and K",
@@ -45,19 +37,19 @@ def fit(rows):
     return slow.fit_through_origin(*estimate_and_measured(rows))
 
 
-def case_3Ci(rows):
+def case_of(rows):
     """Where each quantity could be varied: at two values or more, beside the reference."""
     counts = [sum(row["varies"] == name for row in rows) for name in ("t_R", "tau_slip", "k_i")]
     found = fit(rows) if min(counts) >= 2 else None
     return {"slope": found and found.slope, "R^2": found and found.r_squared}
 
 
-def conventions_3Ci(path, protocols=K_I):
-    rows, primary = slow.fronts(path), protocols[PRIMARY]
-    cases = {name: case_3Ci(varied(rows, k_i)) for name, k_i in protocols.items()}
+def conventions(path):
+    rows, primary = slow.fronts(path), K_I[PRIMARY]
+    cases = {name: case_of(varied(rows, k_i)) for name, k_i in K_I.items()}
     for window in slow.OTHER_WINDOWS:
-        cases[window] = case_3Ci(varied(slow.fronts(path, window), primary))
-    cases[slow.WITHOUT_NEAR_ARREST] = case_3Ci(slow.without_near_arrest(varied(rows, primary)))
+        cases[window] = case_of(varied(slow.fronts(path, window), primary))
+    cases[slow.WITHOUT_NEAR_ARREST] = case_of(slow.without_near_arrest(varied(rows, primary)))
     return {name: [case] for name, case in cases.items()}
 
 
@@ -73,7 +65,7 @@ def largest_ratio(row):
     return max(ratios, default=None)
 
 
-def case_co(rows):
+def case_of_neighbours(rows):
     ratios = [largest_ratio(row) for row in rows if row["variant"] == "reference"]
     return {"largest ratio of neighbours": ratios[0] if ratios else None}
 
@@ -104,68 +96,45 @@ def draw(prepared, event, prepared_fit, stem):
     save(fig, stem)
 
 
-def beside_text(rows, variant):
-    """Measured over estimate in a variant that is reported beside the claim, by front speed."""
-    rows = [row for row in rows if row["variant"] == variant]
-    x, y = estimate_and_measured(rows)
-    return ", ".join(f"{r:.2f} at {v:.1f} m/s" for v, r in sorted(zip(slow.speeds(rows), y / x)))
-
-
-def claim_3Ciw(path, others):
-    """With the protocol of the SI."""
-    case = case_3Ci(varied(slow.fronts(path), K_I_OF_SI[PRIMARY]))
-    conventions = partial(conventions_3Ci, protocols=K_I_OF_SI)
-    return judged("3Ciw", case, case, slow.of_seeds([path, *others], conventions, ["slow_slip"]))
-
-
-def claim_3Ci(path, event, others):
-    rows = slow.fronts(path)
-    prepared = varied(rows)
-    fitted, speeds = fit(prepared), slow.speeds(prepared)
-    longer = fit(varied(slow.fronts(path, slow.FOR_TWO_T_R)))
-    x, y = estimate_and_measured(event)
-    case = case_3Ci(prepared)
-    units = slow.of_seeds([path, *others], conventions_3Ci, ["slow_slip"])
+def claim(path, event, others):
+    """`event`: fronts of event II with varied slipping times; they are reported."""
+    prepared = varied(slow.fronts(path))
+    case, speeds = case_of(prepared), slow.speeds(prepared)
     return judged(
-        "3Ci",
+        "3C-inset",
         shown=case,
-        units=units,
+        units=slow.of_seeds([path, *others], conventions, ["slow_slip"]),
         measured={
             **case,
-            "prepared interfaces": fitted.points,
-            f"slow fronts left out, with fewer than {slow.BLOCKS} blocks": slow.too_short(path),
+            "prepared interfaces": len(prepared),
             "slowest and fastest front [m/s]": [speeds.min(), speeds.max()],
-            "slope if followed for up to 2 <t_R>": longer.slope,
-            "event, slope": fit(event).slope if event else None,
-            "event, measured/estimate": [np.min(y / x), np.max(y / x)] if event else None,
+            "slope, event II": fit(event).slope if event else None,
         },
         note=f"{slow.WHERE} Event: blocks at x = 0.2-0.5 L, until the front is no longer"
         " slow. A change of tau_slip alone is nearly a change of units (p and k_i do not depend on"
-        " it). Where k_i varies, the trigger region's prestress does not change. Measured/estimate"
-        f" there: {beside_text(rows, K_I[PRIMARY])}; with a prestress that compensates for the"
-        f" driving spring: {beside_text(rows, 'k_i')}; with a driving spring stiffened like"
-        f" the slider instead: {beside_text(rows, 'k_i and K')}. At other prestresses of the"
-        f" interface: {beside_text(rows, 'prestress')}.",
+        " it).",
     )
 
 
-def claim_co(path, others):
+def claim_neighbours(path, others):
     rows = slow.fronts(path)
-    shown = case_co(rows)
+    shown = case_of_neighbours(rows)
     cases = [{"largest ratio of neighbours": largest_ratio(row)} for row in rows]
     return judged(
-        "co",
+        "3C-neighbours",
         shown=shown,
         units=slow.of_seeds(
-            [path, *others], lambda of: {PRIMARY: [case_co(slow.fronts(of))]}, ["slow_slip"]
+            [path, *others],
+            lambda of: {PRIMARY: [case_of_neighbours(slow.fronts(of))]},
+            ["slow_slip"],
         ),
         measured={
             **shown,
             "fronts of all variants": len(rows),
-            "of these it holds for": sum(holds("co", [each]) for each in cases),
+            "of these it holds for": sum(holds("3C-neighbours", [each]) for each in cases),
         },
         note="Judged by the front with the reference parameters; fronts of all variants are"
-        " listed, too. Speeds as for 3Ci: a block's time begins H/c_s after its rupture.",
+        " listed, too. Speeds as for 3C-inset: a block's time begins H/c_s after its rupture.",
     )
 
 
@@ -173,11 +142,14 @@ def make(data, results):
     path, *others = slow.tables_of(data, "slow_slip")
     prepared, of_event = slow.fronts(path), read_rows(data / "slow_slip_event.csv")
     event = slow.usable([row | {"blocks": int(row["blocks"] or 0)} for row in of_event])
-    of_SI = varied(prepared, K_I_OF_SI[PRIMARY])
+    of_SI = varied(prepared)
     draw(of_SI, event, fit(of_SI), results / "fig3C-inset")
     rows = [{"interface": "prepared"} | row for row in prepared]
     rows += [{"interface": "event"} | row for row in event]
     names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]
     names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]
     write_columns(results / "slow-slip-speed.csv", names, rows)
-    return [claim_3Ciw(path, others), claim_3Ci(path, event, others), claim_co(path, others)]
+    fitted, (estimate, measured) = fit(of_SI), estimate_and_measured(of_SI)
+    ratio = "slow slip speed over Eq. S1"
+    number = spread(ratio, 1.0, measured / estimate, "{} prepared fronts", shown=fitted.slope)
+    return [claim(path, event, others), claim_neighbours(path, others), number]

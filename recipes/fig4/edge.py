@@ -1,5 +1,6 @@
-"""Where fronts on prepared interfaces become fast, with slow slip and without: claim edge."""
+"""Where fronts on prepared interfaces become fast, with slow slip and without: claim 4D-edge."""
 
+from claims.claim import Number
 from claims.judge import judged
 from data.records import report
 from data.tables import write_table
@@ -51,8 +52,11 @@ def make(data, results):
             abs(of[name]["fast"] - without[name]["fast"]) for _, of, without in edges for name in of
         ),
     }
-    measured |= {
-        f"sigma_bar {sigma:g}: slow from, fast from; without slow slip not arrested from": found
-        for sigma, *found in rows(edges)
-    }
-    return [judged("edge", measured, shown, others=others)]
+    at_zero = edges[0][1][PRIMARY]
+    return [
+        judged("4D-edge", measured, shown, others=others),
+        *(
+            Number(f"tau_bar_0 from which fronts are {kind}, sigma_bar = 0", None, at_zero[kind])
+            for kind in ("slow", "fast")
+        ),
+    ]

@@ -16,10 +16,7 @@ MAP = dict(
     panel="D",
     tables=["map-between", "map-boundary"],
     slow_below=(20, 10, 30, 40, 60),
-    claims=("4Dw", "4D"),
-    note="Below-left: neither tau_bar_0 nor sigma_bar larger, over all points and seeds. Boundary:"
-    " grid points and points halfway between them that are next to another type. Seeds act"
-    " through the slipping times only, so that fast fronts hardly depend on them.",
+    claim="4D",
 )
 REGION = 0.25  # from here on phi was changed [L]
 

@@ -75,7 +75,7 @@ def deviation(block, line):
 
 def types_by_seed(data):
     """{seed: {grid point of Figure 4 D: type}}"""
-    fronts, grid, _ = load_map(data, "fig4", ["map-between", "map-boundary"])
+    fronts, grid = load_map(data, "fig4", ["map-between", "map-boundary"])
     at_grid = {place: fronts[place] for place in grid}
     return {seed: types_of(map_of_seed(at_grid, seed)) for seed in seeds_of(at_grid)}
 
@@ -141,44 +141,13 @@ def draw(events, points, lines, stem):
 # --- data and claim ------------------------------------------------------------------------
 
 
-def measure_map(types):
-    strata = map_strata(types)
-    both = [(slow, fast) for slow, fast in strata if slow and fast]
-    return {
-        "rows of the map with slow and fast points": len(both),
-        "slow points in them": sum(len(slow) for slow, _ in both),
-        "fast points in them": sum(len(fast) for _, fast in both),
-        "share of slow-fast pairs with the slow one at lower sigma_bar": share_of_lower(strata),
-        **{f"{name} p": test(strata) for name, test in TESTS.items()},
-    }
-
-
 def p_over_events(events):
     """{width of the bins: p}; None with too few events."""
     shares = {width: list(shares_of(events, width).values()) for width in BINS}
     return {w: signed_rank(s) if len(s) >= FEWEST_EVENTS else None for w, s in shares.items()}
 
 
-def measure_events(shown, ensemble, lines):
-    shares = list(shares_of(ensemble).values())
-    beyond = [b for blocks in shown.values() for b in blocks if b.kind != "loading zone"]
-    nearest = [min(abs(deviation(b, line)) for line in lines.values()) for b in beyond]
-    these = "share of such pairs of blocks"
-    return {
-        "blocks beyond the loading zone": len(beyond),
-        "their median deviation from the nearer curve": float(np.median(nearest)),
-        **{f"{these}, event {SHOWN[name][0]}": s for name, s in shares_of(shown).items()},
-        "ensemble events with slow and fast blocks": len(shares),
-        f"{these}, median of the ensemble": float(np.median(shares)) if shares else None,
-        f"{these}, 5-95 % of the ensemble": np.percentile(shares, [5, 95]) if shares else None,
-        **{
-            f"signed-rank p over the ensemble's events, bins of {width:g}": p
-            for width, p in p_over_events(ensemble).items()
-        },
-    }
-
-
-def claim_4C(maps, points, lines, shown, ensemble):
+def claim_4C(maps, points, lines, ensemble):
     """`maps`: {seed: {grid point: type}}; shown is that of the first seed."""
     largest = max(abs(deviation(point, lines[point.shape])) for point in points)
     p_events = p_over_events(ensemble)
@@ -191,16 +160,17 @@ def claim_4C(maps, points, lines, shown, ensemble):
             "p over the ensemble's events": p_events[width],
         }
 
-    first = min(maps)
+    first, shares = min(maps), list(shares_of(ensemble).values())
     return judged(
         "4C",
         shown=case(first, **WAYS[PRIMARY]) if ensemble else None,  # else nothing is known of events
         units=units_of_seeds(maps, WAYS, case) if ensemble else None,
         measured={
-            "prepared points": len(points),
-            "largest deviation of prepared points from the curves": largest,
-            **measure_map(maps[first]),
-            **measure_events(shown, ensemble, lines),
+            **case(first, **WAYS[PRIMARY]),
+            "events with slow and fast blocks": len(shares),
+            "median share of their pairs with the slow one at lower sigma_bar": (
+                float(np.median(shares)) if shares else None
+            ),
         },
         note="Prepared: van Elteren's test over the grid points of 4D with strata tau_bar_0; n is"
         " the number of runs, one per place. Blocks of one event are not independent: each"
@@ -229,4 +199,4 @@ def make(data, results):
         for path in of_ensemble(data, "load", "continued")
         for number, event in report(path).items()
     }
-    return [claim_4C(types_by_seed(data), points, lines, shown, repeated)]
+    return [claim_4C(types_by_seed(data), points, lines, repeated)]

@@ -86,7 +86,7 @@ def claim_S3(points):
     )
 
 
-def claim_S3t(points):
+def claim_types(points):
     """The type of the front over each state, and its speed."""
     measured = {}
     for (tau_bar, sigma_bar), point in points.items():
@@ -94,7 +94,7 @@ def claim_S3t(points):
         measured[f"type at {where}"] = front_type(point["front"])
         measured[f"speed at {where} [m/s]"] = median_speed(point["front"])
     return judged(
-        "S3t",
+        "S3-types",
         shown=None,
         measured=measured,
         note="Types as in Figure 4 D; speeds are medians beyond the trigger region. One seed.",
@@ -109,4 +109,4 @@ def make(data, results):
     draw(points, results / "figS3")
     names = ["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"]
     write_table(results / "profiles.csv", names, rows(points))
-    return [claim_S3(points), claim_S3t(points)]
+    return [claim_S3(points), claim_types(points)]

@@ -11,7 +11,6 @@ from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, let
 
 DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average
-AT = (0.1, 0.3, 1.0)  # sigma-bar, for readers
 LINES = {"uniform": "-", "bell": "--"}
 MARKERS = {"uniform": "o", "bell": "s"}  # of the largest values
 
@@ -84,8 +83,6 @@ def claim_S5(uniform, bell):
         "bell - quadrature": np.abs(bell.mu_bar - bell.quadrature).max(),
     }
     falls = bool(np.all(np.diff(uniform.mu_bar) < 0) and np.all(np.diff(bell.mu_bar) < 0))
-    places = [np.argmin(np.abs(uniform.sigma_bar - sigma_bar)) for sigma_bar in AT]
-    at = {f"{s.shape} at {', '.join(map(str, AT))}": s.mu_bar[places] for s in (uniform, bell)}
     case = {
         "falls from each to the next": yes(falls),
         "largest deviation of mu-bar": max(off.values()),
@@ -94,11 +91,8 @@ def claim_S5(uniform, bell):
         "S5",
         shown=case,
         measured={
-            "widths": len(uniform.sigma_bar),
-            "from, to sigma-bar": [uniform.sigma_bar[0], uniform.sigma_bar[-1]],
             **case,
             **{f"mu-bar, largest |{name}|": value for name, value in off.items()},
-            **{f"mu-bar {name}": list(values) for name, values in at.items()},
         },
         note="Formula and quadrature are those of recipes/figS5/quadrature.py, made from the"
         " definition of tau_max and independent of the tool.",

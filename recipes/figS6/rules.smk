@@ -11,9 +11,8 @@ figure(
     tables=["front-speed", "events", "front-types", "thresholds"],
     start=["figS6/boundary.csv"],
     reads=[
-        *("figS6/choice.json", "figS6/event-record.h5", "ensemble/decaying-01-events.json"),
-        *(f"figS6/{run}-front-c_s-8.json" for run in FIGS6_RUNS),
-        "figS6/event-front-c_s-8-with-ends.json",
+        *("figS6/event-record.h5", "ensemble/decaying-01-events.json"),
+        *(f"figS6/{run}-front.json" for run in FIGS6_RUNS),
         *of_ensemble("decaying", "events"),
         *(f"figS6/{part}.csv" for part in ("map", "map-boundary", "boundary")),
     ],

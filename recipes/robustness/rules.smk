@@ -10,7 +10,7 @@ figure(
     refine=["robustness/geometry-boundary.csv"],
     reads=[
         "ensemble/exponential-01-events.json",
-        *(f"fast-slow-fast{run}-front.json" for run in ("", "/exponential", "/distance")),
+        *(f"fast-slow-fast{run}-front.json" for run in ("", "/distance")),
         *(f"robustness/{m}.csv" for m in ("exponential-map", "geometry", "distance")),
         *(edge for setting in EDGES if "d_R" in setting for edge in edges(setting, SIGMA_BARS)),
         *edges("reference", SIGMA_BARS),

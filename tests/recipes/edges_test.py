@@ -60,8 +60,8 @@ class TestClaim:
             pairs = [(0.1, *self.of(0.1, 0.101)), (0.2, *self.of(last, 0.0995))]
             case = edge.cases(pairs)[PRIMARY]
             assert case["largest difference of the edges"] == approx(abs(expected))
-        assert holds("edge", [{"largest difference of the edges": 0.002}])
-        assert not holds("edge", [{"largest difference of the edges": 0.0021}])
+        assert holds("4D-edge", [{"largest difference of the edges": 0.002}])
+        assert not holds("4D-edge", [{"largest difference of the edges": 0.0021}])
 
 
 class TestLattice:

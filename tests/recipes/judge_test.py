@@ -11,7 +11,14 @@ from claims.judge import PRIMARY, RELATIONS, as_number, conditions_of, holds, in
 from claims.judge import met, table, unmet, unmet_text
 from conftest import ROOT, approx
 
-ROW = {"recipe": "fig0", "says": "something", "accepted": "if it is", "unit": "load"}
+ROW = {
+    "recipe": "fig0",
+    "says": "something",
+    "accepted": "if it is",
+    "unit": "run",
+    "kind": "finding",
+    "fixed": "today",
+}
 MADE_UP = {
     "all": ROW | {"conditions": {"x/L": {"at_least": "1/4", "at_most": 0.5}, "type": "fast"}},
     "same": ROW | {"like": "all"},
@@ -45,38 +52,50 @@ def seeds(held, other):
     }
 
 
-FEW = "(primary); too few loads for a verdict"
+FEW = "(primary); too few runs for a verdict"
+NOT_SHOWN = FEW.replace(";", ", but not in the case shown;")
 OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
-    (GOOD, units(20, 0), "reproduced", "holds as shown and in at least 20 of 20 loads (primary)"),
-    (GOOD, units(14, 6), "reproduced", "14 of 20 loads (primary)"),  # one exists: above a half
-    (GOOD, units(13, 7), "depends", f"holds as shown, and in 13 of 20 loads {FEW}"),
-    (GOOD, units(9, 11), "depends", "9 of 20 loads (primary)"),
-    (BAD, units(20, 0), "depends", "does not hold as shown; holds in 20 of 20 loads (primary)"),
-    (BAD, units(1, 19), "differs", "not hold as shown, and in at most 1 of 20 loads (primary)"),
-    (BAD, units(2, 18), "depends", f"2 of 20 loads {FEW}"),
-    (BAD, units(4, 16), "depends", f"4 of 20 loads {FEW}"),
-    (BAD, units(5, 15), "depends", "5 of 20 loads (primary)"),
-    (GOOD, units(10, 10), "depends", f"10 of 20 loads {FEW}"),
-    (GOOD, units(20, 0, other=3), "depends", "loads (primary), down to 3 of 20 loads (other)"),
-    (GOOD, units(20, 0, other=13), "depends", "(other); too few loads for a verdict"),
-    (GOOD, units(20, 0, other=14), "reproduced", "14 of 20 loads (other)"),
-    (BAD, units(0, 20, other=2), "depends", f"up to 2 of 20 loads {FEW}".replace(PRIMARY, "other")),
+    (GOOD, units(20, 0), "reproduced", "holds in at least 20 of 20 runs (primary)"),
+    (GOOD, units(14, 6), "reproduced", "14 of 20 runs (primary)"),  # one exists: above a half
+    (GOOD, units(13, 7), "depends", f"holds in 13 of 20 runs {FEW}"),
+    (GOOD, units(9, 11), "depends", "9 of 20 runs (primary)"),
+    (BAD, units(20, 0), "depends", "holds in 20 of 20 runs (primary), but not in the case shown"),
+    (BAD, units(1, 19), "differs", "holds in at most 1 of 20 runs (primary)"),
+    (BAD, units(2, 18), "depends", f"2 of 20 runs {NOT_SHOWN}"),
+    (BAD, units(4, 16), "depends", f"4 of 20 runs {NOT_SHOWN}"),
+    (BAD, units(5, 15), "depends", "5 of 20 runs (primary), but not in the case shown"),
+    (GOOD, units(10, 10), "depends", f"10 of 20 runs {FEW}"),
+    (GOOD, units(20, 0, other=3), "depends", "loads (primary), down to 3 of 20 runs (other)"),
+    (GOOD, units(20, 0, other=13), "depends", "(other); too few runs for a verdict"),
+    (GOOD, units(20, 0, other=14), "reproduced", "14 of 20 runs (other)"),
+    (
+        BAD,
+        units(0, 20, other=2),
+        "depends",
+        f"up to 2 of 20 runs {NOT_SHOWN}".replace(PRIMARY, "other"),
+    ),
 ]
 OTHER_LOW, OTHER_HIGH = ({"others": {"other": found}} for found in (LOW, HIGH))
 JUDGED = [  # a claim, the shown case, what was measured beside it, and the same
     ("alone", LOW, {}, "reproduced", "holds"),
     ("alone", HIGH, {}, "differs", "does not hold"),
-    ("one", GOOD, {}, "reproduced", "shown case only: holds"),
+    ("one", GOOD, {}, None, "only the case shown was judged, no other runs"),
     ("one", None, {}, "not comparable", "it could not be measured"),
-    ("unstated", None, {}, "not comparable", "states nothing to compare with; ours is reported"),
+    ("unstated", None, {}, "not comparable", "gives no number to compare with; ours are reported"),
     *(("one", shown, {"units": found}, *said) for shown, found, *said in OVER_UNITS),
-    ("state", LOW, {"units": seeds(3, 3)}, "reproduced", "holds under all 2 conventions"),
-    ("state", LOW, {"units": seeds(3, 2)}, "depends", "except under other (of 2 conventions)"),
-    ("state", LOW, {"units": seeds(2, 0)}, "differs", "does not hold under all 2 conventions"),
-    ("alone", LOW, OTHER_LOW, "reproduced", "holds under all 2 conventions"),
-    ("alone", HIGH, OTHER_HIGH, "differs", "not hold under all 2 conventions"),
-    ("alone", LOW, OTHER_HIGH, "depends", "except under other (of 2 conventions)"),
-    ("alone", HIGH, OTHER_LOW, "depends", "except under primary (of 2 conventions)"),
+    ("state", LOW, {"units": seeds(3, 3)}, "reproduced", "holds in all of the 2 ways to measure"),
+    (
+        "state",
+        LOW,
+        {"units": seeds(3, 2)},
+        "depends",
+        "of the 2 ways to measure, does not hold in other",
+    ),
+    ("state", LOW, {"units": seeds(2, 0)}, "differs", "holds in none of the 2 ways to measure"),
+    ("alone", LOW, OTHER_LOW, "reproduced", "holds in all of the 2 ways to measure"),
+    ("alone", HIGH, OTHER_HIGH, "differs", "holds in none of the 2 ways to measure"),
+    ("alone", LOW, OTHER_HIGH, "depends", "of the 2 ways to measure, does not hold in other"),
+    ("alone", HIGH, OTHER_LOW, "depends", "of the 2 ways to measure, does not hold in primary"),
     ("alone", None, OTHER_LOW, "not comparable", "could not be measured"),
 ]
 
@@ -98,17 +117,17 @@ class TestJudge:
     def test_says_what_was_wanted_and_what_there_is(self):
         between = {"at_least": "1/200", "at_most": "1/50"}
         for condition, value, text in (
-            (between, 1 / 49.6, "v c_s/200 to c_s/50, got c_s/49.6"),
-            ({"below": 0.5}, None, "v below c_s/2, got none"),
-            ({"above": 2}, 1.25, "v above 2 c_s, got 1.25 c_s"),
-            ("fast", "slow", "v fast, got slow"),
+            (between, 1 / 49.6, "v is c_s/49.6, not c_s/200 to c_s/50"),
+            ({"below": 0.5}, None, "v is none, not below c_s/2"),
+            ({"above": 2}, 1.25, "v is 1.25 c_s, not above 2 c_s"),
+            ("fast", "slow", "v is slow, not fast"),
         ):
             row = {"row": {"conditions": {"v/c_s": condition}}}
             with mock.patch.object(judge, "table", lambda row=row: row):
-                assert unmet_text("row", {"v/c_s": value}) == f"wanted {text}"
+                assert unmet_text("row", {"v/c_s": value}) == text
         close = unmet_text("all", {"x/L": 0.50001, "type": "fast"})
-        assert close == "wanted x/L 1/4 to 0.5, got 0.50001"
-        assert unmet_text("one", {"x": 1.98765}) == "wanted x above 2, got 1.99"
+        assert close == "x/L is 0.50001, not 1/4 to 0.5"
+        assert unmet_text("one", {"x": 1.98765}) == "x is 1.99, not above 2"
 
     def test_a_quantity_nobody_measured_is_an_error(self):
         with raises(KeyError):
@@ -117,9 +136,9 @@ class TestJudge:
     @mark.parametrize("claim_id, shown, beside, verdict, reason", JUDGED)
     def test_a_verdict_and_its_reason(self, claim_id, shown, beside, verdict, reason):
         claim = judged(claim_id, {}, shown, **beside)
-        because, _, wanted = claim.reason.partition(" (wanted ")
+        because, _, wanted = claim.reason.partition(" (x is ")
         assert (claim.verdict, because[-len(reason) :]) == (verdict, reason)
-        assert bool(wanted) == (claim.shown is False)
+        assert bool(wanted) == (claim.case == "does not hold")
         assert bool(claim.shares) == ("units" in beside)
 
     def test_one_state_has_a_share_without_interval(self):
@@ -136,8 +155,8 @@ class TestJudge:
 
     def test_counts_spanning_events_where_one_is_enough(self):
         good, bad = GOOD | {"spans": "yes"}, BAD | {"spans": "yes"}
-        loads = {f"{n}": {PRIMARY: [good, bad, bad, BAD | {"spans": "no"}]} for n in range(20)}
-        assert judged("one", {}, GOOD, loads).reason.endswith("; 20 of 60 spanning events")
+        runs = {f"{n}": {PRIMARY: [good, bad, bad, BAD | {"spans": "no"}]} for n in range(20)}
+        assert judged("one", {}, GOOD, runs).reason.endswith("; 20 of 60 spanning events")
 
     def test_interval(self):
         assert interval(0, 20)[0] == 0
@@ -159,9 +178,9 @@ class TestTable:
 
     def test_every_row_is_complete(self):
         for claim_id, row in table().items():
-            assert {"recipe", "says", "accepted"} <= set(row)
+            assert {"recipe", "says", "fixed", "accepted"} <= set(row)
+            assert row["kind"] in ("finding", "check")
             assert {"conditions", "like"} & set(row)
-            assert table()[row.get("closeness_of", claim_id)]["recipe"] == row["recipe"]
             assert (ROOT / f"recipes/{row['recipe']}/rules.smk").exists()
             for condition in conditions_of(claim_id).values():
                 if isinstance(condition, dict):

@@ -4,15 +4,13 @@ import numpy as np
 from pytest import raises
 from scipy.stats import mannwhitneyu
 
-from claims.judge import holds
 from conftest import approx
 from data.rank_test import permutation, share_of_lower, van_elteren
-from events.conventions import PRIMARY
 from made_up_front import SPACING, front
 from maps import front_map
 from maps.front_map import front_type, speeds
-from maps.map_claims import case_of_map, fewest_seeds, map_claims
-from maps.map_conventions import WAYS, out_of_order
+from maps.map_claims import case_of_map
+from maps.map_conventions import MEASURES, claim_over_seeds, out_of_order
 from maps.map_points import boundary_of_variants, types_in
 
 
@@ -141,16 +139,14 @@ class TestOrder:
         seeds = {(0.0, 0.2): {1: "fast"}, (0.1, 0.1): {1: "arrested"}}
         assert front_map.fast_below_left_of_arrested(seeds) == []
 
-    def test_a_step_back_is_seen_along_its_axis_only(self):
+    def test_a_step_back_is_seen_along_tau_bar_0(self):
         types = {
             **{(0.0, 0.0): "arrested", (0.1, 0.0): "slow", (0.2, 0.0): "slow"},
             **{(0.0, 0.1): "slow", (0.1, 0.1): "impossible", (0.2, 0.1): "arrested"},
         }
-        assert front_map.steps_back(types, 0) == {(0.2, 0.1)}
-        assert front_map.steps_back(types, 1) == {(0.2, 0.1)}
+        assert front_map.steps_back(types) == {(0.2, 0.1)}
         types[0.2, 0.0] = "arrested"
-        assert front_map.steps_back(types, 0) == {(0.2, 0.0), (0.2, 0.1)}
-        assert front_map.steps_back(types, 1) == set()
+        assert front_map.steps_back(types) == {(0.2, 0.0), (0.2, 0.1)}
 
 
 ARRESTED, SLOW, FAST = front(arrives=False), front({12: 1.0}), front()
@@ -161,45 +157,21 @@ class TestSeeds:
         fronts = {(0.0, 0.0): {1: SLOW}, (0.1, 0.0): {1: SLOW, 2: FAST}}
         assert front_map.map_of_seed(fronts, 2) == {(0.0, 0.0): {2: SLOW}, (0.1, 0.0): {2: FAST}}
 
-    def test_a_seed_without_a_front_is_missing(self):
-        assert fewest_seeds({(0.0, 0.0): {1: SLOW, 2: None}}, [(0.0, 0.0)]) == 1
-
-    def test_no_fast_place_below_left_of_an_arrested_one_is_required_along_each_axis(self):
+    def test_no_fast_place_may_be_below_left_of_an_arrested_one(self):
         fronts = {(0.0, 0.0): {1: FAST}, (0.1, 0.1): {1: ARRESTED}}
-        for axis in (0, 1):
-            assert out_of_order(fronts, fronts, axis) == {(0.0, 0.0)}
+        assert out_of_order(fronts) == {(0.0, 0.0)}
 
-
-class TestClaims:
-    BOUNDARY = [(0.2, 0.0), (0.25, 0.0)]
-
-    def fronts(self, seeds):
-        """20 x 20 places: arrested, slow and fast with rising tau_bar_0."""
-        kinds = [ARRESTED] * 5 + [SLOW] * 5 + [FAST] * 10
-        return {
-            (t / 20, s / 20): dict.fromkeys(seeds, kinds[t]) for t in range(20) for s in range(20)
-        }
-
-    def judge(self, seeds):
-        grid, fronts = self.fronts([1]), self.fronts(seeds)
-        return holds("4D", [case_of_map(fronts, grid, fewest_seeds(fronts, self.BOUNDARY))])
-
-    def test_five_seeds_at_the_boundary_are_enough_and_four_are_not(self):
-        assert self.judge(range(1, 6))
-        assert not self.judge(range(1, 5))
-
-    def test_each_seed_is_judged_under_each_convention(self):
-        grid, fronts = self.fronts([1]), self.fronts(range(1, 6))
-        for seed in (1, 2, 3):
-            fronts[0.25, 0.95][seed] = FAST  # next to slow places at larger tau_bar_0
-        words, claim = map_claims("4Dw", "4D", fronts, grid, self.BOUNDARY, [], "")
-        held = {share.convention: (share.holds, share.units) for share in claim.shares}
-        along_sigma = "order along sigma_bar"  # the majority of the seeds is out of order
-        assert held == dict.fromkeys(WAYS, (0, 1)) | {along_sigma: (1, 1)}
-        assert claim.reason.startswith(f"holds only under {along_sigma}")
-        assert claim.shares[0].convention == PRIMARY
-        shares = len(WAYS) - 1  # without an axis
-        assert (words.verdict, len(words.shares)) == ("reproduced", shares)
+    def test_the_majority_of_the_seeds_decides_under_each_convention(self):
+        kinds = [ARRESTED, SLOW, FAST]
+        maps = {seed: {(float(t), 0.0): {seed: kinds[t]} for t in range(3)} for seed in range(1, 6)}
+        for count, verdict in ((2, "reproduced"), (3, "differs")):
+            for seed in range(1, count + 1):
+                maps[seed][0.5, 0.0] = {seed: FAST}  # between arrested and slow ones
+                maps[seed][1.5, 0.0] = {seed: FAST}
+                maps[seed][2, 0.0] = {seed: SLOW}
+            found = claim_over_seeds("4D", maps[5], maps, lambda m, **way: case_of_map(m, m, **way))
+            assert found.verdict == verdict
+            assert [share.convention for share in found.shares] == [*MEASURES]
 
 
 class TestOrderInWords:

@@ -1,4 +1,4 @@
-"""The event most like the paper's of independent loads: made-up events worked out by hand."""
+"""The event most like the paper's of independent runs: made-up events worked out by hand."""
 
 import math
 

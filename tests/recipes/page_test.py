@@ -1,14 +1,18 @@
 """The report's page of made-up results (fixture.py); no browser is needed."""
 
+import ast
 import json
 import re
+from functools import cache
 
 import pytest
 
+import readme
 import report
+from caption import PLACE
 from claims.judge import table
 from conftest import ROOT
-from fixture import JUDGED, NOT_RUN, POINTS, START, Project, result, spill
+from fixture import JUDGED, NOT_RUN, POINTS, START, Project, result, results_of, spill
 
 FIGURES = [*(f"fig{n}" for n in range(1, 5)), *(f"figS{n}" for n in range(1, 7))]
 RECIPES = [*FIGURES, "estimate", "robustness"]
@@ -30,6 +34,7 @@ SAYS = [
     ("fig2", "Measured &lt;script&gt;twice&lt;/script&gt;."),
     ("fig2", '<th scope="row">speed [m/s]</th><td><span>12.3</span></td></tr>'),
     ("fig2", '<th scope="row">list [mm]</th><td><span>1</span><span>none</span></td></tr>'),
+    ("numbers", "<td>7</td><td>8.5</td><td></td> <td>8.4 (8 to 9) of 9 fronts</td>"),
     ("fig2", "primary: 7 of 20 (0.20 to 0.53)"),
     ("fig2", "holds as it should"),
     ("fig2", "What the pipeline ran: 2 jobs, 51 s"),
@@ -67,10 +72,11 @@ CAPTIONS = [  # a caption, and what becomes of it
 REFUSED = [  # a file of fig3, what is wrong in it, and what is said
     *(
         ("claims.json", text, "claims.json is not a table of claims (")
-        for text in ("[{", '[{"id": "3A"}]', "7", "[1]", '{"id": "3A"}')
+        for text in ("[{", "7", "[1]", '{"schema": 2, "claims": [{"id": "3A"}]}')
     ),
-    ("claims.json", "other verdict", "claim 3Aw: not a verdict: 'partly'"),
-    ("claims.json", "doubled", "Claim '3Aw' is in"),
+    ("claims.json", '{"schema": 1}', "its schema is 1, not 2"),
+    ("claims.json", "other verdict", "claim 3A: not a verdict: 'partly'"),
+    ("claims.json", "doubled", "Claim '3A' is in"),
     ("claims.json", "unlisted", "a claim '3Z' that claims.toml does not list"),
     ("fig3.png", "no picture", "fig3.png is not a PNG"),
 ]
@@ -95,16 +101,14 @@ def section(page, name):
     return " ".join(re.findall(rf'<section id="{name}".*?</section>', page, re.S)[0].split())
 
 
-CLOSENESS = [claim_id for claim_id, row in table().items() if "closeness_of" in row]
-
-
-@pytest.mark.parametrize("left_out, updates", [((), True), (NOT_RUN, False), (CLOSENESS, False)])
+@pytest.mark.parametrize("left_out, updates", [((), True), (NOT_RUN, False)])
 def test_the_readme_is_updated_if_every_row_is_judged(project, monkeypatch, left_out, updates):
     claims: dict[str, list] = {row["recipe"]: [] for row in table().values()}
     for claim_id in table().keys() - {*left_out}:
         claims[table()[claim_id]["recipe"]].append(result(claim_id))
     for recipe, rows in claims.items():
-        spill(project.results / recipe / "claims.json", json.dumps(rows))
+        if rows:
+            spill(project.results / recipe / "claims.json", json.dumps(results_of(rows)))
     updated = []
     monkeypatch.setattr(report, "update_readme", lambda *arguments: updated.append(arguments))
     report.main(project.root)
@@ -141,18 +145,17 @@ def test_results_of_our_own_are_listed_below_the_claims(page):
 def test_lists_every_judged_claim_in_order(page):
     ids = re.findall(r'<tr id="claim-([^"]+)"', page)
     assert ids == JUDGED
-    chips = re.findall(r'href="#result-(\w+)"\s+aria-label', section(page, "gallery"))
+    chips = re.findall(r'href="#result-([\w-]+)"\s+aria-label', section(page, "gallery"))
     assert sorted(chips) == sorted(JUDGED)
     counts = [int(count) for count in re.findall(r"<strong>(\d+)</strong>", page)]
-    leading = [claim_id for claim_id in JUDGED if "closeness_of" not in table()[claim_id]]
-    listed = sum("closeness_of" not in row for row in table().values())
-    assert counts == [len(leading) - 1, 1]  # reproduced, differs
-    assert f"{len(leading)} of the paper's {listed} claims" in page
+    checks = sum(table()[claim_id]["kind"] == "check" for claim_id in JUDGED)
+    assert counts == [len(JUDGED) - checks, checks - 1, 1]  # reproduced; reproduced, differs
+    assert f"{len(JUDGED)} of the paper's {len(table())} claims" in page
 
 
 def test_orders_recipes_as_the_paper_does_each_with_its_picture(page):
     names = re.findall(r'<section id="([^"]+)"', page)
-    assert names == ["gallery", *RECIPES, "claims", "verdicts", "build"]
+    assert names == ["gallery", *RECIPES, "claims", "numbers", "verdicts", "build"]
     cards = re.findall(
         r'<a class="card" href="#(\w+)">\s*<span class="crop"><img src="([^"]+)"', page
     )
@@ -204,21 +207,42 @@ def test_captions_hold_numbers_and_leave_out_sentences_without_any(project, capt
     assert shown in section(page_of(project), "fig2")
 
 
-@pytest.mark.parametrize("recipe", sorted((ROOT / "recipes").glob("*/rules.smk")))
-def test_captions_name_claims_and_own_results_of_their_recipe(recipe):
-    recipe = recipe.parent
-    caption = (recipe / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]
-    ids = {claim for claim, row in table().items() if row["recipe"] == recipe.name}
-    scripts = "".join(path.read_text(encoding="utf-8") for path in recipe.glob("*.py"))
-    own = set(re.findall(r'OwnResult\(\s*(?:id=)?"(\w+)"', scripts))
-    assert set(re.findall(r"\{(\w+):", caption)) <= ids | own
+@cache
+def names_in(path):
+    """A pattern for each text in Python that may name a quantity; what is inserted may be all."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+        texts = [part.value if isinstance(part, ast.Constant) else None for part in parts]
+        if any(isinstance(text, str) and re.search("[a-z]{2}|R", text) for text in texts):
+            found.add("".join(".+" if text is None else re.escape(str(text)) for text in texts))
+    return found
+
+
+@pytest.mark.parametrize("recipe", [*sorted((ROOT / "recipes").glob("*/rules.smk")), "README"])
+def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recipe):
+    if recipe == "README":
+        text, scripts = readme.SENTENCES, [*(ROOT / "recipes").rglob("*.py")]
+        ids = {*table(), "choices", "findings", "checks", "first", "numbers"}
+    else:
+        text = (recipe.parent / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]
+        scripts = [*recipe.parent.glob("*.py"), *(ROOT / "recipes/common").rglob("*.py")]
+        ids = {claim for claim, row in table().items() if row["recipe"] == recipe.parent.name}
+        own = (path.read_text(encoding="utf-8") for path in recipe.parent.glob("*.py"))
+        ids |= set(re.findall(r'OwnResult\(\s*(?:id=)?"(\w+)"', "".join(own)))
+    places, names = PLACE.findall(text), set().union(*map(names_in, scripts))
+    assert {claim for claim, _ in places} <= ids
+    for _, quantity in places:
+        parts = " ".join(quantity.split()).split(": ")
+        ends = [": ".join(parts[n:]) for n in range(len(parts))]
+        assert any(re.fullmatch(name, end) for name in names for end in ends), quantity
 
 
 def test_the_picture_of_all_claims_shows_them_as_they_are(project):
     picture, claims = project.results / "claims.png", project.results / "fig2/claims.json"
     page_of(project)
     drawn = picture.read_bytes()
-    claims.write_text(claims.read_text().replace('"shown": true', '"shown": false'))
+    claims.write_text(claims.read_text().replace('"case": "holds"', '"case": "does not hold"'))
     page_of(project)
     assert picture.read_bytes() != drawn
     assert picture.with_suffix(".pdf").exists()
@@ -228,9 +252,9 @@ def test_the_picture_of_all_claims_shows_them_as_they_are(project):
 def test_refuses_what_cannot_be_shown(project, name, text, sentence):
     path = project.results / "fig3" / name
     if text in ("doubled", "unlisted", "other verdict"):
-        [claim, *_] = json.loads(path.read_text())
+        [claim, *_] = json.loads(path.read_text())["claims"]
         changed = {"doubled": {}, "unlisted": {"id": "3Z"}, "other verdict": {"verdict": "partly"}}
-        text = json.dumps([claim | changed[text]] * (1 + (text == "doubled")))
+        text = json.dumps(results_of([claim | changed[text]] * (1 + (text == "doubled"))))
     path.write_text(text)
     done = project.report()
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)

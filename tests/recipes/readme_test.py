@@ -4,11 +4,12 @@ import csv
 import hashlib
 import json
 import re
+import subprocess
 
 import pytest
 
 import readme
-from claims.claim import Claim, Share
+from claims.claim import Claim, Number, Share
 from claims.judge import table
 from conftest import ROOT, run
 from data.tables import read_rows
@@ -21,7 +22,7 @@ def test_its_sentences_are_those_of_the_table_of_verdicts():
     rows = read_rows(ROOT / readme.TABLE)
     assert [row["id"] for row in rows if row["verdict"]] == list(table())
     [shown] = readme.BLOCK.findall((ROOT / readme.README).read_text(encoding="utf-8"))
-    assert shown == readme.sentences(rows)
+    assert shown == readme.sentences(ROOT)
     assert "not run" not in shown and "{" not in shown
 
 
@@ -41,22 +42,30 @@ def test_events_are_those_that_the_programs_compute(event, folder):
     assert [row for row in csv.reader(EVENTS.splitlines()) if row[0] == event] == expected
 
 
-VERDICTS = "id,closeness of,verdict,holds,units,numbers\n1D,,depends,1,2,{}\nchoices,,,,,{}\n"
+VERDICTS = (
+    "id,kind,fixed,verdict,holds,units,version,numbers\n"
+    "1D,finding,today,depends,1,2,0,{}\nchoices,,,,,,0,{}\n"
+)
 FRONT = {"x": [0, 0.07], "L": 0.14, "c_s": 968, "t_rupture": [1.0, None], "v_c": [9.68, None]}
 
 
-def update(root, reason):
-    share = Share("primary", 19, 20, 0.8, 1.0)
-    claim = Claim("2Aw", "paper", "accepted", {}, True, [share], "reproduced", reason)
-    readme.update_readme(root, [claim], [])
+def update(root, verdict="reproduced"):
+    """Of one finding, whose criterion was fixed after results."""
+    share, words = Share("primary", 19, 20, 0.8, 1.0), ("finding", "later, after results", "paper")
+    claim = Claim("2A", *words, "accepted", {}, "holds", [share], verdict, "why")
+    number = Number(
+        "slow [c_s]", 0.01, most_like=0.012, median=0.02, low=0.01, high=0.035, of="9 e"
+    )
+    readme.update_readme(root, [claim], [], [number], "0.5.0")
     return (root / readme.README).read_text()
 
 
 @pytest.fixture(name="clone")
 def made_up_clone(tmp_path):
     spill(tmp_path / readme.TABLE, VERDICTS)
-    for name in (readme.FRONTS, readme.PICTURE):
+    for name in (readme.FRONTS, readme.NUMBERS, readme.PICTURE):
         spill(tmp_path / name, "old")
+    spill(tmp_path / readme.FIRST, (ROOT / readme.FIRST).read_bytes())
     for name in readme.EVENTS:
         spill(tmp_path / f"results/data/{name}-front.json", json.dumps(FRONT))
     spill(tmp_path / readme.README, "above\n<!-- results -->\nold\n<!-- /results -->\nbelow\n")
@@ -64,17 +73,30 @@ def made_up_clone(tmp_path):
 
 
 def test_a_report_of_all_results_writes_them(clone):
-    above, sentences, below = re.split(r"<!-- .* -->\n", update(clone, "holds"))
+    above, sentences, below = re.split(r"<!-- .* -->\n", update(clone))
     assert (above, below) == ("above\n", "below\n")
-    assert "19 of 20 independent loads" in sentences and "old" not in sentences
+    assert "in 19 of 20 runs" in sentences and "old\n" not in sentences
+    assert "| slow [c_s] | 0.01 | 0.012 | 0.02 (0.01 to 0.035) |" in sentences
+    assert "1 findings of the paper: 1 reproduced, 0 depend" in sentences
+    assert "The criteria of\n1 of the reproduced findings" in sentences
+    assert "26 criteria fixed before any run, 10" in sentences
     rows = (clone / readme.TABLE).read_text().splitlines()
-    assert rows[1:] == ["2Aw,,reproduced,19,20,{}", "choices,,,,,{}"]  # `all` leaves that out
+    assert rows[1:] == [
+        '2A,finding,"later, after results",reproduced,19,20,0.5.0,{}',
+        "choices,,,,,,0,{}",
+    ]  # `all` leaves that out
     assert "most-like,v_c/c_s,0.01,\n" in (clone / readme.FRONTS).read_text()
 
 
 def test_one_of_some_results_or_behind_a_link_does_not(clone):
-    assert "old" in update(clone, "shown case only: holds")
+    assert "old\n" in update(clone, None)
     (clone / readme.README).rename(clone / "mine")
     (clone / readme.README).symlink_to("mine")
-    assert "old" in update(clone, "holds")
+    assert "old\n" in update(clone)
     assert (clone / readme.TABLE).read_text() == VERDICTS
+
+
+def test_no_text_uses_words_that_a_reader_cannot_know():
+    texts = [*ROOT.glob("*.md"), ROOT / "recipes", ROOT / "python", ROOT / "docs", ROOT / "src"]
+    grep = ["grep", "-rniI", "--exclude=CHANGELOG.md", "-f", ROOT / ".phrases", *texts]
+    assert subprocess.run(grep, capture_output=True, text=True, check=False).stdout == ""

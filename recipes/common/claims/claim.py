@@ -1,8 +1,11 @@
-"""Claims of the paper, beside what was measured: results/figN/claims.json."""
+"""Claims of the paper beside what was measured, and its numbers beside ours:
+results/figN/claims.json."""
 
 import json
 import re
 from dataclasses import asdict, dataclass, replace
+
+import numpy as np
 
 from rupture.errors import Failure
 from rupture.replacing import write_whole
@@ -14,9 +17,9 @@ DIFFERS = "differs"
 NOT_COMPARABLE = "not comparable"
 VERDICTS = (REPRODUCED, DEPENDS, DIFFERS, NOT_COMPARABLE)
 PRIMARY = "primary"  # the convention by which the shown case is measured
-SHOWN_ONLY = "shown case only"  # begins the reason of a verdict without units
-HOLDS, FAILS = "holds as shown", "fails as shown"
-STANDINGS = (REPRODUCED, HOLDS, DEPENDS, FAILS, DIFFERS, NOT_COMPARABLE)  # in counts
+HOLDS, DOES_NOT_HOLD = "holds", "does not hold"  # of a case
+STANDINGS = (REPRODUCED, HOLDS, DEPENDS, DOES_NOT_HOLD, DIFFERS, NOT_COMPARABLE)  # in counts
+SCHEMA = 2  # of claims.json; 1 was a list of claims with other names
 
 
 @dataclass(frozen=True)
@@ -38,37 +41,67 @@ class Share:
 
 
 def plural(unit):
-    return re.sub(r"^(load|event|seed)\b", r"\1s", unit)
+    return re.sub(r"^(run|event|seed)\b", r"\1s", unit)
 
 
 @dataclass(frozen=True)
 class Claim:
-    """One row. `measured` has numbers by name and unit: {"slow speed [m/s]": 9.8}. `shown`
-    says whether the claim holds for the case that the picture shows; None if that could not be
-    measured. `note` says what a reader has to know to judge the verdict; where a claim differs,
-    why."""
+    """One row. `measured` has numbers by name and unit: {"slow speed [m/s]": 9.8}. `case` says
+    whether the claim holds for the case that the picture shows; None if that could not be measured.
+    `verdict` is None where the claim is judged over units and these have not run. `note` says what
+    a reader has to know to judge it; where a claim differs, why."""
 
     id: str
+    kind: str  # finding or check, as in claims.toml
+    fixed: str
     paper: str
     acceptance: str
     measured: dict
-    shown: bool | None
+    case: str | None
     shares: list  # of Share, the primary convention first
-    verdict: str
+    verdict: str | None
     reason: str
     note: str = ""
-    closeness_of: str = ""  # the leading row, of one that asks for more than the paper says
 
     @property
     def standing(self):
-        """The verdict for readers; without units, it refers only to the shown case."""
-        if not self.reason.startswith(SHOWN_ONLY):
-            return self.verdict
-        return HOLDS if self.shown else FAILS
+        """For readers: the verdict, or what is known without one."""
+        return self.verdict or self.case
 
     def __post_init__(self):
-        if self.verdict not in VERDICTS:
+        if self.verdict not in (*VERDICTS, None):
             raise ValueError(f"claim {self.id}: not a verdict: '{self.verdict}'")
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number of the paper beside ours, without pass or fail. `paper` is None where the paper has
+    none, `shown` belongs to the event or set in the picture, `most_like` to the event most like the
+    paper's. The others are the median and where 5 and 95 % of what `of` names lie."""
+
+    quantity: str  # with its unit, as in "l_0 [mm]"
+    paper: float | None
+    shown: float | None = None
+    most_like: float | None = None
+    median: float | None = None
+    low: float | None = None
+    high: float | None = None
+    of: str = ""
+    note: str = ""
+
+    @property
+    def ratio(self):
+        """Of our median to the paper's number, or of the shown one."""
+        ours = self.shown if self.median is None else self.median
+        return ours / self.paper if ours is not None and self.paper is not None else None
+
+
+def spread(quantity, paper, values, of, **beside):
+    """A number with the median and range of these values, those that are known."""
+    known = [value for value in values if value is not None]
+    low, median, high = np.percentile(known, (5, 50, 95)).tolist() if known else (None,) * 3
+    found = {"median": median, "low": low, "high": high, "of": of.format(len(known))}
+    return Number(quantity, paper, **found, **beside)
 
 
 def plain(value):
@@ -76,18 +109,24 @@ def plain(value):
     return value.tolist()
 
 
-def write_claims(path, claims):
+def write_claims(path, claims, numbers=()):
     """Writes all or nothing. NaN is an error: a missing value is None."""
-    rows = [asdict(claim) for claim in claims]
-    text = json.dumps(rows, indent=2, ensure_ascii=False, allow_nan=False, default=plain) + "\n"
+    content = {"schema": SCHEMA, "claims": [*map(asdict, claims)]}
+    content["numbers"] = [*map(asdict, numbers)]
+    text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False, default=plain) + "\n"
     write_whole(path, text)
 
 
-def read_claims(path):
+def read_results(path):
+    """The claims and the numbers."""
     try:
-        claims = [Claim(**row) for row in json.loads(path.read_text(encoding="utf-8"))]
-        return [replace(c, shares=[Share(**share) for share in c.shares]) for c in claims]
-    except (OSError, ValueError, TypeError) as error:
+        content = json.loads(path.read_text(encoding="utf-8"))
+        if content["schema"] != SCHEMA:
+            raise ValueError(f"its schema is {content['schema']}, not {SCHEMA}")
+        claims = [Claim(**row) for row in content["claims"]]
+        claims = [replace(c, shares=[Share(**share) for share in c.shares]) for c in claims]
+        return claims, [Number(**row) for row in content["numbers"]]
+    except (OSError, KeyError, ValueError, TypeError) as error:
         recipe = path.parent.name
         raise Failure(
             f"{path} is not a table of claims ({error}): delete it and run ./reproduce.sh {recipe}."

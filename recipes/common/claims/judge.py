@@ -11,7 +11,7 @@ from pathlib import Path
 
 from scipy.stats import beta
 
-from claims.claim import DEPENDS, DIFFERS, NOT_COMPARABLE, PRIMARY, REPRODUCED, SHOWN_ONLY
+from claims.claim import DEPENDS, DIFFERS, DOES_NOT_HOLD, HOLDS, NOT_COMPARABLE, PRIMARY, REPRODUCED
 from claims.claim import Claim, Share, number, plural, split_unit
 from rupture.errors import Failure
 
@@ -19,6 +19,7 @@ TABLE = Path(__file__).with_name("claims.toml")
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing
+CASES = {True: HOLDS, False: DOES_NOT_HOLD}
 RELATIONS = {"at_least": ge, "at_most": le, "above": gt, "below": lt}
 
 
@@ -87,7 +88,7 @@ def unmet(claim_id, case):
 
 
 def unmet_text(claim_id, case):
-    """The same for readers: wanted slowest c_s/200 to c_s/50, got c_s/49.6"""
+    """The same for readers: slowest is c_s/49.6, not c_s/200 to c_s/50"""
     parts = []
     for name in unmet(claim_id, case):
         condition = conditions_of(claim_id)[name]
@@ -95,7 +96,7 @@ def unmet_text(claim_id, case):
         asked, got = f"{wanted(name, condition)} {unit}".rstrip(), as_read(name, case[name])
         if isinstance(case[name], float) and met(condition, float(f"{case[name]:.3g}")):
             got = f"{case[name]:.6g}"  # in three digits it would seem to be met
-        parts.append(f"wanted {quantity} {asked}, got {got} {unit}".rstrip())
+        parts.append(f"{quantity} is {got}, not {asked}")
     return "; ".join(parts)
 
 
@@ -140,44 +141,46 @@ def verdict_of_shares(claim_id, shown, shares):
     unit = table()[claim_id]["unit"]
     worst, best = min(shares, key=lambda s: s.low), max(shares, key=lambda s: s.high)
     if shown and worst.low >= needed(claim_id):
-        return REPRODUCED, f"holds as shown and in at least {worst.text(unit)}"
+        return REPRODUCED, f"holds in at least {worst.text(unit)}"
     if not shown and best.high <= FEW:
-        return DIFFERS, f"does not hold as shown, and in at most {best.text(unit)}"
+        return DIFFERS, f"holds in at most {best.text(unit)}"
     primary, decides, to = shares[0], *((worst, "down") if shown else (best, "up"))
     extreme = "" if decides is primary else f", {to} to {decides.text(unit)}"
     parts = [share.part() for share in shares]
     enough = min(parts) >= needed(claim_id) if shown else max(parts) <= FEW
     few = f"; too few {plural(unit)} for a verdict" if enough else ""
-    holding = "holds as shown, and" if shown else "does not hold as shown; holds"
-    return DEPENDS, f"{holding} in {primary.text(unit)}{extreme}{few}"
+    beside = "" if shown else ", but not in the case shown"
+    return DEPENDS, f"holds in {primary.text(unit)}{extreme}{beside}{few}"
 
 
 def verdict_of(claim_id, shown, shares):
-    """The verdict, and its reason in one line."""
+    """The verdict, None without units, and its reason in one line."""
+    row = table()[claim_id]
     if not conditions_of(claim_id):
-        return NOT_COMPARABLE, "the paper states nothing to compare with; ours is reported"
+        return NOT_COMPARABLE, "the paper gives no number to compare with; ours are reported"
     if shown is None:
         return NOT_COMPARABLE, "it could not be measured"
     if shares and is_one_state(claim_id):
         return verdict_of_state({share.convention: share.holds == 1 for share in shares})
     if shares:
         return verdict_of_shares(claim_id, shown, shares)
-    holding = "holds" if shown else "does not hold"
-    of_case = f"{SHOWN_ONLY}: {holding}" if table()[claim_id].get("unit") else holding
-    return REPRODUCED if shown else DIFFERS, of_case
+    if row.get("unit"):
+        what = "seeds" if is_one_state(claim_id) else plural(row["unit"])
+        return None, f"only the case shown was judged, no other {what}"
+    return (REPRODUCED, HOLDS) if shown else (DIFFERS, DOES_NOT_HOLD)
 
 
 def verdict_of_state(held):
     """The verdict for one state. `held`: {convention: whether the claim holds under it}"""
     holding, failing = ([name for name, does in held.items() if does == so] for so in (True, False))
-    every = f" under all {len(held)} conventions" if len(held) > 1 else ""
+    ways = f"the {len(held)} ways to measure"
     if not failing:
-        return REPRODUCED, f"holds{every}"
+        return REPRODUCED, f"holds in all of {ways}" if len(held) > 1 else HOLDS
     if not holding:
-        return DIFFERS, f"does not hold{every}"
+        return DIFFERS, f"holds in none of {ways}" if len(held) > 1 else DOES_NOT_HOLD
     if len(holding) < len(failing):
-        return DEPENDS, f"holds only under {', '.join(holding)} (of {len(held)} conventions)"
-    return DEPENDS, f"holds except under {', '.join(failing)} (of {len(held)} conventions)"
+        return DEPENDS, f"of {ways}, holds only in {', '.join(holding)}"
+    return DEPENDS, f"of {ways}, does not hold in {', '.join(failing)}"
 
 
 def units_with(is_so, units):
@@ -187,14 +190,12 @@ def units_with(is_so, units):
 
 
 def share_of_spanning(claim_id, units):
-    """For "there is such an event": how many of the spanning events of all loads are such."""
+    """For "there is such an event": how many of the spanning events of all runs are such."""
     cases = [case for measured in units.values() for case in measured.get(PRIMARY, [])]
     spanning = [case for case in cases if case.get("spans") == "yes"]
     if not (table()[claim_id].get("exists") and spanning):
         return ""
-    return (
-        f"; {sum(holds(claim_id, [case]) for case in spanning)} of {len(spanning)} spanning events"
-    )
+    return f"; {sum(holds(claim_id, [c]) for c in spanning)} of {len(spanning)} spanning events"
 
 
 def judged(claim_id, measured, shown, units=None, note="", others=None):
@@ -216,13 +217,14 @@ def judged(claim_id, measured, shown, units=None, note="", others=None):
         reason += f" ({unmet_text(claim_id, shown)})"
     return Claim(
         id=claim_id,
+        kind=row["kind"],
+        fixed=row["fixed"],
         paper=row["says"],
         acceptance=row["accepted"],
         measured=measured,
-        shown=accepted,
+        case=None if accepted is None or not conditions_of(claim_id) else CASES[accepted],
         shares=shares,
         verdict=verdict,
         reason=reason,
         note=note,
-        closeness_of=row.get("closeness_of", ""),
     )

@@ -20,3 +20,4 @@ L_0 = 7e-3  # decay length of the shear force ahead of them [m]
 # SI, on the speed of slow slip
 COEFFICIENT = 4.2  # Eq. S1: that speed [tau_slip/(k_i <t_R>)]
 NET_SLIP = 8.5  # [f_slip/k_ij]
+ALL_PINNED = 2.0  # when all junctions are pinned again [<t_R>]

@@ -1,49 +1,62 @@
 """Claims on the terminal, as a table that fits into 100 columns."""
 
 import textwrap
+from collections import Counter
 
-from claims.claim import CLAIMS, STANDINGS, Share, read_claims
+from claims.claim import CLAIMS, HOLDS, VERDICTS, Share, read_results
 
 SUMMARY = "summary.txt"  # what a recipe has to say beyond claims, beside its claims.json
 WIDTH = 100
-HEADS = ("verdict", "shown", "share", "least", "under")
+HEADS = ("case shown", "verdict", "share", "least", "under")
 INDENT = " " * 6
-FORM = INDENT + "{:16}{:8}{:20}{:7}{}"
-SHOWN = {True: "holds", False: "fails", None: "-"}
+FORM = INDENT + "{:16}{:16}{:20}{:7}{}"
 
 
 def cells(claim):
     """Share under the primary convention with its 90 % interval, and the least of all."""
+    case, verdict = claim.case or "-", claim.verdict or "-"
     if not claim.shares:
-        return claim.standing, SHOWN[claim.shown], "", "", ""
+        return case, verdict, "", "", ""
     primary, least = claim.shares[0], min(claim.shares, key=Share.part)
     within = "" if primary.low is None else f" ({primary.low:.2f}-{primary.high:.2f})"
     shares = f"{primary.part():.2f}{within}", f"{least.part():.2f}", least.convention
-    return claim.standing, SHOWN[claim.shown], *shares
+    return case, verdict, *shares
 
 
-def print_table(claims):
-    """A row that asks for more than the paper says is indented below the leading one."""
-    print(f"{'claim':6}of the paper\n{FORM.format(*HEADS).rstrip()}")
+def print_table(claims, released):
+    print(f"claim of the paper\n{FORM.format(*HEADS).rstrip()}")
     print("-" * WIDTH)
     for claim in claims:
-        name = f" {claim.id}" if claim.closeness_of else claim.id
-        print(f"{name:6}{textwrap.shorten(claim.paper, WIDTH - len(INDENT), placeholder=' ...')}")
+        print(textwrap.shorten(f"{claim.id}: {claim.paper}", WIDTH, placeholder=" ..."))
         print(FORM.format(*cells(claim)).rstrip())
-        print(textwrap.fill(claim.reason, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT))
+        beside = f"; released verdict: {released[claim.id]}" if claim.id in released else ""
+        text = claim.reason + beside
+        print(textwrap.fill(text, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT))
 
 
 def summary(claims):
-    counts = {s: sum(claim.standing == s for claim in claims) for s in STANDINGS}
-    return ", ".join(f"{count} {name}" for name, count in counts.items() if count)
+    """Verdicts, and the cases without one."""
+    verdicts = Counter(claim.verdict for claim in claims)
+    texts = [f"{verdicts[name]} {name}" for name in VERDICTS if verdicts[name]]
+    cases = [claim.case for claim in claims if claim.verdict is None]
+    if cases:
+        held = cases.count(HOLDS)
+        of = f"{held} of {len(cases)} claims {'holds' if held == 1 else 'hold'}"
+        texts.append(f"for the case shown, without a verdict, {of}")
+    return "; ".join(texts)
 
 
-def print_claims(folder):
-    """Prints the claims of the recipe with these results."""
-    claims = read_claims(folder / CLAIMS)
+def print_claims(folder, released):
+    """Prints the claims of the recipe with these results; `released`: texts by claim."""
+    claims, _ = read_results(folder / CLAIMS)
     print(f"\n{folder.name}: {summary(claims) or 'no claims of its own'}\n")
     if claims:
-        print_table(claims)
+        print_table(claims, released)
     if (folder / SUMMARY).exists():
         print((folder / SUMMARY).read_text(encoding="utf-8"))
     print(f"Pictures and data: {folder}/")
+    if any(claim.verdict is None for claim in claims):
+        print(
+            "A verdict needs runs with other random numbers: ./reproduce.sh ensemble"
+            f" {folder.name} makes them once, in about an hour."
+        )

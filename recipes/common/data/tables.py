@@ -14,7 +14,6 @@ SLOW_STRETCH = {  # name in a report: for readers
     "x_from": "slow from [m]",
     "x_to": "slow to [m]",
     "duration": "duration [s]",
-    "between_crossings": "between crossings [s]",
     "speed": "slow speed [m/s]",
     "mean": "mean slow speed [m/s]",
     "slowest": "slowest stencil [m/s]",

@@ -7,11 +7,9 @@ returns that time and the last checkpoint before it.
 import math
 import sys
 
-from claims.judge import unmet
 from data.records import report
 from events.continuations import LEAD
-from events.conventions import DECAYING, IN_WORDS, PRIMARY, WITH_ENDS
-from events.front_claims import case_of_event
+from events.conventions import IN_WORDS, PRIMARY
 from events.fronts import is_fast_only, is_fast_slow
 
 
@@ -22,19 +20,12 @@ def start(event, checkpoint_every):
 
 
 def read_events(path, convention=PRIMARY):
-    """The events of a load as ensemble/measure_events.py lists them. Under the primary convention,
-    slow stretches also have the time between the crossings of the threshold, if it is known."""
-    found = report(path)
-    if convention == PRIMARY:
-        for event, with_ends in zip(found[PRIMARY], found.get(WITH_ENDS, [])):
-            within, around = event["slow"], with_ends["slow"]
-            if within and around["x_from"] <= within["x_from"] and within["x_to"] <= around["x_to"]:
-                within["between_crossings"] = around["duration"]
-    return found[convention]
+    """The events of a run as ensemble/measure_events.py lists them."""
+    return report(path)[convention]
 
 
 def first_in_words(path):
-    """The first spanning event that is so (S6Aw, Expe); if none is, the first that spans."""
+    """The first that is fast-slow-fast in words; if none is, the first that spans."""
     spanning = [event for event in read_events(path, IN_WORDS) if event["spanning"]]
     return next((event for event in spanning if event["fast_slow_fast"]), spanning[0])
 
@@ -70,15 +61,11 @@ def fast_slow(path, checkpoint_every):
 
 
 def decaying(path, checkpoint_every):
-    """The first that is fast-slow-fast in words (claim S6Aw); all that span, with the conditions of
-    S6A that they do not meet."""
-    spanning = [event for event in read_events(path, DECAYING) if event["spanning"]]
-    for event in spanning:
-        event["unmet"] = unmet("S6A", case_of_event(event))
-    chosen = next((event for event in spanning if event["fast_slow_fast"]), None)
+    """The first that is fast-slow-fast in words (claim S6A)."""
+    chosen = next((e for e in read_events(path, IN_WORDS) if e["fast_slow_fast"]), None)
     if chosen is None:
-        sys.exit(f"none of the {len(spanning)} events that span is fast-slow-fast: load for longer")
-    return start(chosen, checkpoint_every) | {"events": spanning}
+        sys.exit("no event of this load is fast-slow-fast: load for longer")
+    return start(chosen, checkpoint_every)
 
 
 RULES = {"shown": shown, "fast-slow": fast_slow, "decaying": decaying}

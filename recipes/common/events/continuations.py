@@ -9,14 +9,13 @@ BRANCHES = {  # front at [L]: the block that then ruptures, its x [m]
     "0.2": (11, 0.0275),
     "0.25": (14, 0.035),
 }
-SLIP_AT = {"0.34": 0.0476, "0.30": 0.042, "0.38": 0.0532}  # [L]: [m]
-OWN_BLOCK, BEFORE_TRANSITION = "own", 0.06  # and the block so far before the event's transition [L]
+SLIP_X = 0.0476  # [m], 0.34 L: the block that Figure 3 C shows
+OWN_BLOCK, BEFORE_TRANSITION = "own", 0.06  # the block so far before the event's transition [L]
 CONTINUATIONS = {  # from a branch on
     "stopped": "--set driving.V=0",
     "no-slow-slip": "--set driving.V=0 --set junctions.f_new=f_slip",
     "t_R-half": "--set driving.V=0 --set junctions.t_R=1e-3 --set junctions.delta_t_R=0.3e-3",
     "t_R-double": "--set driving.V=0 --set junctions.t_R=4e-3 --set junctions.delta_t_R=1.2e-3",
-    "exponential": "--set junctions.slipping_times=exponential",
     "distance": "--set junctions.law=distance",
 }
 SLIPS = ["stopped", "t_R-half", "t_R-double"]  # of which the slip of a block is measured

@@ -9,9 +9,7 @@ from claims.claim import PRIMARY
 from events.fronts import SLOW_BELOW
 
 C_S, C_S_OF_LATTICE = 968, 993  # [m/s]
-WITH_ENDS = "ends to the slow"
 IN_WORDS = "in words"  # "at least 1 order of magnitude slower than the material's wave speeds"
-DECAYING = "slow below c_s/8"  # claim S6A allows a slow speed up to this
 
 CONVENTIONS: dict[str, dict] = {  # name: options
     PRIMARY: {},
@@ -22,15 +20,10 @@ CONVENTIONS: dict[str, dict] = {  # name: options
     "slow below c_s/10": {"--slow-below": 1 / 10},
     "slow below c_s/30": {"--slow-below": 1 / 30},
     "lattice's c_s": {"--slow-below": SLOW_BELOW * C_S_OF_LATTICE / C_S},
-    WITH_ENDS: {"--stencils-at-ends": "slow"},
+    "ends to the slow": {"--stencils-at-ends": "slow"},
     "ends to the fast": {"--stencils-at-ends": "fast"},
 }
-# Not conventions, but the ways to measure of single claims.
-OWN_WAYS: dict[str, dict] = {
-    IN_WORDS: {"--slow-below": 1 / 10, "--stencils-at-ends": "slow"},
-    DECAYING: {"--slow-below": 1 / 8},
-}
-WAYS = CONVENTIONS | OWN_WAYS
+WAYS = CONVENTIONS | {IN_WORDS: {"--slow-below": 1 / 10, "--stencils-at-ends": "slow"}}
 
 
 def words_of(options):

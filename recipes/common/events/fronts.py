@@ -31,15 +31,6 @@ def has_slow_stretch(front):
     return front["type"] == "slow"
 
 
-def is_measured(front):
-    """That stretch is not shorter than a stencil, and so has a speed, a beginning and an end."""
-    return has_slow_stretch(front) and front["slow"] is not None
-
-
-def takes_time(front):
-    return is_measured(front) and front["slow"]["duration"] > 0
-
-
 def is_fast_only(front):
     """Claim 2B: no stencil beyond the loading zone is slow."""
     return front["type"] == "fast"

@@ -5,15 +5,6 @@ import numpy as np
 from events.continuations import LEAD
 
 
-def with_peak_speed(slip):
-    """That of the fast slip, between two samples [m/s]; None if the block does not stop."""
-    if slip["t_arrest"] is None:
-        return slip | {"peak_speed": None}
-    time, moved = np.array(slip["time"]), np.array(slip["slip"])
-    fast = time <= slip["t_arrest"]
-    return slip | {"peak_speed": float(np.max(np.diff(moved[fast]) / np.diff(time[fast])))}
-
-
 def until(front):
     """The time to which slip is followed [s]: the end of the slow stretch, or the front's arrival
     at the leading edge; None, to the end of the record, where it does not arrive."""

@@ -11,14 +11,13 @@ from pathlib import Path
 
 from claims.judge import holds
 from data.records import report
-from events.continuations import BRANCHES, OWN_BLOCK, SLIP_AT
-from events.conventions import CONVENTIONS, DECAYING, IN_WORDS, PRIMARY
+from events.continuations import BRANCHES, OWN_BLOCK
+from events.conventions import CONVENTIONS, IN_WORDS, PRIMARY
 from events.event_claims import EVENT_CLAIMS, case_S2
 from events.front_claims import words_and_order_case
-from events.fronts import has_slow_stretch, is_measured, takes_time
+from events.fronts import has_slow_stretch
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
-FIRST_BLOCK, *OTHER_BLOCKS = SLIP_AT
 NO_S2 = case_S2(None, None)
 
 
@@ -46,13 +45,8 @@ def of_loads(paths, case, conventions=None):
 
 
 def in_words(paths):
-    """Claims 2Aw, S6Aw, Expe and Expw."""
+    """Claims 2A, S6A and exponential-event."""
     return of_loads(paths, words_and_order_case, {PRIMARY: IN_WORDS})
-
-
-def below_c_s_over_8(paths, case):
-    """Claim S6A, for which slow may be up to c_s/8."""
-    return of_loads(paths, case, {PRIMARY: DECAYING, "slow below c_s/20": PRIMARY})
 
 
 def without_slow_slip(path):
@@ -76,7 +70,6 @@ class View:
     event: dict
     way: str = PRIMARY  # to measure its fronts
     branch: str = FIRST_BRANCH
-    block: str = FIRST_BLOCK
 
     def of_branch(self, *keys):
         """None where there is nothing, such as a front where nothing ruptures."""
@@ -90,54 +83,44 @@ class View:
             return self.event["conventions"][self.way][run]
         return self.event["unmodified"] if run == "unmodified" else self.of_branch(run)
 
-    def fronts(self, run):
-        return self.front("unmodified"), self.front(run)
-
     def around_transition(self):
-        return self.event["unmodified"], self.event[IN_WORDS], self.of_branch("no-slow-slip")
+        return self.event[IN_WORDS], self.of_branch("no-slow-slip")
 
     def widened(self):
-        return *self.fronts("wider"), *(self.of_branch("phi", n) for n in ("before", "after"))
+        """None if the unmodified front is not slow: there is nothing to compare with."""
+        unmodified = self.front("unmodified")
+        if not has_slow_stretch(unmodified):
+            return None
+        phi = (self.of_branch("phi", name) for name in ("before", "after"))
+        return unmodified, self.front("wider"), *phi
 
     def undriven(self):
-        return tuple(self.event[name] for name in ("unmodified", "undriven", "undriven_from"))
+        names = (IN_WORDS, "unmodified", "undriven", "undriven_from")
+        return tuple(self.event[name] for name in names)
 
 
 # Conventions beside the primary one: fields of a View.
 AT_BRANCHES = {f"branch at {branch} L": {"branch": branch} for branch in LATER_BRANCHES}
 OF_FRONTS = {name: {"way": name} for name in CONVENTIONS if name != PRIMARY} | AT_BRANCHES
-OF_SLIP = AT_BRANCHES | {f"block at {block} L": {"block": block} for block in OTHER_BLOCKS}
 
 OF_EVENT: dict[str, tuple] = {  # conventions, what the case is made of
-    "3A": (OF_FRONTS, lambda view: view.fronts("stopped")),
-    "3B": (OF_FRONTS, lambda view: view.fronts("no-slow-slip")),
-    "3C": (OF_SLIP, lambda view: [view.of_branch("slip", view.block)]),
-    "3Cv": (OF_SLIP, lambda view: [view.of_branch("slip", view.block)]),
+    "3A": (AT_BRANCHES, lambda view: [view.of_branch(IN_WORDS, "stopped")]),
+    "3B": (AT_BRANCHES, View.around_transition),
+    "3C": (AT_BRANCHES, lambda view: [view.of_branch("slip", OWN_BLOCK)]),
     "4AB": (OF_FRONTS, View.widened),
-    "3Aw": (AT_BRANCHES, lambda view: [view.of_branch(IN_WORDS, "stopped")]),
-    "3Bw": (AT_BRANCHES, lambda view: view.around_transition()),
-    "3Cw": (AT_BRANCHES, lambda view: [view.of_branch("slip", OWN_BLOCK)]),
     "5A": ({}, View.undriven),
-    "5Aw": ({}, lambda view: (view.event[IN_WORDS], *view.undriven())),
-}
-SLOW_AS_JUDGED = {  # of claims made of an original first: whether that can be compared with
-    "3A": is_measured,
-    "3B": is_measured,
-    "4AB": has_slow_stretch,
-    "5A": takes_time,
-    "5Aw": takes_time,
 }
 
 
 def of_event(claim_id, event):
-    """By convention; an event is a unit only if its original is slow as the claim judges it."""
+    """By convention; an event without what it is made of is no unit."""
     (conventions, made_of), (case, *_) = OF_EVENT[claim_id], EVENT_CLAIMS[claim_id]
     found = {}
     for name, fields in ({PRIMARY: {}} | conventions).items():
         if "way" in fields and name not in (event["conventions"] or {}):
             continue
         parts = made_of(View(event, **fields))
-        if claim_id not in SLOW_AS_JUDGED or SLOW_AS_JUDGED[claim_id](parts[0]):
+        if parts is not None:
             found[name] = [] if None in parts else [case(*parts)]
     return found
 

@@ -1,5 +1,5 @@
 """Maps of front types over prestress and width of phi, from tables of sweeps (Figures 4 D and S6 B,
-claim Geo).
+claim geometry).
 
 A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, with the front that
 `analyze front --json` reported, or None where no interface can be prepared. Where the sweep also
@@ -189,17 +189,17 @@ def fast_below_left_of_arrested(seed_types):
     return [(f, a) for f in fast for a in arrested if f[0] <= a[0] and f[1] <= a[1]]
 
 
-def steps_back(types, axis):
-    """Places where the type falls behind one before it with rising tau_bar_0 (axis 0) or sigma_bar
-    (1): arrested, slow, fast is the order. Those that cannot be prepared do not count."""
-    furthest: dict[float, int] = {}  # by the value of the other axis
+def steps_back(types):
+    """Places where the type falls behind one before it with rising tau_bar_0: arrested, slow, fast
+    is the order. Those that cannot be prepared do not count."""
+    furthest: dict[float, int] = {}  # by sigma_bar
     found = set()
-    for place, kind in sorted(types.items()):
+    for (tau, sigma), kind in sorted(types.items()):
         if kind in TYPES:
-            line, order = place[1 - axis], TYPES.index(kind)
-            if order < furthest.setdefault(line, order):
-                found.add(place)
-            furthest[line] = max(order, furthest[line])
+            order = TYPES.index(kind)
+            if order < furthest.setdefault(sigma, order):
+                found.add((tau, sigma))
+            furthest[sigma] = max(order, furthest[sigma])
     return found
 
 
@@ -245,16 +245,15 @@ def map_of_seed(fronts, seed):
 
 
 def load_map(data, folder, parts):
-    """All fronts, those of the regular grid (map.csv), and the boundary of the recipe `folder`;
-    `parts` are the tables beside map.csv that hold more points."""
+    """All fronts of the recipe `folder`, and those of the regular grid (map.csv); `parts` are the
+    tables beside map.csv that hold more points."""
     tables = [Path(data) / folder / f"{part}.csv" for part in ("map", *parts)]
     fronts = read_map([point for table in tables for point in points_of(table)])
     for seeds in fronts.values():
         if not all(map(is_like_analyze, seeds.values())):
             raise ValueError("front types differ from those of `analyze front`")
     grid = {place: {1: fronts[place][1]} for place in map(place_of, read_rows(tables[0]))}
-    boundary = dict.fromkeys(map(place_of, read_rows(Path(data) / folder / "boundary.csv")))
-    return fronts, grid, [*boundary]
+    return fronts, grid
 
 
 def write_types(path, fronts):

@@ -1,8 +1,8 @@
 """Ways to read a map of front types that the paper leaves open, as data, and the map of each seed
-under each of them: the units of claims 4D, S6B and Geo.
+under each of them: the units of claims 4D, S6B and geometry.
 
-A way is options of front_type(), and the axis along which types may not step back. Where stencils
-at the ends of a slow stretch count makes no difference to a type, so those ways are left out.
+A way is options of front_type(). Where stencils at the ends of a slow stretch count makes no
+difference to a type, so those ways are left out.
 """
 
 from claims.judge import judged
@@ -21,20 +21,15 @@ MEASURES = {  # those that make a difference to types
     for name, options in CONVENTIONS.items()
     if set(options) <= set(OPTIONS)
 }
-ALONG_TAU, ALONG_SIGMA = 0, 1  # axes of a place
-WAYS = {name: {"axis": ALONG_TAU} | how for name, how in MEASURES.items()} | {
-    "order along sigma_bar": {"axis": ALONG_SIGMA}
-}
 
 ABOUT_UNITS = "The map of a seed has its own fronts at the boundary and those of seed 1 elsewhere."
 
 
-def out_of_order(fronts, grid, axis, **how):
-    """Places that are fast below-left of an arrested one, over all seeds, and those of the regular
-    grid where the type steps back along an axis."""
-    found = {fast for fast, _ in fast_below_left_of_arrested(types_of_seeds(fronts, **how))}
-    types = types_of(fronts, **how)
-    return found | steps_back({place: types[place] for place in grid}, axis)
+def out_of_order(fronts):
+    """Places that are fast below-left of an arrested one, over all seeds, and those where the type
+    steps back along tau_bar_0."""
+    found = {fast for fast, _ in fast_below_left_of_arrested(types_of_seeds(fronts))}
+    return found | steps_back(types_of(fronts))
 
 
 def units_of_seeds(seeds, ways, case):
@@ -44,15 +39,12 @@ def units_of_seeds(seeds, ways, case):
     }
 
 
-def claims_over_seeds(leading, strict, shown, of_seeds, case_in_words, case, measured, note):
-    """The leading claim, and the one that asks for more. `shown`: the map of all seeds, or several;
-    `of_seeds`: the same of each seed, {seed: map}. The functions measure the cases in them."""
+def claim_over_seeds(claim_id, shown, of_seeds, case):
+    """`shown`: the map of all seeds, or several; `of_seeds`: the same of each seed, {seed: map}.
+    The function measures the case in them."""
 
-    def units(ways, measure):
-        return units_of_seeds(of_seeds, ways, lambda seed, **way: measure(of_seeds[seed], **way))
+    def of_seed(seed, **way):
+        return case(of_seeds[seed], **way)
 
-    words, note = case_in_words(shown), f"{note} {ABOUT_UNITS}"
-    return [
-        judged(leading, words, words, units(MEASURES, case_in_words), ABOUT_UNITS),
-        judged(strict, measured, case(shown), units(WAYS, case), note),
-    ]
+    units = units_of_seeds(of_seeds, MEASURES, of_seed)
+    return judged(claim_id, case(shown), case(shown), units, ABOUT_UNITS)

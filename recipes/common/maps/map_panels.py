@@ -1,4 +1,4 @@
-"""How maps of front types are drawn (Figures 4 D and S6 B, claim Geo)."""
+"""How maps of front types are drawn (Figures 4 D and S6 B, claim geometry)."""
 
 import numpy as np
 from matplotlib.colors import ListedColormap

@@ -1,11 +1,11 @@
 """Makes the results of a recipe: make.py recipes/NAME/figure.py
 
-The script's function make(data, results) draws, writes tables, and returns the claims."""
+The script's function make(data, results) draws, writes tables, and returns claims and numbers."""
 
 import sys
 from pathlib import Path
 
-from claims.claim import write_claims
+from claims.claim import Number, write_claims
 from claims.judge import table
 from data.call import module_at
 
@@ -14,9 +14,11 @@ RESULTS = Path("results")
 
 def main(path):
     results = RESULTS / Path(path).parent.name
-    claims = module_at(path).make(RESULTS / "data", results)
+    rows = module_at(path).make(RESULTS / "data", results)
+    numbers = [row for row in rows if isinstance(row, Number)]
+    claims = [row for row in rows if not isinstance(row, Number)]
     claims.sort(key=lambda claim: list(table()).index(claim.id))
-    write_claims(results / "claims.json", claims)
+    write_claims(results / "claims.json", claims, numbers)
 
 
 if __name__ == "__main__":

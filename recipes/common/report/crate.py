@@ -21,7 +21,7 @@ import yaml
 from runs.written import take
 from rupture.errors import Failure
 from rupture.replacing import write_whole
-from origin import Accounts, builds, checksums
+from runs.origin import Accounts, builds, checksums
 from picture import MOVIES
 from runs.recipes import read_readme, recipe_names
 
@@ -38,6 +38,7 @@ OF_THE_RUN: dict[str, str | None] = {
     "index.html": "All figures and claims on one page",
     "jobs.jsonl": "Each job that was run: rule, command, inputs, outputs, start and time",
     "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
+    "numbers.csv": "The paper's numbers beside ours",
     **dict.fromkeys(("claims.pdf", "claims.png", *MOVIES)),
 }
 

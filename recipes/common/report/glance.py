@@ -4,6 +4,7 @@ left, for which share of its units each claim holds, on the right, under which c
 import re
 from collections import Counter
 
+from claims.claim import DOES_NOT_HOLD, HOLDS
 from claims.judge import PRIMARY, needed, table
 from picture import picture
 from pictures.plotting import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
@@ -12,13 +13,16 @@ from runs.recipes import label
 ROW, HEAD = 3.9 * MM, 42 * MM  # heights of a claim, and of what is above all claims [inch]
 SEEN = (
     "A row per claim, figure by figure. Left: for which share of its units it holds, and whether it"
-    " holds for the shown case; right: the share under each convention that several claims have,"
+    " holds for the case shown; right: the share under each convention that several claims have,"
     " and the least under others."
 )
 GAP = 0.5  # before the next figure, behind the primary convention, and before OTHERS
 SEVERAL = 4  # claims whose common convention has a column
 OTHERS = "least under others"
-CASES = {True: ("^", "the shown case: it holds"), False: ("v", "the shown case: it does not hold")}
+CASES = {
+    HOLDS: ("^", "the case shown: holds"),
+    DOES_NOT_HOLD: ("v", "the case shown: does not hold"),
+}
 PRIMARY_LOOK = {"color": BLACK, "marker": "s", "linewidth": 0.8}
 OTHER_LOOK = {"color": SKY, "marker": "o", "linestyle": "", "markeredgecolor": BLUE}
 NEEDED_LOOK = {"color": VERMILION, "linestyle": ":", "linewidth": 1.2}
@@ -39,8 +43,8 @@ def draw_shares(axes, claim, height):
         axes.plot([primary.low, primary.high], [height, height], color=BLACK, linewidth=0.8)
         axes.vlines(needed(claim.id), height - 0.4, height + 0.4, **NEEDED_LOOK)
     axes.plot(primary.part(), height, **PRIMARY_LOOK)
-    if claim.shown is not None:
-        axes.plot(1.1, height, CASES[claim.shown][0], color=BLACK, markersize=4)
+    if claim.case is not None:
+        axes.plot(1.1, height, CASES[claim.case][0], color=BLACK, markersize=4)
 
 
 def draw_conventions(axes, places, claim, height):

@@ -10,12 +10,13 @@ import hashlib
 import json
 import re
 from collections import Counter
+from dataclasses import fields
 from pathlib import Path
 from types import SimpleNamespace
 
 from caption import PLACE, filled
 from claims import paper
-from claims.claim import SHOWN_ONLY, STANDINGS
+from claims.claim import VERDICTS, Number, number
 from data.records import report
 from data.tables import read_rows, write_table
 from pictures.panels import name_line
@@ -23,7 +24,9 @@ from pictures.plotting import DOUBLE, OF_PAPER, figure
 from rupture.replacing import replacing, write_whole
 
 README, PICTURE = "README.md", "docs/figure-2.png"
-TABLE, FRONTS = "docs/verdicts.csv", "docs/figure-2.csv"
+TABLE, NUMBERS, FRONTS = "docs/verdicts.csv", "docs/numbers.csv", "docs/figure-2.csv"
+FIRST, FIRST_ROUND = "docs/first-criteria.csv", "2026-11-21"  # criteria, and when those were fixed
+AFTER_RESULTS = re.compile(r"\bafter\b")  # in when a criterion was fixed
 BLOCK = re.compile(r"(?<=<!-- results -->\n).*?(?=<!-- /results -->)", re.DOTALL)
 SENTENCES = Path(__file__).with_name("readme.txt").read_text(encoding="utf-8")
 PLACES = set(PLACE.findall(SENTENCES))
@@ -38,13 +41,13 @@ def short(value, digits=3):
     return float(f"{value:.{digits}g}") if isinstance(value, float) else value
 
 
-def row_of(result):
+def row_of(result, version):
     """The share is that under the primary convention, the numbers those that sentences name."""
     found = result.measured.items()
     numbers = {key: short(value) for key, value in found if (result.id, key) in PLACES}
     share = next(iter(getattr(result, "shares", [])), SimpleNamespace(holds="", units=""))
-    texts = (getattr(result, name, "") for name in ("closeness_of", "verdict"))
-    return [result.id, *texts, share.holds, share.units, json.dumps(numbers)]
+    texts = (getattr(result, name, "") for name in ("kind", "fixed", "verdict"))
+    return [result.id, *texts, share.holds, share.units, version, json.dumps(numbers)]
 
 
 def front_rows(name, front):
@@ -55,28 +58,64 @@ def front_rows(name, front):
     return [[name, "t [ms]", *times], [name, "v_c/c_s", *speeds]]
 
 
-def write_tables(root, claims, own):
-    """Writes the tables: of claims and own results, and of events with a column per block. An own
-    result that `all` leaves out keeps its row."""
-    names = ["id", "closeness of", "verdict", "holds", "units", "numbers"]
+def write_tables(root, claims, own, numbers, version):
+    """Writes the tables: of claims and own results, of the paper's numbers, and of events with a
+    column per block. An own result that `all` leaves out keeps its row."""
+    names = ["id", "kind", "fixed", "verdict", "holds", "units", "version", "numbers"]
     ours = {row["id"]: row.values() for row in read_rows(root / TABLE) if not row["verdict"]}
-    ours |= {result.id: row_of(result) for result in own}
+    ours |= {result.id: row_of(result, version) for result in own}
     named = [row for name, row in ours.items() if name in dict(PLACES)]
-    write_table(root / TABLE, names, [*map(row_of, claims), *named])
+    write_table(root / TABLE, names, [*(row_of(claim, version) for claim in claims), *named])
+    write_numbers(root / NUMBERS, numbers)
     fronts = {name: report(root / f"results/data/{name}-front.json") for name in EVENTS}
     x = {short(x / front["L"], 4): None for front in fronts.values() for x in front["x"]}
     rows = [row for name, front in fronts.items() for row in front_rows(name, front)]
     write_table(root / FRONTS, ["event", "x/L", *x], rows)
 
 
-def sentences(rows):
-    """From the table of verdicts; `all` counts those of leading rows, `closer` the others."""
+def write_numbers(path, numbers):
+    """The paper's numbers beside ours, in four digits."""
+    columns = [*(field.name for field in fields(Number)), "ratio"]
+    rows = ([short(getattr(one, name), 4) for name in columns] for one in numbers)
+    write_table(path, columns, rows)
+
+
+def table_of(rows):
+    """As Markdown, those of which the paper has a number."""
+
+    def cell(row, *names):
+        found = [number(float(row[name])) if row[name] else "" for name in names]
+        return found[0] + (f" ({found[1]} to {found[2]})" if found[1:] and found[1] else "")
+
+    lines = ["| | paper | our event most like it | our median (5 to 95 %) |", "|---|---|---|---|"]
+    for row in rows:
+        if row["paper"]:
+            ours = cell(row, "most_like") or ("" if row["median"] else cell(row, "shown"))
+            cells = cell(row, "paper"), ours, cell(row, "median", "low", "high")
+            lines.append(f"| {row['quantity']} | {' | '.join(cells)} |")
+    return "\n".join(lines) + "\n"
+
+
+def counts_of(rows):
+    """Of verdicts, and of criteria worded after results."""
+    verdicts = Counter(row["verdict"] for row in rows)
+    of_reproduced = [row["fixed"] for row in rows if row["verdict"] == "reproduced"]
+    late = sum(bool(AFTER_RESULTS.search(fixed)) for fixed in of_reproduced)
+    counts = dict.fromkeys(VERDICTS, 0) | verdicts
+    return counts | {"claims": verdicts.total(), "reproduced after results": late}
+
+
+def sentences(root):
+    """From the tables in docs/."""
+    rows, numbers = (read_rows(root / name) for name in (TABLE, NUMBERS))
     results = {row["id"]: row | json.loads(row["numbers"]) for row in rows}
-    for name, is_closer in (("all", False), ("closer", True)):
-        of = (row for row in rows if row["verdict"] and bool(row["closeness of"]) == is_closer)
-        counts = Counter(row["verdict"] for row in of)
-        results[name] = dict.fromkeys(STANDINGS, 0) | counts | {"claims": counts.total()}
-    return filled(SENTENCES, [SimpleNamespace(id=i, measured=m) for i, m in results.items()])
+    for name, kind in (("findings", "finding"), ("checks", "check")):
+        results[name] = counts_of([row for row in rows if row["kind"] == kind])
+    results["numbers"] = {"events": numbers[0]["of"].split()[0]}
+    first = (row for row in read_rows(root / FIRST) if row["fixed"].startswith(FIRST_ROUND))
+    results["first"] = counts_of([*first])
+    text = filled(SENTENCES, [SimpleNamespace(id=i, measured=m) for i, m in results.items()])
+    return text.replace("{table}", table_of(numbers))
 
 
 def draw(path, table):
@@ -109,17 +148,16 @@ def draw(path, table):
 
 def write_readme(root):
     text = (root / README).read_text(encoding="utf-8")
-    write_whole(root / README, BLOCK.sub(lambda _: sentences(read_rows(root / TABLE)), text))
+    write_whole(root / README, BLOCK.sub(lambda _: sentences(root), text))
     draw(root / PICTURE, (root / FRONTS).read_text(encoding="utf-8"))
 
 
-def update_readme(root, claims, own):
+def update_readme(root, claims, own, numbers, version):
     """Does nothing in other folders, or if something has not run. Follows no link."""
-    paths = [root / name for name in (README, PICTURE, TABLE, FRONTS)]
+    paths = [root / name for name in (README, PICTURE, TABLE, NUMBERS, FRONTS)]
     is_clone = all(path.is_file() and path.resolve() == path for path in paths)
-    named = [claim for claim in claims if claim.id in dict(PLACES)]
-    if is_clone and not any(claim.reason.startswith(SHOWN_ONLY) for claim in named):
-        write_tables(root, claims, own)
+    if is_clone and all(claim.verdict for claim in claims):
+        write_tables(root, claims, own, numbers, version)
         write_readme(root)
 
 

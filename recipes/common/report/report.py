@@ -8,22 +8,24 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-import origin
 from caption import as_html, filled, of_files, seen
-from claims.claim import CLAIMS, STANDINGS, number, read_claims
+from claims.claim import CLAIMS, STANDINGS, number, read_results
 from claims.judge import table
 from claims.own_result import read_own
+from claims.released import released
 from rupture.replacing import write_whole
-from readme import update_readme
+from readme import update_readme, write_numbers
 from crate import CRATE, write_crate
 from glance import glance_picture
 from picture import MOVIES, STILL, first_in, picture
+from runs import origin
 from runs.recipes import label, natural, read_readme, recipe_names
 from rupture.errors import Failure
 from runs.written import take
 from symbols import typeset
 
 HERE = Path(__file__).resolve().parent
+WRITTEN = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
 MANY = 12  # commands of a step, beyond which only their number is of interest
 MANY_SUMS = 100  # checksums
 SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
@@ -43,7 +45,7 @@ class Recipe:
         readme = read_readme(root / "recipes" / name / "README.md")
         self.name, self.label = name, label(name)  # no label if it belongs to no figure
         self.title, self.commands = readme.title, readme.commands
-        self.claims, self.own = read_claims(folder / CLAIMS), read_own(folder)
+        (self.claims, self.numbers), self.own = read_results(folder / CLAIMS), read_own(folder)
         there = {path.name for path in folder.iterdir()}
         caption = filled(of_files(readme.caption, there), self.claims + self.own)
         self.caption = as_html(caption, shown)
@@ -82,28 +84,35 @@ def contents(root):
     names = [name for name in recipe_names(root) if (root / "results" / name / CLAIMS).exists()]
     recipes = [Recipe(root, name, names, accounts) for name in names]
     rows = rows_of(recipes)
-    leading = [claim for _, claim in rows if not claim.closeness_of]
+    claims = [claim for _, claim in rows]
     files = set().union(*(accounts.files_behind(name) for name in names))
-    jobs = accounts.jobs(files)
+    jobs, builds = accounts.jobs(files), origin.builds(root, files)
     verdicts = (root / "docs/claims.md").read_text(encoding="utf-8")
     return {
         "recipes": recipes,
         "rows": rows,
-        "leading": leading,
-        "listed": sum("closeness_of" not in row for row in table().values()),
-        "counts": [(sum(claim.standing == s for claim in leading), s) for s in STANDINGS],
+        "listed": len(table()),
+        "counts": [
+            (kind, [(sum((c.kind, c.standing) == (kind, s) for c in claims), s) for s in STANDINGS])
+            for kind in ("finding", "check")
+        ],
+        "numbers": [number for recipe in recipes for number in recipe.numbers],
+        "released": released(root, [build for build, _ in builds]),
         "movie": first_in(root / "results", *MOVIES),
         "still": first_in(root / "results", STILL),
-        "glance": glance_picture(
-            root / "results", [claim for recipe in recipes for claim in recipe.claims]
-        ),
+        "glance": glance_picture(root / "results", claims),
         "verdicts": as_html(verdicts.partition("\n")[2], names),  # below its title
         "jobs": jobs,
         "run": origin.last_run(root, jobs),
-        "builds": origin.builds(root, files),
+        "builds": builds,
         "build": origin.present_build(),
         "processor": origin.processor(),
     }
+
+
+def version_of(builds):
+    """Of the programs that wrote most of the records."""
+    return builds[0][0].split(",")[0].removeprefix("rupture ") if builds else ""
 
 
 def render(content):
@@ -130,13 +139,15 @@ def main(folder="."):
     results = (root / "results").resolve()
     path = results / "index.html"
     try:
-        take(results, *(results / n for n in ("index.html", "claims.png", "claims.pdf", CRATE)))
+        take(results, *(results / name for name in (*WRITTEN, CRATE)))
         content = contents(root)
         write_whole(path, render(content))
+        write_numbers(results / "numbers.csv", content["numbers"])
         write_crate(root)
         if len(content["rows"]) == len(table()):
             own = [result for recipe in content["recipes"] for result in recipe.own]
-            update_readme(root, [claim for _, claim in content["rows"]], own)
+            claims = [claim for _, claim in content["rows"]]
+            update_readme(root, claims, own, content["numbers"], version_of(content["builds"]))
         print(f"Report: {path}", flush=True)
     except Failure as problem:
         sys.exit(f"report.py: {problem}")

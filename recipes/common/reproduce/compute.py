@@ -10,12 +10,14 @@ from pathlib import Path
 
 from rupture.errors import Failure
 from rupture.tools.command_line import plural
+from runs import origin
 from runs.fingerprint import fingerprint_of_programs
 from runs.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
 from reproduce.project import LOGS, PROGRAMS, ROOT, SHARE, refuse_links, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
+from claims.released import released
 
 RESULTS = Path("results")
 STEP = "step"  # file of a profile with which commands become steps of an allocation
@@ -77,7 +79,11 @@ def prepare(request, processes):
     refuse_links(RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl"))
     refuse_links(Path(at, folder) for at, folders, _ in os.walk(RESULTS) for folder in folders)
     if request.command != "sweep":  # before hours of computing
-        page = ("index.html", "claims.png", "claims.pdf") if request.command == "all" else ()
+        page = (
+            ("index.html", "numbers.csv", "claims.png", "claims.pdf")
+            if request.command == "all"
+            else ()
+        )
         refuse_others(RESULTS, *(RESULTS / name for name in ("ro-crate-metadata.json", *page)))
     if request.programs:
         ensure_packages(processes, "run")
@@ -127,8 +133,10 @@ def reproduce(request, recipes, processes):
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
         raise Failure(f"{what} computed; the messages above say why (log: {LOGS}/recipes.log)")
     note_run(recipes, place, started)
+    accounts = origin.Accounts(ROOT)
     for name in recipes:
-        print_claims((RESULTS / name).resolve())
+        builds = [build for build, _ in origin.builds(ROOT, accounts.files_behind(name))]
+        print_claims((RESULTS / name).resolve(), released(SHARE, builds))
 
 
 def is_current(path):

@@ -5,7 +5,7 @@ LOAD_UNTIL = 1.2  # s
 CHECKPOINT_EVERY = 0.05  # s
 BEFORE_FIRST_BREAK = 0.18  # s; the decaying law's is at 0.1845 s, that of the others at 0.1895 s
 CROSSINGS = "--crossings 0.2,0.5"  # options of a run whose record holds enough for all conventions
-SETTINGS = {  # name: parameters, independent loads
+SETTINGS = {  # name: parameters, independent runs
     "load": ("", 20),
     "simplified": ("--set junctions.law=simplified --set junctions.v_slow=1.5e-3", 0),  # a seed draws nothing
     "decaying": (

@@ -1,0 +1,85 @@
+"""The paper's numbers of events beside ours: of the event in the picture, of the one most like the
+paper's, and of all events of independent runs."""
+
+import numpy as np
+
+from claims import paper
+from claims.claim import spread
+from data.records import values
+from events.front_claims import case_of_event
+from events.fronts import LOADING_ZONE, is_fast_only
+from maps.front_map import STENCIL, speeds
+
+LENGTH = paper.TRANSITIONS[1] - paper.TRANSITIONS[0]  # of the paper's slow stretch [L]
+
+
+def places_and_times(front):
+    """x/L and the times of the blocks that rupture."""
+    t_rupture = values(front["t_rupture"])
+    x, known = np.linspace(0, 1, len(t_rupture)), np.isfinite(t_rupture)
+    return x[known], t_rupture[known]
+
+
+def crossing_time(front):
+    """From 0.4 L to 0.6 L [ms]."""
+    start, end = np.interp(paper.TRANSITIONS, *places_and_times(front))
+    return float(end - start) * 1e3
+
+
+def median_speed(front):
+    """Of a front that is fast everywhere, beyond the loading zone [c_s]."""
+    x = np.linspace(0, front["L"], len(front["t_rupture"]))
+    v_c = speeds(front | {"x": x}, STENCIL)
+    return np.median(v_c[(x > LOADING_ZONE) & (v_c > 0)]) / front["c_s"]
+
+
+def mean_of_paper(front):
+    """0.2 L in 1 ms [c_s]."""
+    return LENGTH * front["L"] / paper.SLOW_FOR / front["c_s"]
+
+
+def numbers_of_events(shown, fast_only, most_like, events):
+    """`shown`, `fast_only`, `most_like`: fronts, the last one None if it has not been chosen;
+    `events`: of independent runs. The set is that of the events that are fast-slow-fast in words:
+    an event that creeps and was never fast is none of them."""
+    slow = [event for event in events if event["spanning"] and event["fast_slow_fast"]]
+    cases = [*map(case_of_event, slow)]
+    of_shown, of_most_like = case_of_event(shown), case_of_event(most_like) if most_like else {}
+    rows = {
+        "speed before the slow stretch [c_s]": ("fast before/c_s", paper.FAST),
+        "slowest speed [c_s]": ("slowest/c_s", paper.SLOW),
+        "length/duration of the slow stretch [c_s]": ("length/duration/c_s", mean_of_paper(shown)),
+        "mean speed in the slow stretch [c_s]": ("mean slow speed/c_s", None),
+        "begin of the slow stretch [L]": ("from [L]", paper.TRANSITIONS[0]),
+        "end of the slow stretch [L]": ("to [L]", paper.TRANSITIONS[1]),
+        "duration of the slow stretch [ms]": ("duration [ms]", paper.SLOW_FOR * 1e3),
+    }
+    numbers = [
+        spread(
+            quantity,
+            of_paper,
+            [case[key] for case in cases],
+            "{} fast-slow-fast events",
+            shown=of_shown[key],
+            most_like=of_most_like.get(key),
+        )
+        for quantity, (key, of_paper) in rows.items()
+    ]
+    return [
+        *numbers,
+        spread(
+            "time from 0.4 L to 0.6 L [ms]",
+            paper.SLOW_FOR * 1e3,
+            map(crossing_time, slow),
+            "{} fast-slow-fast events",
+            shown=crossing_time(shown),
+            most_like=crossing_time(most_like) if most_like else None,
+        ),
+        spread(
+            "speed of events that are fast everywhere [c_s]",
+            None,
+            [median_speed(e) for e in events if e["spanning"] and is_fast_only(e)],
+            "{} events",
+            shown=median_speed(fast_only),
+        ),
+    ]

@@ -1,0 +1,67 @@
+"""What a figure alone says of its claims, and the verdicts of the release beside it."""
+
+import pytest
+
+from claims.claim import Claim, Share, write_claims
+from claims.print_claims import print_claims
+from claims.released import released
+from fixture import spill
+
+WORDS = ("finding", "today", "what the paper says", "if it is so", {})
+SHARE = Share("primary", 3, 20, 0.06, 0.31)
+CLAIMS = [
+    Claim("3A", *WORDS, "holds", [], None, "only the case shown was judged, no other events"),
+    Claim("3B", *WORDS, "does not hold", [], None, "only the case shown was judged"),
+    Claim("4C", *WORDS, "holds", [SHARE], "depends", "holds in 3 of 20 runs (primary)"),
+]
+TABLE = """id,kind,fixed,verdict,holds,units,version,numbers
+3A,finding,today,reproduced,86,91,0.4.0,{}
+3C-inset,finding,today,depends,1,1,0.4.0,{}
+choices,,,,,,0.4.0,{}
+"""
+BUILD = "rupture 0.4.0, commit 616c08cac6ea, gcc 12"
+TEXT = """
+fig3: 1 depends; for the case shown, without a verdict, 1 of 2 claims holds
+
+claim of the paper
+      case shown      verdict         share               least  under
+----------------------------------------------------------------------------------------------------
+3A: what the paper says
+      holds           -
+      only the case shown was judged, no other events; released verdict: 0.4.0: reproduced, 86 of 91
+3B: what the paper says
+      does not hold   -
+      only the case shown was judged
+4C: what the paper says
+      holds           depends         0.15 (0.06-0.31)    0.15   primary
+      holds in 3 of 20 runs (primary)
+Pictures and data: {folder}/
+A verdict needs runs with other random numbers: {command} makes them once, in about an hour.
+"""
+
+
+@pytest.mark.parametrize(
+    "builds, known",
+    [
+        ([BUILD], True),
+        ([], True),  # nothing was computed: a closed form
+        ([BUILD, BUILD.replace("0.4.0", "0.4.1")], False),
+        ([BUILD.replace("ea,", "ea-dirty,")], False),
+        (["unknown (no provenance)"], False),
+    ],
+)
+def test_verdicts_of_the_release_are_of_its_programs(tmp_path, builds, known):
+    spill(tmp_path / "docs/verdicts.csv", TABLE)
+    texts = {"3A": "0.4.0: reproduced, 86 of 91", "3C-inset": "0.4.0: depends"}
+    assert released(tmp_path, builds) == (texts if known else {})
+    assert released(tmp_path / "elsewhere", builds) == {}
+
+
+def test_a_case_is_no_verdict(tmp_path, capsys):
+    folder = tmp_path / "fig3"
+    folder.mkdir()
+    write_claims(folder / "claims.json", CLAIMS)
+    print_claims(folder, {"3A": "0.4.0: reproduced, 86 of 91"})
+    assert capsys.readouterr().out == TEXT.format(
+        folder=folder, command="./reproduce.sh ensemble fig3"
+    )
