@@ -189,7 +189,7 @@ class File(Mapping):
 
     @property
     def springs_per_block(self):
-        simplified = self.parameters.get("junctions.law") == "simplified"
+        simplified = self.parameters["junctions.law"] == "simplified"
         return 1 if simplified else self.parameters["junctions.N_s"]
 
     def to_xarray(self):

@@ -14,12 +14,12 @@ from rupture.tables import text
 # Lengths that do not follow from the parameters are those of the first dataset that has them.
 BOTH = """
 parameters/slider     L,H,B,M,E,F_N,damping,foundation,foundation_damping? float64  Nx,Nz int64
-parameters/slider     springs?,edge_springs?,damping_along?,support? text
+parameters/slider     springs?,edge_springs?,damping_along?,support text
 parameters/driving    K,h,V float64
-parameters/junctions  mu_s,mu_d,mu_new?,kappa,t_R,delta_t_R,d_R?,delta_d_R?,v_slow? float64
-parameters/junctions  N_s int64  law?,k_ij_from?,slipping_times,f_new,without_contact?,repin? text
+parameters/junctions  mu_s,mu_d,mu_new,kappa,t_R,delta_t_R,d_R?,delta_d_R?,v_slow float64
+parameters/junctions  N_s int64  law,k_ij_from?,slipping_times,f_new,without_contact?,repin? text
 parameters/numerics   dt float64  seed int64
-provenance/*          tool,version,commit,command_line,compiler,parent_checksum,rebuild? text
+provenance/*          tool,version,commit,command_line,compiler,parent_checksum,rebuild text
 run                   id? text  first_step?,last_break?,ruptures?,quiet_steps? int64
 run                   leading_edge_ruptured?,spanned? uint8  event? float64[Nx]
 run                   last_rupture?,arrived_below?,record_every?,fields_every? float64
@@ -40,7 +40,12 @@ fields?               time float64[m]  step int64[m]  u_x,u_z float32[m][Nz][Nx]
 fields?               x? float64[Nx]  z? float64[Nz]
 """
 TABLES = {"checkpoint": BOTH + CHECKPOINT, "record": BOTH + RECORD}
-SCHEMA = 3  # the latest
+SCHEMAS = (2, 3)
+CONVERT = {
+    "checkpoint": "convert it once with rupture 0.4.0: rupture restart OLD.h5 --for 0 -o NEW.h5",
+    "record": "make the record again with the command that rupture analyze show of rupture 0.4.0"
+    " prints",
+}
 LENGTH = re.compile(r"\[(\w+)\]")
 # Least and greatest value by name; "S" is the number of junctions of a block.
 LIMITS: dict = dict.fromkeys(("L", "H", "B", "M", "E", "dt"), (1e-99, 1e13))
@@ -67,10 +72,14 @@ class Content(dict):
         self.rows = dict(rows_of(self.kind))
         for name in ("format", "schema_version", "content_checksum"):
             self.check_attribute(file.id, name, "the file")
-        said = f"{text(file.attrs['format'])}, schema {file.attrs['schema_version']}"
-        if said not in [f"{header}, schema {number + 1}" for number in range(SCHEMA)]:
-            reads = f"expected {header}, schema 1 to {SCHEMA}"
-            self.fail(f"its attributes say {said}; {reads}: use a newer rupture, or recreate it")
+        said, schema = text(file.attrs["format"]), file.attrs["schema_version"]
+        if schema < SCHEMAS[0]:
+            reads = f"this version reads schemas {SCHEMAS[0]} and {SCHEMAS[-1]}"
+            self.fail(f"it has schema {schema}; {reads}: {CONVERT[self.kind]}")
+        if said != header or schema not in SCHEMAS:
+            reads = f"expected {header}, schema {SCHEMAS[0]} or {SCHEMAS[-1]}"
+            said = f"its attributes say {said}, schema {schema}"
+            self.fail(f"{said}; {reads}: use a newer rupture, or recreate it")
         self.collect(file.id, "")
 
     def fail(self, sentence):

@@ -74,10 +74,8 @@ bool is_checksummed(std::string_view path) {
                              [&](std::string_view group) { return path.starts_with(group); });
 }
 
-std::string content_checksum(const Content& content, std::int64_t schema) {
-  constexpr std::int64_t last_with_all_parameters = 2;
-  const Content parameters = schema <= last_with_all_parameters ? parameters_of_schema_2(content)
-                                                                : counted_parameters(content);
+std::string content_checksum(const Content& content) {
+  const Content parameters = counted_parameters(content);
   std::map<std::string, const Dataset*> sorted;
   for (const auto& [path, dataset] : parameters) sorted.emplace(path, &dataset);
   for (const auto& [path, dataset] : content) {

@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::string_view kParametersGroup = "/parameters/";
 
-bool may_be_missing(const ParameterInfo& info) {
-  return info.since != Since::original;
-}
-
 std::string dataset_path(const ParameterInfo& info) {
   std::string name(info.name);
   std::replace(name.begin(), name.end(), '.', '/');
@@ -77,16 +73,9 @@ Content counted_parameters(const Content& content, const std::vector<ParameterIn
     const std::string path = dataset_path(info);
     const Dataset by_default = parameter_dataset({}, info);
     if (!is_used(info, law)) counted[path] = by_default;
-    if (may_be_missing(info)) counted.try_emplace(path, by_default);
-    if (info.since == Since::later && is_same(counted.at(path), by_default)) counted.erase(path);
-  }
-  return counted;
-}
-
-Content parameters_of_schema_2(const Content& content) {
-  Content counted = stored_parameters(content);
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.since == Since::later) counted.erase(dataset_path(info));
+    if (info.since == Since::original) continue;
+    counted.try_emplace(path, by_default);
+    if (is_same(counted.at(path), by_default)) counted.erase(path);
   }
   return counted;
 }
@@ -109,7 +98,7 @@ Parameters read_parameters(const Content& content) {
   Parameters parameters;
   try {
     for (const ParameterInfo& info : parameter_table()) {
-      if (may_be_missing(info) && !content.contains(dataset_path(info))) continue;
+      if (info.since == Since::later && !content.contains(dataset_path(info))) continue;
       set_parameter(parameters, info.name, stored_text(content, info));
     }
     validate(parameters);

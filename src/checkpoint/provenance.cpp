@@ -27,7 +27,6 @@ constexpr std::array<Member, 7> kMembers = {{
     {"parent_checksum", &ProvenanceEntry::parent_checksum},
     {"rebuild", &ProvenanceEntry::rebuild},
 }};
-constexpr std::string_view kAddedInSchema2 = "rebuild";
 constexpr std::string_view kProvenanceGroup = "/provenance/";
 
 std::string compiler_name() {
@@ -111,9 +110,7 @@ std::vector<ProvenanceEntry> read_provenance(const Content& content) {
   std::vector<ProvenanceEntry> chain(count_entries(content));
   for (std::size_t i = 0; i < chain.size(); ++i) {
     for (const Member& member : kMembers) {
-      const std::string path = entry_path(i, member.name);
-      if (member.name == kAddedInSchema2 && !content.contains(path)) continue;
-      chain[i].*member.value = read_text(content, path);
+      chain[i].*member.value = read_text(content, entry_path(i, member.name));
     }
   }
   refuse_others(content, kProvenanceGroup, provenance_content(chain),

@@ -59,7 +59,7 @@ void check_count_range(const Parameters& parameters) {
 
 // Throws Failure unless this is a record, which begins where its run did.
 void check_complete(const Content& content, std::optional<std::int64_t> first_step) {
-  const auto step = record_from({FileKind::record, "", "", content}).step;
+  const auto step = record_from({FileKind::record, "", content}).step;
   if (!first_step || (!step.empty() && step.front() == *first_step)) return;
   fail("it does not begin at step {}, as its run did", *first_step);
 }

@@ -28,8 +28,20 @@ std::string writer_of(const hdf5::Reader& reader) {
   }
 }
 
+// Of a file that this version does not read, or not with its checksum.
+[[noreturn]] void refuse_old(const hdf5::RootAttributes& attributes, const char* which) {
+  const bool is_checkpoint = attributes.format == format_name(FileKind::checkpoint);
+  fail("it has schema {}{}; this version reads schemas {} and {}: {}", attributes.schema_version,
+       which, kOldestSchema, kSchemaVersion,
+       is_checkpoint
+           ? "convert it once with rupture 0.4.0: rupture restart OLD.h5 --for 0 -o NEW.h5"
+           : "make the record again with the command that rupture analyze show of "
+             "rupture 0.4.0 prints");
+}
+
 hdf5::RootAttributes attributes_of(const hdf5::Reader& reader) {
   hdf5::RootAttributes attributes = reader.attributes();
+  if (attributes.schema_version < kOldestSchema) refuse_old(attributes, "");
   if (attributes.schema_version <= kSchemaVersion) return attributes;
   const std::string writer = writer_of(reader);
   fail("written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}{}",
@@ -55,7 +67,7 @@ std::string checksum_or_none(const std::string& text) {
 }
 
 void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
-  if (attributes.schema_version < 1 || attributes.format != format_name(kind)) {
+  if (attributes.format != format_name(kind)) {
     fail("its header says {}, but its attributes say {}, schema version {}; recreate it",
          format_name(kind), attributes.format, attributes.schema_version);
   }
@@ -92,19 +104,18 @@ ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   const hdf5::Reader reader(file);
   const hdf5::RootAttributes attributes = attributes_of(reader);
   check_attributes(attributes, kind);
-  ContentFile unsealed = {kind, "", attributes.content_checksum, reader.content()};
+  ContentFile unsealed = {kind, attributes.content_checksum, reader.content()};
   check_finite(unsealed.content);
   // One that only a newer build knows is not damage, although it changes the checksum.
   refuse_unknown_parameters(unsealed.content);
   if (kind == FileKind::open_record) return unsealed;  // its pieces have checksums of their own
-  const std::string computed = content_checksum(unsealed.content, attributes.schema_version);
-  if (computed != unsealed.stored_checksum) {
-    fail("its content has the checksum {}, but {} is stored in it; recreate it", computed,
-         unsealed.stored_checksum);
+  const std::string computed = content_checksum(unsealed.content);
+  if (computed == unsealed.checksum) return unsealed;
+  if (attributes.schema_version < kSchemaVersion) {
+    refuse_old(attributes, " and sets parameters that its interface law does not use");
   }
-  const bool is_present = attributes.schema_version == kSchemaVersion;
-  unsealed.checksum = is_present ? computed : content_checksum(unsealed.content);
-  return unsealed;
+  fail("its content has the checksum {}, but {} is stored in it; recreate it", computed,
+       unsealed.checksum);
 }
 
 ContentFile put_together(std::span<const std::byte> file) {
@@ -135,8 +146,7 @@ EditedFile open_edited(std::span<const std::byte> file) {
   edited.sealed_checksum = checksum_or_none(attributes.content_checksum);
   edited.content = reader.content();
   check_finite(edited.content);
-  edited.content_is_as_sealed =
-      content_checksum(edited.content, attributes.schema_version) == edited.sealed_checksum;
+  edited.content_is_as_sealed = content_checksum(edited.content) == edited.sealed_checksum;
   return edited;
 }
 

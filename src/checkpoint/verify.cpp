@@ -21,7 +21,7 @@ Content checked_checkpoint(const Content& content, const ProvenanceEntry& entry)
 }
 
 Content checked_record(Content content, const ProvenanceEntry& entry) {
-  Record record = record_from({FileKind::record, "", "", content});
+  Record record = record_from({FileKind::record, "", content});
   record.provenance.push_back(entry);
   Content sealed = provenance_content(record.provenance);
   sealed.merge(parameters_content(record.parameters));

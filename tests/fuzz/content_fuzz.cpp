@@ -188,7 +188,7 @@ void use_checkpoint(const Content& content) {
 }
 
 void use_record(const Content& content) {
-  const Record record = record_from({FileKind::record, "", "", content});
+  const Record record = record_from({FileKind::record, "", content});
   demand(record.p.rows() == static_cast<Eigen::Index>(record.time.size()));
   find_events(record.parameters, record.ruptures, {record.time, record.F_T}, 1e-3, {});
 }

@@ -8,7 +8,7 @@
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-readonly here skipped=77 files=$here/../compatibility/schema-1
+readonly here skipped=77 files=$here/../compatibility/schema-3
 
 usage() {
   sed -n '5,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2

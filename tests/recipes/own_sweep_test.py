@@ -23,7 +23,7 @@ from sweeps.report import Column, columns_of, print_summary, write_csv, write_hd
 from sweeps.sweep import Point, Sweep, read_sweep
 
 BASE = ROOT / "checkpoints/fast-only.h5"
-RECORD = ROOT / "tests/compatibility/schema-1/reference-record.h5"
+RECORD = ROOT / "tests/compatibility/schema-3/reference-record.h5"
 CHAIN = """[sweep]
 [commands]
 start   = prepare {values} -o s.h5 --quiet

@@ -44,7 +44,7 @@ def counts(path, value, law):
     name = path.removeprefix(GROUP)
     if path.split("/")[1] not in CONTENT or path.split("/")[-1] in ("x", "z"):
         return False  # positions follow from the parameters
-    used = law is not None and (name in USED[law] or name not in OF_LAWS)
+    used = name in USED[law] or name not in OF_LAWS
     return name not in LATER or used and value != LATER[name]
 
 
@@ -59,7 +59,7 @@ def prefixed(data):
 def content(dataset, law):
     """Type and bytes of a dataset as they count."""
     name, value, kind = dataset.name.removeprefix(GROUP), dataset[()], dataset.dtype.name
-    if name in DEFAULTS and law is not None and name not in USED[law]:
+    if name in DEFAULTS and name not in USED[law]:
         value = DEFAULTS[name] if isinstance(DEFAULTS[name], bytes) else np.float64(DEFAULTS[name])
     elif dataset.dtype.kind == "S":  # numpy drops the padding of a text, which counts
         value = value.ljust(dataset.dtype.itemsize, b"\0")
@@ -67,7 +67,7 @@ def content(dataset, law):
 
 
 def checksum(file):
-    law = file[GROUP + "law"][()] if file.attrs["schema_version"] > 2 else None  # as they are
+    law = file[GROUP + "law"][()]
     digest = hashlib.sha256(b"rupture content 1\n")
     paths: list[str] = []
     file.visit(paths.append)

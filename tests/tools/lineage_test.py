@@ -1,10 +1,9 @@
-"""analyze lineage: scripts for odd names, changed chains, other schemas; see tables/lineage.txt."""
+"""analyze lineage: scripts for odd names and changed chains; see tables/lineage.txt."""
 
 import json
 import os
 from pathlib import Path
 
-import h5py
 import pytest
 
 import rupture
@@ -17,11 +16,6 @@ pytestmark = pytest.mark.usefixtures("small_ini")
 
 def put(name, entry, field, text):
     change(name, f"resealed put /provenance/{entry:04}/{field} {json.dumps(text)}")
-
-
-def rebuild_in(name, entry):
-    with h5py.File(name) as file:
-        return file[f"/provenance/{entry:04}/rebuild"][()].decode()
 
 
 def test_paths_with_spaces_and_quotes():
@@ -64,19 +58,6 @@ def test_the_script_checks_every_file(two_steps):
         assert f"{file} has another content checksum than" in done.err
 
 
-def test_steps_are_checked_by_sums_of_schema_2():
-    law = "--set junctions.law=simplified"
-    output_of(f"load --config small.ini -o a.h5 {law}")
-    output_of("restart a.h5 -o b.h5 --for 1e-5")
-    odd = "--set junctions.mu_new=0.05"
-    put("b.h5", 0, "rebuild", f"{rebuild_in('b.h5', 0)} {odd}")  # as builds of schema 2 said it
-    output_of(f"load --config small.ini -o odd.h5 {law} {odd}")
-    early = output_of("analyze checksum --as-schema-2 odd.h5").rstrip()
-    assert early != checksum_of("odd.h5")
-    put("b.h5", 1, "parent_checksum", early)
-    expect_rebuilt("b.h5")
-
-
 def test_one_line_per_step(two_steps):
     first, second = lines_of(output_of("analyze lineage b.h5"))
     assert first.startswith(f"0 {checksum_of('a.h5')[:12]}  rupture ")
@@ -91,7 +72,7 @@ def test_one_line_per_step(two_steps):
     assert all(second[field] for field in fields)
 
 
-def test_a_file_of_schema_1_can_be_the_start(two_steps):
+def test_a_file_without_a_command_can_be_the_start(two_steps):
     put("a.h5", 0, "rebuild", "")
     output_of("restart a.h5 -o new.h5 --for 1e-5")
     done = run_script(script_for("new.h5", "--from", str(Path("a.h5").absolute())))

@@ -32,7 +32,7 @@ State read_state(const Content& content, const Parameters& parameters);
 /// The memory of a run as datasets under /run.
 Content run_content(const RunSoFar& run);
 
-/// None if there is no /run, as in files that are not of a run or of schema 1. Throws Failure if it
+/// None if there is no /run, as in files that are not of a run. Throws Failure if it
 /// is incomplete or contradicts the step that the state is at.
 std::optional<RunSoFar> read_run(const Content& content, const Parameters& p, std::int64_t step);
 

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "rupture/checkpoint/content.hpp"
-#include "rupture/checkpoint/file.hpp"
 
 namespace rupture {
 
@@ -23,8 +21,8 @@ bool is_checksummed(std::string_view path);
 
 /// SHA-256 over the canonical form of counted_parameters() and of the other datasets that
 /// is_checksummed() names, 64 lowercase hexadecimal digits. Equal on every machine and for every
-/// build if the content is equal. Up to schema 2, all parameters that there were count as they are.
-std::string content_checksum(const Content& content, std::int64_t schema = kSchemaVersion);
+/// build if the content is equal.
+std::string content_checksum(const Content& content);
 
 /// Label of a content checksum wherever one is printed. Not "sha256", because it is not what
 /// sha256sum gives for the file, and so that sha256sum -c takes no line of ours for one of its own.

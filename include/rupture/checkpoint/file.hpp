@@ -14,7 +14,8 @@
 
 namespace rupture {
 
-inline constexpr std::int64_t kSchemaVersion = 3;  ///< newest schema that this build knows
+inline constexpr std::int64_t kSchemaVersion = 3;  ///< of new files, the newest that is read
+inline constexpr std::int64_t kOldestSchema = 2;   ///< that is read, by the rules of the newest
 
 /// `open_record` is a record that is still being written or whose run was interrupted: pieces that
 /// follow each other, each with a header of its own.
@@ -52,11 +53,10 @@ enum class IfExists { refuse, replace };
 /// Whether to write `<path>.sum`, a line with the content checksum, beside a file.
 enum class SumFile { omit, write };
 
-/// A file's kind and datasets. Its two checksums differ in some files up to schema 2.
+/// A file's kind and datasets.
 struct ContentFile {
   FileKind kind = FileKind::checkpoint;
-  std::string checksum;         ///< of the content, by the present rule; empty for an open record
-  std::string stored_checksum;  ///< as stored, by the rule of the file's schema, verified
+  std::string checksum;  ///< of the content; empty for an open record
   Content content;
   std::uint64_t ignored_bytes = 0;  ///< behind the last intact piece of an open record
 };

@@ -17,9 +17,6 @@ Content parameters_content(const Parameters& parameters);
 Content counted_parameters(const Content& content,
                            const std::vector<ParameterInfo>& table = parameter_table());
 
-/// The same for files up to schema 2: as they are stored, without those of Since::later.
-Content parameters_of_schema_2(const Content& content);
-
 /// Throws Failure if the content has a parameter that this build does not know.
 void refuse_unknown_parameters(const Content& content);
 

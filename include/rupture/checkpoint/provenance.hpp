@@ -19,8 +19,8 @@ struct ProvenanceEntry {
   std::string compiler;         ///< e.g. "gcc 12.2.0"
   std::string parent_checksum;  ///< content checksum of the checkpoint read; empty if there is none
   /// The command that makes this file's content from its parent alone: quoted as command_line,
-  /// without the names of files and without options that change no bit of the content. Empty in
-  /// files of schema version 1 and of programs that are not ours.
+  /// without the names of files and without options that change no bit of the content. Empty if
+  /// the step was made by rupture 0.1 or by a program that is not ours.
   std::string rebuild = {};
 
   bool operator==(const ProvenanceEntry&) const = default;

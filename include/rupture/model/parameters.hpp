@@ -111,8 +111,7 @@ enum class Restart { may_change, must_keep };
 /// (docs/schema.md).
 enum class Since {
   original,  ///< all files have it
-  schema_2,  ///< files of schema 1 may lack it; they were made with its default
-  later      ///< so may all others; it counts only where it differs from its default
+  later      ///< older files lack it; it counts only where it differs from its default
 };
 
 /// The values that a parameter may have.

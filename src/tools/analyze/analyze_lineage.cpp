@@ -23,7 +23,6 @@ set -e
 
 check() {{
   if [ "$(rupture analyze checksum "$1")" = "$2" ]; then return; fi
-  if [ "$(rupture analyze checksum --as-schema-2 "$1")" = "$2" ]; then return; fi
   echo "$1 has another content checksum than $2: compare the versions of rupture" >&2
   exit 1
 }}
@@ -46,7 +45,6 @@ struct Lineage {
 struct StartFile {
   std::string path;
   std::string checksum;
-  std::string stored_checksum;  ///< the same unless the file is of an earlier schema
 };
 
 std::string short_checksum(const std::string& checksum) {
@@ -95,8 +93,7 @@ std::string build_text(const ProvenanceEntry& entry) {
 /// The step that started from this file; the last of them, for the shortest way.
 std::size_t step_from(const Lineage& lineage, const StartFile& start) {
   for (std::size_t i = lineage.chain.size(); i-- > 0;) {
-    const std::string& parent = lineage.chain[i].parent_checksum;
-    if (parent == start.checksum || parent == start.stored_checksum) return i;
+    if (lineage.chain[i].parent_checksum == start.checksum) return i;
   }
   throw Failure(
       "none of the steps that led to {} started from {} (content checksum {}); see rupture analyze "
@@ -108,8 +105,7 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
   const ProvenanceEntry& entry = lineage.chain[step];
   const std::string text = fmt::format(
       "{}: step {} ({}) has no command, because {}", lineage.name, step, in_one_line(entry.tool),
-      entry.rebuild.empty() ? "it was made by a version that wrote schema 1"
-                            : "another program edited the file");
+      entry.rebuild.empty() ? "rupture 0.1 did not store it" : "another program edited the file");
   if (step + 1 == lineage.chain.size()) {
     throw Failure("{}; rupture analyze show {} prints the command that was typed", text,
                   lineage.name);
@@ -202,8 +198,7 @@ std::string rebuild_script(const Lineage& lineage, const std::string& output,
 std::optional<StartFile> start_of(const po::variables_map& values) {
   if (values.count("from") == 0) return std::nullopt;
   const auto path = values["from"].as<std::string>();
-  const ContentFile file = verify_file(path);
-  return StartFile{path, file.checksum, file.stored_checksum};
+  return StartFile{path, verify_file(path).checksum};
 }
 
 void check_combination(const po::variables_map& values) {

@@ -109,12 +109,9 @@ std::vector<ManifestLine> read_manifest(const fs::path& path) {
   return lines;
 }
 
-/// Verifies a file; an empty `expected` stands for any content checksum. That of a file of an
-/// earlier schema may be the one that is stored in it.
+/// Verifies a file; an empty `expected` stands for any content checksum.
 Inspection inspect_file(const fs::path& file, const std::string& expected = {}) try {
-  const ContentFile found = verify_file(file, Opening::in_child_first);
-  const std::string& checksum =
-      expected == found.stored_checksum ? found.stored_checksum : found.checksum;
+  const std::string checksum = verify_file(file, Opening::in_child_first).checksum;
   if (expected.empty() || checksum == expected) {
     return {kIntact, fmt::format("{}  {}", labelled(checksum), file.string())};
   }
@@ -207,15 +204,9 @@ constinit const Command checksum_command = {
     "file",
     "content checksum of a file",
     "Verifies the file and prints its content checksum, 64 hex digits.",
-    {[](po::options_description& options) {
-      options.add_options()("as-schema-2",
-                            "print the checksum that the same content has in schema 2, to compare "
-                            "it with one noted before schema 3");
-    }},
+    {},
     [](const Parsed& parsed) {
-      const ContentFile file = verify_file(single_input(parsed.values, "file", "a file"));
-      const bool as_schema_2 = parsed.values.count("as-schema-2") > 0;
-      say("{}\n", as_schema_2 ? content_checksum(file.content, 2) : file.checksum);
+      say("{}\n", verify_file(single_input(parsed.values, "file", "a file")).checksum);
       return int{kDone};
     }};
 

@@ -29,7 +29,7 @@ void refuse_what_needs_no_seal(const std::string& path) {
 ContentFile read_original(const std::string& path, const EditedFile& edited) {
   ContentFile original = verify_file(path, Opening::in_child_first);
   const std::string& sealed = edited.sealed_checksum;
-  if (sealed == original.checksum || sealed == original.stored_checksum) return original;
+  if (sealed == original.checksum) return original;
   throw Failure("{} is not the original of {}: its content checksum is {} (expected {})", path,
                 edited.name, original.checksum, sealed.empty() ? "unknown" : sealed);
 }

@@ -76,7 +76,7 @@ TEST(CountedParameters, are_those_that_the_law_uses) {
   }
 }
 
-TEST(CountedParameters, have_the_defaults_of_those_that_the_oldest_files_lack) {
+TEST(CountedParameters, have_the_defaults_of_those_that_older_files_lack) {
   Content old = content_of(Law::reference);
   for (const ParameterInfo& info : parameter_table()) {
     if (info.since == Since::original) continue;
@@ -86,7 +86,6 @@ TEST(CountedParameters, have_the_defaults_of_those_that_the_oldest_files_lack) {
   }
   EXPECT_EQ(counted_parameters(old), counted_parameters(content_of(Law::reference)));
   EXPECT_EQ(content_checksum(old), content_checksum(content_of(Law::reference)));
-  EXPECT_NE(content_checksum(old, 2), content_checksum(content_of(Law::reference), 2));
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 // Files on disk: what stands in them and beside them. tests/tools/files.txt has refusals.
 #include "rupture/checkpoint/file.hpp"
 
-#include "../../../src/checkpoint/hdf5.hpp"
 #include "fixtures.hpp"
-#include "rupture/checkpoint/checksum.hpp"
 
 namespace rupture {
 namespace {
@@ -17,33 +15,6 @@ using testing::small_checkpoint;
 using testing::spill;
 
 class File : public testing::InFolder {};
-
-// A parameter of another law with a value of its own counted until schema 2.
-TEST_F(File, is_verified_by_the_rule_of_its_schema) {
-  Parameters parameters = testing::small_parameters();
-  parameters.v_slow = 1.0;
-  const Content content = parameters_content(parameters);
-  const std::string early = content_checksum(content, 2);
-  ASSERT_NE(early, content_checksum(content));
-  const auto write_as = [&](std::int64_t schema, const std::string& checksum) {
-    const auto image = hdf5::make_image({"rupture-checkpoint", schema, checksum}, content);
-    const auto body = std::span(image).subspan(kHeaderSize);
-    const std::string start = header_text(FileKind::checkpoint, body);
-    std::vector<std::byte> bytes(body.begin(), body.end());
-    bytes.insert(bytes.begin(), testing::bytes_of(start).begin(), testing::bytes_of(start).end());
-    return message_of<Failure>([&] {
-      const ContentFile read = read_bytes(bytes, "x.h5");
-      EXPECT_EQ(read.stored_checksum, checksum);
-      EXPECT_EQ(read.checksum, content_checksum(parameters_content(testing::small_parameters())));
-    });
-  };
-  for (const std::int64_t schema : {1, 2}) {
-    EXPECT_EQ(write_as(schema, early), "(nothing was thrown)");
-    expect_contains(write_as(schema, content_checksum(content)), "its content has the checksum");
-  }
-  EXPECT_EQ(write_as(3, content_checksum(content)), "(nothing was thrown)");
-  expect_contains(write_as(3, early), "its content has the checksum");
-}
 
 TEST_F(File, has_a_header_of_512_bytes_that_people_can_read) {
   const std::string header = header_text(FileKind::checkpoint, testing::bytes_of("abc"));

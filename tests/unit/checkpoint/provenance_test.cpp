@@ -1,6 +1,7 @@
 #include "rupture/checkpoint/provenance.hpp"
 
-#include "fixtures.hpp"
+#include <gtest/gtest.h>
+
 #include "rupture/version.hpp"
 
 namespace rupture {
@@ -23,14 +24,6 @@ TEST(Provenance, of_this_build_names_tool_version_commit_and_compiler) {
   EXPECT_EQ(entry.parent_checksum, "abc");
   EXPECT_EQ(entry.rebuild, "load --until 1");
   EXPECT_TRUE(entry.compiler.starts_with("gcc ") || entry.compiler.starts_with("clang "));
-}
-
-TEST(Provenance, of_schema_1_has_nothing_to_rebuild_with) {
-  auto chain = testing::small_checkpoint().provenance;
-  chain[1].rebuild = "restart --until 1";
-  Content content = provenance_content(chain);
-  content.erase("/provenance/0000/rebuild");
-  EXPECT_EQ(read_provenance(content), chain);
 }
 
 }  // namespace
