@@ -147,7 +147,6 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
     plan.record_every = interval(p, clock, options.record_every, "record-every");
   }
   if (options.fields) plan.fields_every = interval(p, clock, *options.fields, "fields");
-  plan.finds_equilibrium = input.empty();
   plan.threads = options.threads.value_or(default_thread_count(p));
   plan.options = std::move(options);
   plan.start = std::move(start);

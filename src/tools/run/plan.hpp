@@ -49,7 +49,6 @@ struct RunPlan {
   std::vector<std::filesystem::path> written_before;  ///< files of the run that are there already
   bool rewrites_output = false;    ///< which is there already, as this run will write it
   bool is_complete = false;        ///< and nothing is left to do
-  bool finds_equilibrium = false;  ///< first, which costs something, too
   int threads = 1;
 
   bool is_resumed() const { return !resumed_from.empty(); }
@@ -57,7 +56,7 @@ struct RunPlan {
 };
 
 /// Looks at what is there already, and writes nothing. `input` is the file that `start` comes from;
-/// empty if it is an equilibrium, which costs something, too. Throws UsageError or Failure if a
+/// empty if it is an equilibrium. Throws UsageError or Failure if a
 /// file would have to be replaced that is neither the run's nor may be.
 RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
                  const std::filesystem::path& input);
@@ -74,9 +73,8 @@ IfExists if_checkpoint_exists(const RunPlan& plan, const std::filesystem::path& 
 /// Whether to replace a record that is there already; that of another run was refused.
 IfExists if_record_exists(const RunOptions& options);
 
-/// Time, memory and disk that what is left of the run needs: a few lines for people, or one JSON
-/// object. Takes steps for some tenths of a second and, if the run will look for an equilibrium,
-/// finds that of a smaller slider.
+/// Steps, disk and time that what is left of the run needs: a few lines for people, or one JSON
+/// object. The time is that of its steps, of which it takes some for half a second.
 std::string forecast(const RunPlan& plan);
 
 /// A slider near the equilibrium under its normal load, at once: uniformly compressed, with
