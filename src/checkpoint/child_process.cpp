@@ -1,3 +1,5 @@
+#include "child_process.hpp"
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -9,7 +11,6 @@
 #include <exception>
 
 #include "context.hpp"
-#include "seal.hpp"
 
 namespace rupture {
 namespace {

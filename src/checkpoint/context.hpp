@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "rupture/checkpoint/file.hpp"
+#include "rupture/checkpoint/header.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "atomic_write.hpp"
+#include "child_process.hpp"
 #include "context.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "seal.hpp"

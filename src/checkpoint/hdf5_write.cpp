@@ -8,7 +8,7 @@
 
 #include "context.hpp"
 #include "hdf5.hpp"
-#include "rupture/checkpoint/file.hpp"
+#include "rupture/checkpoint/header.hpp"
 
 namespace rupture::hdf5 {
 namespace {

@@ -1,3 +1,5 @@
+#include "rupture/checkpoint/header.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "context.hpp"
 #include "rupture/checkpoint/checksum.hpp"
-#include "seal.hpp"
 
 namespace rupture {
 namespace {

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <utility>
 
+#include "child_process.hpp"
 #include "context.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checksum.hpp"
@@ -11,6 +12,9 @@
 
 namespace rupture {
 namespace {
+
+constexpr std::int64_t kSchemaVersion = 3;  // of new files, the newest that is read
+constexpr std::int64_t kOldestSchema = 2;   // that is read, by the rules of the newest
 
 constexpr const char* kUnknown = "a newer rupture";  // that wrote a file
 

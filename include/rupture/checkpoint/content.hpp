@@ -16,6 +16,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "rupture/checkpoint/header.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
@@ -149,5 +150,24 @@ void refuse_others(const Content& content, std::string_view group, const Content
 
 /// Throws Failure, naming dataset and index, if a float anywhere is NaN or infinite.
 void check_finite(const Content& content);
+
+/// A file's kind and datasets.
+struct ContentFile {
+  FileKind kind = FileKind::checkpoint;
+  std::string checksum;  ///< of the content; empty for an open record
+  Content content;
+  std::uint64_t ignored_bytes = 0;  ///< behind the last intact piece of an open record
+};
+
+/// What a file holds that another program may have changed since rupture sealed it. How it is
+/// stored does not matter: it may be cut into chunks and compressed, its texts may have any form,
+/// units may be missing.
+struct EditedFile {
+  std::string name;  ///< for messages
+  FileKind kind = FileKind::checkpoint;
+  std::string sealed_checksum;  ///< content checksum that rupture stored; empty if it is gone
+  bool content_is_as_sealed = false;
+  Content content;
+};
 
 }  // namespace rupture

@@ -3,7 +3,6 @@
 // None of these functions may run in two threads at once (libhdf5 is not thread-safe).
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -14,52 +13,11 @@
 
 namespace rupture {
 
-inline constexpr std::int64_t kSchemaVersion = 3;  ///< of new files, the newest that is read
-inline constexpr std::int64_t kOldestSchema = 2;   ///< that is read, by the rules of the newest
-
-/// `open_record` is a record that is still being written or whose run was interrupted: pieces that
-/// follow each other, each with a header of its own.
-enum class FileKind { checkpoint, record, open_record };
-
-/// The header in front of every file [bytes] (HDF5's user block): readable text with the kind of
-/// file, its size, and the SHA-256 of all bytes that follow. It lets damage be seen before libhdf5
-/// looks at anything, and has exactly one valid form for a given body, so that no bit of the file,
-/// its own included, can change unnoticed.
-inline constexpr std::size_t kHeaderSize = 512;
-
-/// "rupture-checkpoint", "rupture-record" or "rupture-record-part": first line of the header and
-/// root attribute `format`.
-std::string_view format_name(FileKind kind);
-
-/// "a checkpoint", "a record" or "an unfinished record".
-std::string_view kind_text(FileKind kind);
-
-/// "checkpoint", "record", "unfinished record".
-inline std::string_view kind_name(FileKind kind) {
-  return kind_text(kind).substr(kind_text(kind).find(' ') + 1);
-}
-
-/// The header, kHeaderSize bytes, that belongs in front of `body`.
-std::string header_text(FileKind kind, std::span<const std::byte> body);
-
-/// The kind that the first line of the header states, without any verification. `file` may hold the
-/// whole file or its start. Throws Failure if it is empty, too short or not ours; `name` is the
-/// file name for the message.
-FileKind header_kind(std::span<const std::byte> file, const std::string& name);
-
 /// Whether an existing file may be replaced.
 enum class IfExists { refuse, replace };
 
 /// Whether to write `<path>.sum`, a line with the content checksum, beside a file.
 enum class SumFile { omit, write };
-
-/// A file's kind and datasets.
-struct ContentFile {
-  FileKind kind = FileKind::checkpoint;
-  std::string checksum;  ///< of the content; empty for an open record
-  Content content;
-  std::uint64_t ignored_bytes = 0;  ///< behind the last intact piece of an open record
-};
 
 /// Whether anything has this name, be it a link that leads nowhere. Throws Failure if that cannot
 /// be found out.
@@ -96,12 +54,6 @@ struct Changed : Failure {
   using Failure::Failure;
 };
 
-/// Thrown if a file cannot be read here and now, whatever it holds: no permission, no memory, no
-/// process to be had, or a filter that this machine lacks.
-struct Unreadable : Failure {
-  using Failure::Failure;
-};
-
 /// Whether libhdf5 opens a file in this process at once, or first in a child process, which costs
 /// some milliseconds and turns a crash of libhdf5 into a Failure.
 enum class Opening { here, in_child_first };
@@ -114,17 +66,6 @@ ContentFile read_file(const std::filesystem::path& path, Opening opening = Openi
 /// The same for a file in memory; `name` is what messages call it. Throws Failure, never Changed.
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name,
                        Opening opening = Opening::here);
-
-/// What a file holds that another program may have changed since rupture sealed it. How it is
-/// stored does not matter: it may be cut into chunks and compressed, its texts may have any form,
-/// units may be missing.
-struct EditedFile {
-  std::string name;  ///< for messages
-  FileKind kind = FileKind::checkpoint;
-  std::string sealed_checksum;  ///< content checksum that rupture stored; empty if it is gone
-  bool content_is_as_sealed = false;
-  Content content;
-};
 
 /// Reads it, first in a child process, in case the file makes libhdf5 crash. Throws
 /// Failure in one sentence that names the file, also if it holds no checkpoint or record.

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <string_view>
 
-#include "../../../src/checkpoint/seal.hpp"
+#include "../../../src/checkpoint/child_process.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {

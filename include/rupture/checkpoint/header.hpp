@@ -1,0 +1,64 @@
+// What kinds of files there are, and the header in front of each.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "rupture/model/error.hpp"
+
+namespace rupture {
+
+/// `open_record` is a record that is still being written or whose run was interrupted: pieces that
+/// follow each other, each with a header of its own.
+enum class FileKind { checkpoint, record, open_record };
+
+/// The header in front of every file [bytes] (HDF5's user block): readable text with the kind of
+/// file, its size, and the SHA-256 of all bytes that follow. It lets damage be seen before libhdf5
+/// looks at anything, and has exactly one valid form for a given body, so that no bit of the file,
+/// its own included, can change unnoticed.
+inline constexpr std::size_t kHeaderSize = 512;
+
+/// "rupture-checkpoint", "rupture-record" or "rupture-record-part": first line of the header and
+/// root attribute `format`.
+std::string_view format_name(FileKind kind);
+
+/// "a checkpoint", "a record" or "an unfinished record".
+std::string_view kind_text(FileKind kind);
+
+/// "checkpoint", "record", "unfinished record".
+inline std::string_view kind_name(FileKind kind) {
+  return kind_text(kind).substr(kind_text(kind).find(' ') + 1);
+}
+
+/// The header, kHeaderSize bytes, that belongs in front of `body`.
+std::string header_text(FileKind kind, std::span<const std::byte> body);
+
+/// The kind that the first line of the header states, without any verification. `file` may hold the
+/// whole file or its start. Throws Failure if it is empty, too short or not ours; `name` is the
+/// file name for the message.
+FileKind header_kind(std::span<const std::byte> file, const std::string& name);
+
+/// Length in bytes, header included, of the intact piece of an open record that `bytes` starts
+/// with; 0 if there is none. Each flush of a record appends a piece, a small sealed record, so that
+/// whatever happens to the process or the disk, the pieces before stay as they are, and what is not
+/// whole behind them is seen by its SHA-256.
+std::size_t intact_piece(std::span<const std::byte> bytes);
+
+/// Thrown if what follows the header of a file of ours is not what was sealed.
+struct BrokenSeal : Failure {
+  using Failure::Failure;
+};
+
+/// Verifies header and body of a whole checkpoint or record. Throws Failure if it is empty, not
+/// ours or damaged in its header, BrokenSeal if it is truncated or damaged behind that.
+FileKind check_envelope(std::span<const std::byte> file, const std::string& name);
+
+/// Thrown if a file cannot be read here and now, whatever it holds: no permission, no memory, no
+/// process to be had, or a filter that this machine lacks.
+struct Unreadable : Failure {
+  using Failure::Failure;
+};
+
+}  // namespace rupture
