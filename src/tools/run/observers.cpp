@@ -57,50 +57,27 @@ std::size_t columns() {
   return (known ? size.ws_col : usual) - 1;
 }
 
-/// A part of the line; of those that do not fit, the one of the highest rank goes first.
-struct Part {
-  int rank;
-  std::string text;
-};
-
-std::string joined(const std::vector<Part>& parts) {
-  std::string line;
-  for (const Part& part : parts) line += (line.empty() ? "" : "   ") + part.text;
-  return line;
-}
-
-/// As many of the parts as fit, the last one cut if it does not.
-std::string fitted(std::vector<Part> parts, std::size_t width) {
-  while (parts.size() > 1 && joined(parts).size() > width) {
-    parts.erase(std::ranges::max_element(parts, {}, &Part::rank));
-  }
-  return joined(parts).substr(0, width);
-}
-
 /// Decimals by which a thousandth of the duration [s] shows.
 int decimals_for(double duration) {
   constexpr double most = 9.0;
   return static_cast<int>(std::clamp(3.0 - std::floor(std::log10(duration)), 0.0, most));
 }
 
-/// `rate` [steps/s]. Widths hardly change, so that parts do not come and go.
-std::vector<Part> parts_of(const RunPlan& plan, const Simulation& now, double rate) {
-  const bool until_quiet = plan.rule.quiet_steps.has_value();
+/// "12 %   t = 0.0360 s of 0.3000 s   31,000 steps/s   8.5 s left", where `rate` is in steps/s.
+std::string progress_text(const RunPlan& plan, const Simulation& now, double rate) {
   const std::int64_t first = now.run().first_step, last = plan.rule.last_step;
   const std::int64_t step = now.state().step;
   const auto whole = static_cast<double>(last - first);
   const int decimals = decimals_for(whole * now.parameters().dt);
   const double end = time_at(now.parameters(), now.state().clock, last);
-  std::vector<Part> parts = {{2, fmt::format("t = {:.{}f} s of {}{:.{}f} s", now.time(), decimals,
-                                             until_quiet ? "at most " : "", end, decimals)},
-                             {3, fmt::format("{:>9} steps/s", grouped(rate))}};
-  if (until_quiet) return parts;
+  const auto text = [&](const char* limit) {
+    return fmt::format("t = {:.{}f} s of {}{:.{}f} s   {:>9} steps/s", now.time(), decimals, limit,
+                       end, decimals, grouped(rate));
+  };
+  if (plan.rule.quiet_steps) return text("at most ");
   const double percent = std::floor(100.0 * static_cast<double>(step - first) / whole);
-  parts.insert(parts.begin(), {0, fmt::format("{:3.0f} %", percent)});
-  constexpr double longest = 365 * 86400.0;  // [s]: beyond, a clock has jumped or nobody waits
   const double left = std::ceil(static_cast<double>(last - step) / rate);  // [s]
-  if (left < longest) parts.push_back({1, fmt::format("{:>6} left", time_text(left))});
-  return parts;
+  return fmt::format("{:3.0f} %   {}   {:>6} left", percent, text(""), time_text(left));
 }
 
 }  // namespace
@@ -198,10 +175,10 @@ void Progress::observe(const Simulation& simulation) {
   const std::chrono::duration<double> elapsed = now - start_;
   const double rate =
       static_cast<double>(step - plan_.begin.state.step) / std::max(elapsed.count(), 1e-9);
-  const auto parts = parts_of(plan_, simulation, rate);
+  const std::string text = progress_text(plan_, simulation, rate);
   if (on_terminal()) {
     const std::size_t width = columns();
-    say_on(stderr, "\r{:<{}}", fitted(parts, width), width);
+    say_on(stderr, "\r{:<{}}", text.substr(0, width), width);
     std::fflush(stderr);
     is_drawn() = true;
     next_ = step + std::max<std::int64_t>(1, std::llround(0.2 * rate));  // 0.2 s later
@@ -210,7 +187,7 @@ void Progress::observe(const Simulation& simulation) {
   next_ = tenth_after(step);
   if (now - printed_ < pause) return;
   printed_ = now;
-  say_on(stderr, "{}: {}\n", plan_.tool(), joined(parts));
+  say_on(stderr, "{}: {}\n", plan_.tool(), text);
 }
 
 std::int64_t Progress::tenth_after(std::int64_t step) const {
