@@ -51,7 +51,6 @@ modify-phi rest.h5 -q --shape bell --slipping pin --sigma-bar 0.1 -o bell.h5
 restart bell.h5 -q --set driving.V=1 --for 4e-4 -o bell-rupture.h5
 
 # The other interface laws: a rupture, then rest, in which springs slip slowly and are pinned.
-# They come last, because tests/state/compare.py runs this with programs that lack the newest law.
 for law in simplified decaying distance; do
   load -q --config "$here/small.ini" --set "junctions.law=$law" --until 3e-4 -o "$law.h5"
   restart "$law.h5" -q --set driving.V=0 --for 4e-4 -o "$law-rest.h5"

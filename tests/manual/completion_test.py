@@ -1,9 +1,6 @@
-"""Completion, asked for in a real bash, and in zsh where it is installed."""
+"""Completion, asked for in a real bash."""
 
-import json
-import os
 import shlex
-import shutil
 from pathlib import Path
 
 import pytest
@@ -20,20 +17,6 @@ COMP_WORDS=("$@")
 COMP_CWORD=$(($# - 1))
 $(complete -p rupture | sed 's/.*-F \\([^ ]*\\) .*/\\1/')
 ((${#COMPREPLY[@]} == 0)) || printf '%s\\n' "${COMPREPLY[@]}"
-"""
-
-# zsh completes in a terminal only, so it gets one of its own. Ctrl-X prints the completed line.
-ASK_ZSH = """\
-zmodload zsh/zpty
-zpty shell zsh -f -i
-zpty -w shell "PROMPT= ; fpath=(${(q)1} \\$fpath); autoload -U compinit; compinit -u -D"
-zpty -w shell 'bindkey "^I" complete-word "^X" show'
-zpty -w shell 'show() { print -r -- "<$BUFFER>" }; zle -N show'
-zpty -w shell "cd ${(q)2}; echo rea''dy"
-zpty -r -m shell out '*ready*'
-zpty -w -n shell "rupture $3"$'\\t\\C-x'
-zpty -r -m shell out '*<rupture*>*'
-print -r -- $out
 """
 
 INPUTS = {"a.h5", "folder", "two words.h5"}  # in any order
@@ -93,39 +76,3 @@ def complete(line):
 )
 def test_words_and_files_by_kind(line, expected):
     assert type(expected)(complete(line)) == expected
-
-
-def test_every_program_and_every_option_of_every_command():
-    assert {"load", "analyze", "help"} <= set(complete("''"))
-    for tool in json.loads(run("rupture", "--describe").stdout)["tools"]:
-        for leaf in tool.get("commands") or [tool]:
-            options = [f"--{option['name']}" for option in leaf.get("options", [])]
-            assert complete(f"{leaf['name']} --") == options
-
-
-def test_recipes_and_commands_of_reproduce():
-    words = {line.split()[0] for line in run("rupture", "reproduce", "list").stdout.splitlines()}
-    assert {"fig3", "choices", "all", "sweep"} <= words
-    assert set(complete("reproduce ''")) == words
-
-
-@pytest.mark.skipif(not shutil.which("zsh"), reason="zsh is not installed")
-@pytest.mark.parametrize(
-    ("line", "expected"),
-    [
-        ("prep", "prepare"),
-        ("load --unt", "--until"),
-        ("analyze front --rupt", "--ruptured-below"),
-        ("help analyze ver", "verify"),
-        ("load --set junctions.la", "junctions.law="),
-        ("load --set junctions.law=dec", "decaying"),
-        ("load --config m", "my.ini"),
-        ("restart tw", "two\\ words.h5"),
-        ("reproduce converg", "convergence"),
-        ("reproduce sweep m", "my.ini"),
-    ],
-)
-def test_zsh(line, expected, folder):
-    env = os.environ | {"TERM": "dumb", "HOME": str(folder)}
-    done = run("zsh", "-f", "-c", ASK_ZSH, "zsh", SCRIPT.parent, folder, line, env=env)
-    assert expected in done.stdout

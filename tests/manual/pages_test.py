@@ -1,21 +1,16 @@
-"""The man pages: there is one per tool and command, man and lexgrog find no fault, all options are
-in them, and their examples run."""
+"""The man pages: there is one per tool and command, man finds no fault, their examples run."""
 
 import json
 import os
-import re
-
-import pytest
 
 from conftest import BIN, BUILD, ROOT, need, need_modules, run
 
-need("lexgrog")
+need("man")
 PAGES = BUILD / "manual/man"
 PLAIN = {"LC_ALL": "C.UTF-8", "MANWIDTH": "80", "MANROFFSEQ": "", "MAN_KEEP_FORMATTING": ""}
 TOOLS = json.loads(run("rupture", "--describe").stdout)["tools"]
 ALL = TOOLS + [command for tool in TOOLS for command in tool.get("commands", [])]
 SCRIPT = ROOT / "src/tools/manual/examples.sh"
-each_tool = pytest.mark.parametrize("tool", ALL, ids=lambda tool: tool["name"])
 
 
 def succeeds(*command):
@@ -39,28 +34,6 @@ def test_there_is_one_for_each_tool_and_one_for_rupture_and_man_finds_no_fault()
     for page in PAGES.iterdir():
         done = succeeds("man", "--warnings", "-E", "UTF-8", "-l", "-Tutf8", "-Z", page)
         assert done.stderr == "", page.name
-
-
-@each_tool
-def test_lexgrog_finds_name_and_summary(tool):
-    name = f"rupture-{tool['name']}".replace(" ", "-")
-    expected = f'{PAGES}/{name}.1.gz: "{name} - {tool["summary"]}"\n'
-    assert succeeds("lexgrog", PAGES / f"{name}.1.gz").stdout == expected
-
-
-@each_tool
-def test_all_options_and_commands_are_explained(tool):
-    text = words(text_of(tool["name"]))
-    assert f"SYNOPSIS rupture {tool['synopsis']} DESCRIPTION" in text
-    assert not re.search(r"\[(.+)\] \[\1\]", text), "a unit stands twice"
-    assert words(tool["purpose"]) in text
-    for command in tool.get("commands", []):
-        assert f"rupture-{command['name'].replace(' ', '-')}(1) {command['summary']}" in text
-    for option in tool.get("options", []):
-        assert f"--{option['name']}" in text and words(option["help"]) in text
-    assert f"EXAMPLES rupture {tool['name']}" in text
-    others = [f"rupture-{other['name']}(1)," for other in TOOLS if other is not tool]
-    assert f"SEE ALSO {' '.join(others)} rupture(1)" in text
 
 
 def test_the_examples_run(folder):

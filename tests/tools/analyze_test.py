@@ -83,18 +83,6 @@ def test_events_as_csv_have_what_the_json_has(seven_events):
             assert found == value, heading
 
 
-def test_quantities_are_named_once_with_their_meaning_in_a_line_each():
-    groups = json_of("analyze quantities --json")
-    assert groups["quantities"] and groups["summaries"]
-    rows = groups["quantities"] + groups["summaries"]
-    assert len({row["name"] for row in rows}) == len(rows)
-    assert all(row["help"] for row in rows)
-    lines = lines_of(output_of("analyze quantities"))
-    assert len(lines) == len(rows) + len(groups["parameters"]) + 5
-    speed = next(line for line in lines if " front.slow.speed " in line)
-    assert "[m/s]  median front speed in the slow stretch" in speed
-
-
 def test_the_estimate_follows_the_slip_of_one_block():
     output_of("load --config small.ini -o a.h5 -q")
     estimate = json_of("analyze estimate a.h5 --json")

@@ -1,9 +1,7 @@
 // A run that is interrupted and taken up again arrives at the bits of one that
 // is not: before, during and after the rupture of the interface.
 #include <gtest/gtest.h>
-#include <sched.h>
 
-#include <ctime>
 #include <string>
 #include <tuple>
 
@@ -97,27 +95,6 @@ TEST_P(DeterminismOf, any_number_of_threads_gives_the_same_bits_through_a_ruptur
 
 TEST(Determinism, a_small_slider_gets_one_thread) {
   EXPECT_EQ(default_thread_count(quick_slider()), 1);
-}
-
-/// Processor time, not that of a clock: whatever else runs does not matter.
-TEST(Determinism, helpers_on_one_processor_cost_little_and_are_not_the_default) {
-  cpu_set_t all, one;
-  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
-  CPU_ZERO(&one);
-  CPU_SET(sched_getcpu(), &one);
-  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
-  Parameters p = quick_slider();
-  const State start = normal_load_equilibrium(p);
-  const auto cost = [&](int threads) {
-    Simulation simulation(p, start, threads);
-    const std::clock_t begin = std::clock();
-    simulation.advance(2000);
-    return static_cast<double>(std::clock() - begin);
-  };
-  EXPECT_LT(cost(2), 5 * cost(1));
-  p.Nx = p.Nz = 1000;
-  EXPECT_EQ(default_thread_count(p), 1);
-  sched_setaffinity(0, sizeof all, &all);
 }
 
 TEST(Determinism, another_seed_gives_another_run_once_junctions_break) {

@@ -54,15 +54,6 @@ TEST(Diff, measures_values_and_says_where_each_difference_is_largest) {
   }
 }
 
-TEST(Diff, reads_numbers_of_every_type) {
-  EXPECT_EQ(number_at(with({1, 2.5}).at("/state/a"), 1), Number(2.5));
-  EXPECT_EQ(number_at(make_scalar<std::int64_t>(-7, "1"), 0), Number(std::int64_t{-7}));
-  EXPECT_EQ(number_at(make_scalar<std::uint32_t>(4000000000U, "1"), 0),
-            Number(std::int64_t{4000000000}));
-  EXPECT_EQ(number_at(make_scalar<std::uint16_t>(65535, "1"), 0), Number(std::int64_t{65535}));
-  EXPECT_EQ(number_at(make_scalar<std::uint8_t>(255, "1"), 0), Number(std::int64_t{255}));
-}
-
 TEST(Diff, of_common_rows_ignores_what_one_has_more) {
   Content a = with({1, 2, 3});
   Content b = with({1, 2});

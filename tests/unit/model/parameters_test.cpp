@@ -1,5 +1,5 @@
 // The table of parameters: every error sentence, text that reads back, what makes sense together,
-// and quantities that follow. The table of the interface laws.
+// and quantities that follow.
 #include "rupture/model/parameters.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,6 @@
 #include <string>
 
 #include "rupture/model/derived.hpp"
-#include "rupture/model/laws.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture {
@@ -45,7 +44,6 @@ TEST(ParameterTable, names_each_parameter_once_and_completely) {
     EXPECT_NE(info.name.find('.'), std::string_view::npos) << info.name;
     EXPECT_FALSE(info.symbol.empty() || info.unit.empty() || info.help.empty()) << info.name;
   }
-  EXPECT_EQ(names.size(), 36U);  // members of Parameters
 }
 
 TEST(ParameterTable, accepts_its_own_defaults) {
@@ -232,50 +230,6 @@ TEST(Validate, takes_the_largest_stable_time_step) {
   Parameters p;
   p.dt = stable_time_step(p);
   EXPECT_EQ(refusal(p), kAccepted);
-}
-
-// --- the interface laws
-
-TEST(LawTable, has_a_row_for_every_word_of_the_parameter_in_its_order) {
-  EXPECT_EQ(find_parameter("junctions.law").valid.words, law_names());
-  EXPECT_EQ(law_names(),
-            (std::vector<std::string_view>{"reference", "simplified", "decaying", "distance"}));
-  EXPECT_EQ(law_names({Law::decaying, Law::simplified}),
-            (std::vector<std::string_view>{"decaying", "simplified"}));
-  for (std::size_t i = 0; i < law_table().size(); ++i) {
-    Parameters p;
-    set_parameter(p, "junctions.law", law_table()[i].name);
-    EXPECT_EQ(p.law, testing::kAllLaws[i]);
-    EXPECT_EQ(law_info(p.law).name, law_table()[i].name);
-  }
-}
-
-TEST(LawTable, switches_slow_slip_off_by_a_parameter_of_the_law) {
-  for (const Law law : testing::kAllLaws) {
-    const std::string_view text = law_info(law).slow_slip_off;
-    const ParameterInfo& info = find_parameter(text.substr(0, text.find(' ')));
-    EXPECT_EQ(std::count(info.laws.begin(), info.laws.end(), law), 1) << text;
-  }
-}
-
-TEST(LawTable, shapes_the_state) {
-  for (const Law law : testing::kAllLaws) {
-    Parameters p;
-    p.law = law;
-    const Junctions junctions = State(p).junctions;
-    const bool one = law_info(law).springs == SpringsPerBlock::one;
-    EXPECT_EQ(one, law == Law::simplified);
-    for (const Eigen::Index cols :
-         {junctions.attachment.cols(), junctions.repin_time.cols(), junctions.draws.cols()}) {
-      EXPECT_EQ(cols, one ? 1 : p.N_s);
-    }
-    for (const LawInfo& other : law_table()) {
-      if (!other.memory) continue;
-      const auto& array = junctions.*other.memory->array;
-      EXPECT_EQ(array.size(), other.name == law_info(law).name ? junctions.draws.size() : 0);
-      EXPECT_TRUE((array == 0.0).all());
-    }
-  }
 }
 
 // --- quantities that follow
