@@ -1,28 +1,15 @@
 """Files appear complete or not at all, and replace others only on request."""
 
 import os
-import stat
 import sys
 from contextlib import contextmanager
 from pathlib import Path
 
-from rupture.replacing import rename_to_new, replacing, undisturbed
-from rupture.tools.command_line import CLEAR, Failure, UsageError, in_one_line
+from rupture.errors import Failure, UsageError
+from rupture.replacing import replacing, temporary_for
+from rupture.tools.command_line import CLEAR, in_one_line
 
 EXISTS = "exists; give another name, or --force to replace it"
-
-
-def try_output(path):
-    """Makes, renames and removes a file in the folder, before one is lost at the end."""
-    if path.parent.stat().st_mode & stat.S_ISVTX and os.path.lexists(path):
-        if os.geteuid() not in (0, path.parent.stat().st_uid, path.lstat().st_uid):
-            who = "of another user, who alone may replace it in this sticky folder"
-            raise Failure(f"{path} is {who}; give another path")
-    try:
-        with undisturbed(), replacing(path, lambda made, _: made.unlink()) as made:
-            made.rename(f"{made}.tried").rename(made)
-    except OSError as error:
-        raise Failure(f"cannot write {path}: {error.strerror}; give another path") from None
 
 
 def check_output(name, force, endings=(), inputs=()):
@@ -47,7 +34,11 @@ def check_output(name, force, endings=(), inputs=()):
         raise Failure(f"{path} is not a regular file; give the path of a file to write")
     if os.path.lexists(path) and not force:
         raise Failure(f"{path} {EXISTS}")
-    try_output(path)
+    try:  # before anything is lost at the end
+        with temporary_for(path):
+            pass
+    except OSError as error:
+        raise Failure(f"cannot write {path}: {error.strerror}; give another path") from None
 
 
 def progress(items, count, what):
@@ -71,11 +62,9 @@ def complete(path, force):
     """The temporary path to write to; its file is renamed to `path` if all goes well."""
     path = Path(path)
     try:
-        with replacing(path, os.replace if force else rename_to_new) as hidden:
+        with replacing(path, force) as hidden:
             yield hidden
+    except FileExistsError:
+        raise Failure(f"{path} {EXISTS}") from None
     except OSError as error:
-        reason = os.strerror(error.errno) if error.errno else str(error)
-        said = f"cannot write {path}: {reason}"
-        said = f"{path} {EXISTS}" if isinstance(error, FileExistsError) else said
-        kept = f"; the result is kept as {error.filename}" if error.filename2 else ""
-        raise Failure(said + kept) from None
+        raise Failure(f"cannot write {path}: {error.strerror or error}") from None

@@ -126,25 +126,16 @@ def write_numbers(path, checkpoints):
 
 
 def write_all(checkpoints, output, derived, force):
-    """Renames neither file before both are written. If `derived` cannot get its name, `output` is
-    put back, or deleted if there was none."""
+    """Renames neither file before both are written, and last the one that refers to the other."""
     beside = [os.path.relpath(one.path, output.parent) for one in checkpoints]
     refuse_odd_names([*beside, derived.name])
     steps = [
         step_of(checkpoint, f"{path}:/state", f"{derived.name}:/{number:04}")
         for number, (checkpoint, path) in enumerate(zip(checkpoints, beside))
     ]
-    before, ours = output.read_bytes() if output.exists() else None, None
-    try:
-        with complete(derived, force) as numbers, complete(output, force) as text:
-            write_numbers(numbers, checkpoints)
-            text.write_text(text_of(output.stem, steps), encoding="utf-8")
-            ours = text.stat()
-    except Failure as error:
-        if not (ours and output.exists() and os.path.samestat(ours, output.lstat())):
-            raise
-        output.unlink() if before is None else output.write_bytes(before)
-        raise Failure(f"{error}; {output} is as it was before") from None
+    with complete(output, force) as text, complete(derived, force) as numbers:
+        write_numbers(numbers, checkpoints)
+        text.write_text(text_of(output.stem, steps), encoding="utf-8")
 
 
 def run():

@@ -15,7 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from rupture.errors import Failure
-from rupture.replacing import ENDING, is_at
+from rupture.replacing import ENDING
 from reproduce.project import LOGS, ROOT, WORK, complain, say
 
 SET_UP = Path(__file__).with_name("set-up.sh")
@@ -51,7 +51,8 @@ def take_lock(lock, name):
         return False
     except OSError as error:  # of some shared file systems
         complain(f"cannot lock this folder ({error.strerror}): do not start a second run in it.")
-    return is_at(lock, f"build/.{name}")
+    path = f"build/.{name}"
+    return os.path.exists(path) and os.path.samefile(path, lock)
 
 
 def wait_for(lock, name):
