@@ -2,6 +2,7 @@
 
 import functools
 import importlib.util
+import json
 import os
 import shutil
 import subprocess
@@ -31,6 +32,12 @@ def run(program, *words, **options):
     """A finished program and what it printed; one that has no path is ours."""
     command = [BIN / program if (BIN / program).exists() else program, *map(str, words)]
     return subprocess.run(command, capture_output=True, text=True, check=False, **options)
+
+
+def tools_described():
+    """What all programs say of themselves."""
+    listed = json.loads(run("rupture", "--describe").stdout)["tools"]
+    return [one | json.loads(run(one["name"], "--describe").stdout) for one in listed]
 
 
 def started(command, part, pieces=0, **options):

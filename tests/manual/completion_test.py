@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from conftest import BUILD, run
+from conftest import BUILD, run, tools_described
 
 SCRIPT = BUILD / "manual/rupture"
 

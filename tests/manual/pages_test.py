@@ -1,14 +1,13 @@
 """The man pages: there is one per tool and command, man finds no fault, their examples run."""
 
-import json
 import os
 
-from conftest import BIN, BUILD, ROOT, need, need_modules, run
+from conftest import BIN, BUILD, ROOT, need, need_modules, run, tools_described
 
 need("man")
 PAGES = BUILD / "manual/man"
 PLAIN = {"LC_ALL": "C.UTF-8", "MANWIDTH": "80", "MANROFFSEQ": "", "MAN_KEEP_FORMATTING": ""}
-TOOLS = json.loads(run("rupture", "--describe").stdout)["tools"]
+TOOLS = tools_described()
 ALL = TOOLS + [command for tool in TOOLS for command in tool.get("commands", [])]
 SCRIPT = ROOT / "src/tools/manual/examples.sh"
 

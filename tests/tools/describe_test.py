@@ -35,8 +35,9 @@ def test_all_options_are_described_with_the_texts_of_help(name):
     text, described = output_of(f"{name} --help"), output_of(f"{name} --describe")
     program = json.loads(described)
     assert (len(lines_of(described)), program["name"]) == (1, name)
-    assert text.startswith(f"Usage: rupture {program['synopsis']}\n")
-    assert text.startswith(f"Usage: rupture {name} ")
+    call = f"sage: rupture {program['synopsis']}\n"
+    assert text.startswith((f"U{call}", f"u{call}"))
+    assert program["synopsis"].startswith(f"{name} ")
     assert "\n" not in program["purpose"]
     options = options_of(program)
     assert options.keys() >= {"help", "describe", "version"}
@@ -66,10 +67,14 @@ def test_one_of_those_that_are_needed_is_needed(name):
 
 
 @each_program
-def test_a_mistyped_option_is_told_the_nearest(name):
+def test_each_program_states_its_version(name):
     isa = "(baseline|sse2|avx2|avx512|neon)"
     version = output_of(f"{name} --version")
     assert re.fullmatch(rf"{name} \(rupture .*, commit .*, {isa}\)\n", version)
+
+
+@pytest.mark.parametrize("name", PROGRAMS + COMMANDS)
+def test_a_mistyped_option_is_told_the_nearest(name):
     refuses(f"{name} --versoin", 2, "unknown option '--versoin': did you mean '--version'?")
 
 
@@ -99,6 +104,15 @@ def test_what_commands_read():
         program = json_of(f"{name} --describe")
         assert program["input"] == read
         assert (program["outputs"] == ["report"]) == (name != "load")
+
+
+def test_rupture_lists_every_program_with_its_summary():
+    tools, text = json_of("rupture --describe")["tools"], output_of("rupture help")
+    assert {"analyze", "reproduce", *PROGRAMS, *PYTHON} == {tool["name"] for tool in tools}
+    for tool in tools:
+        assert f"\n  {tool['name']:<12} {tool['summary']}\n" in text
+    assert output_of("rupture --help") == output_of("rupture help help") == text
+    assert run("rupture") == (2, "", text)
 
 
 # --- parameters

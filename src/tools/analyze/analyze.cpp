@@ -20,7 +20,6 @@ namespace {
 constexpr std::string_view kSynopsis = "analyze COMMAND [FILE...] [options]";
 constexpr std::string_view kPurpose =
     "Measures, compares and checks checkpoints and records; never changes them.";
-constexpr std::string_view kSummary = "measure, compare and check checkpoints and records";
 
 /// Its name without "analyze".
 std::string_view word_for(const Command& command) {
@@ -48,7 +47,6 @@ std::string answer(const Command& command, const char* question) try {
 
 std::string describe() {
   Json json = {{"name", "analyze"},
-               {"summary", kSummary},
                {"synopsis", kSynopsis},
                {"purpose", kPurpose},
                {"commands", Json::array()}};

@@ -10,6 +10,7 @@
 #include "cli/command_line.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
+#include "run/output.hpp"
 #include "rupture/model/laws.hpp"
 #include "rupture/model/user_text.hpp"
 
@@ -66,7 +67,6 @@ int print_parameters(const Parsed& parsed) {
 
 }  // namespace
 
-extern const Command parameters_command;
 constinit const Command parameters_command = {
     "parameters [NAME...]",
     "parameter",

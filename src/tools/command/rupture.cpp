@@ -6,16 +6,14 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <string_view>
 
 #include "cli/command_line.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
-#include "rupture/checkpoint/provenance.hpp"
+#include "run/output.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/user_text.hpp"
 
@@ -31,6 +29,28 @@ constexpr const char* kSynopsis = "rupture TOOL [argument...]";
 constexpr const char* kPurpose =
     "Runs the program TOOL with these arguments; rupture help TOOL describes them.";
 
+struct Tool {
+  std::string_view name, summary;
+};
+
+/// All programs, in the order of the help. What those in C++ do stands in their own files.
+const std::array kTools = {
+    Tool{"load", load_command.summary},
+    Tool{"prepare", prepare_command.summary},
+    Tool{"restart", restart_command.summary},
+    Tool{"modify-phi", modify_phi_command.summary},
+    Tool{"finish", finish_command.summary},
+    Tool{"seal", seal_command.summary},
+    Tool{"analyze", "measure, compare and check checkpoints and records"},
+    Tool{"parameters", parameters_command.summary},
+    Tool{"reproduce", "compute figures of the paper, their claims, and sweeps of your own"},
+    Tool{"golden", "check that a pipeline still writes files with the same content checksums"},
+    Tool{"map", "draw a record in space and time"},
+    Tool{"movie", "make a film of a record"},
+    Tool{"watch", "watch a run in progress, in a window or as text"},
+    Tool{"xdmf", "write a series of checkpoints for ParaView and VTK"},
+};
+
 namespace fs = std::filesystem;
 
 fs::path tool_folder() {
@@ -44,38 +64,11 @@ bool can_run(const fs::path& program) {
   return fs::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0;
 }
 
-using Answer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-/// Asks a program, and leaves it to answer.
-Answer ask(const fs::path& program) {
-  const std::string question = shell_line({program.string(), "--describe"});
-  return {::popen((question + " 2>/dev/null </dev/null").c_str(), "re"), ::pclose};
-}
-
-std::string read_all(std::FILE* file) {
-  std::string text;
-  std::array<char, 4096> part{};
-  while (const auto size = std::fread(part.data(), 1, part.size(), file)) {
-    text.append(part.data(), size);
-  }
-  return text;
-}
-
-Json description_in(const Answer& answer, std::string_view name) {
-  Json json =
-      answer ? Json::parse(read_all(answer.get()), nullptr, /*allow_exceptions=*/false) : Json();
-  return json.is_object() ? json : Json({{"name", name}});
-}
-
-/// The names of the programs that are built and installed with this one, in the order of the help.
-Words tool_names() {
-  return split(RUPTURE_TOOLS, ' ');
-}
-
 /// The program of this name: in ../libexec/rupture if this one is installed, else beside it. Throws
-/// Failure if one of tool_names() is not there, UsageError for other names.
+/// Failure if one of kTools is not there, UsageError for other names.
 fs::path tool_path(const std::string& name) {
-  const Words names = tool_names();
+  std::vector<std::string_view> names;
+  for (const Tool& tool : kTools) names.push_back(tool.name);
   const fs::path folder = tool_folder(), program = folder / name;
   if (fs::path(name).filename() == name && can_run(program)) return program;
   if (std::ranges::count(names, name) != 0) {
@@ -83,40 +76,27 @@ fs::path tool_path(const std::string& name) {
         "there is no program {} in {}: install rupture, or link to it instead of copying it", name,
         folder.string());
   }
-  throw UsageError(unknown_text("tool", name, {names.begin(), names.end()}, "rupture help"));
-}
-
-/// What each of tool_names() answers to --describe (docs/schema.md); of one that does not, only its
-/// name.
-Json tool_descriptions() {
-  const Words names = tool_names();
-  std::vector<Answer> answers;  // all are asked at once, because some take a while
-  for (const auto& name : names) answers.push_back(ask(tool_folder() / name));
-  Json all = Json::array();
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    all.push_back(description_in(answers[i], names[i]));
-  }
-  return all;
+  throw UsageError(unknown_text("tool", name, names, "rupture help"));
 }
 
 std::string help() {
   std::string text = fmt::format(
       "Usage: {}\n       rupture help [TOOL [COMMAND]]\n       rupture --version\n\n{}\n\nTools:\n",
       kSynopsis, kPurpose);
-  for (const Json& tool : tool_descriptions()) {
-    const std::string summary = tool.value("summary", tool.value("purpose", ""));
-    text += fmt::format("  {:<12} {}\n", std::string(tool.at("name")), summary);
-  }
+  for (const Tool& tool : kTools) text += fmt::format("  {:<12} {}\n", tool.name, tool.summary);
   return text;
 }
 
 std::string describe() {
-  return json_text({{"name", "rupture"},
-                    {"summary", kSummary},
-                    {"synopsis", kSynopsis},
-                    {"purpose", kPurpose},
-                    {"tools", tool_descriptions()}}) +
-         "\n";
+  Json json = {{"name", "rupture"},
+               {"summary", kSummary},
+               {"synopsis", kSynopsis},
+               {"purpose", kPurpose},
+               {"tools", Json::array()}};
+  for (const Tool& tool : kTools) {
+    json["tools"].push_back({{"name", tool.name}, {"summary", tool.summary}});
+  }
+  return json_text(json) + "\n";
 }
 
 /// Becomes the tool, so that its exit code and all signals are its own.

@@ -38,10 +38,6 @@ def answer(program, *words):
 
 
 def with_defaults(tool):
-    if "summary" not in tool:  # of a tool that does not run, `rupture` knows the name alone
-        sys.exit(
-            f"{tool['name']} does not describe itself: see what {tool['name']} --describe says"
-        )
     empty: dict = {"input": None, "words": [], "options": [], "commands": [], "parameters": False}
     tool = empty | tool
     option = {"holds": "", "words": [], "short": None, "value": "", "unit": "", "default": None}
@@ -121,7 +117,8 @@ def templates():
 def main(programs, output, version):
     programs, output = Path(programs), Path(output)
     rupture = answer(programs / "rupture", "--describe")
-    tools = [with_defaults(tool) for tool in rupture.pop("tools")]
+    listed = rupture.pop("tools")
+    tools = [with_defaults(one | answer(programs / one["name"], "--describe")) for one in listed]
     rows = answer(programs / "parameters", "--json")["parameters"]
     parameters = [{"words": []} | row for row in rows]
     environment = templates()

@@ -1,4 +1,4 @@
-// The programs that write checkpoints and records, and what they have in common: options, which
+// The programs that are one command each, and what they write them have in common: options, which
 // files may be written, and what was done, in words or with --json.
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace rupture::tools {
 
 extern const Command load_command, restart_command, prepare_command, modify_phi_command,
-    finish_command, seal_command;
+    finish_command, seal_command, parameters_command;
 
 /// Options of every tool that writes a file, which `holds` a checkpoint or record.
 struct OutputOptions {
