@@ -87,7 +87,7 @@ class Package(unittest.TestCase):
         other.write_text("raise RuntimeError\n")
         for name in ("json", "numpy", "sitecustomize"):
             other.with_name(f"{name}.py").write_text("raise RuntimeError\n")
-        self.assertIn("Usage:", self.done(rupture, "map", "--help", cwd=other.parent))
+        self.assertIn("usage:", self.done(rupture, "map", "--help", cwd=other.parent))
         self.assertIn("  fig3 ", self.done(rupture, "reproduce", "list"))
         self.assertNotIn("tidy", self.done(rupture, "reproduce", "--help"))
         before = sorted(self.prefix.rglob("*"))

@@ -20,14 +20,12 @@ LINE = re.compile(r"(?:content-sha256 +)?([0-9a-f]{64}) +(.*\.h5)")  # without t
 
 def parse_options():
     made = Parser(
-        "golden",
-        "check|regenerate [options] GOLDEN PIPELINE [ARGUMENT...]",
+        "golden check|regenerate [options] GOLDEN PIPELINE [ARGUMENT...]",
         "Runs a pipeline, any program, in a fresh folder, with rupture and its tools on its PATH."
         " Compares the content checksums of the files *.h5 that it writes there with those in"
         " GOLDEN (check), or makes them the new GOLDEN and keeps the old one as GOLDEN.old1, .old2"
         " and so on (regenerate). Exit code: 0 equal or written, 1 different or failed, 77 if the"
         " pipeline exited with 77 because it cannot run on this machine.",
-        "check that a pipeline still writes files with the same content checksums",
         "word",
     )
     made.add_argument("command", metavar="COMMAND", choices=("check", "regenerate"))
@@ -41,7 +39,7 @@ def parse_options():
     made.add_argument("golden", metavar="GOLDEN", type=Path)
     made.add_argument("program", metavar="PIPELINE")
     made.add_argument("arguments", metavar="ARGUMENT", nargs="...").required = False
-    return made.parse()
+    return made.parse_args()
 
 
 def regenerate_command():

@@ -19,17 +19,15 @@ LEGEND = "White line: 30 % of the junctions are pinned. Marks at the right: an e
 
 def parse_options():
     made = Parser(
-        "map",
-        "RECORD -o FILE",
+        "map RECORD -o FILE [options]",
         "Draws a record, or an unfinished one, in space and time: the fraction of pinned"
         " junctions, the slip speed and tau/p, and the speeds of its fronts.",
-        "draw a record in space and time",
         "record",
     )
     made.add_argument("record", metavar="RECORD")
     made.add_output("picture to write: .png, .pdf or .svg")
     add_window(made)
-    return made.parse()
+    return made.parse_args()
 
 
 def slip_speed(record, rows):

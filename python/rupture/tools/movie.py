@@ -14,7 +14,7 @@ from rupture.elasticity import stress_of
 from rupture.errors import Failure
 from rupture.programs import analyze
 from rupture.tables import imported
-from rupture.tools.command_line import Parser, whole_number
+from rupture.tools.command_line import DEFAULT, Parser, whole_number
 from rupture.tools.output import check_output, complete, progress, say_written
 from rupture.tools.window import add_window, open_record, window_of
 
@@ -28,23 +28,20 @@ SLOWEST = 0.1  # the speed at which axes and colours begin [mm/s]
 
 def parse_options():
     made = Parser(
-        "movie",
-        "RECORD -o FILE",
+        "movie RECORD -o FILE [options]",
         "Films a record, or an unfinished one: the interface and, where the run had --fields, the"
         " slider above it, coloured by its speed, shear stress or displacement.",
-        "make a film of a record",
         "record",
     )
     made.add_argument("record", metavar="RECORD")
     made.add_output("film to write: .gif, or .mp4 or .webm with ffmpeg")
-    text = "quantity that colours the slider"
+    text = f"quantity that colours the slider{DEFAULT}"
     made.add_argument("--colour", choices=(*COLOURS,), default="speed", help=text)
-    text = "largest number of frames (15 per second)"
+    text = f"largest number of frames, {PER_SECOND} per second{DEFAULT}"
     number = partial(whole_number, least=1)
-    more = {"kind": "integer", "unit": "1", "metavar": "N", "help": text}
-    made.add_argument("--frames", type=number, default=FRAMES, **more)
+    made.add_argument("--frames", type=number, default=FRAMES, metavar="N", help=text)
     add_window(made)
-    return made.parse()
+    return made.parse_args()
 
 
 def writer_of(path):

@@ -14,7 +14,7 @@ from rupture import plotting
 from rupture.errors import Failure
 from rupture.files import Record, open_file
 from rupture.tables import imported
-from rupture.tools.command_line import CLEAR, Parser, plural
+from rupture.tools.command_line import CLEAR, DEFAULT, Parser, plural
 
 LEVELS = " ▁▂▃▄▅▆▇█"
 SAMPLES = 1000  # the last ones, shown in a window
@@ -25,17 +25,15 @@ FLOCK = "hhqqi0q"  # struct flock: l_type, l_whence, l_start, l_len, l_pid
 
 def parse_options():
     made = Parser(
-        "watch",
-        "RECORD.part",
+        "watch RECORD.part [options]",
         "Shows the interface while a run is in progress, in a window or, without a display, as"
         " text: the fraction of pinned junctions along it. Ends when the record is finished.",
-        "watch a run in progress, in a window or as text",
         "record",
     )
     made.add_argument("record", metavar="RECORD.part")
-    made.add_time("--every", "time between updates", least=0.01, most=86400, default=1.0)
+    made.add_time("--every", f"time between updates{DEFAULT}", least=0.01, most=86400, default=1.0)
     made.add_argument("--text", action="store_true", help="text, even if there is a display")
-    return made.parse()
+    return made.parse_args()
 
 
 def current(path):

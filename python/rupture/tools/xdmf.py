@@ -21,18 +21,16 @@ INTERFACE = ("tau", "p", "pinned_fraction")
 
 def parse_options():
     made = Parser(
-        "xdmf",
-        "CHECKPOINT... -o FILE.xdmf",
+        "xdmf CHECKPOINT... -o FILE.xdmf [options]",
         "Writes a file with which ParaView and VTK open checkpoints as one series in time:"
         " displacement, velocity and stress of the blocks; tau, p and the pinned fraction along the"
         " interface. It refers to the checkpoints, which must stay where they are. Stresses and"
         " interface, which must be computed, are written to FILE-derived.hdf5.",
-        "write a series of checkpoints for ParaView and VTK",
         "checkpoint",
     )
     made.add_argument("checkpoints", metavar="CHECKPOINT", nargs="+")
     made.add_output("file to write: .xdmf")
-    return made.parse()
+    return made.parse_args()
 
 
 def open_checkpoint(path):

@@ -48,10 +48,10 @@ RUN: dict[str, Callable] = {
 def main(*words):
     request = read(words)
     if not request.words:
-        print(make_parser().format_help(), file=sys.stderr)
+        make_parser().print_help(sys.stderr)
         return 2
     if request.command in ("list", "help"):
-        print(listing() if request.command == "list" else make_parser().format_help())
+        print(listing() if request.command == "list" else make_parser().format_help().rstrip())
         return 0
     enter_root()
     os.environ["RUPTURE_BIN"] = os.path.abspath(request.programs or PROGRAMS)

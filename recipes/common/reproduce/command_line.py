@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rupture.errors import UsageError
 from rupture.tools import command_line
-from rupture.tools.command_line import Answer, help_text, whole_number
+from rupture.tools.command_line import DEFAULT, whole_number
 from runs.recipes import read_readme, recipe_names
 from reproduce.machine import usable_cores
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
@@ -19,7 +19,6 @@ PURPOSE = (
     "Computes the figures that you name, or all, and writes them to results/ in the current folder."
     f" {PROGRAM} list lists them."
 )
-SUMMARY = "compute figures of the paper, their claims, and sweeps of your own"
 COMMANDS = {
     "all": f"all figures above except {', '.join(BESIDE_ALL)}; then the report",
     "sweep": "FILE.ini: run the model for all values in the file (docs/sweeps.md)",
@@ -47,15 +46,11 @@ def figures():
 
 
 class Parser(command_line.Parser):
-    """`./reproduce.sh` has the help, and `--describe`, of the other programs."""
-
     def __init__(self):
-        super().__init__("reproduce", "COMMAND", PURPOSE, SUMMARY, "word")
-        self.called = PROGRAM
+        super().__init__("reproduce COMMAND [options]", PURPOSE, "word", PROGRAM, version)
 
     def format_help(self):
-        text = help_text(self).replace("rupture reproduce", PROGRAM)
-        return f"{text}\n\nFigures and commands:\n{listing()}"
+        return f"{super().format_help()}\nFigures and commands:\n{listing()}\n"
 
     def description_json(self):
         return super().description_json() | {"words": [*figures(), *COMMANDS], "outputs": []}
@@ -92,19 +87,14 @@ def make_parser():
     add("--from-scratch", action="store_true", help=text)
     text = (
         "where commands run: local, slurm, or the path of another profile's folder"
-        " (docs/cluster.md)"
+        f" (docs/cluster.md){DEFAULT}"
     )
     add("--profile", type=profile_at, metavar="NAME", default="local", help=text)
     text = "use the programs in this folder instead of building them"
     add("--programs", type=programs_at, metavar="FOLDER", help=text)
     text = "use N cores of this machine (default: all that may be used)"
     read_cores = partial(whole_number, least=1)
-    add("--cores", type=read_cores, kind="integer", unit="1", metavar="N", help=text)
-    text = "print name, options and input as one JSON object and exit"
-    add("--describe", action=Answer, nargs=0, const=Parser.describe, help=text)
-    text = "show this help and exit"
-    add("-h", "--help", action=Answer, nargs=0, const=Parser.format_help, help=text)
-    add("--version", action=Answer, nargs=0, const=version, help="show version and exit")
+    add("--cores", type=read_cores, metavar="N", help=text)
     return parser
 
 
