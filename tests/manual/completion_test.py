@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from conftest import BUILD, run, tools_described
+from conftest import BUILD, run
 
 SCRIPT = BUILD / "manual/rupture"
 

@@ -97,6 +97,7 @@ def test_one_of_some_results_or_behind_a_link_does_not(clone):
 
 
 def test_no_text_uses_words_that_a_reader_cannot_know():
-    texts = [*ROOT.glob("*.md"), ROOT / "recipes", ROOT / "python", ROOT / "docs", ROOT / "src"]
-    grep = ["grep", "-rniI", "--exclude=CHANGELOG.md", "-f", ROOT / ".phrases", *texts]
-    assert subprocess.run(grep, capture_output=True, text=True, check=False).stdout == ""
+    texts = ["README.md", "CONTRIBUTING.md", "recipes", "python", "docs", "src"]
+    grep = ["grep", "-rniIf", ".phrases", *texts]
+    done = subprocess.run(grep, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.stdout, done.returncode) == ("", 1)

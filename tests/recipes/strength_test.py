@@ -22,8 +22,7 @@ EVENT = [
 
 
 def judged(maps, events):
-    shown = {"fast-slow-fast": EVENT}
-    return claim_4C(maps, [POINT], LINES, shown, dict(enumerate(events)))
+    return claim_4C(maps, [POINT], LINES, dict(enumerate(events)))
 
 
 class TestGathering:

@@ -7,12 +7,17 @@ from claims.print_claims import print_claims
 from claims.released import released
 from fixture import spill
 
-WORDS = ("finding", "today", "what the paper says", "if it is so", {})
+
+def claim(name, *judged):
+    """With these values of its case, shares, verdict and reason."""
+    return Claim(name, "finding", "today", "what the paper says", "if it is so", {}, *judged)
+
+
 SHARE = Share("primary", 3, 20, 0.06, 0.31)
 CLAIMS = [
-    Claim("3A", *WORDS, "holds", [], None, "only the case shown was judged, no other events"),
-    Claim("3B", *WORDS, "does not hold", [], None, "only the case shown was judged"),
-    Claim("4C", *WORDS, "holds", [SHARE], "depends", "holds in 3 of 20 runs (primary)"),
+    claim("3A", "holds", [], None, "only the case shown was judged, no other events"),
+    claim("3B", "does not hold", [], None, "only the case shown was judged"),
+    claim("4C", "holds", [SHARE], "depends", "holds in 3 of 20 runs (primary)"),
 ]
 TABLE = """id,kind,fixed,verdict,holds,units,version,numbers
 3A,finding,today,reproduced,86,91,0.4.0,{}
