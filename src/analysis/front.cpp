@@ -10,8 +10,7 @@
 namespace rupture {
 namespace {
 
-/// What the paper calls slow (Discussion), and how many stencils of it make a stretch.
-constexpr double kSlowInWords = 1.0 / 10.0;
+/// How many stencils of what the paper calls slow make a stretch.
 constexpr std::size_t kStencilsInWords = 3;
 
 /// Those of the stencils that run forwards.
@@ -30,9 +29,9 @@ struct Stretch {
 };
 
 /// Whether the stencil around block i measures a front that moves on, beyond the loading zone.
-bool moves_on(const Front& front, std::size_t i, const FrontCriteria& criteria) {
+bool moves_on(const Front& front, std::size_t i) {
   const auto& v = front.v_c[i];
-  return front.line.x[i] > criteria.skip_below_x && v && *v > 0.0;
+  return front.line.x[i] > front.criteria.skip_below_x && v && *v > 0.0;
 }
 
 /// Whether block i + 1 ruptured after block i; both did.
@@ -41,11 +40,10 @@ bool in_order(const Front& front, std::size_t i) {
 }
 
 /// Maximal runs of slow stencils whose blocks rupture one after the other.
-std::vector<Stretch> slow_stretches(const Front& front, double limit,
-                                    const FrontCriteria& criteria) {
+std::vector<Stretch> slow_stretches(const Front& front, double limit) {
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
-    if (!moves_on(front, i, criteria) || *front.v_c[i] >= limit) continue;
+    if (!moves_on(front, i) || *front.v_c[i] >= limit) continue;
     const bool next = !stretches.empty() && stretches.back().last + 1 == i;
     if (next && in_order(front, i - 1)) {
       stretches.back().last = i;
@@ -57,13 +55,13 @@ std::vector<Stretch> slow_stretches(const Front& front, double limit,
 }
 
 /// The stretch with up to n more blocks on either side.
-Stretch widened(const Front& front, Stretch stretch, std::size_t n, const FrontCriteria& criteria) {
+Stretch widened(const Front& front, Stretch stretch, std::size_t n) {
   const Stretch limits = {stretch.first - n, stretch.last + n};
-  while (stretch.first > limits.first && moves_on(front, stretch.first - 1, criteria) &&
+  while (stretch.first > limits.first && moves_on(front, stretch.first - 1) &&
          in_order(front, stretch.first - 1)) {
     --stretch.first;
   }
-  while (stretch.last < limits.last && moves_on(front, stretch.last + 1, criteria) &&
+  while (stretch.last < limits.last && moves_on(front, stretch.last + 1) &&
          in_order(front, stretch.last)) {
     ++stretch.last;
   }
@@ -72,29 +70,31 @@ Stretch widened(const Front& front, Stretch stretch, std::size_t n, const FrontC
 
 /// The centres that belong to the slow stretch around a run of slow stencils; none if it is shorter
 /// than a stencil and those that touch its surroundings do not count.
-std::optional<Stretch> counted(const Front& front, const Stretch& run,
-                               const FrontCriteria& criteria) {
-  const std::size_t h = criteria.half_stencil();
-  if (criteria.stencils_at_ends == StencilsAtEnds::slow) return widened(front, run, h, criteria);
+std::optional<Stretch> counted(const Front& front, const Stretch& run, StencilsAtEnds ends) {
+  const std::size_t h = front.criteria.half_stencil();
+  if (ends == StencilsAtEnds::slow) return widened(front, run, h);
   if (run.last - run.first < 2 * h) return std::nullopt;
   return Stretch{run.first + h, run.last - h};
 }
 
 /// The centres between which no stencil belongs to the fast sides.
-Stretch not_fast(const Stretch& run, const FrontCriteria& criteria) {
-  const std::size_t h = criteria.half_stencil();
-  if (criteria.stencils_at_ends == StencilsAtEnds::fast) return {run.first + h, run.last - h};
+Stretch not_fast(const Stretch& run, std::size_t h, StencilsAtEnds ends) {
+  if (ends == StencilsAtEnds::fast) return {run.first + h, run.last - h};
   return {run.first - h, run.last + h};
 }
 
-std::optional<SlowStretch> describe(const Front& front, const Stretch& run,
-                                    const FrontCriteria& criteria) {
-  const auto stretch = counted(front, run, criteria);
+/// The first block that is not in the loading zone.
+std::size_t first_beyond(const Front& front) {
+  const auto& x = front.line.x;
+  return static_cast<std::size_t>(std::ranges::upper_bound(x, front.criteria.skip_below_x) -
+                                  x.begin());
+}
+
+std::optional<SlowStretch> describe(const Front& front, const Stretch& run, StencilsAtEnds ends) {
+  const auto stretch = counted(front, run, ends);
   if (!stretch) return std::nullopt;
   const auto& x = front.line.x;
-  const auto loading_zone = static_cast<std::size_t>(
-      std::upper_bound(x.begin(), x.end(), criteria.skip_below_x) - x.begin());
-  const Stretch between = not_fast(run, criteria);
+  const Stretch between = not_fast(run, front.criteria.half_stencil(), ends);
   const auto v_c = speeds(front.v_c, stretch->first, stretch->last + 1);
   SlowStretch slow;
   slow.x_from = x[stretch->first];
@@ -105,38 +105,34 @@ std::optional<SlowStretch> describe(const Front& front, const Stretch& run,
   slow.speed = *median(v_c);
   slow.stencils = run.last - run.first + 1;
   slow.slowest = std::ranges::min(v_c);
-  slow.fast_before = median(speeds(front.v_c, loading_zone, between.first));
+  slow.fast_before = median(speeds(front.v_c, first_beyond(front), between.first));
   slow.fast_after = median(speeds(front.v_c, between.last + 1, front.v_c.size()));
   return slow;
 }
 
 /// The slow stretch that lasted longest; none if no block belongs to any.
-std::optional<SlowStretch> longest(const Front& front, double limit,
-                                   const FrontCriteria& criteria) {
+std::optional<SlowStretch> longest(const Front& front, double limit, StencilsAtEnds ends) {
   std::optional<SlowStretch> longest;
-  for (const Stretch& run : slow_stretches(front, limit, criteria)) {
-    const auto slow = describe(front, run, criteria);
+  for (const Stretch& run : slow_stretches(front, limit)) {
+    const auto slow = describe(front, run, ends);
     if (slow && (!longest || slow->duration() > longest->duration())) longest = slow;
   }
   return longest;
 }
 
 /// Stencils beyond the loading zone with v_c in an open interval [m/s].
-std::size_t stencils_between(double from, double to, const Front& front,
-                             const FrontCriteria& criteria) {
+std::size_t stencils_between(double from, double to, const Front& front) {
   std::size_t found = 0;
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
     const auto& v = front.v_c[i];
-    if (front.line.x[i] > criteria.skip_below_x && v && *v > from && *v < to) ++found;
+    if (front.line.x[i] > front.criteria.skip_below_x && v && *v > from && *v < to) ++found;
   }
   return found;
 }
 
 /// Of a front that spans.
-bool is_fast_slow_fast(const Front& front, double c_s, FrontCriteria criteria) {
-  const double limit = kSlowInWords * c_s;
-  criteria.stencils_at_ends = StencilsAtEnds::slow;
-  const auto slow = longest(front, limit, criteria);
+bool is_fast_slow_fast(const Front& front, double limit) {
+  const auto& slow = front.in_words;
   return slow && slow->stencils >= kStencilsInWords && slow->fast_before.value_or(0.0) >= limit &&
          slow->fast_after.value_or(0.0) >= limit;
 }
@@ -215,6 +211,7 @@ bool spans(FrontType type) {
 
 Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& criteria) {
   Front front;
+  front.criteria = criteria;
   front.line = std::move(line);
   front.v_c = front_speed(front.line, criteria);
   for (std::size_t i = 0; i < front.line.x.size(); ++i) {
@@ -222,15 +219,17 @@ Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& 
   }
   front.reached_edge = front.line.t_rupture.back().has_value();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  front.backward_stencils = stencils_between(-kInfinity, 0.0, front, criteria);
+  front.backward_stencils = stencils_between(-kInfinity, 0.0, front);
+  front.speed = median(speeds(front.v_c, first_beyond(front), front.v_c.size()));
   const double c_s = shear_wave_speed(p), limit = criteria.slow_below * c_s;
-  front.slow = longest(front, limit, criteria);
+  front.slow = longest(front, limit, criteria.stencils_at_ends);
+  front.in_words = longest(front, kSlowInWords * c_s, StencilsAtEnds::slow);
   if (front.x_arrest) front.type = FrontType::arrested;
   if (!spans(p, front.line.t_rupture, criteria.skip_below_x)) return front;
   front.x_arrest.reset();
-  const bool is_slow = stencils_between(-limit, limit, front, criteria) > 0;
+  const bool is_slow = stencils_between(-limit, limit, front) > 0;
   front.type = is_slow ? FrontType::slow : FrontType::fast;
-  front.fast_slow_fast = is_fast_slow_fast(front, c_s, criteria);
+  front.fast_slow_fast = is_fast_slow_fast(front, kSlowInWords * c_s);
   return front;
 }
 

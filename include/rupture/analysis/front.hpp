@@ -23,9 +23,13 @@ struct FrontCriteria {
   double skip_below_x = kLoadingZone;  ///< the loading or triggering zone does not count [m]
   std::size_t stencil = 5;             ///< blocks of the moving stencil, odd
   StencilsAtEnds stencils_at_ends = StencilsAtEnds::neither;
+  double ruptured_below = kRupturedFraction;  ///< pinned fraction by which ruptures were chosen
 
   std::size_t half_stencil() const { return stencil / 2; }  ///< blocks on either side of its centre
 };
+
+/// What the paper calls slow (Discussion): v_c/c_s below this [1].
+inline constexpr double kSlowInWords = 1.0 / 10.0;
 
 /// Arrays with a value per interface block; a block that did not rupture has none.
 struct RuptureLine {
@@ -92,14 +96,17 @@ struct Front {
                                       ///< arrested one that reached the leading edge, that [m]
   std::optional<SlowStretch> slow;  ///< the slow stretch that lasted longest; none also where slow
                                     ///< stencils exist but no block belongs to any stretch
+  std::optional<SlowStretch> in_words;  ///< the same below c_s/10, with the stencils at its ends
+  std::optional<double> speed;          ///< median where it runs forwards beyond skip_below_x [m/s]
+  FrontCriteria criteria;               ///< by which it was measured
 };
 
 /// Measures the front in one rupture line. None: nothing ruptured; arrested: the event does not
 /// span; slow: it does, and |v_c| < slow_below c_s somewhere beyond skip_below_x; fast: the rest.
 ///
 /// Fast-slow-fast, whatever slow_below is: the event spans; of the stretches with 0 < v_c < c_s/10
-/// the one that lasted longest has three stencils or more; and the medians of v_c before and after
-/// it are at least c_s/10, without the stencils that touch it.
+/// the one that lasted longest, in_words, has three stencils or more; and the medians of v_c before
+/// and after it are at least c_s/10, without the stencils that touch it.
 ///
 /// Neither depends on stencils_at_ends.
 Front measure_front(const Parameters& parameters, RuptureLine line, const FrontCriteria& criteria);

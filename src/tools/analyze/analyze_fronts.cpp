@@ -24,10 +24,20 @@ Quantities kind_quantities(const Front& front) {
   };
 }
 
+/// In JSON alone.
+Quantities speeds_of(const Front& front) {
+  return {
+      {"speed", "m/s", "median of v_c beyond the loading zone, where the front runs forwards",
+       front.speed},
+      stretch_quantity("in_words", front.in_words),
+  };
+}
+
 Quantities classification_of(const Front& front) {
   const Quantity arrest = {"x_arrest", "m", "furthest ruptured block of an arrested front",
                            front.x_arrest};
-  return join({kind_quantities(front), {arrest}});
+  return join(
+      {kind_quantities(front), {arrest}, speeds_of(front), {criteria_quantity(front.criteria)}});
 }
 
 Quantity rupture_times(const RuptureLine& line) {
@@ -49,13 +59,14 @@ Quantities quantities_of(const Front& front, const Parameters& p) {
       in_csv(rupture_times(front.line), times),
       {"v_c", "m/s", "front speed at each block", front.v_c, Csv::yes, speeds},
   };
-  return join({line, classification_of(front), {slow_quantity(front.slow)}, scales_of(p)});
+  return join(
+      {line, classification_of(front), {stretch_quantity("slow", front.slow)}, scales_of(p)});
 }
 
 Quantities event_quantities(const Parameters& p, const Event& event, std::int64_t number) {
   const TextColumn times = {13, "{:.7f}"};
   const double drop = event.F_T_before - event.F_T_after;
-  const std::string slow = "   " + slow_text(event.front, shear_wave_speed(p));
+  const std::string slow = "   " + kind_text(event.front, shear_wave_speed(p));
   Quantities kind = kind_quantities(event.front);
   for (Quantity& row : kind) row = in_csv(row);
   const Quantities before = {
@@ -72,21 +83,27 @@ Quantities event_quantities(const Parameters& p, const Event& event, std::int64_
       text_only(kind_name(event.front), {16, "{}", "type"}),
   };
   const Quantities after = {
-      in_csv(slow_quantity(event.front.slow)),
+      in_csv(stretch_quantity("slow", event.front.slow)),
       {"F_T_before", "N", "driving force at the first rupture", event.F_T_before, Csv::yes},
       {"F_T_after", "N", "lowest driving force until the event is over", event.F_T_after, Csv::yes},
       text_only(drop, {18, "{:.1f}", "drop of F_T [N]"}),
       text_only(slow, {0}),
   };
-  return join({before, kind, after, scales_of(p), {rupture_times(event.front.line)}});
+  return join({before,
+               kind,
+               after,
+               speeds_of(event.front),
+               scales_of(p),
+               {rupture_times(event.front.line)}});
 }
 
-Quantities quantities_of(const Parameters& p, const std::vector<Event>& events) {
+Quantities quantities_of(const Parameters& p, const std::vector<Event>& events,
+                         const FrontCriteria& criteria) {
   List list = {event_quantities(p, {}, 0), {}};
   for (std::size_t n = 0; n < events.size(); ++n) {
     list.elements.push_back(event_quantities(p, events[n], static_cast<std::int64_t>(n)));
   }
-  return {{"events", "", "", list}};
+  return {{"events", "", "", list}, criteria_quantity(criteria)};
 }
 
 // --- one record, measured in several ways
@@ -146,12 +163,13 @@ int print_each(const Parsed& parsed, Report (*measure)(const RecordCommand&)) {
 
 Report report_of_events(const RecordCommand& command) {
   const Record& record = command.record;
+  const FrontCriteria how = criteria(command);
   const auto events = find_events(record.parameters, record.ruptures, {record.time, record.F_T},
-                                  quiet_time(command), criteria(command));
-  if (!events.empty() || record.time.empty()) return {quantities_of(record.parameters, events), ""};
-  return {quantities_of(record.parameters, events),
-          fmt::format("no events: nothing ruptured from t = {:.7g} s to {:.7g} s\n",
-                      record.time.front(), record.time.back())};
+                                  quiet_time(command), how);
+  const Quantities rows = quantities_of(record.parameters, events, how);
+  if (!events.empty()) return {rows, ""};
+  return {rows, fmt::format("no events: nothing ruptured from t = {:.7g} s to {:.7g} s\n",
+                            record.time.front(), record.time.back())};
 }
 
 Report report_of_front(const RecordCommand& command) {
@@ -159,6 +177,11 @@ Report report_of_front(const RecordCommand& command) {
   const Front front = front_of(command, event);
   const Parameters& p = command.record.parameters;
   return {quantities_of(front, p), front_text(front, shear_wave_speed(p), event)};
+}
+
+Report report_of_type(const RecordCommand& command) {
+  const Front front = front_of(command, choose_event(command));
+  return {classification_of(front), kind_name(front) + "\n"};
 }
 
 }  // namespace
@@ -170,7 +193,7 @@ constinit const Command events_command = {
     "Splits the block ruptures of a record into events, numbered from 0.",
     {add_format_options, add_quiet_time_option, add_criteria_options, add_also_option},
     [](const Parsed& parsed) { return print_each(parsed, report_of_events); },
-    [] { return quantities_of(Parameters{}, std::vector<Event>{}); }};
+    [] { return quantities_of(Parameters{}, std::vector<Event>{}, {}); }};
 
 constinit const Command front_command = {
     "analyze front RECORD",
@@ -189,12 +212,8 @@ constinit const Command classify_command = {
     "only the type of the front: none, arrested, slow, fast or fast-slow-fast",
     "Prints only the type of one event's front: none (nothing ruptured), arrested, slow, fast or\n"
     "fast-slow-fast.",
-    {add_json_option, add_event_options, add_criteria_options},
-    [](const Parsed& parsed) {
-      const RecordCommand command = record_of(parsed);
-      const Front front = front_of(command, choose_event(command));
-      return print({classification_of(front), kind_name(front) + "\n"}, parsed.values);
-    },
+    {add_json_option, add_event_options, add_criteria_options, add_also_option},
+    [](const Parsed& parsed) { return print_each(parsed, report_of_type); },
     [] { return classification_of({}); }};
 
 }  // namespace rupture::tools

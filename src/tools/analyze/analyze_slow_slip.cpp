@@ -115,12 +115,13 @@ Report report_of(const Front& front, const SlowSlips& slips) {
   const auto front_speed = median_speed(slips.v_c), estimate = average(slips.estimate);
   const Quantities rows = {
       type_quantity(front),
-      slow_quantity(front.slow),
+      stretch_quantity("slow", front.slow),
       {"blocks", "1", "blocks whose slow slip was measured", std::ssize(slips.x)},
       {"front_speed", "m/s", "median front speed at these blocks", front_speed},
       extremes(slips.speed),
       {"estimate", "m/s", "mean of Eq. S1 at their normal forces", estimate},
       {"per_block", "", "", Group{per_block}},
+      criteria_quantity(front.criteria),
   };
   if (slips.x.empty()) return {rows, "no block has slow slip that can be measured\n"};
   return {rows,

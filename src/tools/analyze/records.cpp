@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "cli/option_values.hpp"
+#include "cli/text.hpp"
+#include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/normal_contact.hpp"
 
@@ -117,16 +120,52 @@ std::size_t stencil(const po::variables_map& values, const Parameters& p) {
   return static_cast<std::size_t>(blocks);
 }
 
-double skip_below_x(const po::variables_map& values, const Parameters& p) {
-  const double x = non_negative(values, "skip-below-x");
-  if (x <= p.L || values["skip-below-x"].defaulted()) return x;
-  throw UsageError("--skip-below-x {:g} is beyond the interface, which ends at {:g} m", x, p.L);
+/// Where the trigger region ends, if `prepare` made the interface: its --x-trigger [m].
+std::optional<double> x_trigger(const std::vector<ProvenanceEntry>& chain) {
+  for (const ProvenanceEntry& step : chain) {
+    const auto words = split(step.rebuild, ' ');
+    const auto option = std::ranges::find(words, "--x-trigger");
+    if (step.tool != "prepare" || words.end() - option < 2) continue;
+    double x = 0.0;
+    const char* const end = option[1].data() + option[1].size();
+    if (std::from_chars(option[1].data(), end, x).ptr == end) return x;
+  }
+  return std::nullopt;
 }
 
+double skip_below_x(const RecordCommand& command, std::size_t half_stencil) {
+  const Parameters& p = command.record.parameters;
+  const auto x = optional_non_negative(command.values, "skip-below-x");
+  if (x && *x > p.L) {
+    throw UsageError("--skip-below-x {:g} is beyond the interface, which ends at {:g} m", *x, p.L);
+  }
+  if (x) return *x;
+  const auto end = x_trigger(command.record.provenance);
+  if (!end) return kLoadingZone;
+  const auto x_of = block_positions(p);
+  const auto first = std::ranges::lower_bound(x_of, *end) - x_of.begin();
+  return block_position(p, first + static_cast<std::int64_t>(half_stencil));
+}
+
+constexpr std::array<std::string_view, 3> kEnds = {"neither", "slow", "fast"};
+
 StencilsAtEnds stencils_at_ends(const po::variables_map& values) {
-  const auto& name = values["stencils-at-ends"].as<std::string>();
-  if (name == "slow") return StencilsAtEnds::slow;
-  return name == "fast" ? StencilsAtEnds::fast : StencilsAtEnds::neither;
+  const auto name = std::ranges::find(kEnds, values["stencils-at-ends"].as<std::string>());
+  return static_cast<StencilsAtEnds>(name - kEnds.begin());
+}
+
+std::string stretch_text(double limit, const SlowStretch& slow, double c_s) {
+  return fmt::format(
+      "below c_s/{:.3g} from x = {:.4f} m to {:.4f} m for {:.3g} ms at {:.3g} m/s (c_s/{:.0f})",
+      1.0 / limit, slow.x_from, slow.x_to, slow.duration() * 1e3, slow.speed, c_s / slow.speed);
+}
+
+std::string slow_text(const Front& front, double c_s) {
+  if (front.slow) return stretch_text(front.criteria.slow_below, *front.slow, c_s);
+  const char* const text = front.type == FrontType::slow
+                               ? "below c_s/{:.3g} for less than a stencil"
+                               : "no slow stretch below c_s/{:.3g}";
+  return fmt::format(fmt::runtime(text), 1.0 / front.criteria.slow_below);
 }
 
 }  // namespace
@@ -183,8 +222,9 @@ void add_criteria_options(po::options_description& options) {
   auto add = options.add_options();
   add("slow-below", number("R")->default_value(0.05, "0.05"),
       "the front is slow where |v_c| < R c_s");
-  add("skip-below-x", number("X", "m")->default_value(kLoadingZone, "0.02"),
-      "end of the loading zone, in which blocks and speeds do not count");
+  add("skip-below-x", number("X", "m"),
+      "end of the loading zone, in which blocks and speeds do not count; default 0.02, and on an "
+      "interface from prepare the centre of the first stencil beyond its trigger region");
   add("stencil", integer("N")->default_value(5),
       "odd number of blocks of the stencil whose end points give v_c");
   add("stencils-at-ends", one_of("neither|slow|fast")->default_value("neither"),
@@ -197,11 +237,26 @@ void add_criteria_options(po::options_description& options) {
 
 FrontCriteria criteria(const RecordCommand& command) {
   const po::variables_map& values = command.values;
-  const Parameters& p = command.record.parameters;
+  const std::size_t blocks = stencil(values, command.record.parameters);
   return {.slow_below = non_negative(values, "slow-below"),
-          .skip_below_x = skip_below_x(values, p),
-          .stencil = stencil(values, p),
-          .stencils_at_ends = stencils_at_ends(values)};
+          .skip_below_x = skip_below_x(command, blocks / 2),
+          .stencil = blocks,
+          .stencils_at_ends = stencils_at_ends(values),
+          .ruptured_below = fraction(values, "ruptured-below")};
+}
+
+Quantity criteria_quantity(const FrontCriteria& criteria) {
+  const Quantities rows = {
+      {"slow_below", "1", "a front is slow where |v_c|/c_s is below this", criteria.slow_below},
+      {"skip_below_x", "m", "blocks and speeds up to here do not count", criteria.skip_below_x},
+      {"stencil", "1", "blocks of the stencil that gives v_c",
+       static_cast<std::int64_t>(criteria.stencil)},
+      {"stencils_at_ends", "", "where stencils at the ends of the slow stretch belong",
+       std::string(kEnds.at(static_cast<std::size_t>(criteria.stencils_at_ends)))},
+      {"ruptured_below", "1", "pinned fraction below which a block counts as ruptured",
+       criteria.ruptured_below},
+  };
+  return {"criteria", "", "", Group{rows}};
 }
 
 Front front_of(const RecordCommand& command, const ChosenEvent& event) {
@@ -213,7 +268,7 @@ Quantity type_quantity(const Front& front) {
   return {"type", "", "none, arrested, slow or fast", std::string(front_type_name(front.type))};
 }
 
-Quantity slow_quantity(const std::optional<SlowStretch>& slow) {
+Quantity stretch_quantity(const std::string& key, const std::optional<SlowStretch>& slow) {
   const SlowStretch s = slow.value_or(SlowStretch{});
   const auto known = [&](double value) { return slow ? std::optional(value) : std::nullopt; };
   const Quantities rows = {
@@ -229,23 +284,16 @@ Quantity slow_quantity(const std::optional<SlowStretch>& slow) {
       {"fast_before", "m/s", "median front speed before the slow stretch", s.fast_before},
       {"fast_after", "m/s", "median front speed after the slow stretch", s.fast_after},
   };
-  return {"slow", "", "", Group{rows, slow.has_value()}};
+  return {key, "", "", Group{rows, slow.has_value()}};
 }
 
 std::string kind_name(const Front& front) {
   return front.fast_slow_fast ? "fast-slow-fast" : std::string(front_type_name(front.type));
 }
 
-std::string slow_text(const Front& front, double c_s) {
-  const auto& slow = front.slow;
-  if (front.fast_slow_fast && front.type == FrontType::fast) {
-    return "below c_s/10, but not below --slow-below";
-  }
-  if (!slow && front.type == FrontType::slow) return "slow for less than a stencil";
-  if (!slow) return "no slow stretch";
-  return fmt::format("slow from x = {:.4f} m to {:.4f} m for {:.3g} ms at {:.3g} m/s (c_s/{:.0f})",
-                     slow->x_from, slow->x_to, slow->duration() * 1e3, slow->speed,
-                     c_s / slow->speed);
+std::string kind_text(const Front& front, double c_s) {
+  if (front.fast_slow_fast) return stretch_text(kSlowInWords, *front.in_words, c_s);
+  return slow_text(front, c_s);
 }
 
 std::string front_text(const Front& front, double c_s, const ChosenEvent& event) {
@@ -258,7 +306,10 @@ std::string front_text(const Front& front, double c_s, const ChosenEvent& event)
           ? fmt::format("; event 0 of {}, started by the trigger (see analyze events)",
                         event.in_window)
           : "";
-  return fmt::format("{} front; {}{}\n", kind_name(front), slow_text(front, c_s), others);
+  const std::string type =
+      fmt::format("type {}: {}\n", front_type_name(front.type), slow_text(front, c_s));
+  return fmt::format("{} front; {}{}\n{}", kind_name(front), kind_text(front, c_s), others,
+                     front.fast_slow_fast ? type : "");
 }
 
 }  // namespace rupture::tools

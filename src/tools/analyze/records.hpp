@@ -54,21 +54,26 @@ ChosenEvent choose_event(const RecordCommand& command);
 /// record_of() goes.
 void add_criteria_options(po::options_description& options);
 
-/// Throws UsageError for a criterion that this record cannot meet.
+/// Of the options. By default, --skip-below-x is the centre of the first stencil that is free of
+/// the trigger region on an interface that `prepare` made, and kLoadingZone on others. Throws
+/// UsageError for a criterion that this record cannot meet.
 FrontCriteria criteria(const RecordCommand& command);
+Quantity criteria_quantity(const FrontCriteria& criteria);
 
 /// The front of the chosen event.
 Front front_of(const RecordCommand& command, const ChosenEvent& event);
 
 Quantity type_quantity(const Front& front);
-Quantity slow_quantity(const std::optional<SlowStretch>& slow);  ///< null without a slow stretch
+/// A slow stretch; null without one.
+Quantity stretch_quantity(const std::string& key, const std::optional<SlowStretch>& slow);
 
 /// The type, or fast-slow-fast.
 std::string kind_name(const Front& front);
 
-std::string slow_text(const Front& front, double c_s);
+/// Where the front is below the limit that makes it of this kind.
+std::string kind_text(const Front& front, double c_s);
 
-/// One line on the front as a whole.
+/// The front as a whole: a line, and of a fast-slow-fast one another with its type.
 std::string front_text(const Front& front, double c_s, const ChosenEvent& event);
 
 }  // namespace rupture::tools

@@ -189,6 +189,10 @@ TEST(Front, is_fast_slow_fast_by_the_papers_words) {
   RuptureLine arrested = slow_between(20, 35);
   arrest_behind(arrested, 50);
   EXPECT_FALSE(measure(arrested).fast_slow_fast);
+  const SlowStretch slow = measure(slow_between(20, 35)).in_words.value();
+  EXPECT_EQ(std::pair(slow.x_from, slow.x_to), std::pair(arrested.x[17], arrested.x[38]))
+      << "two blocks on either side of the stencils that touch the slow stretch";
+  EXPECT_NEAR(measure(slow_between(20, 35)).speed.value(), kFast, 1e-4);
 }
 
 TEST(Front, may_skip_a_block_in_its_slow_stretch) {
