@@ -15,7 +15,6 @@ from claims.own_result import OwnResult, write_own
 from data.records import report
 from data.tables import write_table
 from events.choose_events import read_events
-from events.event_numbers import median_speed
 from events.front_claims import case_of_event
 from events.fronts import is_fast_only
 from events.units import OF_EVENT, in_words, of_events, of_loads
@@ -114,7 +113,7 @@ def of_spanning(events):
     cases = [case_of_event(event) for event in events if event["fast_slow_fast"]]
     k, n = len(cases), len(events)
     values = {name: [case[key] for case in cases] for name, key in MEDIANS.items()}
-    values[FAST_ONLY] = [median_speed(event) for event in events if is_fast_only(event)]
+    values[FAST_ONLY] = [event["speed"] / event["c_s"] for event in events if is_fast_only(event)]
     known = {name: [v for v in of if v is not None] for name, of in values.items()}
     low, high = interval(k, n)
     found = {SHARE: Found(k / n, low, high, n)} if n else {}

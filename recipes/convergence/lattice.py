@@ -9,11 +9,13 @@ from pathlib import Path
 
 from data.records import report
 from data.scratch import scratch
-from events.fronts import SLOW_BELOW
+from events.conventions import PRIMARY
+from events.fronts import SLOW_BELOW, STENCIL
 from maps.edges import Interfaces
-from maps.front_map import STENCIL, TYPES
+from maps.front_map import TYPES
 
 STEP = 1e-3  # of tau_bar_0
+SCALED = "same length and speed"
 FIRST_GUESS = 0.1  # on the coarsest lattice
 
 
@@ -40,9 +42,13 @@ def scaled(N_x, N_s):
 
 
 def ways(N_x, M):
-    """The stencil [blocks] and the part of the program's c_s below which a front is slow: the same
-    length and speed on all lattices."""
-    return round((STENCIL - 1) / spacing(N_x)) + 1, SLOW_BELOW * (M / 0.0756) ** 0.5
+    """How fronts are measured: with a stencil of the same length, and slow below the same speed, on
+    all lattices."""
+    stencil = round((STENCIL - 1) / spacing(N_x)) + 1
+    return {
+        PRIMARY: {},
+        SCALED: {"--stencil": stencil, "--slow-below": SLOW_BELOW * (M / 0.0756) ** 0.5},
+    }
 
 
 def guess(coarser):
@@ -53,12 +59,9 @@ def guess(coarser):
 
 def main(folder, N_x, N_s, sigma_bar, options, *coarser):
     values, found = scaled(int(N_x), float(N_s)), [report(path) for path in coarser]
-    stencil, slow_below = ways(int(N_x), values["slider.M"])
     words = [f"--set {name}={value:.12g}" for name, value in values.items()]
     words = " ".join(["--sigma-bar", sigma_bar, *words, options]).split()
     with scratch(Path(folder)) as folder:
-        fronts = Interfaces(folder, words, STEP, ["--stencil", stencil])
+        fronts = Interfaces(folder, words, STEP, ways(int(N_x), values["slider.M"]))
         guesses = {kind: guess([edges[kind] for edges in found]) for kind in TYPES[1:]}
-        return {
-            kind: fronts.edge(kind, near, slow_below=slow_below) for kind, near in guesses.items()
-        }
+        return {kind: fronts.edge(kind, near, SCALED) for kind, near in guesses.items()}

@@ -22,7 +22,6 @@ import rupture
 
 from data.scratch import scratch
 from events.conventions import PRIMARY
-from maps.front_map import SKIP_BELOW_X
 
 SIGMA_BAR = 0.1
 TAU_BARS = [f"{0.005 * n:g}" for n in range(14, 25)]  # 0.07 to 0.12
@@ -135,7 +134,7 @@ def measure(seed, tau_bar, folder):
     rupture.run("prepare", output=start, set={"numerics.seed": seed}, **prestress)
     recorded = {"record": record, "record_every": 2e-5}
     run = rupture.run("restart", start, output=end, until_quiet=True, **recorded)
-    front = rupture.analyze("front", record, skip_below_x=SKIP_BELOW_X)
+    front = rupture.analyze("front", record)
     return of_front(front, run.record.time, run.record["tau"])
 
 

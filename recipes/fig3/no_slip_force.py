@@ -4,14 +4,13 @@ from claims.judge import judged
 from data.tables import points_of, write_table
 from events.conventions import PRIMARY
 from maps.bands import bands_of, width
-from maps.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
-from maps.map_conventions import MEASURES
+from maps.front_map import MEASURES, TYPES, beyond_trigger, front_type, read_map, seeds_of
 from slow_fronts import tables_of
 
 
 def types_of(front):
     """{convention: type}; impossible where no interface can be prepared."""
-    return {name: front_type(front, **how) for name, how in MEASURES.items()}
+    return {name: front_type(front, name) for name in MEASURES}
 
 
 def slowest(front):
@@ -23,7 +22,7 @@ def slowest(front):
 
 def case_under(convention, fronts, bands):
     of_width = [width(ours, convention) / width(ref, convention) for ours, ref in bands.values()]
-    kinds = [front_type(front, **MEASURES[convention]) for front in fronts]
+    kinds = [front_type(front, convention) for front in fronts]
     counts = {f"{kind} fronts": kinds.count(kind) for kind in TYPES}
     return counts | {"slow band/the reference's": max(of_width)}
 

@@ -12,7 +12,7 @@ rule fig3_l0_seed:
         script="recipes/fig3/decay_length.py",
         shared=[
             *("python/rupture/files.py", "python/rupture/programs.py"),
-            *("recipes/common/events/conventions.py", "recipes/common/maps/front_map.py"),
+            "recipes/common/events/conventions.py",
         ],
     output: f"{DATA}/fig3/l0-seed-{{seed}}.json"
     log: f"{LOGS}/fig3/l0-seed-{{seed}}.log"

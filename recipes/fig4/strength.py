@@ -12,7 +12,7 @@ from events.conventions import PRIMARY
 from events.fronts import LOADING_ZONE, SLOW_BELOW
 from events.units import of_ensemble
 from maps.front_map import load_map, map_of_seed, seeds_of, type_on_map, types_of
-from maps.map_conventions import ABOUT_UNITS, units_of_seeds
+from maps.map_claims import ABOUT_UNITS, units_of_seeds
 from pictures.plotting import BLACK, EVENT, SINGLE, figure, letter, save
 
 SHOWN = {"fast-slow-fast": ("I", EVENT["I"]), "second-slow": ("II", EVENT["II"])}

@@ -5,7 +5,7 @@ import numpy as np
 from claims.judge import judged
 from claims.paper import MU_D, MU_S
 from data.tables import points_of, write_table
-from maps.front_map import beyond_trigger, front_type
+from maps.front_map import beyond_trigger, type_on_map
 from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
@@ -91,7 +91,7 @@ def claim_types(points):
     measured = {}
     for (tau_bar, sigma_bar), point in points.items():
         where = f"tau_bar_0 {tau_bar:g}, sigma_bar {sigma_bar:g}"
-        measured[f"type at {where}"] = front_type(point["front"])
+        measured[f"type at {where}"] = type_on_map(point["front"]["type"])
         measured[f"speed at {where} [m/s]"] = median_speed(point["front"])
     return judged(
         "S3-types",

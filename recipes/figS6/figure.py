@@ -9,8 +9,8 @@ from data.tables import write_events, write_fronts
 from events.choose_events import first_in_words, read_events
 from events.conventions import IN_WORDS
 from events.front_claims import judged_in_words
+from events.fronts import STENCIL
 from events.units import in_words, of_ensemble
-from maps.front_map import STENCIL
 from maps.map_claims import make_map
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from pictures.panels import ruptured_early, window_of

@@ -13,7 +13,7 @@ from events.front_claims import judged_in_words
 from events.fronts import is_fast_only
 from events.units import in_words, of_ensemble
 from maps.front_map import TYPES, read_map, types_of, write_types
-from maps.map_conventions import out_of_order
+from maps.map_claims import out_of_order
 from maps.map_panels import draw_regions, name_regions
 from pictures.plotting import DOUBLE, FAST, SINGLE, SLOW, figure, save
 

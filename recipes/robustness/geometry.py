@@ -1,7 +1,7 @@
 """Maps of front types for other lengths and nucleation energies, and claim geometry."""
 
 from data.tables import points_of
-from maps import front_map, map_conventions
+from maps import front_map, map_claims
 from maps.front_map import types_of
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import DOUBLE, lettered, save
@@ -25,7 +25,7 @@ def case_of(maps, **how):
 def claim_of(maps):
     seeds = {seed for fronts in maps.values() for seed in front_map.seeds_of(fronts)}
     of_seed = {s: {n: front_map.map_of_seed(m, s) for n, m in maps.items()} for s in sorted(seeds)}
-    return map_conventions.claim_over_seeds("geometry", maps, of_seed, case_of)
+    return map_claims.claim_over_seeds("geometry", maps, of_seed, case_of)
 
 
 def draw(maps, stem):

@@ -5,7 +5,6 @@ import numpy as np
 from data.records import values
 from data.tables import numbers
 from events.fronts import front_spans
-from maps.front_map import SKIP_BELOW_X
 
 SLIPPED = 1e-6  # [m], about f_thres/k_ij
 X_TRIGGER = 0.0225  # [m]
@@ -45,7 +44,7 @@ def exponent(rows, of, over):
 def smoothed(front):
     """Positions and speeds beyond the trigger, medians of five stencils."""
     x, v_c = np.array(front["x"]), values(front["v_c"])
-    beyond = (x >= SKIP_BELOW_X) & np.isfinite(v_c)
+    beyond = (x >= front["criteria"]["skip_below_x"]) & np.isfinite(v_c)
     windows = np.lib.stride_tricks.sliding_window_view(v_c[beyond], 5)
     return x[beyond][2:-2], np.median(windows, axis=1)
 

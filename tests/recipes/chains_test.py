@@ -59,9 +59,10 @@ def of_sweeps():
 
 
 def calls_in(text):
-    """Words of each call of a program, without files. A part that the shell computes is `$`."""
+    """Words of each call of a program, without files. A part that the shell computes is `$`,
+    and so is a list with semicolons."""
     text = text.replace("\\\n", " ")
-    text = re.sub(r"\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+", "$", text)
+    text = re.sub(r'\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+|"[^"]*;[^"]*"', "$", text)
     for part in re.split(r"[;\n]|&&|\|\|", text):
         words = shlex.split(re.sub(r"\d?>.*", "", part).replace("{", " ").replace("(", " "))
         words = [word for word in words if word not in ("do", "rupture") and word[-3:] != ".h5"]

@@ -30,24 +30,24 @@ class TestBisection:
     def made_up_interfaces(self, monkeypatch):
         """Arrested below 0.05, slow below 0.1 and, at the other thresholds, below 0.12 or 0.35."""
 
-        def kind(steps, slow_below=0.05):
+        def kinds(_, steps):
+            fast = {PRIMARY: 0.1, "c_s/10": 0.12, "c_s/5": 0.35}
+            bounds = {way: (0.05, bound) for way, bound in fast.items()}
             tau = steps * edges.STEP
-            bounds = (0.05, {0.05: 0.1, 0.1: 0.12, 0.2: 0.35}[slow_below])
-            return edges.TYPES[sum(tau >= bound for bound in bounds)]
+            return {way: edges.TYPES[sum(tau >= b for b in of)] for way, of in bounds.items()}
 
-        monkeypatch.setattr(edges.Interfaces, "front", lambda self, steps: steps)
-        monkeypatch.setattr(edges, "front_type", kind)
+        monkeypatch.setattr(edges.Interfaces, "kinds", kinds)
         return edges.Interfaces(None, [])
 
     def test_an_edge_is_halfway_to_the_first_front_of_a_type(self, interfaces):
-        for kind, how, expected in (
-            ("slow", {}, 0.05),
-            ("fast", {}, 0.1),
-            ("fast", {"slow_below": 0.1}, 0.12),
-            ("fast", {"slow_below": 0.2}, 0.35),  # beyond where edges are sought first
+        for kind, way, expected in (
+            ("slow", PRIMARY, 0.05),
+            ("fast", PRIMARY, 0.1),
+            ("fast", "c_s/10", 0.12),
+            ("fast", "c_s/5", 0.35),  # beyond where edges are sought first
         ):
             for near in (None, 0.02, expected, 0.2):
-                assert interfaces.edge(kind, near, **how) == approx(expected - edges.STEP / 2)
+                assert interfaces.edge(kind, near, way) == approx(expected - edges.STEP / 2)
 
 
 class TestClaim:
@@ -78,7 +78,8 @@ class TestLattice:
             assert of["slider.damping"] * m == approx(0.1 * 0.0756 / (57 * 31))
             assert N_s * of["junctions.kappa"] * p_i == approx(39.2e9 * 100 * 1920 / 57 * r**2)
             slow_below = 0.05 * (of["slider.M"] / 0.0756) ** 0.5
-            assert lattice.ways(N_x, of["slider.M"]) == (stencil, approx(slow_below))
+            how = lattice.ways(N_x, of["slider.M"])[lattice.SCALED]
+            assert how == {"--stencil": stencil, "--slow-below": approx(slow_below)}
 
     def test_a_guess_follows_the_coarser_lattices(self):
         for coarser, expected in (([], 0.1), ([0.2], 0.2), ([0.2, 0.16], 0.14)):

@@ -1,17 +1,19 @@
 """Maps of front types (common/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
+import shlex
+
 import numpy as np
 from pytest import raises
 from scipy.stats import mannwhitneyu
 
-from conftest import approx
+from conftest import ROOT, approx
 from data.rank_test import permutation, share_of_lower, van_elteren
-from made_up_front import SPACING, front
+from events.conventions import words_of
 from maps import front_map
-from maps.front_map import front_type, speeds
-from maps.map_claims import case_of_map
-from maps.map_conventions import MEASURES, claim_over_seeds, out_of_order
+from maps.front_map import MEASURES, front_type
+from maps.map_claims import case_of_map, claim_over_seeds, out_of_order
 from maps.map_points import boundary_of_variants, types_in
+from sweeps.sweep import read_sweep
 
 
 class TestReadMap:
@@ -29,68 +31,19 @@ class TestReadMap:
         with raises(ValueError, match="time step is too long"):
             self.read(failed | {"checksums": {"start.h5": "00"}})
 
-    def test_a_front_has_what_was_measured_with_other_pinned_fractions(self):
-        fast, slow = front(), front({12: 1.0})
-        (seeds,) = self.read({"front": fast, "pinned_20": slow, "pinned_50": fast}).values()
-        assert front_type(seeds[1]) == "fast"
-        assert front_type(seeds[1], ruptured_below=0.2) == "slow"
-        assert front_type(seeds[1], ruptured_below=0.5) == "fast"
-
-
-class TestSpeeds:
-    def test_are_the_inverse_slope_between_the_ends_of_the_stencil(self):
-        line = front({12: 50.0})
-        assert speeds(line, 3)[12] == approx(2 / (1 / 300 + 1 / 50))
-        assert speeds(line, 5)[12] == approx(4 / (3 / 300 + 1 / 50))
-        assert speeds(line, 7)[12] == approx(6 / (5 / 300 + 1 / 50))
-        assert speeds(line, 3)[11] == approx(300)
-
-    def test_there_are_none_at_the_edges_and_next_to_holes(self):
-        line = front()
-        line["t_rupture"][10] = None
-        line["t_rupture"][16] = line["t_rupture"][14]
-        missing = {*(0, 19), *(9, 10, 11), 15}
-        assert set(np.flatnonzero(np.isnan(speeds(line, 3)))) == missing
-
-
-class TestTypes:
-    def test_a_stencil_below_the_threshold_makes_a_front_slow(self):
-        line = front({14: 20.0})  # 67 m/s over five blocks, 38 m/s over three, 90 m/s over seven
-        assert front_type(line) == "fast"
-        assert front_type(line, slow_below=1 / 10) == "slow"
-        assert front_type(line, stencil=3) == "slow"
-        assert front_type(line, slow_below=0.08, stencil=7) == "fast"
-
-    def test_what_touches_the_trigger_region_does_not_count(self):
-        for stencil in (3, 5, 7):
-            assert front_type(front({9: 1.0}), stencil=stencil) == "fast", stencil
-            assert front_type(front({10: 1.0}), stencil=stencil) == "slow", stencil
-            assert front_type(front({9: 1.0}), stencil=stencil, side="left") == "slow", stencil
-            assert front_type(front({8: 1.0}), stencil=stencil, side="left") == "fast", stencil
-
-    def test_what_runs_backwards_counts_by_the_magnitude_of_its_speed(self):
-        line = front()
-        line["t_rupture"][10:15] = [t - 1.0 for t in line["t_rupture"][10:15]]
-        line["t_rupture"][15:] = [t - 2.0 for t in line["t_rupture"][15:]]
-        assert front_type(line, stencil=5) == "slow"
-        line, step = front(), SPACING / 300  # blocks 12 to 14 at 300 m/s
-        line["t_rupture"][13:] = [t - 4 * step for t in line["t_rupture"][13:]]
-        line["t_rupture"][13] += 2 * step
-        assert front_type(line, stencil=3) == "fast"
-
-    def test_what_does_not_arrive_is_arrested(self):
-        assert front_type(front(arrives=False)) == "arrested"
-        edge = front() | {"t_rupture": [None] * 18 + [0.5, 1.0]}
-        assert front_type(edge) == "arrested", "two blocks"
-        backwards = front() | {"t_rupture": front()["t_rupture"][::-1]}
-        assert front_type(backwards) == "arrested", "from the edge"
+    def test_a_front_has_its_types_by_each_way_of_the_sweep(self):
+        ways = [words_of(options) for options in front_map.WAYS.values()]
+        command = read_sweep(ROOT / "recipes/fig4/map.ini").points[0].commands["types"]
+        assert [[], *map(str.split, shlex.split(command)[-1].split(";"))] == ways
+        kinds = [{"type": "none"}, {"type": "slow"}] + [{"type": "fast"}] * (len(ways) - 2)
+        (seeds,) = self.read({"front": {"type": "none"}, "types": kinds}).values()
+        assert (front_type(seeds[1]), front_type(seeds[1], "stencil 3")) == ("arrested", "slow")
+        (seeds,) = self.read({"front": {"type": "slow"}}).values()
+        assert front_type(seeds[1]) == "slow"
 
     def test_the_type_none_of_analyze_counts_as_arrested(self):
         kinds = ("arrested", "slow", "fast", "", "none")
         assert [*map(front_map.type_on_map, kinds)] == [*kinds[:-1], "arrested"]
-        nothing = front() | {"t_rupture": [None] * 20}
-        assert front_map.is_like_analyze(nothing | {"type": "none"})
-        assert not front_map.is_like_analyze(nothing | {"type": "fast"})
         places = (("0", "none"), ("0.1", "fast"), ("2", ""))
         rows = [{"tau-bar": tau, "sigma-bar": "0", "type": kind} for tau, kind in places]
         types = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast", (2.0, 0.0): "impossible"}
@@ -149,7 +102,9 @@ class TestOrder:
         assert front_map.steps_back(types) == {(0.2, 0.0), (0.2, 0.1)}
 
 
-ARRESTED, SLOW, FAST = front(arrives=False), front({12: 1.0}), front()
+ARRESTED, SLOW, FAST = (
+    {"types": dict.fromkeys(front_map.WAYS, kind), "t_rupture": [1.0]} for kind in front_map.TYPES
+)
 
 
 class TestSeeds:

@@ -11,7 +11,7 @@ import no_slip_force
 from claims.judge import holds
 from conftest import approx
 from events.conventions import PRIMARY
-from made_up_front import LAST, front
+from maps.front_map import WAYS
 
 DX = 2.5e-3  # [m]
 BLOCKS = 16
@@ -92,13 +92,20 @@ class TestOneSeed:
         assert decay_length.of_seed(fronts)[PRIMARY] == 2
 
 
-def front_of(speed, **others):
-    """Its last stencils run at this speed [m/s]."""
-    return front(dict.fromkeys(range(14, LAST), speed), **others)
+def front(kind, slowest=300.0, **types):
+    """Of a type, and of others by some ways. The first twelve speeds [m/s] do not count."""
+    return {
+        "x": [n * DX for n in range(14)],
+        "v_c": [1.0] * 12 + [slowest, 300.0],
+        "t_rupture": [None if kind == "arrested" else 1.0],
+        "criteria": {"skip_below_x": 11 * DX},
+        "types": dict.fromkeys(WAYS, kind) | types,
+    }
 
 
 class TestNoSlipForce:
-    SEEDS = {1: [front_of(90.0), front_of(300.0), front_of(1.0, arrives=False), None]}
+    NEARLY_SLOW = front("fast", 90.0, **{"slow below c_s/10": "slow"})
+    SEEDS = {1: [NEARLY_SLOW, front("fast"), front("arrested", 1.0), None]}
     NARROW, WIDE, REFERENCE = (
         {name: {"slow": 0.1, "fast": 0.1 + width} for name in no_slip_force.MEASURES}
         for width in (0.001, 0.004, 0.06)

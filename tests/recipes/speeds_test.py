@@ -38,6 +38,7 @@ def test_a_transient_ends_where_the_speed_stays_near_the_final_one(before, lengt
     x = np.arange(57) * 0.0025
     v_c = np.where(x < 0.06, before, 200).tolist()
     front = {"x": x, "v_c": [None, None, *v_c[2:-2], None, None], "L": 0.14}
+    front["criteria"] = {"skip_below_x": 0.0275}
     assert transient(front) == approx(length)
 
 

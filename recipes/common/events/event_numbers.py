@@ -7,8 +7,7 @@ from claims import paper
 from claims.claim import spread
 from data.records import values
 from events.front_claims import case_of_event
-from events.fronts import LOADING_ZONE, is_fast_only
-from maps.front_map import STENCIL, speeds
+from events.fronts import is_fast_only
 
 LENGTH = paper.TRANSITIONS[1] - paper.TRANSITIONS[0]  # of the paper's slow stretch [L]
 
@@ -24,13 +23,6 @@ def crossing_time(front):
     """From 0.4 L to 0.6 L [ms]."""
     start, end = np.interp(paper.TRANSITIONS, *places_and_times(front))
     return float(end - start) * 1e3
-
-
-def median_speed(front):
-    """Of a front that is fast everywhere, beyond the loading zone [c_s]."""
-    x = np.linspace(0, front["L"], len(front["t_rupture"]))
-    v_c = speeds(front | {"x": x}, STENCIL)
-    return np.median(v_c[(x > LOADING_ZONE) & (v_c > 0)]) / front["c_s"]
 
 
 def mean_of_paper(front):
@@ -78,8 +70,8 @@ def numbers_of_events(shown, fast_only, most_like, events):
         spread(
             "speed of events that are fast everywhere [c_s]",
             None,
-            [median_speed(e) for e in events if e["spanning"] and is_fast_only(e)],
+            [e["speed"] / e["c_s"] for e in events if e["spanning"] and is_fast_only(e)],
             "{} events",
-            shown=median_speed(fast_only),
+            shown=fast_only["speed"] / fast_only["c_s"],
         ),
     ]

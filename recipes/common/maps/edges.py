@@ -17,13 +17,11 @@ from rupture.programs import output_of
 
 from data.scratch import scratch
 from events.conventions import PRIMARY, each_way
-from maps.front_map import COMMANDS, SKIP_BELOW_X, TYPES, front_type
-from maps.map_conventions import MEASURES
+from maps.front_map import MEASURES, TYPES, type_on_map
 
 STEP = 2.5e-4  # of tau_bar_0
 LOWEST, HIGHEST = 0, 1200  # in steps: arrested at sigma_bar up to 0.285, and most often fast
 NEAR = 4  # steps, to either side of a guess
-CROSSINGS = ",".join(map(str, COMMANDS))
 
 
 def first(is_so, low, high):
@@ -44,34 +42,34 @@ def around(is_so, guess):
 
 
 class Interfaces:
-    """Prepared interfaces of one sigma_bar, run in a folder; `measured`: options of `analyze`."""
+    """Prepared interfaces of one sigma_bar, run in a folder; `ways` to measure
+    their fronts."""
 
-    def __init__(self, folder, options, step=STEP, measured=()):
+    def __init__(self, folder, options, step=STEP, ways=MEASURES):
         self.folder = folder
         self.options = options
         self.step = step
-        self.measured = ["--skip-below-x", SKIP_BELOW_X, *measured]
+        self.ways = ways
 
     @cache  # conventions share fronts
-    def front(self, steps):
-        """With other pinned fractions, as read_map() has them."""
+    def kinds(self, steps):
+        """{way: type}"""
         start, end, record = (self.folder / f"{name}.h5" for name in ("start", "end", "record"))
         silent = ["--quiet", "--force"]
         prestress = ["--tau-bar", f"{steps * self.step:g}"]
         output_of("prepare", *prestress, *self.options, "-o", start, *silent)
-        recorded = ["--record", record, "--record-every", "1e-3", "--crossings", CROSSINGS]
-        until = ["--until-quiet", "--arrived-below", min(COMMANDS), "--threads", 1]
+        recorded = ["--record", record, "--record-every", "1e-3", "--crossings", "0.2,0.5"]
+        until = ["--until-quiet", "--arrived-below", 0.2, "--threads", 1]
         output_of("restart", start, "-o", end, *until, *recorded, *silent)
-        ways: dict = {PRIMARY: {}} | {f: {"--ruptured-below": f} for f in COMMANDS}
-        found = each_way("front", record, ways, *self.measured)
-        return found.pop(PRIMARY) | {"at": found}
+        found = each_way("classify", record, self.ways)
+        return {way: type_on_map(report["type"]) for way, report in found.items()}
 
-    def edge(self, kind, guess=None, **how):
+    def edge(self, kind, guess=None, way=PRIMARY):
         """Halfway to the first front of this type, or of one that comes after it. With a guess, it
         is sought from there."""
 
         def is_so(steps):
-            return TYPES.index(front_type(self.front(steps), **how)) >= TYPES.index(kind)
+            return TYPES.index(self.kinds(steps)[way]) >= TYPES.index(kind)
 
         if guess is None and is_so(HIGHEST):
             ends = [LOWEST, HIGHEST]
@@ -84,6 +82,5 @@ def main(folder, sigma_bar, *options):
     with scratch(Path(folder)) as folder:
         interfaces = Interfaces(folder, ["--sigma-bar", sigma_bar, *options])
         return {
-            name: {kind: interfaces.edge(kind, **how) for kind in TYPES[1:]}
-            for name, how in MEASURES.items()
+            way: {kind: interfaces.edge(kind, way=way) for kind in TYPES[1:]} for way in MEASURES
         }

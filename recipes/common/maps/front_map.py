@@ -2,8 +2,8 @@
 claim geometry).
 
 A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, with the front that
-`analyze front --json` reported, or None where no interface can be prepared. Where the sweep also
-measured it with other pinned fractions of a rupture, the front has them: front["at"][fraction].
+`analyze front --json` reported, or None where no interface can be prepared. It has its types:
+front["types"][way], of WAYS if the sweep has a command `types`.
 """
 
 from itertools import pairwise
@@ -13,13 +13,18 @@ import numpy as np
 
 from data.records import values
 from data.tables import SLOW_STRETCH, points_of, read_rows, write_table
-from events.fronts import SLOW_BELOW
+from events.conventions import CONVENTIONS, PRIMARY
 
-STENCIL = 5  # blocks
-SKIP_BELOW_X = 0.0275  # [m] as in the sweeps' commands: up to the first stencil beyond the trigger
 TYPES = ("arrested", "slow", "fast")
 IMPOSSIBLE = "impossible"
-COMMANDS = {0.2: "pinned_20", 0.5: "pinned_50"}  # of sweeps: --ruptured-below another fraction
+# Conventions that make a difference to types: where stencils at the ends of a slow stretch count
+# makes none.
+MEASURES = {
+    name: options for name, options in CONVENTIONS.items() if "--stencils-at-ends" not in options
+}
+WAYS = MEASURES | {  # as in `types` of fig4/map.ini
+    **{f"slow below c_s/{ratio}": {"--slow-below": 1 / ratio} for ratio in (8, 40, 60)},
+}
 
 
 # --- reading -------------------------------------------------------------------------------
@@ -36,8 +41,8 @@ def front_of(result):
         if result.get("checksums"):
             raise ValueError(f"a prepared interface was not run: {result['sentence']}")
         return None
-    others = {fraction: result.get(command) for fraction, command in COMMANDS.items()}
-    return result["front"] | {"at": others}
+    kinds = [report["type"] for report in result.get("types", [result["front"]])]
+    return result["front"] | {"types": dict(zip(WAYS, kinds))}
 
 
 def read_map(points):
@@ -64,65 +69,32 @@ def type_on_map(kind):
     return "arrested" if kind == "none" else kind
 
 
-def speeds(front, stencil):
-    """v_c by another stencil than that of `analyze front`: the inverse slope of the rupture line
-    between the end points of a stencil of so many blocks [m/s]; NaN where one of its ends or its
-    centre has no time."""
-    half = stencil // 2
-    x, t = np.array(front["x"]), values(front["t_rupture"])
-    duration = t[2 * half :] - t[: -2 * half]
-    known = np.isfinite(duration) & np.isfinite(t[half:-half]) & (duration != 0)
-    v_c = np.full(len(x), np.nan)
-    v_c[half:-half][known] = (x[2 * half :] - x[: -2 * half])[known] / duration[known]
-    return v_c
+def beyond_trigger(front):
+    """Speeds of the stencils that count [m/s]; NaN where there is none."""
+    return values(front["v_c"])[np.array(front["x"]) > front["criteria"]["skip_below_x"]]
 
 
-def beyond_trigger(front, stencil=None, side="right"):
-    """Speeds of the stencils that count, beyond SKIP_BELOW_X [m/s]; None: those measured. "left":
-    from it on."""
-    first = int(np.searchsorted(front["x"], SKIP_BELOW_X, side=side))
-    if stencil is None:
-        return values(front["v_c"])[first:]
-    return speeds(front, stencil)[first + stencil // 2 - STENCIL // 2 :]
+def front_type(front, way=PRIMARY):
+    """By one of WAYS."""
+    return IMPOSSIBLE if front is None else type_on_map(front["types"][way])
 
 
-def has_spanned(front):
-    """Whether more than half of the blocks beyond the trigger region ruptured, the one at the
-    leading edge among them and not first."""
-    first = int(np.searchsorted(front["x"], SKIP_BELOW_X, side="right"))
-    times = values(front["t_rupture"])[first:]
-    return 2 * np.isfinite(times).sum() > len(times) and bool((times < times[-1]).any())
+def below(ratio):
+    """The way by which fronts are slow below c_s/ratio."""
+    return PRIMARY if ratio == 20 else f"slow below c_s/{ratio}"
 
 
-def front_type(front, slow_below=SLOW_BELOW, stencil=None, ruptured_below=None, side="right"):
-    """The type by another threshold, stencil, pinned fraction or first place than those that
-    `analyze front` was called with."""
-    if front is None:
-        return IMPOSSIBLE
-    if ruptured_below is not None:
-        front = front["at"][ruptured_below]
-    if not has_spanned(front):
-        return "arrested"
-    slow = np.abs(beyond_trigger(front, stencil, side)) < slow_below * front["c_s"]
-    return "slow" if slow.any() else "fast"
-
-
-def types_of_seeds(fronts, **how):
-    """{place: {seed: type}}; `how` as for front_type()."""
+def types_of_seeds(fronts, way=PRIMARY):
+    """{place: {seed: type}}"""
     return {
-        place: {seed: front_type(front, **how) for seed, front in seeds.items()}
+        place: {seed: front_type(front, way) for seed, front in seeds.items()}
         for place, seeds in fronts.items()
     }
 
 
-def types_of(fronts, **how):
+def types_of(fronts, way=PRIMARY):
     """{place: type of its first seed}"""
-    return {place: front_type(seeds[min(seeds)], **how) for place, seeds in fronts.items()}
-
-
-def is_like_analyze(front):
-    """The types above must be those of `analyze front` at its default threshold."""
-    return front is None or front_type(front) == type_on_map(front["type"])
+    return {place: front_type(seeds[min(seeds)], way) for place, seeds in fronts.items()}
 
 
 # --- where the type changes ----------------------------------------------------------------
@@ -249,9 +221,6 @@ def load_map(data, folder, parts):
     tables beside map.csv that hold more points."""
     tables = [Path(data) / folder / f"{part}.csv" for part in ("map", *parts)]
     fronts = read_map([point for table in tables for point in points_of(table)])
-    for seeds in fronts.values():
-        if not all(map(is_like_analyze, seeds.values())):
-            raise ValueError("front types differ from those of `analyze front`")
     grid = {place: {1: fronts[place][1]} for place in map(place_of, read_rows(tables[0]))}
     return fronts, grid
 

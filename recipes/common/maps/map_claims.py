@@ -2,19 +2,47 @@
 
 from functools import partial
 
+from claims.judge import judged
 from data.tables import write_table
-from maps import front_map, map_conventions
-from maps.front_map import types_of, types_of_seeds
+from maps import front_map
+from maps.front_map import MEASURES, below, types_of, types_of_seeds
 from maps.map_panels import draw_map
+
+ABOUT_UNITS = "The map of a seed has its own fronts at the boundary and those of seed 1 elsewhere."
+
+
+def out_of_order(fronts):
+    """Places that are fast below-left of an arrested one, over all seeds, and those where the type
+    steps back along tau_bar_0."""
+    found = {fast for fast, _ in front_map.fast_below_left_of_arrested(types_of_seeds(fronts))}
+    return found | front_map.steps_back(types_of(fronts))
+
+
+def units_of_seeds(seeds, ways, case):
+    """{seed: {convention: [case]}}; `case` measures the map of a seed in a way."""
+    return {
+        f"seed {seed}": {name: [case(seed, **way)] for name, way in ways.items()} for seed in seeds
+    }
+
+
+def claim_over_seeds(claim_id, shown, of_seeds, case):
+    """`shown`: the map of all seeds, or several; `of_seeds`: the same of each seed, {seed: map}.
+    The function measures the case in them."""
+
+    def of_seed(seed, way):
+        return case(of_seeds[seed], way=way)
+
+    units = units_of_seeds(of_seeds, {name: {"way": name} for name in MEASURES}, of_seed)
+    return judged(claim_id, case(shown), case(shown), units, ABOUT_UNITS)
 
 
 def thresholds_compared(fronts, grid, slow_below):
     """The effect of another threshold for slow fronts: numbers of grid points of each type, of
     those whose type is not that at the first threshold, and of violations over all seeds."""
-    reference = types_of(grid, slow_below=1 / slow_below[0])
+    reference = types_of(grid, below(slow_below[0]))
     for ratio in slow_below:
-        types = types_of(grid, slow_below=1 / ratio)
-        seeds = types_of_seeds(fronts, slow_below=1 / ratio)
+        types = types_of(grid, below(ratio))
+        seeds = types_of_seeds(fronts, below(ratio))
         yield {
             "c_s/threshold": ratio,
             "slow": sum(kind == "slow" for kind in types.values()),
@@ -43,4 +71,4 @@ def make_map(data, results, *, panel, tables, slow_below, claim):
     write_table(results / "thresholds.csv", list(thresholds[0]), map(dict.values, thresholds))
     of_seed = {seed: front_map.map_of_seed(fronts, seed) for seed in front_map.seeds_of(fronts)}
     case = partial(case_of_map, grid=grid)
-    return [map_conventions.claim_over_seeds(claim, fronts, of_seed, case)]
+    return [claim_over_seeds(claim, fronts, of_seed, case)]

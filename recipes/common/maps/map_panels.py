@@ -6,7 +6,7 @@ from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from scipy.interpolate import NearestNDInterpolator
 
-from maps.front_map import TYPES, axes_of, types_of, types_of_seeds
+from maps.front_map import TYPES, axes_of, below, types_of, types_of_seeds
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 
 # Lighter than ARRESTED, SLOW and FAST, and apart in grey, too.
@@ -76,7 +76,7 @@ def draw_thresholds(axes, grid, slow_below):
     """The lines above which fronts are fast, for several thresholds c_s/ratio."""
     taus, sigmas = axes_of(grid)
     for ratio, colour, style in zip(slow_below, LINES, LINESTYLES):
-        types = types_of(grid, slow_below=1 / ratio)
+        types = types_of(grid, below(ratio))
         fast = np.array([[types[tau, sigma] == "fast" for sigma in sigmas] for tau in taus], float)
         if 0 < fast.mean() < 1:
             line = {"colors": [colour], "linestyles": [style], "linewidths": 1}

@@ -74,7 +74,8 @@ def compute(folder_of_tools, point):
                 result |= fault(command, done)
                 break
             if "--json" in shlex.split(command):
-                result[name] = json.loads(done.stdout)
+                reports = [json.loads(line) for line in done.stdout.splitlines()]
+                result[name] = reports if "--also" in shlex.split(command) else reports[0]
         sums = [path.read_text().split() for path in sorted(Path(folder).glob("*.sum"))]
         result["checksums"] = {name: checksum for *_, checksum, name in sums}
     return result
