@@ -5,11 +5,10 @@
 RUN is results/data/ensemble/load-203, say: names of the load's checkpoints and events begin so. The
 commands run in the folder RUN-scratch, which is deleted at the end. Prints, by the events' numbers:
 
-    "unmodified"    front of the unchanged event; "in words": measured so
+    "event"         as it was in the load; "unmodified": its front, continued alone
     "strength"      of each block before the event
     "peaks"         of tau/p of each block
-    "branches"      {branch: {run: front, "in words": {run: front}, "slip": {x: {run: slip}},
-                    "phi": {"before", "after"}}}
+    "branches"      {branch: {run: front, "slip": {x: {run: slip}}, "phi": {"before", "after"}}}
     "undriven"      front if the driving stops in the middle of the slow stretch, "undriven_from"
     "conventions"   {convention: {run: front}} of the unmodified event and of "wider"
 
@@ -26,8 +25,8 @@ from data.scratch import scratch
 from events.choose_events import read_events
 from events.continuations import BEFORE_TRANSITION, BRANCHES, CONTINUATIONS, DURATION
 from events.continuations import OWN_BLOCK, SLIPS, WIDER
-from events.conventions import CONVENTIONS, IN_WORDS, PRIMARY, WAYS
-from events.fronts import middle_of_slow_stretch
+from events.conventions import CONVENTIONS
+from events.fronts import middle_of
 from events.slip import peaks_of
 
 RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
@@ -44,11 +43,8 @@ def continued(workshop, branch, duration, slip_at):
     workshop.recorded(workshop.path(f"{branch}-wider-start"), f"{branch}-wider", "--for", duration)
     phi = {"before": source, "after": workshop.path(f"{branch}-wider-start")}
     slips = {run: workshop.slips(f"{branch}-{run}", slip_at) for run in SLIPS}
-    ways: dict[str, dict] = {PRIMARY: {}, IN_WORDS: WAYS[IN_WORDS]}
-    fronts = {run: workshop.fronts(f"{branch}-{run}", ways) for run in FRONTS}
     return {
-        **{run: short(front[PRIMARY]) for run, front in fronts.items()},
-        IN_WORDS: {run: without_lines(front[IN_WORDS]) for run, front in fronts.items()},
+        **{run: short(workshop.front(f"{branch}-{run}")) for run in FRONTS},
         "slip": {place: {run: of_run[place] for run, of_run in slips.items()} for place in slip_at},
         "phi": {when: short(rupture.analyze("phi", path)) for when, path in phi.items()},
     }
@@ -77,8 +73,8 @@ def measure(workshop, event):
     ruptured = {branch: event["t_rupture"][block] for branch, (block, _) in BRANCHES.items()}
     times = {branch: t for branch, t in ruptured.items() if t is not None}
     crossing = max(t for t in event["t_rupture"] if t is not None) - event["t_start"]
-    amid_slow, duration = middle_of_slow_stretch(event), max(DURATION, 2 * crossing)
-    slip_at = {OWN_BLOCK: event["slow"]["x_from"] - BEFORE_TRANSITION * event["L"]}
+    amid_slow, duration = middle_of(event["in_words"]), max(DURATION, 2 * crossing)
+    slip_at = {OWN_BLOCK: event["in_words"]["x_from"] - BEFORE_TRANSITION * event["L"]}
     run_event(workshop, event, times, duration)
     workshop.run("restart", workshop.path("start"), "amid-slow", "--until", amid_slow)
     stop = ["--set", "driving.V=0", "--for", duration]
@@ -91,7 +87,7 @@ def measure(workshop, event):
     return {
         "t_start": event["t_start"],
         "unmodified": workshop.front("event"),
-        IN_WORDS: without_lines(event),
+        "event": without_lines(event),
         "strength": rupture.analyze("strength", workshop.path("start")),
         "peaks": peaks_of(rupture.open(workshop.path("event-record"))),
         "branches": branches,
@@ -103,7 +99,7 @@ def measure(workshop, event):
 
 def main(run, *options):
     found = {}
-    for event in read_events(f"{run}-events.json", IN_WORDS):
+    for event in read_events(f"{run}-events.json"):
         if event["fast_slow_fast"]:
             with scratch(Path(f"{run}-scratch")) as folder:
                 workshop = Workshop(run, *options, folder)

@@ -2,8 +2,10 @@
 
 Prints {convention: events as `analyze events --json` lists them} (events/conventions.py)."""
 
-from events.conventions import WAYS, each_way
+from events.conventions import CONVENTIONS, each_way
 
 
 def main(record):
-    return {name: report["events"] for name, report in each_way("events", record, WAYS).items()}
+    return {
+        name: report["events"] for name, report in each_way("events", record, CONVENTIONS).items()
+    }

@@ -89,8 +89,7 @@ def make(data, results):
         candidates = choice["candidates"]
         write_columns(results / "most-like.csv", list(candidates[0]), candidates)
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
-    again = report(data / "fast-slow-fast-front-in-words.json")
     units = of_loads(loads, case_of_event), in_words(loads)
     events = [event for path in loads for event in read_events(path)]
     numbers = numbers_of_events(slow, fast, fronts.get(MOST_LIKE), events)
-    return [*claims_of_fronts(slow, again, fast, *units), *numbers]
+    return [*claims_of_fronts(slow, fast, *units), *numbers]

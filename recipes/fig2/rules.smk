@@ -60,7 +60,6 @@ figure(
     film=FIG2_FILM,
     reads=[
         *(f"{event}-{of}" for event in FIG2_EVENTS for of in ("front.json", "record.h5")),
-        "fast-slow-fast-front-in-words.json",
         *(["most-like.json"] if FIG2_OF_ALL else []),
         *FIG2_LOADS,
     ],

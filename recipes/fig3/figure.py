@@ -68,9 +68,6 @@ class Event:
     def front(self, run=""):
         return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front.json")
 
-    def in_words(self, run=""):
-        return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front-in-words.json")
-
     def record(self, run):
         return self.data / f"{self.name}/{run}-record.h5"
 
@@ -85,8 +82,8 @@ class Event:
 
     def own_slips(self):
         """Of the block 0.06 L before the event's own transition."""
-        front = self.in_words()
-        return self.slips(front["slow"]["x_from"] - BEFORE_TRANSITION * front["L"])
+        front = self.front()
+        return self.slips(front["in_words"]["x_from"] - BEFORE_TRANSITION * front["L"])
 
     def peak_speed(self):
         """Of the block that panel C shows, between steps [m/s]."""
@@ -121,8 +118,8 @@ def rows(events):
 
 
 MADE_OF = {  # what the case of a claim is measured from
-    "3A": lambda event: (event.in_words("stopped"),),
-    "3B": lambda event: (event.in_words(), event.front("no-slow-slip")),
+    "3A": lambda event: (event.front("stopped"),),
+    "3B": lambda event: (event.front(), event.front("no-slow-slip")),
     "3C": lambda event: (event.own_slips(),),
 }
 

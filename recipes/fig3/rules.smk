@@ -31,8 +31,7 @@ figure(
     reads=[
         *(f"{event}/{run}-front.json" for event in FIG3_SHOWN for run in FIG3_RUNS),
         *(f"{event}/{run}-record.h5" for event in FIG3_SHOWN for run in (*FIG3_RUNS, "every-step")),
-        *(f"{event}-front{way}.json" for event in FIG3_SHOWN for way in ("", "-in-words")),
-        *(f"{event}/stopped-front-in-words.json" for event in FIG3_SHOWN),
+        *(f"{event}-front.json" for event in FIG3_SHOWN),
         *of_ensemble("load", "continued"),
         *(f"fig3/{sweep}.csv" for sweep in FIG3_SWEEPS),
         *repeated(["fig3/front_speed_widths.csv"]),

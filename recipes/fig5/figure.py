@@ -7,7 +7,7 @@ import rupture
 from data.records import report, values
 from data.tables import write_table
 from events.event_claims import judged_event
-from events.fronts import middle_of_slow_stretch
+from events.fronts import middle_of
 from events.units import of_ensemble, of_events
 from pictures.panels import window_of
 from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
@@ -52,13 +52,12 @@ def draw(data, fronts, t_stop, stem):
 
 def make(data, results):
     fronts = [report(data / f"{run}-front.json") for run in (EVENT, UNDRIVEN)]
-    t_stop = middle_of_slow_stretch(fronts[0])
+    t_stop = middle_of(fronts[0]["slow"])
     draw(data, fronts, t_stop, results / "fig5A")
     names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]
     lines = zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts))
     write_table(results / "rupture-lines.csv", names, lines)
     continued = of_ensemble(data, "load", "continued")
-    in_words = report(data / f"{EVENT}-front-in-words.json")
-    event_I = {"event I": (in_words, *fronts, t_stop)}
+    event_I = {"event I": (fronts[0], *fronts, t_stop)}
     claim = judged_event("5A", event_I, of_events(continued, "5A"))
     return [claim, *quasistatic.make(data, results)]

@@ -82,7 +82,6 @@ figure(
     events=["fast-slow-fast"],
     reads=[
         *(f"fast-slow-fast{run}-{of}" for run in ("", "/undriven") for of in ("front.json", "record.h5")),
-        "fast-slow-fast-front-in-words.json",
         *of_ensemble("load", "continued"),
         *("fig5/quasistatic-load-record.h5", "fig5/quasistatic-stretch.json"),
         *(f"fig5/quasistatic-stopped-{n}-record.h5" for n in QUASISTATIC_BRANCHES),

@@ -7,7 +7,6 @@ from claims.judge import yes
 from data.records import report, values
 from data.tables import write_events, write_fronts
 from events.choose_events import first_in_words, read_events
-from events.conventions import IN_WORDS
 from events.front_claims import judged_in_words
 from events.fronts import STENCIL
 from events.units import in_words, of_ensemble
@@ -68,7 +67,7 @@ def make(data, results):
     draw(data / "figS6/event-record.h5", fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
     shown = data / "ensemble/decaying-01-events.json"
-    spanning = (event for event in read_events(shown, IN_WORDS) if event["spanning"])
+    spanning = (event for event in read_events(shown) if event["spanning"])
     in_order = {"fast-slow-fast in words": lambda event: yes(event["fast_slow_fast"])}
     write_events(results / "events.csv", spanning, in_order)
     units = in_words(of_ensemble(data, "decaying", "events"))

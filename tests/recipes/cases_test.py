@@ -9,7 +9,7 @@ import curves
 from claims.judge import holds
 from conftest import ROOT, approx
 from events.continuations import BRANCHES, LEAD, OWN_BLOCK
-from events.conventions import IN_WORDS, PRIMARY
+from events.conventions import PRIMARY
 from events.event_claims import case_3B, case_5A, slip_ratios
 from events.front_claims import IN_ORDER, case_of_event, words_and_order_case
 from events.slip import peaks_of
@@ -30,6 +30,7 @@ def front(kind="slow", arrest=None, in_words=True):
         "x_arrest": arrest,
         "fast_slow_fast": in_words,
         "slow": SLOW if kind == "slow" else None,
+        "in_words": SLOW if in_words else None,
         "t_rupture": [0.0, 1e-3, 2e-3, 3e-3],
         "x": [0.01, 0.05, 0.07, 0.09],
         "v_c": [9.0, -9.0, C_S / 11, 9.0],  # in the loading zone, backwards, slow
@@ -72,7 +73,7 @@ class TestLoads:
     )
     def test_an_event_is_fast_slow_fast_in_order_of_time(self, t_rupture, expected):
         slow = SLOW | {"x_from": 0.5 * L, "x_to": 0.67 * L, "t_from": 1.0, "t_to": 2.0}
-        case = words_and_order_case(front() | {"slow": slow, "t_rupture": t_rupture})
+        case = words_and_order_case(front() | {"in_words": slow, "t_rupture": t_rupture})
         assert case[IN_ORDER] == expected
 
 
@@ -87,8 +88,8 @@ class TestContinuations:
     @mark.parametrize("last, expected", [(3.04e-3, approx(0.05)), (None, None)])
     def test_5A_goes_by_the_time_below_c_s_over_10(self, last, expected):
         later = front() | {"t_rupture": [0.0, 9.0, 2e-3, last]}  # the 9 s come before the stop
-        in_words = front() | {"slow": SLOW | {"duration": 0.8e-3}}
-        case = case_5A(in_words, front(), later, 1.5e-3)
+        event = front() | {"in_words": SLOW | {"duration": 0.8e-3}}
+        case = case_5A(event, front(), later, 1.5e-3)
         assert case == {"difference/time below c_s/10": expected}
 
     def test_3C_ratios_take_the_peak_of_every_step(self):
@@ -100,18 +101,17 @@ class TestUnits:
     @staticmethod
     def event(unmodified="slow"):
         original = front(unmodified)
-        fronts = {"unmodified": original, "stopped": front(), "wider": front("fast")}
+        fronts = {"unmodified": original, "stopped": front(in_words=False), "wider": front("fast")}
         slips = {run: {"fast_slip": 1.0, "slow_r_squared": 0.96} for run in ("t_R-half", "stopped")}
         slips["t_R-double"] = {"fast_slip": 1.05, "slow_r_squared": 0.96}
         of_branch = fronts | {
             "no-slow-slip": front("arrested", 0.07),
-            IN_WORDS: {"stopped": front(in_words=False)},
             "slip": {OWN_BLOCK: slips},
             "phi": dict.fromkeys(("before", "after"), {"mean": [1.0]}),
         }
         return {
             "unmodified": original,
-            IN_WORDS: front(),
+            "event": front(),
             "branches": dict.fromkeys(BRANCHES, of_branch) | {"0.25": None},
             "conventions": {
                 "stencil 3": fronts | {"unmodified": front("fast")},

@@ -63,6 +63,7 @@ def made_up(fast, slowest, x_from=0.05, duration=1e-3, in_words=True):
         "type": "slow" if in_words else "fast",
         "spanning": True,
         "fast_slow_fast": in_words,
+        "speed": 10.0,
         "c_s": 1000.0,
         "L": 0.1,
         "slow": slow | {"duration": duration},

@@ -9,7 +9,7 @@ import sys
 
 from data.records import report
 from events.continuations import LEAD
-from events.conventions import IN_WORDS, PRIMARY
+from events.conventions import PRIMARY
 from events.fronts import is_fast_only, is_fast_slow
 
 
@@ -19,14 +19,14 @@ def start(event, checkpoint_every):
     return {"from": f"{last_checkpoint:.9f}", "until": f"{until:.7f}", "event": event["t_start"]}
 
 
-def read_events(path, convention=PRIMARY):
-    """The events of a run as ensemble/measure_events.py lists them."""
-    return report(path)[convention]
+def read_events(path):
+    """The events of a run as ensemble/measure_events.py lists them, by the primary convention."""
+    return report(path)[PRIMARY]
 
 
 def first_in_words(path):
     """The first that is fast-slow-fast in words; if none is, the first that spans."""
-    spanning = [event for event in read_events(path, IN_WORDS) if event["spanning"]]
+    spanning = [event for event in read_events(path) if event["spanning"]]
     return next((event for event in spanning if event["fast_slow_fast"]), spanning[0])
 
 
@@ -62,7 +62,7 @@ def fast_slow(path, checkpoint_every):
 
 def decaying(path, checkpoint_every):
     """The first that is fast-slow-fast in words (claim S6A)."""
-    chosen = next((e for e in read_events(path, IN_WORDS) if e["fast_slow_fast"]), None)
+    chosen = next((e for e in read_events(path) if e["fast_slow_fast"]), None)
     if chosen is None:
         sys.exit("no event of this load is fast-slow-fast: load for longer")
     return start(chosen, checkpoint_every)

@@ -9,7 +9,6 @@ from claims.claim import PRIMARY
 from events.fronts import SLOW_BELOW
 
 C_S, C_S_OF_LATTICE = 968, 993  # [m/s]
-IN_WORDS = "in words"  # "at least 1 order of magnitude slower than the material's wave speeds"
 
 CONVENTIONS: dict[str, dict] = {  # name: options
     PRIMARY: {},
@@ -23,7 +22,6 @@ CONVENTIONS: dict[str, dict] = {  # name: options
     "ends to the slow": {"--stencils-at-ends": "slow"},
     "ends to the fast": {"--stencils-at-ends": "fast"},
 }
-WAYS = CONVENTIONS | {IN_WORDS: {"--slow-below": 1 / 10, "--stencils-at-ends": "slow"}}
 
 
 def words_of(options):

@@ -31,10 +31,10 @@ def judged_event(claim_id, events, units):
 
 
 def details_3A(stopped):
-    slow = stopped["slow"] or {}
+    stretch = stopped["in_words"] or {}
     return {
         "front": stopped["type"],
-        "below c_s/10 from [L]": ratio(slow.get("x_from"), stopped["L"]),
+        "below c_s/10 from [L]": ratio(stretch.get("x_from"), stopped["L"]),
     }
 
 
@@ -47,15 +47,15 @@ def arrest_past(x, no_slow_slip):
 PAST = "arrest - first stencil below c_s/10 [L]"
 
 
-def case_3B(in_words, no_slow_slip):
-    """From the first end of the first stencil in the slow stretch of `in_words`, the unmodified
-    front measured so."""
-    return {PAST: arrest_past(in_words["slow"] and in_words["slow"]["x_from"], no_slow_slip)}
+def case_3B(event, no_slow_slip):
+    """From the first end of the first stencil in the stretch by which the unmodified event is
+    fast-slow-fast."""
+    return {PAST: arrest_past(event["in_words"]["x_from"], no_slow_slip)}
 
 
-def details_3B(in_words, no_slow_slip):
+def details_3B(event, no_slow_slip):
     arrest = ratio(no_slow_slip["x_arrest"], no_slow_slip["L"])
-    return {"arrest [L]": arrest} | case_3B(in_words, no_slow_slip)
+    return {"arrest [L]": arrest} | case_3B(event, no_slow_slip)
 
 
 COUNTED = {  # of claims: what is counted over units, without a verdict
@@ -117,18 +117,17 @@ def largest_difference(unmodified, undriven, stopped_at):
     return None if np.isnan(difference) else difference
 
 
-def case_5A(in_words, unmodified, undriven, stopped_at):
-    """`in_words`: the unmodified front, measured so; `stopped_at`: when the driving stops [s]."""
+def case_5A(event, unmodified, undriven, stopped_at):
+    """`event`: in the run; `unmodified`: its front, continued alone; `stopped_at`: when the driving
+    stops [s]."""
     difference = largest_difference(unmodified, undriven, stopped_at)
-    slow_for = in_words["slow"] and in_words["slow"]["duration"]
-    return {"difference/time below c_s/10": ratio(difference, slow_for)}
+    return {"difference/time below c_s/10": ratio(difference, event["in_words"]["duration"])}
 
 
-def details_5A(in_words, unmodified, undriven, stopped_at):
+def details_5A(event, unmodified, undriven, stopped_at):
     passed = values(unmodified["t_rupture"]) <= stopped_at
     stopped = np.array(unmodified["x"])[passed].max() / unmodified["L"]
-    case = case_5A(in_words, unmodified, undriven, stopped_at)
-    return {"driving stopped at [L]": stopped} | case
+    return {"driving stopped at [L]": stopped} | case_5A(event, unmodified, undriven, stopped_at)
 
 
 EVENT_CLAIMS: dict[str, tuple] = {  # what measures the case, what readers see of it, a note

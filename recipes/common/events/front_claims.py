@@ -39,7 +39,7 @@ def case_of_event(front):
 
 
 def words_case(front):
-    """Claims 2A, 3A, S6A and exponential-event; measured with conventions.IN_WORDS."""
+    """Claims 2A, 3A, S6A and exponential-event."""
     return case_of_event(front) | {"fast-slow-fast in words": yes(front["fast_slow_fast"])}
 
 
@@ -49,7 +49,7 @@ def in_order_of_time(front):
     within the slow stretch."""
     if not front["fast_slow_fast"]:
         return False
-    slow, time = front["slow"], values(front["t_rupture"])
+    slow, time = front["in_words"], values(front["t_rupture"])
     x = np.linspace(0, front["L"], len(time))
     before, behind = time[(x > LOADING_ZONE) & (x < slow["x_from"])], time[x > slow["x_to"]]
     return bool(np.nanmedian(before) < slow["t_from"] and np.nanmedian(behind) > slow["t_to"])
@@ -61,26 +61,26 @@ def words_and_order_case(front):
 
 def judged_in_words(claim_id, front, units):
     """Claims 2A, S6A and exponential-event. That the order holds in time, too, is no condition."""
-    case, slow = words_and_order_case(front), front["slow"] or {}
+    case, stretch = words_and_order_case(front), front["in_words"] or {}
     measured = {
-        "below c_s/10 from [L]": case["from [L]"],
-        "to [L]": case["to [L]"],
-        "fast before [m/s]": slow.get("fast_before"),
+        "below c_s/10 from [L]": ratio(stretch.get("x_from"), front["L"]),
+        "to [L]": ratio(stretch.get("x_to"), front["L"]),
+        "fast before [m/s]": stretch.get("fast_before"),
         IN_ORDER: case[IN_ORDER],
         "runs with such an event": units_with(lambda of: of[IN_ORDER] == "yes", units),
     }
     return judged(claim_id, measured, case, units)
 
 
-def claims_of_fronts(slow_front, in_words, fast_front, units, units_in_words):
-    """Claims 2A to 2C for the events of Figure 2; `in_words`: the first one again, in words."""
+def claims_of_fronts(slow_front, fast_front, units, units_in_words):
+    """Claims 2A to 2C for the events of Figure 2."""
     case, slowest_of_fast = case_of_event(slow_front), slowest(fast_front)
     fast = {
         "slowest stencil [m/s]": slowest_of_fast,
         "c_s/slowest": fast_front["c_s"] / slowest_of_fast,
     }
     return [
-        judged_in_words("2A", in_words, units_in_words),
+        judged_in_words("2A", slow_front, units_in_words),
         judged("2B", fast, case_of_event(fast_front), units),
         judged("2C", words_compared(slow_front, case, units), case, units),
     ]

@@ -10,9 +10,9 @@ SLOW_FOR = 0.5e-3  # [s], at least (claim S2)
 LOADING_ZONE = 0.02  # [m]; speeds within it do not count
 
 
-def middle_of_slow_stretch(front):
-    """[s]; the driving stops there for claim 5A."""
-    return (front["slow"]["t_from"] + front["slow"]["t_to"]) / 2
+def middle_of(stretch):
+    """In time [s]; the driving stops there for claim 5A."""
+    return (stretch["t_from"] + stretch["t_to"]) / 2
 
 
 def front_spans(front):

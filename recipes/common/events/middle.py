@@ -3,11 +3,11 @@
 import sys
 
 from data.records import report
-from events.fronts import middle_of_slow_stretch
+from events.fronts import middle_of
 
 
 def main(path):
     front = report(path)
     if front["slow"] is None:
         sys.exit(f"middle.py: the front in {path} has no slow stretch.")
-    return f"{middle_of_slow_stretch(front):.7f}"
+    return f"{middle_of(front['slow']):.7f}"

@@ -12,7 +12,7 @@ from pathlib import Path
 from claims.judge import holds
 from data.records import report
 from events.continuations import BRANCHES, OWN_BLOCK
-from events.conventions import CONVENTIONS, IN_WORDS, PRIMARY
+from events.conventions import CONVENTIONS, PRIMARY
 from events.event_claims import EVENT_CLAIMS, case_S2
 from events.front_claims import words_and_order_case
 from events.fronts import has_slow_stretch
@@ -46,7 +46,7 @@ def of_loads(paths, case, conventions=None):
 
 def in_words(paths):
     """Claims 2A, S6A and exponential-event."""
-    return of_loads(paths, words_and_order_case, {PRIMARY: IN_WORDS})
+    return of_loads(paths, words_and_order_case, {PRIMARY: PRIMARY})
 
 
 def without_slow_slip(path):
@@ -84,7 +84,7 @@ class View:
         return self.event["unmodified"] if run == "unmodified" else self.of_branch(run)
 
     def around_transition(self):
-        return self.event[IN_WORDS], self.of_branch("no-slow-slip")
+        return self.event["event"], self.of_branch("no-slow-slip")
 
     def widened(self):
         """None if the unmodified front is not slow: there is nothing to compare with."""
@@ -95,7 +95,7 @@ class View:
         return unmodified, self.front("wider"), *phi
 
     def undriven(self):
-        names = (IN_WORDS, "unmodified", "undriven", "undriven_from")
+        names = ("event", "unmodified", "undriven", "undriven_from")
         return tuple(self.event[name] for name in names)
 
 
@@ -104,7 +104,7 @@ AT_BRANCHES = {f"branch at {branch} L": {"branch": branch} for branch in LATER_B
 OF_FRONTS = {name: {"way": name} for name in CONVENTIONS if name != PRIMARY} | AT_BRANCHES
 
 OF_EVENT: dict[str, tuple] = {  # conventions, what the case is made of
-    "3A": (AT_BRANCHES, lambda view: [view.of_branch(IN_WORDS, "stopped")]),
+    "3A": (AT_BRANCHES, lambda view: [view.of_branch("stopped")]),
     "3B": (AT_BRANCHES, View.around_transition),
     "3C": (AT_BRANCHES, lambda view: [view.of_branch("slip", OWN_BLOCK)]),
     "4AB": (OF_FRONTS, View.widened),

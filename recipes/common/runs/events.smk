@@ -2,14 +2,10 @@
 # and as a record of it; choose_events.py says by which rule they are chosen. The paper's event I is
 # fast-slow-fast, its event II second-slow, its event III fast-only.
 from events.continuations import DURATION
-from events.conventions import IN_WORDS, WAYS, words_of
 
 EVENTS = ["fast-slow-fast", "fast-only", "second-slow"]
 EVENTS_OF["shown"] = ("load-01", "shown")
 RUNS |= {event: run(event, f"--for {DURATION}") for event in EVENTS}
-# Fronts measured with the only definition of "slow" in the paper (events/conventions.py).
-REPORTS["front-in-words"] = ("-record", f"front --event 0 {' '.join(words_of(WAYS[IN_WORDS]))}")
-
 
 wildcard_constraints:
     event="|".join(EVENTS),
