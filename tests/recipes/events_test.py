@@ -80,10 +80,10 @@ class TestNumbers:
         before = found["speed before the slow stretch [c_s]"]
         assert (before.shown, before.most_like, before.median) == approx((0.3, 0.1, 0.2))
         assert before.ratio == approx(0.6)
-        assert before.of == "3 fast-slow-fast events"
+        assert before.of == "3 of 3 fast-slow-fast events"
         assert found["slowest speed [c_s]"].median == approx(0.01)
         assert found["duration of the slow stretch [ms]"].high == approx(1)
-        assert found["length/duration of the slow stretch [c_s]"].paper == approx(0.02)
+        assert found["mean speed of the slow stretch [c_s]"].paper == approx(0.02)
         assert found["time from 0.4 L to 0.6 L [ms]"].shown == approx(2)
         assert found["speed of events that are fast everywhere [c_s]"].median == approx(0.01)
 

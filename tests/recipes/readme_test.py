@@ -54,7 +54,7 @@ def update(root, verdict="reproduced"):
     share, words = Share("primary", 19, 20, 0.8, 1.0), ("finding", "later, after results", "paper")
     claim = Claim("2A", *words, "accepted", {}, "holds", [share], verdict, "why")
     number = Number(
-        "slow [c_s]", 0.01, most_like=0.012, median=0.02, low=0.01, high=0.035, of="9 e"
+        "slow [c_s]", 0.01, most_like=0.012, median=0.02, low=0.01, high=0.035, of="8 of 9 events"
     )
     readme.update_readme(root, [claim], [], [number], "0.5.0")
     return (root / readme.README).read_text()

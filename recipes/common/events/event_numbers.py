@@ -37,11 +37,11 @@ def numbers_of_events(shown, fast_only, most_like, events):
     slow = [event for event in events if event["spanning"] and event["fast_slow_fast"]]
     cases = [*map(case_of_event, slow)]
     of_shown, of_most_like = case_of_event(shown), case_of_event(most_like) if most_like else {}
+    of = f"{{}} of {len(slow)} fast-slow-fast events"
     rows = {
         "speed before the slow stretch [c_s]": ("fast before/c_s", paper.FAST),
         "slowest speed [c_s]": ("slowest/c_s", paper.SLOW),
-        "length/duration of the slow stretch [c_s]": ("length/duration/c_s", mean_of_paper(shown)),
-        "mean speed in the slow stretch [c_s]": ("mean slow speed/c_s", None),
+        "mean speed of the slow stretch [c_s]": ("mean slow speed/c_s", mean_of_paper(shown)),
         "begin of the slow stretch [L]": ("from [L]", paper.TRANSITIONS[0]),
         "end of the slow stretch [L]": ("to [L]", paper.TRANSITIONS[1]),
         "duration of the slow stretch [ms]": ("duration [ms]", paper.SLOW_FOR * 1e3),
@@ -51,7 +51,7 @@ def numbers_of_events(shown, fast_only, most_like, events):
             quantity,
             of_paper,
             [case[key] for case in cases],
-            "{} fast-slow-fast events",
+            of,
             shown=of_shown[key],
             most_like=of_most_like.get(key),
         )
@@ -63,7 +63,7 @@ def numbers_of_events(shown, fast_only, most_like, events):
             "time from 0.4 L to 0.6 L [ms]",
             paper.SLOW_FOR * 1e3,
             map(crossing_time, slow),
-            "{} fast-slow-fast events",
+            of,
             shown=crossing_time(shown),
             most_like=crossing_time(most_like) if most_like else None,
         ),
