@@ -55,7 +55,9 @@ def claims_of(reference, unbreakable):
         judged("SI-time", returned, returned),
         Number("net slow slip [f_slip/k_ij]", paper.NET_SLIP, net_slip(reference)),
         Number(
-            "time until all are pinned [<t_R>]", paper.ALL_PINNED, reference["duration_over_t_R"]
+            "time until all junctions are pinned again [<t_R>]",
+            paper.ALL_PINNED,
+            reference["duration_over_t_R"],
         ),
     ]
 

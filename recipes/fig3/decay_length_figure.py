@@ -106,4 +106,7 @@ def make(data, results):
     write_table(results / "decay-length.csv", names, rows)
     (l_0,) = case(shown["l_0"][PRIMARY]).values()
     of = "{} prepared fronts"
-    return [claim(paths), spread("l_0 [mm]", paper.L_0 * 1e3, lengths_of(shown), of, shown=l_0)]
+    return [
+        claim(paths),
+        spread("decay length l_0 [mm]", paper.L_0 * 1e3, lengths_of(shown), of, shown=l_0),
+    ]

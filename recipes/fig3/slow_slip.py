@@ -150,6 +150,6 @@ def make(data, results):
     names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]
     write_columns(results / "slow-slip-speed.csv", names, rows)
     fitted, (estimate, measured) = fit(of_SI), estimate_and_measured(of_SI)
-    ratio = "slow slip speed over Eq. S1"
+    ratio = "speed of slow slip over Eq. S1"
     number = spread(ratio, 1.0, measured / estimate, "{} prepared fronts", shown=fitted.slope)
     return [claim(path, event, others), claim_neighbours(path, others), number]

@@ -93,7 +93,7 @@ def table_of(rows):
             ours = cell(row, "most_like") or ("" if row["median"] else cell(row, "shown"))
             cells = cell(row, "paper"), ours, cell(row, "median", "low", "high")
             lines.append(f"| {row['quantity']} | {' | '.join(cells)} |")
-    return "\n".join(lines) + "\n"
+    return re.sub(r"<(\w+)>", r"⟨\1⟩", "\n".join(lines)) + "\n"  # no tag of HTML
 
 
 def counts_of(rows):
