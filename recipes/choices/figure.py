@@ -75,12 +75,6 @@ class Found:
         up, down = self.low > settled.high, self.high < settled.low
         return replace(self, moved="up" if up else "down" if down else "")
 
-    def text(self):
-        if self.value is None or self.n is None:
-            return f"{self.low:.4f} to {self.high:.4f}"
-        share = f"{self.value * self.n:.0f}/{self.n}"
-        return (share if self.least is None else f"{self.value:.3g}") + ("*" if self.moved else "")
-
 
 # --- measuring -----------------------------------------------------------------------------
 
@@ -193,20 +187,6 @@ def own_result(found):
     return OwnResult(id="choices", question=question, measured=told)
 
 
-def summary(found):
-    """Text for the terminal. A star: moved."""
-    text = ""
-    for names in (SHARES, NUMBERS, tuple(SLOW)):
-        form = "{:22}" + "".join(f"{{:{max(9, len(name) + 2)}}}" for name in names)
-        lines = [("", *names)]
-        for choice in CHOICES:
-            of_choice = (found.get((choice, name)) for name in names)
-            cells = [one.text() if one else "" for one in of_choice]
-            lines += [(choice, *cells)] if any(cells) else []
-        text += "\n".join(form.format(*line).rstrip() for line in lines) + "\n\n"
-    return text
-
-
 # --- picture -------------------------------------------------------------------------------
 
 
@@ -251,5 +231,5 @@ def make(data, results):
     found = all_measured(data)
     draw(found, results / "choices")
     write_table(results / "choices.csv", HEADS, ((*key, *astuple(f)) for key, f in found.items()))
-    write_own(results, [own_result(found)], before=summary(found))
+    write_own(results, [own_result(found)])
     return []

@@ -6,11 +6,11 @@ from operator import itemgetter
 import alternation
 import numpy as np
 
-from claims.own_result import write_own
+from claims.own_result import OwnResult, write_own
 from data.records import values
 from data.tables import write_events
 from events.choose_events import read_events
-from events.fronts import has_slow_stretch, is_fast_only
+from events.fronts import is_fast_only
 from events.units import name_of, of_ensemble
 from pictures.panels import along_interface, ruptured_early
 from pictures.plotting import DOUBLE, lettered, save
@@ -69,17 +69,14 @@ def draw(loads, stem):
     save(fig, stem)
 
 
-def summary(loads):
-    """Text for the terminal."""
-    names = ("loads", "span", "in words", "fast only", "other", "slow stretch")
-    lines: dict[str, tuple] = {"": names}
-    for setting, of_setting in loads.items():
-        kinds, events = [[pair[n] for pair in chain(*of_setting.values())] for n in (0, 1)]
-        of_kinds = map(kinds.count, alternation.KINDS)
-        slow = sum(map(has_slow_stretch, events))
-        lines[setting] = (len(of_setting), len(events), *of_kinds, slow)
-    row = "{:12}" + len(names) * "{:>14}" + "\n"
-    return "".join(row.format(setting, *cells) for setting, cells in lines.items())
+def kinds_counted(loads):
+    pairs = {setting: [*chain(*of_setting.values())] for setting, of_setting in loads.items()}
+    measured = {
+        f"{setting}: {kind}": sum(of == kind for of, _ in found)
+        for setting, found in pairs.items()
+        for kind in alternation.KINDS
+    }
+    return OwnResult("kinds", "of which kinds are the events that span?", measured)
 
 
 def make(data, results):
@@ -94,5 +91,5 @@ def make(data, results):
     )
     columns = {name: itemgetter(name) for name in ("load", "type", "kind")}
     write_events(results / "events.csv", events, columns)
-    write_own(results, [alternation.own_result(loads["load"])], summary(loads))
+    write_own(results, [kinds_counted(loads), alternation.own_result(loads["load"])])
     return []

@@ -49,13 +49,9 @@ def text_of(result):
     return "\n".join(lines)
 
 
-def write_own(folder, results, before=""):
-    """The file for programs, and what the terminal shows, with another text before it."""
-    folder = Path(folder)
+def write_own(folder, results):
     rows = json.dumps([asdict(result) for result in results], indent=2, default=plain)
-    write_whole(folder / OWN, rows + "\n")
-    text = "\n".join([before, *map(text_of, results)] if before else map(text_of, results))
-    write_whole(folder / "summary.txt", text + "\n")
+    write_whole(Path(folder) / OWN, rows + "\n")
 
 
 def read_own(folder):

@@ -4,8 +4,8 @@ import textwrap
 from collections import Counter
 
 from claims.claim import CLAIMS, HOLDS, VERDICTS, Share, read_results
+from claims.own_result import read_own, text_of
 
-SUMMARY = "summary.txt"  # what a recipe has to say beyond claims, beside its claims.json
 WIDTH = 100
 HEADS = ("case shown", "verdict", "share", "least", "under")
 INDENT = " " * 6
@@ -52,8 +52,8 @@ def print_claims(folder, released):
     print(f"\n{folder.name}: {summary(claims) or 'no claims of its own'}\n")
     if claims:
         print_table(claims, released)
-    if (folder / SUMMARY).exists():
-        print((folder / SUMMARY).read_text(encoding="utf-8"))
+    for result in read_own(folder):
+        print(text_of(result), end="\n\n")
     print(f"Pictures and data: {folder}/")
     if any(claim.verdict is None for claim in claims):
         print(

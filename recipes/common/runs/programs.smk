@@ -60,7 +60,7 @@ def script(path):
     return {"script": path, "common": COMMON}
 
 
-OWN_RESULTS = ("own.json", "summary.txt")
+OWN_RESULTS = ("own.json",)
 
 
 def in_data(names):
