@@ -116,12 +116,11 @@ Descriptor::~Descriptor() {
 
 PendingFile::PendingFile(fs::path path, std::span<const std::byte> bytes) : path_(std::move(path)) {
   constexpr int flags = O_RDWR | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC;
-  do {
+  do {  // until it is locked, another run may take it for a leftover and remove it
     temporary_ = temporary_path(path_);
     file = Descriptor(::open(temporary_.c_str(), flags, 0666));
-  } while (file.get() < 0 && errno == EEXIST);
-  if (file.get() < 0) fail_writing(path_);
-  lock(file);
+    if (file.get() < 0 && errno != EEXIST) fail_writing(path_);
+  } while (file.get() < 0 || !lock(file) || !is_at(file, temporary_));
   struct stat old {};  // for whose readers the new one is
   if (::lstat(path_.c_str(), &old) == 0 && S_ISREG(old.st_mode)) {
     ::fchmod(file.get(), old.st_mode & 0777U);

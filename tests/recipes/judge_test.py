@@ -65,7 +65,7 @@ OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
     (BAD, units(4, 16), "depends", f"4 of 20 runs {NOT_SHOWN}"),
     (BAD, units(5, 15), "depends", "5 of 20 runs (primary), but not in the case shown"),
     (GOOD, units(10, 10), "depends", f"10 of 20 runs {FEW}"),
-    (GOOD, units(20, 0, other=3), "depends", "loads (primary), down to 3 of 20 runs (other)"),
+    (GOOD, units(20, 0, other=3), "depends", "runs (primary), down to 3 of 20 runs (other)"),
     (GOOD, units(20, 0, other=13), "depends", "(other); too few runs for a verdict"),
     (GOOD, units(20, 0, other=14), "reproduced", "14 of 20 runs (other)"),
     (

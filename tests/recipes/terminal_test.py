@@ -55,11 +55,17 @@ A verdict needs runs with other random numbers: {command} makes them once, in ab
         (["unknown (no provenance)"], False),
     ],
 )
-def test_verdicts_of_the_release_are_of_its_programs(tmp_path, builds, known):
+def test_verdicts_of_the_release_are_of_its_programs(tmp_path, monkeypatch, builds, known):
+    """The build of each file; that of a shipped checkpoint does not count."""
+    files = dict(zip(("results/data/a.h5", "results/data/b.h5"), builds))
+    of_files = {"results/data/shipped.h5": "rupture 0.2.0, commit a, gcc 12"} | files
+    count = lambda _, names: [(of_files[name], 1) for name in names]  # noqa: E731
+    monkeypatch.setattr("claims.released.builds", count)
     spill(tmp_path / "docs/verdicts.csv", TABLE)
+    spill(tmp_path / "checkpoints/shipped.h5", "")
     texts = {"3A": "0.4.0: reproduced, 86 of 91", "3C-inset": "0.4.0: depends"}
-    assert released(tmp_path, builds) == (texts if known else {})
-    assert released(tmp_path / "elsewhere", builds) == {}
+    assert released(tmp_path, of_files) == (texts if known else {})
+    assert released(tmp_path / "elsewhere", []) == {}
 
 
 def test_a_case_is_no_verdict(tmp_path, capsys):

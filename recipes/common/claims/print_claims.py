@@ -29,9 +29,11 @@ def print_table(claims, released):
     for claim in claims:
         print(textwrap.shorten(f"{claim.id}: {claim.paper}", WIDTH, placeholder=" ..."))
         print(FORM.format(*cells(claim)).rstrip())
-        beside = f"; released verdict: {released[claim.id]}" if claim.id in released else ""
-        text = claim.reason + beside
-        print(textwrap.fill(text, WIDTH, initial_indent=INDENT, subsequent_indent=INDENT))
+        texts = [claim.reason] if claim.reason != claim.case else []
+        if claim.verdict is None and claim.id in released:
+            texts.append(f"released verdict: {released[claim.id]}")
+        for line in textwrap.wrap("; ".join(texts), WIDTH - len(INDENT)):
+            print(INDENT + line)
 
 
 def summary(claims):

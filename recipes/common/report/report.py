@@ -97,7 +97,7 @@ def contents(root):
             for kind in ("finding", "check")
         ],
         "numbers": [number for recipe in recipes for number in recipe.numbers],
-        "released": released(root, [build for build, _ in builds]),
+        "released": released(root, files),
         "movie": first_in(root / "results", *MOVIES),
         "still": first_in(root / "results", STILL),
         "glance": glance_picture(root / "results", claims),

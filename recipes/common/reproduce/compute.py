@@ -135,8 +135,8 @@ def reproduce(request, recipes, processes):
     note_run(recipes, place, started)
     accounts = origin.Accounts(ROOT)
     for name in recipes:
-        builds = [build for build, _ in origin.builds(ROOT, accounts.files_behind(name))]
-        print_claims((RESULTS / name).resolve(), released(SHARE, builds))
+        beside = released(ROOT, accounts.files_behind(name))
+        print_claims((RESULTS / name).resolve(), beside)
 
 
 def is_current(path):
