@@ -53,7 +53,9 @@ def claims_of(reference, unbreakable):
             " junction slips any more. Primary: the slip in 2 <t_R>, the time in the paper.",
         ),
         judged("SI-time", returned, returned),
-        Number("net slow slip [f_slip/k_ij]", paper.NET_SLIP, net_slip(reference)),
+        Number(
+            "net slow slip, until nothing slips [f_slip/k_ij]", paper.NET_SLIP, net_slip(reference)
+        ),
         Number(
             "time until all junctions are pinned again [<t_R>]",
             paper.ALL_PINNED,

@@ -150,7 +150,7 @@ def test_lists_every_judged_claim_in_order(page):
     counts = [int(count) for count in re.findall(r"<strong>(\d+)</strong>", page)]
     checks = sum(table()[claim_id]["kind"] == "check" for claim_id in JUDGED)
     assert counts == [len(JUDGED) - checks, checks - 1, 1]  # reproduced; reproduced, differs
-    assert f"{len(JUDGED)} of the paper's {len(table())} claims" in page
+    assert f"{len(JUDGED)} of {len(table())} findings and checks" in page
 
 
 def test_orders_recipes_as_the_paper_does_each_with_its_picture(page):

@@ -74,9 +74,9 @@ def write_tables(root, claims, own, numbers, version):
 
 
 def write_numbers(path, numbers):
-    """The paper's numbers beside ours, in four digits."""
+    """The paper's numbers beside ours, in six digits."""
     columns = [*(field.name for field in fields(Number)), "ratio"]
-    rows = ([short(getattr(one, name), 4) for name in columns] for one in numbers)
+    rows = ([short(getattr(one, name), 6) for name in columns] for one in numbers)
     write_table(path, columns, rows)
 
 
@@ -90,8 +90,8 @@ def table_of(rows):
     lines = ["| | paper | our event most like it | our median (5 to 95 %) |", "|---|---|---|---|"]
     for row in rows:
         if row["paper"]:
-            ours = cell(row, "most_like") or ("" if row["median"] else cell(row, "shown"))
-            cells = cell(row, "paper"), ours, cell(row, "median", "low", "high")
+            ours = cell(row, "median", "low", "high") or cell(row, "shown")
+            cells = cell(row, "paper"), cell(row, "most_like"), ours
             lines.append(f"| {row['quantity']} | {' | '.join(cells)} |")
     return re.sub(r"<(\w+)>", r"⟨\1⟩", "\n".join(lines)) + "\n"  # no tag of HTML
 
