@@ -30,12 +30,12 @@ VARIED = {  # marker and label
 }
 
 
-def scaled_slip(rows, strength=1.0):
-    """Slow slip times k_i l_0 / (tau_max - tau_0) [m/s], tau_max like tau-bar: tau_thres is 1."""
+def scaled_slip(rows):
+    """Slow slip times k_i l_0 / (tau_thres - tau_0) [m/s]; of tau-bar, tau_thres is 1."""
     p = numbers(rows, "slider.F_N") / NX
     k_i = N_S * np.sqrt(numbers(rows, "junctions.kappa") * p / N_S)
     mu_s, mu_d = numbers(rows, "junctions.mu_s"), numbers(rows, "junctions.mu_d")
-    scale = k_i * paper.L_0 / ((strength - numbers(rows, "tau-bar")) * (mu_s - mu_d) * p)
+    scale = k_i * paper.L_0 / ((1 - numbers(rows, "tau-bar")) * (mu_s - mu_d) * p)
     return scale * slip(rows)
 
 
@@ -89,14 +89,6 @@ def draw(rows, fits, stem):
     save(fig, stem)
 
 
-def ratios(rows, strength=1.0):
-    """Front speed over scaled slow slip at each width of phi, as text."""
-    ratio = slow.speeds(rows) / scaled_slip(rows, strength)
-    width = np.array([row["sigma-bar"] for row in rows])
-    means = {of: np.mean(ratio[width == of]) for of in np.unique(width)}
-    return ", ".join(f"{mean:.2f} at sigma-bar {of}" for of, mean in means.items())
-
-
 def fits_of(rows):
     return {model: fit(chosen(rows, model)) for model in ("full", "simplified")}
 
@@ -128,7 +120,7 @@ def conventions(path, widths_path):
     return {name: [case] for name, case in cases.items()}
 
 
-def claim(path, phi, others):
+def claim(path, others):
     rows = slow.fronts(path)
     fits = fits_of(rows)
     full, simplified = fits.values()
@@ -146,15 +138,13 @@ def claim(path, phi, others):
         " paper's 7 mm, a factor common to all points: the fitted l_0 gives the same R^2 and the"
         " same difference of the slopes, so it is not a separate convention. The full model is at"
         " sigma-bar = 0.1; the simplified one has one spring per block and thus no width of phi;"
-        " at sigma-bar = 0 neither has one. The scaling does not include the width: v_c over the"
-        f" scaled slow slip is {ratios(phi)}. If tau_thres is replaced by the strength that phi"
-        f" leaves, this ratio in the full model is {ratios(phi, numbers(phi, 'strength'))}.",
+        " at sigma-bar = 0 neither has one. The scaling does not include the width.",
     )
 
 
 def make(data, results):
     path, *seeds = slow.tables_of(data, "front_speed")
-    rows, phi = slow.fronts(path), slow.fronts(data / "front_speed_phi.csv")
+    rows = slow.fronts(path)
     draw(rows, fits_of(rows), results / "fig3D")
     scaled = [row | {"scaled slow slip [m/s]": x} for row, x in zip(rows, scaled_slip(rows))]
     names = ["variant", "tau-bar", "sigma-bar", "junctions.t_R", "junctions.mu_d", "slider.E"]
@@ -170,4 +160,4 @@ def make(data, results):
         "{} prepared fronts, reference law",
         shown=fit(full).slope,
     )
-    return [claim(path, phi, others), factor]
+    return [claim(path, others), factor]

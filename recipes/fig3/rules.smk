@@ -1,7 +1,7 @@
 # The runs of A-C are in runs/continuations.smk.
 FIG3_RUNS = ["stopped", "no-slow-slip", "t_R-half", "t_R-double"]
 FIG3_SHOWN = ("fast-slow-fast", "second-slow")  # I, II
-FIG3_SWEEPS = ["slow_slip", "slow_slip_event", "front_speed", "front_speed_phi", "no_slip_force"]
+FIG3_SWEEPS = ["slow_slip", "slow_slip_event", "front_speed", "no_slip_force"]
 FIG3_OF_SEEDS = ["slow_slip", "front_speed", "front_speed_widths", "no_slip_force"]
 L0_SEEDS = range(1, 6)  # the first is shown
 L0_REPORTS = [f"fig3/l0-seed-{seed}.json" for seed in L0_SEEDS]
