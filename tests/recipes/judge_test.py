@@ -158,6 +158,10 @@ class TestJudge:
         runs = {f"{n}": {PRIMARY: [good, bad, bad, BAD | {"spans": "no"}]} for n in range(20)}
         assert judged("one", {}, GOOD, runs).reason.endswith("; 20 of 60 spanning events")
 
+    def test_counts_units_that_have_run(self):
+        assert judge.units_with(lambda case: case["x"] > 2, units(3, 2)) == "3 of 5"
+        assert judge.units_with(lambda case: case["x"] > 2, {}) == "not run"
+
     def test_interval(self):
         assert interval(0, 20)[0] == 0
         assert interval(20, 20)[1] == 1

@@ -186,7 +186,7 @@ def verdict_of_state(held):
 def units_with(is_so, units):
     """How many have a case that is so, under the primary convention, as "4 of 20"."""
     found = [any(map(is_so, measured.get(PRIMARY, []))) for measured in units.values()]
-    return f"{sum(found)} of {len(found)}"
+    return f"{sum(found)} of {len(found)}" if found else "not run"
 
 
 def share_of_spanning(claim_id, units):
