@@ -14,7 +14,6 @@ from events.slip import peaks_of
 from events.units import name_of, of_ensemble
 
 MIDDLE = 0.5  # of L; the block of panel E
-LEVELS = ("before", "at_peak", "after")  # of tau/p of a block (events/slip.py)
 
 
 def precursors(events):
@@ -43,11 +42,6 @@ def claim_1D(events, paths):
     return judged("1D", case | {"first spanning event at [s]": first["t_start"]}, case, units)
 
 
-def off_by(peaks, front):
-    """Peak minus rupture of each block [s]; NaN where it does not rupture."""
-    return values(peaks["t_peak"]) - values(front["t_rupture"])
-
-
 def middle(front):
     return int(np.argmin(np.abs(np.array(front["x"]) - MIDDLE * front["L"])))
 
@@ -55,7 +49,8 @@ def middle(front):
 def case_1E(peaks, front):
     """Of the block in the middle; None where it does not rupture."""
     i = middle(front)
-    off, before, at_peak, after = off_by(peaks, front)[i], *(peaks[n][i] for n in LEVELS)
+    off = (values(peaks["t_peak"]) - values(front["t_rupture"]))[i]
+    before, at_peak, after = (values(peaks[n])[i] for n in ("before", "at_peak", "after"))
     return {
         "peak minus rupture [ms]": None if np.isnan(off) else off * 1e3,
         "rises and falls": yes(before < at_peak and after < at_peak),

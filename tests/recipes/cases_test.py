@@ -152,6 +152,7 @@ class TestBlocks:
             (2.2e-3, 2e-3, 0.1, 0.2, False),
             (2e-3, None, 0.1, None, False),  # it does not rupture
             (2e-3, 2e-3, 0.3, 0, False),  # friction does not fall again
+            (2e-3, 2e-3, None, 0, False),  # it has lost contact
         ],
     )
     def test_1E(self, t_peak, ruptures, after, off, expected):
