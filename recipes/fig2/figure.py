@@ -1,14 +1,13 @@
 """Figure 2, its data and its claims. Without the choice of most_like.py, the picture lacks that
 event."""
 
-import numpy as np
 import rupture
 
 from claims import paper
-from data.records import report, values
+from data.records import report
 from data.tables import write_columns, write_fronts
 from events.choose_events import read_events
-from events.event_numbers import numbers_of_events
+from events.event_numbers import at_transitions, numbers_of_events
 from events.front_claims import case_of_event, claims_of_fronts
 from events.units import in_words, of_ensemble, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
@@ -22,13 +21,6 @@ EVENTS = {  # label, colour, marker
     MOST_LIKE: ("most like the paper's", BLACK, "s"),
 }
 PAPER_SPEEDS = {paper.FAST: "$c_s/3$", paper.SLOW: "$c_s/100$"}  # [c_s]
-
-
-def at_transitions(front):
-    """When this front is at 0.4 L and at 0.6 L, after its first rupture [ms]."""
-    t_rupture = values(front["t_rupture"])
-    after = (t_rupture - np.nanmin(t_rupture)) * 1e3
-    return np.interp(paper.TRANSITIONS, np.array(front["x"]) / front["L"], after)
 
 
 def draw_slow_of_paper(axes, front):

@@ -4,8 +4,8 @@ import numpy as np
 from decay_length import FITTED, METHODS
 
 from claims import paper
-from claims.claim import spread
 from claims.judge import judged
+from claims.spread import spread
 from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY

@@ -7,8 +7,8 @@ width, it is that of the full model alone.
 import numpy as np
 
 from claims import paper
-from claims.claim import spread
 from claims.judge import judged
+from claims.spread import spread
 from data.tables import numbers, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import AS_IT_IS, CHANGED, SINGLE, lettered, save

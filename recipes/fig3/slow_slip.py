@@ -1,8 +1,8 @@
 """Figure 3 C, inset, its data and the claims 3C-inset and 3C-neighbours."""
 
 from claims import paper
-from claims.claim import spread
 from claims.judge import holds, judged
+from claims.spread import spread
 from data.tables import numbers, read_rows, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save

@@ -5,8 +5,8 @@ import rupture
 from matplotlib.colors import LinearSegmentedColormap
 from quasistatic_stretch import MIDDLE, advances, read_ruptures
 
-from claims.claim import spread
 from claims.judge import judged
+from claims.spread import spread
 from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY

@@ -7,8 +7,8 @@ from unittest import mock
 from pytest import mark, raises
 
 from claims import judge
-from claims.judge import PRIMARY, RELATIONS, as_number, conditions_of, holds, interval, judged
-from claims.judge import met, table, unmet, unmet_text
+from claims.conditions import RELATIONS, as_number, met
+from claims.judge import PRIMARY, conditions_of, holds, interval, judged, table, unmet, unmet_text
 from conftest import ROOT, approx
 
 ROW = {

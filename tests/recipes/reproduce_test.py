@@ -5,10 +5,12 @@ import os
 import re
 import signal
 import subprocess
+import sys
 from unittest.mock import Mock, patch
 
 import pytest
 
+from conftest import ROOT, run
 from reproduce import machine
 from rupture import programs
 from rupture.errors import Failure
@@ -275,3 +277,9 @@ def test_outside_an_allocation_and_inside_a_step_slurm_is_refused(
     done = project.call("fig3", "--profile", "slurm", "--programs", "bin")
     assert done.returncode == 1
     assert done.stderr.startswith(f"reproduce.sh: {sentence}")
+
+
+def test_commands_start_without_what_only_figures_need():
+    code = "import sys, reproduce.compute; print({'h5py', 'numpy', 'scipy'} & sys.modules.keys())"
+    paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/python"}
+    assert run(sys.executable, "-c", code, env=os.environ | paths).stdout == "set()\n"

@@ -5,8 +5,6 @@ import json
 import re
 from dataclasses import asdict, dataclass, replace
 
-import numpy as np
-
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 
@@ -94,14 +92,6 @@ class Number:
         """Of our median to the paper's number, or of the shown one."""
         ours = self.shown if self.median is None else self.median
         return ours / self.paper if ours is not None and self.paper is not None else None
-
-
-def spread(quantity, paper, values, of, **beside):
-    """A number with the median and range of these values, those that are known."""
-    known = [value for value in values if value is not None]
-    low, median, high = np.percentile(known, (5, 50, 95)).tolist() if known else (None,) * 3
-    found = {"median": median, "low": low, "high": high, "of": of.format(len(known))}
-    return Number(quantity, paper, **found, **beside)
 
 
 def plain(value):

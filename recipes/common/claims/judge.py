@@ -4,15 +4,14 @@ docs/claims.md has the rules.
 """
 
 import tomllib
-from fractions import Fraction
 from functools import cache
-from operator import ge, gt, le, lt
 from pathlib import Path
 
 from scipy.stats import beta
 
 from claims.claim import DEPENDS, DIFFERS, DOES_NOT_HOLD, HOLDS, NOT_COMPARABLE, PRIMARY, REPRODUCED
-from claims.claim import Claim, Share, number, plural, split_unit
+from claims.claim import Claim, Share, plural, split_unit
+from claims.conditions import as_read, met, wanted
 from rupture.errors import Failure
 
 TABLE = Path(__file__).with_name("claims.toml")
@@ -20,7 +19,6 @@ NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing
 CASES = {True: HOLDS, False: DOES_NOT_HOLD}
-RELATIONS = {"at_least": ge, "at_most": le, "above": gt, "below": lt}
 
 
 @cache
@@ -42,39 +40,9 @@ def conditions_of(claim_id):
     return (conditions_of(row["like"]) if "like" in row else {}) | row.get("conditions", {})
 
 
-def as_number(bound):
-    """Of 0.5 or "1/200"."""
-    return float(Fraction(str(bound)))
-
-
 def yes(so):
     """As conditions ask for it."""
     return "yes" if so else "no"
-
-
-def met(condition, value):
-    """A quantity that could not be measured (None) meets no condition."""
-    if value is None or not isinstance(condition, dict):
-        return value is not None and str(value) == str(condition)
-    return all(RELATIONS[name](value, as_number(bound)) for name, bound in condition.items())
-
-
-def as_read(name, value):
-    """0.005 of "slowest/c_s" is c_s/200; a bound is a text as in the table."""
-    if name.endswith("/c_s") and isinstance(value, (int, float)) and value > 0:
-        return f"c_s/{1 / value:.3g}" if value < 1 else f"{value:.3g} c_s"
-    return number(value)
-
-
-def wanted(name, condition):
-    """0.5 to 3; at least 10"""
-    if not isinstance(condition, dict):
-        return str(condition)
-    c_s = name.endswith("/c_s")
-    bounds = {n: as_read(name, as_number(b)) if c_s else str(b) for n, b in condition.items()}
-    if bounds.keys() == {"at_least", "at_most"}:
-        return f"{bounds['at_least']} to {bounds['at_most']}"
-    return " and ".join(f"{name.replace('_', ' ')} {bound}" for name, bound in bounds.items())
 
 
 def holds(claim_id, cases):

@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from claims.claim import number, plain, split_unit
-from claims.judge import met, wanted
+from claims.conditions import met, wanted
 from rupture.replacing import write_whole
 
 OWN = "own.json"  # beside a recipe's claims.json

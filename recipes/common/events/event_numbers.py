@@ -4,30 +4,30 @@ paper's, and of all events of independent runs."""
 import numpy as np
 
 from claims import paper
-from claims.claim import spread
+from claims.spread import spread
 from data.records import values
 from events.front_claims import case_of_event
 from events.fronts import is_fast_only
 
-LENGTH = paper.TRANSITIONS[1] - paper.TRANSITIONS[0]  # of the paper's slow stretch [L]
 
-
-def places_and_times(front):
-    """x/L and the times of the blocks that rupture."""
+def at_transitions(front):
+    """When this front is at 0.4 L and at 0.6 L, after its first rupture [ms]."""
     t_rupture = values(front["t_rupture"])
     x, known = np.linspace(0, 1, len(t_rupture)), np.isfinite(t_rupture)
-    return x[known], t_rupture[known]
+    after = (t_rupture[known] - t_rupture[known].min()) * 1e3
+    return np.interp(paper.TRANSITIONS, x[known], after)
 
 
 def crossing_time(front):
     """From 0.4 L to 0.6 L [ms]."""
-    start, end = np.interp(paper.TRANSITIONS, *places_and_times(front))
-    return float(end - start) * 1e3
+    start, end = at_transitions(front)
+    return float(end - start)
 
 
 def mean_of_paper(front):
     """0.2 L in 1 ms [c_s]."""
-    return LENGTH * front["L"] / paper.SLOW_FOR / front["c_s"]
+    start, end = paper.TRANSITIONS
+    return (end - start) * front["L"] / paper.SLOW_FOR / front["c_s"]
 
 
 def numbers_of_events(shown, fast_only, most_like, events):

@@ -10,14 +10,12 @@ from pathlib import Path
 
 from rupture.errors import Failure
 from rupture.tools.command_line import plural
-from runs import origin
 from runs.fingerprint import fingerprint_of_programs
 from runs.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
 from reproduce.project import LOGS, PROGRAMS, ROOT, SHARE, refuse_links, say, use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
-from claims.released import released
 
 RESULTS = Path("results")
 STEP = "step"  # file of a profile with which commands become steps of an allocation
@@ -133,7 +131,10 @@ def reproduce(request, recipes, processes):
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
         raise Failure(f"{what} computed; the messages above say why (log: {LOGS}/recipes.log)")
     note_run(recipes, place, started)
-    accounts = origin.Accounts(ROOT)
+    from claims.released import released  # reads HDF5 files
+    from runs.origin import Accounts
+
+    accounts = Accounts(ROOT)
     for name in recipes:
         beside = released(ROOT, accounts.files_behind(name))
         print_claims((RESULTS / name).resolve(), beside)
