@@ -89,7 +89,7 @@ def units_of(claim, events, continued):
         return of_events(continued, claim)
     if claim in ("2A", "S6A"):
         return in_words(events)
-    return of_loads(events, case_of_event, {PRIMARY: PRIMARY})
+    return of_loads(events, case_of_event, [PRIMARY])
 
 
 def median(values):

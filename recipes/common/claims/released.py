@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from data.tables import read_rows
-from runs.origin import builds
+from runs.origin import builds, version_of
 
 TABLE = "docs/verdicts.csv"
 
@@ -12,17 +12,14 @@ def released(root, files):
     """{claim: "0.4.0: depends, 58 of 91"}. Nothing unless all checkpoints and records among the
     files behind the results were written by programs of that version, built from unchanged sources.
     Shipped checkpoints do not count: they are older, and their content has been verified."""
+    table = root / TABLE
     runs = [name for name in files if not (root / "checkpoints" / Path(name).name).exists()]
-    rows = read_rows(root / TABLE) if (root / TABLE).is_file() else []
+    known = {None if "-dirty," in build else version_of(build) for build, _ in builds(root, runs)}
     return {
         row["id"]: f"{row['version']}: {row['verdict']}{share_of(row)}"
-        for row in rows
-        if row["verdict"] and all(is_of(row["version"], build) for build, _ in builds(root, runs))
+        for row in (read_rows(table) if table.is_file() else [])
+        if row["verdict"] and known <= {row["version"]}
     }
-
-
-def is_of(version, build):
-    return build.startswith(f"rupture {version}, ") and "-dirty," not in build
 
 
 def share_of(row):

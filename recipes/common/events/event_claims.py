@@ -8,10 +8,9 @@ import numpy as np
 
 from claims.judge import judged, units_with, yes
 from data.records import values
+from events.continuations import SLIPS
 from events.front_claims import ratio, words_case
 from events.fronts import is_fast_slow
-
-SLIPS = {"t_R-half": "<t_R>/2", "stopped": "<t_R>", "t_R-double": "2<t_R>"}  # run: slipping time
 
 
 def judged_event(claim_id, events, units):

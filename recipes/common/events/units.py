@@ -32,21 +32,17 @@ def name_of(path):
     return Path(path).name.rsplit("-", 1)[0]
 
 
-def of_loads(paths, case, conventions=None):
-    """The cases of each event. `conventions`: {name: name in the file}; None: all of them."""
-    units = {}
-    for path in paths:
-        events = report(path)
-        names = conventions or {name: name for name in events if name in CONVENTIONS}
-        units[name_of(path)] = {
-            name: [case(event) for event in events[of]] for name, of in names.items()
-        }
-    return units
+def of_loads(paths, case, conventions=tuple(CONVENTIONS)):
+    """The cases of each event."""
+    return {
+        name_of(path): {name: [*map(case, events[name])] for name in conventions}
+        for path, events in ((path, report(path)) for path in paths)
+    }
 
 
 def in_words(paths):
     """Claims 2A, S6A and exponential-event."""
-    return of_loads(paths, words_and_order_case, {PRIMARY: PRIMARY})
+    return of_loads(paths, words_and_order_case, [PRIMARY])
 
 
 def without_slow_slip(path):

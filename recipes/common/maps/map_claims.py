@@ -33,7 +33,8 @@ def claim_over_seeds(claim_id, shown, of_seeds, case):
         return case(of_seeds[seed], way=way)
 
     units = units_of_seeds(of_seeds, {name: {"way": name} for name in MEASURES}, of_seed)
-    return judged(claim_id, case(shown), case(shown), units, ABOUT_UNITS)
+    found = case(shown)
+    return judged(claim_id, found, found, units, ABOUT_UNITS)
 
 
 def thresholds_compared(fronts, grid, slow_below):

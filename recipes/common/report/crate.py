@@ -8,7 +8,6 @@ results/, so that the folder may be copied alone. Equal results give equal texts
 
 import hashlib
 import json
-import re
 import sys
 import time
 from datetime import datetime, timezone
@@ -21,7 +20,7 @@ import yaml
 from runs.written import take
 from rupture.errors import Failure
 from rupture.replacing import write_whole
-from runs.origin import Accounts, builds, checksums
+from runs.origin import Accounts, builds, checksums, version_of
 from picture import MOVIES
 from runs.recipes import read_readme, recipe_names
 
@@ -109,12 +108,11 @@ def software():
 
 def program(number, text):
     """`text` is that of origin.builds()."""
-    version = re.match(r"rupture ([^,]+), ", text)
     return entity(
         f"#programs-{number}",
         "SoftwareApplication",
         name="rupture's programs",
-        version=version and version[1],
+        version=version_of(text),
         description=text,
     )
 

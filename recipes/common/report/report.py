@@ -110,11 +110,6 @@ def contents(root):
     }
 
 
-def version_of(builds):
-    """Of the programs that wrote most of the records."""
-    return builds[0][0].split(",")[0].removeprefix("rupture ") if builds else ""
-
-
 def render(content):
     environment = Environment(
         loader=FileSystemLoader(HERE),
@@ -147,7 +142,9 @@ def main(folder="."):
         if len(content["rows"]) == len(table()):
             own = [result for recipe in content["recipes"] for result in recipe.own]
             claims = [claim for _, claim in content["rows"]]
-            update_readme(root, claims, own, content["numbers"], version_of(content["builds"]))
+            main_build = next((build for build, _ in content["builds"]), "")  # of most records
+            version = origin.version_of(main_build)
+            update_readme(root, claims, own, content["numbers"], version)
         print(f"Report: {path}", flush=True)
     except Failure as problem:
         sys.exit(f"report.py: {problem}")

@@ -69,6 +69,12 @@ def written_by(path):
         return "unknown (no provenance)"
 
 
+def version_of(build):
+    """Of such a text; None if it is not known."""
+    found = re.match(r"rupture ([^,]+), ", build)
+    return found and found[1]
+
+
 def builds(root, files):
     """How many of the checkpoints and records each build has written."""
     paths = [root / name for name in sorted(files) if re.fullmatch(r"results/.*\.h5", name)]
