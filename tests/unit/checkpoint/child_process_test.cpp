@@ -1,4 +1,6 @@
 // Work in a child process: how it ended is told apart, and nothing of it reaches this process.
+#include "../../../src/checkpoint/child_process.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -6,7 +8,6 @@
 #include <csignal>
 #include <string_view>
 
-#include "../../../src/checkpoint/child_process.hpp"
 #include "rupture/model/error.hpp"
 
 namespace rupture {
