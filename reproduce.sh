@@ -22,5 +22,5 @@ python=/usr/bin/python3
 
 unset PYTHONHOME
 [[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1  # Debian's packages, not the user's own
-export PYTHONPATH=$root/recipes/common:$root/python PYTHONDONTWRITEBYTECODE=1
+export PYTHONPATH=$root/recipes/common:$root/recipes:$root/python PYTHONDONTWRITEBYTECODE=1
 exec "$python" -P "$root/recipes/common/reproduce/__main__.py" "$@"

@@ -4,7 +4,7 @@ import numpy as np
 
 from claims.judge import judged
 from claims.paper import MU_D, MU_S
-from data.tables import points_of, write_table
+from data.tables import write_table
 from maps.front_map import beyond_trigger, type_on_map
 from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
@@ -101,11 +101,8 @@ def claim_types(points):
     )
 
 
-def make(data, results):
-    points = {
-        (float(row["tau-bar"]), float(row["sigma-bar"])): point
-        for row, point in points_of(data / "figS3/profiles.csv")
-    }
+def make(chains, results):
+    points = {(point["tau-bar"], point["sigma-bar"]): point for point in chains["profiles"]}
     draw(points, results / "figS3")
     names = ["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"]
     write_table(results / "profiles.csv", names, rows(points))

@@ -6,7 +6,7 @@ from quadrature import uniform_closed_form
 
 from claims.judge import judged, yes
 from claims.paper import MU_D, MU_S
-from data.tables import read_table, write_table
+from data.tables import write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
 
 DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
@@ -18,10 +18,12 @@ MARKERS = {"uniform": "o", "bell": "s"}  # of the largest values
 class Strength:
     """The tool's result for one shape, beside the formula or quadrature."""
 
-    def __init__(self, shape, table):
-        names = ("sigma-bar", "mu_bar_eff", "mu_eff")
-        self.shape, of_shape = shape, table["shape"] == shape
-        self.sigma_bar, self.mu_bar, self.mu = (table[name][of_shape] for name in names)
+    def __init__(self, shape, points):
+        of_shape = [point for point in points if point["shape"] == shape]
+        self.shape = shape
+        self.sigma_bar = np.array([point["sigma-bar"] for point in of_shape])
+        self.mu_bar = np.array([point["strength"]["mu_bar_eff"] for point in of_shape])
+        self.mu = np.array([point["strength"]["mu_eff"] for point in of_shape])
         self.quadrature = np.array([largest_mean_force(shape, s) for s in self.sigma_bar])
 
 
@@ -109,9 +111,8 @@ def write_tables(results, curves, strengths):
     write_table(results / "displacement.csv", names, points)
 
 
-def make(data, results):
-    table = read_table(data / "figS5/strength.csv")
-    strengths = [Strength(shape, table) for shape in LINES]
+def make(chains, results):
+    strengths = [Strength(shape, chains["strength"]) for shape in LINES]
     curves = {(shape, sigma): curve(shape, sigma) for shape in LINES for sigma in DRAWN}
     draw(curves, strengths, results / "figS5")
     write_tables(results, curves, strengths)

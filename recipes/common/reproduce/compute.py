@@ -120,14 +120,40 @@ def note_run(recipes, place, started):
         print(json.dumps(run), file=file)
 
 
+def run_chains(processes, recipes, place):
+    """By Ninja. Returns whether it had anything to do, and whether that failed."""
+    from chains.plan import PLAN, write_plan
+    from chains.progress import NOTHING_TO_DO
+
+    wanted = {"recipes": recipes, "cores": place.cores, "megabytes": place.megabytes}
+    write_plan(**wanted)
+    os.environ |= {"RUPTURE_PLAN": json.dumps(wanted), "RUPTURE_PYTHON": sys.executable}
+    os.environ |= {"RUPTURE_STEP": str(place.shell)} if place.shell else {}
+    os.environ |= {"MPLBACKEND": "Agg"}
+    ninja = ["ninja", "-f", PLAN, "-j", place.cores, "-k", 0]
+    command = [sys.executable, "-P", "-m", "chains.progress", LOGS / "recipes.log", *ninja]
+    code = processes.run([str(word) for word in command])
+    return code != NOTHING_TO_DO, code not in (0, NOTHING_TO_DO)
+
+
 def reproduce(request, recipes, processes):
+    """Recipes with a figure.ini are chains, which Ninja runs, the others rules for Snakemake."""
     place = prepare(request, processes)
     names = " ".join(recipes)
     say(f"Computing {names} {place.name} ...")
     note(RESULTS, RESULTS / "runs.jsonl")
     started = time.time()
-    options = options_of_snakemake(request, place, recipes=names)
-    if run_pipeline(processes, recipes, options):
+    of_chains = [name for name in recipes if (SHARE / f"recipes/{name}/figure.ini").exists()]
+    others = [name for name in recipes if name not in of_chains]
+    has_failed = False
+    if of_chains:
+        has_computed, has_failed = run_chains(processes, of_chains, place)
+        if not has_computed and not others:
+            say("Nothing to compute: all results are up to date.")
+    if others:
+        options = options_of_snakemake(request, place, recipes=" ".join(others))
+        has_failed = run_pipeline(processes, others, options) or has_failed
+    if has_failed:
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
         raise Failure(f"{what} computed; the messages above say why (log: {LOGS}/recipes.log)")
     note_run(recipes, place, started)

@@ -11,7 +11,8 @@ def natural(name):
 
 def recipe_names(root):
     """fig1, fig2, ..., figS1, ..., then what belongs to no figure."""
-    names = (path.parent.name for path in root.glob("recipes/*/rules.smk"))
+    files = (*root.glob("recipes/*/rules.smk"), *root.glob("recipes/*/figure.ini"))
+    names = (path.parent.name for path in files)
     return sorted(names, key=lambda name: (not label(name), natural(name)))
 
 

@@ -8,7 +8,7 @@ commands, the checksum of every file that they wrote, what those with --json rep
 names, and a status: done, failed with the tool's sentence, or unfinished if a program crashed.
 
 Each result is kept when it is there, in results/data/points/ID.json, with its `origin`: a digest
-of the sources (or programs), of this file and of the base. Only points without a result of this
+of the sources (or programs), of this file and chains/commands.py, and of the base. Only points without a result of this
 origin, and unfinished ones, are computed, so an interrupted batch continues where it was, and
 a crash does not keep the other points from being computed. OUTPUT is written when none is
 unfinished: a line for each, with a digest of its result.
@@ -19,49 +19,22 @@ import json
 import os
 import shlex
 import signal
-import subprocess
 import sys
 import tempfile
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
+from chains import commands
+from chains.commands import INTERRUPTIONS, UNFINISHED, as_run, checksums_in, fault, run
 from rupture.replacing import replacing, write_whole
 from sweeps.sweep import read_sweep
 
-USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request cannot be met
-UNFINISHED = "unfinished"
 NOT_REACHED = "it was not reached, or its process was ended"
-INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
-COMPUTED_BY = Path(__file__).read_text(encoding="utf-8")
+COMPUTED_BY = "".join(Path(file).read_text(encoding="utf-8") for file in (__file__, commands.__file__))
 
 
 # --- computing ---------------------------------------------------------------------------------
-
-
-def run(folder_of_tools, command, base, folder):
-    """The finished command. Programs that write files note their checksums, too."""
-    tool, *words = shlex.split(command)
-    arguments = [os.path.abspath(word) if word == base else word for word in words]
-    if tool != "analyze" and "--sum" not in words:
-        arguments.append("--sum")
-    program = Path(folder_of_tools).resolve() / tool
-    done = subprocess.run(
-        [program, *arguments], cwd=folder, capture_output=True, text=True, check=False
-    )
-    if -done.returncode in INTERRUPTIONS:
-        sys.exit(128 - done.returncode)  # the signal was for all that runs
-    return done
-
-
-def fault(command, done):
-    """The status of a point whose command ended so: the tool says why, or it crashed. Paths are
-    those of this folder."""
-    said = done.stderr.strip().replace(f"{os.getcwd()}/", "")
-    if done.returncode in USER_ERRORS:
-        return {"status": "failed", "sentence": said.splitlines()[-1] if said else command}
-    sentence = f"'{command}' ended with {done.returncode}{': ' if said else ''}{said}"
-    return {"status": UNFINISHED, "sentence": sentence}
 
 
 def compute(folder_of_tools, point):
@@ -69,15 +42,14 @@ def compute(folder_of_tools, point):
     result: dict = {"commands": list(point.commands.values()), "status": "done", "sentence": ""}
     with tempfile.TemporaryDirectory(prefix="rupture-point-") as folder:
         for name, command in point.commands.items():
-            done = run(folder_of_tools, command, point.base, folder)
+            done = run(folder_of_tools, as_run(command), folder, {point.base: point.base})
             if done.returncode:
                 result |= fault(command, done)
                 break
             if "--json" in shlex.split(command):
                 reports = [json.loads(line) for line in done.stdout.splitlines()]
                 result[name] = reports if "--also" in shlex.split(command) else reports[0]
-        sums = [path.read_text().split() for path in sorted(Path(folder).glob("*.sum"))]
-        result["checksums"] = {name: checksum for *_, checksum, name in sums}
+        result["checksums"] = checksums_in(folder)
     return result
 
 

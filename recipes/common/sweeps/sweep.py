@@ -135,9 +135,13 @@ def combinations(ini, seed):
         section: {name: values_of(text) for name, text in ini[section].items()} | repeated
         for section in filter(is_values, ini.sections())
     }
-    common = lists.pop("values", {})
     table = ini["sweep"].get("points")
-    rows = rows_of(table) if table else [{}]
+    return products(lists, rows_of(table) if table else [{}])
+
+
+def products(lists, rows):
+    """{name: its values} of each product: `lists` by section, combined with each of the rows."""
+    common = lists.pop("values", {})
     if not lists:
         return [common | row for row in rows]
     return [
@@ -209,19 +213,25 @@ def needs_of(section):
     return {"megabytes": megabytes, "threads": int(threads)}
 
 
+def read_ini(path):
+    """The sections of a file as they are written."""
+    ini = configparser.RawConfigParser(
+        default_section="", delimiters="=", inline_comment_prefixes="#;"
+    )
+    ini.optionxform = str  # type: ignore[method-assign, assignment]  # names are case-sensitive
+    with open(path, encoding="utf-8-sig") as file:
+        ini.read_file(file)
+    return ini
+
+
 def parse_ini(path, read=()):
     """Sections that it lacks are those of the file `like`, variants only if it has none. Paths in
     [sweep], which are relative to the file's folder, become relative to the working directory.
     `read`: the files that led here."""
     if path in read:
         raise UsageError("'like' leads back to the same file")
-    ini = configparser.RawConfigParser(
-        default_section="", delimiters="=", inline_comment_prefixes="#;"
-    )
-    ini.optionxform = str  # type: ignore[method-assign, assignment]  # names are case-sensitive
+    ini = read_ini(path)
     ini.files = (str(path),)  # type: ignore[attr-defined]
-    with open(path, encoding="utf-8-sig") as file:
-        ini.read_file(file)
     if "sweep" not in ini:
         return ini
     section = ini["sweep"]

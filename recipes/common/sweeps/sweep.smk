@@ -9,7 +9,7 @@ from sweeps.sweep import BATCHES_OF_MANY, BATCHES_OF_ONE, batches_of, read_sweep
 SWEEPS = {
     f"{path.parent.name}/{path.stem}": read_sweep(path)
     for path in sorted(Path("recipes").glob("*/*.ini"))
-    if not ASKED or path.parent.name in ASKED
+    if path.parent.name in (ASKED or RECIPES) and path.with_name("rules.smk").exists()
 }
 if "sweep" in config:
     SWEEPS = {f"sweeps/{Path(config['sweep']).stem}": read_sweep(config["sweep"])}

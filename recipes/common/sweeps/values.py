@@ -4,6 +4,7 @@ import functools
 import math
 import re
 
+from chains.expressions import Expression
 from rupture.units import NUMBER, PREFIXES, UNIT, amount, without_unit
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
@@ -26,8 +27,8 @@ def number_of(expression):
         raise ValueError("it may use numbers, {names}, + - * / ** and sqrt() only")
     # powers of whole numbers could have any number of digits
     floats = re.sub(NUMBER, lambda match: repr(float(match[0])), expression)
-    number = eval(floats, {"__builtins__": {}, "sqrt": math.sqrt})
-    if isinstance(number, complex) or not math.isfinite(number):
+    number = Expression(floats).value({}.__getitem__)
+    if not math.isfinite(number):
         raise ValueError("it is not a finite real number")
     return text_of(number)
 

@@ -1,0 +1,182 @@
+"""Chain files as they are written (GRAMMAR.md): sections, keys, and which line says what."""
+
+import os
+import re
+import shlex
+from contextlib import contextmanager
+from functools import cached_property
+from pathlib import Path
+
+from rupture.errors import UsageError
+from rupture.programs import DRAWING
+from reproduce.project import SHARE
+from runs.fingerprint import PROGRAMS
+from sweeps.sweep import check_known, errors_of, is_values, needs_of, read_ini
+from sweeps.values import values_of
+
+RECIPES = SHARE / "recipes"
+SECTIONS = ("chain", "commands", "values", "quantities", "figure")
+KEYS = {
+    "chain": ("title", "like", "points", "base", "keep", "memory", "threads"),
+    "figure": ("reads", "pictures", "tables"),
+}
+RUNS = (*PROGRAMS, *DRAWING)  # programs that a chain may run
+SELECTION = re.compile(
+    r"(?P<first>first )?(?:(?P<element>\w+) in )?(?P<chain>[\w./-]+?)"
+    r"(?:: (?P<list>[\w.]+))?(?: where (?P<condition>.+))?"
+)
+BASE = re.compile(r"(?:(?P<chain>[\w./-]+): )?(?P<file>.+)")
+HOLE = re.compile(r"\{([^{}]*)\}")
+WAITING = re.compile(r"\{([^{}]+)\}")  # a value that is one expression: known when it is needed
+PLAIN = re.compile(r"[A-Za-z0-9_][\w.-]*")  # name of a file in the point's folder
+
+
+def is_expression(text):
+    return bool(WAITING.fullmatch(text))
+
+
+class Chain:
+    """One file. `name`: as recipes call it, such as fig4/map; `own`: what stands in the file itself,
+    `sections` with those of the files that it is like."""
+
+    def __init__(self, path, read=()):
+        self.path = Path(os.path.abspath(path))
+        if self.path in read:
+            raise UsageError(f"{self.shown}: 'like' leads back to the same file")
+        if not self.path.exists():
+            beside = ", ".join(sorted(one.stem for one in self.path.parent.glob("*.ini")))
+            raise UsageError(f"there is no chain {self.shown}; beside it are {beside or 'none'}")
+        with errors_of(self.shown):
+            ini = read_ini(self.path)
+            self.own = {name: dict(ini[name]) for name in ini.sections()}
+        if "sweep" in self.own:  # as files of version 0.4 call it
+            self.own["chain"] = self.own.pop("sweep")
+        self.check_form()
+        self.sections = dict(self.own)
+        if like := self.own.get("chain", {}).get("like"):
+            other = Chain(self.path.parent / like, (*read, self.path))
+            kinds = {name.partition(" ")[0] for name in self.own}
+            for name, section in other.sections.items():
+                if name.partition(" ")[0] not in kinds:
+                    self.sections[name] = section
+            keys = {key: text for key, text in other.keys.items() if key != "like"}
+            self.sections["chain"] = keys | self.own["chain"]
+
+    @property
+    def shown(self):
+        """The file, as errors name it."""
+        return os.path.relpath(self.path, SHARE) if self.is_ours else str(self.path)
+
+    @property
+    def is_ours(self):
+        return RECIPES in self.path.parents
+
+    @property
+    def name(self):
+        return str(self.path.relative_to(RECIPES).with_suffix("")) if self.is_ours else self.path.stem
+
+    @property
+    def keys(self):
+        return self.sections.get("chain", {})
+
+    @property
+    def commands(self):
+        """{name: command}, as they are written."""
+        lines = self.sections.get("commands", {})
+        return {name: line.removeprefix("rupture ") for name, line in lines.items()}
+
+    @cached_property
+    def lists(self):
+        """{section: {name: texts}}: the values of [values] and of each variant."""
+        found: dict[str, dict] = {}
+        for section in filter(is_values, self.sections):
+            found[section] = {}
+            for name, text in self.sections[section].items():
+                with self.errors_at(section, name):
+                    found[section][name] = [text] if is_expression(text) else values_of(text)
+        return found
+
+    @cached_property
+    def points(self):
+        """What `points` says, by the names in SELECTION; nothing if it is not there."""
+        with self.errors_at("chain", "points"):
+            if "points" not in self.keys:
+                return None
+            found = SELECTION.fullmatch(self.keys["points"])
+            if not found or bool(found["element"]) != bool(found["list"]):
+                raise UsageError("write points = CHAIN, or NAME in CHAIN: LIST; then where CONDITION")
+            return found.groupdict()
+
+    @cached_property
+    def keep(self):
+        """Names of files that stay, with all checkpoints of a list of times."""
+        with self.errors_at("chain", "keep"):
+            return [name for word in self.keep_words for name in kept_names(word)]
+
+    @property
+    def keep_words(self):
+        return re.findall(r"(?:\{[^{}]*\}|\S)+", self.keys.get("keep", ""))
+
+    @property
+    def needs(self):
+        """Megabytes and threads of a point."""
+        with self.errors_at("chain", "memory" if "memory" in self.keys else "threads"):
+            return needs_of(self.keys)
+
+    def line_of(self, section, key):
+        """Where the file says it; 0 if another one does, which this one is like."""
+        here = ""
+        for number, line in enumerate(self.path.read_text(encoding="utf-8-sig").splitlines(), 1):
+            if found := re.match(r"\[(.*?)\]", line):
+                here = "chain" if found[1] == "sweep" else found[1]
+            elif here == section and re.match(rf"{re.escape(key)}\s*=", line):
+                return number
+        return 0
+
+    @contextmanager
+    def errors_at(self, section, key):
+        """Raises one sentence with the file and the line for what is wrong there."""
+        try:
+            yield
+        except UsageError as error:
+            if "\n" in str(error) or re.match(r"\S+\.ini[:,] ", str(error)):
+                raise
+            raise self.error(section, key, error) from None
+        except ValueError as error:
+            raise self.error(section, key, error) from None
+
+    def error(self, section, key, sentence):
+        number = self.line_of(section, key)
+        where = f"{self.shown}, line {number}" if number else f"{self.shown}, '{key}'"
+        return UsageError(f"{where}: {' '.join(str(sentence).split())}")
+
+    def check_form(self):
+        for section, lines in self.own.items():
+            with self.errors_at(section, next(iter(lines), "")):
+                if not is_values(section):
+                    check_known(section, SECTIONS, "there is no section")
+            for key, text in lines.items():
+                with self.errors_at(section, key):
+                    if section in KEYS:
+                        check_known(key, KEYS[section], f"[{section}] has no key")
+                    if not text:
+                        raise UsageError(f"'{key}' in [{section}] has no value")
+
+
+def kept_names(word):
+    """A file; with {TIMES} in place of a time, the checkpoints that a program writes then."""
+    holes = HOLE.findall(word)
+    times = values_of(holes[0]) if holes else [""]
+    names = [HOLE.sub(f"{float(t):.9f}", word) if holes else word for t in times]
+    for name in names:
+        if not PLAIN.fullmatch(name) or name.endswith(".json"):
+            raise UsageError(f"'{name}' is not the name of a file in the point's own folder")
+    return names
+
+
+def words_of(line):
+    """A command without its holes, which are no words of their own then."""
+    try:
+        return shlex.split(HOLE.sub("0", line))
+    except ValueError as error:
+        raise UsageError(f"'{line}' cannot be split into words ({error})") from None

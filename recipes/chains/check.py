@@ -1,0 +1,94 @@
+"""Finds names that lead nowhere before anything runs, also in chains whose points are not known yet;
+and what a chain that is no recipe must not do."""
+
+import re
+import shlex
+
+from chains.chain import HOLE, PLAIN, RUNS, is_expression, kept_names, words_of
+from chains.expressions import Expression
+from chains.points import LAST_BEFORE
+from rupture.errors import UsageError
+from sweeps.check import REFUSED, Programs, given_in
+from sweeps.sweep import check_known
+
+OWN = ("values", "base")  # holes that are no names
+FORBIDDEN = {"base": "[chain] base = FILE.h5 is missing", "values": ""}
+
+
+def check(chains, chain):
+    """The chain, and those that it comes from. Raises UsageError with the file and the line."""
+    names = names_of(chains, chain)
+    for name in chain.commands:
+        with chain.errors_at("commands", name):
+            check_command(chain, name, names)
+    for section, lists in chain.lists.items():
+        for name, texts in lists.items():
+            with chain.errors_at(section, name):
+                for text in filter(is_expression, texts):
+                    check_expression(text[1:-1], names)
+    if chain.points and chain.points["condition"]:
+        with chain.errors_at("chain", "points"):
+            check_expression(chain.points["condition"], names)
+    with chain.errors_at("chain", "base"):
+        for hole in HOLE.findall(chain.keys.get("base", "")):
+            if not re.fullmatch(r"[\d.]+", hole):
+                check_expression(hole.removeprefix(LAST_BEFORE), names)
+    check_kept(chain)
+    if not chain.is_ours:
+        check_stranger(chain, Programs())
+    if above := chains.above(chain):
+        check(chains, above)
+
+
+def names_of(chains, chain):
+    """All names that its points have."""
+    above = chains.above(chain)
+    names = names_of(chains, above) if above else set()
+    if chain.points and (of_list := chain.points["list"]):
+        with chain.errors_at("chain", "points"):
+            check_expression(of_list, names)
+        names |= {chain.points["element"]}
+    values = {name for lists in chain.lists.values() for name in lists}
+    if len(chain.lists) > 1 or "values" not in chain.lists:
+        values |= {"variant"} if chain.lists else set()
+    for name in values.intersection(chain.commands):
+        raise chain.error("commands", name, f"'{name}' is the name of a value, too; take another one")
+    return names | values | set(chain.commands)
+
+
+def check_expression(text, names):
+    """Of a known name with dots, what follows is an entry of its report."""
+    for dotted in Expression(text, names).names:
+        words = dotted.split(".")
+        if not any(".".join(words[:count]) in names for count in range(1, len(words) + 1)):
+            near = sorted(names)
+            check_known(dotted, near, f"'{text}': there is no")
+
+
+def check_command(chain, name, names):
+    line = chain.commands[name]
+    check_known(words_of(line)[0], RUNS, "there is no program")
+    for hole in HOLE.findall(line):
+        if hole == "base" and "base" not in chain.keys:
+            raise UsageError(f"'{line}': {{base}} needs base = FILE in [chain]")
+        if hole not in (*OWN, *names):
+            check_expression(hole, names)
+    if re.search(r"[{}]", HOLE.sub("", line)):
+        raise UsageError(f"'{line}': a brace is missing")
+
+
+def check_kept(chain):
+    """A command must write what is kept."""
+    words = {word for line in chain.commands.values() for word in words_of(line)}
+    for word in chain.keep_words:
+        with chain.errors_at("chain", "keep"):
+            name = kept_names(word)[0]
+            if name not in words and re.sub(r"-t[\d.]+(?=\.h5$)", "", name) not in words:
+                raise UsageError(f"no command writes {word}")
+
+
+def check_stranger(chain, programs):
+    """A file that somebody sent runs programs that compute, and writes in its points' folders."""
+    for name, line in chain.commands.items():
+        with chain.errors_at("commands", name):
+            list(given_in(HOLE.sub("0", line), programs))

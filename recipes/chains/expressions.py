@@ -1,0 +1,218 @@
+"""Expressions in chain files: numbers, texts, names, arithmetic, comparisons and a few functions.
+They are parsed and then worked out here, never run. Mistakes are ValueErrors.
+
+Null is None. What is computed from it is null, and so is a comparison with it."""
+
+import ast
+import math
+import operator
+import re
+
+from rupture.units import in_si
+
+
+def power(number, exponent):
+    """Of floats: a power of whole numbers could have any number of digits."""
+    return float(number) ** float(exponent)
+
+
+ARITHMETIC = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: power,
+}
+SIGNS = {ast.UAdd: operator.pos, ast.USub: operator.neg, ast.Not: operator.not_}
+COMPARISONS = {
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+    ast.In: lambda one, several: one in several,
+    ast.NotIn: lambda one, several: one not in several,
+}
+FUNCTIONS = {
+    "abs": abs,
+    "known": lambda values: [value for value in values if value is not None],
+    "len": len,
+    "max": lambda *values: extreme(max, *values),
+    "min": lambda *values: extreme(min, *values),
+    "round": round,
+    "sqrt": math.sqrt,
+}
+ALLOWED = (
+    *(ast.Expression, ast.Constant, ast.Name, ast.Attribute, ast.Subscript, ast.Call, ast.Tuple),
+    *(ast.List, ast.BinOp, ast.UnaryOp, ast.BoolOp, ast.Compare, ast.And, ast.Or, ast.Is),
+    *(ast.IsNot, ast.Load, *ARITHMETIC, *SIGNS, *COMPARISONS),
+)
+MAY_HAVE = "it may have numbers, texts, names, + - * / **, comparisons, and, or, not, and " + (
+    " ".join(f"{name}()" for name in FUNCTIONS)
+)
+MINUS = "_minus_"  # stands for the - of names such as sigma-bar
+
+
+def extreme(which, *values):
+    """Of a list, or of several numbers; null if one of them is."""
+    listed = values[0] if len(values) == 1 and isinstance(values[0], list) else values
+    return None if any(value is None for value in listed) else which(listed)
+
+
+def dotted(node):
+    """`a.b.c` of such names; nothing for other expressions."""
+    if isinstance(node, ast.Attribute):
+        before = dotted(node.value)
+        return before and f"{before}.{node.attr}"
+    return node.id.replace(MINUS, "-") if isinstance(node, ast.Name) else ""
+
+
+def as_number(text):
+    """A value as a condition sees it: a number in SI units, or the text."""
+    try:
+        return in_si(text)[0] if isinstance(text, str) else text
+    except ValueError:
+        return text
+
+
+def as_text(value):
+    """A value as a command has it, with all digits."""
+    return value if isinstance(value, str) else repr(value)
+
+
+class Expression:
+    """`dashed`: names with a - that it may have."""
+
+    def __init__(self, text, dashed=()):
+        self.text = text.strip()
+        plain = self.text
+        for name in sorted((name for name in dashed if "-" in name), key=len, reverse=True):
+            plain = re.sub(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", name.replace("-", MINUS), plain)
+        try:
+            self.tree = ast.parse(plain, mode="eval")
+        except (SyntaxError, MemoryError, RecursionError, ValueError):
+            raise ValueError(f"'{self.text}' cannot be read as an expression") from None
+        for node in ast.walk(self.tree):
+            if not is_allowed(node):
+                raise ValueError(f"'{self.text}' is not allowed: {MAY_HAVE}")
+        self.names = sorted(set(names_in(self.tree)))
+
+    def value(self, look_up):
+        """`look_up(name)` is asked for names, the longest first (front.t_rupture, then front), and
+        raises KeyError for those that it does not know."""
+        try:
+            return worked_out(self.tree.body, look_up)
+        except KeyError as error:
+            raise ValueError(f"'{self.text}': there is no {error.args[0]}") from None
+        except (ArithmeticError, IndexError, RecursionError, TypeError) as error:
+            raise ValueError(f"'{self.text}' cannot be worked out: {error}") from None
+
+
+def is_allowed(node):
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, (int, float, str, type(None)))
+    if isinstance(node, ast.Call):
+        return dotted(node.func) in FUNCTIONS and not node.keywords
+    return isinstance(node, ALLOWED)
+
+
+def names_in(node):
+    """Those that are looked up, as long as they are written."""
+    if name := dotted(node):
+        return [name]
+    parts = node.args if isinstance(node, ast.Call) else ast.iter_child_nodes(node)
+    return [name for part in parts for name in names_in(part)]
+
+
+def named(name, look_up):
+    """What a name with dots leads to: the longest part that is known, then what is in it."""
+    words = name.split(".")
+    for count in range(len(words), 0, -1):
+        try:
+            found = look_up(".".join(words[:count]))
+        except KeyError:
+            continue
+        for word in words[count:]:
+            found = part_of(found, word)
+        return found
+    raise KeyError(name)
+
+
+def part_of(whole, key):
+    """An entry of a report, or an element of a list; of null it is null."""
+    if whole is None:
+        return None
+    if isinstance(whole, dict) and key not in whole:
+        raise KeyError(f"'{key}' (there are {', '.join(whole)})")
+    return whole[key]
+
+
+def worked_out(node, look_up):
+    def of(part):
+        return worked_out(part, look_up)
+
+    if name := dotted(node):
+        return named(name, look_up)
+    match node:
+        case ast.Constant():
+            return node.value
+        case ast.Attribute():
+            return part_of(of(node.value), node.attr)
+        case ast.Subscript():
+            return part_of(of(node.value), of(node.slice))
+        case ast.Tuple() | ast.List():
+            return [of(part) for part in node.elts]
+        case ast.BoolOp():
+            return chosen(isinstance(node.op, ast.Or), map(of, node.values))
+        case ast.UnaryOp():
+            return of_known(SIGNS[type(node.op)], of(node.operand))
+        case ast.BinOp():
+            return of_known(numbers(ARITHMETIC[type(node.op)]), of(node.left), of(node.right))
+        case ast.Compare():
+            return compared(node, of)
+        case ast.Call():
+            return of_known(FUNCTIONS[dotted(node.func)], *map(of, node.args))
+    raise ValueError(f"{MAY_HAVE}")
+
+
+def of_known(function, *values):
+    """Null if one of the values is."""
+    return None if any(value is None for value in values) else function(*values)
+
+
+def numbers(function):
+    """Arithmetic, which is for numbers: a text could be repeated any number of times."""
+
+    def compute(*values):
+        if not all(isinstance(value, (int, float)) for value in values):
+            raise TypeError("arithmetic is for numbers")
+        found = function(*values)
+        if isinstance(found, complex) or not math.isfinite(found):
+            raise ArithmeticError("it is not a finite real number")
+        return found
+
+    return compute
+
+
+def chosen(is_or, values):
+    """`a or b` is b where a is null or false, `a and b` is a there."""
+    for value in values:
+        if bool(value) == is_or:
+            break
+    return value
+
+
+def compared(node, of):
+    """A chain of comparisons, as in 0 < a < 1."""
+    left, answer = of(node.left), True
+    for sign, part in zip(node.ops, node.comparators):
+        right = of(part)
+        if isinstance(sign, (ast.Is, ast.IsNot)):
+            answer = (left is right) == isinstance(sign, ast.Is)
+        else:
+            answer = of_known(COMPARISONS[type(sign)], left, right)
+        if not answer:
+            break
+        left = right
+    return answer

@@ -1,0 +1,190 @@
+"""Writes the plan by which Ninja computes recipes: results/data/plan/build.ninja.
+
+./reproduce.sh writes it, and Ninja does so again (python -m chains.plan) once the points are there
+that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object: recipes,
+cores, megabytes. What Ninja is to compare by date are files that are written only when they change:
+so neither dates of sources, nor the folder, nor the number of cores makes anything stale."""
+
+import json
+import os
+import re
+from pathlib import Path
+
+from chains.chain import RECIPES
+from chains.check import check
+from chains.digests import digest_of_program, digest_of_scripts
+from chains.points import Chains, Waiting
+from chains.store import DIGESTS, is_whole, write_if_changed
+from reproduce.project import SHARE
+from rupture.errors import Failure, UsageError
+from runs.written import note
+
+RESULTS, DATA = Path("results"), Path("results/data")
+FOLDER = DATA / "plan"
+PLAN = FOLDER / "build.ninja"
+OF_CLAIMS = SHARE / "recipes/common/claims/claims.toml"  # a changed acceptance is judged anew
+# A profile's `step` starts commands as the shell does (docs/cluster.md).
+STEP = 'export OMP_NUM_THREADS=$threads; exec "$${RUPTURE_STEP:-sh}" -c \'exec "$$RUPTURE_PYTHON" -P'
+RULES = f"""\
+ninja_required_version = 1.10
+builddir = {FOLDER}
+threads = 1
+
+rule point
+  command = {STEP} -S -m chains.point $todo'
+  rspfile = $todo
+  rspfile_content = $work
+  restat = 1
+  description = $what
+
+rule figure
+  command = {STEP} -m chains.draw $recipe'
+  description = $recipe: draw, and judge the claims
+
+rule plan
+  command = exec "$$RUPTURE_PYTHON" -P -m chains.plan
+  generator = 1
+  restat = 1
+  description = plan what follows from these
+"""
+
+
+def escaped(text):
+    return str(text).replace("$", "$$")
+
+
+def paths(*files):
+    return " ".join(re.sub("([ :$])", r"$\1", str(file)) for file in files)
+
+
+def selected(chains, figure, text):
+    """(name for figure.py, points) of one part of `reads`: a chain, perhaps with a condition."""
+    name, _, condition = map(str.strip, text.partition(" where "))
+    chain = chains.load(figure.path.parent / f"{name}.ini")
+    check(chains, chain)
+    points = chains.points(chain)
+    if condition:
+        points = [point for point in points if point.worked_out(condition, point.known)]
+    return name.removeprefix("../"), points
+
+
+class Plan:
+    """The lines of the plan, as they come."""
+
+    def __init__(self, cores, megabytes):
+        self.cores, self.megabytes = cores, megabytes
+        self.pools, self.edges, self.written, self.tools = {}, {}, [], set()
+
+    def pool(self, needs):
+        """Limits how many points of this size run at a time."""
+        memory, threads = needs["megabytes"], needs["threads"]
+        most = self.cores // threads
+        if self.megabytes:
+            most = min(most, self.megabytes // memory)
+        name = f"points_of_{memory}_MB_{threads}"
+        self.pools[name] = f"pool {name}\n  depth = {max(1, most)}\n"
+        return name
+
+    def add_point(self, point):
+        if point.path in self.edges:
+            return
+        for above in point.lineage[1:]:
+            self.add_point(above)
+        needs, kept = point.chain.needs, [point.file(name) for name in point.chain.keep]
+        tools = sorted({line.split(None, 1)[0] for line in point.commands.values()})
+        sources = [source for source in point.work["names"].values() if source[:1] not in "[{"]
+        base = point.base and [file for file in (point.base["file"], point.base["of"]) if file]
+        inputs = dict.fromkeys([*(DIGESTS / tool for tool in tools), *(base or []), *sources])
+        todo = point.path.with_suffix(".todo")
+        work = point.work | {"chain": point.chain.name, "described": point.described}
+        self.edges[point.path] = (
+            f"build {paths(point.path)}{' | ' if kept else ''}{paths(*kept)}: point |"
+            f" {paths(*inputs)}\n  pool = {self.pool(needs)}\n  threads = {needs['threads']}\n"
+            f"  todo = {todo}\n  what = {escaped(point.described)}\n"
+            f"  work = {escaped(json.dumps(work))}\n"
+        )
+        self.tools.update(tools)
+        self.written += [point.path, point.path.with_suffix(".origin"), todo, *kept]
+        self.written += [file.with_name(f"{file.name}.part") for file in kept]
+        if point.path.exists() and not is_whole(point.path):
+            point.path.unlink()  # damaged or edited: it is computed again
+
+    def add_figure(self, recipe, figure, reads):
+        """`reads`: {name: points}."""
+        for point in (point for points in reads.values() for point in points):
+            self.add_point(point)
+        data = DATA / recipe / "figure.json"
+        rows = {name: [as_read(point) for point in points] for name, points in reads.items()}
+        write_if_changed(data, json.dumps(rows))
+        code = DIGESTS / f"{recipe}-figure"
+        texts = [OF_CLAIMS, *sorted((RECIPES / recipe).glob("*.toml"))]
+        script = digest_of_scripts(RECIPES / recipe / "figure.py")
+        write_if_changed(code, script + "".join(file.read_text("utf-8") for file in texts))
+        listed = figure.sections["figure"]
+        pictures = re.split(r",\s*", listed.get("pictures", recipe))
+        outputs = ["claims.json"]
+        outputs += [f"{picture}.{ending}" for picture in pictures for ending in ("png", "pdf")]
+        outputs += [f"{table}.csv" for table in re.split(r",\s*", listed.get("tables", "")) if table]
+        outputs = [RESULTS / recipe / file for file in outputs]
+        inputs = {point.path: None for points in reads.values() for point in points}
+        self.edges[outputs[0]] = (
+            f"build {paths(*outputs)}: figure | {paths(data, code, *inputs)}\n  recipe = {recipe}\n"
+        )
+        self.written += [data, code, *outputs]
+
+    def add_plan(self, deciding):
+        """What Ninja makes before anything else, and then the plan anew."""
+        if deciding:
+            self.edges[PLAN] = f"build {PLAN}: plan | {paths(*deciding)}\n"
+
+    def write(self):
+        self.written += [FOLDER / name for name in ("build.ninja", ".ninja_log", ".ninja_deps")]
+        self.written += [RESULTS / "jobs.jsonl", *(DIGESTS / tool for tool in self.tools)]
+        note(RESULTS, *self.written)
+        for tool in self.tools:
+            write_if_changed(DIGESTS / tool, digest_of_program(f"{os.environ['RUPTURE_BIN']}/{tool}"))
+        write_if_changed(PLAN, "\n".join([RULES, *self.pools.values(), *self.edges.values()]))
+
+
+def as_read(point):
+    """For figure.py (results.py): the point, and those that it comes from."""
+    return [
+        {
+            "values": {name: [one.value(name, one.known)] for name in one.values},
+            "elements": one.elements,
+            "commands": list(one.chain.commands),
+            "path": str(one.path),
+        }
+        for one in point.lineage
+    ]
+
+
+def write_plan(recipes, cores, megabytes):
+    """Raises UsageError, with the file and the line, if anything in the files leads nowhere."""
+    chains, plan = Chains(), Plan(cores, megabytes)
+    waiting = []
+    for recipe in recipes:
+        figure = chains.recipe(recipe)
+        try:
+            with figure.errors_at("figure", "reads"):
+                parts = re.split(r",(?![^()]*\))", figure.sections["figure"]["reads"])
+                reads = dict(selected(chains, figure, part) for part in parts)
+        except Waiting:
+            waiting.append(recipe)
+            continue
+        plan.add_figure(recipe, figure, reads)
+    for points in list(chains.made.values()):
+        for point in points:
+            if str(point.path) in chains.deciding:
+                plan.add_point(point)
+    if waiting and all(Path(path).exists() for path in chains.deciding):
+        raise Failure(f"{' '.join(waiting)}: what its points depend on is not reported")
+    plan.add_plan(chains.deciding)
+    plan.write()
+
+
+if __name__ == "__main__":
+    try:
+        write_plan(**json.loads(os.environ["RUPTURE_PLAN"]))
+    except (Failure, UsageError) as error:
+        raise SystemExit(str(error)) from None

@@ -1,0 +1,135 @@
+"""Computes one point:
+
+    python -m chains.point results/data/points/ID.todo
+
+The file, which Ninja writes and deletes, is a JSON object: the commands, the names in their holes,
+the files to keep, the base. The commands run in a folder of their own, which is deleted at the end.
+The files come to stay under their names at the end, too, the result last; whatever is equal to what
+is there keeps its date, so that nothing after it is stale. A program's refusal is a result; if a
+program crashes, there is none."""
+
+import ctypes
+import json
+import os
+import re
+import shlex
+import shutil
+import signal
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from chains.commands import INTERRUPTIONS, UNFINISHED, as_run, checksums_in, fault, run
+from chains.store import is_current, origin_of, result_of, save_origin, write_if_changed
+from runs.written import append_to
+
+HOLE = re.compile(r"\{([^{}]*)\}")
+JOBS = Path("results/jobs.jsonl")
+PARENT_ENDS = 1  # of Linux's prctl()
+
+
+class Names:
+    """What names in holes mean: those of `work`, and what commands have reported."""
+
+    def __init__(self, names, reports):
+        self.names, self.reports = names, reports
+
+    def __call__(self, name):
+        if name in self.reports:
+            return self.reports[name]
+        source = self.names[name]
+        if isinstance(source, list):
+            return source[0]
+        if source.startswith("{"):
+            return self.value(source[1:-1])
+        return result_of(source)["reports"].get(name)
+
+    def value(self, text):
+        from chains.expressions import Expression  # few points need it
+
+        return Expression(text, [*self.names, *self.reports]).value(self)
+
+    def filled(self, line):
+        """The command as it is typed; None if a value is null."""
+        values = {hole: self.value(hole) for hole in HOLE.findall(line)}
+        if None in values.values():
+            return None
+        texts = {n: v if isinstance(v, str) else repr(v) for n, v in values.items()}
+        return HOLE.sub(lambda hole: shlex.quote(texts[hole[1]]), line)
+
+
+def compute(work, folder):
+    """The result. What needs a null, or a file of a command that was left out, is left out."""
+    reports: dict = {}
+    result = {"commands": {}, "status": "done", "sentence": "", "reports": reports}
+    names, missing = Names(work["names"], reports), set()
+    base = work["base"]
+    if base and base["of"] and (before := result_of(base["of"]))["status"] != "done":
+        return result | {"status": before["status"], "sentence": before["sentence"], "checksums": {}}
+    for name, line in work["commands"].items():
+        command = names.filled(line)
+        words = shlex.split(command or HOLE.sub("", line))
+        if command is None or missing.intersection(words):
+            missing.update(word for word in words if "." in word and not Path(folder, word).exists())
+            reports[name] = None
+            continue
+        result["commands"][name] = command
+        words = as_run(command)
+        files = {base["shown"]: base["file"]} if base else {}
+        done = run(os.environ["RUPTURE_BIN"], words, folder, files)
+        if done.returncode:
+            result |= fault(command, done)
+            break
+        if "--json" in words:
+            said = [json.loads(line) for line in done.stdout.splitlines()]
+            reports[name] = said if "--also" in words else said[0]
+    return result | {"checksums": checksums_in(folder)}
+
+
+def keep(path, result, names, folder):
+    """Files that the point does not have are empty, so that none is missing."""
+    text = json.dumps(result) + "\n"
+    kept = [path.with_suffix(f".{name}") for name in names]
+    if path.exists() and path.read_text(encoding="utf-8") == text and all(map(Path.exists, kept)):
+        return
+    for name, file in zip(names, kept):
+        made, part = Path(folder, name), file.with_name(f"{file.name}.part")
+        shutil.move(made, part) if made.exists() else part.write_bytes(b"")
+        os.replace(part, file)
+    write_if_changed(path, text)
+
+
+def note(outputs, described, rule, command, inputs, started):
+    """What was done, for the report (runs/origin.py)."""
+    job = {"description": described, "rule": rule, "started": started, "command": command}
+    job |= {"input": list(map(str, inputs)), "output": list(map(str, outputs))}
+    with append_to(JOBS) as file:
+        file.write(json.dumps(job | {"seconds": time.time() - started}) + "\n")
+
+
+def main(todo):
+    ctypes.CDLL(None).prctl(PARENT_ENDS, signal.SIGTERM)  # it must not outlive a killed Ninja
+    for number in INTERRUPTIONS:  # so that the point's folder is deleted
+        signal.signal(number, lambda which, _: sys.exit(128 + which))
+    started, path = time.time(), Path(todo).with_suffix(".json")
+    work = result_of(todo)
+    tools = sorted({line.split(None, 1)[0] for line in work["commands"].values()})
+    of_work = {name: work[name] for name in ("commands", "names", "keep", "base")}
+    origin = origin_of(of_work, tools)
+    kept = [path.with_suffix(f".{name}") for name in work["keep"]]
+    if is_current(path, origin) and all(map(Path.exists, kept)):
+        return
+    with tempfile.TemporaryDirectory(prefix="rupture-point-") as folder:
+        result = compute(work, folder)
+        if result["status"] == UNFINISHED:
+            sys.exit(result["sentence"])
+        keep(path, result, work["keep"], folder)
+    save_origin(path, origin)
+    inputs = [file for file in (base["file"], base["of"]) if file] if (base := work["base"]) else []
+    command = " && ".join(result["commands"].values())
+    note([path, *kept], work["described"], work["chain"], command, inputs, started)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

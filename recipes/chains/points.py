@@ -1,0 +1,296 @@
+"""The points of chains: their values, their filled commands, and what they come from.
+
+A point is its commands, the files that it keeps, and its base; its name, a digest of these, is that
+of its files in results/data/points. What a command needs from reports is filled in when it runs."""
+
+import itertools
+import json
+import math
+import os
+import shlex
+from functools import cached_property
+from pathlib import Path
+
+from chains.chain import BASE, HOLE, RECIPES, Chain, is_expression, kept_names
+from chains.expressions import Expression, as_number, as_text
+from chains.store import STORE, digest, result_of
+from rupture.errors import UsageError
+from sweeps.sweep import evaluate, options, products, rows_of
+from sweeps.values import LIMIT
+
+LAST_BEFORE = "last before "
+
+
+class Waiting(Exception):
+    """Raised for what depends on reports that are not there yet."""
+
+
+class Point:
+    """`of`: the point that it comes from, whose names it has, too; `elements`: what it is one of."""
+
+    def __init__(self, chain, values, of=None, elements=()):
+        self.chain, self.values, self.of, self.elements = chain, values, of, dict(elements)
+
+    @property
+    def lineage(self):
+        """This point, the one that it comes from, and so on."""
+        return [self, *(self.of.lineage if self.of else [])]
+
+    # --- names ---------------------------------------------------------------------------------
+
+    @cached_property
+    def names(self):
+        points = self.lineage
+        return {n for one in points for n in (*one.values, *one.chain.commands, *one.elements)}
+
+    def known(self, name):
+        """What a name means for points that come from this one."""
+        if name in self.chain.commands:
+            return self.report(name)
+        return self.value(name, self.known)
+
+    def look_up(self, name):
+        """What a name means here before any command has run."""
+        if name in self.chain.commands:
+            raise Waiting(name)
+        return self.value(name, self.look_up)
+
+    def value(self, name, look_up):
+        if name in self.values:
+            text = self.values[name]
+            return self.worked_out(text[1:-1], look_up) if is_expression(text) else as_number(text)
+        if name in self.elements:
+            return self.elements[name]
+        if self.of:
+            return self.of.known(name)
+        raise KeyError(name)
+
+    def worked_out(self, text, look_up):
+        return Expression(text, self.names).value(look_up)
+
+    def text(self, hole):
+        """What replaces a hole; None if it is null. A value stays as it is written."""
+        for point in self.lineage:
+            written = point.values.get(hole, "{}")
+            if not is_expression(written) and written != "{}":
+                return written
+        found = self.worked_out(hole, self.look_up)
+        return None if found is None else as_text(found)
+
+    def report(self, name):
+        """Null for a point that failed."""
+        return self.result()["reports"].get(name)
+
+    def result(self):
+        try:
+            return result_of(self.path)
+        except OSError:
+            raise Waiting(self.path) from None
+
+    # --- commands ------------------------------------------------------------------------------
+
+    @cached_property
+    def options(self):
+        """Values that no command names itself, for {values}."""
+        named = {hole for line in self.chain.commands.values() for hole in HOLE.findall(line)}
+        return {n: t for n, t in self.values.items() if n not in named and not is_expression(t)}
+
+    def filled(self, line):
+        """A command as it is typed; holes that wait for reports, or are null, stay."""
+
+        def fill(found):
+            if found[1] == "values":
+                return options(self.options)
+            if found[1] == "base":
+                return shlex.quote(self.base["shown"])
+            try:
+                text = self.text(found[1])
+            except Waiting:
+                return found[0]
+            return found[0] if text is None else shlex.quote(text)
+
+        return HOLE.sub(fill, line)
+
+    @cached_property
+    def commands(self):
+        found = {}
+        for name, line in self.chain.commands.items():
+            with self.chain.errors_at("commands", name):
+                found[name] = self.filled(line)
+        return found
+
+    def waits_for(self, texts, found):
+        """{name: [value], or the file with the report} for the names in holes that are left."""
+        for dotted in (name for text in texts for name in Expression(text, self.names).names):
+            words = dotted.split(".")
+            name = next(n for k in range(len(words), 0, -1) if (n := ".".join(words[:k])) in self.names)
+            if name in found or name in self.chain.commands:
+                continue
+            if is_expression(self.values.get(name, "")):
+                found[name] = self.values[name]
+                self.waits_for([self.values[name][1:-1]], found)
+            else:
+                found[name] = self.source(name)
+        return found
+
+    def source(self, name):
+        try:
+            return [self.look_up(name)]
+        except Waiting:
+            return str(next(p for p in self.lineage[1:] if name in p.chain.commands).path)
+
+    # --- where it starts, and what it is --------------------------------------------------------
+
+    @cached_property
+    def base(self):
+        """Its file, how commands name it, and the point that kept it; None without one."""
+        if "base" not in self.chain.keys:
+            return None
+        with self.chain.errors_at("chain", "base"):
+            found = BASE.fullmatch(self.chain.keys["base"])
+            if not found["chain"]:
+                path = self.chain.path.parent / HOLE.sub(lambda one: self.text(one[1]), found["file"])
+                return {"file": os.path.relpath(path), "shown": os.path.relpath(path), "of": ""}
+            kept = self.ancestor(found["chain"])
+            name = self.kept_file(kept, found["file"])
+            return {"file": str(kept.file(name)), "shown": name, "of": str(kept.path)}
+
+    def ancestor(self, name):
+        path = Path(os.path.abspath(self.chain.path.parent / f"{name}.ini"))
+        for point in self.lineage[1:]:
+            if point.chain.path == path:
+                return point
+        raise UsageError(f"this chain's points do not come from {name}: name it in 'points'")
+
+    def kept_file(self, kept, text):
+        """The file of that point which `base` asks for."""
+        if hole := next((h for h in HOLE.findall(text) if h.startswith(LAST_BEFORE)), ""):
+            time = self.worked_out(hole.removeprefix(LAST_BEFORE), self.look_up)
+            start, end = text.split("{%s}" % hole)
+            found = [n for n in kept.chain.keep if n.startswith(start) and n.endswith(end)]
+            times = {float(name[len(start) : len(name) - len(end)]): name for name in found}
+            earlier = [at for at in times if time is not None and at < time]
+            if not earlier:
+                raise UsageError(f"{kept.chain.shown} keeps no {text} before {time}")
+            return times[max(earlier)]
+        (name,) = kept_names(text) if "-t{" in text else [HOLE.sub(lambda h: self.text(h[1]), text)]
+        if name not in kept.chain.keep:
+            keeps = ", ".join(kept.chain.keep) or "nothing"
+            raise UsageError(f"{kept.chain.shown} does not keep {name} (it keeps {keeps})")
+        return name
+
+    @cached_property
+    def work(self):
+        """What point.py needs to compute it."""
+        holes = [hole for line in self.commands.values() for hole in HOLE.findall(line)]
+        return {
+            "commands": self.commands,
+            "names": self.waits_for(holes, {}),
+            "keep": self.chain.keep,
+            "base": self.base,
+        }
+
+    @cached_property
+    def id(self):
+        return digest(json.dumps(self.work))
+
+    @property
+    def path(self):
+        """Of its result, a JSON file."""
+        return STORE / f"{self.id}.json"
+
+    def file(self, name):
+        """Where a file that it keeps stays."""
+        return STORE / f"{self.id}.{name}"
+
+    @property
+    def described(self):
+        values = ", ".join(f"{n} {t}" for n, t in self.values.items() if not is_expression(t))
+        return f"{self.chain.name}: {values}" if values else self.chain.name
+
+
+class Chains:
+    """All chains that a plan needs, by file, and their points."""
+
+    def __init__(self):
+        self.chains, self.made = {}, {}
+        self.deciding = {}  # files of points that decide which points others have
+
+    def load(self, path):
+        path = Path(os.path.abspath(path))
+        if path not in self.chains:
+            self.chains[path] = Chain(path)
+        return self.chains[path]
+
+    def recipe(self, name):
+        """figure.ini of a recipe: what its figure reads and writes."""
+        return self.load(RECIPES / name / "figure.ini")
+
+    def above(self, chain):
+        """The chain that its points come from; None if there is none."""
+        if not chain.points or chain.points["chain"].endswith(".csv"):
+            return None
+        with chain.errors_at("chain", "points"):
+            return self.load(chain.path.parent / f"{chain.points['chain']}.ini")
+
+    def points(self, chain):
+        """Raises Waiting if others must be computed first: those in `deciding`."""
+        if chain.path not in self.made:
+            self.made[chain.path] = self.make(chain)
+        return self.made[chain.path]
+
+    def make(self, chain):
+        points = chain.points
+        condition = points and points["condition"]
+        try:
+            with chain.errors_at("chain", "points"):
+                found = [
+                    point
+                    for point in self.all_points(chain)
+                    if not condition or point.worked_out(condition, point.look_up)
+                ]
+                for point in found:
+                    _ = point.id  # a base may wait, too
+        except Waiting:
+            self.decide(chain)
+            raise
+        if points and (points["list"] or condition):
+            self.decide(chain)
+        return found[:1] if points and points["first"] else found
+
+    def decide(self, chain):
+        """The points of the chains above decide which ones this chain has."""
+        while chain := self.above(chain):
+            self.deciding |= {str(point.path): None for point in self.points(chain)}
+
+    def all_points(self, chain):
+        """Every start with every combination of values; the last name varies fastest."""
+        starts = list(self.starts(chain))
+        rows = [{}]
+        if chain.points and chain.points["chain"].endswith(".csv"):
+            rows = rows_of(chain.path.parent / chain.points["chain"])
+        found = products(dict(chain.lists), rows)
+        count = len(starts) * sum(math.prod(map(len, lists.values())) for lists in found)
+        if count > LIMIT:
+            raise UsageError(f"there are {count:,} points; at most {LIMIT:,} are possible")
+        for of, elements in starts:
+            for lists in found:
+                for texts in itertools.product(*lists.values()):
+                    yield Point(chain, calculated(dict(zip(lists, texts))), of, elements)
+
+    def starts(self, chain):
+        """Pairs: the point that others come from, and {name: element of a list of its report}."""
+        above = self.above(chain)
+        for point in self.points(above) if above else [None]:
+            if not (chain.points or {}).get("list"):
+                yield point, {}
+                continue
+            for element in point.worked_out(chain.points["list"], point.known) or ():
+                yield point, {chain.points["element"]: element}
+
+
+def calculated(values):
+    """With the results of arithmetic on values (0.3 * {junctions.t_R}); those that are one
+    expression in braces are worked out when they are needed."""
+    plain = evaluate({name: text for name, text in values.items() if not is_expression(text)})
+    return {name: plain.get(name, text) for name, text in values.items()}

@@ -1,0 +1,62 @@
+"""What figure.py gets of the chains that it reads: lists of points."""
+
+import json
+from functools import cached_property
+from pathlib import Path
+
+from chains.store import result_of
+from rupture.errors import Failure
+
+
+class Point:
+    """`point["tau-bar"]` is a value (a number if it is one), `point["front"]` what a command has
+    reported (None if the command was left out); each of this point, or of those that it comes
+    from. Raises Failure, with the sentence of the program, for a report of a point that failed."""
+
+    def __init__(self, chain, lineage):
+        self.chain, self.lineage = chain, lineage
+
+    @cached_property
+    def results(self):
+        return [result_of(one["path"]) for one in self.lineage]
+
+    @property
+    def status(self):
+        """`done` or `failed`."""
+        return self.results[0]["status"]
+
+    @property
+    def sentence(self):
+        """Why it failed."""
+        return self.results[0]["sentence"]
+
+    @property
+    def values(self):
+        """Its own, by name."""
+        return {name: value for name, (value,) in self.lineage[0]["values"].items()}
+
+    def file(self, name):
+        """The path of a file that this point keeps, or one that it comes from."""
+        for one in self.lineage:
+            if (path := Path(one["path"]).with_suffix(f".{name}")).exists():
+                return path
+        raise Failure(f"{self.chain}: no {name} is kept")
+
+    def __getitem__(self, name):
+        for one, result in zip(self.lineage, self.results):
+            if name in one["values"]:
+                return one["values"][name][0]
+            if name in one["elements"]:
+                return one["elements"][name]
+            if name in one["commands"]:
+                if result["status"] != "done":
+                    raise Failure(f"{self.chain}: a point failed: {result['sentence']}")
+                return result["reports"].get(name)
+        raise KeyError(f"{self.chain} has no {name}")
+
+
+def read_chains(recipe):
+    """{chain: its points} for figure.py."""
+    text = Path(f"results/data/{recipe}/figure.json").read_text(encoding="utf-8")
+    chains = json.loads(text)
+    return {name: [Point(name, row) for row in rows] for name, rows in chains.items()}

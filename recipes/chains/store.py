@@ -1,0 +1,68 @@
+"""Results of points on the disk, as far as they need no more than their names: in
+results/data/points, ID.json with the result, ID.origin with what it was computed from, and ID.FILE
+for each file that the point keeps. It imports little, because each point does."""
+
+import hashlib
+import json
+from contextlib import suppress
+from pathlib import Path
+
+from rupture.replacing import write_whole
+
+STORE = Path("results/data/points")
+DIGESTS = Path("results/data/digests")  # of programs and scripts (digests.py)
+FORM = "1"  # of results; another one makes all points stale
+
+
+def digest(*parts):
+    """SHA-256 of texts and bytes, in 16 digits."""
+    found = hashlib.sha256()
+    for part in parts:
+        content = part.encode() if isinstance(part, str) else part
+        found.update(b"%d\0" % len(content) + content)
+    return found.hexdigest()[:16]
+
+
+def read(path):
+    """The text of a file; nothing if there is none, or none that can be read as text."""
+    with suppress(OSError, ValueError):
+        return Path(path).read_text(encoding="utf-8")
+    return ""
+
+
+def write_if_changed(path, text):
+    """Leaves the file and its date alone if that is what it says: then nothing after it is stale."""
+    if read(path) != text:
+        write_whole(path, text)
+
+
+def result_of(path):
+    return json.loads(Path(path).read_text(encoding="utf-8"))
+
+
+def content_of(base):
+    """A digest of the file that a point starts from; of one that a point kept, the checksum of its
+    content."""
+    if base and base["of"]:
+        return result_of(base["of"])["checksums"].get(base["shown"], "")
+    return digest(Path(base["file"]).read_bytes()) if base else ""
+
+
+def origin_of(work, tools):
+    """What a result comes from: the point's work, the programs, and the contents of its files."""
+    reports = [read(source) for source in work["names"].values() if source[:1] not in "[{"]
+    programs = [read(DIGESTS / tool) for tool in tools]
+    return digest(FORM, json.dumps(work), content_of(work["base"]), *programs, *reports)
+
+
+def is_whole(path):
+    """Whether a result is as it was written: nobody has damaged or edited it."""
+    return read(path.with_suffix(".origin")).endswith(f" {digest(read(path))}")
+
+
+def is_current(path, origin):
+    return read(path.with_suffix(".origin")) == f"{origin} {digest(read(path))}"
+
+
+def save_origin(path, origin):
+    write_whole(path.with_suffix(".origin"), f"{origin} {digest(read(path))}")

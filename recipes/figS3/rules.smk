@@ -1,1 +1,0 @@
-figure("figS3", tables=["profiles"], reads=["figS3/profiles.csv"])

@@ -1,1 +1,0 @@
-figure("figS5", tables=["strength", "displacement"], reads=["figS5/strength.csv"])
