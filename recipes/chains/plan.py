@@ -18,22 +18,23 @@ from chains.store import DIGESTS, is_whole, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
 from runs.written import note
+from sweeps.sweep import batches_of
 
 RESULTS, DATA = Path("results"), Path("results/data")
 FOLDER = DATA / "plan"
 PLAN = FOLDER / "build.ninja"
 OF_CLAIMS = SHARE / "recipes/common/claims/claims.toml"  # a changed acceptance is judged anew
 # A profile's `step` starts commands as the shell does (docs/cluster.md).
-STEP = 'export OMP_NUM_THREADS=$threads; exec "$${RUPTURE_STEP:-sh}" -c \'exec "$$RUPTURE_PYTHON" -P'
+STEP = 'export OMP_NUM_THREADS=$threads; exec "$${RUPTURE_STEP:-sh}" -c \'exec setpriv --pdeathsig TERM "$$RUPTURE_PYTHON" -P'
 RULES = f"""\
 ninja_required_version = 1.10
 builddir = {FOLDER}
 threads = 1
 
-rule point
+rule points
   command = {STEP} -S -m chains.point $todo'
   rspfile = $todo
-  rspfile_content = $work
+  rspfile_content = $works
   restat = 1
   description = $what
 
@@ -73,7 +74,7 @@ class Plan:
 
     def __init__(self, cores, megabytes):
         self.cores, self.megabytes = cores, megabytes
-        self.pools, self.edges, self.written, self.tools = {}, {}, [], set()
+        self.pools, self.points, self.edges, self.written, self.tools = {}, {}, {}, [], set()
 
     def pool(self, needs):
         """Limits how many points of this size run at a time."""
@@ -85,34 +86,42 @@ class Plan:
         self.pools[name] = f"pool {name}\n  depth = {max(1, most)}\n"
         return name
 
-    def add_point(self, point):
-        if point.path in self.edges:
-            return
-        for above in point.lineage[1:]:
-            self.add_point(above)
-        needs, kept = point.chain.needs, [point.file(name) for name in point.chain.keep]
-        tools = sorted({line.split(None, 1)[0] for line in point.commands.values()})
-        sources = [source for source in point.work["names"].values() if source[:1] not in "[{"]
-        base = point.base and [file for file in (point.base["file"], point.base["of"]) if file]
-        inputs = dict.fromkeys([*(DIGESTS / tool for tool in tools), *(base or []), *sources])
-        todo = point.path.with_suffix(".todo")
-        work = point.work | {"chain": point.chain.name, "described": point.described}
-        self.edges[point.path] = (
-            f"build {paths(point.path)}{' | ' if kept else ''}{paths(*kept)}: point |"
-            f" {paths(*inputs)}\n  pool = {self.pool(needs)}\n  threads = {needs['threads']}\n"
-            f"  todo = {todo}\n  what = {escaped(point.described)}\n"
-            f"  work = {escaped(json.dumps(work))}\n"
+    def add_points(self, points):
+        """Those of a chain, and those that they come from; many go together in batches."""
+        new = {point.path: point for point in points if point.path not in self.points}
+        self.points |= new
+        if above := [point.of for point in new.values() if point.of]:
+            self.add_points(above)
+        for batch in batches_of([*new.values()]):
+            self.add_batch(batch)
+
+    def add_batch(self, batch):
+        first, works = batch[0], [point.work | {"path": str(point.path)} for point in batch]
+        needs, what = first.chain.needs, first.described
+        if len(batch) > 1:
+            what = f"{first.chain.name}: {len(batch)} points"
+        kept = [point.file(name) for point in batch for name in point.chain.keep]
+        inputs = [DIGESTS / tool for point in batch for tool in point.tools]
+        inputs += [file for point in batch for file in point.inputs]
+        todo = first.path.with_suffix(".todo")
+        about = {"chain": first.chain.name, "described": what, "works": works}
+        self.edges[first.path] = (
+            f"build {paths(*(point.path for point in batch))}{' | ' if kept else ''}{paths(*kept)}:"
+            f" points | {paths(*dict.fromkeys(inputs))}\n  pool = {self.pool(needs)}\n"
+            f"  threads = {needs['threads']}\n  todo = {todo}\n  what = {escaped(what)}\n"
+            f"  works = {escaped(json.dumps(about))}\n"
         )
-        self.tools.update(tools)
-        self.written += [point.path, point.path.with_suffix(".origin"), todo, *kept]
-        self.written += [file.with_name(f"{file.name}.part") for file in kept]
-        if point.path.exists() and not is_whole(point.path):
-            point.path.unlink()  # damaged or edited: it is computed again
+        self.tools.update(tool for point in batch for tool in point.tools)
+        self.written += [todo, *kept, *(file.with_name(f"{file.name}.part") for file in kept)]
+        for point in batch:
+            self.written += [point.path, point.path.with_suffix(".origin")]
+            if point.path.exists() and not is_whole(point.path):
+                point.path.unlink()  # damaged or edited: it is computed again
 
     def add_figure(self, recipe, figure, reads):
         """`reads`: {name: points}."""
-        for point in (point for points in reads.values() for point in points):
-            self.add_point(point)
+        for points in reads.values():
+            self.add_points(points)
         data = DATA / recipe / "figure.json"
         rows = {name: [as_read(point) for point in points] for name, points in reads.items()}
         write_if_changed(data, json.dumps(rows))
@@ -174,9 +183,7 @@ def write_plan(recipes, cores, megabytes):
             continue
         plan.add_figure(recipe, figure, reads)
     for points in list(chains.made.values()):
-        for point in points:
-            if str(point.path) in chains.deciding:
-                plan.add_point(point)
+        plan.add_points([point for point in points if str(point.path) in chains.deciding])
     if waiting and all(Path(path).exists() for path in chains.deciding):
         raise Failure(f"{' '.join(waiting)}: what its points depend on is not reported")
     plan.add_plan(chains.deciding)

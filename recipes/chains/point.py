@@ -1,14 +1,13 @@
-"""Computes one point:
+"""Computes a point, or several of a chain, one after the other:
 
     python -m chains.point results/data/points/ID.todo
 
-The file, which Ninja writes and deletes, is a JSON object: the commands, the names in their holes,
-the files to keep, the base. The commands run in a folder of their own, which is deleted at the end.
+The file, which Ninja writes and deletes, has the work of each point: commands, names in their holes,
+files to keep, the base. The commands run in a folder of their own, which is deleted at the end.
 The files come to stay under their names at the end, too, the result last; whatever is equal to what
 is there keeps its date, so that nothing after it is stale. A program's refusal is a result; if a
 program crashes, there is none."""
 
-import ctypes
 import json
 import os
 import re
@@ -26,7 +25,6 @@ from runs.written import append_to
 
 HOLE = re.compile(r"\{([^{}]*)\}")
 JOBS = Path("results/jobs.jsonl")
-PARENT_ENDS = 1  # of Linux's prctl()
 
 
 class Names:
@@ -108,27 +106,33 @@ def note(outputs, described, rule, command, inputs, started):
         file.write(json.dumps(job | {"seconds": time.time() - started}) + "\n")
 
 
-def main(todo):
-    ctypes.CDLL(None).prctl(PARENT_ENDS, signal.SIGTERM)  # it must not outlive a killed Ninja
-    for number in INTERRUPTIONS:  # so that the point's folder is deleted
-        signal.signal(number, lambda which, _: sys.exit(128 + which))
-    started, path = time.time(), Path(todo).with_suffix(".json")
-    work = result_of(todo)
+def finish(work, about):
+    """Computes a point unless its result is there. Returns a sentence if a program crashed."""
+    started, path, base = time.time(), Path(work.pop("path")), work["base"]
     tools = sorted({line.split(None, 1)[0] for line in work["commands"].values()})
-    of_work = {name: work[name] for name in ("commands", "names", "keep", "base")}
-    origin = origin_of(of_work, tools)
+    origin = origin_of(work, tools)
     kept = [path.with_suffix(f".{name}") for name in work["keep"]]
     if is_current(path, origin) and all(map(Path.exists, kept)):
-        return
+        return ""
     with tempfile.TemporaryDirectory(prefix="rupture-point-") as folder:
         result = compute(work, folder)
         if result["status"] == UNFINISHED:
-            sys.exit(result["sentence"])
+            return result["sentence"]
         keep(path, result, work["keep"], folder)
     save_origin(path, origin)
-    inputs = [file for file in (base["file"], base["of"]) if file] if (base := work["base"]) else []
+    inputs = [file for file in (base["file"], base["of"]) if file] if base else []
     command = " && ".join(result["commands"].values())
-    note([path, *kept], work["described"], work["chain"], command, inputs, started)
+    note([path, *kept], about["described"], about["chain"], command, inputs, started)
+    return ""
+
+
+def main(todo):
+    for number in INTERRUPTIONS:  # so that the point's folder is deleted
+        signal.signal(number, lambda which, _: sys.exit(128 + which))
+    about = result_of(todo)
+    sentences = [finish(work, about) for work in about["works"]]
+    if any(sentences):
+        sys.exit("\n".join(filter(None, sentences)))
 
 
 if __name__ == "__main__":

@@ -190,6 +190,17 @@ class Point:
             "base": self.base,
         }
 
+    @property
+    def tools(self):
+        return sorted({line.split(None, 1)[0] for line in self.commands.values()})
+
+    @property
+    def inputs(self):
+        """Files of other points, or of the user, on which its result depends."""
+        sources = [source for source in self.work["names"].values() if source[:1] not in "[{"]
+        base = [self.base["file"], self.base["of"]] if self.base else []
+        return [file for file in (*base, *sources) if file]
+
     @cached_property
     def id(self):
         return digest(json.dumps(self.work))
