@@ -2,17 +2,15 @@
 and what a chain that is no recipe must not do."""
 
 import re
-import shlex
 
-from chains.chain import HOLE, PLAIN, RUNS, is_expression, kept_names, words_of
+from chains.chain import BASE, HOLE, RUNS, is_expression, kept_names, words_of
 from chains.expressions import Expression
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
 from sweeps.check import REFUSED, Programs, given_in
-from sweeps.sweep import check_known
+from sweeps.sweep import check_known, suggestion
 
 OWN = ("values", "base")  # holes that are no names
-FORBIDDEN = {"base": "[chain] base = FILE.h5 is missing", "values": ""}
 
 
 def check(chains, chain):
@@ -30,10 +28,9 @@ def check(chains, chain):
         with chain.errors_at("chain", "points"):
             check_expression(chain.points["condition"], names)
     with chain.errors_at("chain", "base"):
-        for hole in HOLE.findall(chain.keys.get("base", "")):
-            if not re.fullmatch(r"[\d.]+", hole):
-                check_expression(hole.removeprefix(LAST_BEFORE), names)
+        check_base(chains, chain, names)
     check_kept(chain)
+    _ = chain.needs
     if not chain.is_ours:
         check_stranger(chain, Programs())
     if above := chains.above(chain):
@@ -57,12 +54,12 @@ def names_of(chains, chain):
 
 
 def check_expression(text, names):
-    """Of a known name with dots, what follows is an entry of its report."""
+    """What follows a known name is in its report."""
     for dotted in Expression(text, names).names:
         words = dotted.split(".")
         if not any(".".join(words[:count]) in names for count in range(1, len(words) + 1)):
-            near = sorted(names)
-            check_known(dotted, near, f"'{text}': there is no")
+            near = suggestion(words[0], names) or f"; there are {', '.join(sorted(names))}"
+            raise UsageError(f"'{text}': there is no '{words[0]}'{near}")
 
 
 def check_command(chain, name, names):
@@ -75,6 +72,24 @@ def check_command(chain, name, names):
             check_expression(hole, names)
     if re.search(r"[{}]", HOLE.sub("", line)):
         raise UsageError(f"'{line}': a brace is missing")
+
+
+def check_base(chains, chain, names):
+    """A chain above must keep it; of a name with holes, what stands before the first of them."""
+    if not (found := BASE.fullmatch(chain.keys.get("base", ""))):
+        return
+    for hole in HOLE.findall(found["file"]):
+        if not re.fullmatch(r"[\d.]+", hole):
+            check_expression(hole.removeprefix(LAST_BEFORE), names)
+    if found["chain"]:
+        kept, path = chain, (chain.path.parent / f"{found['chain']}.ini").resolve()
+        while kept.path.resolve() != path:
+            if not (kept := chains.above(kept)):
+                raise UsageError(f"its points do not come from {found['chain']}: see 'points'")
+        start = found["file"].partition("{")[0]
+        if not any(name.startswith(start) for name in kept.keep):
+            keeps = ", ".join(kept.keep) or "nothing"
+            raise UsageError(f"{kept.shown} does not keep {found['file']} (it keeps {keeps})")
 
 
 def check_kept(chain):

@@ -51,6 +51,7 @@ ALLOWED = (
 MAY_HAVE = "it may have numbers, texts, names, + - * / **, comparisons, and, or, not, and " + (
     " ".join(f"{name}()" for name in FUNCTIONS)
 )
+WHOLE = 1e15  # up to there, whole numbers are written without an exponent
 MINUS = "_minus_"  # stands for the - of names such as sigma-bar
 
 
@@ -77,7 +78,9 @@ def as_number(text):
 
 
 def as_text(value):
-    """A value as a command has it, with all digits."""
+    """A value as a command has it: with all digits, and without a dot if it is whole."""
+    if isinstance(value, float) and value.is_integer() and abs(value) < WHOLE:
+        return str(int(value))
     return value if isinstance(value, str) else repr(value)
 
 

@@ -50,11 +50,14 @@ class Names:
 
     def filled(self, line):
         """The command as it is typed; None if a value is null."""
-        values = {hole: self.value(hole) for hole in HOLE.findall(line)}
+        if not (holes := HOLE.findall(line)):
+            return line
+        from chains.expressions import as_text
+
+        values = {hole: self.value(hole) for hole in holes}
         if None in values.values():
             return None
-        texts = {n: v if isinstance(v, str) else repr(v) for n, v in values.items()}
-        return HOLE.sub(lambda hole: shlex.quote(texts[hole[1]]), line)
+        return HOLE.sub(lambda hole: shlex.quote(as_text(values[hole[1]])), line)
 
 
 def compute(work, folder):

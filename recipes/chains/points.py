@@ -14,6 +14,7 @@ from pathlib import Path
 from chains.chain import BASE, HOLE, RECIPES, Chain, is_expression, kept_names
 from chains.expressions import Expression, as_number, as_text
 from chains.store import STORE, digest, result_of
+from reproduce.project import SHARE
 from rupture.errors import UsageError
 from sweeps.sweep import evaluate, options, products, rows_of
 from sweeps.values import LIMIT
@@ -150,7 +151,8 @@ class Point:
             found = BASE.fullmatch(self.chain.keys["base"])
             if not found["chain"]:
                 path = self.chain.path.parent / HOLE.sub(lambda one: self.text(one[1]), found["file"])
-                return {"file": os.path.relpath(path), "shown": os.path.relpath(path), "of": ""}
+                file = os.path.relpath(path, SHARE if self.chain.is_ours else ".")
+                return {"file": file, "shown": file, "of": ""}
             kept = self.ancestor(found["chain"])
             name = self.kept_file(kept, found["file"])
             return {"file": str(kept.file(name)), "shown": name, "of": str(kept.path)}

@@ -1,7 +1,7 @@
 """The chains of commands in the recipes' READMEs are those that the rules run.
 
 A command by hand has the program, the options and the values of one that Snakemake would run, or
-that a point of a sweep runs. It may leave out what only concerns files, and what is a default."""
+that a point of a sweep or of a chain runs. It may leave out what only concerns files, and what is a default."""
 
 import json
 import os
@@ -12,6 +12,7 @@ from pathlib import Path
 
 from pytest import fixture, mark
 
+from chains.points import Chains
 from conftest import ROOT, need_modules, run
 from runs.recipes import read_readme
 from sweeps.sweep import read_sweep
@@ -30,7 +31,8 @@ ONLY_BY_HAND = (
 # {option: value} of what `load` and `prepare` start from.
 PARAMETERS = json.loads(run("analyze", "quantities", "--json").stdout)["parameters"]
 DEFAULTS = {f"--{row['name']}": str(row["default"]) for row in PARAMETERS} | {"--sigma-bar": "0"}
-RECIPES = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/rules.smk"))
+RULES = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/rules.smk"))
+CHAINS = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/figure.ini"))
 
 
 def planned(folder):
@@ -39,11 +41,11 @@ def planned(folder):
         (folder / name).symlink_to(ROOT / name)
     done = run(
         *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile"),
-        *(*RECIPES, "--dryrun", "--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
+        *(*RULES, "--dryrun", "--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
         *("--log-handler-script", "recipes/common/runs/progress.py"),
         *("--config", "bin=bin", "code=none", "from_scratch=1"),
         cwd=folder,
-        env=os.environ | {"XDG_CACHE_HOME": str(folder), "PYTHONPATH": "recipes/common:python"},
+        env=os.environ | {"XDG_CACHE_HOME": str(folder), "PYTHONPATH": "recipes/common:recipes:python"},
     )
     assert done.returncode == 0, done.stdout + done.stderr
     lines = (folder / "build/log/recipes.log").read_text().splitlines()
@@ -53,8 +55,16 @@ def planned(folder):
 def of_sweeps():
     """Without those whose table of points is made by rules, which are like the other ones."""
     for path in sorted((ROOT / "recipes").glob("*/*.ini")):
-        if "\npoints" not in path.read_text():
+        if path.parent.name in RULES and "\npoints" not in path.read_text():
             for point in read_sweep(path).points:
+                yield from point.commands.values()
+
+
+def of_chains():
+    chains = Chains()
+    for path in sorted((ROOT / "recipes").glob("*/*.ini")):
+        if path.parent.name in CHAINS and path.name != "figure.ini":
+            for point in chains.points(chains.load(path)):
                 yield from point.commands.values()
 
 
@@ -124,12 +134,12 @@ def test_rules_whose_results_take_long_list_what_changes_these(rule):
 
 @fixture(scope="module", name="calls")
 def all_calls(tmp_path_factory):
-    texts = [*planned(tmp_path_factory.mktemp("plan")), *of_sweeps()]
+    texts = [*planned(tmp_path_factory.mktemp("plan")), *of_sweeps(), *of_chains()]
     found = [parse(words) for text in texts for words in calls_in(text)]
     return list({repr(call): call for call in found}.values())
 
 
-@mark.parametrize("name", RECIPES)
+@mark.parametrize("name", [*RULES, *CHAINS])
 def test_each_command_by_hand_is_one_of_the_rules(name, calls):
     pages = (ROOT / "recipes" / name).glob("*.md")
     chain = [words for page in pages for words in calls_in(read_readme(page).commands)]

@@ -122,6 +122,6 @@ class Project:
 
     def report(self):
         """Runs report.py: exit code, standard output and standard error."""
-        paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/python"}
+        paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/recipes:{ROOT}/python"}
         script = ROOT / "recipes/common/report/report.py"
         return run(sys.executable, script, self.root, env=os.environ | paths)

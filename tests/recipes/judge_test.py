@@ -185,7 +185,7 @@ class TestTable:
             assert {"recipe", "says", "fixed", "accepted"} <= set(row)
             assert row["kind"] in ("finding", "check")
             assert {"conditions", "like"} & set(row)
-            assert (ROOT / f"recipes/{row['recipe']}/rules.smk").exists()
+            assert (ROOT / f"recipes/{row['recipe']}/figure.py").exists()
             for condition in conditions_of(claim_id).values():
                 if isinstance(condition, dict):
                     assert condition and set(condition) <= set(RELATIONS)

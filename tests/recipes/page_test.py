@@ -221,7 +221,7 @@ def names_in(path):
     return found
 
 
-@pytest.mark.parametrize("recipe", [*sorted((ROOT / "recipes").glob("*/rules.smk")), "README"])
+@pytest.mark.parametrize("recipe", [*sorted((ROOT / "recipes").glob("*/figure.py")), "README"])
 def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recipe):
     if recipe == "README":
         text, scripts = readme.SENTENCES, [*(ROOT / "recipes").rglob("*.py")]

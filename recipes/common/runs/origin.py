@@ -82,10 +82,13 @@ def builds(root, files):
 
 
 def checksums(root, files):
-    """Contents of the .sum files: (name, checksum)."""
+    """(name, checksum): contents of .sum files, and of the files that points of chains wrote."""
     found = []
     for name in sorted(files, key=natural):
         path = root / name
+        if name.startswith("results/data/points/") and path.suffix == ".json" and path.exists():
+            written = json.loads(path.read_text(encoding="utf-8")).get("checksums", {})
+            found += [(f"points/{path.stem}.{file}", sum) for file, sum in written.items()]
         if name.startswith("results/data/") and path.suffix == ".sum" and path.exists():
             words = path.read_text(encoding="utf-8").split()
             checksum = words[-2] if len(words) > 1 else "empty"

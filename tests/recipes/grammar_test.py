@@ -1,0 +1,252 @@
+"""Chain files as they are read: their points, their commands, and what is wrong in a sentence with
+the file and the line (recipes/chains)."""
+
+import json
+
+import pytest
+
+from chains import chain as chain_file
+from chains import points as points_of_chains
+from chains.chain import kept_names
+from chains.check import check
+from chains.expressions import Expression
+from chains.points import Chains, Waiting
+from chains.store import STORE
+from rupture.errors import UsageError
+
+NAMES = {"x": 3, "a.b": [1, 2.5, None], "none": None, "sigma-bar": 0.2, "v": "slow", "seed": 1}
+VALUES = [  # an expression, and what it is; null is None
+    ("1 + 2 * x", 7),
+    ("-x ** 2 / 2", -4.5),
+    ("a.b[1] + a.b[0]", 3.5),
+    ("a.b[-1]", None),
+    ("a.b[-1] + 1", None),
+    ("none.t[3]", None),
+    ("none or x", 3),
+    ("none and x", None),
+    ("0 < x < 3", False),
+    ("0 < none", None),
+    ("none is None", True),
+    ("none is not None or x == 3", True),
+    ("not x == 2", True),
+    ("sigma-bar == 0.2 and v == 'slow'", True),
+    ("x - seed", 2),
+    ("v in ('slow', 'fast')", True),
+    ("v not in ('slow', 'fast')", False),
+    ("max(x, 5)", 5),
+    ("max(a.b)", None),
+    ("max(known(a.b)) + min(known(a.b))", 3.5),
+    ("len(known(a.b))", 2),
+    ("round(2.00049, 3)", 2.0),
+    ("sqrt(9) + abs(-1)", 4),
+]
+
+
+@pytest.mark.parametrize("text, value", VALUES)
+def test_expressions(text, value):
+    assert Expression(text, NAMES).value(NAMES.__getitem__) == value
+
+
+REFUSED = [  # an expression, and a word of the sentence
+    ("__import__('os')", "not allowed"),
+    ("x.__class__.__mro__()", "not allowed"),
+    ("[y for y in a.b]", "not allowed"),
+    ("(lambda: 1)()", "not allowed"),
+    ("x if v else 1", "not allowed"),
+    ("f'{x}'", "not allowed"),
+    ("1j", "not allowed"),
+    ("max(x, key=v)", "not allowed"),
+    ("x +", "cannot be read"),
+    ("(" * 500 + ")" * 500, "cannot be read"),
+    ("x.real", "cannot be worked out"),
+    ("v * 1000", "arithmetic is for numbers"),
+    ("x ** x ** x ** x ** x", "cannot be worked out"),
+    ("x / 0", "cannot be worked out"),
+    ("(0 - x) ** 0.5", "not a finite real number"),
+    ("a.b[7]", "cannot be worked out"),
+    ("nope", "there is no nope"),
+]
+
+
+@pytest.mark.parametrize("text, sentence", REFUSED)
+def test_what_expressions_may_not_have(text, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        Expression(text, NAMES).value(NAMES.__getitem__)
+
+
+# --- files -------------------------------------------------------------------------------------
+
+
+class Files:
+    """Chains in recipes/a/ of a project's folder, which is the current one; .read() for one of
+    them, with what is wrong in it as an error."""
+
+    def __init__(self, folder):
+        self.folder, self.chains = folder / "recipes/a", Chains()
+        self.folder.mkdir(parents=True)
+
+    def write(self, **texts):
+        for name, text in texts.items():
+            (self.folder / f"{name}.ini").write_text(text)
+
+    def read(self, name="x"):
+        chain = self.chains.load(self.folder / f"{name}.ini")
+        check(self.chains, chain)
+        return self.chains.points(chain)
+
+    def has_run(self, name, *reports):
+        """What points report, in their order."""
+        for point, report in zip(self.read(name), reports, strict=True):
+            STORE.mkdir(parents=True, exist_ok=True)
+            result = {"status": "done", "sentence": "", "checksums": {}, "reports": report}
+            point.path.write_text(json.dumps(result))
+
+
+@pytest.fixture(name="files")
+def files_in_a_folder(folder, monkeypatch):
+    monkeypatch.setattr(chain_file, "RECIPES", folder / "recipes")
+    for module in (chain_file, points_of_chains):
+        monkeypatch.setattr(module, "SHARE", folder)
+    return Files(folder)
+
+
+RUN = "[commands]\nrun = prepare {values} -o a.h5\n"
+COMMANDS = [  # a file, and the commands of its points
+    (f"{RUN}[values]\ntau-bar = 0.1, 0.2\n", ["--tau-bar 0.1 -o a.h5", "--tau-bar 0.2 -o a.h5"]),
+    (f"[sweep]\n{RUN}[values]\nseed = 1 to 2", ["--seed 1 -o a.h5", "--seed 2 -o a.h5"]),
+    (f"{RUN}[values]\nslider.E = 2e9\nx = 2 * {{slider.E}}", ["--set slider.E=2e9 --x 4000000000 -o a.h5"]),
+    (f"{RUN}[variant v]\nseed = 1\n[variant w]\nseed = 2", ["--seed 1 -o a.h5", "--seed 2 -o a.h5"]),
+    (
+        "[commands]\nrun = prepare {values} --seed {n} -o a.h5\n[values]\nn = 7\ntau-bar = 0.1",
+        ["--tau-bar 0.1 --seed 7 -o a.h5"],  # a value that is named is no option
+    ),
+    ("[commands]\nrun = prepare --seed {n + 1} -o a.h5\n[values]\nn = 7", ["--seed 8 -o a.h5"]),
+    ("[commands]\nrun = prepare --x {m} -o a.h5\n[values]\nn = 7\nm = {n / 2}", ["--x 3.5 -o a.h5"]),
+    ("[commands]\nrun = prepare --x {n} -o a.h5\n[values]\nn = $(x) y", ["--x '$(x) y' -o a.h5"]),
+    (
+        "[chain]\nbase = ../../b.h5\n[commands]\nrun = restart {base} --for {t}\n[values]\nt = 1 ms",
+        ["b.h5 --for '1 ms'"],
+    ),
+    (  # filled in when it runs
+        "[commands]\nfront = analyze front r.h5\nrun = restart a.h5 --until {front.t_rupture[8]} -o a.h5",
+        ["a.h5 --until {front.t_rupture[8]} -o a.h5"],
+    ),
+]
+
+
+@pytest.mark.parametrize("text, expected", COMMANDS)
+def test_the_commands_of_points(files, text, expected):
+    files.write(x=text)
+    assert [point.commands["run"].split(" ", 1)[1] for point in files.read()] == expected
+
+
+ABOVE = "[chain]\nkeep = l.h5 l-t{0.1 to 0.3 by 0.1}.h5\n[commands]\nl = load {values} -o l.h5\n" + (
+    "events = analyze events r.h5\n[values]\nseed = 1, 2\n"
+)
+BELOW = "[commands]\nrun = restart {base} -o a.h5 --until {until}\nx = analyze stress {base}\n"
+EVENTS = ({"events": {"list": [{"t": 0.25, "big": True}, {"t": 0.35, "big": False}]}}, {"events": None})
+
+
+def below(points, base="l.h5", values="until = 1"):
+    return f"[chain]\npoints = {points}\nbase = above: {base}\n{BELOW}[values]\n{values}\n"
+
+
+SELECTED = [  # a chain that comes from `above`, and its points: (seed, base, until)
+    (below("above"), [(1, "l.h5", 1), (2, "l.h5", 1)]),
+    (below("above where seed == 2"), [(2, "l.h5", 1)]),
+    (below("above where seed == 2 or until > 1", values="until = 1, 2"), [(1, "l.h5", 2), (2, "l.h5", 1), (2, "l.h5", 2)]),
+    (below("first above"), [(1, "l.h5", 1)]),
+    (below("above", "l-t{0.2}.h5"), [(1, "l-t0.200000000.h5", 1), (2, "l-t0.200000000.h5", 1)]),
+    (
+        below("e in above: events.list", "l-t{last before until}.h5", "until = {e.t - 0.05}"),
+        [(1, "l-t0.100000000.h5", 0.2), (1, "l-t0.200000000.h5", 0.3)],
+    ),
+    (below("e in above: events.list where e.big"), [(1, "l.h5", 1)]),
+    (below("first e in above: events.list where not e.big"), [(1, "l.h5", 1)]),
+]
+
+
+@pytest.mark.parametrize("text, expected", SELECTED)
+def test_points_from_another_chain(files, text, expected):
+    files.write(above=ABOVE, x=text)
+    waits = "events" in text
+    if waits:
+        with pytest.raises(Waiting):
+            files.read()
+        assert len(files.chains.deciding) == 2
+    files.has_run("above", *EVENTS)
+    assert bool(files.chains.deciding) == waits
+    found = files.read()
+    each = [(p.known("seed"), p.base["shown"], pytest.approx(p.known("until"))) for p in found]
+    assert each == expected
+
+
+def test_like_takes_what_a_file_lacks(files):
+    files.write(y=f"[chain]\nkeep = a.h5\nmemory = 2 GB\n{RUN}[values]\nseed = 1, 2\n[variant v]\n")
+    files.write(x="[chain]\nlike = y.ini\nmemory = 3 GB\n[values]\nseed = 3\n")
+    (point,) = files.read()
+    assert point.values == {"variant": "v", "seed": "3"}
+    assert (point.chain.keep, point.chain.needs["megabytes"]) == (["a.h5"], 3000)
+
+
+def test_a_point_is_its_commands_and_its_base(files):
+    files.write(x=f"{RUN}[values]\nseed = 1\n", y=f"; another file\n{RUN}[variant v]\nseed = 1\n")
+    files.write(z="[chain]\nbase = b.h5\n" + RUN + "[values]\nseed = 1\n")
+    first, same, other = (files.read(name)[0].id for name in "xyz")
+    assert first == same != other
+
+
+WRONG = [  # a file, and the sentence that follows its name
+    (RUN.replace("prepare", "rm"), "line 2: there is no program 'rm'"),
+    (RUN.replace("{values}", "{valus}"), "line 2: 'valus': there is no 'valus'; there are run"),
+    (f"{RUN}y = load --x {{run.a}} {{ru.b}}", "line 3: 'ru.b': there is no 'ru': did you mean 'run'"),
+    (f"{RUN}y = load {{base}}", r"line 3: .*{base} needs base = FILE in \[chain\]"),
+    (f"{RUN}y = load {{x", "line 3: .*a brace is missing"),
+    (f"{RUN}y = load 'x", "line 3: .*cannot be split into words"),
+    (f"{RUN}[values]\nx = {{y + 1}}", "line 4: 'y . 1': there is no 'y'; there are run, x"),
+    (f"{RUN}[values]\nrun = 1", "line 2: 'run' is the name of a value, too"),
+    (f"{RUN}[values]\nx = 1 to 2.5", "line 4: .*give its step"),
+    (f"{RUN}[values]\nx =", "line 4: 'x' in .values. has no value"),
+    (f"[chain]\npoint = y\n{RUN}", "line 2: .chain. has no key 'point': did you mean 'points'"),
+    (f"[chains]\nbase = y\n{RUN}", "line 2: there is no section 'chains': did you mean 'chain'"),
+    (f"[chain]\npoints = y\n{RUN}", "line 2: there is no chain recipes/a/y.ini; beside it are above, x"),
+    (f"[chain]\npoints = e in above\n{RUN}", "line 2: write points = CHAIN, or NAME in CHAIN: LIST"),
+    (f"[chain]\npoints = e in above: event.s\n{RUN}", "line 2: 'event.s': there is no 'event': did you mean 'events'"),
+    (f"[chain]\npoints = above where sed == 1\n{RUN}", "line 2: .*there is no 'sed': did you mean 'seed'"),
+    (f"[chain]\npoints = above\nbase = above: r.h5\n{RUN}", "line 3: .*above.ini does not keep r.h5"),
+    (f"[chain]\nbase = above: l.h5\n{RUN}", "line 2: its points do not come from above"),
+    (f"[chain]\nkeep = b.h5\n{RUN}", "line 2: no command writes b.h5"),
+    (f"[chain]\nkeep = ../a.h5\n{RUN}", "line 2: '../a.h5' is not the name of a file"),
+    (f"[chain]\nmemory = 2 kg\n{RUN}", "line 2: 'memory = 2 kg' is not understood"),
+    ("[chain]\nlike = x.ini\n", "'like' leads back to the same file"),
+    ("x", "line 1: expected .SECTION. first"),
+]
+
+
+@pytest.mark.parametrize("text, sentence", WRONG)
+def test_what_is_wrong_is_said_with_the_file_and_the_line(files, text, sentence):
+    files.write(above=ABOVE, x=text)
+    with pytest.raises(UsageError, match=f"recipes/a/x.ini[,:] .*?({sentence})"):
+        files.read()
+
+
+STRANGE = [  # a command of a file that is no recipe
+    ("script x.py", "there is no program 'script'"),
+    ("../x/load -o a.h5", "there is no program"),
+    ("load -o ../a.h5", "-o needs the name of a file in the point's own folder"),
+    ("load -o a.h5 --record /tmp/r.h5", "--record needs the name of a file"),
+    ("load -o a.h5 --force", "must not have --force"),
+    ("load -o a.h5 --config /etc/x", "must not have --config"),
+]
+
+
+@pytest.mark.parametrize("line, sentence", STRANGE)
+def test_what_a_file_from_a_stranger_may_not_do(tmp_path, line, sentence):
+    (tmp_path / "x.ini").write_text(f"[commands]\nrun = {line}\n")
+    chains = Chains()
+    with pytest.raises(UsageError, match=f"{tmp_path}/x.ini, line 2: .*{sentence}"):
+        check(chains, chains.load(tmp_path / "x.ini"))
+
+
+def test_times_in_names_are_written_as_programs_do():
+    assert kept_names("a-t{0.1 to 0.2 by 0.1}.h5") == ["a-t0.100000000.h5", "a-t0.200000000.h5"]
