@@ -36,8 +36,10 @@ def is_expression(text):
 
 
 class Chain:
-    """One file. `name`: as recipes call it, such as fig4/map; `own`: what stands in the file itself,
-    `sections` with those of the files that it is like."""
+    """One file. `own`: the sections in the file itself, `sections`: with those of the files that it
+    is like; `decides`: whether reports of its points decide which points others have."""
+
+    decides = False
 
     def __init__(self, path, read=()):
         self.path = Path(os.path.abspath(path))
@@ -73,7 +75,10 @@ class Chain:
 
     @property
     def name(self):
-        return str(self.path.relative_to(RECIPES).with_suffix("")) if self.is_ours else self.path.stem
+        """As recipes call it."""
+        return (
+            str(self.path.relative_to(RECIPES).with_suffix("")) if self.is_ours else self.path.stem
+        )
 
     @property
     def keys(self):
@@ -104,7 +109,9 @@ class Chain:
                 return None
             found = SELECTION.fullmatch(self.keys["points"])
             if not found or bool(found["element"]) != bool(found["list"]):
-                raise UsageError("write points = CHAIN, or NAME in CHAIN: LIST; then where CONDITION")
+                raise UsageError(
+                    "write points = CHAIN, or NAME in CHAIN: LIST; then where CONDITION"
+                )
             return found.groupdict()
 
     @cached_property

@@ -1,13 +1,13 @@
-"""Finds names that lead nowhere before anything runs, also in chains whose points are not known yet;
-and what a chain that is no recipe must not do."""
+"""Finds names that lead nowhere before anything runs, also in chains whose points are not known
+yet; and what a chain that is no recipe must not do."""
 
 import re
 
 from chains.chain import BASE, HOLE, RUNS, is_expression, kept_names, words_of
-from chains.expressions import Expression
+from chains.expressions import Expression, first_known
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
-from sweeps.check import REFUSED, Programs, given_in
+from sweeps.check import Programs, given_in
 from sweeps.sweep import check_known, suggestion
 
 OWN = ("values", "base")  # holes that are no names
@@ -49,17 +49,19 @@ def names_of(chains, chain):
     if len(chain.lists) > 1 or "values" not in chain.lists:
         values |= {"variant"} if chain.lists else set()
     for name in values.intersection(chain.commands):
-        raise chain.error("commands", name, f"'{name}' is the name of a value, too; take another one")
+        raise chain.error(
+            "commands", name, f"'{name}' is the name of a value, too; take another one"
+        )
     return names | values | set(chain.commands)
 
 
 def check_expression(text, names):
     """What follows a known name is in its report."""
     for dotted in Expression(text, names).names:
-        words = dotted.split(".")
-        if not any(".".join(words[:count]) in names for count in range(1, len(words) + 1)):
-            near = suggestion(words[0], names) or f"; there are {', '.join(sorted(names))}"
-            raise UsageError(f"'{text}': there is no '{words[0]}'{near}")
+        if not first_known(dotted, names):
+            name = dotted.partition(".")[0]
+            near = suggestion(name, names) or f"; there are {', '.join(sorted(names))}"
+            raise UsageError(f"'{text}': there is no '{name}'{near}")
 
 
 def check_command(chain, name, names):

@@ -10,14 +10,15 @@ from pathlib import Path
 USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request cannot be met
 INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
 UNFINISHED = "unfinished"
-OF_RUNS = ("--quiet", "--sum")  # FILE.sum has the checksum of a file's content
-ADDED = {"analyze": ("--json",), **dict.fromkeys(("load", "modify-phi", "prepare", "restart"), OF_RUNS)}
+RUNS = ("load", "modify-phi", "prepare", "restart")
 
 
 def as_run(command):
-    """The words of a command with what nobody types: how it says what it found."""
+    """The words of a command with what nobody types: how it says what it found, and that FILE.sum
+    is to have the checksum of each file."""
     tool, *words = shlex.split(command)
-    return [tool, *words, *(word for word in ADDED.get(tool, ()) if word not in words)]
+    added = ["--json"] if tool == "analyze" else ["--quiet", "--sum"] if tool in RUNS else []
+    return [tool, *words, *(word for word in added if word not in words)]
 
 
 def run(folder_of_tools, words, folder, files):

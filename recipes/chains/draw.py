@@ -1,4 +1,4 @@
-"""Draws a figure and judges its claims, from the points of its chains: python -m chains.draw NAME"""
+"""Draws a figure and judges its claims, from the points of its chains: -m chains.draw NAME"""
 
 import sys
 import time

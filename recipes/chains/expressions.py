@@ -91,7 +91,9 @@ class Expression:
         self.text = text.strip()
         plain = self.text
         for name in sorted((name for name in dashed if "-" in name), key=len, reverse=True):
-            plain = re.sub(rf"(?<![\w.-]){re.escape(name)}(?![\w-])", name.replace("-", MINUS), plain)
+            plain = re.sub(
+                rf"(?<![\w.-]){re.escape(name)}(?![\w-])", name.replace("-", MINUS), plain
+            )
         try:
             self.tree = ast.parse(plain, mode="eval")
         except (SyntaxError, MemoryError, RecursionError, ValueError):
@@ -126,6 +128,13 @@ def names_in(node):
         return [name]
     parts = node.args if isinstance(node, ast.Call) else ast.iter_child_nodes(node)
     return [name for part in parts for name in names_in(part)]
+
+
+def first_known(name, names):
+    """The longest part of a name with dots that is one of these; nothing if none is."""
+    words = name.split(".")
+    parts = (".".join(words[:count]) for count in range(len(words), 0, -1))
+    return next((part for part in parts if part in names), "")
 
 
 def named(name, look_up):

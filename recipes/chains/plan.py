@@ -24,8 +24,12 @@ RESULTS, DATA = Path("results"), Path("results/data")
 FOLDER = DATA / "plan"
 PLAN = FOLDER / "build.ninja"
 OF_CLAIMS = SHARE / "recipes/common/claims/claims.toml"  # a changed acceptance is judged anew
-# A profile's `step` starts commands as the shell does (docs/cluster.md).
-STEP = 'export OMP_NUM_THREADS=$threads; exec "$${RUPTURE_STEP:-sh}" -c \'exec setpriv --pdeathsig TERM "$$RUPTURE_PYTHON" -P'
+# A profile's `step` starts commands as the shell does (docs/cluster.md);
+# setpriv ends them with a Ninja that is killed.
+STEP = (
+    'export OMP_NUM_THREADS=$threads; exec "$${RUPTURE_STEP:-sh}"'
+    ' -c \'exec setpriv --pdeathsig TERM "$$RUPTURE_PYTHON" -P'
+)
 RULES = f"""\
 ninja_required_version = 1.10
 builddir = {FOLDER}
@@ -133,12 +137,14 @@ class Plan:
         pictures = re.split(r",\s*", listed.get("pictures", recipe))
         outputs = ["claims.json"]
         outputs += [f"{picture}.{ending}" for picture in pictures for ending in ("png", "pdf")]
-        outputs += [f"{table}.csv" for table in re.split(r",\s*", listed.get("tables", "")) if table]
+        outputs += [
+            f"{table}.csv" for table in re.split(r",\s*", listed.get("tables", "")) if table
+        ]
         outputs = [RESULTS / recipe / file for file in outputs]
         inputs = {point.path: None for points in reads.values() for point in points}
-        self.edges[outputs[0]] = (
-            f"build {paths(*outputs)}: figure | {paths(data, code, *inputs)}\n  recipe = {recipe}\n"
-        )
+        self.edges[
+            outputs[0]
+        ] = f"build {paths(*outputs)}: figure | {paths(data, code, *inputs)}\n  recipe = {recipe}\n"
         self.written += [data, code, *outputs]
 
     def add_plan(self, deciding):
@@ -151,7 +157,9 @@ class Plan:
         self.written += [RESULTS / "jobs.jsonl", *(DIGESTS / tool for tool in self.tools)]
         note(RESULTS, *self.written)
         for tool in self.tools:
-            write_if_changed(DIGESTS / tool, digest_of_program(f"{os.environ['RUPTURE_BIN']}/{tool}"))
+            write_if_changed(
+                DIGESTS / tool, digest_of_program(f"{os.environ['RUPTURE_BIN']}/{tool}")
+            )
         write_if_changed(PLAN, "\n".join([RULES, *self.pools.values(), *self.edges.values()]))
 
 
@@ -159,7 +167,7 @@ def as_read(point):
     """For figure.py (results.py): the point, and those that it comes from."""
     return [
         {
-            "values": {name: [one.value(name, one.known)] for name in one.values},
+            "values": one.values,
             "elements": one.elements,
             "commands": list(one.chain.commands),
             "path": str(one.path),
@@ -182,11 +190,12 @@ def write_plan(recipes, cores, megabytes):
             waiting.append(recipe)
             continue
         plan.add_figure(recipe, figure, reads)
-    for points in list(chains.made.values()):
-        plan.add_points([point for point in points if str(point.path) in chains.deciding])
-    if waiting and all(Path(path).exists() for path in chains.deciding):
-        raise Failure(f"{' '.join(waiting)}: what its points depend on is not reported")
-    plan.add_plan(chains.deciding)
+    deciding = chains.deciding
+    for chain in {point.chain: None for point in deciding}:
+        plan.add_points([point for point in deciding if point.chain is chain])
+    if waiting and all(point.path.exists() for point in deciding):
+        raise Failure(f"{' '.join(waiting)}: its points depend on what no other point reports")
+    plan.add_plan([point.path for point in deciding])
     plan.write()
 
 

@@ -2,11 +2,11 @@
 
     python -m chains.point results/data/points/ID.todo
 
-The file, which Ninja writes and deletes, has the work of each point: commands, names in their holes,
-files to keep, the base. The commands run in a folder of their own, which is deleted at the end.
-The files come to stay under their names at the end, too, the result last; whatever is equal to what
-is there keeps its date, so that nothing after it is stale. A program's refusal is a result; if a
-program crashes, there is none."""
+The file, which Ninja writes and deletes, has the work of each point: commands, names in their
+holes, files to keep, the base. The commands run in a folder of their own, which is deleted at the
+end. Then the files that stay get their names, the result last; whatever is equal to what is there
+keeps its date, so that nothing after it is stale. A program's refusal is a result; if a program
+crashes, there is none."""
 
 import json
 import os
@@ -63,16 +63,23 @@ class Names:
 def compute(work, folder):
     """The result. What needs a null, or a file of a command that was left out, is left out."""
     reports: dict = {}
-    result = {"commands": {}, "status": "done", "sentence": "", "reports": reports}
-    names, missing = Names(work["names"], reports), set()
+    result: dict = {"commands": {}, "status": "done", "sentence": "", "reports": reports}
+    names = Names(work["names"], reports)
+    missing: set[str] = set()  # files that no command writes
     base = work["base"]
     if base and base["of"] and (before := result_of(base["of"]))["status"] != "done":
-        return result | {"status": before["status"], "sentence": before["sentence"], "checksums": {}}
+        return result | {
+            "status": before["status"],
+            "sentence": before["sentence"],
+            "checksums": {},
+        }
     for name, line in work["commands"].items():
         command = names.filled(line)
         words = shlex.split(command or HOLE.sub("", line))
         if command is None or missing.intersection(words):
-            missing.update(word for word in words if "." in word and not Path(folder, word).exists())
+            missing.update(
+                word for word in words if "." in word and not Path(folder, word).exists()
+            )
             reports[name] = None
             continue
         result["commands"][name] = command

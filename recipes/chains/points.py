@@ -7,12 +7,13 @@ import itertools
 import json
 import math
 import os
+import re
 import shlex
 from functools import cached_property
 from pathlib import Path
 
 from chains.chain import BASE, HOLE, RECIPES, Chain, is_expression, kept_names
-from chains.expressions import Expression, as_number, as_text
+from chains.expressions import Expression, as_number, as_text, first_known
 from chains.store import STORE, digest, result_of
 from reproduce.project import SHARE
 from rupture.errors import UsageError
@@ -27,7 +28,8 @@ class Waiting(Exception):
 
 
 class Point:
-    """`of`: the point that it comes from, whose names it has, too; `elements`: what it is one of."""
+    """`of`: the point that it comes from, whose names it has, too; `elements`: {name: one of the
+    elements of a list of its report}."""
 
     def __init__(self, chain, values, of=None, elements=()):
         self.chain, self.values, self.of, self.elements = chain, values, of, dict(elements)
@@ -79,12 +81,10 @@ class Point:
         return None if found is None else as_text(found)
 
     def report(self, name):
-        """Null for a point that failed."""
-        return self.result()["reports"].get(name)
-
-    def result(self):
+        """Null for a point that failed. What is asked for decides about other points."""
+        self.chain.decides = True
         try:
-            return result_of(self.path)
+            return result_of(self.path)["reports"].get(name)
         except OSError:
             raise Waiting(self.path) from None
 
@@ -123,8 +123,7 @@ class Point:
     def waits_for(self, texts, found):
         """{name: [value], or the file with the report} for the names in holes that are left."""
         for dotted in (name for text in texts for name in Expression(text, self.names).names):
-            words = dotted.split(".")
-            name = next(n for k in range(len(words), 0, -1) if (n := ".".join(words[:k])) in self.names)
+            name = first_known(dotted, self.names)
             if name in found or name in self.chain.commands:
                 continue
             if is_expression(self.values.get(name, "")):
@@ -148,21 +147,15 @@ class Point:
         if "base" not in self.chain.keys:
             return None
         with self.chain.errors_at("chain", "base"):
-            found = BASE.fullmatch(self.chain.keys["base"])
-            if not found["chain"]:
-                path = self.chain.path.parent / HOLE.sub(lambda one: self.text(one[1]), found["file"])
-                file = os.path.relpath(path, SHARE if self.chain.is_ours else ".")
-                return {"file": file, "shown": file, "of": ""}
-            kept = self.ancestor(found["chain"])
-            name = self.kept_file(kept, found["file"])
-            return {"file": str(kept.file(name)), "shown": name, "of": str(kept.path)}
-
-    def ancestor(self, name):
-        path = Path(os.path.abspath(self.chain.path.parent / f"{name}.ini"))
-        for point in self.lineage[1:]:
-            if point.chain.path == path:
-                return point
-        raise UsageError(f"this chain's points do not come from {name}: name it in 'points'")
+            chain, name = BASE.findall(self.chain.keys["base"])[0]
+            path = Path(os.path.abspath(self.chain.path.parent / f"{chain}.ini"))
+            for kept in self.lineage[1:]:
+                if chain and kept.chain.path == path:
+                    name = self.kept_file(kept, name)
+                    return {"file": str(kept.file(name)), "shown": name, "of": str(kept.path)}
+            path = self.chain.path.parent / HOLE.sub(lambda hole: self.text(hole[1]), name)
+            file = os.path.relpath(path, SHARE if self.chain.is_ours else ".")
+            return {"file": file, "shown": file, "of": ""}
 
     def kept_file(self, kept, text):
         """The file of that point which `base` asks for."""
@@ -175,11 +168,11 @@ class Point:
             if not earlier:
                 raise UsageError(f"{kept.chain.shown} keeps no {text} before {time}")
             return times[max(earlier)]
-        (name,) = kept_names(text) if "-t{" in text else [HOLE.sub(lambda h: self.text(h[1]), text)]
-        if name not in kept.chain.keep:
-            keeps = ", ".join(kept.chain.keep) or "nothing"
-            raise UsageError(f"{kept.chain.shown} does not keep {name} (it keeps {keeps})")
-        return name
+        return next(iter(kept_names(HOLE.sub(lambda hole: self.in_name(hole[1]), text))))
+
+    def in_name(self, hole):
+        """A time stays in its braces, for kept_names()."""
+        return "{%s}" % hole if re.fullmatch(r"[\d.]+", hole) else self.text(hole)
 
     @cached_property
     def work(self):
@@ -226,8 +219,14 @@ class Chains:
     """All chains that a plan needs, by file, and their points."""
 
     def __init__(self):
-        self.chains, self.made = {}, {}
-        self.deciding = {}  # files of points that decide which points others have
+        self.chains: dict[Path, Chain] = {}
+        self.made: dict[Path, list] = {}
+
+    @property
+    def deciding(self):
+        """Points whose reports were asked for: with others, there may be other points."""
+        made = (points for path, points in self.made.items() if self.chains[path].decides)
+        return [point for points in made for point in points]
 
     def load(self, path):
         path = Path(os.path.abspath(path))
@@ -253,33 +252,20 @@ class Chains:
         return self.made[chain.path]
 
     def make(self, chain):
-        points = chain.points
-        condition = points and points["condition"]
-        try:
-            with chain.errors_at("chain", "points"):
-                found = [
-                    point
-                    for point in self.all_points(chain)
-                    if not condition or point.worked_out(condition, point.look_up)
-                ]
-                for point in found:
-                    _ = point.id  # a base may wait, too
-        except Waiting:
-            self.decide(chain)
-            raise
-        if points and (points["list"] or condition):
-            self.decide(chain)
-        return found[:1] if points and points["first"] else found
-
-    def decide(self, chain):
-        """The points of the chains above decide which ones this chain has."""
-        while chain := self.above(chain):
-            self.deciding |= {str(point.path): None for point in self.points(chain)}
+        points = chain.points or {}
+        with chain.errors_at("chain", "points"):
+            found = self.all_points(chain)
+            if condition := points.get("condition"):
+                found = (one for one in found if one.worked_out(condition, one.look_up))
+            found = list(found)
+        for point in found:
+            _ = point.id  # its base may wait, too
+        return found[:1] if points.get("first") else found
 
     def all_points(self, chain):
         """Every start with every combination of values; the last name varies fastest."""
         starts = list(self.starts(chain))
-        rows = [{}]
+        rows: list[dict] = [{}]
         if chain.points and chain.points["chain"].endswith(".csv"):
             rows = rows_of(chain.path.parent / chain.points["chain"])
         found = products(dict(chain.lists), rows)

@@ -4,6 +4,8 @@ import json
 from functools import cached_property
 from pathlib import Path
 
+from chains.expressions import Expression, as_number
+from chains.chain import is_expression
 from chains.store import result_of
 from rupture.errors import Failure
 
@@ -33,7 +35,7 @@ class Point:
     @property
     def values(self):
         """Its own, by name."""
-        return {name: value for name, (value,) in self.lineage[0]["values"].items()}
+        return {name: self[name] for name in self.lineage[0]["values"]}
 
     def file(self, name):
         """The path of a file that this point keeps, or one that it comes from."""
@@ -42,17 +44,24 @@ class Point:
                 return path
         raise Failure(f"{self.chain}: no {name} is kept")
 
+    def value(self, text):
+        if not is_expression(text):
+            return as_number(text)
+        kinds = ("values", "elements", "commands")
+        names = [name for one in self.lineage for kind in kinds for name in one[kind]]
+        return Expression(text[1:-1], names).value(self.__getitem__)
+
     def __getitem__(self, name):
         for one, result in zip(self.lineage, self.results):
             if name in one["values"]:
-                return one["values"][name][0]
+                return self.value(one["values"][name])
             if name in one["elements"]:
                 return one["elements"][name]
             if name in one["commands"]:
                 if result["status"] != "done":
                     raise Failure(f"{self.chain}: a point failed: {result['sentence']}")
                 return result["reports"].get(name)
-        raise KeyError(f"{self.chain} has no {name}")
+        raise KeyError(name)
 
 
 def read_chains(recipe):

@@ -31,7 +31,7 @@ def read(path):
 
 
 def write_if_changed(path, text):
-    """Leaves the file and its date alone if that is what it says: then nothing after it is stale."""
+    """Leaves a file that says so, and its date, alone: then nothing after it is stale."""
     if read(path) != text:
         write_whole(path, text)
 

@@ -1,7 +1,8 @@
 """The chains of commands in the recipes' READMEs are those that the rules run.
 
 A command by hand has the program, the options and the values of one that Snakemake would run, or
-that a point of a sweep or of a chain runs. It may leave out what only concerns files, and what is a default."""
+that a point of a sweep or chain runs. It may leave out what only concerns files, and what is a
+default."""
 
 import json
 import os
@@ -45,7 +46,8 @@ def planned(folder):
         *("--log-handler-script", "recipes/common/runs/progress.py"),
         *("--config", "bin=bin", "code=none", "from_scratch=1"),
         cwd=folder,
-        env=os.environ | {"XDG_CACHE_HOME": str(folder), "PYTHONPATH": "recipes/common:recipes:python"},
+        env=os.environ
+        | {"XDG_CACHE_HOME": str(folder), "PYTHONPATH": "recipes/common:recipes:python"},
     )
     assert done.returncode == 0, done.stdout + done.stderr
     lines = (folder / "build/log/recipes.log").read_text().splitlines()

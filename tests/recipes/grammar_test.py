@@ -114,21 +114,32 @@ RUN = "[commands]\nrun = prepare {values} -o a.h5\n"
 COMMANDS = [  # a file, and the commands of its points
     (f"{RUN}[values]\ntau-bar = 0.1, 0.2\n", ["--tau-bar 0.1 -o a.h5", "--tau-bar 0.2 -o a.h5"]),
     (f"[sweep]\n{RUN}[values]\nseed = 1 to 2", ["--seed 1 -o a.h5", "--seed 2 -o a.h5"]),
-    (f"{RUN}[values]\nslider.E = 2e9\nx = 2 * {{slider.E}}", ["--set slider.E=2e9 --x 4000000000 -o a.h5"]),
-    (f"{RUN}[variant v]\nseed = 1\n[variant w]\nseed = 2", ["--seed 1 -o a.h5", "--seed 2 -o a.h5"]),
+    (
+        f"{RUN}[values]\nslider.E = 2e9\nx = 2 * {{slider.E}}",
+        ["--set slider.E=2e9 --x 4000000000 -o a.h5"],
+    ),
+    (
+        f"{RUN}[variant v]\nseed = 1\n[variant w]\nseed = 2",
+        ["--seed 1 -o a.h5", "--seed 2 -o a.h5"],
+    ),
     (
         "[commands]\nrun = prepare {values} --seed {n} -o a.h5\n[values]\nn = 7\ntau-bar = 0.1",
         ["--tau-bar 0.1 --seed 7 -o a.h5"],  # a value that is named is no option
     ),
     ("[commands]\nrun = prepare --seed {n + 1} -o a.h5\n[values]\nn = 7", ["--seed 8 -o a.h5"]),
-    ("[commands]\nrun = prepare --x {m} -o a.h5\n[values]\nn = 7\nm = {n / 2}", ["--x 3.5 -o a.h5"]),
+    (
+        "[commands]\nrun = prepare --x {m} -o a.h5\n[values]\nn = 7\nm = {n / 2}",
+        ["--x 3.5 -o a.h5"],
+    ),
     ("[commands]\nrun = prepare --x {n} -o a.h5\n[values]\nn = $(x) y", ["--x '$(x) y' -o a.h5"]),
     (
-        "[chain]\nbase = ../../b.h5\n[commands]\nrun = restart {base} --for {t}\n[values]\nt = 1 ms",
+        "[chain]\nbase = ../../b.h5\n"
+        "[commands]\nrun = restart {base} --for {t}\n[values]\nt = 1 ms",
         ["b.h5 --for '1 ms'"],
     ),
     (  # filled in when it runs
-        "[commands]\nfront = analyze front r.h5\nrun = restart a.h5 --until {front.t_rupture[8]} -o a.h5",
+        "[commands]\nfront = analyze front r.h5\n"
+        "run = restart a.h5 --until {front.t_rupture[8]} -o a.h5",
         ["a.h5 --until {front.t_rupture[8]} -o a.h5"],
     ),
 ]
@@ -140,11 +151,15 @@ def test_the_commands_of_points(files, text, expected):
     assert [point.commands["run"].split(" ", 1)[1] for point in files.read()] == expected
 
 
-ABOVE = "[chain]\nkeep = l.h5 l-t{0.1 to 0.3 by 0.1}.h5\n[commands]\nl = load {values} -o l.h5\n" + (
-    "events = analyze events r.h5\n[values]\nseed = 1, 2\n"
+ABOVE = (
+    "[chain]\nkeep = l.h5 l-t{0.1 to 0.3 by 0.1}.h5\n[commands]\nl = load {values} -o l.h5\n"
+    + ("events = analyze events r.h5\n[values]\nseed = 1, 2\n")
 )
 BELOW = "[commands]\nrun = restart {base} -o a.h5 --until {until}\nx = analyze stress {base}\n"
-EVENTS = ({"events": {"list": [{"t": 0.25, "big": True}, {"t": 0.35, "big": False}]}}, {"events": None})
+EVENTS = (
+    {"events": {"list": [{"t": 0.25, "big": True}, {"t": 0.35, "big": False}]}},
+    {"events": None},
+)
 
 
 def below(points, base="l.h5", values="until = 1"):
@@ -154,7 +169,10 @@ def below(points, base="l.h5", values="until = 1"):
 SELECTED = [  # a chain that comes from `above`, and its points: (seed, base, until)
     (below("above"), [(1, "l.h5", 1), (2, "l.h5", 1)]),
     (below("above where seed == 2"), [(2, "l.h5", 1)]),
-    (below("above where seed == 2 or until > 1", values="until = 1, 2"), [(1, "l.h5", 2), (2, "l.h5", 1), (2, "l.h5", 2)]),
+    (
+        below("above where seed == 2 or until > 1", values="until = 1, 2"),
+        [(1, "l.h5", 2), (2, "l.h5", 1), (2, "l.h5", 2)],
+    ),
     (below("first above"), [(1, "l.h5", 1)]),
     (below("above", "l-t{0.2}.h5"), [(1, "l-t0.200000000.h5", 1), (2, "l-t0.200000000.h5", 1)]),
     (
@@ -174,9 +192,10 @@ def test_points_from_another_chain(files, text, expected):
         with pytest.raises(Waiting):
             files.read()
         assert len(files.chains.deciding) == 2
+        files.chains = Chains()
     files.has_run("above", *EVENTS)
-    assert bool(files.chains.deciding) == waits
     found = files.read()
+    assert bool(files.chains.deciding) == waits
     each = [(p.known("seed"), p.base["shown"], pytest.approx(p.known("until"))) for p in found]
     assert each == expected
 
@@ -199,7 +218,10 @@ def test_a_point_is_its_commands_and_its_base(files):
 WRONG = [  # a file, and the sentence that follows its name
     (RUN.replace("prepare", "rm"), "line 2: there is no program 'rm'"),
     (RUN.replace("{values}", "{valus}"), "line 2: 'valus': there is no 'valus'; there are run"),
-    (f"{RUN}y = load --x {{run.a}} {{ru.b}}", "line 3: 'ru.b': there is no 'ru': did you mean 'run'"),
+    (
+        f"{RUN}y = load --x {{run.a}} {{ru.b}}",
+        "line 3: 'ru.b': there is no 'ru': did you mean 'run'",
+    ),
     (f"{RUN}y = load {{base}}", r"line 3: .*{base} needs base = FILE in \[chain\]"),
     (f"{RUN}y = load {{x", "line 3: .*a brace is missing"),
     (f"{RUN}y = load 'x", "line 3: .*cannot be split into words"),
@@ -209,11 +231,26 @@ WRONG = [  # a file, and the sentence that follows its name
     (f"{RUN}[values]\nx =", "line 4: 'x' in .values. has no value"),
     (f"[chain]\npoint = y\n{RUN}", "line 2: .chain. has no key 'point': did you mean 'points'"),
     (f"[chains]\nbase = y\n{RUN}", "line 2: there is no section 'chains': did you mean 'chain'"),
-    (f"[chain]\npoints = y\n{RUN}", "line 2: there is no chain recipes/a/y.ini; beside it are above, x"),
-    (f"[chain]\npoints = e in above\n{RUN}", "line 2: write points = CHAIN, or NAME in CHAIN: LIST"),
-    (f"[chain]\npoints = e in above: event.s\n{RUN}", "line 2: 'event.s': there is no 'event': did you mean 'events'"),
-    (f"[chain]\npoints = above where sed == 1\n{RUN}", "line 2: .*there is no 'sed': did you mean 'seed'"),
-    (f"[chain]\npoints = above\nbase = above: r.h5\n{RUN}", "line 3: .*above.ini does not keep r.h5"),
+    (
+        f"[chain]\npoints = y\n{RUN}",
+        "line 2: there is no chain recipes/a/y.ini; beside it are above, x",
+    ),
+    (
+        f"[chain]\npoints = e in above\n{RUN}",
+        "line 2: write points = CHAIN, or NAME in CHAIN: LIST",
+    ),
+    (
+        f"[chain]\npoints = e in above: event.s\n{RUN}",
+        "line 2: 'event.s': there is no 'event': did you mean 'events'",
+    ),
+    (
+        f"[chain]\npoints = above where sed == 1\n{RUN}",
+        "line 2: .*there is no 'sed': did you mean 'seed'",
+    ),
+    (
+        f"[chain]\npoints = above\nbase = above: r.h5\n{RUN}",
+        "line 3: .*above.ini does not keep r.h5",
+    ),
     (f"[chain]\nbase = above: l.h5\n{RUN}", "line 2: its points do not come from above"),
     (f"[chain]\nkeep = b.h5\n{RUN}", "line 2: no command writes b.h5"),
     (f"[chain]\nkeep = ../a.h5\n{RUN}", "line 2: '../a.h5' is not the name of a file"),

@@ -191,7 +191,9 @@ def test_a_wrong_name_is_said_before_anything_runs(tiny):
     tiny.replace("measured.ini", "{base}\n", "{bas}\n")
     done = tiny.reproduce()
     assert (done.returncode, tiny.jobs()) == (2, [])
-    sentence = "recipes/tiny/measured.ini, line 5: 'bas': there is no 'bas'; there are start, stress"
+    sentence = (
+        "recipes/tiny/measured.ini, line 5: 'bas': there is no 'bas'; there are start, stress"
+    )
     assert sentence in done.stderr
 
 

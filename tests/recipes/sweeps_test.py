@@ -252,8 +252,8 @@ def test_varied_are_values_that_differ_and_do_not_follow_others(read):
 
 
 def test_a_recipe_reads_tables_of_its_own_sweeps_only():
-    rules = ROOT.glob("recipes/*/rules.smk")
-    sweeps = {f"{one.parent.name}/{path.stem}" for one in rules for path in one.parent.glob("*.ini")}
+    folders = [path.parent for path in ROOT.glob("recipes/*/rules.smk")]
+    sweeps = {f"{one.name}/{path.stem}" for one in folders for path in one.glob("*.ini")}
     assert len(sweeps) > 10
     with_sweeps, found = {name.split("/")[0] for name in sweeps}, 0
     for rules in ROOT.glob("recipes/*/*.smk"):
@@ -302,7 +302,8 @@ class Computing:
             f"[values]\nkind = {values}\n[quantities]\nw = first.v.w.1\nnone = first.v.x.y\n"
         )
         self.calls.write_text("")
-        paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/recipes:{ROOT}/python", "CALLS": str(self.calls)}
+        places = f"{ROOT}/recipes/common:{ROOT}/recipes:{ROOT}/python"
+        paths = {"PYTHONPATH": places, "CALLS": str(self.calls)}
         words = (self.folder, self.sweep, "", self.folder, code, self.folder / "batch.sum")
         ids = [point.id for point in read_sweep(self.sweep).points]
         script = ROOT / "recipes/common/sweeps/points.py"

@@ -8,15 +8,14 @@ commands, the checksum of every file that they wrote, what those with --json rep
 names, and a status: done, failed with the tool's sentence, or unfinished if a program crashed.
 
 Each result is kept when it is there, in results/data/points/ID.json, with its `origin`: a digest
-of the sources (or programs), of this file and chains/commands.py, and of the base. Only points without a result of this
-origin, and unfinished ones, are computed, so an interrupted batch continues where it was, and
-a crash does not keep the other points from being computed. OUTPUT is written when none is
-unfinished: a line for each, with a digest of its result.
+of the sources (or programs), of this file and chains/commands.py, and of the base. Only points
+without a result of this origin, and unfinished ones, are computed, so an interrupted batch
+continues where it was, and a crash does not keep the other points from being computed. OUTPUT is
+written when none is unfinished: a line for each, with a digest of its result.
 """
 
 import hashlib
 import json
-import os
 import shlex
 import signal
 import sys
@@ -31,7 +30,9 @@ from rupture.replacing import replacing, write_whole
 from sweeps.sweep import read_sweep
 
 NOT_REACHED = "it was not reached, or its process was ended"
-COMPUTED_BY = "".join(Path(file).read_text(encoding="utf-8") for file in (__file__, commands.__file__))
+COMPUTED_BY = "".join(
+    Path(file).read_text(encoding="utf-8") for file in (__file__, commands.__file__)
+)
 
 
 # --- computing ---------------------------------------------------------------------------------

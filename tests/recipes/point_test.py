@@ -1,0 +1,143 @@
+"""One point of a chain, with stand-ins for the programs: what is filled in, left out and kept
+(recipes/chains/point.py)."""
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from chains.point import compute, main
+from chains.store import digest, save_origin
+
+ANALYZE = """#!/bin/sh
+echo "analyze $*" >> CALLS
+case "$2" in bad) echo "analyze: first" >&2; echo "analyze: too large" >&2; exit 1;; esac
+echo '{"t": [0.25, null, 2.0], "slow": null, "kind": "fast"}'
+"""
+RESTART = """#!/bin/sh
+echo "restart $*" >> CALLS
+while [ "$1" != -o ]; do shift; done
+echo "$CONTENT" > "$2"; echo "content-sha256 5eed  $2" > "$2.sum"
+"""
+FRONT = {"front": "analyze front r.h5"}
+
+
+@pytest.fixture(name="calls")
+def stand_ins(folder, monkeypatch):
+    """The file with the calls of the programs."""
+    for name, text in (("analyze", ANALYZE), ("restart", RESTART)):
+        (folder / name).write_text(text.replace("CALLS", str(folder / "calls")))
+        (folder / name).chmod(0o755)
+    (folder / "in").mkdir()
+    (folder / "results").mkdir()
+    monkeypatch.setenv("RUPTURE_BIN", str(folder))
+    monkeypatch.setenv("CONTENT", "1")
+    return folder / "calls"
+
+
+def work(commands, names=(), keep=(), base=None):
+    return {"commands": commands, "names": dict(names), "keep": list(keep), "base": base}
+
+
+FILLED = [  # commands after `front`, names, and what is run
+    ({"a": "restart x -o a.h5 --until {front.t[0]}"}, {}, ["restart x -o a.h5 --until 0.25"]),
+    ({"a": "restart x -o a.h5 --until {front.t[2] / 4}"}, {}, ["restart x -o a.h5 --until 0.5"]),
+    ({"a": "restart x -o a.h5 --for {n}"}, {"n": [7.0]}, ["restart x -o a.h5 --for 7"]),
+    ({"a": "restart x -o a.h5 --x {front.kind}"}, {}, ["restart x -o a.h5 --x fast"]),
+    (
+        {"a": "restart x -o a.h5 --x {to}"},
+        {"to": "{front.slow.t or t + 1}", "t": [1]},
+        ["restart x -o a.h5 --x 2"],
+    ),
+    (
+        {"a": "restart x -o a.h5 --x {above.t[0]}"},
+        {"above": "above.json"},
+        ["restart x -o a.h5 --x 4"],
+    ),
+    # A null: the command is left out, and so is what needs its file.
+    ({"a": "restart x -o a.h5 --until {front.t[1]}"}, {}, []),
+    (
+        {
+            "a": "restart x -o a.h5 --until {front.slow.t + 1}",
+            "b": "restart a.h5 -o b.h5",
+            "c": "analyze front b.h5",
+            "d": "restart x -o d.h5",
+        },
+        {},
+        ["restart x -o d.h5"],
+    ),
+]
+
+
+@pytest.mark.parametrize("commands, names, expected", FILLED)
+def test_what_is_filled_in_and_left_out(calls, commands, names, expected):
+    Path("above.json").write_text(json.dumps({"reports": {"above": {"t": [4]}}}))
+    result = compute(work(FRONT | commands, names), "in")
+    assert list(result["commands"].values()) == ["analyze front r.h5", *expected]
+    assert (result["status"], result["sentence"]) == ("done", "")
+    run = calls.read_text().splitlines()
+    assert run == ["analyze front r.h5 --json", *(f"{line} --quiet --sum" for line in expected)]
+    for name in commands:
+        assert name in result["commands"] or result["reports"][name] is None
+
+
+def test_a_refusal_is_the_result_and_ends_the_point(calls):
+    result = compute(work(FRONT | {"b": "analyze front bad", "c": "analyze front r.h5"}), "in")
+    assert (result["status"], result["sentence"]) == ("failed", "analyze: too large")
+    assert list(result["commands"]) == ["front", "b"] and list(result["reports"]) == ["front"]
+    assert len(calls.read_text().splitlines()) == 2
+
+
+def computed(calls, todo):
+    """How many programs the point has run."""
+    before = len(calls.read_text().splitlines()) if calls.exists() else 0
+    path = Path("results/data/points/x.todo")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    about = {
+        "chain": "a/x",
+        "described": "a/x",
+        "works": [todo | {"path": str(path.with_suffix(".json"))}],
+    }
+    path.write_text(json.dumps(about))
+    main(path)
+    return len(calls.read_text().splitlines()) - before
+
+
+def times():
+    folder = Path("results/data/points")
+    names = ("x.json", "x.a.h5")
+    return [(folder / name).stat().st_mtime_ns for name in names]
+
+
+def test_what_is_there_is_not_computed_and_what_is_equal_keeps_its_date(calls, monkeypatch):
+    todo = work({"a": "restart b.h5 -o a.h5", "front": "analyze front a.h5"}, keep=["a.h5"])
+    todo["base"] = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
+    above = {"status": "done", "sentence": "", "checksums": {"b.h5": "1"}, "reports": {}}
+    Path("above.json").write_text(json.dumps(above))
+    assert computed(calls, todo) == 2
+    assert f"restart {os.getcwd()}/above.b.h5 -o a.h5" in calls.read_text()
+    first = times()
+    assert computed(calls, todo) == 0
+
+    Path("above.json").write_text(json.dumps(above | {"reports": {"other": 1}}))
+    assert computed(calls, todo) == 0  # the content of the base is the same
+    Path("above.json").write_text(json.dumps(above | {"checksums": {"b.h5": "2"}}))
+    assert (computed(calls, todo), times()) == (2, first)
+    save_origin(Path("results/data/points/x.json"), digest("another program"))
+    assert (computed(calls, todo), times()) == (2, first)
+    Path("results/data/points/x.a.h5").unlink()
+    assert computed(calls, todo) == 2
+    assert Path("results/data/points/x.a.h5").read_text() == "1\n"
+
+
+def test_what_comes_from_a_failed_point_fails_with_its_sentence(calls):
+    todo = work({"a": "restart b.h5 -o a.h5"}, keep=["a.h5"])
+    todo["base"] = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
+    above = {"status": "failed", "sentence": "load: no", "checksums": {}, "reports": {}}
+    Path("above.json").write_text(json.dumps(above))
+    Path("calls").touch()
+    assert computed(calls, todo) == 0
+    result = json.loads(Path("results/data/points/x.json").read_text())
+    assert (result["status"], result["sentence"]) == ("failed", "load: no")
+    assert Path("results/data/points/x.a.h5").read_bytes() == b""
