@@ -171,13 +171,15 @@ def as_read(point):
             "elements": one.elements,
             "commands": list(one.chain.commands),
             "path": str(one.path),
+            "base": one.base and one.base["file"],
         }
         for one in point.lineage
     ]
 
 
 def write_plan(recipes, cores, megabytes):
-    """Raises UsageError, with the file and the line, if anything in the files leads nowhere."""
+    """Returns the files that are not made here, from which points start. Raises UsageError, with the
+    file and the line, if anything in the files leads nowhere."""
     chains, plan = Chains(), Plan(cores, megabytes)
     waiting = []
     for recipe in recipes:
@@ -197,6 +199,8 @@ def write_plan(recipes, cores, megabytes):
         raise Failure(f"{' '.join(waiting)}: its points depend on what no other point reports")
     plan.add_plan([point.path for point in deciding])
     plan.write()
+    bases = (point.base for point in plan.points.values())
+    return sorted({base["file"] for base in bases if base and not base["of"]})
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ import time
 from pathlib import Path
 
 from chains.commands import INTERRUPTIONS, UNFINISHED, as_run, checksums_in, fault, run
-from chains.store import is_current, origin_of, result_of, save_origin, write_if_changed
+from chains.store import is_current, origin_of, read, result_of, save_origin, write_if_changed
 from runs.written import append_to
 
 HOLE = re.compile(r"\{([^{}]*)\}")
@@ -60,6 +60,22 @@ class Names:
         return HOLE.sub(lambda hole: shlex.quote(as_text(values[hole[1]])), line)
 
 
+def fault_of(base):
+    """Why nothing can start from there: the point that it comes from failed, or a file is not the
+    one that a manifest beside it names. Nothing if all is well."""
+    if base["of"]:
+        return result_of(base["of"])["sentence"]
+    path = Path(base["file"])
+    known = re.findall(rf"(\S+)  {re.escape(path.name)}\n", read(path.with_name("manifest")))
+    if not known:
+        return ""
+    done = run(os.environ["RUPTURE_BIN"], ["analyze", "checksum", path.absolute()], ".", {})
+    if done.returncode:
+        return fault("analyze checksum", done)["sentence"]
+    is_it = done.stdout.strip() in known
+    return "" if is_it else f"{path} is not in {path.with_name('manifest')} (see README.md there)"
+
+
 def compute(work, folder):
     """The result. What needs a null, or a file of a command that was left out, is left out."""
     reports: dict = {}
@@ -67,12 +83,8 @@ def compute(work, folder):
     names = Names(work["names"], reports)
     missing: set[str] = set()  # files that no command writes
     base = work["base"]
-    if base and base["of"] and (before := result_of(base["of"]))["status"] != "done":
-        return result | {
-            "status": before["status"],
-            "sentence": before["sentence"],
-            "checksums": {},
-        }
+    if base and (sentence := fault_of(base)):
+        return result | {"status": "failed", "sentence": sentence, "checksums": {}}
     for name, line in work["commands"].items():
         command = names.filled(line)
         words = shlex.split(command or HOLE.sub("", line))

@@ -37,6 +37,11 @@ class Point:
         """Its own, by name."""
         return {name: self[name] for name in self.lineage[0]["values"]}
 
+    @property
+    def base(self):
+        """The file from which its commands start; None without one."""
+        return self.lineage[0]["base"]
+
     def file(self, name):
         """The path of a file that this point keeps, or one that it comes from."""
         for one in self.lineage:

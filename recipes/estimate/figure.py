@@ -5,7 +5,6 @@ import numpy as np
 from claims import paper
 from claims.claim import Number
 from claims.judge import judged
-from data.records import report
 from data.tables import write_table
 from pictures.plotting import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
 
@@ -106,9 +105,9 @@ def course_rows(**estimates):
             yield junctions, *row
 
 
-def make(data, results):
-    states = ("fast-slow-fast", "estimate/unbreakable")
-    reference, unbreakable = (report(data / f"{state}-estimate.json") for state in states)
+def make(chains, results):
+    (point,) = chains["estimate"]
+    reference, unbreakable = point["reference"], point["unbreakable"]
     draw(reference, unbreakable, results / "estimate")
     names = ["junctions", "time [<t_R>]", "slip [f_slip/k_ij]"]
     rows = course_rows(reference=reference, unbreakable=unbreakable)

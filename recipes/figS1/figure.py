@@ -4,7 +4,6 @@ import numpy as np
 import rupture
 
 from claims.judge import judged
-from data.records import report
 from data.tables import write_table
 from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
 
@@ -12,8 +11,7 @@ from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
 class Stress:
     """The result of `analyze stress`: x [m], forces per block p and tau [N]."""
 
-    def __init__(self, path):
-        stress = report(path)
+    def __init__(self, stress):
         self.x, self.p, self.tau = (np.array(stress[name]) for name in ("x", "p", "tau"))
         self.F_T, self.F_N, self.time = stress["F_T"], stress["F_N"], stress["time"]
         self.L = self.x[-1]
@@ -66,10 +64,9 @@ def draw(unloaded, before, stem):
     save(fig, stem)
 
 
-def make(data, results):
-    unloaded, before = (
-        Stress(data / f"{state}-stress.json") for state in ("figS1/unloaded", "fast-slow-fast")
-    )
+def make(chains, results):
+    (point,) = chains["forces"]
+    unloaded, before = Stress(point["unloaded"]), Stress(point["before"])
     draw(unloaded, before, results / "figS1")
     names = ["p [N]", "tau [N]"]
     write_table(
@@ -77,4 +74,4 @@ def make(data, results):
         ["x [m]", *(f"{state} {n}" for state in ("unloaded", "before event") for n in names)],
         zip(unloaded.x, unloaded.p, unloaded.tau, before.p, before.tau),
     )
-    return [claim_S1(unloaded, before, rupture.open(data / "fast-slow-fast.h5"))]
+    return [claim_S1(unloaded, before, rupture.open(point.base))]

@@ -131,6 +131,16 @@ def test_what_is_there_is_not_computed_and_what_is_equal_keeps_its_date(calls, m
     assert Path("results/data/points/x.a.h5").read_text() == "1\n"
 
 
+def test_a_shipped_file_must_be_the_one_that_the_manifest_names(calls):
+    base = {"file": "b.h5", "shown": "b.h5", "of": ""}
+    Path("manifest").write_text("content-sha256 5eed  b.h5\ncontent-sha256 other  c.h5\n")
+    for text, status in (("5eed", "done"), ("5eee", "failed"), ("other", "failed")):
+        Path("analyze").write_text(f"#!/bin/sh\necho {text}\n")
+        result = compute(work({"a": "restart b.h5 -o a.h5"}, base=base), "in")
+        assert result["status"] == status
+    assert result["sentence"] == "b.h5 is not in manifest (see README.md there)"
+
+
 def test_what_comes_from_a_failed_point_fails_with_its_sentence(calls):
     todo = work({"a": "restart b.h5 -o a.h5"}, keep=["a.h5"])
     todo["base"] = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
