@@ -28,10 +28,10 @@ def main(recipe):
         make.main(script, chains)
     except Failure as failure:
         sys.exit(f"{recipe}: {failure}")
-    files = [path for path in sorted(results.glob("[!.]*")) if path.stat().st_mtime >= started - 1]
+    files = [path for path in results.glob("[!.]*") if path.stat().st_mtime >= started - 1]
     points = {one["path"]: None for row in chains.values() for p in row for one in p.lineage[:1]}
     note(
-        [results / "claims.json", *files],
+        sorted(files),
         f"{recipe}: draw, and judge the claims",
         recipe,
         f"figure.py of {script}",

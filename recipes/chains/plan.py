@@ -27,7 +27,7 @@ OF_CLAIMS = SHARE / "recipes/common/claims/claims.toml"  # a changed acceptance 
 # A profile's `step` starts commands as the shell does (docs/cluster.md);
 # setpriv ends them with a Ninja that is killed.
 STEP = (
-    'export OMP_NUM_THREADS=$threads; exec "$${RUPTURE_STEP:-sh}"'
+    'export OMP_NUM_THREADS=$threads; exec "$$RUPTURE_STEP"'
     ' -c \'exec setpriv --pdeathsig TERM "$$RUPTURE_PYTHON" -P'
 )
 RULES = f"""\
@@ -126,26 +126,23 @@ class Plan:
         """`reads`: {name: points}."""
         for points in reads.values():
             self.add_points(points)
-        data = DATA / recipe / "figure.json"
+        data, code = DATA / recipe / "figure.json", DIGESTS / f"{recipe}-figure"
+        note(RESULTS, data, code)
         rows = {name: [as_read(point) for point in points] for name, points in reads.items()}
         write_if_changed(data, json.dumps(rows))
-        code = DIGESTS / f"{recipe}-figure"
         texts = [OF_CLAIMS, *sorted((RECIPES / recipe).glob("*.toml"))]
         script = digest_of_scripts(RECIPES / recipe / "figure.py")
         write_if_changed(code, script + "".join(file.read_text("utf-8") for file in texts))
         listed = figure.sections["figure"]
-        pictures = re.split(r",\s*", listed.get("pictures", recipe))
-        outputs = ["claims.json"]
-        outputs += [f"{picture}.{ending}" for picture in pictures for ending in ("png", "pdf")]
-        outputs += [
-            f"{table}.csv" for table in re.split(r",\s*", listed.get("tables", "")) if table
-        ]
-        outputs = [RESULTS / recipe / file for file in outputs]
-        inputs = {point.path: None for points in reads.values() for point in points}
-        self.edges[
-            outputs[0]
-        ] = f"build {paths(*outputs)}: figure | {paths(data, code, *inputs)}\n  recipe = {recipe}\n"
-        self.written += [data, code, *outputs]
+        pictures, tables = (listed.get(key, "").split(",") for key in ("pictures", "tables"))
+        stems = [stem.strip() for stem in pictures if stem] or [recipe]
+        files = [f"{stem}.{ending}" for stem in stems for ending in ("png", "pdf")]
+        files += [f"{table.strip()}.csv" for table in tables if table]
+        outputs = [RESULTS / recipe / file for file in ("claims.json", *files)]
+        points = {point.path: None for points in reads.values() for point in points}
+        build = f"build {paths(*outputs)}: figure | {paths(data, code, *points)}\n"
+        self.edges[outputs[0]] = f"{build}  recipe = {recipe}\n"
+        self.written += outputs
 
     def add_plan(self, deciding):
         """What Ninja makes before anything else, and then the plan anew."""
@@ -156,10 +153,9 @@ class Plan:
         self.written += [FOLDER / name for name in ("build.ninja", ".ninja_log", ".ninja_deps")]
         self.written += [RESULTS / "jobs.jsonl", *(DIGESTS / tool for tool in self.tools)]
         note(RESULTS, *self.written)
+        folder = Path(os.environ["RUPTURE_BIN"])
         for tool in self.tools:
-            write_if_changed(
-                DIGESTS / tool, digest_of_program(f"{os.environ['RUPTURE_BIN']}/{tool}")
-            )
+            write_if_changed(DIGESTS / tool, digest_of_program(folder / tool))
         write_if_changed(PLAN, "\n".join([RULES, *self.pools.values(), *self.edges.values()]))
 
 
@@ -178,8 +174,8 @@ def as_read(point):
 
 
 def write_plan(recipes, cores, megabytes):
-    """Returns the files that are not made here, from which points start. Raises UsageError, with the
-    file and the line, if anything in the files leads nowhere."""
+    """Returns the files that are not made here, from which points start. Raises UsageError, with
+    the file and the line, if anything in the files leads nowhere."""
     chains, plan = Chains(), Plan(cores, megabytes)
     waiting = []
     for recipe in recipes:

@@ -39,7 +39,7 @@ def follow(lines, log):
             did, is_of_failed = True, False
             count, total, what = step.groups()
             described = what
-            if count_says(what):
+            if not what.startswith("plan "):
                 seconds = time.monotonic() - start
                 show(f"[{seconds:4.0f} s] {count:>{len(total)}}/{total} {what}", sys.stdout)
         elif failed := FAILED.match(line):
@@ -48,10 +48,6 @@ def follow(lines, log):
         elif line.strip() not in UNSAID:
             show(f"  {line.rstrip()}", sys.stderr if is_of_failed else sys.stdout)
     return did
-
-
-def count_says(what):
-    return not what.startswith("plan what follows")
 
 
 def main(log, *command):

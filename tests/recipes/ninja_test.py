@@ -197,6 +197,17 @@ def test_a_wrong_name_is_said_before_anything_runs(tiny):
     assert sentence in done.stderr
 
 
+@pytest.mark.parametrize("name", ["plan/.ninja_log", "points/x.todo", "digests/restart"])
+def test_a_link_in_the_place_of_what_it_writes_is_refused(tiny, name):
+    link = tiny.write(f"results/data/{name}")
+    link.unlink()
+    link.symlink_to(tiny.root / "theirs")
+    done = tiny.reproduce()
+    assert (done.returncode, done.stderr.count("\n")) == (1, 1)
+    assert f"results/data/{name} is a link, which is not followed" in done.stderr
+    assert not (tiny.root / "theirs").exists()
+
+
 def test_clean_deletes_what_it_made_and_nothing_else(tiny):
     tiny.computed()
     own = tiny.write("results/data/points/mine.json", "{}")

@@ -91,7 +91,7 @@ class Package(unittest.TestCase):
         self.assertIn("  fig3 ", self.done(rupture, "reproduce", "list"))
         self.assertNotIn("tidy", self.done(rupture, "reproduce", "--help"))
         before = sorted(self.prefix.rglob("*"))
-        self.done(rupture, "reproduce", "figS1", "figS3", cwd=folder)  # rules, and a chain
+        self.done(rupture, "reproduce", "figS1", "figS3", cwd=folder)
         for name in ("figS1", "figS3"):
             self.assertTrue((folder / f"results/{name}/claims.json").exists())
         self.assertEqual(sorted(self.prefix.rglob("*")), before)

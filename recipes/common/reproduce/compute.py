@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import sys
 import time
 from dataclasses import dataclass
@@ -19,6 +20,7 @@ from claims.print_claims import print_claims
 
 RESULTS = Path("results")
 STEP = "step"  # file of a profile with which commands become steps of an allocation
+TRIES = 3  # in an allocation, where a node may be lost
 INSIDE_STEP = re.compile(r"\d{1,6}")  # the interactive step of salloc has a larger number
 
 
@@ -76,6 +78,8 @@ def prepare(request, processes):
     """Prepares what the commands need, and returns where they run."""
     refuse_links(RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl"))
     refuse_links(Path(at, folder) for at, folders, _ in os.walk(RESULTS) for folder in folders)
+    of_chains = (RESULTS / "data" / name for name in ("plan", "points", "digests"))
+    refuse_links(path for folder in of_chains for path in folder.glob("*"))
     if request.command != "sweep":  # before hours of computing
         page = (
             ("index.html", "numbers.csv", "claims.png", "claims.pdf")
@@ -121,11 +125,13 @@ def note_run(recipes, place, started):
 
 
 def run_chains(request, processes, recipes, place):
-    """By Ninja. Returns whether it had anything to do, and whether that failed. With --from-scratch,
-    checkpoints that are shipped must first come out as they are."""
+    """By Ninja. Returns whether it had anything to do, and whether that failed. With
+    --from-scratch, checkpoints that are shipped must first come out as they are."""
     from chains.plan import PLAN, write_plan
     from chains.progress import NOTHING_TO_DO
 
+    if not shutil.which("ninja"):
+        raise Failure("there is no program ninja on the PATH; packages.txt names its package")
     wanted = {"recipes": recipes, "cores": place.cores, "megabytes": place.megabytes}
     bases = write_plan(**wanted)
     if request.from_scratch and bases:
@@ -133,11 +139,13 @@ def run_chains(request, processes, recipes, place):
         if run_pipeline(processes, anew, options_of_snakemake(request, place, recipes="fig2")):
             return True, True
     os.environ |= {"RUPTURE_PLAN": json.dumps(wanted), "RUPTURE_PYTHON": sys.executable}
-    os.environ |= {"RUPTURE_STEP": str(place.shell)} if place.shell else {}
-    os.environ |= {"MPLBACKEND": "Agg"}
+    os.environ |= {"RUPTURE_STEP": str(place.shell or "sh"), "MPLBACKEND": "Agg"}
     ninja = ["ninja", "-f", PLAN, "-j", place.cores, "-k", 0]
     command = [sys.executable, "-P", "-m", "chains.progress", LOGS / "recipes.log", *ninja]
-    code = processes.run([str(word) for word in command])
+    for _ in range(TRIES if place.shell else 1):
+        code = processes.run([str(word) for word in command])
+        if code in (0, NOTHING_TO_DO):
+            break
     return code != NOTHING_TO_DO, code not in (0, NOTHING_TO_DO)
 
 
