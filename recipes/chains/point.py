@@ -148,11 +148,19 @@ def finish(work, about):
     return ""
 
 
+def tried(work, about):
+    """As finish(); a full disk, for instance, is a sentence, too."""
+    try:
+        return finish(work, about)
+    except OSError as error:
+        return f"{error.filename or work['commands']}: {error.strerror}"
+
+
 def main(todo):
     for number in INTERRUPTIONS:  # so that the point's folder is deleted
         signal.signal(number, lambda which, _: sys.exit(128 + which))
     about = result_of(todo)
-    sentences = [finish(work, about) for work in about["works"]]
+    sentences = [tried(work, about) for work in about["works"]]
     if any(sentences):
         sys.exit("\n".join(filter(None, sentences)))
 

@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections import deque
 from contextlib import suppress
 
 from runs.written import append_to
@@ -16,7 +17,8 @@ from runs.written import append_to
 NOTHING_TO_DO = 3
 STEP = re.compile(r"\[(\d+)/(\d+)\] (.*)\n")
 FAILED = re.compile(r"FAILED: (\S+)")
-UNSAID = ("ninja: no work to do.", "ninja: build stopped: subcommand failed.")
+UNSAID = ("ninja: no work to do.", "ninja: build stopped: ")
+LAST_LINES = 30  # of what a program that failed has said
 
 
 def show(text, stream):
@@ -29,25 +31,37 @@ def show(text, stream):
 
 def follow(lines, log):
     """Returns whether Ninja did anything."""
-    start, did, is_command, is_of_failed = time.monotonic(), False, False, False
+    start, did, described, said = time.monotonic(), False, "", deque(maxlen=LAST_LINES)
     for line in lines:
         with suppress(OSError):
             log.write(f"{time.strftime('%F %T')} {line}")
-        if is_command:  # Ninja repeats it behind FAILED
-            is_command = False
-        elif step := STEP.fullmatch(line):
-            did, is_of_failed = True, False
-            count, total, what = step.groups()
-            described = what
-            if not what.startswith("plan "):
-                seconds = time.monotonic() - start
-                show(f"[{seconds:4.0f} s] {count:>{len(total)}}/{total} {what}", sys.stdout)
+        if step := STEP.fullmatch(line):
+            show_last(said)
+            count, total, described = step.groups()
+            did, seconds = True, time.monotonic() - start
+            if not described.startswith("plan "):
+                show(f"[{seconds:4.0f} s] {count:>{len(total)}}/{total} {described}", sys.stdout)
         elif failed := FAILED.match(line):
             show(f"\nFailed: {described}\n  to make: {failed[1]}", sys.stderr)
-            is_command = is_of_failed = True
-        elif line.strip() not in UNSAID:
-            show(f"  {line.rstrip()}", sys.stderr if is_of_failed else sys.stdout)
+            next(lines, "")  # Ninja repeats the command
+            said.append("")
+        elif line.startswith("ninja: "):
+            show_last(said)
+            if not line.startswith(UNSAID):
+                show(line.rstrip(), sys.stderr)
+        elif said:
+            said.append(f"  {line.rstrip()}")
+        else:
+            show(f"  {line.rstrip()}", sys.stdout)
+    show_last(said)
     return did
+
+
+def show_last(said):
+    """What a program that failed has said last."""
+    for text in filter(None, said):
+        show(text, sys.stderr)
+    said.clear()
 
 
 def main(log, *command):

@@ -133,7 +133,10 @@ def run_chains(request, processes, recipes, place):
     if not shutil.which("ninja"):
         raise Failure("there is no program ninja on the PATH; packages.txt names its package")
     wanted = {"recipes": recipes, "cores": place.cores, "megabytes": place.megabytes}
-    bases = write_plan(**wanted)
+    try:
+        bases = write_plan(**wanted)
+    except OSError as error:
+        raise Failure(f"{ROOT / RESULTS} cannot be written ({error.strerror})") from None
     if request.from_scratch and bases:
         anew = [f"{RESULTS}/data/{Path(base).stem}.compared" for base in bases]
         if run_pipeline(processes, anew, options_of_snakemake(request, place, recipes="fig2")):
