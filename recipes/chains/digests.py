@@ -71,6 +71,7 @@ def read_module(path):
     return ast.dump(without_docstrings(tree)), sorted(set(imported(tree)))
 
 
+@cache
 def module_at(name, folder):
     """The file of a module of ours; nothing for others."""
     for place in (folder, *(SHARE / place for place in PLACES)):

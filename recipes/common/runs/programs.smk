@@ -21,12 +21,10 @@ PLACES = {}  # table of places: which of map_points.py, tables
 EVENTS_OF = {}  # folder: load, and by which rule one of its events is chosen (choose_events.py)
 RUNS = {}  # recorded run: what run() says
 REPORTS = {  # name: ending of the file that is measured, command of `analyze`
-    "estimate": ("", "estimate --ensemble 1000"),
     "front": ("-record", "front --event 0"),
     "loading": ("-record", "loading"),
     "phi": ("", "phi"),
     "strength": ("", "strength"),
-    "stress": ("", "stress"),
 }
 
 
