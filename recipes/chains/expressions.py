@@ -10,18 +10,12 @@ import re
 
 from rupture.units import in_si
 
-
-def power(number, exponent):
-    """Of floats: a power of whole numbers could have any number of digits."""
-    return float(number) ** float(exponent)
-
-
 ARITHMETIC = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
-    ast.Pow: power,
+    ast.Pow: lambda one, other: float(one) ** float(other),  # of whole numbers: without end
 }
 SIGNS = {ast.UAdd: operator.pos, ast.USub: operator.neg, ast.Not: operator.not_}
 COMPARISONS = {
@@ -44,29 +38,43 @@ FUNCTIONS = {
     "sqrt": math.sqrt,
 }
 ALLOWED = (
-    *(ast.Expression, ast.Constant, ast.Name, ast.Attribute, ast.Subscript, ast.Call, ast.Tuple),
-    *(ast.List, ast.BinOp, ast.UnaryOp, ast.BoolOp, ast.Compare, ast.And, ast.Or, ast.Is),
-    *(ast.IsNot, ast.Load, *ARITHMETIC, *SIGNS, *COMPARISONS),
+    *(ast.Expression, ast.Name, ast.Attribute, ast.Subscript, ast.Tuple, ast.List, ast.BinOp),
+    *(ast.UnaryOp, ast.BoolOp, ast.Compare, ast.And, ast.Or, ast.Is, ast.IsNot, ast.Load),
+    *(*ARITHMETIC, *SIGNS, *COMPARISONS),
 )
-MAY_HAVE = "it may have numbers, texts, names, + - * / **, comparisons, and, or, not, and " + (
-    " ".join(f"{name}()" for name in FUNCTIONS)
+MAY_HAVE = "numbers, texts, names, + - * / **, comparisons, and, or, not, " + (
+    ", ".join(f"{name}()" for name in FUNCTIONS)
 )
-WHOLE = 1e15  # up to there, whole numbers are written without an exponent
 MINUS = "_minus_"  # stands for the - of names such as sigma-bar
+WHOLE = 1e15  # up to there, whole numbers are written without an exponent
 
 
-def extreme(which, *values):
-    """Of a list, or of several numbers; null if one of them is."""
-    listed = values[0] if len(values) == 1 and isinstance(values[0], list) else values
-    return None if any(value is None for value in listed) else which(listed)
+class Expression:
+    """`names` that it may have are needed for those with a -, such as sigma-bar. Its own `names`
+    are those that are looked up, as long as they are written."""
 
+    def __init__(self, text, names=()):
+        self.text = plain = text.strip()
+        for name in sorted((name for name in names if "-" in name), key=len, reverse=True):
+            alone = rf"(?<![\w.-]){re.escape(name)}(?![\w-])"
+            plain = re.sub(alone, name.replace("-", MINUS), plain)
+        try:
+            self.tree = ast.parse(plain, mode="eval")
+            self.names = sorted(set(names_in(self.tree)))
+        except (SyntaxError, MemoryError, RecursionError, ValueError):
+            raise ValueError(f"'{self.text}' cannot be read as an expression") from None
+        if not all(map(is_allowed, ast.walk(self.tree))):
+            raise ValueError(f"'{self.text}' is not allowed: it may have {MAY_HAVE}")
 
-def dotted(node):
-    """`a.b.c` of such names; nothing for other expressions."""
-    if isinstance(node, ast.Attribute):
-        before = dotted(node.value)
-        return before and f"{before}.{node.attr}"
-    return node.id.replace(MINUS, "-") if isinstance(node, ast.Name) else ""
+    def value(self, look_up):
+        """`look_up(name)` is asked for names, the longest first (front.t_rupture, then front), and
+        raises KeyError for those that it does not know."""
+        try:
+            return worked_out(self.tree.body, look_up)
+        except KeyError as error:
+            raise ValueError(f"'{self.text}': there is no {error.args[0]}") from None
+        except (ArithmeticError, IndexError, RecursionError, TypeError) as error:
+            raise ValueError(f"'{self.text}' cannot be worked out: {error}") from None
 
 
 def as_number(text):
@@ -84,34 +92,56 @@ def as_text(value):
     return value if isinstance(value, str) else repr(value)
 
 
-class Expression:
-    """`dashed`: names with a - that it may have."""
+# --- names -------------------------------------------------------------------------------------
 
-    def __init__(self, text, dashed=()):
-        self.text = text.strip()
-        plain = self.text
-        for name in sorted((name for name in dashed if "-" in name), key=len, reverse=True):
-            plain = re.sub(
-                rf"(?<![\w.-]){re.escape(name)}(?![\w-])", name.replace("-", MINUS), plain
-            )
-        try:
-            self.tree = ast.parse(plain, mode="eval")
-        except (SyntaxError, MemoryError, RecursionError, ValueError):
-            raise ValueError(f"'{self.text}' cannot be read as an expression") from None
-        for node in ast.walk(self.tree):
-            if not is_allowed(node):
-                raise ValueError(f"'{self.text}' is not allowed: {MAY_HAVE}")
-        self.names = sorted(set(names_in(self.tree)))
 
-    def value(self, look_up):
-        """`look_up(name)` is asked for names, the longest first (front.t_rupture, then front), and
-        raises KeyError for those that it does not know."""
+def dotted(node):
+    """`a.b.c` of such names; nothing for other expressions."""
+    if isinstance(node, ast.Attribute):
+        before = dotted(node.value)
+        return before and f"{before}.{node.attr}"
+    return node.id.replace(MINUS, "-") if isinstance(node, ast.Name) else ""
+
+
+def names_in(node):
+    if name := dotted(node):
+        return [name]
+    parts = node.args if isinstance(node, ast.Call) else ast.iter_child_nodes(node)
+    return [name for part in parts for name in names_in(part)]
+
+
+def beginnings(name):
+    """Of a name with dots, the longest first; each with the words that follow it."""
+    words = name.split(".")
+    return ((".".join(words[:n]), words[n:]) for n in range(len(words), 0, -1))
+
+
+def first_known(name, names):
+    """The longest beginning that is one of these names; nothing if none is."""
+    return next((first for first, _ in beginnings(name) if first in names), "")
+
+
+def named(name, look_up):
+    """What a name with dots leads to: its longest known beginning, and what is in there."""
+    for first, words in beginnings(name):
         try:
-            return worked_out(self.tree.body, look_up)
-        except KeyError as error:
-            raise ValueError(f"'{self.text}': there is no {error.args[0]}") from None
-        except (ArithmeticError, IndexError, RecursionError, TypeError) as error:
-            raise ValueError(f"'{self.text}' cannot be worked out: {error}") from None
+            found = look_up(first)
+        except KeyError:
+            continue
+        for word in words:
+            found = part_of(found, word)
+        return found
+    raise KeyError(name)
+
+
+def part_of(whole, key):
+    """An entry of a report, or an element of a list; of null it is null."""
+    if isinstance(whole, dict) and key not in whole:
+        raise KeyError(f"'{key}' (there are {', '.join(whole)})")
+    return None if whole is None else whole[key]
+
+
+# --- values ------------------------------------------------------------------------------------
 
 
 def is_allowed(node):
@@ -120,44 +150,6 @@ def is_allowed(node):
     if isinstance(node, ast.Call):
         return dotted(node.func) in FUNCTIONS and not node.keywords
     return isinstance(node, ALLOWED)
-
-
-def names_in(node):
-    """Those that are looked up, as long as they are written."""
-    if name := dotted(node):
-        return [name]
-    parts = node.args if isinstance(node, ast.Call) else ast.iter_child_nodes(node)
-    return [name for part in parts for name in names_in(part)]
-
-
-def first_known(name, names):
-    """The longest part of a name with dots that is one of these; nothing if none is."""
-    words = name.split(".")
-    parts = (".".join(words[:count]) for count in range(len(words), 0, -1))
-    return next((part for part in parts if part in names), "")
-
-
-def named(name, look_up):
-    """What a name with dots leads to: the longest part that is known, then what is in it."""
-    words = name.split(".")
-    for count in range(len(words), 0, -1):
-        try:
-            found = look_up(".".join(words[:count]))
-        except KeyError:
-            continue
-        for word in words[count:]:
-            found = part_of(found, word)
-        return found
-    raise KeyError(name)
-
-
-def part_of(whole, key):
-    """An entry of a report, or an element of a list; of null it is null."""
-    if whole is None:
-        return None
-    if isinstance(whole, dict) and key not in whole:
-        raise KeyError(f"'{key}' (there are {', '.join(whole)})")
-    return whole[key]
 
 
 def worked_out(node, look_up):
@@ -173,19 +165,17 @@ def worked_out(node, look_up):
             return part_of(of(node.value), node.attr)
         case ast.Subscript():
             return part_of(of(node.value), of(node.slice))
-        case ast.Tuple() | ast.List():
-            return [of(part) for part in node.elts]
         case ast.BoolOp():
             return chosen(isinstance(node.op, ast.Or), map(of, node.values))
         case ast.UnaryOp():
             return of_known(SIGNS[type(node.op)], of(node.operand))
         case ast.BinOp():
-            return of_known(numbers(ARITHMETIC[type(node.op)]), of(node.left), of(node.right))
+            return of_known(calculated, type(node.op), of(node.left), of(node.right))
         case ast.Compare():
             return compared(node, of)
         case ast.Call():
             return of_known(FUNCTIONS[dotted(node.func)], *map(of, node.args))
-    raise ValueError(f"{MAY_HAVE}")
+    return [of(part) for part in node.elts]  # a list
 
 
 def of_known(function, *values):
@@ -193,18 +183,20 @@ def of_known(function, *values):
     return None if any(value is None for value in values) else function(*values)
 
 
-def numbers(function):
-    """Arithmetic, which is for numbers: a text could be repeated any number of times."""
+def extreme(which, *values):
+    """Of a list, or of several numbers; null if one of them is."""
+    listed = values[0] if len(values) == 1 else values
+    return None if any(value is None for value in listed) else which(listed)
 
-    def compute(*values):
-        if not all(isinstance(value, (int, float)) for value in values):
-            raise TypeError("arithmetic is for numbers")
-        found = function(*values)
-        if isinstance(found, complex) or not math.isfinite(found):
-            raise ArithmeticError("it is not a finite real number")
-        return found
 
-    return compute
+def calculated(sign, *values):
+    """Arithmetic is for numbers: a text could be repeated any number of times."""
+    if not all(isinstance(value, (int, float)) for value in values):
+        raise TypeError("arithmetic is for numbers")
+    found = ARITHMETIC[sign](*values)
+    if isinstance(found, complex) or not math.isfinite(found):
+        raise ArithmeticError("it is not a finite real number")
+    return found
 
 
 def chosen(is_or, values):

@@ -31,7 +31,8 @@ def show(text, stream):
 
 def follow(lines, log):
     """Returns whether Ninja did anything."""
-    start, did, described, said = time.monotonic(), False, "", deque(maxlen=LAST_LINES)
+    start, did, described = time.monotonic(), False, ""
+    said: deque[str] = deque(maxlen=LAST_LINES)  # of a program that failed
     for line in lines:
         with suppress(OSError):
             log.write(f"{time.strftime('%F %T')} {line}")
@@ -59,8 +60,9 @@ def follow(lines, log):
 
 def show_last(said):
     """What a program that failed has said last."""
-    for text in filter(None, said):
-        show(text, sys.stderr)
+    for text in said:
+        if text:
+            show(text, sys.stderr)
     said.clear()
 
 

@@ -58,6 +58,7 @@ REFUSED = [  # an expression, and a word of the sentence
     ("max(x, key=v)", "not allowed"),
     ("x +", "cannot be read"),
     ("(" * 500 + ")" * 500, "cannot be read"),
+    ("1" + "+1" * 5000, "cannot be"),
     ("x.real", "cannot be worked out"),
     ("v * 1000", "arithmetic is for numbers"),
     ("x ** x ** x ** x ** x", "cannot be worked out"),
