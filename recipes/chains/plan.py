@@ -62,15 +62,17 @@ def paths(*files):
     return " ".join(re.sub("([ :$])", r"$\1", str(file)) for file in files)
 
 
-def selected(chains, figure, text):
-    """(name for figure.py, points) of one part of `reads`: a chain, perhaps with a condition."""
-    name, _, condition = map(str.strip, text.partition(" where "))
-    chain = chains.load(figure.path.parent / f"{name}.ini")
-    check(chains, chain)
-    points = chains.points(chain)
-    if condition:
-        points = [point for point in points if point.worked_out(condition, point.known)]
-    return name.removeprefix("../"), points
+def selected(chains, figure):
+    """{name: points} for figure.py. Another recipe's chain has that recipe in its name."""
+    found = {}
+    for chain, condition in chains.read_by(figure):
+        check(chains, chain)
+        points = chains.points(chain)
+        if condition:
+            points = [point for point in points if point.worked_out(condition, point.known)]
+        is_own = chain.path.parent == figure.path.parent
+        found[chain.path.stem if is_own else chain.name] = points
+    return found
 
 
 class Plan:
@@ -182,8 +184,7 @@ def write_plan(recipes, cores, megabytes):
         figure = chains.recipe(recipe)
         try:
             with figure.errors_at("figure", "reads"):
-                parts = re.split(r",(?![^()]*\))", figure.sections["figure"]["reads"])
-                reads = dict(selected(chains, figure, part) for part in parts)
+                reads = selected(chains, figure)
         except Waiting:
             waiting.append(recipe)
             continue

@@ -238,6 +238,13 @@ class Chains:
         """figure.ini of a recipe: what its figure reads and writes."""
         return self.load(RECIPES / name / "figure.ini")
 
+    def read_by(self, figure):
+        """Pairs: a chain that figure.py reads, and the condition for its points or nothing."""
+        with figure.errors_at("figure", "reads"):
+            for text in re.split(r",(?![^()]*\))", figure.sections["figure"]["reads"]):
+                name, _, condition = map(str.strip, text.partition(" where "))
+                yield self.load(figure.path.parent / f"{name}.ini"), condition
+
     def above(self, chain):
         """The chain that its points come from; None if there is none."""
         if not chain.points or chain.points["chain"].endswith(".csv"):

@@ -228,6 +228,20 @@ def test_the_crate_knows_the_jobs_and_checksums(tiny):
     assert by_id[f"data/points/{start}"]["identifier"] == f"content-sha256:{checksum}"
 
 
+def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
+    done = tiny.call("tiny", "--dry-run")
+    assert done.returncode == 0, done.stderr
+    start, other, stress, *_ = re.split("\n\n", done.stdout)
+    assert start == "# tiny/runs: tau-bar 0.1\nrupture prepare --tau-bar 0.1 -o start.h5"
+    assert other.startswith("# tiny/runs: tau-bar 0.2\nrupture prepare --tau-bar 0.2")
+    assert re.fullmatch(
+        "# tiny/measured\n# start.h5 is results/data/points/[0-9a-f]{16}.start.h5\n"
+        "rupture analyze stress start.h5",
+        stress,
+    )
+    assert not (tiny.root / "results").exists()
+
+
 # --- by hand -----------------------------------------------------------------------------------
 
 

@@ -24,7 +24,7 @@ REFUSED = [  # a command line, and the sentence
     ("sweep", "'sweep' needs one file, as in .*$"),
     ("sweep a.ini b.ini", "'sweep' needs one file, as in .*$"),
     ("sweep a.ini --from-scratch", "--from-scratch is for figures; .*$"),
-    ("--dry-run fig3", "--dry-run is for sweep only$"),
+    ("--dry-run figS3 fig3", "--dry-run is for sweep, and for figS1, .*estimate$"),
     ("fig3 --cores 0", "argument --cores: must be a whole number, 1 or more"),
     ("fig3 --cores=1e9", "argument --cores: must be a whole number, 1 or more"),
     ("fig3 --from", "unrecognized arguments: --from"),

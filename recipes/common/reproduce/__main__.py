@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from functools import partial
 
+from chains.preview import preview
 from rupture.errors import Failure
 from rupture.tools.command_line import exit_code
 from reproduce import checks, compute
@@ -18,6 +19,10 @@ from reproduce.processes import Processes, ensure_packages
 def recipes(request, processes):
     """Computes the named recipes, or all and their report."""
     started = time.monotonic()
+    if request.dry_run:
+        for line in (line for recipe in request.words for line in preview(recipe)):
+            say(line)
+        return 0
     is_all = request.command == "all"
     named = [name for name in figures() if name not in BESIDE_ALL] if is_all else request.words
     compute.reproduce(request, named, processes)

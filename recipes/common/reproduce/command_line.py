@@ -9,7 +9,7 @@ from pathlib import Path
 from rupture.errors import UsageError
 from rupture.tools import command_line
 from rupture.tools.command_line import DEFAULT, whole_number
-from runs.recipes import read_readme, recipe_names
+from runs.recipes import is_of_chains, read_readme, recipe_names
 from reproduce.machine import usable_cores
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
 from sweeps.sweep import suggestion
@@ -81,7 +81,10 @@ def make_parser():
     parser = Parser()
     add = parser.add_argument
     add("words", nargs="*")
-    text = "for a sweep: print the number of points and the first commands, compute nothing"
+    text = (
+        "compute nothing; for a sweep, print the number of points and the first commands, for"
+        " recipes of chains, the commands of all points"
+    )
     add("--dry-run", action="store_true", help=text)
     text = "also compute the checkpoints that figures start from, instead of using checkpoints/"
     add("--from-scratch", action="store_true", help=text)
@@ -109,7 +112,9 @@ def check_sweep(request):
 def check_commands(request):
     """One command, or several figures."""
     if request.dry_run:
-        raise UsageError("--dry-run is for sweep only")
+        known = [name for name in figures() if is_of_chains(SHARE, name)]
+        if not set(request.words) <= {*known}:
+            raise UsageError(f"--dry-run is for sweep, and for {', '.join(known)}")
     for word in [one for one in request.words if one not in figures()]:
         if word not in COMMANDS:
             hint = suggestion(word, [*figures(), *COMMANDS]) or f": see {PROGRAM} list"

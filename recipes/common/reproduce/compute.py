@@ -12,6 +12,7 @@ from pathlib import Path
 from rupture.errors import Failure
 from rupture.tools.command_line import plural
 from runs.fingerprint import fingerprint_of_programs
+from runs.recipes import is_of_chains
 from runs.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
 from reproduce.project import LOGS, PROGRAMS, ROOT, SHARE, refuse_links, say, use_own_environment
@@ -159,7 +160,7 @@ def reproduce(request, recipes, processes):
     say(f"Computing {names} {place.name} ...")
     note(RESULTS, RESULTS / "runs.jsonl")
     started = time.time()
-    of_chains = [name for name in recipes if (SHARE / f"recipes/{name}/figure.ini").exists()]
+    of_chains = [name for name in recipes if is_of_chains(SHARE, name)]
     others = [name for name in recipes if name not in of_chains]
     has_failed = False
     if of_chains:

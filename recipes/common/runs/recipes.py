@@ -16,6 +16,11 @@ def recipe_names(root):
     return sorted(names, key=lambda name: (not label(name), natural(name)))
 
 
+def is_of_chains(root, name):
+    """Whether Ninja runs it (recipes/chains), not Snakemake."""
+    return (root / "recipes" / name / "figure.ini").exists()
+
+
 def label(name):
     """Figure S3 of figS3; nothing for what belongs to no figure."""
     figure = re.fullmatch(r"fig(S?\d+)", name)
