@@ -1,4 +1,4 @@
-"""Chain files as they are written (GRAMMAR.md): sections, keys, and which line says what."""
+"""Chain files as they are written (recipes/README.md): sections, keys, and which line says what."""
 
 import os
 import re
@@ -11,6 +11,7 @@ from rupture.errors import UsageError
 from rupture.programs import DRAWING
 from reproduce.project import SHARE
 from runs.fingerprint import PROGRAMS
+from sweeps.check import PLAIN
 from sweeps.sweep import check_known, errors_of, is_values, needs_of, read_ini
 from sweeps.values import values_of
 
@@ -28,7 +29,6 @@ SELECTION = re.compile(
 BASE = re.compile(r"(?:(?P<chain>[\w./-]+): )?(?P<file>.+)")
 HOLE = re.compile(r"\{([^{}]*)\}")
 WAITING = re.compile(r"\{([^{}]+)\}")  # a value that is one expression: known when it is needed
-PLAIN = re.compile(r"[A-Za-z0-9_][\w.-]*")  # name of a file in the point's folder
 
 
 def is_expression(text):

@@ -145,7 +145,7 @@ def run_chains(request, processes, recipes, place):
     os.environ |= {"RUPTURE_PLAN": json.dumps(wanted), "RUPTURE_PYTHON": sys.executable}
     os.environ |= {"RUPTURE_STEP": str(place.shell or "sh"), "MPLBACKEND": "Agg"}
     ninja = ["ninja", "-f", PLAN, "-j", place.cores, "-k", 0]
-    command = [sys.executable, "-P", "-m", "chains.progress", LOGS / "recipes.log", *ninja]
+    command = [sys.executable, "-P", "-m", "chains.progress", *ninja]
     for _ in range(TRIES if place.shell else 1):
         code = processes.run([str(word) for word in command])
         if code in (0, NOTHING_TO_DO):
