@@ -24,7 +24,13 @@ from chains.store import is_current, origin_of, read, result_of, save_origin, wr
 from runs.written import append_to
 
 HOLE = re.compile(r"\{([^{}]*)\}")
+OUTPUTS = ("-o", "--output", "--record")  # options with which a program writes files
 JOBS = Path("results/jobs.jsonl")
+
+
+def without_time(word):
+    """a.h5 of its checkpoint a-t0.200000000.h5."""
+    return re.sub(r"-t[\d.]+(?=\.h5$)", "", word)
 
 
 class Names:
@@ -80,18 +86,16 @@ def compute(work, folder):
     """The result. What needs a null, or a file of a command that was left out, is left out."""
     reports: dict = {}
     result: dict = {"commands": {}, "status": "done", "sentence": "", "reports": reports}
-    names = Names(work["names"], reports)
-    missing: set[str] = set()  # files that no command writes
-    base = work["base"]
+    names, base = Names(work["names"], reports), work["base"]
+    is_missing = base and os.path.isfile(base["file"]) and not os.path.getsize(base["file"])
+    missing = {base["shown"]} if is_missing else set()  # files that no command has written
     if base and (sentence := fault_of(base)):
         return result | {"status": "failed", "sentence": sentence, "checksums": {}}
     for name, line in work["commands"].items():
         command = names.filled(line)
         words = shlex.split(command or HOLE.sub("", line))
-        if command is None or missing.intersection(words):
-            missing.update(
-                word for word in words if "." in word and not Path(folder, word).exists()
-            )
+        if command is None or missing.intersection(map(without_time, words)):
+            missing.update(after for word, after in zip(words, words[1:]) if word in OUTPUTS)
             reports[name] = None
             continue
         result["commands"][name] = command

@@ -60,12 +60,13 @@ FILLED = [  # commands after `front`, names, and what is run
     (
         {
             "a": "restart x -o a.h5 --until {front.slow.t + 1}",
-            "b": "restart a.h5 -o b.h5",
+            "b": "restart a-t0.100000000.h5 -o b.h5 --for 0.01 --record r.h5 --set driving.V=0",
             "c": "analyze front b.h5",
-            "d": "restart x -o d.h5",
+            "d": "analyze front r.h5",
+            "e": "restart x -o d.h5 --for 0.01 --set driving.V=0",
         },
         {},
-        ["restart x -o d.h5"],
+        ["restart x -o d.h5 --for 0.01 --set driving.V=0"],
     ),
 ]
 
@@ -129,6 +130,17 @@ def test_what_is_there_is_not_computed_and_what_is_equal_keeps_its_date(calls, m
     Path("results/data/points/x.a.h5").unlink()
     assert computed(calls, todo) == 2
     assert Path("results/data/points/x.a.h5").read_text() == "1\n"
+
+
+def test_what_starts_from_a_file_that_was_left_out_is_left_out(calls):
+    todo = work({"a": "restart b.h5 -o a.h5", "b": "restart a.h5 -o c.h5"}, keep=["a.h5"])
+    todo["base"] = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
+    above = {"status": "done", "sentence": "", "checksums": {}, "reports": {}}
+    Path("above.json").write_text(json.dumps(above))
+    Path("above.b.h5").touch()
+    result = compute(todo, "in")
+    assert (result["status"], result["commands"]) == ("done", {})
+    assert result["reports"] == {"a": None, "b": None} and not calls.exists()
 
 
 def test_a_shipped_file_must_be_the_one_that_the_manifest_names(calls):
