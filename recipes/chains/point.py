@@ -94,7 +94,7 @@ def compute(work, folder):
     for name, line in work["commands"].items():
         command = names.filled(line)
         words = shlex.split(command or HOLE.sub("", line))
-        if command is None or missing.intersection(map(without_time, words)):
+        if command is None or missing.intersection([*words, *map(without_time, words)]):
             missing.update(after for word, after in zip(words, words[1:]) if word in OUTPUTS)
             reports[name] = None
             continue
@@ -108,6 +108,10 @@ def compute(work, folder):
         if "--json" in words:
             said = [json.loads(line) for line in done.stdout.splitlines()]
             reports[name] = said if "--also" in words else said[0]
+    absent = [file for file in work["keep"] if not Path(folder, file).exists()]
+    absent = [file for file in absent if without_time(file) not in missing]
+    if absent and result["status"] == "done":
+        result |= {"status": "failed", "sentence": f"no command has written {absent[0]}"}
     return result | {"checksums": checksums_in(folder)}
 
 

@@ -133,14 +133,21 @@ def test_what_is_there_is_not_computed_and_what_is_equal_keeps_its_date(calls, m
 
 
 def test_what_starts_from_a_file_that_was_left_out_is_left_out(calls):
-    todo = work({"a": "restart b.h5 -o a.h5", "b": "restart a.h5 -o c.h5"}, keep=["a.h5"])
-    todo["base"] = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
+    todo = work({"a": "restart b-t1.h5 -o a.h5", "b": "restart a.h5 -o c.h5"}, keep=["a.h5"])
+    todo["base"] = {"file": "above.b.h5", "shown": "b-t1.h5", "of": "above.json"}
     above = {"status": "done", "sentence": "", "checksums": {}, "reports": {}}
     Path("above.json").write_text(json.dumps(above))
     Path("above.b.h5").touch()
     result = compute(todo, "in")
     assert (result["status"], result["commands"]) == ("done", {})
     assert result["reports"] == {"a": None, "b": None} and not calls.exists()
+
+
+def test_a_file_to_keep_that_no_command_has_written_is_a_failure(calls):
+    todo = work({"a": "restart x -o a.h5", "b": "analyze front a.h5"}, keep=["a.h5", "a-t9.h5"])
+    result = compute(todo, "in")
+    assert (result["status"], result["sentence"]) == ("failed", "no command has written a-t9.h5")
+    assert "front" in calls.read_text()
 
 
 def test_a_shipped_file_must_be_the_one_that_the_manifest_names(calls):
