@@ -1,7 +1,8 @@
 """Runs Ninja, and says what it does: python -m chains.progress NINJA WORD...
 
-A line for each point and figure that is done, with x of y and the time so far; of a failure, the
-end of what was said. Exit code 0; Ninja's own if it failed; 3 if there was nothing to do."""
+A line for each point and figure that is done, with x of y, the time so far and an estimate for the
+rest; of a failure, the end of what was said. Exit code 0; Ninja's own if it failed; 3 if there was
+nothing to do."""
 
 import os
 import re
@@ -14,6 +15,7 @@ from collections import deque
 from runs.progress import LAST_LINES, complain, log, show
 
 NOTHING_TO_DO = 3
+WAIT = 10.0  # [s] before the time for the rest is estimated
 STEP = re.compile(r"\[(\d+)/(\d+)\] (.*)")
 FAILED = re.compile(r"FAILED: (\S+)")
 UNSAID = ("ninja: no work to do.", "ninja: build stopped: ")
@@ -30,7 +32,10 @@ def follow(lines):
             did, seconds = True, time.monotonic() - start
             if not described.startswith("plan "):
                 log(described)
-                show(f"[{seconds:4.0f} s] {count:>{len(total)}}/{total} {described}")
+                show(
+                    f"[{seconds:4.0f} s{rest_of(seconds, int(count), int(total))}]"
+                    f" {count:>{len(total)}}/{total} {described}"
+                )
         elif failed := FAILED.match(line):
             complain(f"\nFailed: {described}\n  to make: {failed[1]}")
             log(next(lines, ""))  # the command
@@ -45,6 +50,12 @@ def follow(lines):
             show(f"  {line}")
     complain_all(said)
     return did
+
+
+def rest_of(seconds, count, total):
+    """How long the rest takes if it takes as long as what is done, once that means something."""
+    rest = seconds * (total - count) / count
+    return f", about {rest:.0f} s left" if seconds > WAIT and rest >= 1 else ""
 
 
 def complain_all(said):

@@ -8,10 +8,11 @@ import shutil
 import signal
 import struct
 import subprocess
+from unittest.mock import Mock, patch
 
 import pytest
 
-from chains import digests
+from chains import digests, progress
 from chains.points import Chains
 from conftest import BIN, ROOT, run
 from stand_ins import WITHIN, Project, wait_for
@@ -240,6 +241,40 @@ def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
         stress,
     )
     assert not (tiny.root / "results").exists()
+
+
+NINJA = """[1/4] a: x 1
+[2/4] plan what follows from these
+FAILED: results/1.json results/2.json
+sh -c 'a'
+first
+{many}
+last
+[3/4] b
+  1 of 2 points failed
+ninja: error: no
+ninja: build stopped: subcommand failed.
+"""
+
+
+def test_what_ninja_says_is_said_in_our_words(capsys, folder):
+    lines = NINJA.format(many="\n".join(["more"] * 40)).splitlines()
+    with patch("time.monotonic", Mock(side_effect=[0, 5, 12, 20])):
+        assert progress.follow(iter(lines))
+    said = capsys.readouterr()
+    assert said.out.splitlines() == [
+        "[   5 s] 1/4 a: x 1",
+        "[  20 s, about 7 s left] 3/4 b",
+        "    1 of 2 points failed",
+    ]
+    failed, making, *more, last, error = said.err.strip().splitlines()
+    assert (failed, making) == (
+        "Failed: plan what follows from these",
+        "  to make: results/1.json",
+    )
+    assert set(more) == {"  more"} and len(more) == 29
+    assert (last, error) == ("  last", "ninja: error: no")
+    assert not progress.follow(iter(["ninja: no work to do."]))
 
 
 # --- by hand -----------------------------------------------------------------------------------
