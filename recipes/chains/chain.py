@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
 
+from chains.bases import keep_base
 from rupture.errors import UsageError
 from rupture.programs import DRAWING
 from reproduce.project import SHARE
@@ -16,7 +17,7 @@ from sweeps.sweep import check_known, errors_of, is_values, needs_of, read_ini
 from sweeps.values import values_of
 
 RECIPES = SHARE / "recipes"
-SECTIONS = ("chain", "commands", "values", "quantities", "figure")
+SECTIONS = ("chain", "commands", "values", "quantities", "units", "figure")
 KEYS = {
     "chain": ("title", "like", "points", "base", "keep", "memory", "threads"),
     "figure": ("reads", "pictures", "tables"),
@@ -51,7 +52,8 @@ class Chain:
         with errors_of(self.shown):
             ini = read_ini(self.path)
             self.own = {name: dict(ini[name]) for name in ini.sections()}
-        if "sweep" in self.own:  # as files of version 0.4 call it
+        is_sweep = "sweep" in self.own  # as files of version 0.4 call it
+        if is_sweep:
             self.own["chain"] = self.own.pop("sweep")
         self.check_form()
         self.sections = dict(self.own)
@@ -61,7 +63,7 @@ class Chain:
             for name, section in other.sections.items():
                 if name.partition(" ")[0] not in kinds:
                     self.sections[name] = section
-            keys = {key: text for key, text in other.keys.items() if key != "like"}
+            keys = {k: t for k, t in other.keys.items() if k != "like" and not is_sweep}
             self.sections["chain"] = keys | self.own["chain"]
 
     @property
@@ -107,7 +109,9 @@ class Chain:
         with self.errors_at("chain", "points"):
             if "points" not in self.keys:
                 return None
-            found = SELECTION.fullmatch(self.keys["points"])
+            found = SELECTION.fullmatch(text := self.keys["points"])
+            if not found and text.endswith(".csv"):  # any name of a file
+                return {"chain": text, **dict.fromkeys(("first", "element", "list", "condition"))}
             if not found or bool(found["element"]) != bool(found["list"]):
                 raise UsageError(
                     "write points = CHAIN, or NAME in CHAIN: LIST; then where CONDITION"
@@ -129,6 +133,19 @@ class Chain:
         """Megabytes and threads of a point."""
         with self.errors_at("chain", "memory" if "memory" in self.keys else "threads"):
             return needs_of(self.keys)
+
+    @cached_property
+    def copies(self):
+        """{base of a user's chain: its copy, which is named after its content}."""
+        return {}
+
+    def start_at(self, path):
+        """The file from which points start, as commands name it."""
+        if self.is_ours:
+            return os.path.relpath(path, SHARE)
+        if path not in self.copies:
+            self.copies[path] = str(keep_base(path, Path("results")))
+        return self.copies[path]
 
     def line_of(self, section, key):
         """Where the file says it; 0 if another one does, which this one is like."""
@@ -166,7 +183,7 @@ class Chain:
                 with self.errors_at(section, key):
                     if section in KEYS:
                         check_known(key, KEYS[section], f"[{section}] has no key")
-                    if not text:
+                    if not text and section != "units":
                         raise UsageError(f"'{key}' in [{section}] has no value")
 
 

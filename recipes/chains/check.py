@@ -7,7 +7,7 @@ from chains.chain import BASE, HOLE, RUNS, is_expression, kept_names, words_of
 from chains.expressions import Expression, first_known
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
-from sweeps.check import Programs, given_in
+from sweeps.check import given_in
 from sweeps.sweep import check_known, suggestion
 
 OWN = ("values", "base")  # holes that are no names
@@ -16,6 +16,8 @@ OWN = ("values", "base")  # holes that are no names
 def check(chains, chain):
     """The chain, and those that it comes from. Raises UsageError with the file and the line."""
     names = names_of(chains, chain)
+    if not chain.commands:
+        raise UsageError(f"{chain.shown}: it has no section [commands]")
     for name in chain.commands:
         with chain.errors_at("commands", name):
             check_command(chain, name, names)
@@ -32,7 +34,7 @@ def check(chains, chain):
     check_kept(chain)
     _ = chain.needs
     if not chain.is_ours:
-        check_stranger(chain, Programs())
+        check_stranger(chain, chains.programs)
     if above := chains.above(chain):
         check(chains, above)
 

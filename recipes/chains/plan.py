@@ -1,13 +1,15 @@
-"""Writes the plan by which Ninja computes recipes: results/data/plan/build.ninja.
+"""Writes the plan by which Ninja computes recipes, results/data/plan/build.ninja, or a user's sweep,
+results/sweeps/NAME/plan/build.ninja.
 
 ./reproduce.sh writes it, and Ninja does so again (python -m chains.plan) once the points are there
-that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object: recipes,
-cores, megabytes. What Ninja is to compare by date are files that are written only when they change:
+that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object: recipes
+or sweep, cores, megabytes. What Ninja is to compare by date are files that are written only when they change:
 so neither dates of sources, nor the folder, nor the number of cores makes anything stale."""
 
 import json
 import os
 import re
+from contextlib import suppress
 from pathlib import Path
 
 from chains.chain import RECIPES
@@ -22,7 +24,7 @@ from sweeps.sweep import batches_of
 
 RESULTS, DATA = Path("results"), Path("results/data")
 FOLDER = DATA / "plan"
-PLAN = FOLDER / "build.ninja"
+FILES = ("build.ninja", ".ninja_log", ".ninja_deps")
 OF_CLAIMS = SHARE / "recipes/common/claims/claims.toml"  # a changed acceptance is judged anew
 # A profile's `step` starts commands as the shell does (docs/cluster.md);
 # setpriv ends them with a Ninja that is killed.
@@ -32,7 +34,7 @@ STEP = (
 )
 RULES = f"""\
 ninja_required_version = 1.10
-builddir = {FOLDER}
+builddir = {{folder}}
 threads = 1
 
 rule points
@@ -78,7 +80,8 @@ def selected(chains, figure):
 class Plan:
     """The lines of the plan, as they come."""
 
-    def __init__(self, cores, megabytes):
+    def __init__(self, cores, megabytes, folder=FOLDER):
+        self.folder, self.file = folder, folder / "build.ninja"
         self.cores, self.megabytes = cores, megabytes
         self.pools, self.points, self.edges, self.written, self.tools = {}, {}, {}, [], set()
 
@@ -120,7 +123,9 @@ class Plan:
         self.tools.update(tool for point in batch for tool in point.tools)
         self.written += [todo, *kept, *(file.with_name(f"{file.name}.part") for file in kept)]
         for point in batch:
-            self.written += [point.path, point.path.with_suffix(".origin")]
+            self.written += [
+                point.path.with_suffix(f".{end}") for end in ("json", "origin", "crash")
+            ]
             if point.path.exists() and not is_whole(point.path):
                 point.path.unlink()  # damaged or edited: it is computed again
 
@@ -149,16 +154,17 @@ class Plan:
     def add_plan(self, deciding):
         """What Ninja makes before anything else, and then the plan anew."""
         if deciding:
-            self.edges[PLAN] = f"build {PLAN}: plan | {paths(*deciding)}\n"
+            self.edges[self.file] = f"build {self.file}: plan | {paths(*deciding)}\n"
 
     def write(self):
-        self.written += [FOLDER / name for name in ("build.ninja", ".ninja_log", ".ninja_deps")]
+        self.written += [self.folder / name for name in FILES]
         self.written += [RESULTS / "jobs.jsonl", *(DIGESTS / tool for tool in self.tools)]
         note(RESULTS, *self.written)
         folder = Path(os.environ["RUPTURE_BIN"])
         for tool in self.tools:
             write_if_changed(DIGESTS / tool, digest_of_program(folder / tool))
-        write_if_changed(PLAN, "\n".join([RULES, *self.pools.values(), *self.edges.values()]))
+        rules = RULES.replace("{folder}", str(self.folder))
+        write_if_changed(self.file, "\n".join([rules, *self.pools.values(), *self.edges.values()]))
 
 
 def as_read(point):
@@ -173,6 +179,26 @@ def as_read(point):
         }
         for one in point.lineage
     ]
+
+
+def add_deciding(plan, deciding):
+    for chain in {point.chain: None for point in deciding}:
+        plan.add_points([point for point in deciding if point.chain is chain])
+    plan.add_plan([point.path for point in deciding])
+    plan.write()
+
+
+def folder_of(sweep):
+    """Where the results of a user's file are."""
+    return RESULTS / "sweeps" / Path(sweep).stem
+
+
+def write_plan_of_sweep(sweep, cores, megabytes):
+    """Of a user's file, which was checked before (sweeps.py)."""
+    chains, plan = Chains(), Plan(cores, megabytes, folder_of(sweep) / "plan")
+    with suppress(Waiting):
+        plan.add_points(chains.points(chains.load(sweep)))
+    add_deciding(plan, chains.deciding)
 
 
 def write_plan(recipes, cores, megabytes):
@@ -190,18 +216,16 @@ def write_plan(recipes, cores, megabytes):
             continue
         plan.add_figure(recipe, figure, reads)
     deciding = chains.deciding
-    for chain in {point.chain: None for point in deciding}:
-        plan.add_points([point for point in deciding if point.chain is chain])
     if waiting and all(point.path.exists() for point in deciding):
         raise Failure(f"{' '.join(waiting)}: its points depend on what no other point reports")
-    plan.add_plan([point.path for point in deciding])
-    plan.write()
+    add_deciding(plan, deciding)
     bases = (point.base for point in plan.points.values())
     return sorted({base["file"] for base in bases if base and not base["of"]})
 
 
 if __name__ == "__main__":
     try:
-        write_plan(**json.loads(os.environ["RUPTURE_PLAN"]))
+        wanted = json.loads(os.environ["RUPTURE_PLAN"])
+        (write_plan_of_sweep if "sweep" in wanted else write_plan)(**wanted)
     except (Failure, UsageError) as error:
         raise SystemExit(str(error)) from None

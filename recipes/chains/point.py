@@ -20,7 +20,16 @@ import time
 from pathlib import Path
 
 from chains.commands import INTERRUPTIONS, UNFINISHED, as_run, checksums_in, fault, run
-from chains.store import is_current, origin_of, read, result_of, save_origin, write_if_changed
+from chains.store import (
+    DIGESTS,
+    is_current,
+    origin_of,
+    read,
+    result_of,
+    save_origin,
+    write_if_changed,
+)
+from rupture.replacing import write_whole
 from runs.written import append_to
 
 HOLE = re.compile(r"\{([^{}]*)\}")
@@ -140,14 +149,17 @@ def finish(work, about):
     """Computes a point unless its result is there. Returns a sentence if a program crashed."""
     started, path, base = time.time(), Path(work.pop("path")), work["base"]
     tools = sorted({line.split(None, 1)[0] for line in work["commands"].values()})
-    origin = origin_of(work, tools)
+    origin = origin_of(work, [read(DIGESTS / tool) for tool in tools])
+    crash = path.with_suffix(".crash")
     kept = [path.with_suffix(f".{name}") for name in work["keep"]]
     if is_current(path, origin) and all(map(Path.exists, kept)):
         return ""
     with tempfile.TemporaryDirectory(prefix="rupture-point-") as folder:
         result = compute(work, folder)
         if result["status"] == UNFINISHED:
+            write_whole(crash, result["sentence"])
             return result["sentence"]
+        crash.unlink(missing_ok=True)
         keep(path, result, work["keep"], folder)
     save_origin(path, origin)
     inputs = [file for file in (base["file"], base["of"]) if file] if base else []

@@ -15,8 +15,8 @@ from pathlib import Path
 from chains.chain import BASE, HOLE, RECIPES, Chain, is_expression, kept_names
 from chains.expressions import Expression, as_number, as_text, first_known
 from chains.store import STORE, digest, result_of
-from reproduce.project import SHARE
 from rupture.errors import UsageError
+from sweeps.check import Programs
 from sweeps.sweep import evaluate, options, products, rows_of
 from sweeps.values import LIMIT
 
@@ -154,7 +154,7 @@ class Point:
                     name = self.kept_file(kept, name)
                     return {"file": str(kept.file(name)), "shown": name, "of": str(kept.path)}
             path = self.chain.path.parent / HOLE.sub(lambda hole: self.text(hole[1]), name)
-            file = os.path.relpath(path, SHARE if self.chain.is_ours else ".")
+            file = self.chain.start_at(path)
             return {"file": file, "shown": file, "of": ""}
 
     def kept_file(self, kept, text):
@@ -212,7 +212,8 @@ class Point:
     @property
     def described(self):
         values = ", ".join(f"{n} {t}" for n, t in self.values.items() if not is_expression(t))
-        return f"{self.chain.name}: {values}" if values else self.chain.name
+        name = self.chain.name if self.chain.is_ours else "point"
+        return f"{name}: {values}" if values else name
 
 
 class Chains:
@@ -221,6 +222,10 @@ class Chains:
     def __init__(self):
         self.chains: dict[Path, Chain] = {}
         self.made: dict[Path, list] = {}
+
+    @cached_property
+    def programs(self):
+        return Programs()
 
     @property
     def deciding(self):
@@ -297,6 +302,7 @@ class Chains:
 
 def calculated(values):
     """With the results of arithmetic on values (0.3 * {junctions.t_R}); those that are one
-    expression in braces are worked out when they are needed."""
-    plain = evaluate({name: text for name, text in values.items() if not is_expression(text)})
+    expression in braces are worked out when they are needed, unless it is another value."""
+    waiting = {n for n, text in values.items() if is_expression(text) and text[1:-1] not in values}
+    plain = evaluate({name: text for name, text in values.items() if name not in waiting})
     return {name: plain.get(name, text) for name, text in values.items()}

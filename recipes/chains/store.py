@@ -48,10 +48,10 @@ def content_of(base):
     return digest(Path(base["file"]).read_bytes()) if base else ""
 
 
-def origin_of(work, tools):
-    """What a result comes from: the point's work, the programs, and the contents of its files."""
+def origin_of(work, programs):
+    """What a result comes from: the point's work, digests of the programs, and the contents of its
+    files."""
     reports = [read(source) for source in work["names"].values() if source[:1] not in "[{"]
-    programs = [read(DIGESTS / tool) for tool in tools]
     return digest(FORM, json.dumps(work), content_of(work["base"]), *programs, *reports)
 
 

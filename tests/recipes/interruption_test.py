@@ -133,15 +133,15 @@ def test_what_a_killed_run_leaves_behind_ends_and_the_same_command_goes_on(sweep
     assert "2 points: 2 done." in sweep.go()
 
 
-def test_snakemake_alone_may_be_killed(sweep):
+def test_what_follows_ninja_alone_may_be_killed(sweep):
     process = sweep.started()
-    (pipeline,) = [
+    (progress,) = [
         int(folder.name)
         for folder in Path("/proc").glob("[0-9]*")
         if stat_of(folder.name)[1:2] == [str(process.pid)]
-        and b"reproduce/pipeline.py" in (folder / "cmdline").read_bytes()
+        and b"chains.progress" in (folder / "cmdline").read_bytes()
     ]
-    os.kill(pipeline, signal.SIGKILL)
+    os.kill(progress, signal.SIGKILL)
     assert process.wait(WITHIN) == 1
     wait_for(lambda: not sweep.running())
 
@@ -172,7 +172,7 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     assert crashed.returncode == 1
     assert "2 points: 1 failed, 1 unfinished." in crashed.stdout
     assert "To retry the unfinished points, run the same command again." in crashed.stderr
-    files = {path.suffix for path in (sweep.root / "results/sweeps/my").iterdir()}
+    files = {path.suffix for path in (sweep.root / "results/sweeps/my").glob("*.*")}
     assert files == {".ini", ".csv", ".hdf5", ".png", ".pdf"}
     assert re.findall(r"\] +(\d+)/(\d+) ", crashed.stdout)[-1] == ("2", "2")
 

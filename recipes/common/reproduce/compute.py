@@ -6,6 +6,7 @@ import re
 import shutil
 import sys
 import time
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -79,7 +80,8 @@ def prepare(request, processes):
     """Prepares what the commands need, and returns where they run."""
     refuse_links(RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl"))
     refuse_links(Path(at, folder) for at, folders, _ in os.walk(RESULTS) for folder in folders)
-    of_chains = (RESULTS / "data" / name for name in ("plan", "points", "digests"))
+    of_chains = [RESULTS / "data" / name for name in ("plan", "points", "digests")]
+    of_chains += RESULTS.glob("sweeps/*/plan")
     refuse_links(path for folder in of_chains for path in folder.glob("*"))
     if request.command != "sweep":  # before hours of computing
         page = (
@@ -128,23 +130,35 @@ def note_run(recipes, place, started):
 def run_chains(request, processes, recipes, place):
     """By Ninja. Returns whether it had anything to do, and whether that failed. With
     --from-scratch, checkpoints that are shipped must first come out as they are."""
-    from chains.plan import PLAN, write_plan
-    from chains.progress import NOTHING_TO_DO
+    from chains.plan import FOLDER, write_plan
 
-    if not shutil.which("ninja"):
-        raise Failure("there is no program ninja on the PATH; packages.txt names its package")
     wanted = {"recipes": recipes, "cores": place.cores, "megabytes": place.megabytes}
-    try:
+    with failures_of_writing():
         bases = write_plan(**wanted)
-    except OSError as error:
-        raise Failure(f"{ROOT / RESULTS} cannot be written ({error.strerror})") from None
     if request.from_scratch and bases:
         anew = [f"{RESULTS}/data/{Path(base).stem}.compared" for base in bases]
         if run_pipeline(processes, anew, options_of_snakemake(request, place, recipes="fig2")):
             return True, True
+    return run_ninja(processes, place, FOLDER / "build.ninja", wanted)
+
+
+@contextmanager
+def failures_of_writing():
+    try:
+        yield
+    except OSError as error:
+        raise Failure(f"{ROOT / RESULTS} cannot be written ({error.strerror})") from None
+
+
+def run_ninja(processes, place, plan, wanted):
+    """Returns whether it had anything to do, and whether that failed."""
+    from chains.progress import NOTHING_TO_DO
+
+    if not shutil.which("ninja"):
+        raise Failure("there is no program ninja on the PATH; packages.txt names its package")
     os.environ |= {"RUPTURE_PLAN": json.dumps(wanted), "RUPTURE_PYTHON": sys.executable}
     os.environ |= {"RUPTURE_STEP": str(place.shell or "sh"), "MPLBACKEND": "Agg"}
-    ninja = ["ninja", "-f", PLAN, "-j", place.cores, "-k", 0]
+    ninja = ["ninja", "-f", plan, "-j", place.cores, "-k", 0]
     command = [sys.executable, "-P", "-m", "chains.progress", *ninja]
     for _ in range(TRIES if place.shell else 1):
         code = processes.run([str(word) for word in command])
@@ -203,19 +217,27 @@ def write_crate(processes):
 
 def run_sweep(request, processes):
     """Writes the table even if points could not be computed; it states which, and why."""
-    from sweeps import plan, points, report
+    from chains.plan import folder_of, write_plan_of_sweep
+    from chains.store import STORE
+    from chains.sweeps import OwnSweep
+    from sweeps import report
 
     place = prepare(request, processes)
-    sweep = plan.plan_sweep(request.file, RESULTS, request.dry_run)
-    code = fingerprint_of_programs(request.programs)
-    store = points.PointStore(RESULTS / "data/points", code)
-    missing = store.unfinished(sweep.points)
+    own = OwnSweep(request.file)
+    missing = own.missing()
     if request.dry_run:
-        report.preview(sweep, missing, request.programs or PROGRAMS)
+        report.preview(own.sweep, missing, request.programs or PROGRAMS)
         return 0
-    options = options_of_snakemake(request, place, sweep=sweep.files[0], code=code)
-    run_pipeline(processes, ["sweep"], options)
-    return report.report_sweep(sweep, store, len(missing))
+    own.write()
+    there, is_known, count = {*STORE.glob("*.json")}, own.points is not None, len(missing)
+    wanted = {"sweep": str(request.file), "cores": place.cores, "megabytes": place.megabytes}
+    with failures_of_writing():
+        write_plan_of_sweep(**wanted)
+    run_ninja(processes, place, folder_of(request.file) / "plan/build.ninja", wanted)
+    if not is_known:
+        own = OwnSweep(request.file)
+        count = len([point for point in own.sweep.points if point.path not in there])
+    return report.report_sweep(own.sweep, count)
 
 
 def write_report_if_needed(processes):

@@ -12,11 +12,11 @@ from rupture.errors import UsageError
 from rupture.programs import output_of
 from rupture.units import in_si
 from runs.fingerprint import PROGRAMS
-from sweeps.sweep import HEADING, check_known, names_of_values, options, suggestion
+from sweeps.sweep import HEADING, check_known, suggestion
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table
-KEYS_OF_A_POINT = ("commands", "status", "sentence", "checksums", "origin")  # points.py
+HOLE = re.compile(r"\{[^{}]*\}")
 OPTION = re.compile(r"-[A-Za-z-]")  # how one begins; negative numbers do not
 PLAIN = re.compile(r"[A-Za-z0-9_][\w.-]*")  # name of a file in the point's folder
 WORDS = re.compile(r"[\w.][\w., +-]*")  # a value that is a text
@@ -84,9 +84,7 @@ def given_in(line, programs):
             yield name
 
 
-def check_command(name, line, programs):
-    if name in KEYS_OF_A_POINT:
-        raise UsageError(f"a command cannot be called '{name}'; take another name")
+def check_command(line, programs):
     given = [*given_in(line, programs)]
     program = programs.described(line)
     for group in program["one_needed"]:
@@ -135,18 +133,25 @@ def option_of(name, line, programs):
 def check_points(points, programs):
     """{name: unit} of what the points set."""
     described: dict[str, dict] = {}
-    if not any(point.values for point in points):
+    if not any(point.values or point.of for point in points):
         raise UsageError("there are no points: [values] or a table says for which values to run")
     for point in {tuple(point.values): point for point in points}.values():
-        for name, line in point.commands.items():
-            check_command(name, line, programs)
-        lines = [line for line in point.commands.values() if options(point.values) in line]
-        if not lines:
+        lines = {name: HOLE.sub("1", line) for name, line in point.commands.items()}
+        for line in lines.values():
+            check_command(line, programs)
+        lines = [lines[n] for n, line in point.chain.commands.items() if "{values}" in line]
+        if point.options and not lines:
             raise UsageError("no command has {values}")
-        described |= {name: option_of(name, lines[0], programs) for name in point.values}
+        described |= dict.fromkeys(point.values, {"unit": ""})
+        described |= {name: option_of(name, lines[0], programs) for name in point.options}
     settings = {
-        tuple((name, check_value(name, text, described[name])) for name, text in values.items())
-        for values in (point.values for point in points)
+        (
+            point.of and point.of.id,
+            repr(point.elements),
+            *((n, check_value(n, text, described[n])) for n, text in point.options.items()),
+            *((n, text) for n, text in point.values.items() if n not in point.options),
+        )
+        for point in points
     }
     if len(settings) < len(points):
         raise UsageError("two points have the same values: remove the repeated value")
@@ -161,12 +166,12 @@ def unit_of_column(path, commands, programs):
     numbers of a shape, but lists of a file."""
     command, _, rest = path.partition(".")
     if command not in commands:
-        like = f"; write one like {command} = analyze {command} record.h5 --json"
+        like = f"; write one like {command} = analyze {command} record.h5"
         near = suggestion(command, commands) or like
         raise UsageError(f"'{path}': [commands] has no '{command}'{near}")
     words = words_in(commands[command])
-    if words[0] != "analyze" or "--json" not in words:
-        raise UsageError(f"'{path}': the command '{command}' does not run analyze ... --json")
+    if words[0] != "analyze":
+        raise UsageError(f"'{path}': the command '{command}' does not run analyze")
     quantity, known = f"{words[1]}.{rest}", programs.quantities
     pattern = re.sub(r"\.-?\d+(?=\.|$)", ".*", quantity)
     is_list, of_file = f"{pattern}.*" in known, any(word.endswith(".h5") for word in words)
@@ -178,16 +183,16 @@ def unit_of_column(path, commands, programs):
     raise UsageError(f"analyze reports no '{quantity}'{near}")
 
 
-def check_columns(sweep, programs):
-    """{name: path} and {name: unit}. A heading may repeat the unit, as in `speed [m/s]`."""
+def check_columns(chain, names, programs):
+    """{name: path} and {name: unit}; `names`: of values. A heading may repeat the unit, as in `speed [m/s]`."""
     columns: dict[str, str] = {}
     units: dict[str, str] = {}
-    taken = [*STATE, *names_of_values(sweep.points)]
-    if not sweep.columns:
+    taken = [*STATE, *names]
+    if "quantities" not in chain.sections:
         raise UsageError("it needs a section [quantities], as in type = front.type")
-    for heading, path in sweep.columns.items():
+    for heading, path in chain.sections["quantities"].items():
         ((name, _, stated),) = HEADING.findall(heading)
-        unit = unit_of_column(path, sweep.points[0].commands, programs)
+        unit = unit_of_column(path, chain.commands, programs)
         if stated and unit in ("", "1"):
             raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
         if stated not in ("", unit):

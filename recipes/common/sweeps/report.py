@@ -13,11 +13,12 @@ import numpy as np
 from rupture.replacing import replacing
 from rupture.tools.command_line import in_one_line, plural
 from rupture.units import without_unit
+from chains.commands import UNFINISHED
+from chains.sweeps import result
 from data.tables import write_table
+from data.value import find
 from maps.front_map import TYPES
-from sweeps.collect import rows
 from sweeps.picture import draw
-from sweeps.points import UNFINISHED
 from sweeps.sweep import names_of_values
 
 SHOWN = 5  # sentences of failed points
@@ -80,6 +81,15 @@ def is_geometric(places):
         np.ptp(steps) / steps.mean() for steps in map(np.diff, (places, np.log(places)))
     )
     return even_logs < min(0.1, even)
+
+
+def rows(sweep):
+    """One dict per point."""
+    for point in sweep.points:
+        found = result(point)
+        state = {name: found[name] for name in ("status", "sentence")}
+        measured = {n: find(found["reports"], path) for n, path in sweep.columns.items()}
+        yield {**point.values, **state, **measured, "point": point.id}
 
 
 def columns_of(sweep, table):
@@ -147,9 +157,9 @@ def print_summary(sweep, table, missing):
     return counts[UNFINISHED]
 
 
-def report_sweep(sweep, store, missing):
+def report_sweep(sweep, missing):
     """The exit code: 1 if points are unfinished. `missing`: how many were before."""
-    table = list(rows(sweep, store))
+    table = list(rows(sweep))
     columns = columns_of(sweep, table)
     plan = Path(sweep.files[0]).resolve()
     write_csv(plan.with_suffix(".csv"), columns)

@@ -1,9 +1,7 @@
-# Sweeps (sweep.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv. Of a user's
-# own sweep (--config sweep=PLAN), only the points are made here: its table is written even if a point
-# cannot be computed (recipes/common/sweeps/). Decision 11 explains what a job computes and makes.
+# Sweeps (sweep.py): recipes/NAME/SWEEP.ini becomes the table results/data/NAME/SWEEP.csv. Decision 11 explains what a job computes and makes.
 from runs.written import note
 from sweeps.points import PointStore
-from sweeps.sweep import BATCHES_OF_MANY, BATCHES_OF_ONE, batches_of, read_sweep
+from sweeps.sweep import BATCHES_OF_MANY, batches_of, read_sweep
 
 # A recipe reads the tables of its own sweeps only, so those of recipes that are not asked for need no look.
 SWEEPS = {
@@ -11,20 +9,17 @@ SWEEPS = {
     for path in sorted(Path("recipes").glob("*/*.ini"))
     if path.parent.name in (ASKED or RECIPES) and path.with_name("rules.smk").exists()
 }
-if "sweep" in config:
-    SWEEPS = {f"sweeps/{Path(config['sweep']).stem}": read_sweep(config["sweep"])}
 SWEEPS |= {
     f"{name}-seed-{seed}": read_sweep(sweep.files[0], seed)
     for name, sweep in SWEEPS.items()
     for seed in sweep.seeds
 }
 
-MOST_BATCHES = BATCHES_OF_ONE if "sweep" in config else BATCHES_OF_MANY
 BATCHES = {
     f"{name}-{number:04d}": (name, batch)
     for name, sweep in SWEEPS.items()
     for number, batch in enumerate(
-        batches_of(list({point.id: point for point in sweep.points}.values()), most=MOST_BATCHES), 1
+        batches_of(list({point.id: point for point in sweep.points}.values()), most=BATCHES_OF_MANY), 1
     )
 }
 POINTS = f"{DATA}/points"
@@ -100,7 +95,3 @@ rule table:
     log: f"{LOGS}/{{sweep}}.log"
     message: "{wildcards.sweep}: collect the points"
     shell: "{CALL} {input.script} {params.sweep} {POINTS} {params.code} {output} 2> {log}"
-
-
-rule sweep:
-    input: [f"{DATA}/batches/{batch}.sum" for batch in BATCHES]

@@ -1,0 +1,133 @@
+"""A user's sweep (docs/sweeps.md): its chain, checked against what the programs say of themselves,
+and what is there of its points. RESULTS/sweeps/NAME/NAME.ini is the sweep as it was run."""
+
+import configparser
+import io
+import os
+import re
+from contextlib import suppress
+from pathlib import Path
+
+from chains.bases import write
+from chains.check import check
+from chains.commands import UNFINISHED
+from chains.digests import digest_of_program
+from chains.plan import FILES, folder_of
+from chains.points import Chains, Waiting
+from chains.store import is_current, origin_of, read, result_of
+from rupture.errors import UsageError
+from runs.written import take
+from sweeps.check import check_columns, check_points
+from sweeps.sweep import Sweep, errors_of, references
+
+ENDINGS = (".ini", ".csv", ".hdf5", ".png", ".pdf")
+NOT_REACHED = "it was not reached, or its process was ended"
+
+
+class OwnSweep:
+    """One file. `points`: None as long as others must be computed before they are known."""
+
+    def __init__(self, path):
+        path = Path(path)
+        if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*", path.stem):
+            raise UsageError(
+                f"{path}: rename the file: its results take its name, which may contain only"
+                " letters, digits, '.', '_' and '-'"
+            )
+        with errors_of(path):
+            path.stat()
+        self.stem = folder_of(path) / path.stem
+        self.chains = Chains()
+        self.chain = self.chains.load(path)
+        check(self.chains, self.chain)
+        table = self.chain.points and self.chain.path.parent / self.chain.points["chain"]
+        if table and table.suffix == ".csv" and not table.is_file():
+            raise UsageError(f"{path}: there is no table of points {table}")
+        with errors_of(path):
+            self.check_all()
+
+    def check_all(self):
+        self.points = None
+        with suppress(Waiting):
+            self.points = self.chains.points(self.chain)
+        units = {}
+        for chain in self.lineage:
+            if points := self.chains.made.get(chain.path):
+                units |= check_points(points, self.chains.programs)
+            elif chain is self.chain and self.points is not None:
+                raise UsageError(
+                    "there are no points: [values] or a table says for which values to run"
+                )
+        columns, of_columns = check_columns(
+            self.chain, names_in(self.lineage), self.chains.programs
+        )
+        self.sweep = Sweep(
+            title=self.chain.keys.get("title", self.chain.path.stem),
+            points=self.points or [],
+            columns=columns,
+            varied=self.varied(),
+            units=units | of_columns,
+            files=(str(self.stem) + ".ini",),
+        )
+
+    @property
+    def lineage(self):
+        """The chains from which its points come, then its own."""
+        found = [self.chain]
+        while above := self.chains.above(found[0]):
+            found.insert(0, above)
+        return found
+
+    def varied(self):
+        """Names of the values that differ between points, and follow no others."""
+        lists = [item for one in self.chain.lists.values() for item in one.items()]
+        follows = {name for name, texts in lists if len(texts) == 1 and references(texts[0])}
+        names = dict.fromkeys(name for point in self.points or () for name in point.values)
+        values = {
+            n: {point.values.get(n) for point in self.points} for n in names if n not in follows
+        }
+        return [name for name, texts in values.items() if len(texts) > 1]
+
+    def missing(self):
+        """Points that are to be computed."""
+        return [point for point in self.points or () if not is_done(point)]
+
+    def write(self):
+        """Replaces the former plan, which tells what the table is of."""
+        files = [self.stem.with_name(self.stem.name + ending) for ending in ENDINGS]
+        take(Path("results"), *files, *(self.stem.parent / "plan" / name for name in FILES))
+        sections = {"sweep" if n == "chain" else n: {**s} for n, s in self.chain.sections.items()}
+        own = sections.setdefault("sweep", {})
+        sections |= {"quantities": self.sweep.columns, "units": self.sweep.units}
+        own.pop("like", None)
+        if len(self.chain.copies) == 1:
+            own["base"] = os.path.relpath(*self.chain.copies.values(), self.stem.parent)
+        if own.get("points", "").endswith(".csv"):
+            copy = self.stem.with_name(f"{self.stem.name}-points.csv")
+            write(Path("results"), copy, (self.chain.path.parent / own["points"]).read_bytes())
+            own["points"] = copy.name
+        ini = configparser.RawConfigParser(default_section="", delimiters="=")
+        ini.optionxform = str  # type: ignore[method-assign, assignment]
+        ini.read_dict(sections)
+        text = io.StringIO()
+        ini.write(text)
+        write(Path("results"), files[0], text.getvalue().encode())
+
+
+def names_in(chains):
+    return [name for chain in chains for lists in chain.lists.values() for name in lists]
+
+
+def is_done(point):
+    folder = Path(os.environ["RUPTURE_BIN"])
+    origin = origin_of(point.work, [digest_of_program(folder / tool) for tool in point.tools])
+    kept = (point.file(name) for name in point.chain.keep)
+    return is_current(point.path, origin) and all(map(Path.exists, kept))
+
+
+def result(point):
+    """What is known of a point; a program that crashed left a sentence."""
+    if is_done(point):
+        return result_of(point.path)
+    sentence = read(point.path.with_suffix(".crash")) or NOT_REACHED
+    return {"status": UNFINISHED, "sentence": sentence, "reports": {}}
