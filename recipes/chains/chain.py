@@ -55,7 +55,7 @@ class Chain:
         is_sweep = "sweep" in self.own  # as files of version 0.4 call it
         if is_sweep:
             self.own["chain"] = self.own.pop("sweep")
-        self.check_form()
+        self.check_form("sweep" if is_sweep else "chain")
         self.sections = dict(self.own)
         if like := self.own.get("chain", {}).get("like"):
             other = Chain(self.path.parent / like, (*read, self.path))
@@ -174,7 +174,7 @@ class Chain:
         where = f"{self.shown}, line {number}" if number else f"{self.shown}, '{key}'"
         return UsageError(f"{where}: {' '.join(str(sentence).split())}")
 
-    def check_form(self):
+    def check_form(self, heading):
         for section, lines in self.own.items():
             with self.errors_at(section, next(iter(lines), "")):
                 if not is_values(section):
@@ -182,7 +182,11 @@ class Chain:
             for key, text in lines.items():
                 with self.errors_at(section, key):
                     if section in KEYS:
-                        check_known(key, KEYS[section], f"[{section}] has no key")
+                        check_known(
+                            key,
+                            KEYS[section],
+                            f"[{heading if section == 'chain' else section}] has no key",
+                        )
                     if not text and section != "units":
                         raise UsageError(f"'{key}' in [{section}] has no value")
 

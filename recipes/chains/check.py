@@ -68,7 +68,8 @@ def check_expression(text, names):
 
 def check_command(chain, name, names):
     line = chain.commands[name]
-    check_known(words_of(line)[0], RUNS, "there is no program")
+    words_of(line)
+    check_known(line.split()[0], RUNS, "there is no program")
     for hole in HOLE.findall(line):
         if hole == "base" and "base" not in chain.keys:
             raise UsageError(f"'{line}': {{base}} needs base = FILE in [chain]")

@@ -94,6 +94,10 @@ class OwnSweep:
 
     def write(self):
         """Replaces the former plan, which tells what the table is of."""
+        with errors_of(self.chain.path):
+            self.write_all()
+
+    def write_all(self):
         files = [self.stem.with_name(self.stem.name + ending) for ending in ENDINGS]
         take(Path("results"), *files, *(self.stem.parent / "plan" / name for name in FILES))
         sections = {"sweep" if n == "chain" else n: {**s} for n, s in self.chain.sections.items()}

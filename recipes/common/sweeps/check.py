@@ -188,7 +188,7 @@ def check_columns(chain, names, programs):
     columns: dict[str, str] = {}
     units: dict[str, str] = {}
     taken = [*STATE, *names]
-    if "quantities" not in chain.sections:
+    if not chain.sections.get("quantities"):
         raise UsageError("it needs a section [quantities], as in type = front.type")
     for heading, path in chain.sections["quantities"].items():
         ((name, _, stated),) = HEADING.findall(heading)

@@ -31,6 +31,7 @@ FORMER = {  # sections and keys of [sweep] up to version 0.3, and what is writte
     "restart": "write a command in [commands], as restart = restart {base} --for 0.01 {values}"
     " -o end.h5 --record record.h5 --quiet",
     "analyze": "write commands in [commands], as front = analyze front record.h5 --json",
+    "seeds": "write seed = 1 to 5 in [values]",
     "table": "call this section [quantities]",
 }
 HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")
