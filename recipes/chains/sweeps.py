@@ -124,7 +124,10 @@ def names_in(chains):
 
 def is_done(point):
     folder = Path(os.environ["RUPTURE_BIN"])
-    origin = origin_of(point.work, [digest_of_program(folder / tool) for tool in point.tools])
+    try:
+        origin = origin_of(point.work, [digest_of_program(folder / tool) for tool in point.tools])
+    except OSError:  # its base is not there yet
+        return False
     kept = (point.file(name) for name in point.chain.keep)
     return is_current(point.path, origin) and all(map(Path.exists, kept))
 

@@ -6,7 +6,6 @@ import json
 import pytest
 
 from chains import chain as chain_file
-from chains import points as points_of_chains
 from chains.chain import kept_names
 from chains.check import check
 from chains.expressions import Expression
@@ -106,8 +105,7 @@ class Files:
 @pytest.fixture(name="files")
 def files_in_a_folder(folder, monkeypatch):
     monkeypatch.setattr(chain_file, "RECIPES", folder / "recipes")
-    for module in (chain_file, points_of_chains):
-        monkeypatch.setattr(module, "SHARE", folder)
+    monkeypatch.setattr(chain_file, "SHARE", folder)
     return Files(folder)
 
 
