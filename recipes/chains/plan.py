@@ -1,10 +1,10 @@
-"""Writes the plan by which Ninja computes recipes, results/data/plan/build.ninja, or a user's sweep,
-results/sweeps/NAME/plan/build.ninja.
+"""Writes the plan by which Ninja computes recipes, results/data/plan/build.ninja, or a user's
+sweep, results/sweeps/NAME/plan/build.ninja.
 
 ./reproduce.sh writes it, and Ninja does so again (python -m chains.plan) once the points are there
-that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object: recipes
-or sweep, cores, megabytes. What Ninja is to compare by date are files that are written only when they change:
-so neither dates of sources, nor the folder, nor the number of cores makes anything stale."""
+that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object:
+recipes or sweep, cores, megabytes. What Ninja is to compare by date are files that are written only
+when they change: so neither dates of sources, nor the folder, nor the number of cores makes anything stale."""
 
 import json
 import os

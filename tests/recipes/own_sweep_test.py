@@ -1,5 +1,5 @@
-"""A user's sweep: its plan, what is refused before anything is computed (check.py, chains/sweeps.py); its
-table, picture and summary from made-up results (report.py, picture.py)."""
+"""A user's sweep: its plan, what is refused before anything is computed (check.py,
+chains/sweeps.py); its table, picture and summary from made-up results (report.py, picture.py)."""
 
 import re
 import shutil
@@ -127,7 +127,7 @@ TWICE = "sets numerics.seed twice; remove it from .values. or .commands."
 REFUSED = [
     # what of CHAIN, is replaced by what, sentence
     ("type = front.type", "", "needs a section .quantities."),
-    ("[sweep]", "[sweep]\nseeds = 1, 2", "'seeds' belongs to an older form of sweeps: write seed = 1 to 5"),
+    ("[sweep]", "[sweep]\nseeds = 1, 2", "'seeds' belongs to an older form of sweeps: write seed"),
     ("[sweep]", "[sweep]\nlike = sweep.ini", "'like' leads back to the same file"),
     ("[sweep]", "[sweep]\npoints = p.csv", "no table of points .*p.csv"),
     ("[sweep]", "[sweep]\npoints = empty.csv", "there are no points"),

@@ -184,7 +184,8 @@ def unit_of_column(path, commands, programs):
 
 
 def check_columns(chain, names, programs):
-    """{name: path} and {name: unit}; `names`: of values. A heading may repeat the unit, as in `speed [m/s]`."""
+    """{name: path} and {name: unit}; `names`: of values. A heading may repeat the unit, as in
+    `speed [m/s]`."""
     columns: dict[str, str] = {}
     units: dict[str, str] = {}
     taken = [*STATE, *names]
