@@ -3,8 +3,9 @@ sweep, results/sweeps/NAME/plan/build.ninja.
 
 ./reproduce.sh writes it, and Ninja does so again (python -m chains.plan) once the points are there
 that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object:
-recipes or sweep, cores, megabytes. What Ninja is to compare by date are files that are written only
-when they change: so neither dates of sources, nor the folder, nor the number of cores makes anything stale."""
+recipes or sweep, cores, megabytes. What Ninja is to compare by date are files that are written
+only when they change: so neither dates of sources, nor the folder, nor the number of cores
+makes anything stale."""
 
 import json
 import os
@@ -226,6 +227,9 @@ def write_plan(recipes, cores, megabytes):
 if __name__ == "__main__":
     try:
         wanted = json.loads(os.environ["RUPTURE_PLAN"])
-        (write_plan_of_sweep if "sweep" in wanted else write_plan)(**wanted)
+        if "sweep" in wanted:
+            write_plan_of_sweep(**wanted)
+        else:
+            write_plan(**wanted)
     except (Failure, UsageError) as error:
         raise SystemExit(str(error)) from None

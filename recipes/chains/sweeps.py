@@ -50,7 +50,7 @@ class OwnSweep:
         self.points = None
         with suppress(Waiting):
             self.points = self.chains.points(self.chain)
-        units = {}
+        units: dict[str, str] = {}
         for chain in self.lineage:
             if points := self.chains.made.get(chain.path):
                 units |= check_points(points, self.chains.programs)
@@ -84,7 +84,9 @@ class OwnSweep:
         follows = {name for name, texts in lists if len(texts) == 1 and references(texts[0])}
         names = dict.fromkeys(name for point in self.points or () for name in point.values)
         values = {
-            n: {point.values.get(n) for point in self.points} for n in names if n not in follows
+            n: {point.values.get(n) for point in self.points or ()}
+            for n in names
+            if n not in follows
         }
         return [name for name, texts in values.items() if len(texts) > 1]
 
@@ -105,7 +107,7 @@ class OwnSweep:
         sections |= {"quantities": self.sweep.columns, "units": self.sweep.units}
         own.pop("like", None)
         if len(self.chain.copies) == 1:
-            own["base"] = os.path.relpath(*self.chain.copies.values(), self.stem.parent)
+            own["base"] = os.path.relpath(next(iter(self.chain.copies.values())), self.stem.parent)
         if own.get("points", "").endswith(".csv"):
             copy = self.stem.with_name(f"{self.stem.name}-points.csv")
             write(Path("results"), copy, (self.chain.path.parent / own["points"]).read_bytes())

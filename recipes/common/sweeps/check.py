@@ -136,10 +136,10 @@ def check_points(points, programs):
     if not any(point.values or point.of for point in points):
         raise UsageError("there are no points: [values] or a table says for which values to run")
     for point in {tuple(point.values): point for point in points}.values():
-        lines = {name: HOLE.sub("1", line) for name, line in point.commands.items()}
-        for line in lines.values():
+        filled = {name: HOLE.sub("1", line) for name, line in point.commands.items()}
+        for line in filled.values():
             check_command(line, programs)
-        lines = [lines[n] for n, line in point.chain.commands.items() if "{values}" in line]
+        lines = [filled[n] for n, line in point.chain.commands.items() if "{values}" in line]
         if point.options and not lines:
             raise UsageError("no command has {values}")
         described |= dict.fromkeys(point.values, {"unit": ""})
