@@ -6,8 +6,10 @@ import shlex
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from chains.bases import keep_base
+from events.conventions import SETS
 from rupture.errors import UsageError
 from rupture.programs import DRAWING
 from reproduce.project import SHARE
@@ -20,15 +22,17 @@ RECIPES = SHARE / "recipes"
 SECTIONS = ("chain", "commands", "values", "quantities", "units", "figure")
 KEYS = {
     "chain": ("title", "like", "points", "base", "keep", "memory", "threads"),
-    "figure": ("reads", "pictures", "tables"),
+    "figure": ("reads", "beside", "pictures", "tables", "others"),
 }
 RUNS = (*PROGRAMS, *DRAWING)  # programs that a chain may run
+SCRIPT, ALL = "script", "all "  # in recipes
 SELECTION = re.compile(
     r"(?P<first>first )?(?:(?P<element>\w+) in )?(?P<chain>[\w./-]+?)"
     r"(?:: (?P<list>[\w.]+))?(?: where (?P<condition>.+))?"
 )
 BASE = re.compile(r"(?:(?P<chain>[\w./-]+): )?(?P<file>.+)")
 HOLE = re.compile(r"\{([^{}]*)\}")
+ALSO = re.compile(r"--also (\w+)(?=\s|$)")  # a set of ways to measure
 WAITING = re.compile(r"\{([^{}]+)\}")  # a value that is one expression: known when it is needed
 
 
@@ -36,11 +40,18 @@ def is_expression(text):
     return bool(WAITING.fullmatch(text))
 
 
+def ways_in(line):
+    """{way to measure: options} of the set that `--also SET` names."""
+    found = ALSO.search(line)
+    return SETS[found[1]] if found else {}
+
+
 class Chain:
     """One file. `own`: the sections in the file itself, `sections`: with those of the files that it
     is like; `decides`: whether reports of its points decide which points others have."""
 
     decides = False
+    among: Any = None  # the Chains with which it is read
 
     def __init__(self, path, read=()):
         self.path = Path(os.path.abspath(path))

@@ -3,7 +3,8 @@ yet; and what a chain that is no recipe must not do."""
 
 import re
 
-from chains.chain import BASE, HOLE, RUNS, is_expression, kept_names, words_of
+from chains.chain import ALL, ALSO, BASE, HOLE, RUNS, SCRIPT, is_expression, kept_names, words_of
+from events.conventions import SETS
 from chains.expressions import Expression, first_known
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
@@ -20,7 +21,7 @@ def check(chains, chain):
         raise UsageError(f"{chain.shown}: it has no section [commands]")
     for name in chain.commands:
         with chain.errors_at("commands", name):
-            check_command(chain, name, names)
+            check_command(chains, chain, name, names)
     for section, lists in chain.lists.items():
         for name, texts in lists.items():
             with chain.errors_at(section, name):
@@ -66,17 +67,37 @@ def check_expression(text, names):
             raise UsageError(f"'{text}': there is no '{name}'{near}")
 
 
-def check_command(chain, name, names):
+def check_command(chains, chain, name, names):
     line = chain.commands[name]
-    words_of(line)
-    check_known(line.split()[0], RUNS, "there is no program")
+    words = words_of(line)
+    if words[0] == SCRIPT and chain.is_ours:
+        if not (chain.path.parent / words[1]).is_file():
+            raise UsageError(f"there is no script {words[1]} in {chain.path.parent.name}")
+    else:
+        check_known(words[0], RUNS, "there is no program")
+    if also := ALSO.search(line):
+        check_known(also[1], SETS, "there is no set of ways to measure")
     for hole in HOLE.findall(line):
+        if hole.startswith(ALL):
+            if words[0] != SCRIPT:
+                raise UsageError(f"'{line}': {{{hole}}} is for scripts")
+            check_listed(chains, chain, hole.removeprefix(ALL), names)
+            continue
         if hole == "base" and "base" not in chain.keys:
             raise UsageError(f"'{line}': {{base}} needs base = FILE in [chain]")
         if hole not in (*OWN, *names):
             check_expression(hole, names)
     if re.search(r"[{}]", HOLE.sub("", line)):
         raise UsageError(f"'{line}': a brace is missing")
+
+
+def check_listed(chains, chain, text, names):
+    """A chain all of whose points a script gets, and the condition for them."""
+    name, _, condition = map(str.strip, text.partition(" where "))
+    listed = chains.load(chain.path.parent / f"{name}.ini")
+    check(chains, listed)
+    if condition:
+        check_expression(condition, names | names_of(chains, listed))
 
 
 def check_base(chains, chain, names):

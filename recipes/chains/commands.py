@@ -25,9 +25,18 @@ def run(folder_of_tools, words, folder, files):
     """The finished command. `files`: {name in the command: file elsewhere}."""
     tool, *others = words
     arguments = [os.path.abspath(files[word]) if word in files else word for word in others]
-    program = Path(folder_of_tools).resolve() / tool
+    tools = Path(folder_of_tools).resolve()
+    command: list = [tools / tool]
+    if tool == "script":
+        command = [sys.executable, "-P", "-m", "data.call"]
+        arguments[0] = os.path.abspath(arguments[0])
     done = subprocess.run(
-        [program, *arguments], cwd=folder, capture_output=True, text=True, check=False
+        [*command, *arguments],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+        env=os.environ | {"RUPTURE_BIN": str(tools)},
     )
     if -done.returncode in INTERRUPTIONS:
         sys.exit(128 - done.returncode)  # the signal was for all that runs
@@ -38,7 +47,7 @@ def fault(command, done):
     """The status of a point whose command ended so: the tool says why, or it crashed. Paths are
     those of this folder."""
     said = done.stderr.strip().replace(f"{os.getcwd()}/", "")
-    if done.returncode in USER_ERRORS:
+    if done.returncode in USER_ERRORS and not said.startswith("Traceback"):
         return {"status": "failed", "sentence": said.splitlines()[-1] if said else command}
     sentence = f"'{command}' ended with {done.returncode}{': ' if said else ''}{said}"
     return {"status": UNFINISHED, "sentence": sentence}

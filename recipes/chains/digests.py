@@ -4,12 +4,14 @@ Of a program they leave out the version that is compiled in, of a script comment
 a commit or a new sentence recomputes nothing, and a changed constant all that it may touch."""
 
 import ast
+import os
 import struct
 from functools import cache
 from pathlib import Path
 
 from chains.store import digest
 from reproduce.project import SHARE
+from runs.fingerprint import PROGRAMS
 
 PLACES = ("recipes/common", "recipes", "python")  # of modules that scripts import
 NOT_COMPUTED_WITH = (b".note.gnu.build-id", b".rupture_version")  # cmake/WriteVersion.cmake
@@ -92,3 +94,17 @@ def digest_of_scripts(*paths):
             found = (module_at(name, Path(paths[0]).parent) for name in names)
             waiting.extend(one for one in found if one)
     return digest(*(parts[path] for path in sorted(parts)))
+
+
+# --- both --------------------------------------------------------------------------------------
+
+
+@cache
+def digest_of_tool(tool):
+    """Of a program by its name, or of a script by its path in the project. A script may run all
+    programs."""
+    folder = Path(os.environ["RUPTURE_BIN"])
+    if tool.endswith(".py"):
+        programs = (digest_of_program(folder / name) for name in PROGRAMS)
+        return digest(digest_of_scripts(SHARE / tool), *programs)
+    return digest_of_program(folder / tool)

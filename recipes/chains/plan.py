@@ -15,9 +15,9 @@ from pathlib import Path
 
 from chains.chain import RECIPES
 from chains.check import check
-from chains.digests import digest_of_program, digest_of_scripts
+from chains.digests import digest_of_scripts, digest_of_tool
 from chains.points import Chains, Waiting
-from chains.store import DIGESTS, is_whole, write_if_changed
+from chains.store import DIGESTS, digest_file, is_whole, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
 from runs.written import note
@@ -65,17 +65,33 @@ def paths(*files):
     return " ".join(re.sub("([ :$])", r"$\1", str(file)) for file in files)
 
 
-def selected(chains, figure):
-    """{name: points} for figure.py. Another recipe's chain has that recipe in its name."""
-    found = {}
-    for chain, condition in chains.read_by(figure):
-        check(chains, chain)
-        points = chains.points(chain)
-        if condition:
-            points = [point for point in points if point.worked_out(condition, point.known)]
-        is_own = chain.path.parent == figure.path.parent
-        found[chain.path.stem if is_own else chain.name] = points
-    return found
+def selected(chains, figure, chain, condition):
+    """{name: points} of a chain for figure.py. Another recipe's has that recipe in its name."""
+    check(chains, chain)
+    points = chains.points(chain)
+    if condition:
+        points = [point for point in points if point.worked_out(condition, point.known)]
+    is_own = chain.path.parent == figure.path.parent
+    return {chain.path.stem if is_own else chain.name: points}
+
+
+def read_by(chains, figure, is_ensemble_asked):
+    """{name: points} for figure.py. Without the ensemble, what is `beside` is what is there."""
+    found: dict[str, dict] = {}
+    for key in ("reads", "beside"):
+        others = chains if is_ensemble_asked or key == "reads" else Chains()
+        for chain, condition in others.read_by(others.load(figure.path), key):
+            of_chain = {}
+            with figure.errors_at("figure", key):
+                try:
+                    of_chain = selected(others, figure, chain, condition)
+                except Waiting:
+                    if others is chains:
+                        raise
+            for name, points in of_chain.items():
+                there = (one for one in points if others is chains or one.is_done)
+                found.setdefault(name, {}).update({one.path: one for one in there})
+    return {name: list(points.values()) for name, points in found.items()}
 
 
 class Plan:
@@ -100,7 +116,13 @@ class Plan:
         """Those of a chain, and those that they come from; many go together in batches."""
         new = {point.path: point for point in points if point.path not in self.points}
         self.points |= new
-        if above := [point.of for point in new.values() if point.of]:
+        above = [point.of for point in new.values() if point.of]
+        listed = {path: found for point in new.values() for path, found in point.lists.items()}
+        for path, (text, points) in listed.items():
+            note(RESULTS, path)
+            write_if_changed(path, text)
+            above += points
+        if above:
             self.add_points(above)
         for batch in batches_of([*new.values()]):
             self.add_batch(batch)
@@ -111,7 +133,7 @@ class Plan:
         if len(batch) > 1:
             what = f"{first.chain.name}: {len(batch)} points"
         kept = [point.file(name) for point in batch for name in point.chain.keep]
-        inputs = [DIGESTS / tool for point in batch for tool in point.tools]
+        inputs = [digest_file(tool) for point in batch for tool in point.tools]
         inputs += [file for point in batch for file in point.inputs]
         todo = first.path.with_suffix(".todo")
         about = {"chain": first.chain.name, "described": what, "works": works}
@@ -136,16 +158,16 @@ class Plan:
             self.add_points(points)
         data, code = DATA / recipe / "figure.json", DIGESTS / f"{recipe}-figure"
         note(RESULTS, data, code)
-        rows = {name: [as_read(point) for point in points] for name, points in reads.items()}
+        rows = {name: [point.row for point in points] for name, points in reads.items()}
         write_if_changed(data, json.dumps(rows))
         texts = [OF_CLAIMS, *sorted((RECIPES / recipe).glob("*.toml"))]
         script = digest_of_scripts(RECIPES / recipe / "figure.py")
         write_if_changed(code, script + "".join(file.read_text("utf-8") for file in texts))
         listed = figure.sections["figure"]
-        pictures, tables = (listed.get(key, "").split(",") for key in ("pictures", "tables"))
-        stems = [stem.strip() for stem in pictures if stem] or [recipe]
-        files = [f"{stem}.{ending}" for stem in stems for ending in ("png", "pdf")]
-        files += [f"{table.strip()}.csv" for table in tables if table]
+        keys = ("pictures", "tables", "others")
+        pictures, tables, others = (listed.get(key, "").replace(",", " ").split() for key in keys)
+        files = [f"{stem}.{end}" for stem in pictures or [recipe] for end in ("png", "pdf")]
+        files += [*(f"{table}.csv" for table in tables), *others]
         outputs = [RESULTS / recipe / file for file in ("claims.json", *files)]
         points = {point.path: None for points in reads.values() for point in points}
         build = f"build {paths(*outputs)}: figure | {paths(data, code, *points)}\n"
@@ -159,27 +181,12 @@ class Plan:
 
     def write(self):
         self.written += [self.folder / name for name in FILES]
-        self.written += [RESULTS / "jobs.jsonl", *(DIGESTS / tool for tool in self.tools)]
+        self.written += [RESULTS / "jobs.jsonl", *map(digest_file, self.tools)]
         note(RESULTS, *self.written)
-        folder = Path(os.environ["RUPTURE_BIN"])
         for tool in self.tools:
-            write_if_changed(DIGESTS / tool, digest_of_program(folder / tool))
+            write_if_changed(digest_file(tool), digest_of_tool(tool))
         rules = RULES.replace("{folder}", str(self.folder))
         write_if_changed(self.file, "\n".join([rules, *self.pools.values(), *self.edges.values()]))
-
-
-def as_read(point):
-    """For figure.py (results.py): the point, and those that it comes from."""
-    return [
-        {
-            "values": one.values,
-            "elements": one.elements,
-            "commands": list(one.chain.commands),
-            "path": str(one.path),
-            "base": one.base and one.base["file"],
-        }
-        for one in point.lineage
-    ]
 
 
 def add_deciding(plan, deciding):
@@ -210,8 +217,7 @@ def write_plan(recipes, cores, megabytes):
     for recipe in recipes:
         figure = chains.recipe(recipe)
         try:
-            with figure.errors_at("figure", "reads"):
-                reads = selected(chains, figure)
+            reads = read_by(chains, figure, "ensemble" in recipes)
         except Waiting:
             waiting.append(recipe)
             continue

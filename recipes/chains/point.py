@@ -21,12 +21,13 @@ from pathlib import Path
 
 from chains.commands import INTERRUPTIONS, UNFINISHED, as_run, checksums_in, fault, run
 from chains.store import (
-    DIGESTS,
+    digest_file,
     is_current,
     origin_of,
     read,
     result_of,
     save_origin,
+    tools_of,
     write_if_changed,
 )
 from rupture.replacing import write_whole
@@ -91,6 +92,15 @@ def fault_of(base):
     return "" if is_it else f"{path} is not in {path.with_name('manifest')} (see README.md there)"
 
 
+def report_of(text, in_several_ways, ways):
+    """What a command says. Beside the first report, those in ways that have names are `under` it;
+    of others there is a list."""
+    said = [json.loads(line) for line in text.splitlines()]
+    if ways:
+        return {**said[0], "under": dict(zip(ways, said[1:], strict=True))}
+    return said if in_several_ways else said[0]
+
+
 def compute(work, folder):
     """The result. What needs a null, or a file of a command that was left out, is left out."""
     reports: dict = {}
@@ -110,13 +120,13 @@ def compute(work, folder):
         result["commands"][name] = command
         words = as_run(command)
         files = {base["shown"]: base["file"]} if base else {}
+        files |= {path: path for path in work["lists"]}
         done = run(os.environ["RUPTURE_BIN"], words, folder, files)
         if done.returncode:
             result |= fault(command, done)
             break
-        if "--json" in words:
-            said = [json.loads(line) for line in done.stdout.splitlines()]
-            reports[name] = said if "--also" in words else said[0]
+        if words[0] == "script" or "--json" in words:
+            reports[name] = report_of(done.stdout, "--also" in words, work["ways"].get(name))
     absent = [file for file in work["keep"] if not Path(folder, file).exists()]
     absent = [file for file in absent if without_time(file) not in missing]
     if absent and result["status"] == "done":
@@ -148,8 +158,8 @@ def note(outputs, described, rule, command, inputs, started):
 def finish(work, about):
     """Computes a point unless its result is there. Returns a sentence if a program crashed."""
     started, path, base = time.time(), Path(work.pop("path")), work["base"]
-    tools = sorted({line.split(None, 1)[0] for line in work["commands"].values()})
-    origin = origin_of(work, [read(DIGESTS / tool) for tool in tools])
+    tools = tools_of(work["commands"].values())
+    origin = origin_of(work, [read(digest_file(tool)) for tool in tools])
     crash = path.with_suffix(".crash")
     kept = [path.with_suffix(f".{name}") for name in work["keep"]]
     if is_current(path, origin) and all(map(Path.exists, kept)):

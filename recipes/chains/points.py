@@ -12,9 +12,13 @@ import shlex
 from functools import cached_property
 from pathlib import Path
 
-from chains.chain import BASE, HOLE, RECIPES, Chain, is_expression, kept_names
+from chains.chain import ALL, ALSO, BASE, HOLE, RECIPES, SCRIPT, Chain, is_expression, kept_names
+from chains.chain import ways_in
 from chains.expressions import Expression, as_number, as_text, first_known
-from chains.store import STORE, digest, result_of
+from chains.digests import digest_of_tool
+from chains.store import STORE, digest, is_current, origin_of, result_of, tools_of
+from events.conventions import words_of
+from reproduce.project import SHARE
 from rupture.errors import UsageError
 from sweeps.check import Programs
 from sweeps.sweep import evaluate, options, products, rows_of
@@ -92,9 +96,50 @@ class Point:
 
     @cached_property
     def options(self):
-        """Values that no command names itself, for {values}."""
-        named = {hole for line in self.chain.commands.values() for hole in HOLE.findall(line)}
-        return {n: t for n, t in self.values.items() if n not in named and not is_expression(t)}
+        """Values that nothing else names, for {values}."""
+        lists = [text[1:-1] for text in self.values.values() if is_expression(text)]
+        holes = [hole for line in self.chain.commands.values() for hole in HOLE.findall(line)]
+        plain = [hole for hole in (*holes, *lists) if not hole.startswith(ALL)]
+        named = {name for hole in plain for name in Expression(hole, self.names).names}
+        named = {first_known(name, self.names) for name in named}
+        return {n: self.text(n) for n in self.values if n not in named}
+
+    def listed(self, hole):
+        """The file for a script with the points that {all CHAIN where CONDITION} names."""
+        name, _, condition = map(str.strip, hole.removeprefix(ALL).partition(" where "))
+        chain = self.chain.among.load(self.chain.path.parent / f"{name}.ini")
+        points = self.chain.among.points(chain)
+        if condition:
+            points = [one for one in points if self.meets(one, condition)]
+        text = json.dumps([one.row for one in points])
+        path = STORE / f"{digest(text)}.list"
+        self.lists[path] = text, points
+        return str(path)
+
+    def meets(self, other, condition):
+        """Names of the other point come first."""
+
+        def look_up(name):
+            try:
+                return other.known(name)
+            except KeyError:
+                return self.look_up(name)
+
+        return Expression(condition, {*other.names, *self.names}).value(look_up)
+
+    @property
+    def row(self):
+        """For scripts and figure.py (results.py): the point, and those that it comes from."""
+        return [
+            {
+                "values": one.values,
+                "elements": one.elements,
+                "commands": list(one.chain.commands),
+                "path": str(one.path),
+                "base": one.base and one.base["file"],
+            }
+            for one in self.lineage
+        ]
 
     def filled(self, line):
         """A command as it is typed; holes that wait for reports, or are null, stay."""
@@ -104,6 +149,8 @@ class Point:
                 return options(self.options)
             if found[1] == "base":
                 return shlex.quote(self.base["shown"])
+            if found[1].startswith(ALL):
+                return self.listed(found[1])
             try:
                 text = self.text(found[1])
             except Waiting:
@@ -114,11 +161,20 @@ class Point:
 
     @cached_property
     def commands(self):
+        self.lists = {}  # path: text, points
         found = {}
         for name, line in self.chain.commands.items():
             with self.chain.errors_at("commands", name):
-                found[name] = self.filled(line)
+                found[name] = self.filled(with_ways(self.with_script(line)))
         return found
+
+    def with_script(self, line):
+        """A script is named by its path in the project."""
+        if not line.startswith(f"{SCRIPT} "):
+            return line
+        _, name, *words = line.split(None, 2)
+        path = os.path.relpath(self.chain.path.parent / name, SHARE)
+        return " ".join([SCRIPT, path, *words])
 
     def waits_for(self, texts, found):
         """{name: [value], or the file with the report} for the names in holes that are left."""
@@ -183,18 +239,23 @@ class Point:
             "names": self.waits_for(holes, {}),
             "keep": self.chain.keep,
             "base": self.base,
+            "lists": [str(path) for path in self.lists],
+            "ways": {n: [*ways] for n, t in self.chain.commands.items() if (ways := ways_in(t))},
         }
 
     @property
     def tools(self):
-        return sorted({line.split(None, 1)[0] for line in self.commands.values()})
+        return tools_of(self.commands.values())
 
     @property
     def inputs(self):
         """Files of other points, or of the user, on which its result depends."""
         sources = [source for source in self.work["names"].values() if source[:1] not in "[{"]
         base = [self.base["file"], self.base["of"]] if self.base else []
-        return [file for file in (*base, *sources) if file]
+        listed = [
+            one.path for _, points in self.lists.values() for p in points for one in p.lineage
+        ]
+        return [file for file in (*base, *sources, *self.lists, *listed) if file]
 
     @cached_property
     def id(self):
@@ -210,8 +271,19 @@ class Point:
         return STORE / f"{self.id}.{name}"
 
     @property
+    def is_done(self):
+        """Whether its result is there, and came from what it would come from now."""
+        try:
+            origin = origin_of(self.work, map(digest_of_tool, self.tools))
+        except OSError:  # of what it starts from
+            return False
+        kept = map(self.file, self.chain.keep)
+        return is_current(self.path, origin) and all(map(Path.exists, kept))
+
+    @property
     def described(self):
-        values = ", ".join(f"{n} {t}" for n, t in self.values.items() if not is_expression(t))
+        lists = {n: t for one in reversed(self.lineage) for n, t in one.values.items()}
+        values = ", ".join(f"{n} {t}" for n, t in lists.items() if not is_expression(t))
         name = self.chain.name if self.chain.is_ours else "point"
         return f"{name}: {values}" if values else name
 
@@ -237,18 +309,20 @@ class Chains:
         path = Path(os.path.abspath(path))
         if path not in self.chains:
             self.chains[path] = Chain(path)
+            self.chains[path].among = self
         return self.chains[path]
 
     def recipe(self, name):
         """figure.ini of a recipe: what its figure reads and writes."""
         return self.load(RECIPES / name / "figure.ini")
 
-    def read_by(self, figure):
+    def read_by(self, figure, key="reads"):
         """Pairs: a chain that figure.py reads, and the condition for its points or nothing."""
-        with figure.errors_at("figure", "reads"):
-            for text in re.split(r",(?![^()]*\))", figure.sections["figure"]["reads"]):
+        with figure.errors_at("figure", key):
+            for text in re.split(r",(?![^()]*\))", figure.sections["figure"].get(key, "")):
                 name, _, condition = map(str.strip, text.partition(" where "))
-                yield self.load(figure.path.parent / f"{name}.ini"), condition
+                if name:
+                    yield self.load(figure.path.parent / f"{name}.ini"), condition
 
     def above(self, chain):
         """The chain that its points come from; None if there is none."""
@@ -298,6 +372,12 @@ class Chains:
                 continue
             for element in point.worked_out(chain.points["list"], point.known) or ():
                 yield point, {chain.points["element"]: element}
+
+
+def with_ways(line):
+    """`--also SET` as it is typed: with the options of these ways to measure."""
+    ways = [" ".join(words_of(way)) for way in ways_in(line).values()]
+    return ALSO.sub(lambda _: f"--also {shlex.quote('; '.join(ways))}", line)
 
 
 def calculated(values):

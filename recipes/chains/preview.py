@@ -1,5 +1,6 @@
 """What ./reproduce.sh NAME --dry-run prints: the commands of all points, as one types them."""
 
+from chains.chain import SCRIPT
 from chains.check import check
 from chains.points import Chains, Waiting
 
@@ -16,6 +17,12 @@ def chains_of(chains, recipe):
     return dict.fromkeys(found)
 
 
+def typed(line):
+    """A command as one types it in the folder of the project."""
+    is_script = line.startswith(f"{SCRIPT} ")
+    return f"python3 -m data.call {line[len(SCRIPT) + 1:]}" if is_script else f"rupture {line}"
+
+
 def preview(recipe):
     """Lines; comments say which point it is, and where its base comes from."""
     chains = Chains()
@@ -29,5 +36,5 @@ def preview(recipe):
             yield f"# {point.described}"
             if point.base and point.base["of"]:
                 yield f"# {point.base['shown']} is {point.base['file']}"
-            yield from (f"rupture {line}" for line in point.commands.values())
+            yield from map(typed, point.commands.values())
             yield ""

@@ -74,3 +74,12 @@ def read_chains(recipe):
     text = Path(f"results/data/{recipe}/figure.json").read_text(encoding="utf-8")
     chains = json.loads(text)
     return {name: [Point(name, row) for row in rows] for name, rows in chains.items()}
+
+
+def read_points(path):
+    """The points in a file that a chain gives to a script with {all CHAIN}."""
+    root = Path(path).parents[3]
+    rows = json.loads(Path(path).read_text(encoding="utf-8"))
+    for one in (one for row in rows for one in row):
+        one["path"] = str(root / one["path"])
+    return [Point("", row) for row in rows]

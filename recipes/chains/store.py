@@ -40,6 +40,16 @@ def result_of(path):
     return json.loads(Path(path).read_text(encoding="utf-8"))
 
 
+def tools_of(commands):
+    """What a point computes with: names of programs, and the paths of scripts in the project."""
+    return sorted({line.split(None, 2)[line.startswith("script ")] for line in commands})
+
+
+def digest_file(tool):
+    """Where the digest of what it computes with is."""
+    return DIGESTS / tool.replace("/", "-")
+
+
 def content_of(base):
     """A digest of the file that a point starts from; of one that a point kept, the checksum of its
     content."""
@@ -51,7 +61,10 @@ def content_of(base):
 def origin_of(work, programs):
     """What a result comes from: the point's work, digests of the programs, and the contents of its
     files."""
-    reports = [read(source) for source in work["names"].values() if source[:1] not in "[{"]
+    sources = [source for source in work["names"].values() if source[:1] not in "[{"]
+    for path in work["lists"]:
+        sources += dict.fromkeys(one["path"] for row in json.loads(read(path)) for one in row)
+    reports = map(read, sources)
     return digest(FORM, json.dumps(work), content_of(work["base"]), *programs, *reports)
 
 

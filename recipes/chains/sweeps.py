@@ -11,10 +11,9 @@ from pathlib import Path
 from chains.bases import write
 from chains.check import check
 from chains.commands import UNFINISHED
-from chains.digests import digest_of_program
 from chains.plan import FILES, folder_of
 from chains.points import Chains, Waiting
-from chains.store import is_current, origin_of, read, result_of
+from chains.store import read, result_of
 from rupture.errors import UsageError
 from runs.written import take
 from sweeps.check import check_columns, check_points
@@ -92,7 +91,7 @@ class OwnSweep:
 
     def missing(self):
         """Points that are to be computed."""
-        return [point for point in self.points or () if not is_done(point)]
+        return [point for point in self.points or () if not point.is_done]
 
     def write(self):
         """Replaces the former plan, which tells what the table is of."""
@@ -124,19 +123,9 @@ def names_in(chains):
     return [name for chain in chains for lists in chain.lists.values() for name in lists]
 
 
-def is_done(point):
-    folder = Path(os.environ["RUPTURE_BIN"])
-    try:
-        origin = origin_of(point.work, [digest_of_program(folder / tool) for tool in point.tools])
-    except OSError:  # its base is not there yet
-        return False
-    kept = (point.file(name) for name in point.chain.keep)
-    return is_current(point.path, origin) and all(map(Path.exists, kept))
-
-
 def result(point):
     """What is known of a point; a program that crashed left a sentence."""
-    if is_done(point):
+    if point.is_done:
         return result_of(point.path)
     sentence = read(point.path.with_suffix(".crash")) or NOT_REACHED
     return {"status": UNFINISHED, "sentence": sentence, "reports": {}}

@@ -23,6 +23,17 @@ CONVENTIONS: dict[str, dict] = {  # name: options
     "ends to the fast": {"--stencils-at-ends": "fast"},
 }
 
+# Those that make a difference to the types of fronts on a map, and other limits of slow fronts.
+MEASURES = {
+    name: options for name, options in CONVENTIONS.items() if "--stencils-at-ends" not in options
+}
+WAYS = MEASURES | {f"slow below c_s/{ratio}": {"--slow-below": 1 / ratio} for ratio in (8, 40, 60)}
+# What a chain measures with `analyze ... --also NAME`, beside the primary convention.
+SETS = {
+    name: {way: options for way, options in ways.items() if way != PRIMARY}
+    for name, ways in {"conventions": CONVENTIONS, "map": WAYS}.items()
+}
+
 
 def words_of(options):
     return [str(word) for option in options.items() for word in option]

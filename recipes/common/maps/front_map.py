@@ -13,18 +13,10 @@ import numpy as np
 
 from data.records import values
 from data.tables import SLOW_STRETCH, points_of, read_rows, write_table
-from events.conventions import CONVENTIONS, PRIMARY
+from events.conventions import PRIMARY, WAYS
 
 TYPES = ("arrested", "slow", "fast")
 IMPOSSIBLE = "impossible"
-# Conventions that make a difference to types: where stencils at the ends of a slow stretch count
-# makes none.
-MEASURES = {
-    name: options for name, options in CONVENTIONS.items() if "--stencils-at-ends" not in options
-}
-WAYS = MEASURES | {  # as in `types` of fig4/map.ini
-    **{f"slow below c_s/{ratio}": {"--slow-below": 1 / ratio} for ratio in (8, 40, 60)},
-}
 
 
 # --- reading -------------------------------------------------------------------------------
