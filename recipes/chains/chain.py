@@ -150,10 +150,14 @@ class Chain:
         """{base of a user's chain: its copy, which is named after its content}."""
         return {}
 
+    def in_project(self, name):
+        """A file beside this one, by its path in the project."""
+        return os.path.relpath(self.path.parent / name, SHARE)
+
     def start_at(self, path):
         """The file from which points start, as commands name it."""
         if self.is_ours:
-            return os.path.relpath(path, SHARE)
+            return self.in_project(path)
         if path not in self.copies:
             self.copies[path] = str(keep_base(path, Path("results")))
         return self.copies[path]

@@ -18,7 +18,6 @@ from chains.expressions import Expression, as_number, as_text, first_known
 from chains.digests import digest_of_tool
 from chains.store import STORE, digest, is_current, origin_of, result_of, tools_of
 from events.conventions import words_of
-from reproduce.project import SHARE
 from rupture.errors import UsageError
 from sweeps.check import Programs
 from sweeps.sweep import evaluate, options, products, rows_of
@@ -102,7 +101,17 @@ class Point:
         plain = [hole for hole in (*holes, *lists) if not hole.startswith(ALL)]
         named = {name for hole in plain for name in Expression(hole, self.names).names}
         named = {first_known(name, self.names) for name in named}
-        return {n: self.text(n) for n in self.values if n not in named}
+        texts = {name: self.option(name) for name in self.values if name not in named}
+        return {name: text for name, text in texts.items() if text is not None}
+
+    def option(self, name):
+        """None if it is null, or follows from what the point itself is to report."""
+        try:
+            return self.text(name)
+        except Waiting as what:
+            if what.args[0] in self.chain.commands:
+                return None
+            raise
 
     def listed(self, hole):
         """The file for a script with the points that {all CHAIN where CONDITION} names."""
@@ -173,8 +182,7 @@ class Point:
         if not line.startswith(f"{SCRIPT} "):
             return line
         _, name, *words = line.split(None, 2)
-        path = os.path.relpath(self.chain.path.parent / name, SHARE)
-        return " ".join([SCRIPT, path, *words])
+        return " ".join([SCRIPT, self.chain.in_project(name), *words])
 
     def waits_for(self, texts, found):
         """{name: [value], or the file with the report} for the names in holes that are left."""

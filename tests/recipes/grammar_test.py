@@ -11,6 +11,7 @@ from chains.check import check
 from chains.expressions import Expression
 from chains.points import Chains, Waiting
 from chains.store import STORE
+from events.conventions import SETS
 from rupture.errors import UsageError
 
 NAMES = {"x": 3, "a.b": [1, 2.5, None], "none": None, "sigma-bar": 0.2, "v": "slow", "seed": 1}
@@ -106,6 +107,7 @@ class Files:
 def files_in_a_folder(folder, monkeypatch):
     monkeypatch.setattr(chain_file, "RECIPES", folder / "recipes")
     monkeypatch.setattr(chain_file, "SHARE", folder)
+    monkeypatch.setitem(SETS, "tiny", {"a": {"--stencil": 3}, "b": {"--slow-below": 0.1}})
     return Files(folder)
 
 
@@ -135,6 +137,10 @@ COMMANDS = [  # a file, and the commands of its points
         "[chain]\nbase = ../../b.h5\n"
         "[commands]\nrun = restart {base} --for {t}\n[values]\nt = 1 ms",
         ["b.h5 --for '1 ms'"],
+    ),
+    (
+        "[commands]\nrun = analyze front r.h5 --also tiny",
+        ["front r.h5 --also '--stencil 3; --slow-below 0.1'"],
     ),
     (  # filled in when it runs
         "[commands]\nfront = analyze front r.h5\n"
@@ -199,6 +205,41 @@ def test_points_from_another_chain(files, text, expected):
     assert each == expected
 
 
+SCRIPT = "[commands]\nfit = script fit.py {n} {all above}\n[values]\nn = 1, 2\n"
+LISTED = [  # what a script gets of `above`, for its values n: seeds
+    ("{all above}", [["1", "2"], ["1", "2"]]),
+    ("{all above where seed == n}", [["1"], ["2"]]),
+    ("{all above where events is not None}", [["1"], ["1"]]),
+]
+
+
+@pytest.mark.parametrize("hole, seeds", LISTED)
+def test_a_script_gets_points_of_a_chain(files, hole, seeds):
+    files.write(above=ABOVE, x=SCRIPT.replace("{all above}", hole))
+    (files.folder / "fit.py").touch()
+    files.read("above")
+    files.has_run("above", *EVENTS)
+    for n, (point, expected) in enumerate(zip(files.read(), seeds, strict=True), 1):
+        ((path, (text, points)),) = point.lists.items()
+        assert [row[0]["values"]["seed"] for row in json.loads(text)] == expected
+        assert point.commands["fit"] == f"script recipes/a/fit.py {n} {path}"
+        assert {str(one.path) for one in points} < {*map(str, point.inputs)}
+
+
+def test_values_from_reports_of_other_points_are_options(files):
+    values = "tau-bar = {e.t}\nseed = 3\nlater = {x.p[0]}\n"
+    above = ABOVE.replace("[values]\nseed = 1, 2\n", "")
+    run = "[commands]\nrun = prepare {values} -o a.h5\nx = analyze stress a.h5\n"
+    files.write(
+        above=above, x=f"[chain]\npoints = e in above: events.list\n{run}[values]\n{values}"
+    )
+    files.has_run("above", EVENTS[0])
+    assert [point.commands["run"] for point in files.read()] == [
+        "prepare --tau-bar 0.25 --seed 3 -o a.h5",
+        "prepare --tau-bar 0.35 --seed 3 -o a.h5",
+    ]
+
+
 def test_like_takes_what_a_file_lacks(files):
     files.write(y=f"[chain]\nkeep = a.h5\nmemory = 2 GB\n{RUN}[values]\nseed = 1, 2\n[variant v]\n")
     files.write(x="[chain]\nlike = y.ini\nmemory = 3 GB\n[values]\nseed = 3\n")
@@ -225,6 +266,9 @@ WRONG = [  # a file, and the sentence that follows its name
     (f"{RUN}y = load {{x", "line 3: .*a brace is missing"),
     (f"{RUN}y = load 'x", "line 3: .*cannot be split into words"),
     (f"{RUN}[values]\nx = {{y + 1}}", "line 4: 'y . 1': there is no 'y'; there are run, x"),
+    (f"{RUN}y = script fit.py", "line 3: there is no script fit.py in a"),
+    (f"{RUN}y = analyze front {{all above}}", "line 3: .*is for scripts"),
+    (f"{RUN}y = analyze front r.h5 --also al", "line 3: there is no set of ways to measure 'al'"),
     (f"{RUN}[values]\nrun = 1", "line 2: 'run' is the name of a value, too"),
     (f"{RUN}[values]\nx = 1 to 2.5", "line 4: .*give its step"),
     (f"{RUN}[values]\nx =", "line 4: 'x' in .values. has no value"),

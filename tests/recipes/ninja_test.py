@@ -236,7 +236,7 @@ def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
     assert start == "# tiny/runs: tau-bar 0.1\nrupture prepare --tau-bar 0.1 -o start.h5"
     assert other.startswith("# tiny/runs: tau-bar 0.2\nrupture prepare --tau-bar 0.2")
     assert re.fullmatch(
-        "# tiny/measured\n# start.h5 is results/data/points/[0-9a-f]{16}.start.h5\n"
+        "# tiny/measured: tau-bar 0.1\n# start.h5 is results/data/points/[0-9a-f]{16}.start.h5\n"
         "rupture analyze stress start.h5",
         stress,
     )

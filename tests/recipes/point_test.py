@@ -37,7 +37,8 @@ def stand_ins(folder, monkeypatch):
 
 
 def work(commands, names=(), keep=(), base=None):
-    return {"commands": commands, "names": dict(names), "keep": list(keep), "base": base}
+    parts = {"commands": commands, "names": dict(names), "keep": list(keep), "base": base}
+    return parts | {"lists": [], "ways": {}}
 
 
 FILLED = [  # commands after `front`, names, and what is run
