@@ -2,9 +2,9 @@
 
 from claims.judge import judged
 from data.tables import points_of, write_table
-from events.conventions import PRIMARY
+from events.conventions import MEASURES, PRIMARY
 from maps.bands import bands_of, width
-from maps.front_map import MEASURES, TYPES, beyond_trigger, front_type, read_map, seeds_of
+from maps.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
 from slow_fronts import tables_of
 
 

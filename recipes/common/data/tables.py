@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from chains.chain import is_expression
+from chains.expressions import as_text
 from data.records import report
 from rupture.replacing import replacing
 
@@ -86,6 +88,27 @@ def points_of(path):
     that was measured (sweeps/points.py)."""
     folder = Path(path).parents[1] / "points"
     return [(row, report(folder / f"{row['point']}.json")) for row in read_rows(path)]
+
+
+def rows_of(points):
+    """The same of points of chains (chains/results.py): each with its values and those of the
+    points that it comes from, as they are written, its status, its name and its front's type."""
+    return [(row_of(point), reports_of(point)) for point in points]
+
+
+def row_of(point):
+    texts = {n: t for one in reversed(point.lineage) for n, t in one["values"].items()}
+    row = {n: as_text(point[n]) if is_expression(t) else t for n, t in texts.items()}
+    kinds = [
+        found["type"] for found in point.results[0]["reports"].values() if found and "type" in found
+    ]
+    name = Path(point.lineage[0]["path"]).stem
+    return row | {"status": point.status, "type": next(iter(kinds), ""), "point": name}
+
+
+def reports_of(point):
+    result = point.results[0]
+    return {n: result[n] for n in ("status", "sentence", "checksums")} | result["reports"]
 
 
 def numbers(rows, column):

@@ -1,9 +1,10 @@
-"""Where fronts on prepared interfaces change from arrested to slow and from slow to fast:
+"""Where fronts on prepared interfaces change from arrested to slow and from slow to fast, as the
+script of a chain:
 
-    edges.py FOLDER SIGMA_BAR [OPTION ...]
+    edges = script ../common/maps/edges.py {values}
 
-bisects tau_bar_0 at one sigma_bar, with options of `prepare` (--set junctions.mu_d=0). Works in
-FOLDER, which is deleted at the end. Prints, under each convention of a map,
+bisects tau_bar_0 under these options of `prepare` (--sigma-bar 0.1 --set junctions.mu_d=0). It
+reports, under each convention of a map,
 
     {"slow": lowest tau_bar_0 of a front that is not arrested, "fast": of one that is fast}
 
@@ -11,13 +12,11 @@ each halfway between two fronts STEP apart.
 """
 
 from functools import cache
-from pathlib import Path
 
 from rupture.programs import output_of
 
-from data.scratch import scratch
-from events.conventions import PRIMARY, each_way
-from maps.front_map import MEASURES, TYPES, type_on_map
+from events.conventions import MEASURES, PRIMARY, each_way
+from maps.front_map import TYPES, type_on_map
 
 STEP = 2.5e-4  # of tau_bar_0
 LOWEST, HIGHEST = 0, 1200  # in steps: arrested at sigma_bar up to 0.285, and most often fast
@@ -42,11 +41,10 @@ def around(is_so, guess):
 
 
 class Interfaces:
-    """Prepared interfaces of one sigma_bar, run in a folder; `ways` to measure
-    their fronts."""
+    """Prepared interfaces with these options, run in the current folder; `ways` to measure their
+    fronts."""
 
-    def __init__(self, folder, options, step=STEP, ways=MEASURES):
-        self.folder = folder
+    def __init__(self, options, step=STEP, ways=MEASURES):
         self.options = options
         self.step = step
         self.ways = ways
@@ -54,14 +52,13 @@ class Interfaces:
     @cache  # conventions share fronts
     def kinds(self, steps):
         """{way: type}"""
-        start, end, record = (self.folder / f"{name}.h5" for name in ("start", "end", "record"))
         silent = ["--quiet", "--force"]
         prestress = ["--tau-bar", f"{steps * self.step:g}"]
-        output_of("prepare", *prestress, *self.options, "-o", start, *silent)
-        recorded = ["--record", record, "--record-every", "1e-3", "--crossings", "0.2,0.5"]
+        output_of("prepare", *prestress, *self.options, "-o", "start.h5", *silent)
+        recorded = ["--record", "record.h5", "--record-every", "1e-3", "--crossings", "0.2,0.5"]
         until = ["--until-quiet", "--arrived-below", 0.2, "--threads", 1]
-        output_of("restart", start, "-o", end, *until, *recorded, *silent)
-        found = each_way("classify", record, self.ways)
+        output_of("restart", "start.h5", "-o", "end.h5", *until, *recorded, *silent)
+        found = each_way("classify", "record.h5", self.ways)
         return {way: type_on_map(report["type"]) for way, report in found.items()}
 
     def edge(self, kind, guess=None, way=PRIMARY):
@@ -78,9 +75,6 @@ class Interfaces:
         return round((first(is_so, *ends) - 0.5) * self.step, 6)
 
 
-def main(folder, sigma_bar, *options):
-    with scratch(Path(folder)) as folder:
-        interfaces = Interfaces(folder, ["--sigma-bar", sigma_bar, *options])
-        return {
-            way: {kind: interfaces.edge(kind, way=way) for kind in TYPES[1:]} for way in MEASURES
-        }
+def main(*options):
+    interfaces = Interfaces(options)
+    return {way: {kind: interfaces.edge(kind, way=way) for kind in TYPES[1:]} for way in MEASURES}

@@ -2,8 +2,8 @@
 claim geometry).
 
 A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, with the front that
-`analyze front --json` reported, or None where no interface can be prepared. It has its types:
-front["types"][way], of WAYS if the sweep has a command `types`.
+`analyze front` reported, or None where no interface can be prepared. It has its types:
+front["types"][way], of WAYS if the chain has a command `types` with `--also map`.
 """
 
 from itertools import pairwise
@@ -13,7 +13,7 @@ import numpy as np
 
 from data.records import values
 from data.tables import SLOW_STRETCH, points_of, read_rows, write_table
-from events.conventions import PRIMARY, WAYS
+from events.conventions import PRIMARY
 
 TYPES = ("arrested", "slow", "fast")
 IMPOSSIBLE = "impossible"
@@ -33,8 +33,9 @@ def front_of(result):
         if result.get("checksums"):
             raise ValueError(f"a prepared interface was not run: {result['sentence']}")
         return None
-    kinds = [report["type"] for report in result.get("types", [result["front"]])]
-    return result["front"] | {"types": dict(zip(WAYS, kinds))}
+    measured = result.get("types", result["front"])
+    ways = {PRIMARY: measured} | measured.get("under", {})
+    return result["front"] | {"types": {way: found["type"] for way, found in ways.items()}}
 
 
 def read_map(points):

@@ -4,8 +4,9 @@ from functools import partial
 
 from claims.judge import judged
 from data.tables import write_table
+from events.conventions import MEASURES
 from maps import front_map
-from maps.front_map import MEASURES, below, types_of, types_of_seeds
+from maps.front_map import below, types_of, types_of_seeds
 from maps.map_panels import draw_map
 
 ABOUT_UNITS = "The map of a seed has its own fronts at the boundary and those of seed 1 elsewhere."
