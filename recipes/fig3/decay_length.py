@@ -5,26 +5,17 @@ x_0 is a block at its threshold: the one that ruptures next, when it carries its
 profile is the excess tau - tau_0 on it and on the REACH blocks ahead. What f is the paper leaves
 open, and so which blocks count and how; METHODS are the ways to measure, each from one profile.
 
-    decay_length.py SEED FOLDER
+    l_0 = script decay_length.py RECORD
 
-runs fronts over prepared interfaces, those of Figure 3 D that have the reference parameters. Works
-in FOLDER, which is deleted at the end. Prints
-
-    "l_0"       {method: l_0 [m]}, the median of the fronts
-    "fronts"    {tau_bar_0: what of_front() says}
+reports what of_front() says of one front over a prepared interface.
 """
 
 import math
-from pathlib import Path
 
 import numpy as np
 import rupture
 
-from data.scratch import scratch
 from events.conventions import PRIMARY
-
-SIGMA_BAR = 0.1
-TAU_BARS = [f"{0.005 * n:g}" for n in range(14, 25)]  # 0.07 to 0.12
 
 REACH = 8  # blocks ahead of the tip; the leading edge is farther away
 FITTED = (0, 3)  # blocks ahead of the tip, in the primary method
@@ -119,26 +110,6 @@ def of_front(front, time, tau):
     }
 
 
-# --- one seed ------------------------------------------------------------------------------
-
-
-def of_seed(fronts):
-    """{method: l_0 [m]}: the median of the fronts of a seed, all of the same weight."""
-    return {name: median(front["l_0"][name] for front in fronts) for name in METHODS}
-
-
-def measure(seed, tau_bar, folder):
-    """The front over one prepared interface."""
-    start, end, record = (folder / f"{tau_bar}-{name}.h5" for name in ("start", "end", "record"))
-    prestress = {"tau_bar": tau_bar, "sigma_bar": SIGMA_BAR}
-    rupture.run("prepare", output=start, set={"numerics.seed": seed}, **prestress)
-    recorded = {"record": record, "record_every": 2e-5}
-    run = rupture.run("restart", start, output=end, until_quiet=True, **recorded)
-    front = rupture.analyze("front", record)
-    return of_front(front, run.record.time, run.record["tau"])
-
-
-def main(seed, folder):
-    with scratch(Path(folder)) as folder:
-        fronts = {tau_bar: measure(int(seed), tau_bar, folder) for tau_bar in TAU_BARS}
-    return {"l_0": of_seed(fronts.values()), "fronts": fronts}
+def main(path):
+    front, record = rupture.analyze("front", path), rupture.open(path)
+    return of_front(front, record.time, record["tau"])

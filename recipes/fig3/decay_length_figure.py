@@ -1,15 +1,15 @@
 """Decay length of the shear force ahead of slow fronts: picture, data and claim 3D-length."""
 
 import numpy as np
-from decay_length import FITTED, METHODS
+from decay_length import FITTED, METHODS, median
 
 from claims import paper
 from claims.judge import judged
 from claims.spread import spread
-from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
 from pictures.plotting import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
+import slow_fronts as slow
 
 
 def case(l_0):
@@ -17,19 +17,15 @@ def case(l_0):
     return {"l_0 [mm]": l_0 and l_0 * 1e3}
 
 
-def units_of(paths):
-    """{seed: {convention: [case]}}; l0-seed-3.json is the report of seed 3."""
-    return {
-        path.stem.removeprefix("l0-").replace("-", " "): {
-            name: [case(report(path)["l_0"][name])] for name in METHODS
-        }
-        for path in paths
-    }
+def lengths(fronts):
+    """{method: l_0 [m]}: the median of the fronts, all of the same weight."""
+    return {name: median(front["l_0"][name] for front in fronts) for name in METHODS}
 
 
-def measured_fronts(seed):
-    """{tau_bar_0: front} of those with a slow stretch."""
-    return {tau_bar: f for tau_bar, f in seed["fronts"].items() if f["profiles"]}
+def conventions(points):
+    """The case of one seed by each method."""
+    found = lengths([point["l_0"] for point in points])
+    return {name: [case(l_0)] for name, l_0 in found.items()}
 
 
 def exponential_through_middle(x, excess, l_0):
@@ -39,21 +35,19 @@ def exponential_through_middle(x, excess, l_0):
     return np.exp(amplitude - x / l_0)
 
 
-def draw(seed, stem):
-    fronts = measured_fronts(seed)
+def draw(fronts, l_0, stem):
     fig, axes = figure(SINGLE, 0.75 * SINGLE)
-    first = next(iter(fronts.values()))
-    x, excess = np.array(first["x - x_0"]), np.array([f["excess"] for f in fronts.values()])
+    x, excess = np.array(fronts[0]["x - x_0"]), np.array([front["excess"] for front in fronts])
     axes.plot(x * 1e3, excess.T, color="0.7", linewidth=0.6)
     axes.plot([], [], color="0.7", linewidth=0.6, label="one front")
     middle = np.median(excess, axis=0)
     axes.plot(x * 1e3, middle, "o", color=BLACK, markersize=3, label="median of the fronts")
-    for l_0, text, look in (
-        (seed["l_0"][PRIMARY], "fitted", {"color": BLUE, "linewidth": 1}),
+    for length, text, look in (
+        (l_0, "fitted", {"color": BLUE, "linewidth": 1}),
         (paper.L_0, "paper", OF_PAPER),
     ):
-        label = rf"{text}: $l_0 = {l_0 * 1e3:.1f}$ mm"
-        line = exponential_through_middle(x, middle, l_0)
+        label = rf"{text}: $l_0 = {length * 1e3:.1f}$ mm"
+        line = exponential_through_middle(x, middle, length)
         axes.plot(x * 1e3, line, label=label, **look)
     fitted = x[list(FITTED)] * 1e3
     axes.axvspan(*fitted, color="0.93", linewidth=0, zorder=0, label="fitted blocks")
@@ -63,27 +57,20 @@ def draw(seed, stem):
     save(fig, stem)
 
 
-def lengths_of(seed):
-    """l_0 of each front [mm]."""
-    found = (front["l_0"][PRIMARY] for front in measured_fronts(seed).values())
-    return [l_0 * 1e3 for l_0 in found if l_0 is not None]
-
-
-def claim(paths):
-    seed = report(paths[0])
-    fronts, lengths = measured_fronts(seed).values(), lengths_of(seed)
-    cases = {name: case(seed["l_0"][name]) for name in METHODS}
+def claim(fronts, l_0, each, points):
+    """`fronts`: the shown ones; `each`: l_0 of each [mm]."""
+    cases = {name: case(length) for name, length in l_0.items()}
     shown = cases.pop(PRIMARY)
     others = [of for other in cases.values() if (of := other["l_0 [mm]"]) is not None]
     return judged(
         "3D-length",
         shown=shown,
-        units=units_of(paths),
+        units=slow.of_seeds(conventions, points),
         measured={
             **shown,
             "slow fronts": len(fronts),
             "profiles": sum(front["profiles"] for front in fronts),
-            "least and most of a front [mm]": [min(lengths), max(lengths)] if lengths else None,
+            "least and most of a front [mm]": [min(each), max(each)] if each else None,
             "least and most of the other conventions [mm]": [min(others), max(others)],
         },
         note="l_0 is fitted to the excess of the shear force over tau_0, when the block that"
@@ -95,18 +82,20 @@ def claim(paths):
     )
 
 
-def make(data, results):
-    """The first report is of the seed that is shown; decay_length.py says what is in it."""
-    paths = sorted(data.glob("l0-seed-[0-9].json"))
-    shown = report(paths[0])
-    draw(shown, results / "fig3-l0")
+def make(chains, results):
+    """decay_length.py says what is known of a front. Those without a slow stretch have no
+    profiles."""
+    shown = slow.of_seed(points := chains["l_0"])
+    measured = {point["tau-bar"]: point["l_0"] for point in shown if point["l_0"]["profiles"]}
+    fronts, l_0 = [*measured.values()], lengths([point["l_0"] for point in shown])
+    draw(fronts, l_0[PRIMARY], results / "fig3-l0")
     names = ["tau_bar_0", "x - x_0 [m]", "excess over that at x_0"]
-    profiles = {t: zip(f["x - x_0"], f["excess"]) for t, f in measured_fronts(shown).items()}
+    profiles = {tau_bar: zip(f["x - x_0"], f["excess"]) for tau_bar, f in measured.items()}
     rows = ([tau_bar, *row] for tau_bar, profile in profiles.items() for row in profile)
     write_table(results / "decay-length.csv", names, rows)
-    (l_0,) = case(shown["l_0"][PRIMARY]).values()
-    of = "{} prepared fronts"
+    each = [f["l_0"][PRIMARY] * 1e3 for f in fronts if f["l_0"][PRIMARY] is not None]
+    of, (shown_l_0,) = "{} prepared fronts", case(l_0[PRIMARY]).values()
     return [
-        claim(paths),
-        spread("decay length l_0 [mm]", paper.L_0 * 1e3, lengths_of(shown), of, shown=l_0),
+        claim(fronts, l_0, each, points),
+        spread("decay length l_0 [mm]", paper.L_0 * 1e3, each, of, shown=shown_l_0),
     ]

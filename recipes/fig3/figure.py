@@ -1,9 +1,5 @@
 """Figure 3: A-C, their data and claims here, the rest in the modules beside this one."""
 
-from dataclasses import dataclass
-from functools import cache
-from pathlib import Path
-
 import decay_length_figure
 import front_speed
 import no_slip_force
@@ -14,17 +10,16 @@ import slow_slip
 from claims import paper
 from claims.claim import Number
 from claims.judge import judged
-from data.records import report, values
+from data.records import values
 from data.tables import write_table
-from events.continuations import BEFORE_TRANSITION, SLIP_X
 from events.event_claims import judged_event, slip_ratios
-from events.slip import until
-from events.units import of_ensemble, of_events
+from events.units import continued_of, of_events
 from pictures.panels import draw_pinned, draw_pinned_scale
 from pictures.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 OF_REF_20 = f"The experiment of the paper's ref. 20: about {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s."
+RUNS = {"t_R-half": "half", "stopped": "stopped", "t_R-double": "double"}  # of a point
 SLIPS = {  # run: label, colour, line style
     "t_R-half": (r"$\langle t_R\rangle/2$", CHANGED, "--"),
     "stopped": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "-"),
@@ -32,9 +27,10 @@ SLIPS = {  # run: label, colour, line style
 }
 
 
-def draw_maps(fig, axes, data, t_zero, window):
+def draw_maps(fig, axes, event, t_zero, window):
     for axis, run, title in zip(axes, ("stopped", "no-slow-slip"), ("$V = 0$", "no slow slip")):
-        image = draw_pinned(axis, rupture.open(data / f"{run}-record.h5"), t_zero, window)
+        record = rupture.open(event.file(f"{run}-record.h5"))
+        image = draw_pinned(axis, record, t_zero, window)
         axis.set_title(title)
     draw_pinned_scale(fig, image, axes)
 
@@ -58,50 +54,27 @@ def draw_slip(axes, slips, t_zero):
     axes.set(xlabel="time [ms]", ylabel=r"slip at $x = 0.34\,L$ [µm]")
 
 
-@dataclass(frozen=True)
-class Event:
-    """An event and its continuations."""
+def slips_of(event, report="slip"):
+    """Of a block, while the front is slow or until it has arrived: later, the whole slider moves.
+    `own_slip`: of the block 0.06 L before the event's own transition."""
+    return {run: event[f"{report}_{name}"] for run, name in RUNS.items()}
 
-    data: Path
-    name: str
 
-    def front(self, run=""):
-        return report(self.data / f"{self.name}{'/' * bool(run)}{run}-front.json")
-
-    def record(self, run):
-        return self.data / f"{self.name}/{run}-record.h5"
-
-    @cache
-    def slips(self, x=SLIP_X):
-        """Of a block, while the front is slow or until it has arrived: later, the whole slider
-        moves."""
-        return {
-            run: rupture.analyze("slip", self.record(run), x=x, to=until(self.front(run)))
-            for run in SLIPS
-        }
-
-    def own_slips(self):
-        """Of the block 0.06 L before the event's own transition."""
-        front = self.front()
-        return self.slips(front["in_words"]["x_from"] - BEFORE_TRANSITION * front["L"])
-
-    def peak_speed(self):
-        """Of the block that panel C shows, between steps [m/s]."""
-        slip = rupture.analyze("slip", self.record("every-step"), x=SLIP_X)
-        return float(np.max(np.diff(slip["slip"]) / np.diff(slip["time"])))
+def peak_speed(slip):
+    """Between steps [m/s]."""
+    return float(np.max(np.diff(slip["slip"]) / np.diff(slip["time"])))
 
 
 def draw(events, stem):
     """Event I above, event II, which the paper shows, below; the times of all maps are the same."""
     wide = {"width_ratios": (1, 1, 1.25)}
     fig, axes = figure(DOUBLE, 0.7 * DOUBLE, nrows=len(events), ncols=3, **wide)
-    slips = {event: event.slips() for event in events}
-    t_zero = {event: slips[event]["stopped"]["time"][0] for event in events}
-    arrivals = {event: np.nanmax(values(event.front("stopped")["t_rupture"])) for event in events}
-    window = (0, max(arrivals[event] - t_zero[event] for event in events) * 1e3 + 0.5)
-    for row, (event, name) in zip(axes, reversed(events.items())):
-        draw_maps(fig, row[:2], event.data / event.name, t_zero[event], window)
-        draw_slip(row[2], slips[event], t_zero[event])
+    t_zero = {name: event["slip_stopped"]["time"][0] for name, event in events.items()}
+    arrivals = {n: np.nanmax(values(e["front_stopped"]["t_rupture"])) for n, e in events.items()}
+    window = (0, max(arrivals[name] - t_zero[name] for name in events) * 1e3 + 0.5)
+    for row, (name, event) in zip(axes, reversed(events.items())):
+        draw_maps(fig, row[:2], event, t_zero[name], window)
+        draw_slip(row[2], slips_of(event), t_zero[name])
         for axis in row:
             axis.set_title(", ".join(filter(None, (name, axis.get_title()))))
     axes[0, 2].legend(loc="lower right", handlelength=1.5)
@@ -111,29 +84,29 @@ def draw(events, stem):
 
 
 def rows(events):
-    for event, name in events.items():
-        for run, slip in event.slips().items():
+    for name, event in events.items():
+        for run, slip in slips_of(event).items():
             for row in zip(slip["time"], slip["slip"]):
                 yield [name, run, *row]
 
 
 MADE_OF = {  # what the case of a claim is measured from
-    "3A": lambda event: (event.front("stopped"),),
-    "3B": lambda event: (event.front(), event.front("no-slow-slip")),
-    "3C": lambda event: (event.own_slips(),),
+    "3A": lambda event: (event["front_stopped"],),
+    "3B": lambda event: (event["front"], event["front_no_slow_slip"]),
+    "3C": lambda event: (slips_of(event, "own_slip"),),
 }
 
 
-def claims_of(events, continued):
+def claims_of(events, at_every_step, continued):
     claims = [
-        judged_event(c, {n: made_of(e) for e, n in events.items()}, of_events(continued, c))
+        judged_event(c, {n: made_of(e) for n, e in events.items()}, of_events(continued, c))
         for c, made_of in MADE_OF.items()
     ]
-    peaks = {name: event.peak_speed() for event, name in events.items()}
+    peaks = {n: peak_speed(event["fast_slip"]) for n, event in at_every_step.items()}
     ratios = {
         f"{name}: {key}": value
-        for event, name in events.items()
-        for key, value in slip_ratios(event.slips(), peaks[name]).items()
+        for name, event in events.items()
+        for key, value in slip_ratios(slips_of(event), peaks[name]).items()
     }
     measured = ratios | {"peak slip speeds [mm/s]": [peak * 1e3 for peak in peaks.values()]}
     return [
@@ -147,11 +120,16 @@ def claims_of(events, continued):
     ]
 
 
-def make(data, results):
-    events = {Event(data, name): title for name, title in EVENTS.items()}
+def by_title(points):
+    found = {point["name"]: point for point in points}
+    return {title: found[name] for name, title in EVENTS.items()}
+
+
+def make(chains, results):
+    events = by_title(chains["continued"])
     draw(events, results / "fig3")
     write_table(results / "slip.csv", ["event", "run", "time [s]", "slip [m]"], rows(events))
-    claims = claims_of(events, of_ensemble(data, "load", "continued"))
+    claims = claims_of(events, by_title(chains["every_step"]), continued_of(chains))
     for part in (decay_length_figure, front_speed, no_slip_force, slow_slip):
-        claims += part.make(data / "fig3", results)
+        claims += part.make(chains, results)
     return claims

@@ -110,24 +110,23 @@ def with_width(rows, widths, sigma_bar):
     return chosen(rows, "simplified") + others
 
 
-def conventions(path, widths_path):
-    rows, widths = slow.fronts(path), slow.fronts(widths_path)
+def conventions(points, widths_points):
+    rows, widths = slow.fronts(points), slow.fronts(widths_points)
     cases = {PRIMARY: case_3D(rows)}
-    cases |= {window: case_3D(slow.fronts(path, window)) for window in slow.OTHER_WINDOWS}
+    cases |= {window: case_3D(slow.fronts(points, window)) for window in slow.OTHER_WINDOWS}
     for sigma_bar in (0, 0.2):
         cases[f"sigma-bar {sigma_bar}"] = case_3D(with_width(rows, widths, sigma_bar))
     cases[slow.WITHOUT_NEAR_ARREST] = case_3D(slow.without_near_arrest(rows))
     return {name: [case] for name, case in cases.items()}
 
 
-def claim(path, others):
-    rows = slow.fronts(path)
+def claim(rows, units):
     fits = fits_of(rows)
     full, simplified = fits.values()
     return judged(
         "3D",
         shown=case_3D(rows),
-        units=slow.of_seeds([path, *others], conventions, ["front_speed", "front_speed_widths"]),
+        units=units,
         measured={
             "slope, full": full.slope,
             "slope, simplified": simplified.slope,
@@ -142,16 +141,16 @@ def claim(path, others):
     )
 
 
-def make(data, results):
-    path, *seeds = slow.tables_of(data, "front_speed")
-    rows = slow.fronts(path)
+def make(chains, results):
+    points = chains["front_speed"]
+    rows = slow.fronts(slow.of_seed(points))
     draw(rows, fits_of(rows), results / "fig3D")
     scaled = [row | {"scaled slow slip [m/s]": x} for row, x in zip(rows, scaled_slip(rows))]
     names = ["variant", "tau-bar", "sigma-bar", "junctions.t_R", "junctions.mu_d", "slider.E"]
     names += ["slider.F_N", "junctions.v_slow", "type", "blocks", "slow slip [m/s]"]
     names += ["scaled slow slip [m/s]", "front speed [m/s]", "point"]
     write_columns(results / "front-speed.csv", names, scaled)
-    others = [*seeds, *slow.tables_of(data, "front_speed_widths")]
+    units = slow.of_seeds(conventions, points, chains["front_speed_widths"])
     full = chosen(rows, "full")
     factor = spread(
         "factor of Figure 3 D",
@@ -160,4 +159,4 @@ def make(data, results):
         "{} prepared fronts, reference law",
         shown=fit(full).slope,
     )
-    return [claim(path, others), factor]
+    return [claim(rows, units), factor]

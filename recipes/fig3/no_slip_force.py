@@ -1,11 +1,10 @@
 """Fronts where junctions that slip carry no force: data and claim no-slip-force."""
 
 from claims.judge import judged
-from data.tables import points_of, write_table
+from data.tables import rows_of, write_table
 from events.conventions import MEASURES, PRIMARY
 from maps.bands import bands_of, width
 from maps.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
-from slow_fronts import tables_of
 
 
 def types_of(front):
@@ -50,9 +49,8 @@ def claim(seeds, bands):
     )
 
 
-def make(data, results):
-    tables = tables_of(data, "no_slip_force")
-    fronts = read_map([point for table in tables for point in points_of(table)])
+def make(chains, results):
+    fronts = read_map(rows_of(chains["no_slip_force"]))
     of_seed = {s: [front[s] for front in fronts.values()] for s in seeds_of(fronts)}
     rows = (
         [seed, *place, slowest(front), *types_of(front).values()]
@@ -61,5 +59,6 @@ def make(data, results):
     )
     names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *MEASURES]
     write_table(results / "no-slip-force.csv", names, rows)
-    bands = {seed: bands_of(data.parent, "no-slip-force", seed) for seed in of_seed}
+    edges = chains["edges"]
+    bands = {seed: bands_of(edges, "no slipping force", seed) for seed in of_seed}
     return [claim(of_seed, bands)]

@@ -1,13 +1,12 @@
 """Slow fronts on prepared interfaces, and the slow slip behind them: how it is measured, fits, and
-seeds as units of claims. Rows are those of a sweep's table, with what was measured in one window.
+seeds as units of claims. Rows have the values of a point, and what was measured in one window.
 """
 
 from collections import namedtuple
-from pathlib import Path
 
 import numpy as np
 
-from data.tables import numbers, points_of
+from data.tables import numbers, rows_of
 from events.conventions import PRIMARY
 
 BLOCKS = 5  # fewer tell nothing about a front
@@ -15,7 +14,7 @@ NEAR_ARREST = 3.0  # m/s; slower fronts are near arrest
 WITHOUT_NEAR_ARREST = "without fronts near arrest"
 FOR_TWO_T_R, FOR_WHOLE_T_R = "followed for up to 2 <t_R>", "followed for whole <t_R>"
 NARROW = "stencils at the ends to neither"  # the time ends with the last block of the slow stretch
-# Commands of the sweeps. In all but the last the time ends when the block of the last slow stencil
+# Commands of the chains. In all but the last the time ends when the block of the last slow stencil
 # ruptures; the blocks are those at least two from both ends of what is slow.
 WINDOWS = {
     PRIMARY: "slow_slip",
@@ -52,9 +51,9 @@ def usable(rows):
     return [row for row in rows if row["type"] == "slow" and row["blocks"] >= BLOCKS]
 
 
-def fronts(table, window=PRIMARY):
-    """The usable rows of a sweep's table."""
-    return usable([in_window(row, result, window) for row, result in points_of(table)])
+def fronts(points, window=PRIMARY):
+    """The usable rows."""
+    return usable([in_window(row, result, window) for row, result in rows_of(points)])
 
 
 def without_near_arrest(rows):
@@ -80,20 +79,16 @@ def fit_through_origin(x, y):
     return ProportionalFit(slope, 1 - residual / ((y - y.mean()) ** 2).sum(), len(x))
 
 
-def tables_of(data, sweep):
-    """Those of a sweep that are there: of the seed that is shown, and of others."""
-    return [*data.glob(f"{sweep}.csv"), *sorted(data.glob(f"{sweep}-seed-*.csv"))]
+def of_seed(points, seed=1):
+    """Of seed 1, which is shown, or another one."""
+    return [point for point in points if point["numerics.seed"] == seed]
 
 
-def of_seeds(tables, conventions, sweeps):
-    """The units: {seed: {convention: [case]}}, of seeds with the tables of all sweeps; one that has
-    none in its name is of seed 1. `conventions`: a function of these, in the order of `sweeps`."""
-    of_seed: dict[int, dict] = {}
-    for table in tables:
-        sweep, _, seed = Path(table).stem.partition("-seed-")
-        of_seed.setdefault(int(seed or 1), {})[sweep] = table
+def of_seeds(conventions, *chains):
+    """The units: {seed: {convention: [case]}}, of seeds that all of these chains have.
+    `conventions`: a function of their points."""
+    seeds = [{point["numerics.seed"] for point in points} for points in chains]
     return {
-        f"seed {seed}": conventions(*map(their.get, sweeps))
-        for seed, their in sorted(of_seed.items())
-        if their.keys() >= set(sweeps)
+        f"seed {seed}": conventions(*(of_seed(points, seed) for points in chains))
+        for seed in sorted(set.intersection(*seeds))
     }

@@ -3,7 +3,7 @@
 from claims import paper
 from claims.judge import holds, judged
 from claims.spread import spread
-from data.tables import numbers, read_rows, write_columns
+from data.tables import numbers, rows_of, write_columns
 from events.conventions import PRIMARY
 from pictures.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
 import slow_fronts as slow
@@ -44,11 +44,11 @@ def case_of(rows):
     return {"slope": found and found.slope, "R^2": found and found.r_squared}
 
 
-def conventions(path):
-    rows, primary = slow.fronts(path), K_I[PRIMARY]
+def conventions(points):
+    rows, primary = slow.fronts(points), K_I[PRIMARY]
     cases = {name: case_of(varied(rows, k_i)) for name, k_i in K_I.items()}
     for window in slow.OTHER_WINDOWS:
-        cases[window] = case_of(varied(slow.fronts(path, window), primary))
+        cases[window] = case_of(varied(slow.fronts(points, window), primary))
     cases[slow.WITHOUT_NEAR_ARREST] = case_of(slow.without_near_arrest(varied(rows, primary)))
     return {name: [case] for name, case in cases.items()}
 
@@ -96,14 +96,23 @@ def draw(prepared, event, prepared_fit, stem):
     save(fig, stem)
 
 
-def claim(path, event, others):
-    """`event`: fronts of event II with varied slipping times; they are reported."""
-    prepared = varied(slow.fronts(path))
+def of_event(points):
+    """Event II with other slipping times. Its front's speed is that of the slow stretch."""
+    rows = [
+        slow.in_window(row, result, PRIMARY)
+        | {"front speed [m/s]": (result["slow_slip"]["slow"] or {}).get("speed")}
+        for row, result in rows_of(points)
+    ]
+    return slow.usable(rows)
+
+
+def claim(prepared, event, points):
+    """`event`: fronts of event II; they are reported."""
     case, speeds = case_of(prepared), slow.speeds(prepared)
     return judged(
         "3C-inset",
         shown=case,
-        units=slow.of_seeds([path, *others], conventions, ["slow_slip"]),
+        units=slow.of_seeds(conventions, points),
         measured={
             **case,
             "prepared interfaces": len(prepared),
@@ -116,18 +125,17 @@ def claim(path, event, others):
     )
 
 
-def claim_neighbours(path, others):
-    rows = slow.fronts(path)
+def neighbours(points):
+    return {PRIMARY: [case_of_neighbours(slow.fronts(points))]}
+
+
+def claim_neighbours(rows, points):
     shown = case_of_neighbours(rows)
     cases = [{"largest ratio of neighbours": largest_ratio(row)} for row in rows]
     return judged(
         "3C-neighbours",
         shown=shown,
-        units=slow.of_seeds(
-            [path, *others],
-            lambda of: {PRIMARY: [case_of_neighbours(slow.fronts(of))]},
-            ["slow_slip"],
-        ),
+        units=slow.of_seeds(neighbours, points),
         measured={
             **shown,
             "fronts of all variants": len(rows),
@@ -138,10 +146,9 @@ def claim_neighbours(path, others):
     )
 
 
-def make(data, results):
-    path, *others = slow.tables_of(data, "slow_slip")
-    prepared, of_event = slow.fronts(path), read_rows(data / "slow_slip_event.csv")
-    event = slow.usable([row | {"blocks": int(row["blocks"] or 0)} for row in of_event])
+def make(chains, results):
+    points, event = chains["slow_slip"], of_event(chains["slow_slip_event"])
+    prepared = slow.fronts(slow.of_seed(points))
     of_SI = varied(prepared)
     draw(of_SI, event, fit(of_SI), results / "fig3C-inset")
     rows = [{"interface": "prepared"} | row for row in prepared]
@@ -152,4 +159,4 @@ def make(data, results):
     fitted, (estimate, measured) = fit(of_SI), estimate_and_measured(of_SI)
     ratio = "speed of slow slip over Eq. S1"
     number = spread(ratio, 1.0, measured / estimate, "{} prepared fronts", shown=fitted.slope)
-    return [claim(path, event, others), claim_neighbours(path, others), number]
+    return [claim(of_SI, event, points), claim_neighbours(prepared, points), number]

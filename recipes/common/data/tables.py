@@ -91,24 +91,22 @@ def points_of(path):
 
 
 def rows_of(points):
-    """The same of points of chains (chains/results.py): each with its values and those of the
-    points that it comes from, as they are written, its status, its name and its front's type."""
-    return [(row_of(point), reports_of(point)) for point in points]
+    """The same of points of chains (chains/results.py), with the values and reports of those that
+    they come from. A row has the values as they are written, the status, the name of the point and
+    the type of its front."""
+    return [row_of(point) for point in points]
 
 
 def row_of(point):
-    texts = {n: t for one in reversed(point.lineage) for n, t in one["values"].items()}
+    texts, measured, sums = {}, {}, {}
+    for one, result in zip(reversed(point.lineage), reversed(point.results)):
+        texts |= one["values"]
+        measured |= result["reports"]
+        sums |= result["checksums"]
     row = {n: as_text(point[n]) if is_expression(t) else t for n, t in texts.items()}
-    kinds = [
-        found["type"] for found in point.results[0]["reports"].values() if found and "type" in found
-    ]
-    name = Path(point.lineage[0]["path"]).stem
-    return row | {"status": point.status, "type": next(iter(kinds), ""), "point": name}
-
-
-def reports_of(point):
-    result = point.results[0]
-    return {n: result[n] for n in ("status", "sentence", "checksums")} | result["reports"]
+    row |= {"status": point.status, "point": Path(point.lineage[0]["path"]).stem}
+    row["type"] = next((of["type"] for of in measured.values() if of and "type" in of), "")
+    return row, measured | {"sentence": point.sentence, "checksums": sums}
 
 
 def numbers(rows, column):

@@ -1,20 +1,15 @@
 """Bands of slow fronts whose edges edges.py has bisected, beside those of the reference."""
 
-from data.records import report
 from events.conventions import PRIMARY
 
-SIGMA_BARS = ("0", "0.1")
 
-
-def bands_of(data, setting, seed=1):
-    """{sigma_bar: (edges with a setting of runs/edges.smk, edges of the reference)}"""
-    return {
-        sigma: [
-            report(data / f"edges/{run}.json")
-            for run in (f"{setting}-{sigma}-{seed}", f"reference-{sigma}-1")
-        ]
-        for sigma in SIGMA_BARS
-    }
+def bands_of(points, variant, seed=1):
+    """{sigma_bar: (edges of a variant, edges of the reference)}, of a chain with both."""
+    of_variant, reference = (
+        {p["sigma-bar"]: p["edges"] for p in points if (p["variant"], p["numerics.seed"]) == which}
+        for which in ((variant, seed), ("reference", 1))
+    )
+    return {sigma: (edges, reference[sigma]) for sigma, edges in of_variant.items()}
 
 
 def width(edges, convention=PRIMARY):
