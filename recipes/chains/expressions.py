@@ -138,6 +138,8 @@ def part_of(whole, key):
     """An entry of a report, or an element of a list; of null it is null."""
     if isinstance(whole, dict) and key not in whole:
         raise KeyError(f"'{key}' (there are {', '.join(whole)})")
+    if isinstance(key, float) and key.is_integer():  # a value
+        key = int(key)
     return None if whole is None else whole[key]
 
 

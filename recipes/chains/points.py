@@ -16,7 +16,7 @@ from chains.chain import ALL, ALSO, BASE, HOLE, RECIPES, SCRIPT, Chain, is_expre
 from chains.chain import ways_in
 from chains.expressions import Expression, as_number, as_text, first_known
 from chains.digests import digest_of_tool
-from chains.store import STORE, digest, is_current, origin_of, result_of, tools_of
+from chains.store import STORE, digest, is_current, origin_of, result_of, sources_of, tools_of
 from events.conventions import words_of
 from rupture.errors import UsageError
 from sweeps.check import Programs
@@ -258,12 +258,11 @@ class Point:
     @property
     def inputs(self):
         """Files of other points, or of the user, on which its result depends."""
-        sources = [source for source in self.work["names"].values() if source[:1] not in "[{"]
         base = [self.base["file"], self.base["of"]] if self.base else []
         listed = [
             one.path for _, points in self.lists.values() for p in points for one in p.lineage
         ]
-        return [file for file in (*base, *sources, *self.lists, *listed) if file]
+        return [file for file in (*base, *sources_of(self.work), *self.lists, *listed) if file]
 
     @cached_property
     def id(self):

@@ -58,10 +58,16 @@ def content_of(base):
     return digest(Path(base["file"]).read_bytes()) if base else ""
 
 
+def sources_of(work):
+    """The files with the reports of other points that its commands name."""
+    sources = (source for source in work["names"].values() if isinstance(source, str))
+    return [source for source in sources if not source.startswith("{")]
+
+
 def origin_of(work, programs):
     """What a result comes from: the point's work, digests of the programs, and the contents of its
     files."""
-    sources = [source for source in work["names"].values() if source[:1] not in "[{"]
+    sources = sources_of(work)
     for path in work["lists"]:
         sources += dict.fromkeys(one["path"] for row in json.loads(read(path)) for one in row)
     reports = map(read, sources)
