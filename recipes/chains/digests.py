@@ -6,15 +6,17 @@ a commit or a new sentence recomputes nothing, and a changed constant all that i
 import ast
 import os
 import struct
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
-from chains.store import digest
+from chains.store import DIGESTS, digest, result_of
 from reproduce.project import SHARE
 from runs.fingerprint import PROGRAMS
 
 PLACES = ("recipes/common", "recipes", "python")  # of modules that scripts import
 NOT_COMPUTED_WITH = (b".note.gnu.build-id", b".rupture_version")  # cmake/WriteVersion.cmake
+MODULES = DIGESTS / "modules.json"
 LOADED = 2  # flag of ELF's sections that are in memory when the program runs
 NO_BITS = 8  # type of those that have no bytes in the file
 
@@ -67,10 +69,22 @@ def imported(tree):
 
 
 @cache
+def read_modules():
+    """{file: [its date and size, digest of its code, what it imports]}, as of the last time."""
+    with suppress(OSError, ValueError):
+        return result_of(MODULES)
+    return {}
+
+
 def read_module(path):
-    """Its code as a text, and what it imports."""
-    tree = ast.parse(path.read_bytes())
-    return ast.dump(without_docstrings(tree)), sorted(set(imported(tree)))
+    """A digest of its code, and what it imports. To read all takes longer than Ninja does."""
+    known, stat = read_modules(), path.stat()
+    name, stamp = os.path.relpath(path, SHARE), [stat.st_mtime_ns, stat.st_size]
+    if known.get(name, [])[:1] != [stamp]:
+        tree = ast.parse(path.read_bytes())
+        names = sorted(set(imported(tree)))
+        known[name] = [stamp, digest(ast.dump(without_docstrings(tree))), names]
+    return known[name][1:]
 
 
 @cache

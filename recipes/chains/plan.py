@@ -15,7 +15,7 @@ from pathlib import Path
 
 from chains.chain import RECIPES
 from chains.check import check
-from chains.digests import digest_of_scripts, digest_of_tool
+from chains.digests import MODULES, digest_of_scripts, digest_of_tool, read_modules
 from chains.points import Chains, Waiting
 from chains.store import DIGESTS, digest_file, is_whole, write_if_changed
 from reproduce.project import SHARE
@@ -181,10 +181,11 @@ class Plan:
 
     def write(self):
         self.written += [self.folder / name for name in FILES]
-        self.written += [RESULTS / "jobs.jsonl", *map(digest_file, self.tools)]
+        self.written += [RESULTS / "jobs.jsonl", MODULES, *map(digest_file, self.tools)]
         note(RESULTS, *self.written)
         for tool in self.tools:
             write_if_changed(digest_file(tool), digest_of_tool(tool))
+        write_if_changed(MODULES, json.dumps(read_modules()))
         rules = RULES.replace("{folder}", str(self.folder))
         write_if_changed(self.file, "\n".join([rules, *self.pools.values(), *self.edges.values()]))
 

@@ -336,7 +336,6 @@ def test_a_script_is_its_code_and_that_of_what_it_imports(tmp_path):
     def known(text):
         path = tmp_path / "script.py"
         path.write_text(text)
-        digests.read_module.cache_clear()
         return digests.digest_of_scripts(path)
 
     (tmp_path / "beside.py").write_text("A = 1\n")

@@ -1,8 +1,8 @@
 """The verdicts of the release, from the table docs/verdicts.csv, to stand beside those of a run."""
 
+import csv
 from pathlib import Path
 
-from data.tables import read_rows
 from runs.origin import builds, version_of
 
 TABLE = "docs/verdicts.csv"
@@ -15,9 +15,10 @@ def released(root, files):
     table = root / TABLE
     runs = [name for name in files if not (root / "checkpoints" / Path(name).name).exists()]
     known = {None if "-dirty," in build else version_of(build) for build, _ in builds(root, runs)}
+    lines = table.read_text(encoding="utf-8").splitlines() if table.is_file() else ()
     return {
         row["id"]: f"{row['version']}: {row['verdict']}{share_of(row)}"
-        for row in (read_rows(table) if table.is_file() else [])
+        for row in csv.DictReader(lines)
         if row["verdict"] and known <= {row["version"]}
     }
 

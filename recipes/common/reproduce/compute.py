@@ -82,7 +82,7 @@ def prepare(request, processes):
     refuse_links(Path(at, folder) for at, folders, _ in os.walk(RESULTS) for folder in folders)
     of_chains = [RESULTS / "data" / name for name in ("plan", "points", "digests")]
     of_chains += RESULTS.glob("sweeps/*/plan")
-    refuse_links(path for folder in of_chains for path in folder.glob("*"))
+    refuse_links(path for folder in of_chains if folder.exists() for path in os.scandir(folder))
     if request.command != "sweep":  # before hours of computing
         page = (
             ("index.html", "numbers.csv", "claims.png", "claims.pdf")

@@ -20,8 +20,8 @@ BESIDE_ALL = ("choices", "convergence", "speeds")
 
 def refuse_links(paths):
     for path in paths:
-        if os.path.islink(path):
-            raise Failure(f"{path} is a link, which is not followed: move it away.")
+        if path.is_symlink():
+            raise Failure(f"{os.fspath(path)} is a link, which is not followed: move it away.")
 
 
 def enter_root():

@@ -10,8 +10,6 @@ from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
-import h5py
-
 from rupture.errors import Failure
 from rupture.programs import output_of
 from rupture.tools.command_line import plural
@@ -59,6 +57,8 @@ class Accounts:
 @cache
 def written_by(path):
     """The program that wrote a checkpoint or record: the last entry of its provenance."""
+    import h5py  # takes longer to load than most commands do
+
     try:
         with h5py.File(path, "r", locking=False) as file:
             entries = file["provenance"]
