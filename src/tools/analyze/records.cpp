@@ -88,7 +88,9 @@ ChosenEvent first_spanning(const RecordCommand& command, const Bursts& bursts) {
       "lists them)");
 }
 
-ChosenEvent event_number(const Bursts& bursts, const std::string& text) {
+/// Where nothing ruptured, the first event is that nothing.
+ChosenEvent event_number(const RecordCommand& command, const Bursts& bursts,
+                         const std::string& text) {
   std::size_t number = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
@@ -99,6 +101,7 @@ ChosenEvent event_number(const Bursts& bursts, const std::string& text) {
         text);
   }
   if (number < bursts.size()) return whole_event(bursts[number]);
+  if (bursts.empty() && number == 0) return event_in_window(command, bursts);
   if (bursts.empty()) throw UsageError("there is no event {}: nothing ruptured", text);
   if (bursts.size() == 1) {
     throw UsageError("there is no event {}: the record has 1 event, number 0", text);
@@ -215,7 +218,8 @@ ChosenEvent choose_event(const RecordCommand& command) {
   const Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
   if (values.count("event") == 0) return event_in_window(command, bursts);
   const auto& name = values["event"].as<std::string>();
-  return name == "first-spanning" ? first_spanning(command, bursts) : event_number(bursts, name);
+  return name == "first-spanning" ? first_spanning(command, bursts)
+                                  : event_number(command, bursts, name);
 }
 
 void add_criteria_options(po::options_description& options) {
