@@ -129,7 +129,9 @@ def make(chains, results):
     events = by_title(chains["continued"])
     draw(events, results / "fig3")
     write_table(results / "slip.csv", ["event", "run", "time [s]", "slip [m]"], rows(events))
-    claims = claims_of(events, by_title(chains["every_step"]), continued_of(chains["ensemble/branches"]))
+    claims = claims_of(
+        events, by_title(chains["every_step"]), continued_of(chains["ensemble/branches"])
+    )
     for part in (decay_length_figure, front_speed, no_slip_force, slow_slip):
         claims += part.make(chains, results)
     return claims
