@@ -36,6 +36,11 @@ ALSO = re.compile(r"--also (\w+)(?=\s|$)")  # a set of ways to measure
 WAITING = re.compile(r"\{([^{}]+)\}")  # a value that is one expression: known when it is needed
 
 
+def in_one_line(section):
+    """What goes on in an indented line is one text."""
+    return {key: " ".join(text.splitlines()) for key, text in section.items()}
+
+
 def is_expression(text):
     return bool(WAITING.fullmatch(text))
 
@@ -62,7 +67,7 @@ class Chain:
             raise UsageError(f"there is no chain {self.shown}; beside it are {beside or 'none'}")
         with errors_of(self.shown):
             ini = read_ini(self.path)
-            self.own = {name: dict(ini[name]) for name in ini.sections()}
+            self.own = {name: in_one_line(ini[name]) for name in ini.sections()}
         is_sweep = "sweep" in self.own  # as files of version 0.4 call it
         if is_sweep:
             self.own["chain"] = self.own.pop("sweep")

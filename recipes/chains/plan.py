@@ -65,32 +65,33 @@ def paths(*files):
     return " ".join(re.sub("([ :$])", r"$\1", str(file)) for file in files)
 
 
-def selected(chains, figure, chain, condition):
-    """{name: points} of a chain for figure.py. Another recipe's has that recipe in its name."""
+def selected(chains, chain, condition):
+    """The points of a chain for figure.py."""
     check(chains, chain)
     points = chains.points(chain)
     if condition:
         points = [point for point in points if point.worked_out(condition, point.known)]
-    is_own = chain.path.parent == figure.path.parent
-    return {chain.path.stem if is_own else chain.name: points}
+    return points
 
 
 def read_by(chains, figure, is_ensemble_asked):
-    """{name: points} for figure.py. Without the ensemble, what is `beside` is what is there."""
+    """{name: points} for figure.py. Another recipe's chain has that recipe in its name. Without the
+    ensemble, what is `beside` is what is there."""
     found: dict[str, dict] = {}
     for key in ("reads", "beside"):
         others = chains if is_ensemble_asked or key == "reads" else Chains()
         for chain, condition in others.read_by(others.load(figure.path), key):
-            of_chain = {}
+            is_own = chain.path.parent == figure.path.parent
+            of_chain = found.setdefault(chain.path.stem if is_own else chain.name, {})
             with figure.errors_at("figure", key):
                 try:
-                    of_chain = selected(others, figure, chain, condition)
+                    points = selected(others, chain, condition)
                 except Waiting:
                     if others is chains:
                         raise
-            for name, points in of_chain.items():
-                there = (one for one in points if others is chains or one.is_done)
-                found.setdefault(name, {}).update({one.path: one for one in there})
+                    continue
+            there = (one for one in points if others is chains or one.is_done)
+            of_chain.update({one.path: one for one in there})
     return {name: list(points.values()) for name, points in found.items()}
 
 

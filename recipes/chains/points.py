@@ -282,7 +282,7 @@ class Point:
         """Whether its result is there, and came from what it would come from now."""
         try:
             origin = origin_of(self.work, map(digest_of_tool, self.tools))
-        except OSError:  # of what it starts from
+        except (OSError, ValueError):  # of what it starts from; of a list that is not there
             return False
         kept = map(self.file, self.chain.keep)
         return is_current(self.path, origin) and all(map(Path.exists, kept))
