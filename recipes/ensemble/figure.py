@@ -9,9 +9,9 @@ import numpy as np
 from claims.own_result import OwnResult, write_own
 from data.records import values
 from data.tables import write_events
-from events.choose_events import read_events
+from events.conventions import PRIMARY
 from events.fronts import is_fast_only
-from events.units import name_of, of_ensemble
+from events.units import events_of
 from pictures.panels import along_interface, ruptured_early
 from pictures.plotting import DOUBLE, lettered, save
 from rupture.tools.command_line import plural
@@ -33,9 +33,9 @@ def kind_of(event):
     return "fast everywhere" if is_fast_only(event) else "other"
 
 
-def spanning_events(path):
+def spanning_events(events):
     """(kind, event) of a load."""
-    return [(kind_of(event), event) for event in read_events(path) if event["spanning"]]
+    return [(kind_of(event), event) for event in events[PRIMARY] if event["spanning"]]
 
 
 def draw_rupture_lines(axes, events, colour):
@@ -79,9 +79,10 @@ def kinds_counted(loads):
     return OwnResult("kinds", "of which kinds are the events that span?", measured)
 
 
-def make(data, results):
-    paths = {setting: of_ensemble(data, setting, "events") for setting in NAMES}
-    loads = {s: {name_of(one): spanning_events(one) for one in paths[s]} for s in NAMES}
+def make(chains, results):
+    loads: dict[str, dict] = {setting: {} for setting in NAMES}
+    for load, events in events_of([*chains["events"], *chains["shown_events"]]).items():
+        loads[load.rsplit("-", 1)[0]][load] = spanning_events(events)
     draw(loads, results / "ensemble")
     alternation.draw(loads["load"], results / "alternation")
     events = (

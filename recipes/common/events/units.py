@@ -25,7 +25,7 @@ def name_of(point):
     """Of its load: `load-203`, `decaying-01`, or `damping-half-203` of another chain of loads."""
     variant = point["variant"]
     try:
-        seed = point["seed"]
+        seed = point["numerics.seed"]
     except KeyError:  # of the loads that figures show
         seed = 1
     return f"{'load' if variant == 'reference' else variant}-{seed:02.0f}"
