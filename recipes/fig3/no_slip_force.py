@@ -5,6 +5,7 @@ from data.tables import rows_of, write_table
 from events.conventions import MEASURES, PRIMARY
 from maps.bands import bands_of, width
 from maps.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
+from slow_fronts import of_seed
 
 
 def types_of(front):
@@ -51,14 +52,16 @@ def claim(seeds, bands):
 
 def make(chains, results):
     fronts = read_map(rows_of(chains["no_slip_force"]))
-    of_seed = {s: [front[s] for front in fronts.values()] for s in seeds_of(fronts)}
+    of_seeds = {s: [front[s] for front in fronts.values()] for s in seeds_of(fronts)}
     rows = (
         [seed, *place, slowest(front), *types_of(front).values()]
-        for seed, of_places in of_seed.items()
+        for seed, of_places in of_seeds.items()
         for place, front in zip(fronts, of_places)
     )
     names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *MEASURES]
     write_table(results / "no-slip-force.csv", names, rows)
     edges = chains["edges"]
-    bands = {seed: bands_of(edges, "no slipping force", seed) for seed in of_seed}
-    return [claim(of_seed, bands)]
+    reference = [point for point in edges if point["variant"] == "reference"]
+    changed = [point for point in edges if point not in reference]
+    bands = {seed: bands_of(of_seed(changed, seed), reference) for seed in of_seeds}
+    return [claim(of_seeds, bands)]

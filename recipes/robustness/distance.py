@@ -3,14 +3,20 @@
 import numpy as np
 
 from claims.own_result import OwnResult, write_own
-from data.records import report, values
-from data.tables import points_of
+from data.records import values
+from data.tables import rows_of
 from maps.bands import bands_of, width
 from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from maps.map_panels import draw_key, draw_regions
 from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
+LENGTH = "junctions.d_R"
 TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}
+
+
+def named(length):
+    """As in TITLES; of a length in m, as a number or a text."""
+    return f"d_R {1e6 * float(length):g} um"
 
 
 def measured_event(unmodified, continued):
@@ -34,7 +40,7 @@ def measured_map(name, fronts, edges):
         **{f"{name}: {kind}": kinds.count(kind) for kind in TYPES},
         f"{name}: slow tau_bar_0 by sigma_bar": "; ".join(slow) or "none",
         **{
-            f"{name}: width of the slow band at sigma_bar = {sigma}, and of the reference's": [
+            f"{name}: width of the slow band at sigma_bar = {sigma:g}, and of the reference's": [
                 width(found) for found in pair
             ]
             for sigma, pair in edges.items()
@@ -76,16 +82,16 @@ def draw(maps, fronts, stem):
     save(fig, stem)
 
 
-def make(data, results):
-    points = points_of(data / "robustness/distance.csv")
-    named = [
-        (row | {"variant": f"d_R {1e6 * float(row['junctions.d_R']):g} um"}, result)
-        for row, result in points
+def make(chains, results):
+    points = [
+        (row | {"variant": named(row[LENGTH])}, result)
+        for row, result in rows_of(chains["distance"])
     ]
-    maps = read_variants(named, TITLES)
-    runs = {"by time": "fast-slow-fast", "by distance": "fast-slow-fast/distance"}
-    fronts = {name: report(data / f"{run}-front.json") for name, run in runs.items()}
+    maps = read_variants(points, TITLES)
+    [event] = chains["event"]
+    fronts = {"by time": event["front"], "by distance": event["front_distance"]}
     draw(maps, fronts, results / "distance")
     write_variants(results / "distance.csv", maps)
-    edges = {name: bands_of(data, name.replace(" ", "-")) for name in maps}
+    changed = {name: [p for p in chains["edges"] if named(p[LENGTH]) == name] for name in maps}
+    edges = {name: bands_of(points, chains["fig3/edges"]) for name, points in changed.items()}
     write_own(results, [own_result(maps, edges, *fronts.values())])

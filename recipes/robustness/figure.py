@@ -7,11 +7,11 @@ import numpy as np
 
 from claims.judge import judged
 from data.records import values
-from data.tables import points_of, write_events
-from events.choose_events import first_in_words, read_events
+from data.tables import rows_of, write_events
+from events.choose_events import first_in_words
 from events.front_claims import judged_in_words
 from events.fronts import is_fast_only
-from events.units import in_words, of_ensemble
+from events.units import events_of, in_words
 from maps.front_map import TYPES, read_map, types_of, write_types
 from maps.map_claims import out_of_order
 from maps.map_panels import draw_regions, name_regions
@@ -43,23 +43,24 @@ def case_of_map(fronts):
     }
 
 
-def make(data, results):
-    events = data / "ensemble/exponential-01-events.json"
-    spanning = [event for event in read_events(events) if event["spanning"]]
+def make(chains, results):
+    [shown] = chains["ensemble/shown_events"]
+    events = shown["measured"]["events"]
+    spanning = [event for event in events if event["spanning"]]
     draw(spanning, results / "exponential")
     write_events(
         results / "exponential-events.csv", spanning, {"type": lambda event: event["type"]}
     )
-    fronts = read_map(points_of(data / "robustness/exponential-map.csv"))
+    fronts = read_map(rows_of(chains["exponential_map"]))
     fig, axes = figure(SINGLE, 0.85 * SINGLE)
     draw_regions(axes, types := types_of(fronts), types)
     name_regions(axes, types)
     save(fig, results / "exponential-map")
     write_types(results / "exponential-map.csv", fronts)
-    distance.make(data, results)
-    units, of_map = in_words(of_ensemble(data, "exponential", "events")), case_of_map(fronts)
+    distance.make(chains, results)
+    units, of_map = in_words(events_of(chains["ensemble/events"])), case_of_map(fronts)
     return [
         judged_in_words("exponential-event", first_in_words(events), units),
         judged("exponential-map", of_map, of_map),
-        *geometry.make(data / "robustness", results),
+        *geometry.make(chains, results),
     ]

@@ -1,6 +1,6 @@
 """Maps of front types for other lengths and nucleation energies, and claim geometry."""
 
-from data.tables import points_of
+from data.tables import rows_of
 from maps import front_map, map_claims
 from maps.front_map import types_of
 from maps.map_panels import draw_key, draw_regions
@@ -38,10 +38,9 @@ def draw(maps, stem):
     save(fig, stem)
 
 
-def make(data, results):
-    tables = sorted(data.glob("geometry.csv")) + sorted(data.glob("geometry-seeds.csv"))
-    points = [point for table in tables for point in points_of(table)]
-    maps = front_map.read_variants(points, TITLES)
+def make(chains, results):
+    points = [*chains["geometry"], *chains["geometry_seeds"]]
+    maps = front_map.read_variants(rows_of(points), TITLES)
     draw(maps, results / "geometry")
     front_map.write_variants(results / "geometry.csv", maps)
     return [claim_of(maps)]

@@ -3,13 +3,10 @@
 from events.conventions import PRIMARY
 
 
-def bands_of(points, variant, seed=1):
-    """{sigma_bar: (edges of a variant, edges of the reference)}, of a chain with both."""
-    of_variant, reference = (
-        {p["sigma-bar"]: p["edges"] for p in points if (p["variant"], p["numerics.seed"]) == which}
-        for which in ((variant, seed), ("reference", 1))
-    )
-    return {sigma: (edges, reference[sigma]) for sigma, edges in of_variant.items()}
+def bands_of(changed, reference):
+    """{sigma_bar: (edges of the changed interfaces, edges of the reference)} of points."""
+    edges = {point["sigma-bar"]: point["edges"] for point in reference}
+    return {p["sigma-bar"]: (p["edges"], edges[p["sigma-bar"]]) for p in changed}
 
 
 def width(edges, convention=PRIMARY):
