@@ -1,19 +1,20 @@
 """Maps of front types (common/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
-import shlex
-
 import numpy as np
 from pytest import raises
 from scipy.stats import mannwhitneyu
 
-from conftest import ROOT, approx
+from conftest import approx
 from data.rank_test import permutation, share_of_lower, van_elteren
-from events.conventions import words_of
+from events.conventions import MEASURES, SETS, WAYS
 from maps import front_map
-from maps.front_map import MEASURES, front_type
+from maps.front_map import front_type
 from maps.map_claims import case_of_map, claim_over_seeds, out_of_order
-from maps.map_points import boundary_of_variants, types_in
-from sweeps.sweep import read_sweep
+from maps.map_points import boundary_of_variants
+
+ARRESTED, SLOW, FAST = (
+    {"types": dict.fromkeys(WAYS, kind), "t_rupture": [1.0]} for kind in front_map.TYPES
+)
 
 
 class TestReadMap:
@@ -31,12 +32,10 @@ class TestReadMap:
         with raises(ValueError, match="time step is too long"):
             self.read(failed | {"checksums": {"start.h5": "00"}})
 
-    def test_a_front_has_its_types_by_each_way_of_the_sweep(self):
-        ways = [words_of(options) for options in front_map.WAYS.values()]
-        command = read_sweep(ROOT / "recipes/fig4/map.ini").points[0].commands["types"]
-        assert [[], *map(str.split, shlex.split(command)[-1].split(";"))] == ways
-        kinds = [{"type": "none"}, {"type": "slow"}] + [{"type": "fast"}] * (len(ways) - 2)
-        (seeds,) = self.read({"front": {"type": "none"}, "types": kinds}).values()
+    def test_a_front_has_its_types_by_each_way_of_the_chain(self):
+        under = dict.fromkeys(SETS["map"], {"type": "fast"}) | {"stencil 3": {"type": "slow"}}
+        types = {"type": "none", "under": under}
+        (seeds,) = self.read({"front": {"type": "none"}, "types": types}).values()
         assert (front_type(seeds[1]), front_type(seeds[1], "stencil 3")) == ("arrested", "slow")
         (seeds,) = self.read({"front": {"type": "slow"}}).values()
         assert front_type(seeds[1]) == "slow"
@@ -44,10 +43,6 @@ class TestReadMap:
     def test_the_type_none_of_analyze_counts_as_arrested(self):
         kinds = ("arrested", "slow", "fast", "", "none")
         assert [*map(front_map.type_on_map, kinds)] == [*kinds[:-1], "arrested"]
-        places = (("0", "none"), ("0.1", "fast"), ("2", ""))
-        rows = [{"tau-bar": tau, "sigma-bar": "0", "type": kind} for tau, kind in places]
-        types = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast", (2.0, 0.0): "impossible"}
-        assert types_in(rows) == types
 
 
 class TestBoundary:
@@ -63,7 +58,7 @@ class TestBoundary:
 
     def test_the_place_halfway_decides_which_neighbour_is_at_the_boundary(self):
         pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "slow"}
-        assert front_map.boundary(pair, {}) == [(0.0, 0.0), (0.1, 0.0)]
+        assert front_map.boundary(pair) == [(0.0, 0.0), (0.1, 0.0)]
         assert front_map.boundary(pair, {(0.05, 0.0): "slow"}) == [(0.0, 0.0), (0.05, 0.0)]
 
     def test_a_third_type_halfway_makes_two_boundaries(self):
@@ -71,13 +66,11 @@ class TestBoundary:
         assert len(front_map.boundary(pair, {(0.05, 0.0): "slow"})) == 3
 
     def test_a_place_at_the_boundary_of_one_variant_is_enough(self):
-        kinds = {"longer": ["slow", "fast", "fast"], "shorter": ["fast", "fast", "fast"]}
-        rows = [
-            {"variant": name, "tau-bar": tau, "sigma-bar": "0", "type": kind}
-            for name, types in kinds.items()
-            for tau, kind in zip(("0.1", "0.2", "0.3"), types)
+        maps = [
+            {(n / 10, 0.0): {1: front} for n, front in enumerate(fronts, 1)}
+            for fronts in ([SLOW, FAST, FAST], [FAST, FAST, FAST])
         ]
-        assert boundary_of_variants(rows) == [(0.1, 0.0), (0.2, 0.0)]
+        assert boundary_of_variants(maps) == [(0.1, 0.0), (0.2, 0.0)]
 
 
 class TestOrder:
@@ -100,11 +93,6 @@ class TestOrder:
         assert front_map.steps_back(types) == {(0.2, 0.1)}
         types[0.2, 0.0] = "arrested"
         assert front_map.steps_back(types) == {(0.2, 0.0), (0.2, 0.1)}
-
-
-ARRESTED, SLOW, FAST = (
-    {"types": dict.fromkeys(front_map.WAYS, kind), "t_rupture": [1.0]} for kind in front_map.TYPES
-)
 
 
 class TestSeeds:

@@ -1,4 +1,4 @@
-"""Maps of front types over prestress and width of phi, from tables of sweeps (Figures 4 D and S6 B,
+"""Maps of front types over prestress and width of phi, from points of chains (Figures 4 D and S6 B,
 claim geometry).
 
 A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, with the front that
@@ -7,12 +7,11 @@ front["types"][way], of WAYS if the chain has a command `types` with `--also map
 """
 
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 
 from data.records import values
-from data.tables import SLOW_STRETCH, points_of, read_rows, write_table
+from data.tables import SLOW_STRETCH, rows_of, write_table
 from events.conventions import PRIMARY
 
 TYPES = ("arrested", "slow", "fast")
@@ -39,7 +38,7 @@ def front_of(result):
 
 
 def read_map(points):
-    """The map of some points of sweeps."""
+    """The map of some points, as rows_of() gives them."""
     fronts: dict[tuple, dict] = {}
     for row, result in points:
         fronts.setdefault(place_of(row), {})[int(row["numerics.seed"])] = front_of(result)
@@ -47,7 +46,7 @@ def read_map(points):
 
 
 def read_variants(points, names):
-    """{variant: map} of the points of sweeps with variants."""
+    """{variant: map} of points with variants."""
     return {
         name: read_map([point for point in points if point[0]["variant"] == name]) for name in names
     }
@@ -130,9 +129,9 @@ def to_refine(grid_types):
     return sorted({middle(pair) for pair in pairs if "fast" in map(grid_types.get, pair)})
 
 
-def boundary(grid_types, between_types):
-    """Places next to another type, once the places halfway are known."""
-    types = grid_types | between_types
+def boundary(grid_types, between_types=None):
+    """Places next to another type; with those halfway, where they are known."""
+    types = grid_types | (between_types or {})
     halves = []
     for first, last in changes(grid_types):
         halfway = middle((first, last))
@@ -209,13 +208,10 @@ def map_of_seed(fronts, seed):
 # --- a whole map of a recipe ---------------------------------------------------------------
 
 
-def load_map(data, folder, parts):
-    """All fronts of the recipe `folder`, and those of the regular grid (map.csv); `parts` are the
-    tables beside map.csv that hold more points."""
-    tables = [Path(data) / folder / f"{part}.csv" for part in ("map", *parts)]
-    fronts = read_map([point for table in tables for point in points_of(table)])
-    grid = {place: {1: fronts[place][1]} for place in map(place_of, read_rows(tables[0]))}
-    return fronts, grid
+def load_map(grid, *others):
+    """All fronts of the points of some chains, and those of the regular grid."""
+    fronts = read_map(rows_of(sum(others, grid)))
+    return fronts, {place: {1: fronts[place][1]} for place in read_map(rows_of(grid))}
 
 
 def write_types(path, fronts):
