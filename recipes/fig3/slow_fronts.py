@@ -87,7 +87,7 @@ def of_seed(points, seed=1):
 def of_seeds(conventions, *chains):
     """The units: {seed: {convention: [case]}}, of seeds that all of these chains have.
     `conventions`: a function of their points."""
-    seeds = [{point["numerics.seed"] for point in points} for points in chains]
+    seeds = [{int(point["numerics.seed"]) for point in points} for points in chains]
     return {
         f"seed {seed}": conventions(*(of_seed(points, seed) for points in chains))
         for seed in sorted(set.intersection(*seeds))

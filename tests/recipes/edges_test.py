@@ -37,7 +37,7 @@ class TestBisection:
             return {way: edges.TYPES[sum(tau >= b for b in of)] for way, of in bounds.items()}
 
         monkeypatch.setattr(edges.Interfaces, "kinds", kinds)
-        return edges.Interfaces(None, [])
+        return edges.Interfaces([])
 
     def test_an_edge_is_halfway_to_the_first_front_of_a_type(self, interfaces):
         for kind, way, expected in (

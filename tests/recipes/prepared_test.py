@@ -7,11 +7,11 @@ import numpy as np
 from pytest import mark
 
 import decay_length
+import decay_length_figure
 import no_slip_force
 from claims.judge import holds
 from conftest import approx
-from events.conventions import PRIMARY
-from maps.front_map import WAYS
+from events.conventions import MEASURES, PRIMARY, WAYS
 
 DX = 2.5e-3  # [m]
 BLOCKS = 16
@@ -89,7 +89,7 @@ class TestOneFront:
 class TestOneSeed:
     def test_fronts_count_equally_and_those_without_a_length_not(self):
         fronts = [{"l_0": dict.fromkeys(decay_length.METHODS, l_0)} for l_0 in (1, None, 2, 9)]
-        assert decay_length.of_seed(fronts)[PRIMARY] == 2
+        assert decay_length_figure.lengths(fronts)[PRIMARY] == 2
 
 
 def front(kind, slowest=300.0, **types):
@@ -107,7 +107,7 @@ class TestNoSlipForce:
     NEARLY_SLOW = front("fast", 90.0, **{"slow below c_s/10": "slow"})
     SEEDS = {1: [NEARLY_SLOW, front("fast"), front("arrested", 1.0), None]}
     NARROW, WIDE, REFERENCE = (
-        {name: {"slow": 0.1, "fast": 0.1 + width} for name in no_slip_force.MEASURES}
+        {name: {"slow": 0.1, "fast": 0.1 + width} for name in MEASURES}
         for width in (0.001, 0.004, 0.06)
     )
     BANDS = {

@@ -8,11 +8,11 @@ from pytest import fixture
 import front_speed
 import slow_fronts
 import slow_slip
+from chains.chain import Chain
+from chains.results import Point
 from claims import paper
 from conftest import ROOT, approx
-from data.tables import write_table
 from slow_fronts import fit_through_origin
-from sweeps.sweep import read_sweep
 
 
 def slips(blocks=5):
@@ -24,6 +24,9 @@ def slips(blocks=5):
         "estimate": 2e-3,
         "per_block": {"x": [2.0, 2.5], "speed": [0.9e-3, 1.1e-3], "v_c": [9.0, 11.0]},
     }
+
+
+NOTHING_ELSE = {"elements": {}, "commands": [], "base": None}
 
 
 class TestFit:
@@ -38,33 +41,33 @@ class TestFit:
 
 
 class TestFronts:
-    @fixture(autouse=True)
-    def folders(self, tmp_path):
-        self.table = tmp_path / "fig3/slow_slip.csv"
-        self.points = tmp_path / "points"
-        for path in (self.table.parent, self.points):
-            path.mkdir()
+    @fixture(name="points_of")
+    def made_up_points(self, tmp_path):
+        def points_of(*results):
+            """Points: the seed of each, and its reports."""
+            paths = [tmp_path / f"{number}.json" for number in range(len(results))]
+            for path, (_, reports) in zip(paths, results):
+                found = {"status": "done", "sentence": "", "reports": reports, "checksums": {}}
+                path.write_text(json.dumps(found))
+            return [
+                Point("", [{"values": {"numerics.seed": str(seed)}, "path": path} | NOTHING_ELSE])
+                for path, (seed, _) in zip(paths, results)
+            ]
 
-    def write(self, *points):
-        """Pairs: the type of a front, and what was measured of it."""
-        rows = [(kind, number) for number, (kind, _) in enumerate(points)]
-        write_table(self.table, ["type", "point"], rows)
-        for number, (_, result) in enumerate(points):
-            (self.points / f"{number}.json").write_text(json.dumps(result))
+        return points_of
 
-    def test_fronts_count_that_slow_down_with_five_blocks_in_the_window(self):
-        self.write(
-            ("slow", {"slow_slip": slips(), "narrow": slips(blocks=4)}),
-            ("slow", {}),
-            ("fast", {"slow_slip": slips()}),
+    def test_fronts_count_that_slow_down_with_five_blocks_in_the_window(self, points_of):
+        slow, fast = ({"type": kind} | slips() for kind in ("slow", "fast"))
+        points = points_of(
+            (1, {"slow_slip": slow, "narrow": slips(blocks=4)}), (1, {}), (1, {"slow_slip": fast})
         )
-        (front,) = slow_fronts.fronts(self.table)
+        (front,) = slow_fronts.fronts(points)
         assert front["slow slip [m/s]"] == 1e-3
-        assert slow_fronts.fronts(self.table, slow_fronts.NARROW) == []
+        assert slow_fronts.fronts(points, slow_fronts.NARROW) == []
 
-    def test_windows_are_commands_of_the_sweeps(self):
+    def test_windows_are_commands_of_the_chains(self):
         for name in ("slow_slip", "front_speed"):
-            commands = read_sweep(ROOT / f"recipes/fig3/{name}.ini").points[0].commands
+            commands = Chain(ROOT / f"recipes/fig3/{name}.ini").commands
             for command in slow_fronts.WINDOWS.values():
                 assert commands[command].startswith("analyze slow-slip ")
 
@@ -72,12 +75,11 @@ class TestFronts:
         rows = [{"front speed [m/s]": v} for v in (2.9, 3.0, 10.0)]
         assert slow_fronts.without_near_arrest(rows) == rows[1:]
 
-    def test_a_seed_needs_the_tables_of_all_sweeps(self):
-        paths = ["a.csv", "b.csv", "x/a-seed-12.csv"]
-        units = slow_fronts.of_seeds(paths, lambda a, b: (a, b), ["a", "b"])
-        assert units == {"seed 1": ("a.csv", "b.csv")}
-        units = slow_fronts.of_seeds(paths, str, ["a"])
-        assert list(units) == ["seed 1", "seed 12"]
+    def test_a_seed_needs_points_of_all_chains(self, points_of):
+        some, others = points_of((1, {}), (12, {}), (1, {})), points_of((1, {}))
+        units = slow_fronts.of_seeds(lambda a, b: (len(a), len(b)), some, others)
+        assert units == {"seed 1": (2, 1)}
+        assert slow_fronts.of_seeds(len, some) == {"seed 1": 2, "seed 12": 1}
 
 
 def run(variant, estimate, speed):
