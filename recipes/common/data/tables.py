@@ -91,13 +91,13 @@ def points_of(path):
 
 
 def rows_of(points):
-    """The same of points of chains (chains/results.py), with the values and reports of those that
-    they come from. A row has the values as they are written, the status, the name of the point and
-    the type of its front."""
-    return [row_of(point) for point in points]
+    """Points of chains (chains/results.py) as pairs: a row, which has the values as they are
+    written, the status, the name of the point and the type of its front; and all that was measured.
+    Both are also those of the points that it comes from."""
+    return [pair_of(point) for point in points]
 
 
-def row_of(point):
+def pair_of(point):
     texts, measured, sums = {}, {}, {}
     for one, result in zip(reversed(point.lineage), reversed(point.results)):
         texts |= one["values"]

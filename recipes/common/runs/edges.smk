@@ -1,5 +1,3 @@
-from maps.bands import SIGMA_BARS
-
 # Edges between types of fronts on prepared interfaces (maps/edges.py), by the name of a setting.
 EDGES = {  # setting: options of `prepare`
     "reference": "",
