@@ -1,9 +1,7 @@
 """Fronts under choices that the paper leaves open, a result of our own."""
 
 import textwrap
-import tomllib
 from dataclasses import astuple, dataclass, replace
-from pathlib import Path
 
 import numpy as np
 from scipy.stats import binom
@@ -12,18 +10,20 @@ from claims import paper
 from claims.claim import PRIMARY
 from claims.judge import interval, shares_of
 from claims.own_result import OwnResult, write_own
-from data.records import report
 from data.tables import write_table
-from events.choose_events import read_events
 from events.front_claims import case_of_event
 from events.fronts import is_fast_only
-from events.units import OF_EVENT, in_words, of_events, of_loads
+from events.units import OF_EVENT, continued_of, events_of, in_words, of_events, of_loads
 from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
-CHANGES = tomllib.loads(Path(__file__).with_name("choices.toml").read_text(encoding="utf-8"))
-DECAYING = ("decaying", *CHANGES["decaying"])  # without edges on prepared interfaces
-CHOICES = ("reference", *CHANGES["load"], *CHANGES["prepared"], *DECAYING)
-SETTLED = {"reference": "load", "decaying": "decaying"}  # in the ensemble: kind of load
+DECAYING = ("decaying", "decaying-exact", "decaying-both")  # without edges on prepared interfaces
+CHOICES = (
+    *("reference", "damping-half", "damping-twice", "stiffness-initial", "springs-linear"),
+    *("foundation-damped", "contact-lost", "edge-springs-half", "damping-along-spring", "both"),
+    *("K-tenth", *DECAYING),
+)
+SIGMA_BARS = (0, 0.285)  # of prepared interfaces
+SETTLED = {"reference": "load", "decaying": "decaying"}  # kinds of loads of the ensemble
 ROWS = {  # claims that are judged under each choice
     "reference": ("2A", "2B", "2C", "3A", "3B", "4AB"),
     "decaying": ("S6A",),
@@ -39,7 +39,7 @@ MEDIANS = {  # of fast-slow-fast events, by quantities of case_of_event()
     "lasts/ms": "duration [ms]",
 }
 FAST_ONLY = "fast only/c_s"  # of events that are fast everywhere
-SLOW = {f"slow at sigma {sigma}": sigma for sigma in CHANGES["sigma_bars"]}
+SLOW = {f"slow at sigma {sigma}": sigma for sigma in SIGMA_BARS}
 SHARES = (*ROWS["reference"], SHARE, *ROWS["decaying"])
 NUMBERS = (*MEDIANS, FAST_ONLY)
 PAPER = {
@@ -114,22 +114,23 @@ def of_spanning(events):
     return found | {name: median(of) for name, of in known.items() if of}
 
 
-def bands(data, choice):
-    """Of slow fronts on prepared interfaces, between bisected edges."""
-    if choice in DECAYING:
-        return {}
-    edges = {name: report(data / f"edges/{choice}-{sigma}-1.json") for name, sigma in SLOW.items()}
-    return {
-        name: Found(None, of[PRIMARY]["slow"], of[PRIMARY]["fast"]) for name, of in edges.items()
-    }
+def bands(points):
+    """{choice: bands of slow fronts on prepared interfaces, between bisected edges}"""
+    found: dict[str, dict] = {choice: {} for choice in CHOICES}
+    for name, sigma in SLOW.items():
+        for point in points:
+            if point["sigma-bar"] == sigma:
+                edges = point["edges"][PRIMARY]
+                found[point["variant"]][name] = Found(None, edges["slow"], edges["fast"])
+    return found
 
 
-def measured(data, choice):
-    """{quantity: what was found}, of what there is."""
-    loads = f"ensemble/{SETTLED[choice]}" if choice in SETTLED else f"choices/{choice}"
+def measured(choice, events, continued):
+    """{quantity: what was found}, of what there is; `events` and `continued`: of all loads."""
+    kind = SETTLED.get(choice, choice)
     events, continued = (
-        sorted(data.glob(f"{loads}-[0-9][0-9][0-9]-{kind}.json"))
-        for kind in ("events", "continued")
+        {load: of[load] for load in sorted(of) if load.rsplit("-", 1)[0] == kind}
+        for of in (events, continued)
     )
     shares = {
         claim: Found(share.part(), share.low, share.high, share.units)
@@ -137,15 +138,18 @@ def measured(data, choice):
         for share in shares_of(claim, units_of(claim, events, continued))
         if share.convention == PRIMARY
     }
-    spanning = [event for path in events for event in read_events(path) if event["spanning"]]
-    return shares | of_spanning(spanning) | bands(data, choice)
+    of_loads = (of[PRIMARY] for of in events.values())
+    return shares | of_spanning([event for of in of_loads for event in of if event["spanning"]])
 
 
-def all_measured(data):
+def all_measured(chains):
     """{(choice, quantity): what was found}; those as settled come first."""
+    events = events_of([*chains["ensemble/events"], *chains["events"]])
+    continued = continued_of([*chains["ensemble/branches"], *chains["branches"]])
+    of_edges = bands(chains["edges"])
     found: dict[tuple, Found] = {}
     for choice in CHOICES:
-        for name, one in measured(data, choice).items():
+        for name, one in (measured(choice, events, continued) | of_edges[choice]).items():
             found[choice, name] = one.beside(found.get((settled_of(choice), name)))
     return found
 
@@ -227,8 +231,8 @@ def draw(found, stem):
     save(fig, stem)
 
 
-def make(data, results):
-    found = all_measured(data)
+def make(chains, results):
+    found = all_measured(chains)
     draw(found, results / "choices")
     write_table(results / "choices.csv", HEADS, ((*key, *astuple(f)) for key, f in found.items()))
     write_own(results, [own_result(found)])

@@ -37,7 +37,7 @@ def each_way(report):
 
 
 def events_of(points):
-    """{load: {way to measure: its events}} of points of ensemble/events or ensemble/shown_events."""
+    """{load: {way to measure: its events}} of points of ensemble/events or shown_events."""
     return {
         name_of(point): {way: of["events"] for way, of in each_way(point["measured"]).items()}
         for point in points
