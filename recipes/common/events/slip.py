@@ -5,12 +5,6 @@ import numpy as np
 from events.continuations import LEAD
 
 
-def until(front):
-    """The time to which slip is followed [s]: the end of the slow stretch, or the front's arrival
-    at the leading edge; None, to the end of the record, where it does not arrive."""
-    return front["slow"]["t_to"] if front["slow"] else front["t_rupture"][-1]
-
-
 def peaks_of(record):
     """When tau/p of each block is largest [s], and tau/p at the start, then, and LEAD after the
     last block has ruptured. A block without contact has none."""

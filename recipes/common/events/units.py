@@ -15,7 +15,7 @@ from events.fronts import has_slow_stretch, is_fast_slow
 
 FIRST_BRANCH, *LATER_BRANCHES = BRANCHES
 NO_S2 = case_S2(None, None)
-AT_BLOCK = {block: place for place, (block, _) in BRANCHES.items()}
+AT_BLOCK = {block: place for place, block in BRANCHES.items()}
 
 
 # --- points of the chains, by load ---------------------------------------------------------
