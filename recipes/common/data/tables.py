@@ -98,7 +98,9 @@ def rows_of(points):
 
 
 def pair_of(point):
-    texts, measured, sums = {}, {}, {}
+    texts: dict = {}
+    measured: dict = {}
+    sums: dict = {}
     for one, result in zip(reversed(point.lineage), reversed(point.results)):
         texts |= one["values"]
         measured |= result["reports"]

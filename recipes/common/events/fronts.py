@@ -8,6 +8,7 @@ STENCIL = 5  # blocks; the default of the programs
 FAST_OVER_SLOW = 10  # claim S2
 SLOW_FOR = 0.5e-3  # [s], at least (claim S2)
 LOADING_ZONE = 0.02  # [m]; speeds within it do not count
+TYPES = ("arrested", "slow", "fast")  # on prepared interfaces
 
 
 def middle_of(stretch):
@@ -35,3 +36,9 @@ def has_slow_stretch(front):
 def is_fast_only(front):
     """Claim 2B: no stencil beyond the loading zone is slow."""
     return front["type"] == "fast"
+
+
+def type_on_map(kind):
+    """The type that `analyze front` names, on prepared interfaces: a front that never left the
+    trigger region is arrested there."""
+    return "arrested" if kind == "none" else kind

@@ -16,7 +16,7 @@ from functools import cache
 from rupture.programs import output_of
 
 from events.conventions import MEASURES, PRIMARY, each_way
-from maps.front_map import TYPES, type_on_map
+from events.fronts import TYPES, type_on_map
 
 STEP = 2.5e-4  # of tau_bar_0
 LOWEST, HIGHEST = 0, 1200  # in steps: arrested at sigma_bar up to 0.285, and most often fast

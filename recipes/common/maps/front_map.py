@@ -13,8 +13,8 @@ import numpy as np
 from data.records import values
 from data.tables import SLOW_STRETCH, rows_of, write_table
 from events.conventions import PRIMARY
+from events.fronts import TYPES, type_on_map
 
-TYPES = ("arrested", "slow", "fast")
 IMPOSSIBLE = "impossible"
 
 
@@ -53,12 +53,6 @@ def read_variants(points, names):
 
 
 # --- types ---------------------------------------------------------------------------------
-
-
-def type_on_map(kind):
-    """The type that `analyze front` names, on a map: a front that never left the trigger region is
-    arrested there."""
-    return "arrested" if kind == "none" else kind
 
 
 def beyond_trigger(front):
