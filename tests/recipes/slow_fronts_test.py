@@ -26,7 +26,7 @@ def slips(blocks=5):
     }
 
 
-NOTHING_ELSE = {"elements": {}, "commands": [], "base": None}
+NOTHING_ELSE: dict = {"elements": {}, "commands": [], "base": None}
 
 
 class TestFit:
