@@ -24,9 +24,9 @@ def read_events(path):
     return report(path)[PRIMARY]
 
 
-def first_in_words(path):
+def first_in_words(events):
     """The first that is fast-slow-fast in words; if none is, the first that spans."""
-    spanning = [event for event in read_events(path) if event["spanning"]]
+    spanning = [event for event in events if event["spanning"]]
     return next((event for event in spanning if event["fast_slow_fast"]), spanning[0])
 
 
