@@ -9,6 +9,7 @@ from chains import chain as chain_file
 from chains.chain import kept_names
 from chains.check import check
 from chains.expressions import Expression
+from chains.plan import read_by
 from chains.points import Chains, Waiting
 from chains.store import STORE
 from events.conventions import SETS
@@ -238,6 +239,16 @@ def test_values_from_reports_of_other_points_are_options(files):
         "prepare --tau-bar 0.25 --seed 3 -o a.h5",
         "prepare --tau-bar 0.35 --seed 3 -o a.h5",
     ]
+
+
+def test_what_is_beside_a_figure_is_what_is_there(files):
+    files.write(above=ABOVE, figure="[figure]\nreads = above\nbeside = x\n")
+    files.write(x=f"[chain]\npoints = e in above: events.list\n{RUN}[values]\nn = 1\n")
+    figure = files.chains.load(files.folder / "figure.ini")
+    reads = read_by(files.chains, figure, False)
+    assert (len(reads["above"]), reads["x"]) == (2, [])
+    with pytest.raises(Waiting):
+        read_by(files.chains, figure, True)
 
 
 def test_like_takes_what_a_file_lacks(files):
