@@ -4,22 +4,20 @@ import numpy as np
 import quasistatic
 import rupture
 
-from data.records import report, values
+from data.records import values
 from data.tables import write_table
 from events.event_claims import judged_event
 from events.fronts import middle_of
-from events.units import of_ensemble, of_events
+from events.units import continued_of, of_events
 from pictures.panels import window_of
 from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
 
-EVENT, UNDRIVEN = "fast-slow-fast", "fast-slow-fast/undriven"
+RECORDS = "record.h5", "undriven-record.h5"  # as driven, and with the driving stopped
 STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}
 
 
-def draw_loading(axes, data, t_zero, t_stop):
-    driven, undriven = (
-        quasistatic.loading(data / f"{run}-record.h5", t_zero) for run in (EVENT, UNDRIVEN)
-    )
+def draw_loading(axes, records, t_zero, t_stop):
+    driven, undriven = (quasistatic.loading(record, t_zero) for record in records)
     axes.plot(*driven, color=AS_IT_IS, linewidth=2, label="driven")
     axes.plot(*undriven, "--", color=CHANGED, label="stopped")
     axes.axvline((t_stop - t_zero) * 1e3, **STOP)
@@ -38,11 +36,10 @@ def draw_lines(axes, fronts, t_zero, t_stop):
     axes.legend(loc="lower right")
 
 
-def draw(data, fronts, t_stop, stem):
+def draw(records, fronts, t_stop, stem):
     t_zero, window = window_of(fronts[0])
     fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
-    draw_loading(axes[0], data, t_zero, t_stop)
-    records = (rupture.open(data / f"{run}-record.h5") for run in (EVENT, UNDRIVEN))
+    draw_loading(axes[0], records, t_zero, t_stop)
     quasistatic.draw_pinned(fig, axes[1], *records, t_zero)
     draw_lines(axes[1], fronts, t_zero, t_stop)
     axes[1].set(ylim=window)
@@ -50,14 +47,16 @@ def draw(data, fronts, t_stop, stem):
     save(fig, stem)
 
 
-def make(data, results):
-    fronts = [report(data / f"{run}-front.json") for run in (EVENT, UNDRIVEN)]
+def make(chains, results):
+    [event] = chains["undriven"]
+    fronts = event["front"], event["front_undriven"]
     t_stop = middle_of(fronts[0]["slow"])
-    draw(data, fronts, t_stop, results / "fig5A")
+    records = [rupture.open(event.file(name)) for name in RECORDS]
+    draw(records, fronts, t_stop, results / "fig5A")
     names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]
     lines = zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts))
     write_table(results / "rupture-lines.csv", names, lines)
-    continued = of_ensemble(data, "load", "continued")
+    continued = continued_of(chains["ensemble/branches"])
     event_I = {"event I": (fronts[0], *fronts, t_stop)}
     claim = judged_event("5A", event_I, of_events(continued, "5A"))
-    return [claim, *quasistatic.make(data, results)]
+    return [claim, *quasistatic.make(chains["stopped"], chains["seeds_stopped"], results)]

@@ -3,11 +3,10 @@
 import numpy as np
 import rupture
 from matplotlib.colors import LinearSegmentedColormap
-from quasistatic_stretch import MIDDLE, advances, read_ruptures
+from quasistatic_stretch import advances, read_ruptures
 
 from claims.judge import judged
 from claims.spread import spread
-from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
 from pictures.panels import draw_image
@@ -19,9 +18,8 @@ HARDLY = 2  # blocks
 SHOWN_BEFORE, SHOWN_AFTER = 10e-3, 5e-3  # the dynamic events on either side [s]
 
 
-def loading(path, t_zero=0.0):
+def loading(record, t_zero=0.0):
     """Time [ms after t_zero] and F_T / F_N."""
-    record = rupture.open(path)
     return (record.time - t_zero) * 1e3, record["F_T"] / record["slider.F_N"]
 
 
@@ -46,46 +44,58 @@ def draw_pinned(fig, axes, driven, stopped, t_zero=0.0):
         fig.colorbar(image, ax=axes, label=f"pinned fraction, {name}", aspect=30)
 
 
-def draw(data, stretch, L, stem):
-    load = data / "quasistatic-load-record.h5"
-    stopped = data / f"quasistatic-stopped-{MIDDLE}-record.h5"
+def draw(middle, load, stem):
+    """`middle`: the branch in the middle of the stretch; `load`: the record before it."""
+    stretch, stopped = middle["stretch"], rupture.open(middle.file("stopped-record.h5"))
     first, second = stretch["dynamic_events"][:2]
     window = (first - SHOWN_BEFORE) * 1e3, (second + SHOWN_AFTER) * 1e3
     fig, axes = figure(DOUBLE, 0.42 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
     draw_loading(axes[0], load, stopped, window)
-    draw_pinned(fig, axes[1], rupture.open(load), rupture.open(stopped))
-    t_branch = float(stretch["branches"][MIDDLE]) * 1e3
+    draw_pinned(fig, axes[1], load, stopped)
+    t_branch = float(middle["branch"]["t"]) * 1e3
     axes[1].axhline(t_branch, color=CHANGED, linestyle=":", label="driving stops")
     time, tip = np.array(stretch["tip"]).T
-    axes[1].step(tip / L, time * 1e3, where="pre", color=AS_IT_IS, linewidth=1, label="tip, driven")
+    axes[1].step(
+        tip / load.x[-1], time * 1e3, where="pre", color=AS_IT_IS, linewidth=1, label="tip, driven"
+    )
     axes[1].set(ylim=window)
     axes[1].legend(loc="lower right", bbox_to_anchor=(1, 0.1))
     letter(axes[0], "B")
     save(fig, stem)
 
 
-def case_5B(c_s, speed, branch):
-    return {"c_s/speed": c_s / speed, "blocks in 20 ms, V = 0": branch["stopped"]}
+def moved(branch):
+    """What advances() says of a point of stopped.ini."""
+    load, stopped = (
+        read_ruptures(branch.file(name)) for name in ("record.h5", "stopped-record.h5")
+    )
+    return advances(load, stopped, branch["stretch"]["interval_from"], float(branch["branch"]["t"]))
 
 
-def units_5B(paths):
-    """By quasistatic_seed.py. A front that hardly moves with the drive either says
-    nothing about what happens without it."""
-    found = {path.stem: report(path) for path in paths}
+def case_5B(branch, found):
+    c_s = rupture.open(branch.file("record.h5")).c_s
     return {
-        name: {PRIMARY: [case_5B(load["c_s"], load["speed"], load["branch"])]}
-        for name, load in found.items()
-        if load["branch"]["driven"] > HARDLY
+        "c_s/speed": c_s / branch["stretch"]["speed"],
+        "blocks in 20 ms, V = 0": found["stopped"],
     }
 
 
-def claim_5B(stretch, c_s, branches, others):
-    speed, middle = stretch["speed"], branches[MIDDLE]
-    case = case_5B(c_s, speed, middle)
+def units_5B(branches):
+    """`branches`: one of each seed. A front that hardly moves with the drive either says nothing
+    about what happens without it."""
+    found = {branch: moved(branch) for branch in branches}
+    return {
+        f"seed {branch['numerics.seed']:g}": {PRIMARY: [case_5B(branch, of_seed)]}
+        for branch, of_seed in found.items()
+        if of_seed["driven"] > HARDLY
+    }
+
+
+def claim_5B(case, speed, branches, units):
     return judged(
         "5B",
         shown=case,
-        units=units_5B(others),
+        units=units,
         measured={
             "mean speed [m/s]": speed,
             **case,
@@ -101,25 +111,17 @@ def claim_5B(stretch, c_s, branches, others):
     )
 
 
-def make(all_data, results):
-    data, ensemble = all_data / "fig5", all_data / "ensemble"
-    stretch = report(data / "quasistatic-stretch.json")
-    record = data / "quasistatic-load-record.h5"
-    load = read_ruptures(record)
-    stopped = (data / f"quasistatic-stopped-{n}-record.h5" for n in range(len(stretch["branches"])))
-    branches = [
-        advances(load, read_ruptures(path), stretch["interval_from"], float(t_branch))
-        for path, t_branch in zip(stopped, stretch["branches"])
-    ]
-    draw(data, stretch, load[2][-1], results / "fig5B")
+def make(branches, of_seeds, results):
+    [middle] = (branch for branch in branches if branch["branch"]["middle"])
+    stretch, found = middle["stretch"], {branch: moved(branch) for branch in branches}
+    draw(middle, rupture.open(middle.file("record.h5")), results / "fig5B")
     write_table(results / "quasistatic-tip.csv", ["time [s]", "tip [m]"], stretch["tip"])
     names = ["V = 0 from [s]", "tip [block]", "advance driven [blocks]"]
     names += ["advance with V = 0 [blocks]"]
-    branch_rows = [branch.values() for branch in branches]
-    write_table(results / "quasistatic-branches.csv", names, branch_rows)
-    c_s = rupture.open(record).c_s
-    others = sorted(ensemble.glob("h0-[0-9][0-9][0-9].json"))
+    rows = map(dict.values, found.values())
+    write_table(results / "quasistatic-branches.csv", names, rows)
+    case, units = case_5B(middle, found[middle]), units_5B(of_seeds)
+    ratios = [of_seed["c_s/speed"] for unit in units.values() for of_seed in unit[PRIMARY]]
     of = "{} runs at h = 0"
-    ratios = [case["c_s/speed"] for unit in units_5B(others).values() for case in unit[PRIMARY]]
-    number = spread("c_s/speed at h = 0", None, ratios, of, shown=c_s / stretch["speed"])
-    return [claim_5B(stretch, c_s, branches, others), number]
+    number = spread("c_s/speed at h = 0", None, ratios, of, shown=case["c_s/speed"])
+    return [claim_5B(case, stretch["speed"], found.values(), units), number]

@@ -1,10 +1,12 @@
-"""Finds a quasi-static front: quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
+"""Finds a quasi-static front, as the script of a chain:
+
+    stretch = script quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
 
 Dynamic events are times at which more than half of the blocks rupture within 1 ms. Between the
 first two of them, the tip is the furthest block that has ruptured. What happens within 10 ms (5
 t_R) of either event belongs to that: single blocks rupture again, or the later event nucleates.
-Prints when the tip was where, and the checkpoints nearest to each tenth of the stretch, where a run
-with the driving stopped can branch off.
+It reports when the tip was where, and the checkpoints nearest to each tenth of the stretch, where a
+run with the driving stopped can branch off.
 """
 
 import sys
@@ -15,7 +17,7 @@ import rupture
 WINDOW = 1e-3  # [s]
 APART = 10e-3  # from a dynamic event [s]
 TENTHS = range(1, 10)
-MIDDLE = 4  # of the branches
+MIDDLE = 5  # of the tenths
 STOPPED_FOR = 20e-3  # [s]
 
 
@@ -57,14 +59,14 @@ def quasistatic_stretch(ruptures, checkpoint_every):
     end = events[1][0] if len(events) > 1 else np.inf
     start = events[0][1] + APART
     t, tip = tip_advances(time, block, start, end - APART)
-    tenths = [t[0] + tenth / 10 * (t[-1] - t[0]) for tenth in TENTHS]
-    branches = [round(tenth / checkpoint_every) * checkpoint_every for tenth in tenths]
+    tenths = {tenth: t[0] + tenth / 10 * (t[-1] - t[0]) for tenth in TENTHS}
+    near = {n: round(at / checkpoint_every) * checkpoint_every for n, at in tenths.items()}
     return {
         "dynamic_events": [start for start, _ in events],
         "interval_from": start,
         "tip": [[when, x[b]] for when, b in zip(t, tip)],
         "speed": (x[tip[-1]] - x[tip[0]]) / (t[-1] - t[0]),
-        "branches": [f"{branch:.9f}" for branch in branches],
+        "branches": [{"t": f"{at:.9f}", "middle": n == MIDDLE} for n, at in near.items()],
     }
 
 

@@ -1,28 +1,30 @@
-"""When a load at h = 0 (claim 5B) has run for long enough; made-up ruptures."""
+"""The quasi-static front between two dynamic events (claim 5B); made-up ruptures."""
 
 import numpy as np
 
-from quasistatic_seed import is_over
+from conftest import approx
+from quasistatic_stretch import quasistatic_stretch
 
 EVERY = 0.01  # between checkpoints [s]
 BLOCKS = 20
 
 
-def ruptures(creep_to, second=None):
-    """A dynamic event at 0.5 s, a tip that creeps from 0.52 s on, and perhaps a second event."""
-    creep = np.linspace(0.52, creep_to, 8)
-    times = [np.full(BLOCKS, 0.5), creep, np.full(BLOCKS if second else 0, second or 0)]
-    blocks = [np.arange(BLOCKS), np.arange(8), np.arange(BLOCKS if second else 0)]
+def ruptures(*later):
+    """A dynamic event at 0.5 s, a tip that creeps from 0.52 s to 0.6 s, and later events."""
+    all_blocks = np.arange(BLOCKS)
+    times = [np.full(BLOCKS, 0.5), np.linspace(0.52, 0.6, 8), *(np.full(BLOCKS, t) for t in later)]
+    blocks = [all_blocks, np.arange(8), *(all_blocks for _ in later)]
     return np.concatenate(times), np.concatenate(blocks), np.linspace(0, 0.14, BLOCKS)
 
 
-class TestEnd:
-    def test_the_second_dynamic_event_ends_it(self):
-        assert not is_over(ruptures(0.6), 0.7, EVERY)
-        assert is_over(ruptures(0.6, second=0.65), 0.65, EVERY)
+def test_the_stretch_ends_before_the_second_event_whatever_comes_later():
+    stretch = quasistatic_stretch(ruptures(0.65), EVERY)
+    assert stretch["tip"][-1] == [0.6, approx(0.14 * 7 / 19)]
+    later = quasistatic_stretch(ruptures(0.65, 0.7), EVERY)
+    assert later | {"dynamic_events": stretch["dynamic_events"]} == stretch
 
-    def test_the_time_without_driving_is_waited_for(self):
-        """The branch at 0.53 s is followed for 20 ms, longer than until the event."""
-        short = ruptures(0.536, second=0.547)
-        assert not is_over(short, 0.549, EVERY)
-        assert is_over(short, 0.55, EVERY)
+
+def test_branches_are_at_checkpoints_and_the_one_in_the_middle_is_named():
+    branches = quasistatic_stretch(ruptures(0.65), EVERY)["branches"]
+    assert [branch["t"] for branch in branches if branch["middle"]] == ["0.560000000"]
+    assert len(branches) == 9 and branches[0]["t"] == "0.530000000"
