@@ -2,22 +2,19 @@
 
 from claims.claim import Number
 from claims.judge import judged
-from data.records import report
 from data.tables import write_table
 from events.conventions import PRIMARY
 
 COLUMNS = ("with slow slip: slow from tau_bar_0", "fast from", "without: not arrested from")
 
 
-def edges_of(data):
+def edges_of(points):
     """[(sigma_bar, edges with slow slip, edges without)] under each convention."""
-    paths = sorted((data / "edges").glob("no-slow-slip-*-1.json"), key=sigma_of)
-    with_slip = (path.with_name(path.name.replace("no-slow-slip", "reference")) for path in paths)
-    return [(sigma_of(path), report(of), report(path)) for path, of in zip(paths, with_slip)]
-
-
-def sigma_of(path):
-    return float(path.stem.split("-")[-2])
+    with_slip, without = (
+        {p["sigma-bar"]: p["edges"] for p in points if p["variant"] == name}
+        for name in ("reference", "no slow slip")
+    )
+    return [(sigma, with_slip[sigma], without[sigma]) for sigma in with_slip]
 
 
 def cases(edges):
@@ -40,8 +37,8 @@ def rows(edges):
         yield sigma, found["slow"], found["fast"], without[PRIMARY]["slow"]
 
 
-def make(data, results):
-    edges = edges_of(data)
+def make(points, results):
+    edges = edges_of(points)
     write_table(results / "edges.csv", ("sigma_bar", *COLUMNS), rows(edges))
     others = cases(edges)
     shown = others.pop(PRIMARY)

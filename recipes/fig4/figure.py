@@ -4,32 +4,32 @@ import edge
 import rupture
 import strength
 
-from data.records import report
 from events.event_claims import judged_event
-from events.units import of_ensemble, of_events
+from events.units import continued_of, of_events
+from maps.front_map import load_map
 from maps.map_claims import make_map
 from pictures.panels import draw_pinned, draw_pinned_scale, window_of
 from pictures.plotting import DOUBLE, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
+MAPS = ("map", "map_between", "map_boundary")
 MAP = dict(
     panel="D",
-    tables=["map-between", "map-boundary"],
     slow_below=(20, 10, 30, 40, 60),
     claim="4D",
 )
 REGION = 0.25  # from here on phi was changed [L]
 
 
-def fronts_of(data, event):
-    return [report(data / f"{run}-front.json") for run in (event, f"{event}/wider")]
+def fronts_of(event):
+    return event["front"], event["front_wider"]
 
 
-def draw_event(axes, data, event):
+def draw_event(axes, event):
     """The pinned fraction, unchanged and with the wider phi, with the same time axis."""
-    t_zero, window = window_of(*fronts_of(data, event))
-    for axis, run in zip(axes, (event, f"{event}/wider")):
-        image = draw_pinned(axis, rupture.open(data / f"{run}-record.h5"), t_zero, window)
+    t_zero, window = window_of(*fronts_of(event))
+    for axis, record in zip(axes, ("record.h5", "wider-record.h5")):
+        image = draw_pinned(axis, rupture.open(event.file(record)), t_zero, window)
     axes[1].set_ylabel("")
     arrow = {"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0}
     axes[1].annotate("", (1, 0.03), (REGION, 0.03), "axes fraction", "axes fraction", arrow)
@@ -39,11 +39,11 @@ def draw_event(axes, data, event):
     return image
 
 
-def draw(data, stem):
+def draw(events, stem):
     """Event I above, event II, which the paper shows, below."""
-    fig, axes = figure(0.7 * DOUBLE, 0.7 * DOUBLE, nrows=len(EVENTS), ncols=2, sharey="row")
-    for row, (event, name) in zip(axes, reversed(EVENTS.items())):
-        image = draw_event(row, data, event)
+    fig, axes = figure(0.7 * DOUBLE, 0.7 * DOUBLE, nrows=len(events), ncols=2, sharey="row")
+    for row, (name, event) in zip(axes, reversed(events.items())):
+        image = draw_event(row, event)
         for axis, title in zip(row, ("unchanged", r"wider $\varphi$")):
             axis.set_title(f"{name}, {title}")
         draw_pinned_scale(fig, image, row)
@@ -52,14 +52,19 @@ def draw(data, stem):
     save(fig, stem)
 
 
-def make(data, results):
-    draw(data, results / "fig4AB")
-    phi = {e: [report(data / f"{e}{of}-phi.json") for of in ("", "/wider-start")] for e in EVENTS}
-    events = {name: (*fronts_of(data, event), *phi[event]) for event, name in EVENTS.items()}
-    units = of_events(of_ensemble(data, "load", "continued"), "4AB")
+def make(chains, results):
+    points = {point["name"]: point for point in chains["wider"]}
+    events = {title: points[name] for name, title in EVENTS.items()}
+    draw(events, results / "fig4AB")
+    measured = {
+        title: (*fronts_of(event), event["phi"], event["phi_wider"])
+        for title, event in events.items()
+    }
+    fronts, grid = load_map(*(chains[name] for name in MAPS))
+    continued = continued_of(chains["ensemble/branches"])
     return [
-        judged_event("4AB", events, units),
-        *strength.make(data, results),
-        *make_map(data, results, **MAP),
-        *edge.make(data, results),
+        judged_event("4AB", measured, of_events(continued, "4AB")),
+        *strength.make(chains, results, points, fronts, grid, continued),
+        *make_map(fronts, grid, results, **MAP),
+        *edge.make(chains["edges"], results),
     ]

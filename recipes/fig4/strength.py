@@ -6,12 +6,11 @@ import numpy as np
 
 from claims.judge import judged
 from data.rank_test import permutation, share_of_lower, signed_rank, van_elteren
-from data.records import report, values
-from data.tables import read_rows, read_table, write_table
+from data.records import values
+from data.tables import write_table
 from events.conventions import PRIMARY
 from events.fronts import LOADING_ZONE, SLOW_BELOW
-from events.units import of_ensemble
-from maps.front_map import load_map, map_of_seed, seeds_of, type_on_map, types_of
+from maps.front_map import map_of_seed, seeds_of, type_on_map, types_of
 from maps.map_claims import ABOUT_UNITS, units_of_seeds
 from pictures.plotting import BLACK, EVENT, SINGLE, figure, letter, save
 
@@ -24,6 +23,7 @@ WAYS = {
 }
 MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}
 CURVES = {"uniform": "-", "bell": "--"}
+MIDDLE = 40  # a block between the trigger region and the leading edge
 FEWEST_EVENTS = 5  # for a test over events
 KINDS = ("slow", "fast")
 # Of an event, or of a prepared interface, where all beyond the trigger region are alike; `kind` is
@@ -50,19 +50,25 @@ def blocks_of(front, strength):
     return [Block(kind, *of_block) for kind, of_block in zip(kinds, quantities) if kind]
 
 
-def prepared_points(data):
-    """Prepared interfaces, without those that cannot be prepared."""
+def prepared_points(points):
+    """The block in the middle of prepared interfaces, without those that cannot be prepared."""
     return [
         Block(
-            type_on_map(row["type"]),
-            float(row["sigma_bar in the middle"]),
-            float(row["tau-bar"]),
-            float(row["mu_bar_eff in the middle"]),
-            row["shape"],
+            type_on_map(point["front"]["type"]),
+            point["strength"]["sigma_bar"][MIDDLE],
+            point["tau-bar"],
+            point["strength"]["mu_bar_eff"][MIDDLE],
+            point["shape"],
         )
-        for row in read_rows(data / "fig4/strength.csv")
-        if row["status"] == "done"
+        for point in points
+        if point.status == "done"
     ]
+
+
+def lines_of(points):
+    """{shape: (sigma_bar, mu_bar_eff)}"""
+    pairs = [(p["shape"], p["sigma-bar"], p["strength"]["mu_bar_eff"]) for p in points]
+    return {shape: [*zip(*(xy for of, *xy in pairs if of == shape))] for shape in CURVES}
 
 
 # --- tests ---------------------------------------------------------------------------------
@@ -73,9 +79,8 @@ def deviation(block, line):
     return block.mu_bar_eff / np.interp(block.sigma_bar, *line) - 1
 
 
-def types_by_seed(data):
+def types_by_seed(fronts, grid):
     """{seed: {grid point of Figure 4 D: type}}"""
-    fronts, grid = load_map(data, "fig4", ["map-between", "map-boundary"])
     at_grid = {place: fronts[place] for place in grid}
     return {seed: types_of(map_of_seed(at_grid, seed)) for seed in seeds_of(at_grid)}
 
@@ -180,14 +185,10 @@ def claim_4C(maps, points, lines, ensemble):
     )
 
 
-def make(data, results):
-    shown = {
-        event: blocks_of(*(report(data / f"{event}-{of}.json") for of in ("front", "strength")))
-        for event in SHOWN
-    }
-    points, table = prepared_points(data), read_table(data / "fig4/strength-curves.csv")
-    of_shape = {shape: table["shape"] == shape for shape in CURVES}
-    lines = {s: [table[n][of] for n in ("sigma-bar", "mu_bar_eff")] for s, of in of_shape.items()}
+def make(chains, results, events, fronts, grid, continued):
+    """`events`: {name: point}; of the map: load_map(); of the ensemble: continued_of()."""
+    shown = {name: blocks_of(events[name]["front"], events[name]["strength"]) for name in SHOWN}
+    points, lines = prepared_points(chains["strength"]), lines_of(chains["strength_curves"])
     draw(shown, points, lines, results / "fig4C")
     named = [(f"prepared, {point.shape}", point) for point in points]
     named += [(event, block) for event, blocks in shown.items() for block in blocks]
@@ -195,8 +196,8 @@ def make(data, results):
     rows = ([name, *(getattr(block, of) for of in names)] for name, block in named)
     write_table(results / "strength.csv", ["points", *names], rows)
     repeated = {
-        (path, number): blocks_of(event["unmodified"], event["strength"])
-        for path in of_ensemble(data, "load", "continued")
-        for number, event in report(path).items()
+        (load, number): blocks_of(event["unmodified"], event["strength"])
+        for load, events in continued.items()
+        for number, event in events.items()
     }
-    return [claim_4C(types_by_seed(data), points, lines, repeated)]
+    return [claim_4C(types_by_seed(fronts, grid), points, lines, repeated)]

@@ -1,7 +1,6 @@
 """A user's sweep: its plan, what is refused before anything is computed (check.py,
 chains/sweeps.py); its table, picture and summary from made-up results (report.py, picture.py)."""
 
-import re
 import shutil
 import subprocess
 import time
@@ -20,7 +19,7 @@ from rupture.errors import Failure, UsageError
 from pictures.plotting import figure, save
 from sweeps.picture import cells, draw, draw_line, edges, middle
 from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
-from sweeps.sweep import Point, Sweep, read_sweep
+from sweeps.sweep import Point, Sweep
 
 BASE = ROOT / "checkpoints/fast-only.h5"
 RECORD = ROOT / "tests/compatibility/schema-3/reference-record.h5"
@@ -77,13 +76,6 @@ def test_units_and_headings_are_settled(plan):
     assert sweep.columns == {"type": "front.type", "speed": "front.v_c.3", "F_T": "stress.F_T"}
     command = "prepare --tau-bar 0.2 --set junctions.t_R=2ms --set junctions.law=reference -o s.h5"
     assert sweep.points[-1].commands["start"] == f"{command} --quiet"
-
-
-@pytest.mark.parametrize("path", ["fig4/strength-curves.ini", "figS6/map.ini"])
-def test_sweeps_of_recipes_are_in_the_same_form(plan, path):
-    recipe = ROOT / "recipes" / path
-    sweep = plan(re.sub("(?<=like = )", f"{recipe.parent}/", recipe.read_text()))
-    assert [p.commands for p in sweep.points] == [p.commands for p in read_sweep(recipe).points]
 
 
 def test_points_follow_the_content_of_the_base_which_is_copied(plan):

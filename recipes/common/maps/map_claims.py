@@ -61,11 +61,10 @@ def case_of_map(fronts, grid, **how):
     return {"types present": present, "sigma_bar out of order": out_of_order}
 
 
-def make_map(points, results, *, panel, slow_below, claim):
-    """Everything that the recipe writes about its map. `points`: of the regular grid, then of other
-    chains. Slow is below c_s over one of `slow_below`, of which the first is the default. Returns
-    the claim; the case is the map of all seeds."""
-    fronts, grid = front_map.load_map(*points)
+def make_map(fronts, grid, results, *, panel, slow_below, claim):
+    """Everything that the recipe writes about its map (load_map()). Slow is below c_s over one of
+    `slow_below`, of which the first is the default. Returns the claim; the case is the map of all
+    seeds."""
     thresholds = list(thresholds_compared(fronts, grid, slow_below))
     draw_map(fronts, grid, slow_below, panel, results / f"{results.name}{panel}")
     front_map.write_types(results / "front-types.csv", fronts)
