@@ -4,12 +4,13 @@ import numpy as np
 import rupture
 
 from claims.judge import yes
-from data.records import report, values
+from data.records import values
 from data.tables import write_events, write_fronts
-from events.choose_events import first_in_words, read_events
+from events.choose_events import first_in_words
 from events.front_claims import judged_in_words
 from events.fronts import STENCIL
-from events.units import in_words, of_ensemble
+from events.units import events_of, in_words
+from maps.front_map import load_map
 from maps.map_claims import make_map
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from pictures.panels import ruptured_early, window_of
@@ -22,7 +23,6 @@ RUNS = {  # run: label, colour, marker
 ENDS = STENCIL // 2  # blocks between the middle and either end of a stencil
 MAP = dict(
     panel="B",
-    tables=["map-boundary"],
     slow_below=(20, 8, 10, 30, 40),
     claim="S6B",
 )
@@ -62,16 +62,18 @@ def draw(record, fronts, stem):
     save(fig, stem)
 
 
-def make(data, results):
-    fronts = {run: report(data / f"figS6/{run}-front.json") for run in RUNS}
-    draw(data / "figS6/event-record.h5", fronts, results / "figS6A")
+def make(chains, results):
+    [event] = chains["event"]
+    fronts = dict(zip(RUNS, (event["front"], event["front_double"])))
+    draw(event.file("event-record.h5"), fronts, results / "figS6A")
     write_fronts(results / "front-speed.csv", fronts)
-    shown = data / "ensemble/decaying-01-events.json"
-    spanning = (event for event in read_events(shown) if event["spanning"])
+    [load] = chains["ensemble/shown_events"]
+    events = load["measured"]["events"]
+    spanning = (event for event in events if event["spanning"])
     in_order = {"fast-slow-fast in words": lambda event: yes(event["fast_slow_fast"])}
     write_events(results / "events.csv", spanning, in_order)
-    units = in_words(of_ensemble(data, "decaying", "events"))
+    units = in_words(events_of(chains["ensemble/events"]))
     return [
-        judged_in_words("S6A", first_in_words(shown), units),
-        *make_map(data, results, **MAP),
+        judged_in_words("S6A", first_in_words(events), units),
+        *make_map(*load_map(chains["map"], chains["map_boundary"]), results, **MAP),
     ]

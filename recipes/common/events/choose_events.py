@@ -60,15 +60,7 @@ def fast_slow(path, checkpoint_every):
     return start(chosen, checkpoint_every)
 
 
-def decaying(path, checkpoint_every):
-    """The first that is fast-slow-fast in words (claim S6A)."""
-    chosen = next((e for e in read_events(path) if e["fast_slow_fast"]), None)
-    if chosen is None:
-        sys.exit("no event of this load is fast-slow-fast: load for longer")
-    return start(chosen, checkpoint_every)
-
-
-RULES = {"shown": shown, "fast-slow": fast_slow, "decaying": decaying}
+RULES = {"shown": shown, "fast-slow": fast_slow}
 
 
 def main(rule, path, checkpoint_every):
