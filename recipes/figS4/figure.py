@@ -5,14 +5,11 @@ import rupture
 from scipy import stats
 
 from claims.judge import judged
-from data.records import report
 from data.tables import write_table
 from events.event_claims import largest_change_of_mean
 from pictures.panels import draw_pinned, draw_pinned_scale, window_of
 from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
 
-EVENT = "second-slow"
-STATES = {EVENT: EVENT, f"{EVENT}/wider-start": f"{EVENT}/wider"}  # checkpoint: what follows
 TITLES = ("event II, unchanged", r"event II, wider $\varphi$ beyond $0.25\,L$")
 REGION = 0.25  # phi was changed from here on, this block included [L]
 BINS = 30
@@ -70,14 +67,14 @@ def block_edges(junctions):
     return np.append(x - half, x[-1] + half)
 
 
-def draw(data, junctions, fronts, stem):
+def draw(records, junctions, fronts, stem):
     shared = {"sharex": True, "sharey": "row", "height_ratios": (5, 5, 1)}
     fig, axes = figure(0.75 * DOUBLE, 0.66 * DOUBLE, nrows=3, ncols=2, **shared)
     t_zero, window = window_of(*fronts)
     lowest, highest = min(j.force.min() for j in junctions), max(j.f_thres.max() for j in junctions)
     bins = np.linspace(lowest, highest, BINS + 1)  # edges, the same for both states [N]
-    for column, (run, title) in enumerate(zip(STATES.values(), TITLES)):
-        record = rupture.open(data / f"{run}-record.h5")
+    for column, (path, title) in enumerate(zip(records, TITLES)):
+        record = rupture.open(path)
         pinned = draw_pinned(axes[0, column], record, t_zero, window)
         shares = draw_phi(axes[1, column], junctions[column], bins)
         slipping, edges = junctions[column].slipping.mean(axis=1), block_edges(junctions[column])
@@ -121,10 +118,12 @@ def claim_S4(wider, phis):
     )
 
 
-def make(data, results):
-    phis = [report(data / f"{state}-phi.json") for state in STATES]
-    junctions = [Junctions(data / f"{state}.h5", phi) for state, phi in zip(STATES, phis)]
-    fronts = [report(data / f"{run}-front.json") for run in STATES.values()]
-    draw(data, junctions, fronts, results / "figS4")
+def make(chains, results):
+    [event], [wider] = chains["fig2/event"], chains["fig4/wider"]
+    phis, fronts = [event["phi"], wider["phi_wider"]], [event["front"], wider["front_wider"]]
+    states = event.base, wider.file("wider-start.h5")
+    records = event.file("record.h5"), wider.file("wider-record.h5")
+    junctions = [Junctions(state, phi) for state, phi in zip(states, phis)]
+    draw(records, junctions, fronts, results / "figS4")
     write_phi(results / "phi.csv", junctions, phis)
     return [claim_S4(junctions[1], phis)]
