@@ -6,12 +6,11 @@ import numpy as np
 import rupture
 
 from claims.judge import judged, yes
-from data.records import report, values
+from data.records import values
 from data.tables import write_table
-from events.choose_events import read_events
 from events.conventions import PRIMARY
 from events.slip import peaks_of
-from events.units import name_of, of_ensemble
+from events.units import events_of, name_of
 
 MIDDLE = 0.5  # of L; the block of panel E
 
@@ -35,9 +34,9 @@ def case_1D(events):
     }
 
 
-def claim_1D(events, paths):
+def claim_1D(events, loads):
     case = case_1D(events)
-    units = {name_of(path): {PRIMARY: [case_1D(read_events(path))]} for path in paths}
+    units = {load: {PRIMARY: [case_1D(of[PRIMARY])]} for load, of in events_of(loads).items()}
     first = next(event for event in events if event["spanning"])
     return judged("1D", case | {"first spanning event at [s]": first["t_start"]}, case, units)
 
@@ -57,17 +56,7 @@ def case_1E(peaks, front):
     }
 
 
-def units_1E(paths):
-    return {
-        f"{name_of(path)}, event {number}": {
-            PRIMARY: [case_1E(event["peaks"], event["unmodified"])]
-        }
-        for path in paths
-        for number, event in report(path).items()
-    }
-
-
-def claim_1E(record, peaks, front, paths):
+def claim_1E(record, peaks, front, continued):
     i, case = middle(front), case_1E(peaks, front)
     ratio = record["tau"][:, i] / record["p"][:, i]
     measured = {
@@ -79,7 +68,11 @@ def claim_1E(record, peaks, front, paths):
         "A block ruptures when 70 % of its junctions have broken, and tau/p is largest just before."
         " Peaks count until 0.5 ms after the last rupture of the front."
     )
-    return judged("1E", measured | case, case, units_1E(paths), note)
+    units = {
+        f"{name_of(p)}, event {p['event']['number']}": {PRIMARY: [case_1E(p["peaks"], p["front"])]}
+        for p in continued
+    }
+    return judged("1E", measured | case, case, units, note)
 
 
 def write_tables(results, loading, events, record, front):
@@ -96,12 +89,12 @@ def write_tables(results, loading, events, record, front):
     write_table(results / "block.csv", names, zip(*columns))
 
 
-def make(data, results):
-    loading = report(data / "ensemble/load-01-loading.json")
-    events = read_events(data / "ensemble/load-01-events.json")
-    front = report(data / "fig1/event-front.json")
-    record = rupture.open(data / "fig1/event-record.h5")
-    peaks = peaks_of(record)
-    write_tables(results, loading, events, record, front)
-    loads, continued = (of_ensemble(data, "load", kind) for kind in ("events", "continued"))
-    return [claim_1D(events, loads), claim_1E(record, peaks, front, continued)]
+def make(chains, results):
+    [loading], [shown], [event] = chains["loading"], chains["ensemble/shown_events"], chains["event"]
+    events, front = shown["measured"]["events"], event["front"]
+    record = rupture.open(event.file("record.h5"))
+    write_tables(results, loading["loading"], events, record, front)
+    return [
+        claim_1D(events, chains["ensemble/events"]),
+        claim_1E(record, peaks_of(record), front, chains["ensemble/continued"]),
+    ]

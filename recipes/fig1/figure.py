@@ -71,7 +71,7 @@ def draw(results):
     save(fig, results / "fig1")
 
 
-def make(data, results):
-    claims = [claim for part in (curves, junction, speeds) for claim in part.make(data, results)]
+def make(chains, results):
+    claims = [claim for part in (curves, junction, speeds) for claim in part.make(chains, results)]
     draw(results)
     return claims

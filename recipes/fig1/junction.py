@@ -13,6 +13,7 @@ from data.tables import write_table
 
 EVERY = 20  # of the steps that go into the table; where something changes, all
 SHOWN = 1  # block
+SLIPPING = ("0.002000000", "0.004600000")  # checkpoints in which all junctions slip [s]
 
 
 class Pulled:
@@ -102,9 +103,10 @@ def rows(pulled):
         yield pulled.time[n], moved, ratio, int(pulled.pinned[n, SHOWN])
 
 
-def make(data, results):
-    slipping = sorted(data.glob("fig1/pulled-t*.h5"))
-    pulled = Pulled(data / "fig1/junctions.h5", data / "fig1/pulled-record.h5", slipping)
+def make(chains, results):
+    [point] = chains["junction"]
+    slipping = [point.file(f"pulled-t{time}.h5") for time in SLIPPING]
+    pulled = Pulled(point.file("junctions.h5"), point.file("record.h5"), slipping)
     names = ["time [s]", "displacement [m]", "f_T/f_N", "pinned"]
     write_table(results / "junction.csv", names, rows(pulled))
     return [claim_1F(pulled)]

@@ -4,7 +4,6 @@ import numpy as np
 
 from claims.judge import judged
 from claims.paper import MU_D, MU_S
-from data.records import report
 from data.tables import write_table
 
 LIMITS = (MU_S / 2, MU_D)
@@ -33,8 +32,9 @@ def claim_1G(steady, limits):
     )
 
 
-def make(data, results):
-    steady, limits = (report(data / f"fig1/steady-{speeds}.json") for speeds in ("range", "limits"))
+def make(chains, results):
+    [point] = chains["steady"]
+    steady, limits = point["range"], point["limits"]
     names = ["v [m/s]", "tau/p", "standard error", "renewal theory"]
     columns = (steady[name] + limits[name] for name in ("v", "mu", "mu_error", "mu_theory"))
     write_table(results / "steady-state.csv", names, sorted(zip(*columns)))
