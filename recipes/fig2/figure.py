@@ -1,17 +1,20 @@
 """Figure 2, its data and its claims. Without the choice of most_like.py, the picture lacks that
 event."""
 
+import shutil
+
 import rupture
+from most_like import COLUMNS
 
 from claims import paper
-from data.records import report
 from data.tables import write_columns, write_fronts
-from events.choose_events import read_events
+from events.conventions import PRIMARY
 from events.event_numbers import at_transitions, numbers_of_events
 from events.front_claims import case_of_event, claims_of_fronts
-from events.units import in_words, of_ensemble, of_loads
+from events.units import events_of, in_words, of_loads
 from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
 from pictures.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save
+from rupture.replacing import replacing
 
 MOST_LIKE = "most-like"
 EVENTS = {  # label, colour, marker
@@ -58,30 +61,33 @@ def draw_speeds(axes, fronts):
     axes.legend(loc="lower right", ncols=3, handlelength=1.5, columnspacing=1, **look)
 
 
-def draw(data, fronts, stem):
+def draw(events, fronts, stem):
     """The speeds are below the first maps, beside that of the event most like the paper's."""
     fig, panels = lettered("ABC;DDE" if MOST_LIKE in fronts else "ABC;DDD", DOUBLE, 0.68 * DOUBLE)
     for text, name in zip("ABCE", fronts):
-        image = draw_map(panels[text], fronts[name], rupture.open(data / f"{name}-record.h5"))
+        image = draw_map(panels[text], fronts[name], rupture.open(events[name].file("record.h5")))
         panels[text].set_title(EVENTS[name][0])
     draw_pinned_scale(fig, image, list(panels.values()), shrink=0.6)
     draw_speeds(panels["D"], fronts)
     save(fig, stem)
 
 
-def make(data, results):
-    loads = of_ensemble(data, "load", "events")
-    choice = report(data / "most-like.json") if (data / "most-like.json").exists() else None
-    names = [name for name in EVENTS if choice or name != MOST_LIKE]
-    fronts = {name: report(data / f"{name}-front.json") for name in names}
-    draw(data, fronts, results / "fig2")
+def make(chains, results):
+    events = {point["name"]: point for point in chains["event"]}
+    events |= {MOST_LIKE: point for point in chains["most_like"]}
+    events = {name: events[name] for name in EVENTS if name in events}
+    fronts = {name: point["front"] for name, point in events.items()}
+    draw(events, fronts, results / "fig2")
     write_fronts(results / "front-speed-II.csv", {"second-slow": fronts.pop("second-slow")})
     write_fronts(results / "front-speed.csv", fronts)
-    if choice:
-        candidates = choice["candidates"]
-        write_columns(results / "most-like.csv", list(candidates[0]), candidates)
+    compared = [point["likeness"]["candidates"] for point in chains["choose_most_like"]]
+    write_columns(results / "most-like.csv", COLUMNS, compared[0] if compared else [])
+    [film] = chains["film"]
+    with replacing(results / "movie.gif") as temporary:
+        shutil.copyfile(film.file("movie.gif"), temporary)
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
+    loads = events_of(chains["ensemble/events"])
     units = of_loads(loads, case_of_event), in_words(loads)
-    events = [event for path in loads for event in read_events(path)]
-    numbers = numbers_of_events(slow, fast, fronts.get(MOST_LIKE), events)
+    of_all = [event for of_load in loads.values() for event in of_load[PRIMARY]]
+    numbers = numbers_of_events(slow, fast, fronts.get(MOST_LIKE), of_all)
     return [*claims_of_fronts(slow, fast, *units), *numbers]

@@ -1,20 +1,19 @@
-"""Chooses the event most like the paper's of independent runs:
+"""Chooses the event most like the paper's of independent loads: most_like.py LOAD POINTS
 
-    most_like.py CHECKPOINT_EVERY load-201-events.json ...
-
-README.md says how. Prints the load, where to continue it from, the number of loads, and all
-candidates in order: the first is the one chosen.
+README.md says how. POINTS is a file with the events of all loads. Reports all candidates in order,
+and the first of them, the one chosen, in a list: empty if it is not of this LOAD.
 """
 
 import sys
 
 import numpy as np
 
+from chains.results import read_points
 from claims import paper
-from events.choose_events import read_events, start
+from events.conventions import PRIMARY
 from events.front_claims import case_of_event
 from events.fronts import has_slow_stretch
-from events.units import name_of
+from events.units import events_of
 
 PAPER = {  # for readers: of case_of_event(), the paper's value
     "fast before over c_s/3": ("fast before/c_s", paper.FAST),
@@ -24,6 +23,7 @@ PAPER = {  # for readers: of case_of_event(), the paper's value
     "duration over 1 ms": ("duration [ms]", paper.SLOW_FOR * 1e3),
 }
 SUM = "sum of squared logarithms"
+COLUMNS = ["load", "t_start [s]", *PAPER, SUM]  # of the table
 
 
 def ratios_of(event):
@@ -51,16 +51,15 @@ def candidates(loads):
     return sorted(found, key=lambda pair: pair[1][SUM])
 
 
-def choice_of(loads, checkpoint_every):
+def choice(load, loads):
     found = candidates(loads)
     if not found:
         sys.exit("no event of these loads has all that is compared: load for longer")
-    chosen, row = found[0]
-    before = start(chosen, checkpoint_every)
-    rows = [row for _, row in found]
-    return {"load": row["load"], **before, "loads": len(loads), "candidates": rows}
+    event, first = found[0]
+    chosen = [event] if first["load"] == load else []
+    return {"candidates": [row for _, row in found], "chosen": chosen}
 
 
-def main(checkpoint_every, *paths):
-    loads = {name_of(path): read_events(path) for path in paths}
-    return choice_of(loads, float(checkpoint_every))
+def main(load, points):
+    loads = events_of(read_points(points))
+    return choice(load, {name: events[PRIMARY] for name, events in loads.items()})
