@@ -4,12 +4,12 @@ import numpy as np
 import rupture
 
 from claims.judge import judged
-from data.records import report, values
+from data.records import values
 from data.tables import write_events, write_fronts
 from events.conventions import PRIMARY
 from events.event_claims import case_S2
 from events.fronts import is_fast_slow
-from events.units import of_ensemble, without_slow_slip
+from events.units import simplified_of, without_slow_slip
 from pictures.panels import draw_front_speeds, draw_image, window_of
 from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
@@ -17,6 +17,7 @@ SPEEDS = {  # label, colour, marker
     "event": ("slow slip", AS_IT_IS, "o"),
     "no-slow-slip": ("no slow slip", CHANGED, "^"),
 }
+FILES = ("event-record.h5", "without-record.h5")
 
 
 def draw_map(axes, path, front, t_zero, window):
@@ -38,11 +39,11 @@ def draw_speeds(axes, fronts):
     axes.legend(loc="upper right", bbox_to_anchor=(1, 0.9))
 
 
-def draw(data, fronts, stem):
+def draw(event, fronts, stem):
     t_zero, window = window_of(fronts["event"])
     fig, panels = lettered("ABC", DOUBLE, 0.36 * DOUBLE)
-    for text, name in zip("AC", SPEEDS):
-        image = draw_map(panels[text], data / f"{name}-record.h5", fronts[name], t_zero, window)
+    for text, name, file in zip("AC", SPEEDS, FILES):
+        image = draw_map(panels[text], event.file(file), fronts[name], t_zero, window)
         panels[text].set_title(SPEEDS[name][0])
     draw_speeds(panels["B"], fronts)
     fig.colorbar(image, ax=panels["C"], label=r"$\tau/p$ (white: rupture)", aspect=30)
@@ -71,12 +72,12 @@ def claim_S2(fronts, pairs, others):
     )
 
 
-def make(data, results):
-    [continued] = of_ensemble(data, "simplified", "continued")
-    fronts = {run: report(data / f"figS2/{run}-front.json") for run in SPEEDS}
-    events = (event[PRIMARY] for event in report(continued).values())
+def make(chains, results):
+    [event], continued = chains["event"], simplified_of(chains["ensemble/simplified"])
+    fronts = dict(zip(SPEEDS, (event["front"], event["front_without"])))
+    events = (of_event[PRIMARY] for of_event in continued.values())
     pairs = [(of["with"], of["without"]) for of in events if is_fast_slow(of["with"])]
-    draw(data / "figS2", fronts, results / "figS2")
+    draw(event, fronts, results / "figS2")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(
         results / "events.csv",
