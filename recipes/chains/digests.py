@@ -13,6 +13,7 @@ from pathlib import Path
 from chains.store import DIGESTS, digest, result_of
 from reproduce.project import SHARE
 from runs.fingerprint import PROGRAMS
+from rupture.programs import DRAWING
 
 PLACES = ("recipes/common", "recipes", "python")  # of modules that scripts import
 NOT_COMPUTED_WITH = (b".note.gnu.build-id", b".rupture_version")  # cmake/WriteVersion.cmake
@@ -116,8 +117,10 @@ def digest_of_scripts(*paths):
 @cache
 def digest_of_tool(tool):
     """Of a program by its name, or of a script by its path in the project. A script may run all
-    programs."""
+    programs. Those that draw are modules, which the programs of their names start."""
     folder = Path(os.environ["RUPTURE_BIN"])
+    if tool in DRAWING:
+        return digest_of_scripts(SHARE / f"python/rupture/tools/{tool}.py")
     if tool.endswith(".py"):
         programs = (digest_of_program(folder / name) for name in PROGRAMS)
         return digest(digest_of_scripts(SHARE / tool), *programs)

@@ -30,7 +30,7 @@ for (const heading of all("h1, h2, h3, h4, h5, h6")) {
 }
 const labelled = (element) =>
   element.getAttribute("aria-label") || document.getElementById(element.getAttribute("aria-labelledby"));
-each("nav, section, video", labelled, "no label");
+each("nav, section", labelled, "no label");
 each("table", (table) => table.querySelector("thead th[scope=col]"), "no headers of columns");
 each("th", (header) => header.scope, "no scope");
 

@@ -38,7 +38,7 @@ def moved_page(tmp_path_factory):
     project = Project(folder / "made")
     project.make_recipes()
     project.make_accounts()
-    spill(project.results / "movie.gif", png(40, 30))  # browsers look at the content
+    spill(project.results / "fig2/movie.gif", png(40, 30))  # browsers look at the content
     assert project.report().returncode == 0
     return shutil.move(project.results, folder / "moved") / "index.html"
 
@@ -47,7 +47,7 @@ def moved_page(tmp_path_factory):
 def test_nothing_bars_readers(tmp_path, page, width, scheme):
     seen = look(tmp_path, page, width, scheme)
     assert seen["faults"] == []
-    files = [*page.parent.glob("**/[!.]*.png"), page.with_name("movie.gif")]
+    files = [*page.parent.glob("**/[!.]*.png"), page.parent / "fig2/movie.gif"]
     assert set(seen["images"]) == {path.as_uri() for path in files}
     assert (seen["ground"] == "rgb(255, 255, 255)") == (scheme == "light")
 

@@ -3,9 +3,9 @@
 import numpy as np
 from pytest import raises
 
+from choose_shown import choose
 from conftest import approx
 from data.value import main as value
-from events.choose_events import choose
 from events.conventions import CONVENTIONS, PRIMARY
 from events.event_numbers import numbers_of_events
 from pictures.panels import ruptured_early

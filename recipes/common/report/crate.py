@@ -21,7 +21,6 @@ from runs.written import take
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 from runs.origin import Accounts, builds, checksums, version_of
-from picture import MOVIES
 from runs.recipes import read_readme, recipe_names
 
 CITATION = Path(__file__).resolve().parents[3] / "CITATION.cff"
@@ -38,7 +37,7 @@ OF_THE_RUN: dict[str, str | None] = {
     "jobs.jsonl": "Each job that was run: rule, command, inputs, outputs, start and time",
     "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
     "numbers.csv": "The paper's numbers beside ours",
-    **dict.fromkeys(("claims.pdf", "claims.png", *MOVIES)),
+    **dict.fromkeys(("claims.pdf", "claims.png")),
 }
 
 

@@ -1,12 +1,11 @@
-"""The pictures and the movie of the page: sizes and formats."""
+"""The pictures of the page: sizes and formats."""
 
 import struct
 from dataclasses import dataclass
 
 from rupture.errors import Failure
 
-MOVIES = ("movie.webm", "movie.mp4", "movie.gif")
-STILL = "movie.png"  # shown before a video is started
+MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 
 
 @dataclass(frozen=True)
@@ -27,8 +26,3 @@ def picture(path, alt):
     width, height = struct.unpack(">II", head[16:24])
     pdf = path.with_suffix(".pdf")
     return Picture(path.name, pdf.name if pdf.exists() else None, width, height, alt)
-
-
-def first_in(results, *names):
-    """The first of these files that is there, whoever has made it; None if there is none."""
-    return next((name for name in names if (results / name).exists()), None)

@@ -17,7 +17,7 @@ from rupture.replacing import write_whole
 from readme import update_readme, write_numbers
 from crate import CRATE, write_crate
 from glance import glance_picture
-from picture import MOVIES, STILL, first_in, picture
+from picture import MOVIE, picture
 from runs import origin
 from runs.recipes import label, natural, read_readme, recipe_names
 from rupture.errors import Failure
@@ -98,8 +98,7 @@ def contents(root):
         ],
         "numbers": [number for recipe in recipes for number in recipe.numbers],
         "released": released(root, files),
-        "movie": first_in(root / "results", *MOVIES),
-        "still": first_in(root / "results", STILL),
+        "movie": (root / "results" / MOVIE).exists() and MOVIE,
         "glance": glance_picture(root / "results", claims),
         "verdicts": as_html(verdicts.partition("\n")[2], names),  # below its title
         "jobs": jobs,

@@ -202,7 +202,7 @@ def is_current(path):
     scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
     texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md")]
     texts.append(Path(os.environ["RUPTURE_BIN"], "load"))
-    shown = [RESULTS / "jobs.jsonl", *RESULTS.glob("movie.*"), *RESULTS.glob("*/*.json")]
+    shown = [RESULTS / "jobs.jsonl", *RESULTS.glob("*/*.json")]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
     return path.exists() and path.stat().st_mtime > max(one.stat().st_mtime for one in sources)
 
