@@ -9,8 +9,7 @@ from front_slip import FRONT, SLIP, exponent, pairs_of, smoothed, spanning, tran
 from scipy.stats import spearmanr
 
 from claims.own_result import compared, write_own
-from data.records import report
-from data.tables import numbers, points_of, write_columns
+from data.tables import numbers, rows_of, write_columns
 from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
 
 # Exponents: tau_bar_0 of the fronts, speeds, and (variant, parameter, power of the quantity).
@@ -115,16 +114,16 @@ def draw_strength(axes, rows):
     axes.set(xlabel="Gini coefficient of the slip", ylabel=r"$\bar\mu_s^\mathrm{eff}$")
 
 
-def make(data, results):
-    points = spanning(points_of(data / "speeds/fronts.csv"))
+def make(chains, results):
+    points = spanning(rows_of(chains["fronts"]))
     pairs = list(pairs_of(points))
     homogeneous = [
         row | {LENGTH: transient(of["front"]), "front": of["front"]}
         for row, of in points
         if row["variant"] in LENGTHS
     ]
-    loads = sorted(data.glob("speeds/*-history.json"))
-    blocks = [{"load": path.stem, **row} for path in loads for row in report(path)]
+    (point,) = chains["history"]
+    blocks = point["history"]["rows"]
     near = select(pairs, **{"x [m]": 0.055})
     measured = {
         "proportional": proportional(select(pairs, variant="prestress")),

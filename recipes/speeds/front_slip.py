@@ -1,4 +1,4 @@
-"""Slip and fronts on prepared interfaces, as points of the sweep fronts.ini report them."""
+"""Slip and fronts on prepared interfaces, as points of fronts.ini report them."""
 
 import numpy as np
 

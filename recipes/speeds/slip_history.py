@@ -1,16 +1,18 @@
-"""How unevenly the blocks of a load slipped after they ruptured, and how strong that left them:
+"""How unevenly the blocks of loads slipped after they ruptured, and how strong that left them:
 
-    slip_history.py RECORD CHECKPOINT...
+    history = script slip_history.py {all loads}
 
-Prints a row for each block and rupture, measured at the first checkpoint that is BINNED later, if
-the block has not ruptured again by then.
+reports `rows`, one for each block and rupture, measured at the first checkpoint that is BINNED
+later, if the block has not ruptured again by then.
 """
 
 import numpy as np
 import rupture
 
+from chains.results import read_points
 from events.fronts import LOADING_ZONE
 
+CHECKPOINTS = [f"load-t{n / 20:.9f}.h5" for n in range(1, 25)]  # of loads.ini
 BINNED, BINS = 10e-3, 10  # after the rupture [s]: 5 <t_R>, so that a bin is <t_R>/2
 
 
@@ -27,9 +29,10 @@ def slip_in_bins(time, u_x, since):
     return np.clip(np.diff(np.interp(edges, time, u_x)), 0, None)
 
 
-def rows_of(record, checkpoints):
+def rows_of(load):
+    record = rupture.open(load.file("record.h5"))
     ruptures, u_x, before = record.ruptures, record["u_x"], -np.inf
-    for path in checkpoints:
+    for path in map(load.file, CHECKPOINTS):
         now, strength = rupture.open(path).time, rupture.analyze("strength", path)["mu_bar_eff"]
         past = ruptures.time <= now
         last = dict(zip(ruptures.block[past], ruptures.time[past]))
@@ -37,6 +40,7 @@ def rows_of(record, checkpoints):
             if record.x[block] >= LOADING_ZONE and before < since + BINNED <= now:
                 slip = slip_in_bins(record.time, u_x[:, block], since)
                 yield {
+                    "load": load["numerics.seed"],
                     "x [m]": record.x[block],
                     "ruptured at [s]": since,
                     "slip [m]": slip.sum(),
@@ -47,5 +51,5 @@ def rows_of(record, checkpoints):
         before = now
 
 
-def main(record, *checkpoints):
-    return list(rows_of(rupture.open(record), checkpoints))
+def main(loads):
+    return {"rows": [row for load in read_points(loads) for row in rows_of(load)]}
