@@ -3,12 +3,11 @@ continuum by the rule in README.md."""
 
 from itertools import product
 
-from data.records import report
 from lattice import STEP, spacing
 from pictures.plotting import BLACK, BLUE, VERMILION
 
 LATTICES = (57, 113, 225, 449)  # blocks along x
-SETTINGS = {  # of rules.smk
+SETTINGS = {  # variants of lattice.ini
     "no-slow-slip": "without slow slip",
     "no-slow-slip-half": "without slow slip, half edge springs",
     "reference": "with slow slip",
@@ -20,24 +19,24 @@ SIGMAS = {0: BLACK, 0.1: BLUE, 0.285: VERMILION}
 KINDS = {"not arrested from": "slow", "fast from": "fast"}
 COLUMNS = ["interfaces", "sigma_bar", "front", *LATTICES, "continuum", "error"]
 ORDERS = (2, 0.5)  # most and least
-MISSING = "not computed"
 
 
-def read_edges(data):
-    """{(interfaces, sigma_bar, front): edges on the lattices that have been computed}"""
-    edges = {}
-    for (name, words), sigma in product(SETTINGS.items(), SIGMAS):
-        paths = [data / f"convergence/{name}-{sigma:g}-{N_x}.json" for N_x in LATTICES]
-        found = [report(path) for path in paths if path.exists()]
-        for front, kind in KINDS.items():
-            edges[words, sigma, front] = [edge[kind] for edge in found]
-    return edges
+def read_edges(lattice, lattice_449):
+    """{(interfaces, sigma_bar, front): edges on the lattices from coarse to fine}, of points."""
+    found = {
+        (point["variant"], point["sigma-bar"]): [point[f"n_{N_x}"] for N_x in LATTICES[:-1]]
+        for point in lattice
+    }
+    for point in lattice_449:
+        found[point["variant"], point["sigma-bar"]].append(point["n_449"])
+    return {
+        (words, sigma, front): [edge[kind] for edge in found[name, sigma]]
+        for (name, words), sigma, (front, kind) in product(SETTINGS.items(), SIGMAS, KINDS.items())
+    }
 
 
 def continuum(edges, step=STEP):
-    """The limit of edges on lattices whose spacing halves, and its error. It takes three."""
-    if len(edges) < 3:
-        return MISSING, MISSING
+    """The limit of edges on three or more lattices whose spacing halves, and its error."""
     before, last = edges[-2] - edges[-3], edges[-1] - edges[-2]
     line, line_before = edges[-1] + last, edges[-2] + before
     low, high = (2**-order for order in ORDERS)
@@ -51,8 +50,6 @@ def compared(high, low):
     """How far two edges are apart, and whether still so in the continuum."""
     found = [a - b for a, b in zip(high, low)]
     limit, error = continuum(found, 2 * STEP)
-    if limit == MISSING:
-        return MISSING
     fate = "remains" if limit > error else "need not remain"
     return f"{fate}, {limit:.3f} +- {error:.3f} ({found[0]:.3f} on the paper's lattice)"
 
@@ -62,7 +59,6 @@ def measured(edges):
     limits = {
         f"lattice, {name}, sigma_bar {sigma:g}: {front}, and its error": [*continuum(found)]
         for (name, sigma, front), found in edges.items()
-        if found
     }
     arrested, fast = KINDS
     bands = {
@@ -77,7 +73,7 @@ def measured(edges):
 
 def rows(edges):
     for key, found in edges.items():
-        missing = [MISSING] * (len(LATTICES) - len(found))
+        missing = ["not computed"] * (len(LATTICES) - len(found))
         yield [*key, *found, *missing, *continuum(found)]
 
 
@@ -89,9 +85,8 @@ def draw(panels, edges):
             label = rf"$\bar\sigma$ = {sigma:g}" if marker == "o" else None
             axes.plot(x, found, marker, label=label, **look)
             limit, error = continuum(found)
-            if limit != MISSING:
-                axes.errorbar(0, limit, error, fmt=marker, capsize=2, **look)
-                axes.plot([0, x[-1]], [limit, found[-1]], ":", linewidth=0.8, **look)
+            axes.errorbar(0, limit, error, fmt=marker, capsize=2, **look)
+            axes.plot([0, x[-1]], [limit, found[-1]], ":", linewidth=0.8, **look)
         axes.set(xlabel="spacing/paper's spacing", xlim=(-0.06, 1.06), ylim=(0, 0.24))
         axes.set_title(interfaces.replace(", ", ",\n"))
     panels[0].set_ylabel(r"$\bar\tau_0$")

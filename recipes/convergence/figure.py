@@ -6,8 +6,8 @@ import numpy as np
 import continuum
 from claims.judge import yes
 from claims.own_result import OwnResult, write_own
-from data.records import report, values
-from data.tables import points_of, write_table
+from data.records import values
+from data.tables import rows_of, write_table
 from maps.front_map import IMPOSSIBLE, place_of, type_on_map
 from pictures.plotting import BLACK, DOUBLE, LINES, lettered, save
 
@@ -18,10 +18,7 @@ OF_FRONT = ("speed", "duration", "x_from", "x_to")
 SLOW = dict(zip((SPEED, "duration [s]", "slow from [m]", "slow to [m]"), OF_FRONT))
 WITH_ENDS = ("speed with ends [m/s]", "duration with ends [s]")
 COLUMNS = ["type", *SLOW, "arrested at [m]", *WITH_ENDS]
-LAMMPS = {  # largest difference over the largest displacement: file
-    "LAMMPS": "lammps",
-    "LAMMPS, edge springs half and damping along spring": "lammps-both",
-}
+LAMMPS = ("LAMMPS", "LAMMPS, edge springs half and damping along spring")  # lammps.ini
 IMPOSSIBLE_FRONT = {"type": IMPOSSIBLE, "x_arrest": None, "slow": None}
 
 
@@ -32,21 +29,18 @@ def event_front(front):
     return kept | {name: slow.get(key) for name, key in SLOW.items()}
 
 
-def read_events(data):
+def read_events(points):
     """{event's number: its fronts, as `analyze front` reports them, per time step}"""
     return {
-        number: [
-            report(data / f"{event}-front.json"),
-            *(report(data / f"convergence/{event}-{dt}-front.json") for dt in STEPS[1:]),
-        ]
+        number: [point["front"] for point in points if point["name"] == event]
         for number, event in EVENTS.items()
     }
 
 
-def read_places(data):
+def read_places(points):
     """{name: case}. Of each place, the largest step comes first."""
     cases: dict[str, list] = {}
-    for row, result in points_of(data / "convergence/time-step.csv"):
+    for row, result in rows_of(points):
         front, with_ends = (result.get(name, IMPOSSIBLE_FRONT) for name in ("front", "whole"))
         case = event_front(front) | {"type": type_on_map(front["type"])}
         case |= zip(WITH_ENDS, map((with_ends["slow"] or {}).get, OF_FRONT))
@@ -80,12 +74,11 @@ def steps_measured(cases):
     return {f"time step: {name}": value for name, value in measured.items()}
 
 
-def lammps_measured(data):
-    """What lammps.py printed, with our choices and with others."""
+def lammps_measured(points):
+    """The largest difference over the largest displacement, with our choices and with others."""
     measured: dict[str, object] = {}
-    for name, file in LAMMPS.items():
-        found = report(data / f"convergence/{file}.json")
-        if not found:
+    for name, point in zip(LAMMPS, points, strict=True):
+        if not (found := point["lammps"]):
             return {name: "not installed (package lammps)"}
         part = found["largest difference [m]"] / found["largest displacement [m]"]
         measured |= {
@@ -135,13 +128,14 @@ def rows(cases):
             yield [name, dt, *map(front.get, COLUMNS), yes(changes_type(case))]
 
 
-def make(data, results):
-    events, edges = read_events(data), continuum.read_edges(data)
+def make(chains, results):
+    events = read_events([*chains["fig2/event"], *chains["events"]])
+    edges = continuum.read_edges(chains["lattice"], chains["lattice_449"])
     cases = {f"event {number}": [*map(event_front, fronts)] for number, fronts in events.items()}
-    cases |= read_places(data)
+    cases |= read_places(chains["time_step"])
     draw(events, edges, results / "convergence")
     names = ["case", "time step [s]", *COLUMNS, "type changes between the two finest"]
     write_table(results / "convergence.csv", names, rows(cases))
     write_table(results / "edges.csv", continuum.COLUMNS, continuum.rows(edges))
-    write_own(results, [own_result(cases, edges, lammps_measured(data))])
+    write_own(results, [own_result(cases, edges, lammps_measured(chains["lammps"]))])
     return []

@@ -1,11 +1,14 @@
-"""Compares the bulk with LAMMPS: lammps.py LMP BULK.in COMPARE.in start.h5 end.h5
+"""Compares the bulk with LAMMPS, as the script of a chain:
 
-start.h5 and end.h5 are checkpoints of free blocks, without load, foundation, drive or junctions.
-LAMMPS takes the first one as many steps further as lie between them. Prints {"steps", "largest
-displacement [m]", "largest difference [m]"} as JSON; {} if LMP is empty: LAMMPS is not installed.
+    lammps = script lammps.py start.h5 end.h5
+
+Both files are checkpoints of free blocks, without load, foundation, drive or junctions. LAMMPS
+takes the first one as many steps further as lie between them. Reports {"steps", "largest
+displacement [m]", "largest difference [m]"}; {} if LAMMPS is not installed.
 """
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -15,6 +18,7 @@ from pathlib import Path
 import numpy as np
 import rupture
 
+INPUTS = Path(__file__).resolve().parents[2] / "benchmarks/lammps"
 ALONE = {"OMP_NUM_THREADS": "1", "OMPI_MCA_ess_singleton_isolated": "1"}  # one process, no daemon
 HEADER = """ITEM: TIMESTEP
 {time}
@@ -64,22 +68,21 @@ def write_start(path, blocks):
             np.savetxt(file, rows, fmt=["%d", *["%.17g"] * 4])
 
 
-def run_lammps(folder, lmp, bulk, compare, steps, choices):
-    variables = {"bulk": bulk, "variant": "damping", "start": "start.dump", "steps": steps}
-    pairs = (variables | choices).items()
+def run_lammps(folder, lmp, steps, choices):
+    variables = {"bulk": INPUTS / "bulk.in", "variant": "damping", "start": "start.dump"}
+    pairs = (variables | {"steps": steps} | choices).items()
     words = [word for name, value in pairs for word in ("-var", name, str(value))]
-    command = [lmp, "-log", "none", "-nocite", "-in", compare, *words]
+    command = [lmp, "-log", "none", "-nocite", "-in", INPUTS / "compare.in", *words]
     subprocess.run(command, cwd=folder, env=os.environ | ALONE, stdout=sys.stderr, check=True)
 
 
-def compared(lmp, bulk, compare, start, end):
+def compared(lmp, start, end):
     """Both checkpoints are of the same slider."""
     before, after = read_blocks(start), read_blocks(end)
     steps = after.step - before.step
     with tempfile.TemporaryDirectory() as folder:
         write_start(Path(folder, "start.dump"), before)
-        bulk, compare = Path(bulk).resolve(), Path(compare).resolve()
-        run_lammps(folder, lmp, bulk, compare, steps, after.choices)
+        run_lammps(folder, lmp, steps, after.choices)
         dumps = (Path(folder, f"{name}.dump") for name in ("places", "end"))
         places, moved = (np.loadtxt(path, skiprows=9)[:, 1:] for path in dumps)
     if np.abs(places - before.places).max() > 1e-12:
@@ -91,5 +94,6 @@ def compared(lmp, bulk, compare, start, end):
     }
 
 
-def main(lmp, *paths):
-    return compared(lmp, *paths) if lmp else {}
+def main(start, end):
+    lmp = shutil.which("lmp")
+    return compared(lmp, start, end) if lmp else {}

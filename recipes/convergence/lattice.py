@@ -1,22 +1,18 @@
-"""Edges between types of fronts on prepared interfaces (maps/edges.py) on another lattice:
+"""Edges between types of fronts on prepared interfaces (maps/edges.py) on another lattice, as the
+script of a chain:
 
-    lattice.py FOLDER N_X N_S SIGMA_BAR "OPTION ..." [COARSER ...]
+    n_113 = script lattice.py 113 100 SLOW FAST {values}
 
-N_S junctions per block, options of `prepare`, and what this printed for the coarser lattices.
-README.md explains the scaling."""
+with N_x blocks along x and N_s junctions per block (or per-length, as many per length as on the
+paper's lattice), seeks the edges from SLOW and FAST on, under these options of `prepare`. README.md
+explains the scaling."""
 
-from pathlib import Path
-
-from data.records import report
-from data.scratch import scratch
 from events.conventions import PRIMARY
 from events.fronts import SLOW_BELOW, STENCIL
 from maps.edges import Interfaces
-from maps.front_map import TYPES
 
 STEP = 1e-3  # of tau_bar_0
 SCALED = "same length and speed"
-FIRST_GUESS = 0.1  # on the coarsest lattice
 
 
 def spacing(N_x):
@@ -51,17 +47,10 @@ def ways(N_x, M):
     }
 
 
-def guess(coarser):
-    """From an edge on coarser lattices: its last change halves."""
-    before, last = (2 * (coarser or [FIRST_GUESS]))[-2:]
-    return last + (last - before) / 2
-
-
-def main(folder, N_x, N_s, sigma_bar, options, *coarser):
-    values, found = scaled(int(N_x), float(N_s)), [report(path) for path in coarser]
-    words = [f"--set {name}={value:.12g}" for name, value in values.items()]
-    words = " ".join(["--sigma-bar", sigma_bar, *words, options]).split()
-    with scratch(Path(folder)) as folder:
-        fronts = Interfaces(folder, words, STEP, ways(int(N_x), values["slider.M"]))
-        guesses = {kind: guess([edges[kind] for edges in found]) for kind in TYPES[1:]}
-        return {kind: fronts.edge(kind, near, SCALED) for kind, near in guesses.items()}
+def main(N_x, N_s, slow, fast, *options):
+    per_block = 104 * 56 // (int(N_x) - 1) if N_s == "per-length" else float(N_s)
+    values = scaled(int(N_x), per_block)
+    words = [word for name in values for word in ("--set", f"{name}={values[name]:.12g}")]
+    fronts = Interfaces([*options, *words], STEP, ways(int(N_x), values["slider.M"]))
+    near = {"slow": float(slow), "fast": float(fast)}
+    return {kind: fronts.edge(kind, guess, SCALED) for kind, guess in near.items()}
