@@ -4,15 +4,15 @@ import functools
 import math
 import re
 
-from chains.expressions import Expression
-from rupture.units import NUMBER, PREFIXES, UNIT, amount, without_unit
+from chains.expressions import Expression, as_number
+from rupture.units import NUMBER, PREFIXES, UNIT, amount
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 # A number without a unit before one with a unit, which may be that of both, or the comma a decimal
 # one: 0,4mm/s. Only a 0 with a blank behind its comma is clear.
 BARE = rf"\s*[-+]?{NUMBER}\s*"
 MIXED = re.compile(rf"(?:^|,)(?!\s*[0.]+\s*,\s){BARE},{BARE}({UNIT})\s*(?:,|$)")
-IMPOSSIBLE = (ArithmeticError, MemoryError, RecursionError)
+REFERENCE = re.compile(r"\{([^{}]+)\}")
 LIMIT = 100_000  # points of a sweep
 
 
@@ -21,34 +21,26 @@ def text_of(number):
     return f"{number:.12g}"
 
 
-@functools.cache  # the points of a sweep repeat most of what they calculate
-def number_of(expression):
-    if not re.fullmatch(r"(?:sqrt\b|[-+*/() ])*", re.sub(NUMBER, "", expression)):
-        raise ValueError("it may use numbers, {names}, + - * / ** and sqrt() only")
-    # powers of whole numbers could have any number of digits
-    floats = re.sub(NUMBER, lambda match: repr(float(match[0])), expression)
-    number = Expression(floats).value({}.__getitem__)
-    if not math.isfinite(number):
-        raise ValueError("it is not a finite real number")
-    return text_of(number)
+@functools.cache  # the points of a sweep repeat it
+def parsed(text, names):
+    return Expression(REFERENCE.sub(r"\1", text), names)
 
 
-def calculate(expression, values):
-    filled = expression
-    for name in references(expression):
-        if name not in values:
-            raise ValueError(f"'{expression}' refers to {{{name}}}, which has no value")
-        filled = filled.replace(f"{{{name}}}", f"({without_unit(values[name])})")
+def calculate(text, values):
+    """The number, as a text, that follows from other values, whose names are in braces."""
+    numbers = {name: as_number(values[name]) for name in references(text) if name in values}
     try:
-        return number_of(filled)
-    except (*IMPOSSIBLE, SyntaxError, TypeError, ValueError) as error:
-        why = ", ".join(text for text in error.args if isinstance(text, str))
-        raise ValueError(f"'{expression}' cannot be calculated ({why}), as {filled}") from None
+        number = parsed(text, (*numbers,)).value(numbers.__getitem__)
+        if isinstance(number, bool) or not isinstance(number, (int, float)):
+            raise ValueError("it is no number")
+        return text_of(number)
+    except (ArithmeticError, ValueError) as error:
+        raise ValueError(f"'{text}' cannot be calculated: {error}") from None
 
 
 @functools.cache
 def references(text):
-    return re.findall(r"\{([^{}]+)\}", text)
+    return REFERENCE.findall(text)
 
 
 def numbers_between(first, last, how, step):
