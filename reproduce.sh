@@ -21,6 +21,7 @@ python=/usr/bin/python3
 [[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME
-[[ ! -x /usr/bin/snakemake ]] || export PYTHONNOUSERSITE=1  # Debian's packages, not the user's own
+# Debian's packages, not the user's own.
+[[ ! -d /usr/lib/python3/dist-packages/h5py ]] || export PYTHONNOUSERSITE=1
 export PYTHONPATH=$root/recipes/common:$root/recipes:$root/python PYTHONDONTWRITEBYTECODE=1
 exec "$python" -P "$root/recipes/common/reproduce/__main__.py" "$@"

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from chains.bases import keep_base
+from chains.commands import PROGRAMS
 from events.conventions import SETS
 from rupture.errors import UsageError
 from rupture.programs import DRAWING
 from reproduce.project import SHARE
-from runs.fingerprint import PROGRAMS
 from sweeps.check import PLAIN
 from sweeps.sweep import check_known, errors_of, is_values, needs_of, read_ini
 from sweeps.values import values_of
@@ -190,8 +190,11 @@ class Chain:
             raise self.error(section, key, error) from None
 
     def error(self, section, key, sentence):
-        number = self.line_of(section, key)
-        where = f"{self.shown}, line {number}" if number else f"{self.shown}, '{key}'"
+        where = self.shown
+        if number := self.line_of(section, key):
+            where += f", line {number}"
+        elif key in self.sections.get(section, {}):
+            where += f", '{key}'"
         return UsageError(f"{where}: {' '.join(str(sentence).split())}")
 
     def check_form(self, heading):

@@ -74,7 +74,7 @@ def check_command(chains, chain, name, names):
         if not (chain.path.parent / words[1]).is_file():
             raise UsageError(f"there is no script {words[1]} in {chain.path.parent.name}")
     else:
-        check_known(words[0], RUNS, "there is no program")
+        check_known(line.split()[0], RUNS, "there is no program")
     if also := ALSO.search(line):
         check_known(also[1], SETS, "there is no set of ways to measure")
     for hole in HOLE.findall(line):

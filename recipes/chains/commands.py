@@ -10,7 +10,8 @@ from pathlib import Path
 USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request cannot be met
 INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
 UNFINISHED = "unfinished"
-RUNS = ("load", "modify-phi", "prepare", "restart")
+RUNS = ("load", "modify-phi", "prepare", "restart")  # programs that write checkpoints
+PROGRAMS = ("analyze", *RUNS)
 
 
 def as_run(command):

@@ -10,9 +10,9 @@ from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
+from chains.commands import PROGRAMS
 from chains.store import DIGESTS, digest, result_of
 from reproduce.project import SHARE
-from runs.fingerprint import PROGRAMS
 from rupture.programs import DRAWING
 
 PLACES = ("recipes/common", "recipes", "python")  # of modules that scripts import

@@ -3,8 +3,8 @@ sweep, results/sweeps/NAME/plan/build.ninja.
 
 ./reproduce.sh writes it, and Ninja does so again (python -m chains.plan) once the points are there
 that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object:
-recipes or sweep, cores, megabytes. What Ninja is to compare by date are files that are written
-only when they change: so neither dates of sources, nor the folder, nor the number of cores
+recipes, or files of chains; cores, megabytes. What Ninja is to compare by date are files that are
+written only when they change: so neither dates of sources, nor the folder, nor the number of cores
 makes anything stale."""
 
 import json
@@ -191,31 +191,21 @@ class Plan:
         write_if_changed(self.file, "\n".join([rules, *self.pools.values(), *self.edges.values()]))
 
 
-def add_deciding(plan, deciding):
-    for chain in {point.chain: None for point in deciding}:
-        plan.add_points([point for point in deciding if point.chain is chain])
-    plan.add_plan([point.path for point in deciding])
-    plan.write()
-
-
 def folder_of(sweep):
     """Where the results of a user's file are."""
     return RESULTS / "sweeps" / Path(sweep).stem
 
 
-def write_plan_of_sweep(sweep, cores, megabytes):
-    """Of a user's file, which was checked before (sweeps.py)."""
-    chains, plan = Chains(), Plan(cores, megabytes, folder_of(sweep) / "plan")
-    with suppress(Waiting):
-        plan.add_points(chains.points(chains.load(sweep)))
-    add_deciding(plan, chains.deciding)
-
-
-def write_plan(recipes, cores, megabytes):
-    """Returns the files that are not made here, from which points start. Raises UsageError, with
-    the file and the line, if anything in the files leads nowhere."""
-    chains, plan = Chains(), Plan(cores, megabytes)
-    waiting = []
+def write_plan(cores, megabytes, recipes=(), files=()):
+    """Of these recipes, or of all points of these chains, those of a user in a plan of their own;
+    returns its path. Raises UsageError, with the file and the line, if anything in the files leads
+    nowhere."""
+    chains, waiting = Chains(), []
+    own = [file for file in map(Path, files) if RECIPES not in file.parents]
+    plan = Plan(cores, megabytes, folder_of(own[0]) / "plan" if own else FOLDER)
+    for file in files:
+        with suppress(Waiting):
+            plan.add_points(chains.points(chains.load(file)))
     for recipe in recipes:
         figure = chains.recipe(recipe)
         try:
@@ -227,17 +217,15 @@ def write_plan(recipes, cores, megabytes):
     deciding = chains.deciding
     if waiting and all(point.path.exists() for point in deciding):
         raise Failure(f"{' '.join(waiting)}: its points depend on what no other point reports")
-    add_deciding(plan, deciding)
-    bases = (point.base for point in plan.points.values())
-    return sorted({base["file"] for base in bases if base and not base["of"]})
+    for chain in {point.chain: None for point in deciding}:
+        plan.add_points([point for point in deciding if point.chain is chain])
+    plan.add_plan([point.path for point in deciding])
+    plan.write()
+    return plan.file
 
 
 if __name__ == "__main__":
     try:
-        wanted = json.loads(os.environ["RUPTURE_PLAN"])
-        if "sweep" in wanted:
-            write_plan_of_sweep(**wanted)
-        else:
-            write_plan(**wanted)
+        write_plan(**json.loads(os.environ["RUPTURE_PLAN"]))
     except (Failure, UsageError) as error:
         raise SystemExit(str(error)) from None

@@ -174,7 +174,7 @@ class Point:
         found = {}
         for name, line in self.chain.commands.items():
             with self.chain.errors_at("commands", name):
-                found[name] = self.filled(with_ways(self.with_script(line)))
+                found[name] = self.filled(with_ways(with_times(self.with_script(line))))
         return found
 
     def with_script(self, line):
@@ -379,6 +379,11 @@ class Chains:
                 continue
             for element in point.worked_out(chain.points["list"], point.known) or ():
                 yield point, {chain.points["element"]: element}
+
+
+def with_times(line):
+    """Times of checkpoints, x-t{0.2}.h5, as programs write them."""
+    return re.sub(r"(?<=-t)\{[\d.]+\}(?=\.h5)", lambda at: f"{float(at[0][1:-1]):.9f}", line)
 
 
 def with_ways(line):

@@ -11,14 +11,34 @@ import subprocess
 import sys
 import time
 from collections import deque
+from pathlib import Path
 
-from runs.progress import LAST_LINES, complain, log, show
-
+LOG = Path("build/log/recipes.log")
+LAST_LINES = 30
 NOTHING_TO_DO = 3
 WAIT = 10.0  # [s] before the time for the rest is estimated
 STEP = re.compile(r"\[(\d+)/(\d+)\] (.*)")
 FAILED = re.compile(r"FAILED: (\S+)")
 UNSAID = ("ninja: no work to do.", "ninja: build stopped: ")
+
+
+def log(text):
+    LOG.parent.mkdir(parents=True, exist_ok=True)
+    with LOG.open("a", encoding="utf-8") as file:
+        print(time.strftime("%F %T"), text, file=file)
+
+
+def show(text):
+    """A reader who has gone, as of `| head`, or a full disk does not stop the run."""
+    try:
+        print(text, flush=True)
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def complain(text):
+    log(text)
+    print(text, file=sys.stderr, flush=True)
 
 
 def follow(lines):

@@ -66,7 +66,7 @@ class OwnSweep:
             columns=columns,
             varied=self.varied(),
             units=units | of_columns,
-            files=(str(self.stem) + ".ini",),
+            file=f"{self.stem}.ini",
         )
 
     @property

@@ -9,8 +9,9 @@ from runs.written import LIST, written
 
 HOME = (WORK or ROOT).resolve()
 RESULTS = HOME / "results"
-OWN = HOME / ROOT.relative_to(WORK) if WORK else ROOT  # has build/ and Snakemake's files
+OWN = HOME / ROOT.relative_to(WORK) if WORK else ROOT  # has build/
 BUILD = OWN / "build"
+FORMER = OWN / ".snakemake"  # of version 0.4, whose list of files is the same
 NAMED = 20  # of the files that are left
 
 
@@ -25,7 +26,7 @@ def own_folders():
     name = "\nCMAKE_PROJECT_NAME:STATIC=rupture\n"  # wherever the sources were at that time
     caches = [*BUILD.glob("CMakeCache.txt"), *BUILD.glob("*/CMakeCache.txt")]
     builds = [one.parent for one in caches if name in one.read_text(errors="replace")]
-    found = [OWN / ".snakemake", BUILD / "log", BUILD / "cache", *builds]
+    found = [FORMER, BUILD / "log", BUILD / "cache", *builds]
     return [one for one in found if one.resolve() == one and one.is_dir()]
 
 
@@ -70,7 +71,7 @@ def clean(*_):
         with suppress(OSError):
             if HOME in folder.parents:
                 folder.rmdir()
-    places = (RESULTS, OWN) if WORK else (RESULTS, OWN / ".snakemake", BUILD)
+    places = (RESULTS, OWN) if WORK else (RESULTS, FORMER, BUILD)
     left = [path for place in places for path in left_in(place)]
     say(f"Deleted {', '.join(deleted)}." if deleted else "Nothing was deleted.")
     if left:

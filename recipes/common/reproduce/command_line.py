@@ -9,7 +9,7 @@ from pathlib import Path
 from rupture.errors import UsageError
 from rupture.tools import command_line
 from rupture.tools.command_line import DEFAULT, whole_number
-from runs.recipes import is_of_chains, read_readme, recipe_names
+from runs.recipes import read_readme, recipe_names
 from reproduce.machine import usable_cores
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
 from sweeps.sweep import suggestion
@@ -62,10 +62,18 @@ def version(_):
 
 
 def profile_at(text):
+    """Its `step`; None for this machine."""
+    if text == "local":
+        return None
     folder = Path(text) if "/" in text else SHARE / PROFILES / text
-    if not text or not (folder / "config.yaml").exists():
-        raise argparse.ArgumentTypeError(f"there is no {folder}/config.yaml")
-    return folder.resolve()
+    if not text or not (folder / "step").is_file():
+        raise argparse.ArgumentTypeError(f"there is no {folder}/step")
+    if others := sorted(path.name for path in folder.glob("config*.yaml")):
+        raise argparse.ArgumentTypeError(
+            f"a profile is a `step` and nothing else: delete {folder}/{others[0]}, which is of"
+            " version 0.4"
+        )
+    return (folder / "step").resolve()
 
 
 def programs_at(text):
@@ -82,14 +90,14 @@ def make_parser():
     add = parser.add_argument
     add("words", nargs="*")
     text = (
-        "compute nothing; for a sweep, print the number of points and the first commands, for"
-        " recipes of chains, the commands of all points"
+        "compute nothing; print the commands of all points; for a sweep, the number of points and"
+        " the commands of the first"
     )
     add("--dry-run", action="store_true", help=text)
     text = "also compute the checkpoints that figures start from, instead of using checkpoints/"
     add("--from-scratch", action="store_true", help=text)
     text = (
-        "where commands run: local, slurm, or the path of another profile's folder"
+        "where commands run: local, slurm, or the path of a folder with a `step`"
         f" (docs/cluster.md){DEFAULT}"
     )
     add("--profile", type=profile_at, metavar="NAME", default="local", help=text)
@@ -111,10 +119,8 @@ def check_sweep(request):
 
 def check_commands(request):
     """One command, or several figures."""
-    if request.dry_run:
-        known = [name for name in figures() if is_of_chains(SHARE, name)]
-        if not set(request.words) <= {*known}:
-            raise UsageError(f"--dry-run is for sweep, and for {', '.join(known)}")
+    if request.dry_run and not {*request.words} <= {*figures()}:
+        raise UsageError("--dry-run is for figures and for sweep")
     for word in [one for one in request.words if one not in figures()]:
         if word not in COMMANDS:
             hint = suggestion(word, [*figures(), *COMMANDS]) or f": see {PROGRAM} list"

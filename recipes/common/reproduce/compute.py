@@ -6,14 +6,11 @@ import re
 import shutil
 import sys
 import time
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from rupture.errors import Failure
 from rupture.tools.command_line import plural
-from runs.fingerprint import fingerprint_of_programs
-from runs.recipes import is_of_chains
 from runs.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
 from reproduce.project import LOGS, PROGRAMS, ROOT, SHARE, refuse_links, say, use_own_environment
@@ -21,7 +18,6 @@ from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
 
 RESULTS = Path("results")
-STEP = "step"  # file of a profile with which commands become steps of an allocation
 TRIES = 3  # in an allocation, where a node may be lost
 INSIDE_STEP = re.compile(r"\d{1,6}")  # the interactive step of salloc has a larger number
 
@@ -50,18 +46,17 @@ class Place:
     name: str
     cores: int
     megabytes: int | None
-    shell: Path | None = None
+    step: Path | None = None  # with which a command becomes a step of an allocation
 
 
 def place_of(request):
     """Raises Failure if the profile cannot be used here."""
-    step = request.profile / STEP
-    if not step.exists():
+    if not request.profile:
         return Place(f"with {plural(request.cores, 'core')}", request.cores, usable_megabytes())
     if "SLURM_JOB_ID" not in os.environ:
         raise Failure(
-            f"the profile {request.profile.name} needs an allocation of SLURM; run the command"
-            " with sbatch or salloc, as in docs/cluster.md"
+            f"the profile {request.profile.parent.name} needs an allocation of SLURM; run the"
+            " command with sbatch or salloc, as in docs/cluster.md"
         )
     if INSIDE_STEP.fullmatch(os.environ.get("SLURM_STEP_ID", "")):
         raise Failure(
@@ -70,7 +65,8 @@ def place_of(request):
         )
     cores = count_cores(os.environ["SLURM_JOB_CPUS_PER_NODE"])
     name = f"in job {os.environ['SLURM_JOB_ID']} of SLURM, with {plural(cores, 'core')}"
-    return Place(name, cores, memory_of_allocation(os.environ, cores), step)
+    memory = memory_of_allocation(os.environ, cores)
+    return Place(name, cores, memory, step=request.profile)
 
 
 # --- figures and sweeps ------------------------------------------------------------------
@@ -98,27 +94,6 @@ def prepare(request, processes):
     return place_of(request)
 
 
-def options_of_snakemake(request, place, **config):
-    """With --nolock: a stale lock of Snakemake must not stop a run, and runs have our own lock."""
-    settings = {"from_scratch": int(request.from_scratch), **config}
-    if request.programs:
-        settings["bin"] = request.programs
-    if place.shell:
-        settings["shell"] = place.shell
-    options = ["--snakefile", ROOT / "recipes/Snakefile", "--directory", ROOT, "--nolock"]
-    options += ["--profile", os.path.relpath(request.profile), "--cores", place.cores]
-    if place.megabytes:
-        options += ["--resources", f"mem_mb={place.megabytes}"]
-    return [*options, "--config", *(f"{name}={value}" for name, value in settings.items())]
-
-
-def run_pipeline(processes, targets, options):
-    """Returns Snakemake's exit code."""
-    script = SHARE / "recipes/common/reproduce/pipeline.py"
-    command = [sys.executable, script, *targets, "--", *options]
-    return processes.run([str(word) for word in command])
-
-
 def note_run(recipes, place, started):
     """Notes for the report which recipes ran, with how many cores, when, and for how long."""
     run = {"recipes": " ".join(recipes), "where": place.name, "started": int(started)}
@@ -127,40 +102,39 @@ def note_run(recipes, place, started):
         print(json.dumps(run), file=file)
 
 
-def run_chains(request, processes, recipes, place):
-    """By Ninja. Returns whether it had anything to do, and whether that failed. With
-    --from-scratch, checkpoints that are shipped must first come out as they are."""
-    from chains.plan import FOLDER, write_plan
+def run_recipes(request, processes, recipes, place):
+    """Returns whether there was anything to do, and whether that failed. With --from-scratch,
+    checkpoints that are shipped must first come out as they are."""
+    if not request.from_scratch:
+        return run_ninja(processes, place, recipes=recipes)
+    from chains import shipped
 
-    wanted = {"recipes": recipes, "cores": place.cores, "megabytes": place.megabytes}
-    with failures_of_writing():
-        bases = write_plan(**wanted)
-    if request.from_scratch and bases:
-        anew = [f"{RESULTS}/data/{Path(base).stem}.compared" for base in bases]
-        if run_pipeline(processes, anew, options_of_snakemake(request, place, recipes="fig2")):
-            return True, True
-    return run_ninja(processes, place, FOLDER / "build.ninja", wanted)
-
-
-@contextmanager
-def failures_of_writing():
-    try:
-        yield
-    except OSError as error:
-        raise Failure(f"{ROOT / RESULTS} cannot be written ({error.strerror})") from None
+    did, has_failed = run_ninja(processes, place, files=shipped.FILES)
+    if has_failed:
+        return did, has_failed
+    shipped.compare()
+    did_more, has_failed = run_ninja(processes, place, recipes=recipes)
+    return did or did_more, has_failed
 
 
-def run_ninja(processes, place, plan, wanted):
-    """Returns whether it had anything to do, and whether that failed."""
+def run_ninja(processes, place, **wanted):
+    """Makes what is `wanted` by a plan, which Ninja may write again. Returns whether there was
+    anything to do, and whether that failed."""
+    from chains.plan import write_plan
     from chains.progress import NOTHING_TO_DO
 
+    wanted |= {"cores": place.cores, "megabytes": place.megabytes}
+    try:
+        plan = write_plan(**wanted)
+    except OSError as error:
+        raise Failure(f"{ROOT / RESULTS} cannot be written ({error.strerror})") from None
     if not shutil.which("ninja"):
         raise Failure("there is no program ninja on the PATH; packages.txt names its package")
     os.environ |= {"RUPTURE_PLAN": json.dumps(wanted), "RUPTURE_PYTHON": sys.executable}
-    os.environ |= {"RUPTURE_STEP": str(place.shell or "sh"), "MPLBACKEND": "Agg"}
+    os.environ |= {"RUPTURE_STEP": str(place.step or "sh"), "MPLBACKEND": "Agg"}
     ninja = ["ninja", "-f", plan, "-j", place.cores, "-k", 0]
     command = [sys.executable, "-P", "-m", "chains.progress", *ninja]
-    for _ in range(TRIES if place.shell else 1):
+    for _ in range(TRIES if place.step else 1):
         code = processes.run([str(word) for word in command])
         if code in (0, NOTHING_TO_DO):
             break
@@ -168,22 +142,14 @@ def run_ninja(processes, place, plan, wanted):
 
 
 def reproduce(request, recipes, processes):
-    """Recipes with a figure.ini are chains, which Ninja runs, the others rules for Snakemake."""
     place = prepare(request, processes)
     names = " ".join(recipes)
     say(f"Computing {names} {place.name} ...")
     note(RESULTS, RESULTS / "runs.jsonl")
     started = time.time()
-    of_chains = [name for name in recipes if is_of_chains(SHARE, name)]
-    others = [name for name in recipes if name not in of_chains]
-    has_failed = False
-    if of_chains:
-        has_computed, has_failed = run_chains(request, processes, of_chains, place)
-        if not has_computed and not others:
-            say("Nothing to compute: all results are up to date.")
-    if others:
-        options = options_of_snakemake(request, place, recipes=" ".join(others))
-        has_failed = run_pipeline(processes, others, options) or has_failed
+    has_computed, has_failed = run_recipes(request, processes, recipes, place)
+    if not has_computed:
+        say("Nothing to compute: all results are up to date.")
     if has_failed:
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
         raise Failure(f"{what} computed; the messages above say why (log: {LOGS}/recipes.log)")
@@ -217,7 +183,6 @@ def write_crate(processes):
 
 def run_sweep(request, processes):
     """Writes the table even if points could not be computed; it states which, and why."""
-    from chains.plan import folder_of, write_plan_of_sweep
     from chains.store import STORE
     from chains.sweeps import OwnSweep
     from sweeps import report
@@ -230,10 +195,7 @@ def run_sweep(request, processes):
         return 0
     own.write()
     there, is_known, count = {*STORE.glob("*.json")}, own.points is not None, len(missing)
-    wanted = {"sweep": str(request.file), "cores": place.cores, "megabytes": place.megabytes}
-    with failures_of_writing():
-        write_plan_of_sweep(**wanted)
-    run_ninja(processes, place, folder_of(request.file) / "plan/build.ninja", wanted)
+    run_ninja(processes, place, files=[str(request.file)])
     if not is_known:
         own = OwnSweep(request.file)
         count = len([point for point in own.sweep.points if point.path not in there])

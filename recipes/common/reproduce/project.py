@@ -47,14 +47,13 @@ def enter_root():
 
 
 def use_own_environment():
-    """Puts caches into the project's folder and, with Debian's Snakemake, ignores the user's own
-    packages. Snakemake imports distutils, and setuptools would take 0.25 s to replace it."""
+    """Puts caches into the project's folder and, with Debian's packages, ignores the user's own."""
     cache = ROOT / "build/cache"
     (cache / "matplotlib").mkdir(parents=True, exist_ok=True)
-    if os.access("/usr/bin/snakemake", os.X_OK):
+    if os.path.isdir("/usr/lib/python3/dist-packages/h5py"):
         os.environ["PYTHONNOUSERSITE"] = "1"
     os.environ.update(XDG_CACHE_HOME=str(cache), MPLCONFIGDIR=str(cache / "matplotlib"))
-    os.environ.update(MATPLOTLIBRC=os.devnull, SETUPTOOLS_USE_DISTUTILS="stdlib")
+    os.environ["MATPLOTLIBRC"] = os.devnull
 
 
 def say(text=""):

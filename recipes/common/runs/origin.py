@@ -1,5 +1,5 @@
-"""What the results come from: the jobs that Snakemake ran, as runs/progress.py noted them in
-results/jobs.jsonl; builds of the programs; the machine; checksums."""
+"""What the results come from: the jobs in results/jobs.jsonl, builds of the programs, the machine,
+checksums."""
 
 import json
 import os
@@ -82,17 +82,13 @@ def builds(root, files):
 
 
 def checksums(root, files):
-    """(name, checksum): contents of .sum files, and of the files that points of chains wrote."""
+    """(name, checksum of its content) of the files that points wrote."""
     found = []
     for name in sorted(files, key=natural):
         path = root / name
         if name.startswith("results/data/points/") and path.suffix == ".json" and path.exists():
             written = json.loads(path.read_text(encoding="utf-8")).get("checksums", {})
             found += [(f"points/{path.stem}.{file}", sum) for file, sum in written.items()]
-        if name.startswith("results/data/") and path.suffix == ".sum" and path.exists():
-            words = path.read_text(encoding="utf-8").split()
-            checksum = words[-2] if len(words) > 1 else "empty"
-            found.append((name.removeprefix("results/data/").removesuffix(".sum"), checksum))
     return found
 
 

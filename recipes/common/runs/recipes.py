@@ -11,14 +11,8 @@ def natural(name):
 
 def recipe_names(root):
     """fig1, fig2, ..., figS1, ..., then what belongs to no figure."""
-    files = (*root.glob("recipes/*/rules.smk"), *root.glob("recipes/*/figure.ini"))
-    names = (path.parent.name for path in files)
+    names = (path.parent.name for path in root.glob("recipes/*/figure.ini"))
     return sorted(names, key=lambda name: (not label(name), natural(name)))
-
-
-def is_of_chains(root, name):
-    """Whether Ninja runs it (recipes/chains), not Snakemake."""
-    return (root / "recipes" / name / "figure.ini").exists()
 
 
 def label(name):

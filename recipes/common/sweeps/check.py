@@ -8,10 +8,10 @@ from collections import Counter
 from contextlib import suppress
 from functools import cache
 
+from chains.commands import PROGRAMS
 from rupture.errors import UsageError
 from rupture.programs import output_of
 from rupture.units import in_si
-from runs.fingerprint import PROGRAMS
 from sweeps.sweep import HEADING, check_known, suggestion
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags

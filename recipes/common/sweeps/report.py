@@ -161,7 +161,7 @@ def report_sweep(sweep, missing):
     """The exit code: 1 if points are unfinished. `missing`: how many were before."""
     table = list(rows(sweep))
     columns = columns_of(sweep, table)
-    plan = Path(sweep.files[0]).resolve()
+    plan = Path(sweep.file).resolve()
     write_csv(plan.with_suffix(".csv"), columns)
     write_hdf5(plan.with_suffix(".hdf5"), sweep.title, columns)
     unfinished = print_summary(sweep, table, missing)

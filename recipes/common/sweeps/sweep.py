@@ -1,30 +1,22 @@
-"""Sweeps: one chain of commands for many values. docs/sweeps.md describes their files, those of the
-recipes and those of users, recipes/README.md what is for recipes only."""
+"""Chain files and sweep files as text: sections, tables of points, products of values, and errors
+that name the place."""
 
 import configparser
 import csv
 import difflib
-import hashlib
-import itertools
 import math
-import os
 import re
 import shlex
-from collections.abc import Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 from rupture.errors import Failure, UsageError
-from sweeps.values import LIMIT, calculate, references, values_of
+from sweeps.values import calculate, references
 
-BATCHES_OF_ONE = 64  # of a large sweep, so that many cores have work until its end
-BATCHES_OF_MANY = 12  # of each if there are many sweeps: planning takes 1.5 ms for a job
+MOST_BATCHES = 64  # of up to LARGEST_BATCH points, so that many cores have work until the end
 LARGEST_BATCH = 60  # points
-SEED = "numerics.seed"
-KEYS = ("title", "like", "base", "points", "seeds", "memory", "threads")
-SECTIONS = ("sweep", "commands", "values", "quantities", "units")
 FORMER = {  # sections and keys of [sweep] up to version 0.3, and what is written instead
     "prepare": "write a command in [commands], as prepare = prepare {values} -o start.h5 --quiet",
     "load": "write a command in [commands], as load = load --until 0.5 {values} -o end.h5 --quiet",
@@ -39,28 +31,13 @@ MEGABYTES = {"MB": 1, "GB": 1000}
 
 
 @dataclass(frozen=True)
-class Point:
-    values: dict  # name: text, as the commands have it
-    commands: dict  # name: command line
-    base: str  # file that the commands read, or ""
-
-    @property
-    def id(self):
-        return hashlib.sha256(repr([self.base, *self.commands.items()]).encode()).hexdigest()[:16]
-
-
-@dataclass(frozen=True)
 class Sweep:
     title: str
     points: list
     columns: dict  # heading: path inside the point's file
     varied: list  # names of the values that differ between points, without those that follow others
     units: dict  # of values and columns, where the file has them
-    megabytes: int = 1000  # that each point needs
-    threads: int = 1
-    seeds: Sequence = ()  # with which it is run again, in tables of their own
-    seed: str = ""  # with which this is run again
-    files: Sequence = ()  # its own, and those that it is like
+    file: str  # as it was run
 
 
 # --- points --------------------------------------------------------------------------------
@@ -91,18 +68,6 @@ def options(values):
     )
 
 
-def make_point(commands, values, base):
-    fields = {"{values}": options(values)} | ({"{base}": shlex.quote(base)} if base else {})
-    for line in commands.values():
-        if any(part not in fields for part in re.findall(r"\{[^{}]*\}|[{}]", line)):
-            lacks_base = "{base" in line and not base
-            why = "; {base} needs base = FILE.h5 in [sweep]" if lacks_base else ""
-            raise UsageError(f"'{line}' may refer to {' and '.join(fields)} only{why}")
-    place = re.compile("|".join(fields))
-    filled = {n: place.sub(lambda at: fields[at[0]], line) for n, line in commands.items()}
-    return Point(values, filled, base)
-
-
 def rows_of(path):
     """The points of a table, each as lists of one value; none while the table is still to come. The
     unit in a heading is that of its cells; in a table of results, values come before `status`."""
@@ -129,17 +94,6 @@ def is_values(section):
     return section == "values" or section.startswith("variant ")
 
 
-def combinations(ini, seed):
-    """The products whose elements are the points, all with the seed if there is one."""
-    repeated = {SEED: [seed]} if seed else {}
-    lists = {
-        section: {name: values_of(text) for name, text in ini[section].items()} | repeated
-        for section in filter(is_values, ini.sections())
-    }
-    table = ini["sweep"].get("points")
-    return products(lists, rows_of(table) if table else [{}])
-
-
 def products(lists, rows):
     """{name: its values} of each product: `lists` by section, combined with each of the rows."""
     common = lists.pop("values", {})
@@ -152,22 +106,15 @@ def products(lists, rows):
     ]
 
 
-def batches_of(points, most=BATCHES_OF_ONE):
+def batches_of(points):
     """The points of each job. Neighbours, which take about the same time, go to different jobs."""
-    size = min(LARGEST_BATCH, math.ceil(len(points) / most))
+    size = min(LARGEST_BATCH, math.ceil(len(points) / MOST_BATCHES))
     count = math.ceil(len(points) / size) if points else 0
     return [points[number::count] for number in range(count)]
 
 
 def names_of_values(points):
     return list(dict.fromkeys(name for point in points for name in point.values))
-
-
-def varied_in(products, points):
-    lists = [item for product in products for item in product.items()]
-    follows = {name for name, texts in lists if len(texts) == 1 and references(texts[0])}
-    names = [name for name in names_of_values(points) if name not in follows]
-    return [name for name in names if len({point.values.get(name) for point in points}) > 1]
 
 
 # --- files ---------------------------------------------------------------------------------
@@ -185,20 +132,6 @@ def check_known(name, known, what):
         raise UsageError(f"'{name}' belongs to an older form of sweeps: {FORMER[name]}")
     if name not in known:
         raise UsageError(f"{what} '{name}'{suggestion(name, known)}")
-
-
-def check_form(ini):
-    for key in ini["sweep"] if "sweep" in ini else ():
-        check_known(key, KEYS, "[sweep] has no key")
-    for section in ini.sections():
-        if not is_values(section):
-            check_known(section, SECTIONS, "there is no section")
-        for name, text in ini[section].items():
-            if not text and section != "units":
-                raise UsageError(f"'{name}' in [{section}] has no value")
-    for section in ("sweep", "commands"):
-        if section not in ini:
-            raise UsageError(f"it has no section [{section}]")
 
 
 def needs_of(section):
@@ -223,56 +156,6 @@ def read_ini(path):
     with open(path, encoding="utf-8-sig") as file:
         ini.read_file(file)
     return ini
-
-
-def parse_ini(path, read=()):
-    """Sections that it lacks are those of the file `like`, variants only if it has none. Paths in
-    [sweep], which are relative to the file's folder, become relative to the working directory.
-    `read`: the files that led here."""
-    if path in read:
-        raise UsageError("'like' leads back to the same file")
-    ini = read_ini(path)
-    ini.files = (str(path),)  # type: ignore[attr-defined]
-    if "sweep" not in ini:
-        return ini
-    section = ini["sweep"]
-    for key in {"base", "points", "like"} & {*section}:
-        section[key] = os.path.normpath(Path(path).parent / section[key])
-    if "like" in section:
-        other = parse_ini(section.pop("like"), (*read, path))
-        ini.files += other.files  # type: ignore[attr-defined]
-        present = {name.partition(" ")[0] for name in ini.sections()}
-        ini.read_dict({n: other[n] for n in other.sections() if n.partition(" ")[0] not in present})
-    return ini
-
-
-def sweep_of(ini, name, seed=""):
-    """The sweep that a parsed file of this name describes; with a seed, the same for that one."""
-    check_form(ini)
-    section = ini["sweep"]
-    base = section.get("base", "")
-    commands = {name: line.removeprefix("rupture ") for name, line in ini["commands"].items()}
-    products = combinations(ini, seed)
-    count = sum(math.prod(len(texts) for texts in lists.values()) for lists in products)
-    if count > LIMIT:
-        raise UsageError(f"there are {count:,} points; at most {LIMIT:,} are possible")
-    points = [
-        make_point(commands, evaluate(dict(zip(lists, texts))), base)
-        for lists in products
-        for texts in itertools.product(*lists.values())  # the last name varies fastest
-    ]
-    columns, units = (dict(ini[name]) if name in ini else {} for name in ("quantities", "units"))
-    return Sweep(
-        title=section.get("title", name),
-        points=points,
-        columns=columns,
-        varied=varied_in(products, points),
-        units=units,
-        seeds=values_of(section["seeds"]) if "seeds" in section else (),
-        seed=seed,
-        files=ini.files,
-        **needs_of(section),
-    )
 
 
 def place_and_sentence(error):
@@ -300,9 +183,3 @@ def errors_of(path):
         raise UsageError(place_and_sentence(error)) from None
     except (Failure, ValueError) as error:
         raise UsageError(f"{path}: {' '.join(str(error).split())}") from None
-
-
-def read_sweep(path, seed=""):
-    """The sweep that an INI file describes; with a seed, the same for that one."""
-    with errors_of(path):
-        return sweep_of(parse_ini(path), Path(path).stem, seed)
