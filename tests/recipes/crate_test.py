@@ -33,13 +33,13 @@ SAYS = [  # an entity, and what it has
     ("fig3/front.csv", {"sha256": sha256(b"x\n").hexdigest(), "contentSize": "2"}),
     ("fig3/fig3.pdf", {"sha256": sha256(b"%PDF").hexdigest(), "contentSize": "4"}),
     ("fig3/fig3.png", {"sha256": sha256(png(210, 80)).hexdigest(), "encodingFormat": "image/png"}),
-    ("data/load.h5", {"identifier": "content-sha256:5eed5eed"}),
+    ("data/points/load.h5", {"identifier": "content-sha256:5eed5eed"}),
     ("#run-fig3", {"@type": "CreateAction", "name": "./reproduce.sh fig3"}),
     ("#run-fig3", {"description": "load -o fig3.h5 --until 1.2\nanalyze front fig3.h5"}),
     ("#run-fig3", {"startTime": "2023-11-14T22:13:20+00:00"}),
     ("#run-fig3", {"endTime": "2023-11-14T22:14:21+00:00"}),
     ("#run-fig3", {"instrument": [{"@id": "#rupture"}, {"@id": "#programs-1"}]}),
-    ("#run-fig3", {"object": [{"@id": "data/load.h5"}]}),
+    ("#run-fig3", {"object": [{"@id": "data/points/load.h5"}]}),
     ("#run-fig3", {"result": [{"@id": f"fig3/{name}"} for name in ("", *FILES)]}),
     ("#programs-1", {"@type": "SoftwareApplication", "version": "0.9.0"}),
     ("#programs-1", {"description": "rupture 0.9.0, commit abc, gcc 12"}),
@@ -62,7 +62,7 @@ def make(root):
     project = Project(root)
     project.make_recipes()
     project.make_accounts()
-    with h5py.File(project.results / "data/load.h5", "w") as file:
+    with h5py.File(project.results / "data/points/load.h5", "w") as file:
         for name, text in (("version", "0.9.0"), ("commit", "abc"), ("compiler", "gcc 12")):
             file[f"provenance/0/{name}"] = text
     spill(project.page, "<p>")
@@ -123,7 +123,7 @@ def test_files_and_folders_exist_and_belong_to_the_root(project):
 
 def test_checkpoints_and_recipes_without_files_are_left_out(project):
     assert "#run-fig5" not in graph(project)
-    (project.results / "data/load.h5").unlink()
+    (project.results / "data/points/load.h5").unlink()
     assert not [name for name in graph(project) if name.startswith("data/")]
 
 
@@ -138,7 +138,7 @@ def test_equal_results_of_another_time_and_place_differ_in_dates_only(project, t
     other = make(tmp_path / "with a space")
     jobs = other.results / "jobs.jsonl"
     jobs.write_text(jobs.read_text().replace('"started": 17', '"started": 18'))
-    (other.results / "data/load.h5").write_bytes((project.results / "data/load.h5").read_bytes())
+    (other.results / "data/points/load.h5").write_bytes((project.results / "data/points/load.h5").read_bytes())
     spill(other.page, "<p>later")
     first, later = graph(project), graph(other, NOW + 1e6)
     assert first != later

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from conftest import BIN, ROOT, need, need_modules
 
-need("ffmpeg", "snakemake")
+need("ffmpeg")
 need_modules("pandas", "xarray")
 PAGES = ("README.md", "docs/runs.md", "docs/pictures.md", "docs/python.md", "docs/sweeps.md")
 SKIP = ("export ", "rupture watch ", "paraview ")

@@ -85,7 +85,7 @@ class Project:
             self.make_recipe(name)
 
     def make_recipe(self, name):
-        spill(self.root / f"recipes/{name}/rules.smk", "")
+        spill(self.root / f"recipes/{name}/figure.ini", "")
         spill(self.root / f"recipes/{name}/README.md", README.format(name=name))
         claims = [result(claim) for claim in JUDGED if table()[claim]["recipe"] == name]
         if claims:
@@ -98,21 +98,20 @@ class Project:
 
     def account(self, outputs, rule, inputs, started, seconds):
         """The line that is noted about a job."""
-        made = outputs[0].removesuffix(".sum")
         job = {"rule": rule, "input": inputs, "output": outputs, "started": START + started}
-        job["command"] = f"tool --rule {rule} {' '.join(inputs)} && echo <{made}>"
+        job["command"] = f"tool --rule {rule} {' '.join(inputs)} && echo <{outputs[0]}>"
         with open(self.results / "jobs.jsonl", "a", encoding="utf-8") as file:
             print(json.dumps(job | {"seconds": seconds}), file=file)
 
     def make_accounts(self):
         """load takes 50 s and makes two files; fig2 and fig3 take 1 s and need it; fig4 needs many
         points of 0.5 s each."""
-        load = "results/data/load.h5"
-        spill(self.root / f"{load}.sum", "content-sha256 5eed5eed  load.h5\n")
-        self.account([load, f"{load}.sum"], "load", [], -100, 99)  # an earlier run
-        self.account([load, f"{load}.sum"], "load", [], 0, 50)
+        load = [f"results/data/points/load.{ending}" for ending in ("h5", "json")]
+        spill(self.root / load[1], '{"checksums": {"h5": "5eed5eed"}}')
+        self.account(load, "load", [], -100, 99)  # an earlier run
+        self.account(load, "load", [], 0, 50)
         for name in ("fig2", "fig3"):
-            self.account([f"results/{name}/claims.json"], name, [load, f"{load}.sum"], 60, 1)
+            self.account([f"results/{name}/claims.json"], name, load, 60, 1)
         points = [f"results/data/points/{n}.json" for n in range(POINTS)]
         for point in points:
             self.account([point], "point", [], 70, 0.5)

@@ -139,6 +139,7 @@ COMMANDS = [  # a file, and the commands of its points
         "[commands]\nrun = restart {base} --for {t}\n[values]\nt = 1 ms",
         ["b.h5 --for '1 ms'"],
     ),
+    ("[commands]\nrun = analyze phi x-t{0.2}.h5", ["phi x-t0.200000000.h5"]),
     (
         "[commands]\nrun = analyze front r.h5 --also tiny",
         ["front r.h5 --also '--stencil 3; --slow-below 0.1'"],

@@ -13,13 +13,14 @@ import numpy as np
 import pytest
 
 from conftest import ROOT, run
+from chains.points import Chains, Point
 from chains.sweeps import OwnSweep
 from data.tables import read_table
 from rupture.errors import Failure, UsageError
 from pictures.plotting import figure, save
 from sweeps.picture import cells, draw, draw_line, edges, middle
 from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
-from sweeps.sweep import Point, Sweep
+from sweeps.sweep import Sweep
 
 BASE = ROOT / "checkpoints/fast-only.h5"
 RECORD = ROOT / "tests/compatibility/schema-3/reference-record.h5"
@@ -76,6 +77,19 @@ def test_units_and_headings_are_settled(plan):
     assert sweep.columns == {"type": "front.type", "speed": "front.v_c.3", "F_T": "stress.F_T"}
     command = "prepare --tau-bar 0.2 --set junctions.t_R=2ms --set junctions.law=reference -o s.h5"
     assert sweep.points[-1].commands["start"] == f"{command} --quiet"
+
+
+def test_chains_of_recipes_are_in_the_same_form(plan):
+    recipe = ROOT / "recipes/figS3/profiles.ini"
+    sweep = plan(recipe.read_text() + "[quantities]\nF_T = before.F_T\n")
+    chains = Chains()
+    points = chains.points(chains.load(recipe))
+    assert [p.commands for p in sweep.points] == [p.commands for p in points]
+
+
+def test_varied_are_values_that_differ_and_do_not_follow_others(plan):
+    values = f"{VALUES}\nsigma-bar = 0.01\nseed = 10 * {{tau-bar}}\nshape = uniform, bell"
+    assert plan(CHAIN.replace(VALUES, values)).varied == ["tau-bar", "shape"]
 
 
 def test_points_follow_the_content_of_the_base_which_is_copied(plan):
@@ -301,8 +315,8 @@ def test_texts_are_no_formulas_and_stay_in_one_line():
 
 def test_numbers_are_in_the_unit_of_their_column():
     values = [{"V": text, "law": "1mm"} for text in ("1mm/s", "2e-3")]
-    points = [Point(each, {}, "") for each in values]
-    sweep = Sweep("A", points, {}, [], {"V": "m/s", "law": ""})
+    points = [Point(None, each) for each in values]
+    sweep = Sweep("A", points, {}, [], {"V": "m/s", "law": ""}, "a.ini")
     V, law, *_ = columns_of(sweep, [dict(each) for each in values])
     assert (V.texts, V.heading, law.texts) == (["0.001", "2e-3"], "V [m/s]", ["1mm", "1mm"])
 
@@ -330,7 +344,7 @@ def test_summary(capsys):
     failed = [("failed", sentence) for sentence in (*"01234", "worse", "worse")]
     states = [("done", ""), *failed, ("unfinished", "crash"), ("done", "")]
     table = [{"status": status, "sentence": sentence, "v": None} for status, sentence in states]
-    sweep = Sweep("A\x1b[2J", [], {"v": "front.v_c.9"}, [], {})
+    sweep = Sweep("A\x1b[2J", [], {"v": "front.v_c.9"}, [], {}, "a.ini")
     assert (print_summary(sweep, table, 5), capsys.readouterr().out) == (1, SUMMARY)
     table[0]["v"] = 1.0
     assert print_summary(sweep, table[:1], 0) == 0
@@ -353,7 +367,7 @@ def sweep_of(values, results, status):
     columns.append(Column("status", "", status))
     varied = [name for (name, _), cells in values.items() if len(set(cells)) > 1]
     names = {name: name for name, _ in results}
-    return Sweep("$^$", [], names, varied, {}), columns
+    return Sweep("$^$", [], names, varied, {}, "a.ini"), columns
 
 
 @pytest.fixture

@@ -1,6 +1,5 @@
 """./reproduce.sh itself: its command line, where it runs, and which tests it calls slow."""
 
-import io
 import os
 import re
 import signal
@@ -16,7 +15,6 @@ from rupture import programs
 from rupture.errors import Failure
 from reproduce.checks import defines_layout, slowest_tests
 from reproduce.compute import count_cores, memory_of_allocation
-from reproduce.pipeline import Errors
 from reproduce.processes import Processes, open_lock, take_lock
 from stand_ins import Project
 
@@ -24,11 +22,11 @@ REFUSED = [  # a command line, and the sentence
     ("sweep", "'sweep' needs one file, as in .*$"),
     ("sweep a.ini b.ini", "'sweep' needs one file, as in .*$"),
     ("sweep a.ini --from-scratch", "--from-scratch is for figures; .*$"),
-    ("--dry-run figS3 fig3", "--dry-run is for sweep, and for figS1, .*estimate$"),
+    ("--dry-run all", "--dry-run is for figures and for sweep$"),
     ("fig3 --cores 0", "argument --cores: must be a whole number, 1 or more"),
     ("fig3 --cores=1e9", "argument --cores: must be a whole number, 1 or more"),
     ("fig3 --from", "unrecognized arguments: --from"),
-    ("fig3 --profile nope", "argument --profile: there is no .*/nope/config.yaml"),
+    ("fig3 --profile nope", "argument --profile: there is no .*/nope/step"),
     ("fig3 --profile=", "argument --profile: there is no"),
     ("fig3 --programs /nope", "argument --programs: the programs are not in '/nope': there is no"),
     ("fig3 --programs=", "argument --programs: the programs are not in ''"),
@@ -89,7 +87,7 @@ def test_modules_and_programs_elsewhere_are_not_taken_for_ours(project):
     [
         *(
             (name, None, "cannot be written .File exists.")
-            for name in ("python/json.py", "recipes/Snakefile", "results", "docs")
+            for name in ("python/json.py", "recipes/fig1/x", "results", "docs")
         ),
         *(
             ("results", link, f"{link} is a link")
@@ -206,12 +204,16 @@ def test_standard_output_that_takes_nothing_is_said(project, to, reason):
     assert (done.returncode, done.stderr) == (1, f"reproduce.sh: standard output: {reason}\n")
 
 
-def test_notes_about_the_profile_are_hidden():
-    with patch("sys.__stderr__", io.StringIO()) as shown:
-        errors = Errors()
-        for line in ("Using profile local for ...", "another"):
-            print(line, file=errors)
-    assert shown.getvalue() == "another\n"
+def test_a_profile_is_a_step_and_a_former_one_gets_a_sentence(project):
+    project.write("mine/step")
+    project.write("mine/config.yaml")
+    done = project.call("fig3", "--profile", "mine/")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "a profile is a `step` and nothing else: delete mine/config.yaml, which" in done.stderr
+    (project.root / "mine/config.yaml").unlink()
+    project.program("load", "")
+    done = project.call("fig3", "--profile", "mine/", "--programs", "bin")
+    assert done.stderr.startswith("reproduce.sh: the profile mine needs an allocation of SLURM")
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,7 @@ def test_lintian_finds_no_error(package):
 def test_it_depends_on_libraries_and_on_what_recipes_need(package):
     depends = output_of("dpkg-deb", "--field", package, "Depends")
     packages = {each.split()[0] for each in depends.split(", ")}
-    assert {"snakemake", "python3-h5py", "python3-matplotlib", "libc6"} <= packages
+    assert {"ninja-build", "python3-h5py", "python3-matplotlib", "libc6"} <= packages
     assert "ffmpeg" in output_of("dpkg-deb", "--field", package, "Recommends")
     assert any(each.startswith("libhdf5") for each in packages), packages
 
