@@ -1,30 +1,25 @@
-"""The chains of commands in the recipes' READMEs are those that the rules run.
+"""The commands in the recipes' READMEs are those that points of chains run.
 
-A command by hand has the program, the options and the values of one that Snakemake would run, or
-that a point of a sweep or chain runs. It may leave out what only concerns files, and what is a
-default."""
+A command by hand has the program, the options and the values of one of a chain. It may leave out what
+only concerns files, and what is a default."""
 
 import json
-import os
 import re
 import shlex
-import sys
 from pathlib import Path
 
 from pytest import fixture, mark
 
-from chains.points import Chains
-from conftest import ROOT, need_modules, run
+from chains.points import Chains, Waiting
+from conftest import ROOT, run
 from runs.recipes import read_readme
-from sweeps.sweep import read_sweep
 
-need_modules("snakemake")
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
-# A rule may also ask for checkpoints and crossings for later steps, and name the only event of a
-# record.
-UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings")
-# Commands that no rule runs: scripts read these records, or call the program, themselves.
+# A chain may also ask for checkpoints and crossings for later steps, name the only event of a record,
+# and measure in other ways, too.
+UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings", "--also")
+# Commands that no chain runs: scripts read these records, or call the program, themselves.
 ONLY_BY_HAND = (
     *("analyze loading --x", "analyze events", "analyze events --slow-below"),
     "analyze slip --x --to",
@@ -32,42 +27,27 @@ ONLY_BY_HAND = (
 # {option: value} of what `load` and `prepare` start from.
 PARAMETERS = json.loads(run("analyze", "quantities", "--json").stdout)["parameters"]
 DEFAULTS = {f"--{row['name']}": str(row["default"]) for row in PARAMETERS} | {"--sigma-bar": "0"}
-RULES = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/rules.smk"))
 CHAINS = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/figure.ini"))
 
 
-def planned(folder):
-    """All commands of all recipes from scratch, in which events have been found."""
-    for name in ("recipes", "python", "checkpoints", "docs", "benchmarks"):
-        (folder / name).symlink_to(ROOT / name)
-    done = run(
-        *(sys.executable, "-m", "snakemake", "--snakefile", "recipes/Snakefile"),
-        *(*RULES, "--dryrun", "--forceall", "--printshellcmds", "--cores", "1", "--nolock"),
-        *("--log-handler-script", "recipes/common/runs/progress.py"),
-        *("--config", "bin=bin", "code=none", "from_scratch=1"),
-        cwd=folder,
-        env=os.environ
-        | {"XDG_CACHE_HOME": str(folder), "PYTHONPATH": "recipes/common:recipes:python"},
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    lines = (folder / "build/log/recipes.log").read_text().splitlines()
-    return [line.split(maxsplit=2)[2] for line in lines]  # behind the time
+def commands_of(chains, path):
+    """Those of the points, or as they are written if points depend on what others report. `$` is
+    what is known when it runs."""
+    chain = chains.load(path)
+    try:
+        lines = {line for point in chains.points(chain) for line in point.commands.values()}
+    except Waiting:
+        values = {name for lists in chain.lists.values() for name in lists}
+        options = " ".join(f"--set {n}=$" if "." in n else f"--{n} $" for n in values)
+        lines = {line.replace("{values}", options) for line in chain.commands.values()}
+    return [re.sub(r"\{[^{}]*\}|'[^']*;[^']*'", "$", line) for line in lines]
 
 
-def of_sweeps():
-    """Without those whose table of points is made by rules, which are like the other ones."""
-    for path in sorted((ROOT / "recipes").glob("*/*.ini")):
-        if path.parent.name in RULES and "\npoints" not in path.read_text():
-            for point in read_sweep(path).points:
-                yield from point.commands.values()
-
-
-def of_chains():
+def all_commands():
     chains = Chains()
     for path in sorted((ROOT / "recipes").glob("*/*.ini")):
-        if path.parent.name in CHAINS and path.name != "figure.ini":
-            for point in chains.points(chains.load(path)):
-                yield from point.commands.values()
+        if path.name != "figure.ini":
+            yield from commands_of(chains, path)
 
 
 def calls_in(text):
@@ -109,40 +89,27 @@ def same(value, other):
 def fits(program, name, values, others):
     """A load by hand may end earlier: it is the beginning of the other."""
     if program == "load" and name == "--until":
-        return float(values[0]) <= float(others[0])
+        return same(values[0], others[0]) or float(values[0]) <= float(others[0])
     return len(values) == len(others) and all(map(same, values, others))
 
 
 def matches(call, other):
-    (program, options), (program_of_rule, options_of_rule) = call, other
+    (program, options), (program_of_chain, options_of_chain) = call, other
     return (
-        program == program_of_rule
-        and options_of_rule.keys() - set(UNSAID) <= options.keys() <= options_of_rule.keys()
-        and all(fits(program, name, options[name], options_of_rule[name]) for name in options)
+        program == program_of_chain
+        and options_of_chain.keys() - set(UNSAID) <= options.keys() <= options_of_chain.keys()
+        and all(fits(program, name, options[name], options_of_chain[name]) for name in options)
     )
 
 
-@mark.parametrize("rule", ["events", "continued"])
-def test_rules_whose_results_take_long_list_what_changes_these(rule):
-    """The other rules depend on all that scripts share."""
-    rules = (ROOT / "recipes/common/runs/ensemble.smk").read_text()
-    inputs = re.findall(rf"^rule {rule}:(.*?)    output:", rules, re.MULTILINE | re.DOTALL)[0]
-    listed = {*re.findall(r'(\w+)(?:\.py|")', inputs)}
-    scripts = [*ROOT.glob("recipes/ensemble/*.py"), *ROOT.glob("recipes/common/events/*.py")]
-    texts = [path.read_text() for path in scripts if path.stem in listed]
-    used = {*re.findall(r"^from events\.(\w+)", "\n".join(texts), re.MULTILINE)}
-    assert "fronts" in used and used - listed <= {"front_claims"}  # for other rules
-
-
 @fixture(scope="module", name="calls")
-def all_calls(tmp_path_factory):
-    texts = [*planned(tmp_path_factory.mktemp("plan")), *of_sweeps(), *of_chains()]
-    found = [parse(words) for text in texts for words in calls_in(text)]
+def all_calls():
+    found = [parse(words) for text in all_commands() for words in calls_in(text)]
     return list({repr(call): call for call in found}.values())
 
 
-@mark.parametrize("name", [*RULES, *CHAINS])
-def test_each_command_by_hand_is_one_of_the_rules(name, calls):
+@mark.parametrize("name", CHAINS)
+def test_each_command_by_hand_is_one_of_a_chain(name, calls):
     pages = (ROOT / "recipes" / name).glob("*.md")
     chain = [words for page in pages for words in calls_in(read_readme(page).commands)]
     assert len(chain) > 1
@@ -155,7 +122,6 @@ def test_each_command_by_hand_is_one_of_the_rules(name, calls):
 @mark.parametrize(
     "text",
     [
-        "restart a.h5 -o b.h5 --for 0.011 --record c.h5 --record-every 1e-5",
         "restart a.h5 -o b.h5 --for 0.01 --set driving.V=1",
         "analyze front a.h5 --stencil 7",
         "load -o a.h5 --until 1.3",

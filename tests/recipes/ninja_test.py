@@ -15,6 +15,7 @@ import pytest
 from chains import digests, progress
 from chains.points import Chains
 from conftest import BIN, ROOT, run
+from runs.written import append_to
 from stand_ins import WITHIN, Project, wait_for
 
 FILES = {
@@ -143,6 +144,50 @@ def test_other_programs_count_and_dates_and_the_folder_do_not(tiny, tmp_path_fac
     assert tiny.computed() == RUNS
 
 
+def test_what_starts_from_another_file_or_is_judged_otherwise_is_made_again(tiny):
+    shutil.copytree(ROOT / "checkpoints", tiny.root / "checkpoints")
+    base = tiny.root / "checkpoints/fast-only.h5"
+    tiny.replace(
+        "measured.ini", "points = runs\nbase = runs: start.h5", "base = ../../" + base.name
+    )
+    tiny.replace("measured.ini", base.name, f"checkpoints/{base.name}")
+    assert tiny.computed() == ["tiny", "tiny/measured"]
+    tiny.append("recipes/common/claims/claim.py")  # a comment
+    assert tiny.computed() == []
+    for name in ("claims/claim.py", "claims/claims.toml"):
+        path = tiny.root / "recipes/common" / name
+        path.write_text(path.read_text() + '\nX = "1"\n')
+        assert tiny.computed() == FIGURE
+    shutil.copyfile(base.with_name("second-slow.h5"), base)
+    done = tiny.reproduce()
+    assert "1 of 1 points failed: checkpoints/fast-only.h5 is not in" in done.stdout
+    assert tiny.jobs() == ["tiny", "tiny/measured"]
+
+
+def test_what_describes_the_results_is_written_again_when_that_may_differ(tiny):
+    def written():
+        tiny.computed()
+        return (tiny.root / "results/ro-crate-metadata.json").stat().st_mtime_ns
+
+    first = written()
+    assert written() == first
+    tiny.append("recipes/tiny/README.md")
+    second = written()
+    assert second > first
+    (tiny.root / "results/tiny/claims.json").unlink()
+    assert written() > second
+
+
+def test_what_was_run_is_noted_for_the_report(tiny):
+    tiny.computed()
+    last = json.loads((tiny.root / "results/jobs.jsonl").read_text().splitlines()[-1])
+    assert last["rule"] == "tiny" and "results/tiny/claims.json" in last["output"]
+    assert "recipes/tiny/figure.py" in last["command"]
+    crate = json.loads((tiny.root / "results/ro-crate-metadata.json").read_text())
+    [run_of_tiny] = [each for each in crate["@graph"] if each["@id"] == "#run-tiny"]
+    assert run_of_tiny["startTime"] <= run_of_tiny["endTime"]
+
+
 def test_a_failed_point_is_a_result_and_its_sentence_is_said(tiny):
     tiny.replace("runs.ini", "0.1, 0.2", "0.1, 9")
     done = tiny.reproduce()
@@ -198,14 +243,22 @@ def test_a_wrong_name_is_said_before_anything_runs(tiny):
     assert sentence in done.stderr
 
 
-@pytest.mark.parametrize("name", ["plan/.ninja_log", "points/x.todo", "digests/restart"])
+LINKED = (
+    "jobs.jsonl",
+    *(f"data/{n}" for n in ("plan/.ninja_log", "points/x.todo", "digests/load")),
+)
+
+
+@pytest.mark.parametrize("name", LINKED)
 def test_a_link_in_the_place_of_what_it_writes_is_refused(tiny, name):
-    link = tiny.write(f"results/data/{name}")
+    link = tiny.write(f"results/{name}")
     link.unlink()
     link.symlink_to(tiny.root / "theirs")
     done = tiny.reproduce()
     assert (done.returncode, done.stderr.count("\n")) == (1, 1)
-    assert f"results/data/{name} is a link, which is not followed" in done.stderr
+    assert f"results/{name} is a link, which is not followed" in done.stderr
+    with pytest.raises(OSError):
+        append_to(link)
     assert not (tiny.root / "theirs").exists()
 
 
