@@ -1,7 +1,7 @@
 """The commands in the recipes' READMEs are those that points of chains run.
 
-A command by hand has the program, the options and the values of one of a chain. It may leave out what
-only concerns files, and what is a default."""
+A command by hand has the program, the options and the values of one of a chain. It may leave out
+what only concerns files, and what is a default."""
 
 import json
 import re
@@ -16,8 +16,8 @@ from runs.recipes import read_readme
 
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
-# A chain may also ask for checkpoints and crossings for later steps, name the only event of a record,
-# and measure in other ways, too.
+# A chain may also ask for checkpoints and crossings for later steps, name the only event of a
+# record, and measure in other ways, too.
 UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings", "--also")
 # Commands that no chain runs: scripts read these records, or call the program, themselves.
 ONLY_BY_HAND = (

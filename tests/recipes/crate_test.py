@@ -138,7 +138,9 @@ def test_equal_results_of_another_time_and_place_differ_in_dates_only(project, t
     other = make(tmp_path / "with a space")
     jobs = other.results / "jobs.jsonl"
     jobs.write_text(jobs.read_text().replace('"started": 17', '"started": 18'))
-    (other.results / "data/points/load.h5").write_bytes((project.results / "data/points/load.h5").read_bytes())
+    (other.results / "data/points/load.h5").write_bytes(
+        (project.results / "data/points/load.h5").read_bytes()
+    )
     spill(other.page, "<p>later")
     first, later = graph(project), graph(other, NOW + 1e6)
     assert first != later

@@ -69,7 +69,6 @@ class Sweep(Project):
         return {name: text for name, text in contents.items() if b'"unfinished"' not in text}
 
 
-
 def reproduce(*arguments):
     return ["./reproduce.sh", *arguments, "--programs", PROGRAMS]
 
