@@ -15,7 +15,7 @@ from rupture.errors import UsageError
 from rupture.programs import DRAWING
 from reproduce.project import SHARE
 from sweeps.check import PLAIN
-from sweeps.sweep import check_known, errors_of, is_values, needs_of, read_ini
+from sweeps.ini import check_known, errors_of, is_values, needs_of, read_ini
 from sweeps.values import values_of
 
 RECIPES = SHARE / "recipes"

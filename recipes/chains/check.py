@@ -9,7 +9,7 @@ from chains.expressions import Expression, first_known
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
 from sweeps.check import given_in
-from sweeps.sweep import check_known, suggestion
+from sweeps.ini import check_known, suggestion
 
 OWN = ("values", "base")  # holes that are no names
 

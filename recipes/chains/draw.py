@@ -7,7 +7,9 @@ from pathlib import Path
 
 from chains.point import note
 from chains.results import read_chains
-from pictures import make
+from claims.claim import Number, write_claims
+from claims.judge import table
+from data.call import module_at
 from rupture.errors import Failure
 
 
@@ -18,6 +20,15 @@ def say_failed(name, points):
         print(f"  {name}: {count} of {len(points)} points failed: {sentence}")
 
 
+def make(script, chains, results):
+    """Draws, and writes tables and claims.json. `chains`: {name: points} (results.py)."""
+    rows = module_at(script).make(chains, results)
+    numbers = [row for row in rows if isinstance(row, Number)]
+    claims = [row for row in rows if not isinstance(row, Number)]
+    claims.sort(key=lambda claim: list(table()).index(claim.id))
+    write_claims(results / "claims.json", claims, numbers)
+
+
 def main(recipe):
     started, results = time.time(), Path("results", recipe)
     chains = read_chains(recipe)
@@ -25,7 +36,7 @@ def main(recipe):
         say_failed(name, points)
     script = f"recipes/{recipe}/figure.py"
     try:
-        make.main(script, chains)
+        make(script, chains, results)
     except Failure as failure:
         sys.exit(f"{recipe}: {failure}")
     files = [path for path in results.glob("[!.]*") if path.stat().st_mtime >= started - 1]

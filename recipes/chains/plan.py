@@ -21,7 +21,7 @@ from chains.store import DIGESTS, digest_file, is_whole, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
 from runs.written import note
-from sweeps.sweep import batches_of
+from sweeps.products import batches_of
 
 RESULTS, DATA = Path("results"), Path("results/data")
 FOLDER = DATA / "plan"
@@ -162,7 +162,7 @@ class Plan:
         rows = {name: [point.row for point in points] for name, points in reads.items()}
         write_if_changed(data, json.dumps(rows))
         texts = [OF_CLAIMS, *sorted((RECIPES / recipe).glob("*.toml"))]
-        script = digest_of_scripts(RECIPES / recipe / "figure.py")
+        script = digest_of_scripts(RECIPES / recipe / "figure.py", OF_CLAIMS.with_name("judge.py"))
         write_if_changed(code, script + "".join(file.read_text("utf-8") for file in texts))
         listed = figure.sections["figure"]
         keys = ("pictures", "tables", "others")

@@ -20,7 +20,7 @@ from chains.store import STORE, digest, is_current, origin_of, result_of, source
 from events.conventions import words_of
 from rupture.errors import UsageError
 from sweeps.check import Programs
-from sweeps.sweep import evaluate, options, products, rows_of
+from sweeps.products import evaluate, options, products, rows_of
 from sweeps.values import LIMIT
 
 LAST_BEFORE = "last before "

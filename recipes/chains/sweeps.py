@@ -6,6 +6,7 @@ import io
 import os
 import re
 from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 from chains.bases import write
@@ -17,10 +18,21 @@ from chains.store import read, result_of
 from rupture.errors import UsageError
 from runs.written import take
 from sweeps.check import check_columns, check_points
-from sweeps.sweep import Sweep, errors_of, references
+from sweeps.ini import errors_of
+from sweeps.values import references
 
 ENDINGS = (".ini", ".csv", ".hdf5", ".png", ".pdf")
 NOT_REACHED = "it was not reached, or its process was ended"
+
+
+@dataclass(frozen=True)
+class Sweep:
+    title: str
+    points: list
+    columns: dict  # heading: path inside the point's file
+    varied: list  # names of the values that differ between points, without those that follow others
+    units: dict  # of values and columns, where the file has them
+    file: str  # as it was run
 
 
 class OwnSweep:

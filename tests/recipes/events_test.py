@@ -1,11 +1,9 @@
 """Kinds of events, and which of a load are shown (recipes/common/events)."""
 
 import numpy as np
-from pytest import raises
 
 from choose_shown import choose
 from conftest import approx
-from data.value import main as value
 from events.conventions import CONVENTIONS, PRIMARY
 from events.event_numbers import numbers_of_events
 from pictures.panels import ruptured_early
@@ -31,15 +29,6 @@ class TestChoice:
         chosen = choose([event(0.1)])
         assert chosen["second-slow"] is None
         assert chosen["fast-only"] is None
-
-
-def test_a_missing_value_is_an_error(tmp_path):
-    path = tmp_path / "front.json"
-    path.write_text('{"slow": null, "t": [null, 2.0]}')
-    assert value(path, "t.1") == 2
-    for name in ("t.0", "slow.t_to"):
-        with raises(SystemExit, match=f"has no number or name {name}"):
-            value(path, name)
 
 
 def test_blocks_ahead_of_a_front_rupture_long_before_their_neighbours():

@@ -20,7 +20,7 @@ from rupture.errors import Failure, UsageError
 from pictures.plotting import figure, save
 from sweeps.picture import cells, draw, draw_line, edges, middle
 from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
-from sweeps.sweep import Sweep
+from chains.sweeps import Sweep
 
 BASE = ROOT / "checkpoints/fast-only.h5"
 RECORD = ROOT / "tests/compatibility/schema-3/reference-record.h5"

@@ -7,7 +7,7 @@ import pytest
 from chains.check import check
 from chains.points import Chains
 from rupture.errors import UsageError
-from sweeps.sweep import batches_of
+from sweeps.products import batches_of
 from rupture.units import in_si
 from sweeps.values import values_of
 

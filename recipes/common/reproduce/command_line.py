@@ -12,7 +12,7 @@ from rupture.tools.command_line import DEFAULT, whole_number
 from runs.recipes import read_readme, recipe_names
 from reproduce.machine import usable_cores
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
-from sweeps.sweep import suggestion
+from sweeps.ini import suggestion
 
 PROGRAM = "rupture reproduce" if WORK else "./reproduce.sh"
 PURPOSE = (

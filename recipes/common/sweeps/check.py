@@ -12,7 +12,8 @@ from chains.commands import PROGRAMS
 from rupture.errors import UsageError
 from rupture.programs import output_of
 from rupture.units import in_si
-from sweeps.sweep import HEADING, check_known, suggestion
+from sweeps.ini import check_known, suggestion
+from sweeps.products import HEADING
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table

@@ -16,10 +16,9 @@ from rupture.units import without_unit
 from chains.commands import UNFINISHED
 from chains.sweeps import result
 from data.tables import write_table
-from data.value import find
 from maps.front_map import TYPES
 from sweeps.picture import draw
-from sweeps.sweep import names_of_values
+from sweeps.products import names_of_values
 
 SHOWN = 5  # sentences of failed points
 TWO_DECADES = 100
@@ -74,6 +73,16 @@ def text_of(cell):
         cell = in_one_line(cell)
         return f"'{cell}" if FORMULA.match(cell) else cell
     return "" if cell is None else str(cell).lower() if isinstance(cell, bool) else str(cell)
+
+
+def find(tree, path):
+    """The value that a path such as front.v_c.3 leads to; None where it leads nowhere."""
+    try:
+        for key in path.split("."):
+            tree = tree[int(key)] if isinstance(tree, list) else tree[key]
+    except (KeyError, IndexError, TypeError, ValueError):
+        return None
+    return tree
 
 
 def is_geometric(places):
