@@ -90,7 +90,11 @@ def write_tables(results, loading, events, record, front):
 
 
 def make(chains, results):
-    [loading], [shown], [event] = chains["loading"], chains["ensemble/shown_events"], chains["event"]
+    [loading], [shown], [event] = (
+        chains["loading"],
+        chains["ensemble/shown_events"],
+        chains["event"],
+    )
     events, front = shown["measured"]["events"], event["front"]
     record = rupture.open(event.file("record.h5"))
     write_tables(results, loading["loading"], events, record, front)
