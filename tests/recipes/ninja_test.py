@@ -285,7 +285,7 @@ def test_the_crate_knows_the_jobs_and_checksums(tiny):
 def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
     done = tiny.call("tiny", "--dry-run")
     assert done.returncode == 0, done.stderr
-    start, other, stress, *_ = re.split("\n\n", done.stdout)
+    start, stress, other, *_ = re.split("\n\n", done.stdout)
     assert start == "# tiny/runs: tau-bar 0.1\nrupture prepare --tau-bar 0.1 -o start.h5"
     assert other.startswith("# tiny/runs: tau-bar 0.2\nrupture prepare --tau-bar 0.2")
     assert re.fullmatch(
