@@ -6,9 +6,8 @@ import rupture
 from claims.judge import yes
 from data.records import values
 from data.tables import write_events, write_fronts
-from events.choose_events import first_in_words
 from events.front_claims import judged_in_words
-from events.fronts import STENCIL
+from events.fronts import first_in_words, STENCIL
 from events.units import events_of, in_words
 from maps.front_map import load_map
 from maps.map_claims import make_map
@@ -64,16 +63,17 @@ def draw(record, fronts, stem):
 
 def make(chains, results):
     [event] = chains["event"]
-    fronts = dict(zip(RUNS, (event["front"], event["front_double"])))
-    draw(event.file("event-record.h5"), fronts, results / "figS6A")
-    write_fronts(results / "front-speed.csv", fronts)
+    of_runs = dict(zip(RUNS, (event["front"], event["front_double"])))
+    draw(event.file("event-record.h5"), of_runs, results / "figS6A")
+    write_fronts(results / "front-speed.csv", of_runs)
     [load] = chains["ensemble/shown_events"]
     events = load["measured"]["events"]
     spanning = (event for event in events if event["spanning"])
     in_order = {"fast-slow-fast in words": lambda event: yes(event["fast_slow_fast"])}
     write_events(results / "events.csv", spanning, in_order)
     units = in_words(events_of(chains["ensemble/events"]))
+    fronts, grid = load_map(chains["map"], chains["map_boundary"])
     return [
         judged_in_words("S6A", first_in_words(events), units),
-        *make_map(*load_map(chains["map"], chains["map_boundary"]), results, **MAP),
+        *make_map(fronts, grid, results, **MAP),
     ]

@@ -8,9 +8,8 @@ import numpy as np
 from claims.judge import judged
 from data.records import values
 from data.tables import rows_of, write_events
-from events.choose_events import first_in_words
 from events.front_claims import judged_in_words
-from events.fronts import is_fast_only
+from events.fronts import first_in_words, is_fast_only
 from events.units import events_of, in_words
 from maps.front_map import TYPES, read_map, types_of, write_types
 from maps.map_claims import out_of_order

@@ -2,14 +2,12 @@
 those of sweeps (collect.py), as rows whose cells may be empty."""
 
 import csv
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 
 from chains.chain import is_expression
 from chains.expressions import as_text
-from data.records import report
 from rupture.replacing import replacing
 
 SLOW_STRETCH = {  # name in a report: for readers
@@ -80,14 +78,6 @@ def read_rows(path):
     """Rows by name; all values are texts."""
     with open(path, newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
-
-
-@cache
-def points_of(path):
-    """The points of a sweep, as pairs: its row in the table results/data/RECIPE/SWEEP.csv, and all
-    that was measured (sweeps/points.py)."""
-    folder = Path(path).parents[1] / "points"
-    return [(row, report(folder / f"{row['point']}.json")) for row in read_rows(path)]
 
 
 def rows_of(points):
