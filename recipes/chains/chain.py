@@ -53,9 +53,8 @@ def ways_in(line):
 
 class Chain:
     """One file. `own`: the sections in the file itself, `sections`: with those of the files that it
-    is like; `decides`: whether reports of its points decide which points others have."""
+    is like."""
 
-    decides = False
     among: Any = None  # the Chains with which it is read
 
     def __init__(self, path, read=()):

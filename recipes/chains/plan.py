@@ -16,7 +16,7 @@ from pathlib import Path
 from chains.chain import RECIPES
 from chains.check import check
 from chains.digests import MODULES, digest_of_scripts, digest_of_tool, read_modules
-from chains.points import Chains, Waiting
+from chains.points import Chains, Waiting, those
 from chains.store import DIGESTS, digest_file, is_whole, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
@@ -70,7 +70,7 @@ def selected(chains, chain, condition):
     check(chains, chain)
     points = chains.points(chain)
     if condition:
-        points = [point for point in points if point.worked_out(condition, point.known)]
+        points = those(lambda point: point.worked_out(condition, point.known), points)
     return points
 
 

@@ -30,9 +30,29 @@ class Waiting(Exception):
     """Raised for what depends on reports that are not there yet."""
 
 
+def each(function, points):
+    """Of all points, so that all reports for which they wait are asked for at once."""
+    found, waiting = [], None
+    for point in points:
+        try:
+            found.append(function(point))
+        except Waiting as what:
+            waiting = what
+    if waiting:
+        raise waiting
+    return found
+
+
+def those(is_so, points):
+    """The points for which it is so."""
+    return [*itertools.compress(points, each(is_so, points))]
+
+
 class Point:
     """`of`: the point that it comes from, whose names it has, too; `elements`: {name: one of the
-    elements of a list of its report}."""
+    elements of a list of its report}; `decides`: whether its report decides about other points."""
+
+    decides = False
 
     def __init__(self, chain, values, of=None, elements=()):
         self.chain, self.values, self.of, self.elements = chain, values, of, dict(elements)
@@ -85,7 +105,7 @@ class Point:
 
     def report(self, name):
         """Null for a point that failed. What is asked for decides about other points."""
-        self.chain.decides = True
+        self.decides = True
         try:
             return result_of(self.path)["reports"].get(name)
         except OSError:
@@ -119,7 +139,7 @@ class Point:
         chain = self.chain.among.load(self.chain.path.parent / f"{name}.ini")
         points = self.chain.among.points(chain)
         if condition:
-            points = [one for one in points if self.meets(one, condition)]
+            points = those(lambda one: self.meets(one, condition), points)
         text = json.dumps([one.row for one in points])
         path = STORE / f"{digest(text)}.list"
         self.lists[path] = text, points
@@ -309,8 +329,7 @@ class Chains:
     @property
     def deciding(self):
         """Points whose reports were asked for: with others, there may be other points."""
-        made = (points for path, points in self.made.items() if self.chains[path].decides)
-        return [point for points in made for point in points]
+        return [point for points in self.made.values() for point in points if point.decides]
 
     def load(self, path):
         path = Path(os.path.abspath(path))
@@ -347,12 +366,10 @@ class Chains:
     def make(self, chain):
         points = chain.points or {}
         with chain.errors_at("chain", "points"):
-            found = self.all_points(chain)
+            found = [*self.all_points(chain)]
             if condition := points.get("condition"):
-                found = (one for one in found if one.worked_out(condition, one.look_up))
-            found = list(found)
-        for point in found:
-            _ = point.id  # its base may wait, too
+                found = those(lambda one: one.worked_out(condition, one.look_up), found)
+        each(lambda one: one.id, found)  # its base may wait, too
         return found[:1] if points.get("first") else found
 
     def all_points(self, chain):
@@ -373,12 +390,22 @@ class Chains:
     def starts(self, chain):
         """Pairs: the point that others come from, and {name: element of a list of its report}."""
         above = self.above(chain)
-        for point in self.points(above) if above else [None]:
-            if not (chain.points or {}).get("list"):
-                yield point, {}
-                continue
-            for element in point.worked_out(chain.points["list"], point.known) or ():
-                yield point, {chain.points["element"]: element}
+        starts = self.points(above) if above else [None]
+        if not (chain.points or {}).get("list"):
+            return [(point, {}) for point in starts]
+        starts = [point for point in starts if may_start(chain, point)]
+        lists = each(lambda point: point.worked_out(chain.points["list"], point.known), starts)
+        name = chain.points["element"]
+        return [(of, {name: one}) for of, listed in zip(starts, lists) for one in listed or ()]
+
+
+def may_start(chain, point):
+    """Whether the condition allows points from this one, as far as one knows without its report."""
+    without = Point(chain, {}, point)
+    try:
+        return without.worked_out(chain.points["condition"] or "True", without.look_up)
+    except (Waiting, ValueError):  # it waits, or names what is not there yet
+        return True
 
 
 def with_times(line):

@@ -207,6 +207,13 @@ def test_points_from_another_chain(files, text, expected):
     assert each == expected
 
 
+def test_nobody_asks_for_reports_of_points_whose_values_leave_them_out(files):
+    files.write(above=ABOVE, x=below("e in above: events.list where seed == 2 and e.big"))
+    with pytest.raises(Waiting):
+        files.read()
+    assert [point.known("seed") for point in files.chains.deciding] == [2]
+
+
 SCRIPT = "[commands]\nfit = script fit.py {n} {all above}\n[values]\nn = 1, 2\n"
 LISTED = [  # what a script gets of `above`, for its values n: seeds
     ("{all above}", [["1", "2"], ["1", "2"]]),
