@@ -78,6 +78,7 @@ def read_by(chains, figure, is_ensemble_asked):
     """{name: points} for figure.py. Another recipe's chain has that recipe in its name. Without the
     ensemble, what is `beside` is what is there."""
     found: dict[str, dict] = {}
+    waiting = None  # until all of them have asked for reports
     for key in ("reads", "beside"):
         others = chains if is_ensemble_asked or key == "reads" else Chains()
         for chain, condition in others.read_by(others.load(figure.path), key):
@@ -86,12 +87,13 @@ def read_by(chains, figure, is_ensemble_asked):
             with figure.errors_at("figure", key):
                 try:
                     points = selected(others, chain, condition)
-                except Waiting:
-                    if others is chains:
-                        raise
+                except Waiting as what:
+                    waiting = what if others is chains else waiting
                     continue
             there = (one for one in points if others is chains or one.is_done)
             of_chain.update({one.path: one for one in there})
+    if waiting:
+        raise waiting
     return {name: list(points.values()) for name, points in found.items()}
 
 
