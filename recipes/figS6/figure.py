@@ -66,7 +66,7 @@ def make(chains, results):
     of_runs = dict(zip(RUNS, (event["front"], event["front_double"])))
     draw(event.file("event-record.h5"), of_runs, results / "figS6A")
     write_fronts(results / "front-speed.csv", of_runs)
-    [load] = chains["ensemble/shown_events"]
+    [load] = chains["events"]
     events = load["measured"]["events"]
     spanning = (event for event in events if event["spanning"])
     in_order = {"fast-slow-fast in words": lambda event: yes(event["fast_slow_fast"])}
