@@ -124,7 +124,7 @@ def test_each_command_by_hand_is_one_of_a_chain(name, calls):
     [
         "restart a.h5 -o b.h5 --for 0.01 --set driving.V=1",
         "analyze front a.h5 --stencil 7",
-        "load -o a.h5 --until 1.3",
+        "prepare -o a.h5 --tau-bar 0.123",
         "analyze slip a.h5",
     ],
 )
