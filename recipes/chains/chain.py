@@ -101,7 +101,7 @@ class Chain:
     def keys(self):
         return self.sections.get("chain", {})
 
-    @property
+    @cached_property
     def commands(self):
         """{name: command}, as they are written."""
         lines = self.sections.get("commands", {})

@@ -7,6 +7,7 @@ import ast
 import math
 import operator
 import re
+from functools import cache
 
 from rupture.units import in_si
 
@@ -54,17 +55,8 @@ class Expression:
     are those that are looked up, as long as they are written."""
 
     def __init__(self, text, names=()):
-        self.text = plain = text.strip()
-        for name in sorted((name for name in names if "-" in name), key=len, reverse=True):
-            alone = rf"(?<![\w.-]){re.escape(name)}(?![\w-])"
-            plain = re.sub(alone, name.replace("-", MINUS), plain)
-        try:
-            self.tree = ast.parse(plain, mode="eval")
-            self.names = sorted(set(names_in(self.tree)))
-        except (SyntaxError, MemoryError, RecursionError, ValueError):
-            raise ValueError(f"'{self.text}' cannot be read as an expression") from None
-        if not all(map(is_allowed, ast.walk(self.tree))):
-            raise ValueError(f"'{self.text}' is not allowed: it may have {MAY_HAVE}")
+        self.text = text.strip()
+        self.tree, self.names = parsed(self.text, frozenset(one for one in names if "-" in one))
 
     def value(self, look_up):
         """`look_up(name)` is asked for names, the longest first (front.t_rupture, then front), and
@@ -75,6 +67,23 @@ class Expression:
             raise ValueError(f"'{self.text}': there is no {error.args[0]}") from None
         except (ArithmeticError, IndexError, RecursionError, TypeError) as error:
             raise ValueError(f"'{self.text}' cannot be worked out: {error}") from None
+
+
+@cache  # many points have the same
+def parsed(text, names):
+    """The tree, and the names in it; `names`: those with a -."""
+    plain = text
+    for name in sorted(names, key=len, reverse=True):
+        alone = rf"(?<![\w.-]){re.escape(name)}(?![\w-])"
+        plain = re.sub(alone, name.replace("-", MINUS), plain)
+    try:
+        tree = ast.parse(plain, mode="eval")
+        found = sorted(set(names_in(tree)))
+    except (SyntaxError, MemoryError, RecursionError, ValueError):
+        raise ValueError(f"'{text}' cannot be read as an expression") from None
+    if not all(map(is_allowed, ast.walk(tree))):
+        raise ValueError(f"'{text}' is not allowed: it may have {MAY_HAVE}")
+    return tree, found
 
 
 def as_number(text):

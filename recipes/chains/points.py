@@ -107,9 +107,13 @@ class Point:
         """Null for a point that failed. What is asked for decides about other points."""
         self.decides = True
         try:
-            return result_of(self.path)["reports"].get(name)
+            return self.reports.get(name)
         except OSError:
             raise Waiting(self.path) from None
+
+    @cached_property
+    def reports(self):
+        return result_of(self.path)["reports"]
 
     # --- commands ------------------------------------------------------------------------------
 

@@ -1,13 +1,15 @@
 """What figure.py gets of the chains that it reads: lists of points."""
 
 import json
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 
 from chains.expressions import Expression, as_number
 from chains.chain import is_expression
 from chains.store import result_of
 from rupture.errors import Failure
+
+read_result = cache(result_of)  # many points come from the same
 
 
 class Point:
@@ -20,7 +22,7 @@ class Point:
 
     @cached_property
     def results(self):
-        return [result_of(one["path"]) for one in self.lineage]
+        return [read_result(one["path"]) for one in self.lineage]
 
     @property
     def status(self):
