@@ -115,7 +115,8 @@ def run_recipes(request, processes, recipes, place):
     if has_failed:
         return did, has_failed
     chains = Chains()
-    for point in chains.points(chains.load(FROM_SCRATCH)):
+    made = chains.points(chains.load(FROM_SCRATCH))
+    for point in (*chains.deciding, *made):  # those that choose the events may have failed, too
         if sentence := result_of(point.path)["sentence"]:
             raise Failure(f"{sentence} (see checkpoints/README.md)")
     did_more, has_failed = run_ninja(processes, place, recipes=recipes)
