@@ -44,18 +44,19 @@ def complain(text):
 def follow(lines):
     """Returns whether Ninja did anything."""
     start, did, described = time.monotonic(), False, ""
+    planned = 0.0  # when the numbers that Ninja gives began [s]
     said: deque[str] = deque(maxlen=LAST_LINES)  # of a program that failed
     for line in lines:
         if step := STEP.fullmatch(line):
             complain_all(said)
             count, total, described = step.groups()
             did, seconds = True, time.monotonic() - start
-            if not described.startswith("plan "):
-                log(described)
-                show(
-                    f"[{seconds:4.0f} s{rest_of(seconds, int(count), int(total))}]"
-                    f" {count:>{len(total)}}/{total} {described}"
-                )
+            if described.startswith("plan "):
+                planned = seconds
+                continue
+            log(described)
+            rest = rest_of(seconds - planned, int(count), int(total))
+            show(f"[{seconds:4.0f} s{rest}] {count:>{len(total)}}/{total} {described}")
         elif failed := FAILED.match(line):
             complain(f"\nFailed: {described}\n  to make: {failed[1]}")
             log(next(lines, ""))  # the command
