@@ -312,12 +312,12 @@ ninja: build stopped: subcommand failed.
 
 def test_what_ninja_says_is_said_in_our_words(capsys, folder):
     lines = NINJA.format(many="\n".join(["more"] * 40)).splitlines()
-    with patch("time.monotonic", Mock(side_effect=[0, 5, 12, 20])):
+    with patch("time.monotonic", Mock(side_effect=[0, 5, 12, 30])):
         assert progress.follow(iter(lines))
     said = capsys.readouterr()
     assert said.out.splitlines() == [
         "[   5 s] 1/4 a: x 1",
-        "[  20 s, about 7 s left] 3/4 b",
+        "[  30 s, about 6 s left] 3/4 b",
         "    1 of 2 points failed",
     ]
     failed, making, *more, last, error = said.err.strip().splitlines()
