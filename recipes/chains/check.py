@@ -51,7 +51,8 @@ def names_of(chains, chain):
     values = {name for lists in chain.lists.values() for name in lists}
     if len(chain.lists) > 1 or "values" not in chain.lists:
         values |= {"variant"} if chain.lists else set()
-    for name in values.intersection(chain.commands):
+    others = values | ({chain.points["element"]} if chain.points else set())
+    for name in others.intersection(chain.commands):
         raise chain.error(
             "commands", name, f"'{name}' is the name of a value, too; take another one"
         )

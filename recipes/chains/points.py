@@ -262,6 +262,20 @@ class Point:
         """A time stays in its braces, for kept_names()."""
         return "{%s}" % hole if re.fullmatch(r"[\d.]+", hole) else self.text(hole)
 
+    @property
+    def settled(self):
+        """Its values, for a table: expressions worked out, None where that waits."""
+        return {name: self.settle(text) for name, text in self.values.items()}
+
+    def settle(self, text):
+        if not is_expression(text):
+            return text
+        try:
+            found = self.worked_out(text[1:-1], self.known)
+        except (Waiting, ValueError):
+            return None
+        return None if found is None else as_text(found)
+
     @cached_property
     def work(self):
         """What point.py needs to compute it."""
@@ -315,7 +329,7 @@ class Point:
     def described(self):
         lists = {n: t for one in reversed(self.lineage) for n, t in one.values.items()}
         values = ", ".join(f"{n} {t}" for n, t in lists.items() if not is_expression(t))
-        name = self.chain.name if self.chain.is_ours else "point"
+        name = self.chain.name if self.chain.is_ours or not values else "point"
         return f"{name}: {values}" if values else name
 
 

@@ -62,13 +62,10 @@ class OwnSweep:
         with suppress(Waiting):
             self.points = self.chains.points(self.chain)
         units: dict[str, str] = {}
+        if self.points is not None and not any(one.values or one.of for one in self.points):
+            raise UsageError("there are no points: [values] or a table says which there are")
         for chain in self.lineage:
-            if points := self.chains.made.get(chain.path):
-                units |= check_points(points, self.chains.programs)
-            elif chain is self.chain and self.points is not None:
-                raise UsageError(
-                    "there are no points: [values] or a table says for which values to run"
-                )
+            units |= check_points(self.chains.made.get(chain.path, []), self.chains.programs)
         columns, of_columns = check_columns(
             self.chain, names_in(self.lineage), self.chains.programs
         )

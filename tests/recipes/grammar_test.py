@@ -247,6 +247,8 @@ def test_values_from_reports_of_other_points_are_options(files):
         "prepare --tau-bar 0.25 --seed 3 -o a.h5",
         "prepare --tau-bar 0.35 --seed 3 -o a.h5",
     ]
+    settled = {"tau-bar": "0.25", "seed": "3", "later": None}  # in a table
+    assert files.read()[0].settled == settled
 
 
 def test_what_is_beside_a_figure_is_what_is_there(files):
@@ -289,6 +291,7 @@ WRONG = [  # a file, and the sentence that follows its name
     (f"{RUN}y = analyze front {{all above}}", "line 3: .*is for scripts"),
     (f"{RUN}y = analyze front r.h5 --also al", "line 3: there is no set of ways to measure 'al'"),
     (f"{RUN}[values]\nrun = 1", "line 2: 'run' is the name of a value, too"),
+    (f"[chain]\npoints = run in above: events.list\n{RUN}", "line 4: 'run' is the name of a value"),
     (f"{RUN}[values]\nx = 1 to 2.5", "line 4: .*give its step"),
     (f"{RUN}[values]\nx =", "line 4: 'x' in .values. has no value"),
     (f"[chain]\npoint = y\n{RUN}", "line 2: .chain. has no key 'point': did you mean 'points'"),

@@ -92,6 +92,15 @@ def test_varied_are_values_that_differ_and_do_not_follow_others(plan):
     assert plan(CHAIN.replace(VALUES, values)).varied == ["tau-bar", "shape"]
 
 
+def test_the_example_of_points_that_follow_from_points_is_that_of_the_page(folder):
+    own = OwnSweep(ROOT / "docs/examples/branches.ini")
+    assert own.points is None and not list(folder.iterdir())  # not yet known, and nothing is wrong
+    page = (ROOT / "docs/sweeps.md").read_text("utf-8")
+    for name, first in (("run", "[chain]\n"), ("branches", "base   = run:")):
+        text = (ROOT / f"docs/examples/{name}.ini").read_text("utf-8").partition(first)[2]
+        assert text.partition("\n[quantities]")[0].strip() in page
+
+
 def test_points_follow_the_content_of_the_base_which_is_copied(plan):
     first = plan(BASED).points
     (copy,) = Path("results/data/bases").glob("*.h5")

@@ -134,8 +134,6 @@ def option_of(name, line, programs):
 def check_points(points, programs):
     """{name: unit} of what the points set."""
     described: dict[str, dict] = {}
-    if not any(point.values or point.of for point in points):
-        raise UsageError("there are no points: [values] or a table says for which values to run")
     for point in {tuple(point.values): point for point in points}.values():
         filled = {name: HOLE.sub("1", line) for name, line in point.commands.items()}
         for line in filled.values():

@@ -98,7 +98,7 @@ def rows(sweep):
         found = result(point)
         state = {name: found[name] for name in ("status", "sentence")}
         measured = {n: find(found["reports"], path) for n, path in sweep.columns.items()}
-        yield {**point.values, **state, **measured, "point": point.id}
+        yield {**point.settled, **state, **measured, "point": point.id}
 
 
 def columns_of(sweep, table):
