@@ -47,6 +47,7 @@ MAY_HAVE = "numbers, texts, names, + - * / **, comparisons, and, or, not, " + (
     ", ".join(f"{name}()" for name in FUNCTIONS)
 )
 MINUS = "_minus_"  # stands for the - of names such as sigma-bar
+WORD = re.compile(r"\w[\w.-]*")
 WHOLE = 1e15  # up to there, whole numbers are written without an exponent
 
 
@@ -95,9 +96,12 @@ def as_number(text):
 
 
 def as_text(value):
-    """A value as a command has it: with all digits, and without a dot if it is whole."""
+    """A value as a command has it: with all digits, and without a dot if it is whole. A text is a
+    word, which cannot be read as an option or as a path."""
     if isinstance(value, float) and value.is_integer() and abs(value) < WHOLE:
         return str(int(value))
+    if isinstance(value, str) and not WORD.fullmatch(value):
+        raise ValueError(f"'{value}' is neither a number nor a word")
     return value if isinstance(value, str) else repr(value)
 
 

@@ -10,14 +10,13 @@ makes anything stale."""
 import json
 import os
 import re
-from contextlib import suppress
 from pathlib import Path
 
 from chains.chain import RECIPES
 from chains.check import check
 from chains.digests import MODULES, digest_of_scripts, digest_of_tool, read_modules
 from chains.points import Chains, Waiting, those
-from chains.store import DIGESTS, digest_file, is_whole, write_if_changed
+from chains.store import DIGESTS, SPARE, digest_file, is_whole, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
 from runs.written import note
@@ -91,7 +90,7 @@ def read_by(chains, figure, is_ensemble_asked):
                     waiting = what if others is chains else waiting
                     continue
             there = (one for one in points if others is chains or one.is_done)
-            of_chain.update({one.path: one for one in there})
+            of_chain.update({repr(one.row): one for one in there})
     if waiting:
         raise waiting
     return {name: list(points.values()) for name, points in found.items()}
@@ -148,6 +147,8 @@ class Plan:
         )
         self.tools.update(tool for point in batch for tool in point.tools)
         self.written += [todo, *kept, *(file.with_name(f"{file.name}.part") for file in kept)]
+        outputs = [*(point.path for point in batch), *kept]
+        self.written += [SPARE / file.name for file in outputs if len(batch) > 1]
         for point in batch:
             self.written += [
                 point.path.with_suffix(f".{end}") for end in ("json", "origin", "crash")
@@ -193,21 +194,20 @@ class Plan:
         write_if_changed(self.file, "\n".join([rules, *self.pools.values(), *self.edges.values()]))
 
 
-def folder_of(sweep):
-    """Where the results of a user's file are."""
-    return RESULTS / "sweeps" / Path(sweep).stem
-
-
 def write_plan(cores, megabytes, recipes=(), files=()):
     """Of these recipes, or of all points of these chains, those of a user in a plan of their own;
     returns its path. Raises UsageError, with the file and the line, if anything in the files leads
-    nowhere."""
-    chains, waiting = Chains(), []
-    own = [file for file in map(Path, files) if RECIPES not in file.parents]
-    plan = Plan(cores, megabytes, folder_of(own[0]) / "plan" if own else FOLDER)
+    nowhere. A user's file may have changed since it was checked, so it is checked here."""
+    from chains.sweeps import OwnSweep  # which imports this module, too
+
+    own = [OwnSweep(file) for file in files if RECIPES not in Path(file).parents]
+    chains, waiting = own[0].chains if own else Chains(), []
+    plan = Plan(cores, megabytes, own[0].stem.parent / "plan" if own else FOLDER)
     for file in files:
-        with suppress(Waiting):
+        try:
             plan.add_points(chains.points(chains.load(file)))
+        except Waiting:
+            waiting.append(file)
     for recipe in recipes:
         figure = chains.recipe(recipe)
         try:

@@ -23,6 +23,7 @@ from chains.commands import INTERRUPTIONS, UNFINISHED, as_run, checksums_in, fau
 from chains.store import (
     digest_file,
     is_current,
+    make_spare,
     origin_of,
     read,
     result_of,
@@ -111,7 +112,11 @@ def compute(work, folder):
     if base and (sentence := fault_of(base)):
         return result | {"status": "failed", "sentence": sentence, "checksums": {}}
     for name, line in work["commands"].items():
-        command = names.filled(line)
+        try:
+            command = names.filled(line)
+        except ValueError as error:
+            result |= {"status": "failed", "sentence": f"{name}: {error}"}
+            break
         words = shlex.split(command or HOLE.sub("", line))
         if command is None or missing.intersection([*words, *map(without_time, words)]):
             missing.update(after for word, after in zip(words, words[1:]) if word in OUTPUTS)
@@ -172,6 +177,8 @@ def finish(work, about):
         crash.unlink(missing_ok=True)
         keep(path, result, work["keep"], folder)
     save_origin(path, origin)
+    if len(about["works"]) > 1:
+        make_spare(path, *kept)
     inputs = [file for file in (base["file"], base["of"]) if file] if base else []
     command = " && ".join(result["commands"].values())
     note([path, *kept], about["described"], about["chain"], command, inputs, started)

@@ -94,14 +94,25 @@ class Point:
     def worked_out(self, text, look_up):
         return Expression(text, self.names).value(look_up)
 
-    def text(self, hole):
+    def text(self, hole, look_up=None):
         """What replaces a hole; None if it is null. A value stays as it is written."""
         for point in self.lineage:
             written = point.values.get(hole, "{}")
             if not is_expression(written) and written != "{}":
                 return written
-        found = self.worked_out(hole, self.look_up)
+        found = self.worked_out(hole, look_up or self.look_up)
         return None if found is None else as_text(found)
+
+    def texts(self, look_up):
+        """{name: its value as a text}, with those of the points that it comes from; None if that is
+        null, or not known yet."""
+        found = {}
+        for name in (name for point in reversed(self.lineage) for name in point.values):
+            try:
+                found[name] = self.text(name, look_up)
+            except (Waiting, ValueError):
+                found[name] = None
+        return found
 
     def report(self, name):
         """Null for a point that failed. What is asked for decides about other points."""
@@ -262,20 +273,6 @@ class Point:
         """A time stays in its braces, for kept_names()."""
         return "{%s}" % hole if re.fullmatch(r"[\d.]+", hole) else self.text(hole)
 
-    @property
-    def settled(self):
-        """Its values, for a table: expressions worked out, None where that waits."""
-        return {name: self.settle(text) for name, text in self.values.items()}
-
-    def settle(self, text):
-        if not is_expression(text):
-            return text
-        try:
-            found = self.worked_out(text[1:-1], self.known)
-        except (Waiting, ValueError):
-            return None
-        return None if found is None else as_text(found)
-
     @cached_property
     def work(self):
         """What point.py needs to compute it."""
@@ -327,9 +324,9 @@ class Point:
 
     @property
     def described(self):
-        lists = {n: t for one in reversed(self.lineage) for n, t in one.values.items()}
-        values = ", ".join(f"{n} {t}" for n, t in lists.items() if not is_expression(t))
-        name = self.chain.name if self.chain.is_ours or not values else "point"
+        texts = self.texts(self.look_up)
+        values = ", ".join(f"{name} {text}" for name, text in texts.items() if text is not None)
+        name = self.chain.name
         return f"{name}: {values}" if values else name
 
 

@@ -13,6 +13,8 @@ import time
 from collections import deque
 from pathlib import Path
 
+from chains.store import put_back
+
 LOG = Path("build/log/recipes.log")
 LAST_LINES = 30
 NOTHING_TO_DO = 3
@@ -92,6 +94,7 @@ def main(*command):
         command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
     ) as ninja:
         did = follow(line.rstrip("\n") for line in ninja.stdout or ())
+    put_back()
     return ninja.returncode or (0 if did else NOTHING_TO_DO)
 
 

@@ -4,12 +4,14 @@ for each file that the point keeps. It imports little, because each point does."
 
 import hashlib
 import json
+import os
 from contextlib import suppress
 from pathlib import Path
 
 from rupture.replacing import write_whole
 
 STORE = Path("results/data/points")
+SPARE = Path("results/data/spare")  # files of finished points while others of their batch run
 DIGESTS = Path("results/data/digests")  # of programs and scripts (digests.py)
 FORM = "1"  # of results; another one makes all points stale
 
@@ -72,6 +74,21 @@ def origin_of(work, programs):
         sources += dict.fromkeys(one["path"] for row in json.loads(read(path)) for one in row)
     reports = map(read, sources)
     return digest(FORM, json.dumps(work), content_of(work["base"]), *programs, *reports)
+
+
+def make_spare(*files):
+    """Other names for files which Ninja deletes if it is interrupted before the batch has ended."""
+    SPARE.mkdir(exist_ok=True)
+    for file in files:
+        with suppress(OSError):  # some file systems have no links
+            os.link(file, SPARE / file.name)
+
+
+def put_back():
+    """What Ninja has deleted; nobody needs the other spare files any more."""
+    for spare in SPARE.glob("*"):
+        file = STORE / spare.name
+        spare.unlink() if file.exists() else spare.rename(file)
 
 
 def is_whole(path):

@@ -12,7 +12,7 @@ from pathlib import Path
 from chains.bases import write
 from chains.check import check
 from chains.commands import UNFINISHED
-from chains.plan import FILES, folder_of
+from chains.plan import FILES, RESULTS
 from chains.points import Chains, Waiting
 from chains.store import read, result_of
 from rupture.errors import UsageError
@@ -47,28 +47,27 @@ class OwnSweep:
             )
         with errors_of(path):
             path.stat()
-        self.stem = folder_of(path) / path.stem
+        self.stem = RESULTS / "sweeps" / path.stem / path.stem
         self.chains = Chains()
         self.chain = self.chains.load(path)
         check(self.chains, self.chain)
         table = self.chain.points and self.chain.path.parent / self.chain.points["chain"]
         if table and table.suffix == ".csv" and not table.is_file():
             raise UsageError(f"{path}: there is no table of points {table}")
-        with errors_of(path):
-            self.check_all()
-
-    def check_all(self):
         self.points = None
         with suppress(Waiting):
             self.points = self.chains.points(self.chain)
+        with errors_of(path):
+            self.check_some()
         units: dict[str, str] = {}
-        if self.points is not None and not any(one.values or one.of for one in self.points):
-            raise UsageError("there are no points: [values] or a table says which there are")
         for chain in self.lineage:
-            units |= check_points(self.chains.made.get(chain.path, []), self.chains.programs)
-        columns, of_columns = check_columns(
-            self.chain, names_in(self.lineage), self.chains.programs
-        )
+            if not chain.is_ours and (points := self.chains.made.get(chain.path)):
+                with errors_of(chain.path):
+                    units |= check_points(points, self.chains.programs)
+        with errors_of(path):
+            columns, of_columns = check_columns(
+                self.chain, names_in(self.lineage), self.chains.programs
+            )
         self.sweep = Sweep(
             title=self.chain.keys.get("title", self.chain.path.stem),
             points=self.points or [],
@@ -77,6 +76,15 @@ class OwnSweep:
             units=units | of_columns,
             file=f"{self.stem}.ini",
         )
+
+    def check_some(self):
+        """That there are points, if they are known."""
+        above = self.chains.above(self.chain)
+        if above and self.points == []:
+            raise UsageError(f"there are no points: none of {above.path.name} is as 'points' says")
+        if not above and not any(point.values for point in self.points or ()):
+            what = "[values] or a table says for which values to run"
+            raise UsageError(f"there are no points: {what}")
 
     @property
     def lineage(self):
@@ -88,15 +96,18 @@ class OwnSweep:
 
     def varied(self):
         """Names of the values that differ between points, and follow no others."""
-        lists = [item for one in self.chain.lists.values() for item in one.items()]
+        lists = [one for chain in self.lineage for one in chain.lists.values()]
+        lists = [item for one in lists for item in one.items()]
         follows = {name for name, texts in lists if len(texts) == 1 and references(texts[0])}
-        names = dict.fromkeys(name for point in self.points or () for name in point.values)
-        values = {
-            n: {point.values.get(n) for point in self.points or ()}
-            for n in names
-            if n not in follows
-        }
-        return [name for name, texts in values.items() if len(texts) > 1]
+        rows = [point.texts(point.look_up) for point in self.points or ()]
+        names = dict.fromkeys(name for row in rows for name in row if name not in follows)
+        return [name for name in names if len({row.get(name) for row in rows}) > 1]
+
+    @property
+    def before(self):
+        """Points that decide about its points, or from which these start."""
+        made = self.chains.made.items()
+        return [point for path, points in made if path != self.chain.path for point in points]
 
     def missing(self):
         """Points that are to be computed."""
@@ -109,7 +120,7 @@ class OwnSweep:
 
     def write_all(self):
         files = [self.stem.with_name(self.stem.name + ending) for ending in ENDINGS]
-        take(Path("results"), *files, *(self.stem.parent / "plan" / name for name in FILES))
+        take(RESULTS, *files, *(self.stem.parent / "plan" / name for name in FILES))
         sections = {"sweep" if n == "chain" else n: {**s} for n, s in self.chain.sections.items()}
         own = sections.setdefault("sweep", {})
         sections |= {"quantities": self.sweep.columns, "units": self.sweep.units}
@@ -118,14 +129,14 @@ class OwnSweep:
             own["base"] = os.path.relpath(next(iter(self.chain.copies.values())), self.stem.parent)
         if own.get("points", "").endswith(".csv"):
             copy = self.stem.with_name(f"{self.stem.name}-points.csv")
-            write(Path("results"), copy, (self.chain.path.parent / own["points"]).read_bytes())
+            write(RESULTS, copy, (self.chain.path.parent / own["points"]).read_bytes())
             own["points"] = copy.name
         ini = configparser.RawConfigParser(default_section="", delimiters="=")
         ini.optionxform = str  # type: ignore[method-assign, assignment]
         ini.read_dict(sections)
         text = io.StringIO()
         ini.write(text)
-        write(Path("results"), files[0], text.getvalue().encode())
+        write(RESULTS, files[0], text.getvalue().encode())
 
 
 def names_in(chains):

@@ -40,7 +40,7 @@ def rows_of(load):
             if record.x[block] >= LOADING_ZONE and before < since + BINNED <= now:
                 slip = slip_in_bins(record.time, u_x[:, block], since)
                 yield {
-                    "load": load["numerics.seed"],
+                    "load": int(load["numerics.seed"]),
                     "x [m]": record.x[block],
                     "ruptured at [s]": since,
                     "slip [m]": slip.sum(),

@@ -247,8 +247,8 @@ def test_values_from_reports_of_other_points_are_options(files):
         "prepare --tau-bar 0.25 --seed 3 -o a.h5",
         "prepare --tau-bar 0.35 --seed 3 -o a.h5",
     ]
-    settled = {"tau-bar": "0.25", "seed": "3", "later": None}  # in a table
-    assert files.read()[0].settled == settled
+    first = files.read()[0]
+    assert first.texts(first.known) == {"tau-bar": "0.25", "seed": "3", "later": None}
 
 
 def test_what_is_beside_a_figure_is_what_is_there(files):
@@ -274,6 +274,14 @@ def test_a_point_is_its_commands_and_its_base(files):
     files.write(z="[chain]\nbase = b.h5\n" + RUN + "[values]\nseed = 1\n")
     first, same, other = (files.read(name)[0].id for name in "xyz")
     assert first == same != other
+
+
+def test_a_figure_gets_points_of_all_variants_even_if_they_have_the_same_commands(files):
+    files.write(x=f"{RUN}[values]\nseed = 1, 2\n[variant v]\n[variant w]\n")
+    files.write(figure="[figure]\nreads = x\n")
+    found = read_by(files.chains, files.chains.load(files.folder / "figure.ini"), False)["x"]
+    assert [point.values["variant"] for point in found] == ["v", "v", "w", "w"]
+    assert len({point.path for point in found}) == 2
 
 
 WRONG = [  # a file, and the sentence that follows its name

@@ -24,6 +24,12 @@ PREPARE = f"""case "$*" in
 esac
 exec {BIN}/prepare "$@"
 """
+SECOND_WAITS = f"""case "$*" in
+  *--describe*|*"seed "*[13579]" -o"*) ;;
+  *) [ -e ROOT/go ] || {{ echo $$ >> ROOT/running; exec sleep 300; }};;
+esac
+exec {BIN}/prepare "$@"
+"""
 
 
 def stat_of(number):
@@ -133,6 +139,21 @@ def test_what_a_killed_run_leaves_behind_ends_and_the_same_command_goes_on(sweep
     assert "2 points: 2 done." in sweep.go()
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL])
+def test_what_is_finished_of_a_batch_is_kept(sweep, number):
+    """Of each two points that one job computes, the second waits for long."""
+    sweep.program("prepare", SECOND_WAITS.replace("ROOT", str(sweep.root)))
+    sweep.write("my.ini", SWEEP.replace("0.1, 0.2", "0.1\nseed = 1 to 100"))
+    process = sweep.begin()
+    sweep.begun.append(process)
+    wait_for(lambda: len(sweep.running()) == 2)
+    process.send_signal(number)
+    process.wait(WITHIN)
+    wait_for(lambda: not sweep.running())
+    assert "Computed now: 98; already done: 2." in sweep.go()
+    assert len(list((sweep.root / "results/data/points").glob("*.json"))) == 100
+
+
 def test_what_follows_ninja_alone_may_be_killed(sweep):
     process = sweep.started()
     (progress,) = [
@@ -144,6 +165,66 @@ def test_what_follows_ninja_alone_may_be_killed(sweep):
     os.kill(progress, signal.SIGKILL)
     assert process.wait(WITHIN) == 1
     wait_for(lambda: not sweep.running())
+
+
+# --- points that follow from what others report --------------------------------------------------
+
+RUNS = """[chain]
+keep = start.h5
+[commands]
+prepare = prepare {values} -o start.h5
+stress = analyze stress start.h5
+[values]
+tau-bar = 0.1, 0.2
+"""
+FOLLOWS = """[chain]
+points = runs where stress.F_T > 400
+base = runs: start.h5
+[commands]
+run = restart {base} --for {time} -o end.h5
+strength = analyze strength end.h5
+[values]
+time = {stress.F_T * 1e-8}
+[quantities]
+m = strength.mu_bar_eff.9
+"""
+EDIT = f"""case "$*" in
+  *--describe*) ;;
+  *) [ ! -e ROOT/edited ] || cp ROOT/edited ROOT/my.ini;;
+esac
+exec {BIN}/prepare "$@"
+"""
+
+
+def test_points_that_wait_for_reports(sweep):
+    sweep.write("runs.ini", RUNS)
+    sweep.write("my.ini", FOLLOWS)
+    said = sweep.call("sweep", "my.ini", "--programs", "bin", "--dry-run").stdout
+    assert said.startswith("my: its points follow from what other points report; 2 of these to")
+    assert "1 point: 1 done.\nComputed now: 1; already done: 0." in sweep.go()
+    (row,) = read_rows(sweep.root / "results/sweeps/my/my.csv")
+    assert list(row) == ["tau-bar", "time", "status", "sentence", "m", "point"]
+    assert (row["tau-bar"], row["status"]) == ("0.2", "done") and float(row["time"]) > 4e-6
+    said = sweep.call("sweep", "my.ini", "--programs", "bin", "--dry-run").stdout
+    assert said == "my: 1 point: 1 done, 0 to compute\n"
+
+
+@pytest.mark.parametrize(
+    "old, new, sentence",
+    [
+        ("restart {base}", "script x.py", "line 5: there is no program 'script'"),
+        ("-o end.h5", "-o {time}/x", "-o needs the name of a file in the point's own folder"),
+        ("> 400", "> 4000", "there are no points: none of runs.ini is as 'points' says"),
+    ],
+)
+def test_a_file_that_changes_during_the_run_is_checked_again(sweep, old, new, sentence):
+    sweep.program("prepare", EDIT.replace("ROOT", str(sweep.root)))
+    sweep.write("runs.ini", RUNS)
+    sweep.write("my.ini", FOLLOWS)
+    sweep.write("edited", FOLLOWS.replace(old, new))
+    done = sweep.call("sweep", "my.ini", "--programs", "bin")
+    assert (done.returncode, sentence in done.stderr) == (2, True), done.stderr
+    assert len(list((sweep.root / "results/data/points").glob("*.json"))) == 2
 
 
 # --- what the file says ------------------------------------------------------------------------
@@ -167,7 +248,7 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     crash, refused = rows()
     assert (crash["status"], refused["status"]) == ("unfinished", "failed")
     assert re.match("'analyze stress start.h5 --json' ended with -9$", crash["sentence"])
-    assert "Failed: point: tau-bar 0.1" in crashed.stderr
+    assert "Failed: my: tau-bar 0.1" in crashed.stderr
     assert refused["sentence"].startswith("prepare: --tau-bar 2 would put junctions beyond")
     assert crashed.returncode == 1
     assert "2 points: 1 failed, 1 unfinished." in crashed.stdout

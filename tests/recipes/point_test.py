@@ -13,7 +13,7 @@ from chains.store import digest, save_origin
 ANALYZE = """#!/bin/sh
 echo "analyze $*" >> CALLS
 case "$2" in bad) echo "analyze: first" >&2; echo "analyze: too large" >&2; exit 1;; esac
-echo '{"t": [0.25, null, 2.0], "slow": null, "kind": "fast"}'
+echo '{"t": [0.25, null, 2.0], "slow": null, "kind": "fast", "path": "../x"}'
 """
 RESTART = """#!/bin/sh
 echo "restart $*" >> CALLS
@@ -89,6 +89,19 @@ def test_a_refusal_is_the_result_and_ends_the_point(calls):
     assert (result["status"], result["sentence"]) == ("failed", "analyze: too large")
     assert list(result["commands"]) == ["front", "b"] and list(result["reports"]) == ["front"]
     assert len(calls.read_text().splitlines()) == 2
+
+
+@pytest.mark.parametrize(
+    "hole, sentence",
+    [
+        ("front.path", "'../x' is neither a number nor a word"),
+        ("front.t[9]", "cannot be worked out"),
+    ],
+)
+def test_what_cannot_be_filled_in_ends_the_point(calls, hole, sentence):
+    result = compute(work(FRONT | {"b": f"restart x -o {{{hole}}}"}), "in")
+    assert (result["status"], sentence in result["sentence"]) == ("failed", True)
+    assert len(calls.read_text().splitlines()) == 1
 
 
 def computed(calls, todo):

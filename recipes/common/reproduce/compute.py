@@ -9,6 +9,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+from chains.store import put_back
 from rupture.errors import Failure
 from rupture.tools.command_line import plural
 from runs.written import LIST, append_to, note, refuse_others
@@ -80,6 +81,8 @@ def prepare(request, processes):
     of_chains = [RESULTS / "data" / name for name in ("plan", "points", "digests")]
     of_chains += RESULTS.glob("sweeps/*/plan")
     refuse_links(path for folder in of_chains if folder.exists() for path in os.scandir(folder))
+    if processes.has_turn:
+        put_back()  # of a run that was killed
     if request.command != "sweep":  # before hours of computing
         page = (
             ("index.html", "numbers.csv", "claims.png", "claims.pdf")
@@ -195,16 +198,18 @@ def run_sweep(request, processes):
 
     place = prepare(request, processes)
     own = OwnSweep(request.file)
-    missing = own.missing()
     if request.dry_run:
-        report.preview(own.sweep, missing, request.programs or PROGRAMS)
+        report.preview(own, request.programs or PROGRAMS)
         return 0
     own.write()
-    there, is_known, count = {*STORE.glob("*.json")}, own.points is not None, len(missing)
+    there, count = {*STORE.glob("*.json")}, len(own.missing())
     run_ninja(processes, place, files=[str(request.file)])
-    if not is_known:
+    if own.points is None:
         own = OwnSweep(request.file)
-        count = len([point for point in own.sweep.points if point.path not in there])
+        if own.points is None:
+            raise Failure(f"{request.file}: its points follow from others, which were not computed")
+        own.write()
+        count = len([point for point in own.points if point.path not in there])
     return report.report_sweep(own.sweep, count)
 
 

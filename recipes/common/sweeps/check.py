@@ -131,6 +131,16 @@ def option_of(name, line, programs):
     raise UsageError(f"the option '{name}' cannot vary")
 
 
+def unit_of(name, points):
+    """Of a value that is no option: 1 if all are numbers without a unit."""
+    texts = {point.texts(point.look_up).get(name) for point in points} - {None}
+    try:
+        units = {in_si(text)[1] or "1" for text in texts}
+    except ValueError:
+        return ""
+    return units.pop() if len(units) == 1 else ""
+
+
 def check_points(points, programs):
     """{name: unit} of what the points set."""
     described: dict[str, dict] = {}
@@ -141,7 +151,8 @@ def check_points(points, programs):
         lines = [filled[n] for n, line in point.chain.commands.items() if "{values}" in line]
         if point.options and not lines:
             raise UsageError("no command has {values}")
-        described |= dict.fromkeys(point.values, {"unit": ""})
+        others = [name for name in point.values if name not in point.options]
+        described |= {name: {"unit": unit_of(name, points)} for name in others}
         described |= {name: option_of(name, lines[0], programs) for name in point.options}
     settings = {
         (

@@ -75,11 +75,6 @@ def products(lists, rows):
 
 
 def batches_of(points):
-    """The points of each job. Neighbours, which take about the same time, go to different jobs."""
+    """The points of each job, in their order."""
     size = min(LARGEST_BATCH, math.ceil(len(points) / MOST_BATCHES))
-    count = math.ceil(len(points) / size) if points else 0
-    return [points[number::count] for number in range(count)]
-
-
-def names_of_values(points):
-    return list(dict.fromkeys(name for point in points for name in point.values))
+    return [points[start : start + size] for start in range(0, len(points), size or 1)]

@@ -18,7 +18,6 @@ from chains.sweeps import result
 from data.tables import write_table
 from maps.front_map import TYPES
 from sweeps.picture import draw
-from sweeps.products import names_of_values
 
 SHOWN = 5  # sentences of failed points
 TWO_DECADES = 100
@@ -98,15 +97,16 @@ def rows(sweep):
         found = result(point)
         state = {name: found[name] for name in ("status", "sentence")}
         measured = {n: find(found["reports"], path) for n, path in sweep.columns.items()}
-        yield {**point.settled, **state, **measured, "point": point.id}
+        yield {**point.texts(point.known), **state, **measured, "point": point.id}
 
 
 def columns_of(sweep, table):
     """Numbers are in the unit of their column, whatever unit they were written with."""
-    values = names_of_values(sweep.points)
-    names = [*values, "status", "sentence", *sweep.columns, "point"]
+    others = ("status", "sentence", *sweep.columns, "point")
+    values = list(dict.fromkeys(name for row in table for name in row if name not in others))
+    names = [*values, *others]
     for row in table:
-        row |= {n: without_unit(row[n]) for n in values if n in row and sweep.units.get(n)}
+        row |= {n: without_unit(row[n]) for n in values if row.get(n) and sweep.units.get(n)}
     return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
 
 
@@ -133,13 +133,19 @@ def write_hdf5(path, title, columns):
 # --- what is said ------------------------------------------------------------------------------
 
 
-def preview(sweep, missing, folder_of_tools):
-    done = len(sweep.points) - len(missing)
-    count = plural(len(sweep.points), "point")
-    print(f"{in_one_line(sweep.title)}: {count}: {done} done, {len(missing)} to compute")
-    if missing:
+def preview(own, folder_of_tools):
+    title, missing = in_one_line(own.sweep.title), own.missing()
+    before = [point for point in own.before if not point.is_done]
+    if own.points is None:
+        what = f"its points follow from what other points report; {len(before)} of these to compute"
+    else:
+        count, done = plural(len(own.points), "point"), len(own.points) - len(missing)
+        what = f"{count}: {done} done, {len(missing)} to compute"
+        what += f" after {plural(len(before), 'other')}" if before else ""
+    print(f"{title}: {what}")
+    if first := [*before, *missing][:1]:
         print("Commands of the first point to compute:")
-        for command in missing[0].commands.values():
+        for command in first[0].commands.values():
             print(f"  {folder_of_tools}/{command}")
 
 
