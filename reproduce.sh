@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Reproduces the figures of the paper: installs what is missing, builds, runs, prints the claims.
-# `./reproduce.sh --help` says what it can do. The commands are in recipes/common/reproduce/.
+# `./reproduce.sh --help` says what it can do. The commands are in recipes/reproduce/.
 set -euo pipefail
 
 # A stream that is closed would become the next file. Output that nobody can read fails.
@@ -17,11 +17,11 @@ root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 
 # Debian's Python comes first: another one on the PATH may lack h5py.
 python=/usr/bin/python3
-[[ -x $python ]] || bash "$root/recipes/common/reproduce/set-up.sh" python "$@"
+[[ -x $python ]] || bash "$root/recipes/reproduce/set-up.sh" python "$@"
 [[ -x $python ]] || python=$(command -v python3)
 
 unset PYTHONHOME
 # Debian's packages, not the user's own.
 [[ ! -d /usr/lib/python3/dist-packages/h5py ]] || export PYTHONNOUSERSITE=1
-export PYTHONPATH=$root/recipes/common:$root/recipes:$root/python PYTHONDONTWRITEBYTECODE=1
-exec "$python" -P "$root/recipes/common/reproduce/__main__.py" "$@"
+export PYTHONPATH=$root/recipes:$root/python PYTHONDONTWRITEBYTECODE=1
+exec "$python" -P "$root/recipes/reproduce/__main__.py" "$@"

@@ -3,7 +3,7 @@
 from rupture.errors import Failure, UsageError
 from rupture.programs import output_of
 from rupture.replacing import replacing
-from runs.written import take
+from reproduce.written import take
 
 
 def write(results, path, content):

@@ -10,13 +10,13 @@ from typing import Any
 
 from chains.bases import keep_base
 from chains.commands import PROGRAMS
-from events.conventions import SETS
+from measure.conventions import SETS
 from rupture.errors import UsageError
 from rupture.programs import DRAWING
 from reproduce.project import SHARE
-from sweeps.check import PLAIN
-from sweeps.ini import check_known, errors_of, is_values, needs_of, read_ini
-from sweeps.values import values_of
+from chains.programs import PLAIN
+from chains.ini import check_known, errors_of, is_values, needs_of, read_ini
+from chains.values import values_of
 
 RECIPES = SHARE / "recipes"
 SECTIONS = ("chain", "commands", "values", "quantities", "units", "figure")

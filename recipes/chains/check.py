@@ -4,12 +4,12 @@ yet; and what a chain that is no recipe must not do."""
 import re
 
 from chains.chain import ALL, ALSO, BASE, HOLE, RUNS, SCRIPT, is_expression, kept_names, words_of
-from events.conventions import SETS
+from measure.conventions import SETS
 from chains.expressions import Expression, first_known
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
-from sweeps.check import given_in
-from sweeps.ini import check_known, suggestion
+from chains.programs import given_in
+from chains.ini import check_known, suggestion
 
 OWN = ("values", "base")  # holes that are no names
 

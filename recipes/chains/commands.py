@@ -29,7 +29,7 @@ def run(folder_of_tools, words, folder, files):
     tools = Path(folder_of_tools).resolve()
     command: list = [tools / tool]
     if tool == "script":
-        command = [sys.executable, "-P", "-m", "data.call"]
+        command = [sys.executable, "-P", "-m", "chains.script"]
         arguments[0] = os.path.abspath(arguments[0])
     done = subprocess.run(
         [*command, *arguments],

@@ -15,7 +15,7 @@ from chains.store import DIGESTS, digest, result_of
 from reproduce.project import SHARE
 from rupture.programs import DRAWING
 
-PLACES = ("recipes/common", "recipes", "python")  # of modules that scripts import
+PLACES = ("recipes", "python")  # of modules that scripts import
 NOT_COMPUTED_WITH = (b".note.gnu.build-id", b".rupture_version")  # cmake/WriteVersion.cmake
 MODULES = DIGESTS / "modules.json"
 LOADED = 2  # flag of ELF's sections that are in memory when the program runs

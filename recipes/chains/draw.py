@@ -9,7 +9,7 @@ from chains.point import note
 from chains.results import read_chains
 from claims.claim import Number, write_claims
 from claims.judge import table
-from data.call import module_at
+from chains.script import module_at
 from rupture.errors import Failure
 
 

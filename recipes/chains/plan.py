@@ -19,13 +19,13 @@ from chains.points import Chains, Waiting, those
 from chains.store import DIGESTS, SPARE, digest_file, is_whole, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
-from runs.written import note
-from sweeps.products import batches_of
+from reproduce.written import note
+from chains.products import batches_of
 
 RESULTS, DATA = Path("results"), Path("results/data")
 FOLDER = DATA / "plan"
 FILES = ("build.ninja", ".ninja_log", ".ninja_deps")
-OF_CLAIMS = SHARE / "recipes/common/claims/claims.toml"  # a changed acceptance is judged anew
+OF_CLAIMS = SHARE / "recipes/claims/claims.toml"  # a changed acceptance is judged anew
 # A profile's `step` starts commands as the shell does (docs/cluster.md);
 # setpriv ends them with a Ninja that is killed.
 STEP = (

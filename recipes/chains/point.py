@@ -32,7 +32,7 @@ from chains.store import (
     write_if_changed,
 )
 from rupture.replacing import write_whole
-from runs.written import append_to
+from reproduce.written import append_to
 
 HOLE = re.compile(r"\{([^{}]*)\}")
 OUTPUTS = ("-o", "--output", "--record")  # options with which a program writes files
@@ -153,7 +153,7 @@ def keep(path, result, names, folder):
 
 
 def note(outputs, described, rule, command, inputs, started):
-    """What was done, for the report (runs/origin.py)."""
+    """What was done, for the report (report/origin.py)."""
     job = {"description": described, "rule": rule, "started": started, "command": command}
     job |= {"input": list(map(str, inputs)), "output": list(map(str, outputs))}
     with append_to(JOBS) as file:

@@ -17,11 +17,11 @@ from chains.chain import ways_in
 from chains.expressions import Expression, as_number, as_text, first_known
 from chains.digests import digest_of_tool
 from chains.store import STORE, digest, is_current, origin_of, result_of, sources_of, tools_of
-from events.conventions import words_of
+from measure.conventions import words_of
 from rupture.errors import UsageError
-from sweeps.check import Programs
-from sweeps.products import evaluate, options, products, rows_of
-from sweeps.values import LIMIT
+from chains.programs import Programs
+from chains.products import evaluate, options, products, rows_of
+from chains.values import LIMIT
 
 LAST_BEFORE = "last before "
 

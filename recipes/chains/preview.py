@@ -8,7 +8,7 @@ from chains.points import Chains, Waiting
 def typed(line):
     """A command as one types it in the folder of the project."""
     is_script = line.startswith(f"{SCRIPT} ")
-    return f"python3 -m data.call {line[len(SCRIPT) + 1:]}" if is_script else f"rupture {line}"
+    return f"python3 -m chains.script {line[len(SCRIPT) + 1:]}" if is_script else f"rupture {line}"
 
 
 def in_order(points):

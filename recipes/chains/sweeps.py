@@ -16,10 +16,10 @@ from chains.plan import FILES, RESULTS
 from chains.points import Chains, Waiting
 from chains.store import read, result_of
 from rupture.errors import UsageError
-from runs.written import take
-from sweeps.check import check_columns, check_points
-from sweeps.ini import errors_of
-from sweeps.values import references
+from reproduce.written import take
+from chains.programs import check_columns, check_points
+from chains.ini import errors_of
+from chains.values import references
 
 ENDINGS = (".ini", ".csv", ".hdf5", ".png", ".pdf")
 NOT_REACHED = "it was not reached, or its process was ended"

@@ -10,11 +10,11 @@ from claims import paper
 from claims.claim import PRIMARY
 from claims.judge import interval, shares_of
 from claims.own_result import OwnResult, write_own
-from data.tables import write_table
-from events.front_claims import case_of_event
-from events.fronts import is_fast_only
-from events.units import OF_EVENT, continued_of, events_of, in_words, of_events, of_loads
-from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from measure.tables import write_table
+from measure.front_claims import case_of_event
+from measure.fronts import is_fast_only
+from measure.cases import OF_EVENT, continued_of, events_of, in_words, of_events, of_loads
+from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 DECAYING = ("decaying", "decaying-exact", "decaying-both")  # without edges on prepared interfaces
 CHOICES = (

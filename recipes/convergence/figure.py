@@ -6,10 +6,10 @@ import numpy as np
 import continuum
 from claims.judge import yes
 from claims.own_result import OwnResult, write_own
-from data.records import values
-from data.tables import rows_of, write_table
-from maps.front_map import IMPOSSIBLE, place_of, type_on_map
-from pictures.plotting import BLACK, DOUBLE, LINES, lettered, save
+from measure.records import values
+from measure.tables import rows_of, write_table
+from measure.front_map import IMPOSSIBLE, place_of, type_on_map
+from report.plotting import BLACK, DOUBLE, LINES, lettered, save
 
 EVENTS = {"I": "fast-slow-fast", "II": "second-slow", "III": "fast-only"}
 STEPS = ["2e-7", "1e-7", "5e-8"]  # [s]

@@ -1,5 +1,5 @@
-"""Edges between types of fronts on prepared interfaces (maps/edges.py) on another lattice, as the
-script of a chain:
+"""Edges between types of fronts on prepared interfaces (measure/edges.py) on another lattice, as
+the script of a chain:
 
     n_113 = script lattice.py 113 100 SLOW FAST {values}
 
@@ -7,9 +7,9 @@ with N_x blocks along x and N_s junctions per block (or per-length, as many per 
 paper's lattice), seeks the edges from SLOW and FAST on, under these options of `prepare`. README.md
 explains the scaling."""
 
-from events.conventions import PRIMARY
-from events.fronts import SLOW_BELOW, STENCIL
-from maps.edges import Interfaces
+from measure.conventions import PRIMARY
+from measure.fronts import SLOW_BELOW, STENCIL
+from measure.edges import Interfaces
 
 STEP = 1e-3  # of tau_bar_0
 SCALED = "same length and speed"

@@ -7,13 +7,13 @@ import alternation
 import numpy as np
 
 from claims.own_result import OwnResult, write_own
-from data.records import values
-from data.tables import write_events
-from events.conventions import PRIMARY
-from events.fronts import is_fast_only
-from events.units import events_of
-from pictures.panels import along_interface, ruptured_early
-from pictures.plotting import DOUBLE, lettered, save
+from measure.records import values
+from measure.tables import write_events
+from measure.conventions import PRIMARY
+from measure.fronts import is_fast_only
+from measure.cases import events_of
+from report.panels import along_interface, ruptured_early
+from report.plotting import DOUBLE, lettered, save
 from rupture.tools.command_line import plural
 
 NAMES = {  # setting: title

@@ -5,7 +5,7 @@
 
 import rupture
 
-from events.slip import peaks_of
+from measure.slip import peaks_of
 
 
 def main(record):

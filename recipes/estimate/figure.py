@@ -5,8 +5,8 @@ import numpy as np
 from claims import paper
 from claims.claim import Number
 from claims.judge import judged
-from data.tables import write_table
-from pictures.plotting import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
+from measure.tables import write_table
+from report.plotting import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
 
 
 def net_slip(estimate):

@@ -6,11 +6,11 @@ import numpy as np
 import rupture
 
 from claims.judge import judged, yes
-from data.records import values
-from data.tables import write_table
-from events.conventions import PRIMARY
-from events.slip import peaks_of
-from events.units import events_of, name_of
+from measure.records import values
+from measure.tables import write_table
+from measure.conventions import PRIMARY
+from measure.slip import peaks_of
+from measure.cases import events_of, name_of
 
 MIDDLE = 0.5  # of L; the block of panel E
 

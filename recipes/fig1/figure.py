@@ -6,8 +6,8 @@ import numpy as np
 import speeds
 
 from claims.paper import MU_D, MU_S
-from data.tables import read_table
-from pictures.plotting import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
+from measure.tables import read_table
+from report.plotting import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 
 SHOWN = (0.1, 1500)  # speeds drawn in G [mm/s]
 

@@ -9,7 +9,7 @@ import numpy as np
 import rupture
 
 from claims.judge import judged, yes
-from data.tables import write_table
+from measure.tables import write_table
 
 EVERY = 20  # of the steps that go into the table; where something changes, all
 SHOWN = 1  # block

@@ -4,7 +4,7 @@ import numpy as np
 
 from claims.judge import judged
 from claims.paper import MU_D, MU_S
-from data.tables import write_table
+from measure.tables import write_table
 
 LIMITS = (MU_S / 2, MU_D)
 

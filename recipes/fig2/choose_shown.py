@@ -7,7 +7,7 @@ fast-only, event III, is the first after event I that spans the interface and is
 import sys
 
 from chains.results import read_points
-from events.fronts import is_fast_only
+from measure.fronts import is_fast_only
 
 
 def choose(events):

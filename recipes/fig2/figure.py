@@ -7,13 +7,13 @@ import rupture
 from most_like import COLUMNS
 
 from claims import paper
-from data.tables import write_columns, write_fronts
-from events.conventions import PRIMARY
-from events.event_numbers import at_transitions, numbers_of_events
-from events.front_claims import case_of_event, claims_of_fronts
-from events.units import events_of, in_words, of_loads
-from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
-from pictures.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save
+from measure.tables import write_columns, write_fronts
+from measure.conventions import PRIMARY
+from measure.event_numbers import at_transitions, numbers_of_events
+from measure.front_claims import case_of_event, claims_of_fronts
+from measure.cases import events_of, in_words, of_loads
+from report.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
+from report.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save
 from rupture.replacing import replacing
 
 MOST_LIKE = "most-like"

@@ -10,10 +10,10 @@ import numpy as np
 
 from chains.results import read_points
 from claims import paper
-from events.conventions import PRIMARY
-from events.front_claims import case_of_event
-from events.fronts import has_slow_stretch
-from events.units import events_of
+from measure.conventions import PRIMARY
+from measure.front_claims import case_of_event
+from measure.fronts import has_slow_stretch
+from measure.cases import events_of
 
 PAPER = {  # for readers: of case_of_event(), the paper's value
     "fast before over c_s/3": ("fast before/c_s", paper.FAST),

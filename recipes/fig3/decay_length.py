@@ -15,7 +15,7 @@ import math
 import numpy as np
 import rupture
 
-from events.conventions import PRIMARY
+from measure.conventions import PRIMARY
 
 REACH = 8  # blocks ahead of the tip; the leading edge is farther away
 FITTED = (0, 3)  # blocks ahead of the tip, in the primary method

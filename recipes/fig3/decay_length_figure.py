@@ -6,9 +6,9 @@ from decay_length import FITTED, METHODS, median
 from claims import paper
 from claims.judge import judged
 from claims.spread import spread
-from data.tables import write_table
-from events.conventions import PRIMARY
-from pictures.plotting import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
+from measure.tables import write_table
+from measure.conventions import PRIMARY
+from report.plotting import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
 import slow_fronts as slow
 
 

@@ -10,12 +10,12 @@ import slow_slip
 from claims import paper
 from claims.claim import Number
 from claims.judge import judged
-from data.records import values
-from data.tables import write_table
-from events.event_claims import judged_event, slip_ratios
-from events.units import continued_of, of_events
-from pictures.panels import draw_pinned, draw_pinned_scale
-from pictures.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
+from measure.records import values
+from measure.tables import write_table
+from measure.event_claims import judged_event, slip_ratios
+from measure.cases import continued_of, of_events
+from report.panels import draw_pinned, draw_pinned_scale
+from report.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 OF_REF_20 = f"The experiment of the paper's ref. 20: about {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s."

@@ -9,9 +9,9 @@ import numpy as np
 from claims import paper
 from claims.judge import judged
 from claims.spread import spread
-from data.tables import numbers, write_columns
-from events.conventions import PRIMARY
-from pictures.plotting import AS_IT_IS, CHANGED, SINGLE, lettered, save
+from measure.tables import numbers, write_columns
+from measure.conventions import PRIMARY
+from report.plotting import AS_IT_IS, CHANGED, SINGLE, lettered, save
 import slow_fronts as slow
 
 NX = 57

@@ -1,10 +1,10 @@
 """Fronts where junctions that slip carry no force: data and claim no-slip-force."""
 
 from claims.judge import judged
-from data.tables import rows_of, write_table
-from events.conventions import MEASURES, PRIMARY
-from maps.bands import bands_of, width
-from maps.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
+from measure.tables import rows_of, write_table
+from measure.conventions import MEASURES, PRIMARY
+from measure.bands import bands_of, width
+from measure.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
 from slow_fronts import of_seed
 
 

@@ -6,8 +6,8 @@ from collections import namedtuple
 
 import numpy as np
 
-from data.tables import numbers, rows_of
-from events.conventions import PRIMARY
+from measure.tables import numbers, rows_of
+from measure.conventions import PRIMARY
 
 BLOCKS = 5  # fewer tell nothing about a front
 NEAR_ARREST = 3.0  # m/s; slower fronts are near arrest

@@ -3,9 +3,9 @@
 from claims import paper
 from claims.judge import holds, judged
 from claims.spread import spread
-from data.tables import numbers, rows_of, write_columns
-from events.conventions import PRIMARY
-from pictures.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
+from measure.tables import numbers, rows_of, write_columns
+from measure.conventions import PRIMARY
+from report.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
 import slow_fronts as slow
 
 MM = 1e3  # [mm/m]

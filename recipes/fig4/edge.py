@@ -2,8 +2,8 @@
 
 from claims.claim import Number
 from claims.judge import judged
-from data.tables import write_table
-from events.conventions import PRIMARY
+from measure.tables import write_table
+from measure.conventions import PRIMARY
 
 COLUMNS = ("with slow slip: slow from tau_bar_0", "fast from", "without: not arrested from")
 

@@ -1,15 +1,15 @@
-"""Figure 4: A-B and their claim here, C in strength.py, D by common/maps, its edges in edge.py."""
+"""Figure 4: A-B and their claim here, C in strength.py, D by measure, its edges in edge.py."""
 
 import edge
 import rupture
 import strength
 
-from events.event_claims import judged_event
-from events.units import continued_of, of_events
-from maps.front_map import load_map
-from maps.map_claims import make_map
-from pictures.panels import draw_pinned, draw_pinned_scale, window_of
-from pictures.plotting import DOUBLE, figure, letter, save
+from measure.event_claims import judged_event
+from measure.cases import continued_of, of_events
+from measure.front_map import load_map
+from measure.map_claims import make_map
+from report.panels import draw_pinned, draw_pinned_scale, window_of
+from report.plotting import DOUBLE, figure, letter, save
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 MAPS = ("map", "map_between", "map_boundary")

@@ -5,14 +5,14 @@ from collections import namedtuple
 import numpy as np
 
 from claims.judge import judged
-from data.rank_test import permutation, share_of_lower, signed_rank, van_elteren
-from data.records import values
-from data.tables import write_table
-from events.conventions import PRIMARY
-from events.fronts import LOADING_ZONE, SLOW_BELOW
-from maps.front_map import map_of_seed, seeds_of, type_on_map, types_of
-from maps.map_claims import ABOUT_UNITS, units_of_seeds
-from pictures.plotting import BLACK, EVENT, SINGLE, figure, letter, save
+from measure.rank_test import permutation, share_of_lower, signed_rank, van_elteren
+from measure.records import values
+from measure.tables import write_table
+from measure.conventions import PRIMARY
+from measure.fronts import LOADING_ZONE, SLOW_BELOW
+from measure.front_map import map_of_seed, seeds_of, type_on_map, types_of
+from measure.map_claims import ABOUT_UNITS, units_of_seeds
+from report.plotting import BLACK, EVENT, SINGLE, figure, letter, save
 
 SHOWN = {"fast-slow-fast": ("I", EVENT["I"]), "second-slow": ("II", EVENT["II"])}
 BINS = (0.1, 0.05, 0.2)  # of tau_bar_0: blocks in one bin count as equally loaded; primary first

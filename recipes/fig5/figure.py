@@ -4,13 +4,13 @@ import numpy as np
 import quasistatic
 import rupture
 
-from data.records import values
-from data.tables import write_table
-from events.event_claims import judged_event
-from events.fronts import middle_of
-from events.units import continued_of, of_events
-from pictures.panels import window_of
-from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
+from measure.records import values
+from measure.tables import write_table
+from measure.event_claims import judged_event
+from measure.fronts import middle_of
+from measure.cases import continued_of, of_events
+from report.panels import window_of
+from report.plotting import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
 
 RECORDS = "record.h5", "undriven-record.h5"  # as driven, and with the driving stopped
 STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}

@@ -7,10 +7,10 @@ from quasistatic_stretch import advances, read_ruptures
 
 from claims.judge import judged
 from claims.spread import spread
-from data.tables import write_table
-from events.conventions import PRIMARY
-from pictures.panels import draw_image
-from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, MAP, figure, letter, save
+from measure.tables import write_table
+from measure.conventions import PRIMARY
+from report.panels import draw_image
+from report.plotting import AS_IT_IS, CHANGED, DOUBLE, MAP, figure, letter, save
 
 GREYS = LinearSegmentedColormap.from_list("greys", ["0.5", "1"])  # black lines can be seen on it
 STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured

@@ -4,8 +4,8 @@ import numpy as np
 import rupture
 
 from claims.judge import judged
-from data.tables import write_table
-from pictures.plotting import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
+from measure.tables import write_table
+from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
 
 
 class Stress:

@@ -4,14 +4,14 @@ import numpy as np
 import rupture
 
 from claims.judge import judged
-from data.records import values
-from data.tables import write_events, write_fronts
-from events.conventions import PRIMARY
-from events.event_claims import case_S2
-from events.fronts import is_fast_slow
-from events.units import simplified_of, without_slow_slip
-from pictures.panels import draw_front_speeds, draw_image, window_of
-from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
+from measure.records import values
+from measure.tables import write_events, write_fronts
+from measure.conventions import PRIMARY
+from measure.event_claims import case_S2
+from measure.fronts import is_fast_slow
+from measure.cases import simplified_of, without_slow_slip
+from report.panels import draw_front_speeds, draw_image, window_of
+from report.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
 SPEEDS = {  # label, colour, marker
     "event": ("slow slip", AS_IT_IS, "o"),

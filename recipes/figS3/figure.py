@@ -4,9 +4,9 @@ import numpy as np
 
 from claims.judge import judged
 from claims.paper import MU_D, MU_S
-from data.tables import write_table
-from maps.front_map import beyond_trigger, type_on_map
-from pictures.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
+from measure.tables import write_table
+from measure.front_map import beyond_trigger, type_on_map
+from report.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
 SHOWN_SIGMA_BAR = 0.0

@@ -5,10 +5,10 @@ import rupture
 from scipy import stats
 
 from claims.judge import judged
-from data.tables import write_table
-from events.event_claims import largest_change_of_mean
-from pictures.panels import draw_pinned, draw_pinned_scale, window_of
-from pictures.plotting import DOUBLE, VERMILION, figure, letter, save
+from measure.tables import write_table
+from measure.event_claims import largest_change_of_mean
+from report.panels import draw_pinned, draw_pinned_scale, window_of
+from report.plotting import DOUBLE, VERMILION, figure, letter, save
 
 TITLES = ("event II, unchanged", r"event II, wider $\varphi$ beyond $0.25\,L$")
 REGION = 0.25  # phi was changed from here on, this block included [L]

@@ -4,16 +4,16 @@ import numpy as np
 import rupture
 
 from claims.judge import yes
-from data.records import values
-from data.tables import write_events, write_fronts
-from events.front_claims import judged_in_words
-from events.fronts import first_in_words, STENCIL
-from events.units import events_of, in_words
-from maps.front_map import load_map
-from maps.map_claims import make_map
-from pictures.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
-from pictures.panels import ruptured_early, window_of
-from pictures.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save
+from measure.records import values
+from measure.tables import write_events, write_fronts
+from measure.front_claims import judged_in_words
+from measure.fronts import first_in_words, STENCIL
+from measure.cases import events_of, in_words
+from measure.front_map import load_map
+from measure.map_claims import make_map
+from report.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
+from report.panels import ruptured_early, window_of
+from report.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save
 
 RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "o"),

@@ -3,12 +3,12 @@
 import numpy as np
 
 from claims.own_result import OwnResult, write_own
-from data.records import values
-from data.tables import rows_of
-from maps.bands import bands_of, width
-from maps.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
-from maps.map_panels import draw_key, draw_regions
-from pictures.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
+from measure.records import values
+from measure.tables import rows_of
+from measure.bands import bands_of, width
+from measure.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
+from measure.map_panels import draw_key, draw_regions
+from report.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
 LENGTH = "junctions.d_R"
 TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}

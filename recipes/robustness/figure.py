@@ -6,15 +6,15 @@ import geometry
 import numpy as np
 
 from claims.judge import judged
-from data.records import values
-from data.tables import rows_of, write_events
-from events.front_claims import judged_in_words
-from events.fronts import first_in_words, is_fast_only
-from events.units import events_of, in_words
-from maps.front_map import TYPES, read_map, types_of, write_types
-from maps.map_claims import out_of_order
-from maps.map_panels import draw_regions, name_regions
-from pictures.plotting import DOUBLE, FAST, SINGLE, SLOW, figure, save
+from measure.records import values
+from measure.tables import rows_of, write_events
+from measure.front_claims import judged_in_words
+from measure.fronts import first_in_words, is_fast_only
+from measure.cases import events_of, in_words
+from measure.front_map import TYPES, read_map, types_of, write_types
+from measure.map_claims import out_of_order
+from measure.map_panels import draw_regions, name_regions
+from report.plotting import DOUBLE, FAST, SINGLE, SLOW, figure, save
 
 
 def draw(events, stem):

@@ -1,10 +1,10 @@
 """Maps of front types for other lengths and nucleation energies, and claim geometry."""
 
-from data.tables import rows_of
-from maps import front_map, map_claims
-from maps.front_map import types_of
-from maps.map_panels import draw_key, draw_regions
-from pictures.plotting import DOUBLE, lettered, save
+from measure.tables import rows_of
+from measure import front_map, map_claims
+from measure.front_map import types_of
+from measure.map_panels import draw_key, draw_regions
+from report.plotting import DOUBLE, lettered, save
 
 TITLES = {
     "L x 0.75": r"$0.75\,L$",

@@ -9,8 +9,8 @@ from front_slip import FRONT, SLIP, exponent, pairs_of, smoothed, spanning, tran
 from scipy.stats import spearmanr
 
 from claims.own_result import compared, write_own
-from data.tables import numbers, rows_of, write_columns
-from pictures.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
+from measure.tables import numbers, rows_of, write_columns
+from report.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
 
 # Exponents: tau_bar_0 of the fronts, speeds, and (variant, parameter, power of the quantity).
 KINDS = {"fast": "0.3", "slow": "0.1"}

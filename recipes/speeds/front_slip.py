@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from data.records import values
-from data.tables import numbers
-from events.fronts import front_spans
+from measure.records import values
+from measure.tables import numbers
+from measure.fronts import front_spans
 
 SLIPPED = 1e-6  # [m], about f_thres/k_ij
 X_TRIGGER = 0.0225  # [m]

@@ -10,7 +10,7 @@ import numpy as np
 import rupture
 
 from chains.results import read_points
-from events.fronts import LOADING_ZONE
+from measure.fronts import LOADING_ZONE
 
 CHECKPOINTS = [f"load-t{n / 20:.9f}.h5" for n in range(1, 25)]  # of loads.ini
 BINNED, BINS = 10e-3, 10  # after the rupture [s]: 5 <t_R>, so that a bin is <t_R>/2

@@ -8,12 +8,12 @@ from pytest import mark
 import curves
 from claims.judge import holds
 from conftest import ROOT, approx
-from events.continuations import BRANCHES, LEAD, OWN_BLOCK
-from events.conventions import PRIMARY
-from events.event_claims import case_3B, case_5A, slip_ratios
-from events.front_claims import IN_ORDER, case_of_event, words_and_order_case
-from events.slip import peaks_of
-from events.units import of_event
+from measure.continuations import BRANCHES, LEAD, OWN_BLOCK
+from measure.conventions import PRIMARY
+from measure.event_claims import case_3B, case_5A, slip_ratios
+from measure.front_claims import IN_ORDER, case_of_event, words_and_order_case
+from measure.slip import peaks_of
+from measure.cases import of_event
 from rupture.files import Ruptures
 
 L, C_S = 0.14, 968.0

@@ -12,7 +12,7 @@ from pytest import fixture, mark
 
 from chains.points import Chains, Waiting
 from conftest import ROOT, run
-from runs.recipes import read_readme
+from reproduce.recipes import read_readme
 
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")

@@ -12,7 +12,7 @@ import pytest
 import yaml
 
 from conftest import ROOT
-from crate import CRATE, crate
+from report.crate import CRATE, crate
 from fixture import Project, png, spill
 
 CITED = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))

@@ -1,5 +1,5 @@
-"""Edges between types of fronts by bisection (maps/edges.py), claim edge, and finer lattices; all
-made up."""
+"""Edges between types of fronts by bisection (measure/edges.py), claim edge, and finer lattices;
+all made up."""
 
 from itertools import product
 
@@ -10,8 +10,8 @@ import edge
 import lattice
 from claims.judge import holds
 from conftest import approx
-from events.conventions import PRIMARY
-from maps import edges
+from measure.conventions import PRIMARY
+from measure import edges
 
 
 class TestBisection:

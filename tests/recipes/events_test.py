@@ -1,12 +1,12 @@
-"""Kinds of events, and which of a load are shown (recipes/common/events)."""
+"""Kinds of events, and which of a load are shown (recipes/measure)."""
 
 import numpy as np
 
 from choose_shown import choose
 from conftest import approx
-from events.conventions import CONVENTIONS, PRIMARY
-from events.event_numbers import numbers_of_events
-from pictures.panels import ruptured_early
+from measure.conventions import CONVENTIONS, PRIMARY
+from measure.event_numbers import numbers_of_events
+from report.panels import ruptured_early
 
 
 def event(t_start, *, kind="slow", fast_slow_fast=True):

@@ -120,7 +120,6 @@ class Project:
             file.write('{"rule": "fig5", "outp')  # the run was killed
 
     def report(self):
-        """Runs report.py: exit code, standard output and standard error."""
-        paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/recipes:{ROOT}/python"}
-        script = ROOT / "recipes/common/report/report.py"
-        return run(sys.executable, script, self.root, env=os.environ | paths)
+        """Makes the page: exit code, standard output and standard error."""
+        paths = {"PYTHONPATH": f"{ROOT}/recipes:{ROOT}/python"}
+        return run(sys.executable, "-P", "-m", "report.page", self.root, env=os.environ | paths)

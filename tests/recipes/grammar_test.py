@@ -12,7 +12,7 @@ from chains.expressions import Expression
 from chains.plan import read_by
 from chains.points import Chains, Waiting
 from chains.store import STORE
-from events.conventions import SETS
+from measure.conventions import SETS
 from rupture.errors import UsageError
 
 NAMES = {"x": 3, "a.b": [1, 2.5, None], "none": None, "sigma-bar": 0.2, "v": "slow", "seed": 1}

@@ -1,6 +1,6 @@
 """A user's sweep by ./reproduce.sh: what fails, what crashes, what is computed when the file
 changes; interrupted, killed or damaged, nothing goes on by itself, and the same command completes
-it (recipes/common/{sweeps,reproduce}/)."""
+it (recipes/{chains,reproduce}/)."""
 
 import os
 import re
@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from conftest import BIN
-from data.tables import read_rows
+from measure.tables import read_rows
 from stand_ins import SWEEP, WITHIN, Project, wait_for
 
 # Dies like a process without memory if there is a file `die` in the project's folder.

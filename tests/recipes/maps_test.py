@@ -1,16 +1,16 @@
-"""Maps of front types (common/maps/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
+"""Maps of front types (measure/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
 
 import numpy as np
 from pytest import raises
 from scipy.stats import mannwhitneyu
 
 from conftest import approx
-from data.rank_test import permutation, share_of_lower, van_elteren
-from events.conventions import MEASURES, SETS, WAYS
-from maps import front_map
-from maps.front_map import front_type
-from maps.map_claims import case_of_map, claim_over_seeds, out_of_order
-from maps.map_points import boundary_of_variants
+from measure.rank_test import permutation, share_of_lower, van_elteren
+from measure.conventions import MEASURES, SETS, WAYS
+from measure import front_map
+from measure.front_map import front_type
+from measure.map_claims import case_of_map, claim_over_seeds, out_of_order
+from measure.map_points import boundary_of_variants
 
 ARRESTED, SLOW, FAST = (
     {"types": dict.fromkeys(WAYS, kind), "t_rupture": [1.0]} for kind in front_map.TYPES

@@ -15,7 +15,7 @@ import pytest
 from chains import digests, progress
 from chains.points import Chains
 from conftest import BIN, ROOT, run
-from runs.written import append_to
+from reproduce.written import append_to
 from stand_ins import WITHIN, Project, wait_for
 
 FILES = {
@@ -152,10 +152,10 @@ def test_what_starts_from_another_file_or_is_judged_otherwise_is_made_again(tiny
     )
     tiny.replace("measured.ini", base.name, f"checkpoints/{base.name}")
     assert tiny.computed() == ["tiny", "tiny/measured"]
-    tiny.append("recipes/common/claims/claim.py")  # a comment
+    tiny.append("recipes/claims/claim.py")  # a comment
     assert tiny.computed() == []
     for name in ("claims/claim.py", "claims/claims.toml"):
-        path = tiny.root / "recipes/common" / name
+        path = tiny.root / "recipes" / name
         path.write_text(path.read_text() + '\nX = "1"\n')
         assert tiny.computed() == FIGURE
     shutil.copyfile(base.with_name("second-slow.h5"), base)
@@ -349,7 +349,7 @@ def test_commands_typed_by_hand_give_the_same_files(folder, name):
     (folder / "results/data/points").mkdir()
     work = {"chain": name, "described": "", "works": [point.work | {"path": str(point.path)}]}
     (folder / point.path.with_suffix(".todo")).write_text(json.dumps(work))
-    paths = f"{ROOT}/recipes/common:{ROOT}/recipes:{ROOT}/python"
+    paths = f"{ROOT}/recipes:{ROOT}/python"
     todo = point.path.with_suffix(".todo")
     command = ["python3", "-S", "-P", "-m", "chains.point", str(todo)]
     subprocess.run(command, env=os.environ | {"PYTHONPATH": paths}, check=True)

@@ -15,11 +15,11 @@ import pytest
 from conftest import ROOT, run
 from chains.points import Chains, Point
 from chains.sweeps import OwnSweep
-from data.tables import read_table
+from measure.tables import read_table
 from rupture.errors import Failure, UsageError
-from pictures.plotting import figure, save
-from sweeps.picture import cells, draw, draw_line, edges, middle
-from sweeps.report import Column, columns_of, print_summary, write_csv, write_hdf5
+from report.plotting import figure, save
+from chains.picture import cells, draw, draw_line, edges, middle
+from chains.table import Column, columns_of, print_summary, write_csv, write_hdf5
 from chains.sweeps import Sweep
 
 BASE = ROOT / "checkpoints/fast-only.h5"
@@ -432,7 +432,7 @@ def test_failures_and_dollar_signs_are_drawn_too(drawn, tmp_path, values, result
 def test_what_cannot_be_drawn_is_one_line_and_leaves_no_file(tmp_path, error, why):
     stem = tmp_path / "picture"
     Path(f"{stem}.png").write_text("half")
-    with mock.patch("sweeps.picture.draw_columns", side_effect=error):
+    with mock.patch("chains.picture.draw_columns", side_effect=error):
         said = draw(stem, *sweep_of({V: ["1", "2"]}, {SPEED: [1.0, 2.0]}, ["done"] * 2))
     assert (said, [*tmp_path.iterdir()]) == (f"No picture: {why}", [])
 

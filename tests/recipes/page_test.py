@@ -7,9 +7,9 @@ from functools import cache
 
 import pytest
 
-import readme
-import report
-from caption import PLACE
+from report import readme
+from report import page as report
+from report.caption import PLACE
 from claims.judge import table
 from conftest import ROOT
 from fixture import JUDGED, NOT_RUN, POINTS, START, Project, result, results_of, spill
@@ -178,7 +178,7 @@ def test_files_of_others_are_not_replaced(project):
         path.symlink_to("mine")
         done = project.report()
         assert (done.returncode, done.stderr.count("\n")) == (1, 1)
-        assert f"report.py: {path} is not in" in done.stderr
+        assert f"report: {path} is not in" in done.stderr
         assert path.readlink().name == "mine"
         path.unlink()
     project.page.write_text("mine")
@@ -222,7 +222,7 @@ def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recip
         ids = {*table(), "choices", "findings", "checks", "first", "numbers"}
     else:
         text = (recipe.parent / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]
-        scripts = [*recipe.parent.glob("*.py"), *(ROOT / "recipes/common").rglob("*.py")]
+        scripts = [*recipe.parent.glob("*.py"), *(ROOT / "recipes/measure").rglob("*.py")]
         ids = {claim for claim, row in table().items() if row["recipe"] == recipe.parent.name}
         own = (path.read_text(encoding="utf-8") for path in recipe.parent.glob("*.py"))
         ids |= set(re.findall(r'OwnResult\(\s*(?:id=)?"(\w+)"', "".join(own)))

@@ -11,7 +11,7 @@ import decay_length_figure
 import no_slip_force
 from claims.judge import holds
 from conftest import approx
-from events.conventions import MEASURES, PRIMARY, WAYS
+from measure.conventions import MEASURES, PRIMARY, WAYS
 
 DX = 2.5e-3  # [m]
 BLOCKS = 16

@@ -8,11 +8,11 @@ import subprocess
 
 import pytest
 
-import readme
+from report import readme
 from claims.claim import Claim, Number, Share
 from claims.judge import table
 from conftest import ROOT, run
-from data.tables import read_rows
+from measure.tables import read_rows
 from fixture import spill
 
 EVENTS = (ROOT / readme.FRONTS).read_text(encoding="utf-8")

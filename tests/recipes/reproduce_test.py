@@ -283,5 +283,5 @@ def test_outside_an_allocation_and_inside_a_step_slurm_is_refused(
 
 def test_commands_start_without_what_only_figures_need():
     code = "import sys, reproduce.compute; print({'h5py', 'numpy', 'scipy'} & sys.modules.keys())"
-    paths = {"PYTHONPATH": f"{ROOT}/recipes/common:{ROOT}/python"}
+    paths = {"PYTHONPATH": f"{ROOT}/recipes:{ROOT}/python"}
     assert run(sys.executable, "-c", code, env=os.environ | paths).stdout == "set()\n"

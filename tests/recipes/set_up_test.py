@@ -1,5 +1,5 @@
 """./reproduce.sh installs packages and builds, with stand-ins for apt-get and cmake
-(recipes/common/reproduce/set-up.sh)."""
+(recipes/reproduce/set-up.sh)."""
 
 import os
 import re
@@ -11,7 +11,7 @@ import pytest
 from stand_ins import SWEEP, Project
 
 NOBODY = 65534
-SET_UP = "recipes/common/reproduce/set-up.sh"
+SET_UP = "recipes/reproduce/set-up.sh"
 AS_ROOT = pytest.mark.skipif(os.geteuid() != 0, reason="installs packages, if only by stand-ins")
 MISSING = "[[ $* != *--simulate* ]] || { echo Inst x; exit; }\n"
 WAIT = "for i in {{1..100}}; do [[ -e {0} ]] && break; sleep 0.1; done; [[ -e {0} ]] || exit 1\n"

@@ -7,7 +7,7 @@ from slip_history import gini, slip_in_bins
 
 from claims.own_result import compared, text_of
 from conftest import approx
-from data.tables import numbers
+from measure.tables import numbers
 
 
 @mark.parametrize(

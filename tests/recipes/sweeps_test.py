@@ -1,4 +1,4 @@
-"""Values in sweep files, their products, and tables of points (recipes/common/sweeps)."""
+"""Values in sweep files, their products, and tables of points (recipes/chains)."""
 
 import re
 
@@ -7,9 +7,9 @@ import pytest
 from chains.check import check
 from chains.points import Chains
 from rupture.errors import UsageError
-from sweeps.products import batches_of
+from chains.products import batches_of
 from rupture.units import in_si
-from sweeps.values import values_of
+from chains.values import values_of
 
 COMMANDS = "[commands]\nstart = prepare {values} -o start.h5\n"
 

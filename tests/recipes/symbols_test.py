@@ -5,8 +5,8 @@ import types
 
 import pytest
 
-from caption import as_html, filled, seen
-from symbols import typeset
+from report.caption import as_html, filled, seen
+from report.symbols import typeset
 
 C_S = "<msub><mi>c</mi><mi>s</mi></msub>"
 TAU_BAR = '<mover><mi>τ</mi><mo stretchy="false">¯</mo></mover>'

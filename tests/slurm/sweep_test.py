@@ -119,7 +119,7 @@ class Job:
     def __init__(self, project, cluster):
         self.project, self.cluster = project, cluster
         job = ("sbatch", "--parsable", f"--ntasks={CORES}", "--output=job.out")
-        script = ("recipes/common/profiles/slurm/job.sh", "sweep", "my.ini", "--programs", PROGRAMS)
+        script = ("recipes/reproduce/slurm/job.sh", "sweep", "my.ini", "--programs", PROGRAMS)
         self.number = project.run(*job, *script).strip()
 
     def is_in_queue(self):
@@ -150,7 +150,7 @@ class Job:
 
     def kill_all(self):
         """Every process that was started in the project's folder, at once."""
-        mark = f"PYTHONPATH={self.project.root}/recipes/common:".encode()
+        mark = f"PYTHONPATH={self.project.root}/recipes:".encode()
         for number in processes_with(mark):
             os.kill(number, signal.SIGKILL)
 

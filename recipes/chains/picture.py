@@ -1,0 +1,168 @@
+"""The default picture of a user's sweep: every measured quantity against the one or two values that
+vary, each a Column (report.py). Seeds are repetitions: single ones and their median are shown."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.colors import ListedColormap
+
+from measure.map_panels import COLOURS
+from report.plotting import BLACK, DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, save
+
+SEEDS = ("seed", "numerics.seed")
+PANEL = 62 * MM  # height [inch]
+HATCHED = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
+
+
+def plain(text):
+    """The text for Matplotlib, which takes what is between two $ for a formula."""
+    return text.replace("$", r"\$")
+
+
+def set_axis(axes, which, axis):
+    axes.set(**{f"{which}label": plain(axis.heading), f"{which}scale": axis.scale})
+    if axis.categories:
+        axes.set(**{f"{which}ticks": range(len(axis.categories))})
+        axes.set(**{f"{which}ticklabels": axis.categories})
+        axes.set(**{f"{which}lim": (-0.5, len(axis.categories) - 0.5)})
+    elif axis.scale == "linear":
+        axes.ticklabel_format(axis=which, style="sci", scilimits=(-3, 5), useMathText=True)
+
+
+def middle(column, here):
+    """The median of these points; of texts the most frequent one; NaN where there is none."""
+    found = column.positions[here & np.isfinite(column.positions)]
+    if not len(found):
+        return np.nan
+    return np.bincount(found.astype(int)).argmax() if column.categories else np.median(found)
+
+
+# --- one value varies ----------------------------------------------------------------------
+
+
+def draw_line(axes, x, y, done):
+    """Single points and the line of their medians, or dots for texts, whose area is the number of
+    points. At the bottom, below all dots, are points that are not done, or have no value."""
+    if y.categories:
+        places, counts = np.unique([x.positions, y.positions], axis=1, return_counts=True)
+        axes.scatter(*places, s=12 * counts, color=LINES[0], linewidth=0)
+    else:
+        places = np.unique(x.positions)
+        medians = np.array([middle(y, x.positions == place) for place in places])
+        known = np.isfinite(medians)
+        axes.plot(x.positions, y.positions, "o", color=LINES[0], alpha=0.5, markeredgewidth=0)
+        axes.plot(places[known], medians[known], color=LINES[0])
+    set_axis(axes, "x", x)
+    set_axis(axes, "y", y)
+    without_value = done & np.isnan(y.positions)
+    for marked, marker, colour in ((~done, "x", VERMILION), (without_value, "_", BLACK)):
+        if marked.any():
+            axes.margins(y=0.12)
+            look = {"color": colour, "transform": axes.get_xaxis_transform()}
+            places = np.unique(x.positions[marked])
+            axes.plot(places, np.full(len(places), 0.04), marker, **look)
+
+
+# --- two values vary -----------------------------------------------------------------------
+
+
+def edges(axis):
+    """Borders of the cells around its places, halfway between them as the axis shows it."""
+    places = np.unique(axis.positions)
+    shown = np.log(places) if axis.scale == "log" else places
+    half = np.diff(shown) / 2
+    borders = np.concatenate([shown[:1] - half[:1], shown[:-1] + half, shown[-1:] + half[-1:]])
+    return np.exp(borders) if axis.scale == "log" else borders
+
+
+def cells(x, y, value_at):
+    """The values of a map: value_at(which points) for each pair of places that has points."""
+    (x_places, columns), (y_places, rows) = (
+        np.unique(axis.positions, return_inverse=True) for axis in (x, y)
+    )
+    grid = np.full((len(y_places), len(x_places)), np.nan)
+    for row, column in {*zip(rows, columns)}:
+        grid[row, column] = value_at((rows == row) & (columns == column))
+    return np.ma.masked_invalid(grid)
+
+
+def draw_values(fig, axes, borders, z, grid):
+    look = {"cmap": MAP, "norm": z.scale}
+    if z.categories:
+        colours = [COLOURS.get(text, LINES[n % len(LINES)]) for n, text in enumerate(z.categories)]
+        look = {"cmap": ListedColormap(colours), "vmin": -0.5, "vmax": len(colours) - 0.5}
+    scale = fig.colorbar(axes.pcolormesh(*borders, grid, **look), ax=axes)
+    if z.categories:
+        scale.ax.minorticks_off()
+        scale.set_ticks(range(len(z.categories)), labels=z.categories)
+
+
+def draw_map(fig, axes, x, y, z, done):
+    """Medians as colours; hatched where no point is done."""
+    borders = edges(x), edges(y)
+    medians = cells(x, y, lambda here: middle(z, here))
+    not_done = cells(x, y, lambda here: np.nan if done[here].any() else 0.0)
+    axes.set_title(plain(z.heading) + ("" if medians.count() else ": no value"))
+    if medians.count():
+        draw_values(fig, axes, borders, z, medians)
+    if not_done.count():
+        axes.pcolor(*borders, not_done, **HATCHED)
+    empty = done & np.isnan(z.positions)
+    axes.plot(x.positions[empty], y.positions[empty], "_", color=BLACK, markersize=6)
+    set_axis(axes, "x", x)
+    set_axis(axes, "y", y)
+
+
+# --- the picture ---------------------------------------------------------------------------
+
+
+def draw_columns(stem, sweep, columns):
+    """Writes the picture, or says why there is none."""
+    by_name = {column.name: column for column in columns}
+    varied = [by_name[name] for name in sweep.varied if name not in SEEDS]
+    if len(varied) not in (1, 2):
+        vary = f"{len(varied)} values vary (seeds do not count)"
+        return f"No picture: {vary}; pictures are drawn of one or two."
+    for axis in varied:
+        if None in axis.cells:
+            return f"No picture: some points have no {axis.name}."
+    done = np.array([status == "done" for status in by_name["status"].cells])
+    measured = [by_name[name] for name in sweep.columns]
+    beside = min(2, len(measured))
+    below = -(-len(measured) // beside)
+    size = (SINGLE if beside == 1 else DOUBLE, PANEL * below)
+    fig, grid = figure(*size, nrows=below, ncols=beside, squeeze=False)
+    for axes in grid.flat[len(measured) :]:
+        axes.remove()
+    for axes, quantity in zip(grid.flat, measured):
+        if len(varied) == 1:
+            draw_line(axes, varied[0], quantity, done)
+        else:
+            draw_map(fig, axes, varied[0], varied[1], quantity, done)
+    line, crosses = ("line", "crosses") if len(varied) == 1 else ("colour", "hatched")
+    seeds = max(len({*by_name[name].texts}) if name in by_name else 1 for name in SEEDS)
+    notes = {
+        f"{line}: median of {seeds} seeds": seeds > 1,
+        f"{crosses}: not done": not done.all(),
+        "dashes: no value": any(np.isnan(q.positions[done]).any() for q in measured),
+    }
+    note = "; ".join(text for text, applies in notes.items() if applies)
+    fig.suptitle(plain(sweep.title) + (f" ({note})" if note else ""), fontsize=8)
+    save(fig, stem)
+    return ""
+
+
+def remove(stem):
+    for suffix in (".png", ".pdf"):
+        Path(f"{stem}{suffix}").unlink(missing_ok=True)
+
+
+def draw(stem, sweep, columns):
+    """The same in the place of a former picture. The table is there already, so that all that
+    Matplotlib may raise is a reason, too."""
+    remove(stem)
+    try:
+        return draw_columns(stem, sweep, columns)
+    except Exception as error:
+        remove(stem)
+        return f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"

@@ -1,0 +1,188 @@
+"""Reports what a user's sweep would compute, and its results (docs/sweeps.md)."""
+
+import re
+import sys
+from collections import Counter
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from rupture.replacing import replacing
+from rupture.tools.command_line import in_one_line, plural
+from rupture.units import without_unit
+from chains.commands import UNFINISHED
+from chains.sweeps import result
+from measure.tables import write_table
+from measure.front_map import TYPES
+from chains.picture import draw
+
+SHOWN = 5  # sentences of failed points
+TWO_DECADES = 100
+FORMULA = re.compile(r"[=@]|[-+](?![\d.])")  # of a spreadsheet
+
+
+# --- the table ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Column:
+    name: str
+    unit: str  # 1: a dimensionless number; empty: a text
+    cells: list  # texts and numbers of JSON; None where there is none
+
+    @property
+    def heading(self):
+        return self.name if self.unit in ("", "1") else f"{self.name} [{self.unit}]"
+
+    @property
+    def texts(self):
+        return [text_of(cell) for cell in self.cells]
+
+    @cached_property
+    def categories(self):
+        """Texts at 0, 1, ... of an axis: those of fronts from arrested to fast, then others in the
+        order in which they appear. Empty for numbers."""
+        present = [] if self.unit else [text for text in self.texts if text]
+        return [text for text in dict.fromkeys(("none", *TYPES, *present)) if text in present]
+
+    @cached_property
+    def positions(self):
+        """Of each point along an axis: the numbers, or places of categories."""
+        if self.unit:
+            return np.array(self.cells, dtype=float)
+        places = {text: place for place, text in enumerate(self.categories)}
+        return np.array([places.get(text, np.nan) for text in self.texts])
+
+    @property
+    def scale(self):
+        """Logarithmic where positive numbers span two decades, or three or more of them are spaced
+        by a factor."""
+        places = np.unique(self.positions[np.isfinite(self.positions)])
+        if not self.unit or not len(places) or places[0] <= 0:
+            return "linear"
+        spans = places[-1] >= TWO_DECADES * places[0]
+        return "log" if spans or (len(places) > 2 and is_geometric(places)) else "linear"
+
+
+def text_of(cell):
+    if isinstance(cell, str):
+        cell = in_one_line(cell)
+        return f"'{cell}" if FORMULA.match(cell) else cell
+    return "" if cell is None else str(cell).lower() if isinstance(cell, bool) else str(cell)
+
+
+def find(tree, path):
+    """The value that a path such as front.v_c.3 leads to; None where it leads nowhere."""
+    try:
+        for key in path.split("."):
+            tree = tree[int(key)] if isinstance(tree, list) else tree[key]
+    except (KeyError, IndexError, TypeError, ValueError):
+        return None
+    return tree
+
+
+def is_geometric(places):
+    even, even_logs = (
+        np.ptp(steps) / steps.mean() for steps in map(np.diff, (places, np.log(places)))
+    )
+    return even_logs < min(0.1, even)
+
+
+def rows(sweep):
+    """One dict per point."""
+    for point in sweep.points:
+        found = result(point)
+        state = {name: found[name] for name in ("status", "sentence")}
+        measured = {n: find(found["reports"], path) for n, path in sweep.columns.items()}
+        yield {**point.texts(point.known), **state, **measured, "point": point.id}
+
+
+def columns_of(sweep, table):
+    """Numbers are in the unit of their column, whatever unit they were written with."""
+    others = ("status", "sentence", *sweep.columns, "point")
+    values = list(dict.fromkeys(name for row in table for name in row if name not in others))
+    names = [*values, *others]
+    for row in table:
+        row |= {n: without_unit(row[n]) for n in values if row.get(n) and sweep.units.get(n)}
+    return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
+
+
+def write_csv(path, columns):
+    cells = zip(*(column.texts for column in columns))
+    write_table(path, [column.heading for column in columns], cells)
+
+
+def fixed(texts):
+    """The texts as UTF-8, all as long as the longest one."""
+    encoded = [text.encode() for text in texts]
+    return np.array(encoded, h5py.string_dtype("utf-8", max([1, *map(len, encoded)])))
+
+
+def write_hdf5(path, title, columns):
+    with replacing(path) as part, h5py.File(part, "w", locking=False) as file:
+        file.attrs["title"] = fixed([title]).reshape(())
+        for column in columns:
+            cells = column.positions if column.unit else fixed(column.texts)
+            dataset = file.create_dataset(column.name, data=cells, track_times=False)
+            dataset.attrs["unit"] = fixed([column.unit or "1"]).reshape(())
+
+
+# --- what is said ------------------------------------------------------------------------------
+
+
+def preview(own, folder_of_tools):
+    title, missing = in_one_line(own.sweep.title), own.missing()
+    before = [point for point in own.before if not point.is_done]
+    if own.points is None:
+        what = f"its points follow from what other points report; {len(before)} of these to compute"
+    else:
+        count, done = plural(len(own.points), "point"), len(own.points) - len(missing)
+        what = f"{count}: {done} done, {len(missing)} to compute"
+        what += f" after {plural(len(before), 'other')}" if before else ""
+    print(f"{title}: {what}")
+    if first := [*before, *missing][:1]:
+        print("Commands of the first point to compute:")
+        for command in first[0].commands.values():
+            print(f"  {folder_of_tools}/{command}")
+
+
+def print_summary(sweep, table, missing):
+    """`missing`: how many points were unfinished before. A quantity without a value is, for
+    instance, the front speed at a block that does not exist."""
+    counts = Counter(row["status"] for row in table)
+    states = ", ".join(f"{counts[s]} {s}" for s in ("done", "failed", UNFINISHED) if counts[s])
+    print(f"\n{in_one_line(sweep.title)}: {plural(len(table), 'point')}: {states}.")
+    computed = missing - counts[UNFINISHED]
+    print(f"Computed now: {computed}; already done: {len(table) - missing}.")
+    for status in ("failed", UNFINISHED):
+        said = Counter(row["sentence"] for row in table if row["status"] == status)
+        lines = [
+            f"  {times} x {in_one_line(sentence)}" for sentence, times in said.most_common(SHOWN)
+        ]
+        if len(said) > SHOWN:
+            lines.append(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has all")
+        if lines:
+            print(f"{status.capitalize()}:", *lines, sep="\n")
+    for heading, path in sweep.columns.items() if counts["done"] else ():
+        if all(row[heading] is None for row in table):
+            print(f"No point has a value for {path} ({heading}).")
+    return counts[UNFINISHED]
+
+
+def report_sweep(sweep, missing):
+    """The exit code: 1 if points are unfinished. `missing`: how many were before."""
+    table = list(rows(sweep))
+    columns = columns_of(sweep, table)
+    plan = Path(sweep.file).resolve()
+    write_csv(plan.with_suffix(".csv"), columns)
+    write_hdf5(plan.with_suffix(".hdf5"), sweep.title, columns)
+    unfinished = print_summary(sweep, table, missing)
+    stem = plan.with_suffix("")
+    print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
+    print(draw(stem, sweep, columns) or f"Picture: {stem}.png and .pdf", flush=True)
+    if unfinished:
+        print("To retry the unfinished points, run the same command again.", file=sys.stderr)
+    return 1 if unfinished else 0

@@ -1,1 +1,0 @@
-"""Reading records, reports and tables; fits and tests."""

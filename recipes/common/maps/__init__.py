@@ -1,1 +1,0 @@
-"""Maps of front types against prestress and width of phi."""

@@ -1,1 +1,0 @@
-"""The style of the pictures, and the panels that several share."""

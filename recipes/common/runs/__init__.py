@@ -1,1 +1,0 @@
-"""Runs that several recipes share, and what rules have in common."""

@@ -1,0 +1,1 @@
+"""What is measured: fronts and ways to measure them, events, slip, maps; tables, rank tests."""

@@ -1,0 +1,1 @@
+"""The page with all results, the same for programs, the README's tables; the style of pictures."""

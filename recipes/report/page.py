@@ -1,0 +1,156 @@
+"""Writes results/index.html, one page with all figures and claims: -m report.page
+[PROJECT'S FOLDER]"""
+
+import os
+import sys
+import time
+from pathlib import Path
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from report.caption import as_html, filled, of_files, seen
+from claims.claim import CLAIMS, STANDINGS, number, read_results
+from claims.judge import table
+from claims.own_result import read_own
+from claims.released import released
+from rupture.replacing import write_whole
+from report.readme import update_readme, write_numbers
+from report.crate import CRATE, write_crate
+from report.glance import glance_picture
+from report.picture import MOVIE, picture
+from report import origin
+from reproduce.recipes import label, natural, read_readme, recipe_names
+from rupture.errors import Failure
+from reproduce.written import take
+from report.symbols import typeset
+
+HERE = Path(__file__).resolve().parent
+WRITTEN = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
+MANY = 12  # commands of a step, beyond which only their number is of interest
+MANY_SUMS = 100  # checksums
+SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
+
+
+def files_of(folder, pattern):
+    """The one with the name of the recipe comes first. Killed programs leave hidden files."""
+    found = (path for path in folder.glob(pattern) if not path.name.startswith("."))
+    return sorted(found, key=lambda path: (path.stem != folder.name, natural(path.name)))
+
+
+class Recipe:
+    """A recipe with results, for its section; `shown` are all recipes that have a section."""
+
+    def __init__(self, root, name, shown, accounts):
+        folder = root / "results" / name
+        readme = read_readme(root / "recipes" / name / "README.md")
+        self.name, self.label = name, label(name)  # no label if it belongs to no figure
+        self.title, self.commands = readme.title, readme.commands
+        (self.claims, self.numbers), self.own = read_results(folder / CLAIMS), read_own(folder)
+        there = {path.name for path in folder.iterdir()}
+        caption = filled(of_files(readme.caption, there), self.claims + self.own)
+        self.caption = as_html(caption, shown)
+        self.pictures = [
+            picture(path, seen(path.name, readme.title, caption))
+            for path in files_of(folder, "*.png")
+        ]
+        self.tables = [path.name for path in files_of(folder, "*.csv")]
+        files = accounts.files_behind(name)
+        self.jobs, self.sums = accounts.jobs(files), origin.checksums(root, files)
+
+
+def rows_of(recipes):
+    """[(recipe, claim), ...] in the order of claims.toml."""
+    found = {}
+    for recipe in recipes:
+        for claim in recipe.claims:
+            path = f"results/{recipe.name}/claims.json"
+            if claim.id not in table():
+                raise Failure(f"{path} has a claim '{claim.id}' that claims.toml does not list.")
+            if claim.id in found:
+                raise Failure(f"Claim '{claim.id}' is in {path} although it was found before.")
+            found[claim.id] = recipe, claim
+    return [found[claim_id] for claim_id in table() if claim_id in found]
+
+
+def duration(seconds):
+    if seconds < 10:
+        return f"{seconds:.1f} s"
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes} min {rest} s" if minutes > 1 else f"{60 * minutes + rest} s"
+
+
+def contents(root):
+    accounts = origin.Accounts(root)
+    names = [name for name in recipe_names(root) if (root / "results" / name / CLAIMS).exists()]
+    recipes = [Recipe(root, name, names, accounts) for name in names]
+    rows = rows_of(recipes)
+    claims = [claim for _, claim in rows]
+    files = set().union(*(accounts.files_behind(name) for name in names))
+    jobs, builds = accounts.jobs(files), origin.builds(root, files)
+    verdicts = (root / "docs/claims.md").read_text(encoding="utf-8")
+    return {
+        "recipes": recipes,
+        "rows": rows,
+        "listed": len(table()),
+        "counts": [
+            (kind, [(sum((c.kind, c.standing) == (kind, s) for c in claims), s) for s in STANDINGS])
+            for kind in ("finding", "check")
+        ],
+        "numbers": [number for recipe in recipes for number in recipe.numbers],
+        "released": released(root, files),
+        "movie": (root / "results" / MOVIE).exists() and MOVIE,
+        "glance": glance_picture(root / "results", claims),
+        "verdicts": as_html(verdicts.partition("\n")[2], names),  # below its title
+        "jobs": jobs,
+        "run": origin.last_run(root, jobs),
+        "builds": builds,
+        "build": origin.present_build(),
+        "processor": origin.processor(),
+    }
+
+
+def render(content):
+    environment = Environment(
+        loader=FileSystemLoader(HERE),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters.update(
+        date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
+        duration=duration,
+        number=number,
+        steps=origin.steps,
+        typeset=typeset,
+    )
+    environment.globals.update(SMALL=SMALL, MANY=MANY, MANY_SUMS=MANY_SUMS)
+    return environment.get_template("page.html.j2").render(content)
+
+
+def main(folder="."):
+    root = Path(folder).resolve()
+    results = (root / "results").resolve()
+    path = results / "index.html"
+    try:
+        take(results, *(results / name for name in (*WRITTEN, CRATE)))
+        content = contents(root)
+        write_whole(path, render(content))
+        write_numbers(results / "numbers.csv", content["numbers"])
+        write_crate(root)
+        if len(content["rows"]) == len(table()):
+            own = [result for recipe in content["recipes"] for result in recipe.own]
+            claims = [claim for _, claim in content["rows"]]
+            main_build = next((build for build, _ in content["builds"]), "")  # of most records
+            version = origin.version_of(main_build)
+            update_readme(root, claims, own, content["numbers"], version)
+        print(f"Report: {path}", flush=True)
+    except Failure as problem:
+        sys.exit(f"report: {problem}")
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more
+        sys.exit(f"report: {error.filename or 'standard output'}: {error.strerror}.")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,78 @@
+"""./reproduce.sh clean: deletes what was written and built here, and lists what it leaves."""
+
+import os
+import shutil
+from contextlib import suppress
+
+from reproduce.project import READ, ROOT, WORK, say
+from reproduce.written import LIST, written
+
+HOME = (WORK or ROOT).resolve()
+RESULTS = HOME / "results"
+OWN = HOME / ROOT.relative_to(WORK) if WORK else ROOT  # has build/
+BUILD = OWN / "build"
+FORMER = OWN / ".snakemake"  # of version 0.4, whose list of files is the same
+NAMED = 20  # of the files that are left
+
+
+def own_files():
+    """The listed files in results/ that are not behind links. Anybody may have written the list."""
+    listed = [RESULTS / name for name in (*written(RESULTS), LIST)]
+    return [one for one in listed if RESULTS in one.parents and one.resolve() == one]
+
+
+def own_folders():
+    """The folders of runs, and of builds of rupture; not behind links either."""
+    name = "\nCMAKE_PROJECT_NAME:STATIC=rupture\n"  # wherever the sources were at that time
+    caches = [*BUILD.glob("CMakeCache.txt"), *BUILD.glob("*/CMakeCache.txt")]
+    builds = [one.parent for one in caches if name in one.read_text(errors="replace")]
+    found = [FORMER, BUILD / "log", BUILD / "cache", *builds]
+    return [one for one in found if one.resolve() == one and one.is_dir()]
+
+
+def own_links():
+    """The links through which recipes of `rupture reproduce` find their files, then the locks, that
+    of this run last."""
+    links = [OWN / name for name in ("results", *READ)] if WORK else []
+    locks = [BUILD / f".{name}" for name in ("lock-of-programs", "lock")]
+    return [*filter(os.path.islink, links), *filter(os.path.lexists, locks)]
+
+
+def left_in(place):
+    """The files and links in a place."""
+    if place.is_symlink() or not place.is_dir():
+        return [place] if os.path.lexists(place) else []
+    return [one for one in sorted(place.rglob("*")) if one.is_symlink() or not one.is_dir()]
+
+
+def say_left(left):
+    say("Kept (links are not followed, and this program did not write the other files):")
+    for path in left[:NAMED]:
+        target = f" -> {os.readlink(path)}" if path.is_symlink() else ""
+        say(f"  {path.relative_to(HOME)}{target}")
+    if len(left) > NAMED:
+        say(f"  and {len(left) - NAMED} more")
+
+
+def clean(*_):
+    listed = own_files()
+    files = [one for one in listed if one.is_file()]
+    folders = own_folders()
+    files_in = f"{len(files) - 1} file{'s' if len(files) > 2 else ''} in results/"
+    deleted = [files_in] if len(files) > 1 else []
+    deleted += [f"{one.relative_to(HOME)}/" for one in folders if any(one.iterdir())]
+    for folder in folders:
+        shutil.rmtree(folder, ignore_errors=not folder.exists())  # within another
+    links = own_links()
+    for file in files + links:
+        file.unlink()
+    parents = {parent for one in listed + folders + links for parent in one.parents}
+    for folder in sorted(parents, reverse=True):  # what is in a folder comes first
+        with suppress(OSError):
+            if HOME in folder.parents:
+                folder.rmdir()
+    places = (RESULTS, OWN) if WORK else (RESULTS, FORMER, BUILD)
+    left = [path for place in places for path in left_in(place)]
+    say(f"Deleted {', '.join(deleted)}." if deleted else "Nothing was deleted.")
+    if left:
+        say_left(left)

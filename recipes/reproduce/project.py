@@ -1,0 +1,65 @@
+"""Where files are, and how the commands print."""
+
+import os
+from pathlib import Path
+
+from rupture.errors import Failure
+from rupture.tools import command_line
+
+SHARE = Path(__file__).resolve().parents[2]  # recipes and what they read
+# `rupture reproduce` names the folder for results. Elsewhere they are beside the recipes.
+WORK = Path(os.environ["RUPTURE_WORK"]) if "RUPTURE_WORK" in os.environ else None
+ROOT = WORK / ".rupture" if WORK else SHARE
+LOGS = Path("build/log")
+PROGRAMS = Path("build/release/bin")
+PROFILES = Path("recipes/reproduce")
+READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
+# Recipes that `all` leaves out: they judge no claim and take long.
+BESIDE_ALL = ("choices", "convergence", "speeds")
+
+
+def refuse_links(paths):
+    for path in paths:
+        if path.is_symlink():
+            raise Failure(f"{os.fspath(path)} is a link, which is not followed: move it away.")
+
+
+def enter_root():
+    """Enters the folder of recipes and results. For `rupture reproduce`, it has links to both, and
+    no others, which might lead to files of the user."""
+    if WORK:
+        try:
+            targets = {"results": Path("../results")} | {name: SHARE / name for name in READ}
+            inside = (Path(at, one) for at, *names in os.walk(ROOT) for one in sum(names, []))
+            refuse_links((ROOT, *(one for one in inside if one not in map(ROOT.joinpath, targets))))
+            ROOT.mkdir(exist_ok=True)
+            (WORK / "results").mkdir(exist_ok=True)
+            for name, target in targets.items():
+                link = ROOT / name
+                if link.is_symlink() and link.readlink() != target:
+                    link.unlink()
+                if not link.is_symlink():
+                    link.symlink_to(target)
+        except OSError as error:
+            where = error.filename2 or error.filename
+            raise Failure(f"{where} cannot be written ({error.strerror}).") from None
+    os.chdir(ROOT)
+
+
+def use_own_environment():
+    """Puts caches into the project's folder and, with Debian's packages, ignores the user's own."""
+    cache = ROOT / "build/cache"
+    (cache / "matplotlib").mkdir(parents=True, exist_ok=True)
+    if os.path.isdir("/usr/lib/python3/dist-packages/h5py"):
+        os.environ["PYTHONNOUSERSITE"] = "1"
+    os.environ.update(XDG_CACHE_HOME=str(cache), MPLCONFIGDIR=str(cache / "matplotlib"))
+    os.environ["MATPLOTLIBRC"] = os.devnull
+
+
+def say(text=""):
+    """Prints at once, before the programs that are started next."""
+    print(text, flush=True)
+
+
+def complain(text):
+    command_line.complain("reproduce" if WORK else "reproduce.sh", str(text).rstrip("."))
