@@ -1,11 +1,13 @@
 """Prints what a script finds, as JSON: -m chains.script SCRIPT.py WORD...
 
-The script's function main(WORD...) returns it. A text is printed as it is."""
+The script's function main(WORD...) returns it. If a program refuses, so does the script."""
 
 import json
 import sys
 from importlib import import_module
 from pathlib import Path
+
+from rupture.errors import Failure
 
 
 def module_at(path):
@@ -15,9 +17,12 @@ def module_at(path):
 
 
 def main(path, *words):
-    found = module_at(path).main(*words)
+    try:
+        found = module_at(path).main(*words)
+    except Failure as failure:  # of a program that it runs
+        sys.exit(str(failure))
     if found is not None:
-        print(found if isinstance(found, str) else json.dumps(found))
+        print(json.dumps(found))
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import pytest
 
 from chains.point import compute, main
 from chains.store import digest, save_origin
+from conftest import ROOT
 
 ANALYZE = """#!/bin/sh
 echo "analyze $*" >> CALLS
@@ -33,6 +34,7 @@ def stand_ins(folder, monkeypatch):
     (folder / "results").mkdir()
     monkeypatch.setenv("RUPTURE_BIN", str(folder))
     monkeypatch.setenv("CONTENT", "1")
+    monkeypatch.setenv("PYTHONPATH", f"{ROOT}/recipes:{ROOT}/python")
     return folder / "calls"
 
 
@@ -89,6 +91,23 @@ def test_a_refusal_is_the_result_and_ends_the_point(calls):
     assert (result["status"], result["sentence"]) == ("failed", "analyze: too large")
     assert list(result["commands"]) == ["front", "b"] and list(result["reports"]) == ["front"]
     assert len(calls.read_text().splitlines()) == 2
+
+
+SCRIPTS = [  # what main() does, status and sentence
+    ("return {'a': 1}", "done", ""),
+    ("output_of('analyze', 'front', 'bad')", "failed", "analyze: too large"),
+    ("sys.exit('there is no event')", "failed", "there is no event"),
+    ("return {}['a']", "unfinished", "KeyError: 'a'"),
+]
+
+
+@pytest.mark.parametrize("does, status, sentence", SCRIPTS)
+def test_a_script_reports_refuses_or_has_a_fault(calls, does, status, sentence):
+    text = f"import sys\nfrom rupture.programs import output_of\ndef main(n):\n    {does}\n"
+    Path("x.py").write_text(text)
+    result = compute(work({"x": "script x.py 1"}), "in")
+    assert (result["status"], sentence in result["sentence"]) == (status, True), result
+    assert result["reports"] == ({"x": {"a": 1}} if status == "done" else {})
 
 
 @pytest.mark.parametrize(
