@@ -78,7 +78,7 @@ def prepare(request, processes):
     """Prepares what the commands need, and returns where they run."""
     refuse_links(RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl"))
     refuse_links(Path(at, folder) for at, folders, _ in os.walk(RESULTS) for folder in folders)
-    of_chains = [RESULTS / "data" / name for name in ("plan", "points", "digests")]
+    of_chains = [RESULTS / "data" / name for name in ("plan", "points", "digests", "spare")]
     of_chains += RESULTS.glob("sweeps/*/plan")
     refuse_links(path for folder in of_chains if folder.exists() for path in os.scandir(folder))
     if processes.has_turn:

@@ -245,7 +245,7 @@ def test_a_wrong_name_is_said_before_anything_runs(tiny):
 
 LINKED = (
     "jobs.jsonl",
-    *(f"data/{n}" for n in ("plan/.ninja_log", "points/x.todo", "digests/load")),
+    *(f"data/{n}" for n in ("plan/.ninja_log", "points/x.todo", "digests/load", "spare/x")),
 )
 
 
