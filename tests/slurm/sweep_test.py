@@ -111,7 +111,7 @@ def test_a_sweep_gives_what_it_gives_locally(project, local):
     output = project.run(*in_allocation("sweep", "my.ini"))
     demand_equal_sweeps(project, local)
     assert f"{POINTS} points: {POINTS - REFUSED} done, {REFUSED} failed." in output
-    assert f"{POINTS}/{POINTS} point: " in output
+    assert f"{POINTS}/{POINTS} my: " in output
 
 
 class Job:
