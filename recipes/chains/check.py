@@ -6,6 +6,7 @@ import re
 from chains.chain import ALL, ALSO, BASE, HOLE, RUNS, SCRIPT, is_expression, kept_names, words_of
 from measure.conventions import SETS
 from chains.expressions import Expression, first_known
+from chains.point import without_time
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
 from chains.programs import given_in
@@ -94,8 +95,7 @@ def check_command(chains, chain, name, names):
 
 def check_listed(chains, chain, text, names):
     """A chain all of whose points a script gets, and the condition for them."""
-    name, _, condition = map(str.strip, text.partition(" where "))
-    listed = chains.load(chain.path.parent / f"{name}.ini")
+    listed, condition = chains.named(text, chain)
     check(chains, listed)
     if condition:
         check_expression(condition, names | names_of(chains, listed))
@@ -125,7 +125,7 @@ def check_kept(chain):
     for word in chain.keep_words:
         with chain.errors_at("chain", "keep"):
             name = kept_names(word)[0]
-            if name not in words and re.sub(r"-t[\d.]+(?=\.h5$)", "", name) not in words:
+            if name not in words and without_time(name) not in words:
                 raise UsageError(f"no command writes {word}")
 
 

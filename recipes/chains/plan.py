@@ -15,7 +15,8 @@ from pathlib import Path
 from chains.chain import RECIPES
 from chains.check import check
 from chains.digests import MODULES, digest_of_scripts, digest_of_tool, read_modules
-from chains.points import Chains, Waiting, those
+from chains.points import Waiting, those
+from chains.selection import Chains
 from chains.store import DIGESTS, SPARE, digest_file, is_whole, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
@@ -73,7 +74,7 @@ def selected(chains, chain, condition):
     return points
 
 
-def read_by(chains, figure, is_ensemble_asked):
+def points_read(chains, figure, is_ensemble_asked):
     """{name: points} for figure.py. Another recipe's chain has that recipe in its name. Without the
     ensemble, what is `beside` is what is there."""
     found: dict[str, dict] = {}
@@ -211,7 +212,7 @@ def write_plan(cores, megabytes, recipes=(), files=()):
     for recipe in recipes:
         figure = chains.recipe(recipe)
         try:
-            reads = read_by(chains, figure, "ensemble" in recipes)
+            reads = points_read(chains, figure, "ensemble" in recipes)
         except Waiting:
             waiting.append(recipe)
             continue

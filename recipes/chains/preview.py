@@ -2,7 +2,8 @@
 
 from chains.chain import SCRIPT
 from chains.plan import selected
-from chains.points import Chains, Waiting
+from chains.points import Waiting
+from chains.selection import Chains
 
 
 def typed(line):

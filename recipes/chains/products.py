@@ -40,7 +40,7 @@ def options(values):
     )
 
 
-def rows_of(path):
+def rows_in(path):
     """The points of a table, each as lists of one value; none while the table is still to come. The
     unit in a heading is that of its cells; in a table of results, values come before `status`."""
     if not Path(path).exists():

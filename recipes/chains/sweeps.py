@@ -13,7 +13,8 @@ from chains.bases import write
 from chains.check import check
 from chains.commands import UNFINISHED
 from chains.plan import FILES, RESULTS
-from chains.points import Chains, Waiting
+from chains.points import Waiting
+from chains.selection import Chains
 from chains.store import read, result_of
 from rupture.errors import UsageError
 from reproduce.written import take

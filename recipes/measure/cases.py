@@ -31,7 +31,7 @@ def name_of(point):
     return f"{'load' if variant == 'reference' else variant}-{seed:02.0f}"
 
 
-def each_way(report):
+def by_way(report):
     """{way to measure: report}, the primary one first."""
     return {PRIMARY: report, **report["under"]}
 
@@ -39,7 +39,7 @@ def each_way(report):
 def events_of(points):
     """{load: {way to measure: its events}} of points of ensemble/events or shown_events."""
     return {
-        name_of(point): {way: of["events"] for way, of in each_way(point["measured"]).items()}
+        name_of(point): {way: of["events"] for way, of in by_way(point["measured"]).items()}
         for point in points
     }
 
@@ -108,10 +108,10 @@ def simplified_of(points):
     found = {}
     for point in points:
         event = point["event"]
-        lists = each_way(point["measured"])
+        lists = by_way(point["measured"])
         as_measured = {way: same_event(event, of["events"]) for way, of in lists.items()}
         if any(is_fast_slow(one) for one in as_measured.values() if one):
-            without = each_way(point["front_without"])
+            without = by_way(point["front_without"])
             found[event["number"]] = {
                 way: {"with": one, "without": ruptured(without[way])}
                 for way, one in as_measured.items()

@@ -111,7 +111,7 @@ def run_recipes(request, processes, recipes, place):
     checkpoints that are shipped must first come out as they are."""
     if not request.from_scratch:
         return run_ninja(processes, place, recipes=recipes)
-    from chains.points import Chains
+    from chains.selection import Chains
     from chains.store import result_of
 
     did, has_failed = run_ninja(processes, place, files=[str(FROM_SCRATCH)])

@@ -10,7 +10,8 @@ from pathlib import Path
 
 from pytest import fixture, mark
 
-from chains.points import Chains, Waiting
+from chains.points import Waiting
+from chains.selection import Chains
 from conftest import ROOT, run
 from reproduce.recipes import read_readme
 

@@ -9,8 +9,9 @@ from chains import chain as chain_file
 from chains.chain import kept_names
 from chains.check import check
 from chains.expressions import Expression
-from chains.plan import read_by
-from chains.points import Chains, Waiting
+from chains.plan import points_read
+from chains.points import Waiting
+from chains.selection import Chains
 from chains.store import STORE
 from measure.conventions import SETS
 from rupture.errors import UsageError
@@ -255,10 +256,10 @@ def test_what_is_beside_a_figure_is_what_is_there(files):
     files.write(above=ABOVE, figure="[figure]\nreads = above\nbeside = x\n")
     files.write(x=f"[chain]\npoints = e in above: events.list\n{RUN}[values]\nn = 1\n")
     figure = files.chains.load(files.folder / "figure.ini")
-    reads = read_by(files.chains, figure, False)
+    reads = points_read(files.chains, figure, False)
     assert (len(reads["above"]), reads["x"]) == (2, [])
     with pytest.raises(Waiting):
-        read_by(files.chains, figure, True)
+        points_read(files.chains, figure, True)
 
 
 def test_like_takes_what_a_file_lacks(files):
@@ -279,7 +280,7 @@ def test_a_point_is_its_commands_and_its_base(files):
 def test_a_figure_gets_points_of_all_variants_even_if_they_have_the_same_commands(files):
     files.write(x=f"{RUN}[values]\nseed = 1, 2\n[variant v]\n[variant w]\n")
     files.write(figure="[figure]\nreads = x\n")
-    found = read_by(files.chains, files.chains.load(files.folder / "figure.ini"), False)["x"]
+    found = points_read(files.chains, files.chains.load(files.folder / "figure.ini"), False)["x"]
     assert [point.values["variant"] for point in found] == ["v", "v", "w", "w"]
     assert len({point.path for point in found}) == 2
 

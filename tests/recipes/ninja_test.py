@@ -13,7 +13,7 @@ from unittest.mock import Mock, patch
 import pytest
 
 from chains import digests, progress
-from chains.points import Chains
+from chains.selection import Chains
 from conftest import BIN, ROOT, run
 from reproduce.written import append_to
 from stand_ins import WITHIN, Project, wait_for

@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 
 from conftest import ROOT, run
-from chains.points import Chains, Point
+from chains.points import Point
+from chains.selection import Chains
 from chains.sweeps import OwnSweep
 from measure.tables import read_table
 from rupture.errors import Failure, UsageError

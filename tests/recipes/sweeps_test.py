@@ -5,7 +5,7 @@ import re
 import pytest
 
 from chains.check import check
-from chains.points import Chains
+from chains.selection import Chains
 from rupture.errors import UsageError
 from chains.products import batches_of
 from rupture.units import in_si

@@ -1,0 +1,122 @@
+"""Which points the chains of a plan have: products of values, rows of tables, and those that follow
+from points of other chains."""
+
+import itertools
+import math
+import os
+import re
+from functools import cached_property
+from pathlib import Path
+
+from chains.chain import RECIPES, Chain, is_expression
+from chains.points import Point, Waiting, each, those
+from chains.products import evaluate, products, rows_in
+from chains.programs import Programs
+from chains.values import LIMIT
+from rupture.errors import UsageError
+
+
+class Chains:
+    """All chains that a plan needs, by file, and their points."""
+
+    def __init__(self):
+        self.chains: dict[Path, Chain] = {}
+        self.made: dict[Path, list] = {}
+
+    @cached_property
+    def programs(self):
+        return Programs()
+
+    @property
+    def deciding(self):
+        """Points whose reports were asked for: with others, there may be other points."""
+        return [point for points in self.made.values() for point in points if point.decides]
+
+    def load(self, path):
+        path = Path(os.path.abspath(path))
+        if path not in self.chains:
+            self.chains[path] = Chain(path)
+            self.chains[path].among = self
+        return self.chains[path]
+
+    def recipe(self, name):
+        """figure.ini of a recipe: what its figure reads and writes."""
+        return self.load(RECIPES / name / "figure.ini")
+
+    def named(self, text, chain):
+        """The chain that CHAIN, or CHAIN where CONDITION, names beside another one, and the
+        condition for its points or nothing."""
+        name, _, condition = map(str.strip, text.partition(" where "))
+        return self.load(chain.path.parent / f"{name}.ini"), condition
+
+    def read_by(self, figure, key="reads"):
+        """Pairs: a chain that figure.py reads, and the condition for its points or nothing."""
+        with figure.errors_at("figure", key):
+            for text in re.split(r",(?![^()]*\))", figure.sections["figure"].get(key, "")):
+                if text.strip():
+                    yield self.named(text, figure)
+
+    def above(self, chain):
+        """The chain that its points come from; None if there is none."""
+        if not chain.points or chain.points["chain"].endswith(".csv"):
+            return None
+        with chain.errors_at("chain", "points"):
+            return self.load(chain.path.parent / f"{chain.points['chain']}.ini")
+
+    def points(self, chain):
+        """Raises Waiting if others must be computed first: those in `deciding`."""
+        if chain.path not in self.made:
+            self.made[chain.path] = self.make(chain)
+        return self.made[chain.path]
+
+    def make(self, chain):
+        points = chain.points or {}
+        with chain.errors_at("chain", "points"):
+            found = [*self.all_points(chain)]
+            if condition := points.get("condition"):
+                found = those(lambda one: one.worked_out(condition, one.look_up), found)
+        each(lambda one: one.id, found)  # its base may wait, too
+        return found[:1] if points.get("first") else found
+
+    def all_points(self, chain):
+        """Every start with every combination of values; the last name varies fastest."""
+        starts = list(self.starts(chain))
+        rows: list[dict] = [{}]
+        if chain.points and chain.points["chain"].endswith(".csv"):
+            rows = rows_in(chain.path.parent / chain.points["chain"])
+        found = products(dict(chain.lists), rows)
+        count = len(starts) * sum(math.prod(map(len, lists.values())) for lists in found)
+        if count > LIMIT:
+            raise UsageError(f"there are {count:,} points; at most {LIMIT:,} are possible")
+        for of, elements in starts:
+            for lists in found:
+                for texts in itertools.product(*lists.values()):
+                    yield Point(chain, calculated(dict(zip(lists, texts))), of, elements)
+
+    def starts(self, chain):
+        """Pairs: the point that others come from, and {name: element of a list of its report}."""
+        above = self.above(chain)
+        starts = self.points(above) if above else [None]
+        if not (chain.points or {}).get("list"):
+            return [(point, {}) for point in starts]
+        starts = [point for point in starts if may_start(chain, point)]
+        lists = each(lambda point: point.worked_out(chain.points["list"], point.known), starts)
+        name = chain.points["element"]
+        return [(of, {name: one}) for of, listed in zip(starts, lists) for one in listed or ()]
+
+
+def may_start(chain, point):
+    """Whether the condition allows points from this one, as far as one knows without its report."""
+    without = Point(chain, {}, point)
+    try:
+        return without.worked_out(chain.points["condition"] or "True", without.look_up)
+    except (Waiting, ValueError):  # it waits, or names what is not there yet
+        return True
+
+
+def calculated(values):
+    """With the results of arithmetic on values (0.3 * {junctions.t_R}); those that are one
+    expression in braces are worked out when they are needed, unless it is another value."""
+    waiting = {n for n, text in values.items() if is_expression(text) and text[1:-1] not in values}
+    plain = evaluate({name: text for name, text in values.items() if name not in waiting})
+    return {name: plain.get(name, text) for name, text in values.items()}
