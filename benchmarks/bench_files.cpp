@@ -1,11 +1,7 @@
 // Benchmarks of rare operations: equilibrium, checkpoints, records; at reference size.
-#include <benchmark/benchmark.h>
 
 #include "run/observers.hpp"
 #include "rupture/analysis/statistics.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/checkpoint/record.hpp"
-#include "rupture/dynamics/run.hpp"
 #include "sliders.hpp"
 #include "support/files.hpp"
 

@@ -2,7 +2,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // How the cost of a step grows with the size of the slider and falls with the number of threads.
 #include <fmt/core.h>
 
-#include <memory>
 #include <thread>
 
 #include "run/plan.hpp"

@@ -1,13 +1,7 @@
 // The time step and its parts at reference size, 57 x 31 blocks and 5,700 junctions.
-#include <benchmark/benchmark.h>
 
-#include <optional>
 #include <random>
-#include <utility>
-#include <vector>
 
-#include "rupture/forces/bulk.hpp"
-#include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"
 #include "sliders.hpp"
 

@@ -4,7 +4,6 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
-#include <cstdint>
 
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/dynamics/simulation.hpp"

@@ -1,12 +1,9 @@
 #include "rupture/analysis/slow_slip.hpp"
 
-#include <cstdint>
 #include <deque>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <queue>
-#include <vector>
 
 #include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"

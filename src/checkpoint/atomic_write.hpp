@@ -1,13 +1,6 @@
 // Files that appear complete or not at all, and files that only grow.
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "rupture/checkpoint/file.hpp"
 
 namespace rupture {

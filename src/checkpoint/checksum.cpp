@@ -1,15 +1,11 @@
 #include "rupture/checkpoint/checksum.hpp"
 
-#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <memory>
 
 #include "rupture/checkpoint/parameters_content.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {

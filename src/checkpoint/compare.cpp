@@ -1,13 +1,10 @@
 #include "rupture/checkpoint/compare.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <iterator>
-#include <optional>
-#include <type_traits>
 
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/parameters_content.hpp"

@@ -1,13 +1,9 @@
 #include "rupture/checkpoint/content.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
 #include <bit>
 #include <cmath>
 
 #include "context.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {

@@ -1,13 +1,9 @@
 // Failures: what went wrong, and in which file.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <utility>
 
 #include "rupture/checkpoint/header.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 

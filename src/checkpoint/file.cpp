@@ -1,17 +1,13 @@
 #include "rupture/checkpoint/file.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <iterator>
-#include <optional>
-#include <utility>
 
 #include "atomic_write.hpp"
 #include "child_process.hpp"

@@ -2,17 +2,7 @@
 // includes hdf5.h.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "rupture/checkpoint/content.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::hdf5 {
 

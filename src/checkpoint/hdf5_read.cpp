@@ -1,9 +1,7 @@
 #include <fmt/ranges.h>
 #include <hdf5.h>
 
-#include <array>
 #include <functional>
-#include <utility>
 
 #include "context.hpp"
 #include "hdf5.hpp"

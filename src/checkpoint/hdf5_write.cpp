@@ -1,14 +1,7 @@
-#include <fmt/format.h>
 #include <hdf5.h>
-
-#include <array>
-#include <cstddef>
-#include <map>
-#include <type_traits>
 
 #include "context.hpp"
 #include "hdf5.hpp"
-#include "rupture/checkpoint/header.hpp"
 
 namespace rupture::hdf5 {
 namespace {

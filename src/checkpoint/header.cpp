@@ -1,9 +1,6 @@
 #include "rupture/checkpoint/header.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "context.hpp"

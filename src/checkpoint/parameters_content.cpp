@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "rupture/model/error.hpp"
-
 namespace rupture {
 namespace {
 

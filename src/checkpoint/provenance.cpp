@@ -1,9 +1,6 @@
 #include "rupture/checkpoint/provenance.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cwchar>
 #include <locale>
 #include <set>

@@ -2,7 +2,6 @@
 // besides.
 #pragma once
 
-#include <span>
 #include <tuple>
 
 #include "hdf5.hpp"

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 
 #include "context.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/checkpoint/record.hpp"
 
 namespace rupture {
 namespace {

@@ -1,14 +1,10 @@
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "atomic_write.hpp"
 #include "context.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
-#include "rupture/checkpoint/record.hpp"
-#include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 #include "seal.hpp"
 
 namespace rupture {

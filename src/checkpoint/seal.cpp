@@ -1,7 +1,6 @@
 #include "seal.hpp"
 
 #include <cstring>
-#include <utility>
 
 #include "child_process.hpp"
 #include "context.hpp"

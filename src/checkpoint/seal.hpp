@@ -1,13 +1,7 @@
 // Between a Content and the bytes of a file that protects itself.
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "hdf5.hpp"
-#include "rupture/checkpoint/content.hpp"
 
 namespace rupture {
 

@@ -1,6 +1,4 @@
-#include <fmt/format.h>
 
-#include <array>
 
 #include "context.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"

@@ -3,7 +3,6 @@
 #include "context.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 namespace {

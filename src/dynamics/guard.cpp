@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "rupture/model/derived.hpp"
-#include "rupture/model/normal_contact.hpp"
 #include "statics.hpp"
 
 namespace rupture {

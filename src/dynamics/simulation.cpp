@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 
 #include "helpers.hpp"
 #include "rupture/model/derived.hpp"

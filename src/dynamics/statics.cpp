@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/forces/bulk.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"

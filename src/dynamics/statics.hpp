@@ -2,10 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/model/state.hpp"
 
 namespace rupture {
 

@@ -5,8 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
-#include <vector>
 
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/state.hpp"

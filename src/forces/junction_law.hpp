@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "block_summary.hpp"
 #include "rupture/forces/interface_law.hpp"

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "rupture/forces/interface_law.hpp"
 

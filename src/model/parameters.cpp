@@ -6,8 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <utility>
 
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"

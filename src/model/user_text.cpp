@@ -8,7 +8,6 @@
 #include <charconv>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace rupture {
 namespace {

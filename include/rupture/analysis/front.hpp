@@ -3,12 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
-#include <string_view>
-#include <vector>
 
-#include "rupture/model/parameters.hpp"
 #include "rupture/model/rupture.hpp"
 
 namespace rupture {

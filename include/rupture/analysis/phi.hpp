@@ -1,9 +1,7 @@
 // The distribution phi(f_T) of the forces that a block's junctions carry (Figs. 4, S4, S5).
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "rupture/model/phi_shape.hpp"
 #include "rupture/model/state.hpp"

@@ -2,10 +2,6 @@
 // how fast the blocks behind a slow front slip (Figs. 3C inset and 3D).
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "rupture/analysis/front.hpp"
 #include "rupture/analysis/statistics.hpp"
 

@@ -1,9 +1,6 @@
 // One block: its friction at constant speed, and its slow slip.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "rupture/analysis/statistics.hpp"
 #include "rupture/model/parameters.hpp"
 

@@ -22,9 +22,6 @@
 // z = 1, so there is one root: of a quadratic for a >= 5/2, else of a quintic (found by bisection).
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "rupture/analysis/phi.hpp"
 
 namespace rupture {

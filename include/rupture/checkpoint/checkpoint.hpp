@@ -1,11 +1,6 @@
 // Checkpoints: everything that determines the rest of a run, in one file.
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/checkpoint/provenance.hpp"

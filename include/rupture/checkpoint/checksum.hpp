@@ -1,11 +1,6 @@
 // SHA-256, and the checksum of a content in its canonical form (docs/schema.md).
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <string>
-#include <string_view>
-
 #include "rupture/checkpoint/content.hpp"
 
 namespace rupture {

@@ -1,11 +1,7 @@
 // Where and by how much two contents differ.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <string_view>
 #include <variant>
-#include <vector>
 
 #include "rupture/checkpoint/content.hpp"
 

@@ -5,19 +5,14 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "rupture/checkpoint/header.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 

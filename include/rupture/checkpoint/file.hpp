@@ -4,12 +4,8 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
-#include <string>
-#include <string_view>
 
 #include "rupture/checkpoint/content.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture {
 

@@ -1,8 +1,6 @@
 // Parameters as datasets, and how they count in the content checksum.
 #pragma once
 
-#include <vector>
-
 #include "rupture/checkpoint/content.hpp"
 #include "rupture/model/parameters.hpp"
 

@@ -1,9 +1,6 @@
 // Where a file comes from: one entry per tool that contributed, oldest first.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "rupture/checkpoint/content.hpp"
 
 namespace rupture {

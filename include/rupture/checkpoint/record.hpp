@@ -5,20 +5,11 @@
 // .part stays, and another run can begin with what it holds.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
-#include "rupture/checkpoint/content.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/checkpoint/provenance.hpp"
 #include "rupture/model/field.hpp"
-#include "rupture/model/parameters.hpp"
 #include "rupture/model/rupture.hpp"
 
 namespace rupture {

@@ -1,8 +1,6 @@
 // Checks of whole files, as read_checkpoint() and read_record() make them.
 #pragma once
 
-#include <filesystem>
-
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/checkpoint/provenance.hpp"
 

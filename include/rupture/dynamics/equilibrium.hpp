@@ -2,9 +2,6 @@
 // And prepared interfaces, see below.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "rupture/model/phi_shape.hpp"
 #include "rupture/model/state.hpp"
 

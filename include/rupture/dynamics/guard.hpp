@@ -2,12 +2,7 @@
 // limits come from).
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "rupture/dynamics/simulation.hpp"
 

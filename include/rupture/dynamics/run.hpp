@@ -1,11 +1,8 @@
 // The loop: advance a simulation and let observers look at it at the steps they ask for.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
-#include <vector>
 
 #include "rupture/dynamics/simulation.hpp"
 

@@ -15,16 +15,13 @@
 // not kept.
 #pragma once
 
-#include <memory>
 #include <span>
-#include <vector>
 
 #include "rupture/dynamics/energy.hpp"
 #include "rupture/forces/bulk.hpp"
 #include "rupture/forces/interface_law.hpp"
 #include "rupture/model/normal_contact.hpp"
 #include "rupture/model/rupture.hpp"
-#include "rupture/model/state.hpp"
 
 namespace rupture {
 

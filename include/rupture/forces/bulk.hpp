@@ -2,7 +2,6 @@
 #pragma once
 
 #include <utility>
-#include <vector>
 
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/state.hpp"

@@ -5,9 +5,7 @@
 // of `junctions.law`.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "rupture/forces/kernels.hpp"
 #include "rupture/model/state.hpp"

@@ -1,8 +1,6 @@
 // Quantities that follow from the parameters (Table S1, lower half).
 #pragma once
 
-#include <vector>
-
 #include "rupture/model/parameters.hpp"
 
 namespace rupture {

@@ -4,8 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
-#include <vector>
 
 #include "rupture/model/state.hpp"
 

@@ -2,8 +2,6 @@
 // n), so there is no generator state to keep and no order in which draws must happen.
 #pragma once
 
-#include <cstdint>
-
 #include "rupture/model/parameters.hpp"
 
 namespace rupture {

@@ -2,10 +2,7 @@
 // the memory of a run beyond its state.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "rupture/model/parameters.hpp"
 

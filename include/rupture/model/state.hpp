@@ -1,8 +1,6 @@
 // Everything that changes in time. Plain data; State and Parameters together determine the future.
 #pragma once
 
-#include <cstdint>
-
 #include "rupture/model/field.hpp"
 #include "rupture/model/never.hpp"
 #include "rupture/model/parameters.hpp"

@@ -1,17 +1,8 @@
 // analyze: measure, compare and check what the other tools wrote.
 #include "analyze/analyze.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <span>
-#include <stdexcept>
-#include <string_view>
-
 #include "cli/report.hpp"
-#include "cli/text.hpp"
 #include "run/output.hpp"
-#include "rupture/model/error.hpp"
 #include "rupture/model/user_text.hpp"
 
 namespace rupture::tools {

@@ -1,9 +1,6 @@
 // The commands of the analyze tool.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "cli/command_line.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 

@@ -4,11 +4,8 @@
 #include <numeric>
 
 #include "analyze/analyze.hpp"
-#include "cli/option_values.hpp"
-#include "rupture/analysis/phi.hpp"
 #include "rupture/analysis/strength.hpp"
 #include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

@@ -7,8 +7,6 @@
 #include "cli/report.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/compare.hpp"
-#include "rupture/checkpoint/file.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

@@ -1,10 +1,7 @@
 // analyze events, front, classify: the events in a record, and the front of one of them.
 #include "analyze/analyze.hpp"
 #include "analyze/records.hpp"
-#include "cli/option_values.hpp"
 #include "cli/text.hpp"
-#include "rupture/analysis/front.hpp"
-#include "rupture/checkpoint/record.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {

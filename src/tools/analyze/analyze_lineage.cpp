@@ -1,16 +1,11 @@
 // analyze lineage: the steps that led to a file, and a script that takes them anew.
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "analyze/analyze.hpp"
-#include "cli/option_values.hpp"
 #include "cli/report.hpp"
-#include "cli/text.hpp"
 #include "run/output.hpp"
 #include "rupture/checkpoint/verify.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

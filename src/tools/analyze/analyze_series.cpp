@@ -6,11 +6,8 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/records.hpp"
-#include "cli/option_values.hpp"
-#include "rupture/analysis/front.hpp"
 #include "rupture/analysis/slip.hpp"
 #include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

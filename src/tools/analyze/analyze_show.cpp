@@ -4,7 +4,6 @@
 #include "analyze/analyze.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/record.hpp"
 

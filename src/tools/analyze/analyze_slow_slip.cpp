@@ -6,11 +6,9 @@
 
 #include "analyze/analyze.hpp"
 #include "analyze/records.hpp"
-#include "cli/option_values.hpp"
 #include "rupture/analysis/slip.hpp"
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

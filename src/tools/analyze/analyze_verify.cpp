@@ -1,22 +1,16 @@
 // analyze checksum, verify: whether files are intact and what they should be.
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <map>
 #include <new>
 #include <set>
 #include <sstream>
-#include <string_view>
 #include <system_error>
 
 #include "analyze/analyze.hpp"
-#include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/verify.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

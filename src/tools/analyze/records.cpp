@@ -1,15 +1,10 @@
 #include "analyze/records.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <charconv>
 
-#include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 #include "rupture/model/normal_contact.hpp"
 
 namespace rupture::tools {

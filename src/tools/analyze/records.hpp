@@ -2,13 +2,9 @@
 // criteria, and the report of its front.
 #pragma once
 
-#include <span>
-#include <string>
-
 #include "cli/command_line.hpp"
 #include "rupture/analysis/front.hpp"
 #include "rupture/checkpoint/record.hpp"
-#include "rupture/model/rupture.hpp"
 
 namespace rupture::tools {
 

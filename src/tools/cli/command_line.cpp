@@ -6,19 +6,15 @@
 #include <algorithm>
 #include <cctype>
 #include <csignal>
-#include <cstdio>
 #include <fstream>
 #include <new>
-#include <optional>
 #include <sstream>
 
 #include "cli/interruption.hpp"
-#include "cli/option_values.hpp"
 #include "cli/report.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/forces/kernels.hpp"
-#include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 #include "rupture/model/user_text.hpp"
 #include "rupture/version.hpp"

@@ -2,10 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "cli/quantity.hpp"
 #include "rupture/model/parameters.hpp"

@@ -1,7 +1,5 @@
 #include "cli/option_values.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/any.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>

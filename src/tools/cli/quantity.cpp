@@ -1,12 +1,9 @@
 #include "cli/quantity.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "cli/report.hpp"
 #include "cli/text.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

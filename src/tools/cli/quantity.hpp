@@ -5,10 +5,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "cli/option_values.hpp"
 

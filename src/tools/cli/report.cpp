@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <boost/any.hpp>
-#include <stdexcept>
-#include <variant>
 
-#include "cli/option_values.hpp"
 #include "cli/text.hpp"
 #include "rupture/model/laws.hpp"
 

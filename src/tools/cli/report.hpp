@@ -2,12 +2,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "cli/command_line.hpp"
 #include "rupture/checkpoint/provenance.hpp"
-#include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
 

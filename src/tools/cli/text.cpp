@@ -4,13 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 #include "rupture/model/laws.hpp"
-#include "rupture/model/parameters.hpp"
 
 namespace rupture::tools {
 namespace {

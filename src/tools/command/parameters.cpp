@@ -1,15 +1,9 @@
 // parameters: what --set and --config take.
 #include "rupture/model/parameters.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <iterator>
-#include <string_view>
 
-#include "cli/command_line.hpp"
 #include "cli/report.hpp"
-#include "cli/text.hpp"
 #include "run/output.hpp"
 #include "rupture/model/laws.hpp"
 #include "rupture/model/user_text.hpp"

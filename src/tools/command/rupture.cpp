@@ -1,20 +1,13 @@
 // rupture TOOL: one command for all programs, which stay separate ones.
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
-#include <string_view>
 
-#include "cli/command_line.hpp"
 #include "cli/report.hpp"
-#include "cli/text.hpp"
 #include "run/output.hpp"
-#include "rupture/model/error.hpp"
 #include "rupture/model/user_text.hpp"
 
 namespace {

@@ -1,14 +1,11 @@
 #include "run/files.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/any.hpp>
 #include <cstdlib>
 
 #include "run/plan.hpp"
 #include "rupture/checkpoint/checksum.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

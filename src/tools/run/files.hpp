@@ -3,11 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "cli/command_line.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"

@@ -3,8 +3,6 @@
 
 #include "run/files.hpp"
 #include "run/output.hpp"
-#include "rupture/checkpoint/record.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

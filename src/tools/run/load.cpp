@@ -1,5 +1,4 @@
 // load: the slider under its normal load, then driven from the side.
-#include "cli/option_values.hpp"
 #include "run/plan.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 

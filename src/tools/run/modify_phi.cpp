@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/option_values.hpp"
 #include "run/files.hpp"
 #include "run/output.hpp"
 #include "rupture/analysis/phi.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

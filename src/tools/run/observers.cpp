@@ -1,16 +1,10 @@
 #include "run/observers.hpp"
 
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <span>
-#include <utility>
-
-#include "cli/text.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

@@ -2,10 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "run/plan.hpp"
 #include "rupture/dynamics/guard.hpp"

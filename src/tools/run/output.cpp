@@ -1,12 +1,9 @@
 #include "run/output.hpp"
 
 #include <cmath>
-#include <map>
 #include <set>
 
-#include "cli/option_values.hpp"
 #include "rupture/checkpoint/checksum.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

@@ -2,13 +2,6 @@
 // files may be written, and what was done, in words or with --json.
 #pragma once
 
-#include <cstdio>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "cli/command_line.hpp"
 #include "cli/text.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"

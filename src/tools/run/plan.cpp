@@ -3,9 +3,6 @@
 #include <cmath>
 #include <set>
 
-#include "cli/option_values.hpp"
-#include "rupture/model/error.hpp"
-
 namespace rupture::tools {
 namespace {
 

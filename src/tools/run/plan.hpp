@@ -2,13 +2,6 @@
 // before it does anything: running it, --dry-run and --resume read this.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "run/files.hpp"
 #include "run/output.hpp"
 #include "rupture/dynamics/run.hpp"

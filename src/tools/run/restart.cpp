@@ -1,12 +1,6 @@
 // restart: continue a checkpoint, with the same parameters or with changed ones.
-#include <boost/optional.hpp>
-#include <utility>
 
-#include "cli/option_values.hpp"
 #include "run/plan.hpp"
-#include "rupture/dynamics/simulation.hpp"
-#include "rupture/model/error.hpp"
-#include "rupture/model/rupture.hpp"
 
 namespace rupture::tools {
 namespace {

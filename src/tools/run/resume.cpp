@@ -2,12 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
-#include <vector>
 
-#include "cli/text.hpp"
 #include "run/observers.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

@@ -1,16 +1,11 @@
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <exception>
-#include <optional>
-#include <utility>
 
 #include "cli/interruption.hpp"
 #include "run/observers.hpp"
 #include "rupture/analysis/front.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

@@ -1,13 +1,9 @@
 // seal: a checkpoint or record that another program edited, checked and sealed again.
 #include <fmt/core.h>
 
-#include <array>
-
-#include "cli/option_values.hpp"
 #include "run/output.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/verify.hpp"
-#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
