@@ -1,16 +1,26 @@
-// The time step and its parts at reference size, 57 x 31 blocks and 5,700 junctions.
-
+// The time step and its parts at reference size, 57 x 31 blocks and 5,700 junctions; and how its
+// cost grows with the size of the slider and falls with the number of threads.
+#include <algorithm>
 #include <random>
+#include <thread>
 
+#include "run/plan.hpp"
+#include "rupture/analysis/statistics.hpp"
 #include "rupture/model/derived.hpp"
 #include "sliders.hpp"
 
 namespace rupture::bench {
 namespace {
 
-/// Tells Google Benchmark how many steps an iteration took; run.py shows the time of one.
-void count_steps(benchmark::State& bench, std::int64_t steps_per_iteration) {
-  bench.SetItemsProcessed(bench.iterations() * steps_per_iteration);
+/// Time steps in one call of Simulation::advance: the programs, too, take many at once. An item of
+/// Google Benchmark is a step.
+constexpr std::int64_t kSteps = 100;
+
+/// Makes the benchmark fail if a junction has broken since the simulation began: steps in which
+/// that happens cost more.
+void expect_nothing_broke(benchmark::State& bench, const Simulation& simulation,
+                          std::int64_t first_step) {
+  if (simulation.run().last_break != first_step) bench.SkipWithError("a junction broke");
 }
 
 // --- whole steps --------------------------------------------------------------------------------
@@ -19,7 +29,7 @@ void step_loading(benchmark::State& bench, std::int64_t steps_per_call) {
   Simulation simulation(Parameters{}, loading_state());
   const std::int64_t first_step = simulation.state().step;
   for (auto _ : bench) simulation.advance(steps_per_call);
-  count_steps(bench, steps_per_call);
+  bench.SetItemsProcessed(bench.iterations() * steps_per_call);
   expect_nothing_broke(bench, simulation, first_step);
 }
 
@@ -38,7 +48,7 @@ void step_sliding(benchmark::State& bench) {
     simulation.emplace(p, sliding);
     bench.ResumeTiming();
   }
-  count_steps(bench, kSteps);
+  bench.SetItemsProcessed(bench.iterations() * kSteps);
 }
 
 // --- the bulk alone -----------------------------------------------------------------------------
@@ -71,34 +81,27 @@ void bulk_step(benchmark::State& bench) {
     }
     benchmark::ClobberMemory();
   }
-  count_steps(bench, kSteps);
+  bench.SetItemsProcessed(bench.iterations() * kSteps);
 }
 
-void bulk_springs(benchmark::State& bench) {
-  State state = shaken(Parameters{});
-  Bulk bulk{Parameters{}};
-  for (auto _ : bench) {
-    bulk.elastic(state.u_x, state.u_z, state.f_x, state.f_z);
-    benchmark::ClobberMemory();
-  }
-  count_steps(bench, 1);
-}
-
-void bulk_damping(benchmark::State& bench) {
+void bulk_force(benchmark::State& bench, void (*compute)(Bulk&, State&)) {
   State state = loading_state();
   Bulk bulk{Parameters{}};
   for (auto _ : bench) {
-    bulk.damping(state, state.f_x, state.f_z);
+    compute(bulk, state);
     benchmark::ClobberMemory();
   }
-  count_steps(bench, 1);
+  bench.SetItemsProcessed(bench.iterations());
 }
 
 // --- the junctions alone ------------------------------------------------------------------------
 
-/// The junction law of all blocks, with the normal forces that it needs, at a state at rest.
-void junctions_of(benchmark::State& bench, State state) {
+/// The junction law of all blocks, with the normal forces that it needs, where all junctions are
+/// pinned, or slip until a time that does not come.
+void junctions(benchmark::State& bench, double repin_time) {
   const Parameters p;
+  State state = loading_state();
+  state.junctions.repin_time.setConstant(repin_time);
   const auto law = make_law(p, state.junctions);
   const double t = time(p, state);
   std::vector<double> normal(static_cast<std::size_t>(p.Nx)), k_ij(normal), w(normal), tau(normal);
@@ -110,29 +113,82 @@ void junctions_of(benchmark::State& bench, State state) {
     law->friction(state.u_x.row(0), contact, tau.data());
     benchmark::ClobberMemory();
   }
-  count_steps(bench, 1);
+  bench.SetItemsProcessed(bench.iterations());
 }
 
-void junctions_pinned(benchmark::State& bench) {
-  junctions_of(bench, loading_state());
+// --- other sizes --------------------------------------------------------------------------------
+
+/// The reference slider `factor` times as long and high, with the same spacing of blocks, load per
+/// length, density and driving height: (56 factor + 1) x (30 factor + 1) blocks.
+Parameters enlarged(std::int64_t factor) {
+  const Parameters reference;
+  const auto times = static_cast<double>(factor);
+  Parameters p = reference;
+  p.L *= times;
+  p.H *= times;
+  p.Nx = (reference.Nx - 1) * factor + 1;
+  p.Nz = (reference.Nz - 1) * factor + 1;
+  p.F_N = mean_normal_force(reference) * static_cast<double>(p.Nx);
+  p.M = block_mass(reference) * static_cast<double>(p.Nx * p.Nz);
+  return p;
 }
 
-/// All junctions of all blocks slip for a time without end.
-void junctions_slipping(benchmark::State& bench) {
-  State state = loading_state();
-  constexpr double late = 1e9;  // [s]
-  state.junctions.repin_time.setConstant(late);
-  junctions_of(bench, std::move(state));
+/// The same run with 1, 2, 4, ... threads, in turn; iterations are turns.
+void sizes(benchmark::State& bench, std::int64_t factor) {
+  struct Run {
+    unsigned threads;
+    std::unique_ptr<Simulation> simulation;
+    std::vector<double> seconds = {}, speedup = {};
+  };
+  const Parameters p = enlarged(factor);
+  constexpr std::int64_t blocks_per_turn = 20'000'000;  // some 50 ms
+  const std::int64_t steps = std::max(kSteps, blocks_per_turn / (p.Nx * p.Nz));
+  std::vector<Run> runs;
+  for (unsigned n = 1; n <= std::max(1U, std::thread::hardware_concurrency()); n *= 2) {
+    // The equilibrium of the largest would take longer to solve than to measure.
+    const State state = tools::roughly_loaded(p);
+    runs.push_back({n, std::make_unique<Simulation>(p, state, static_cast<int>(n))});
+    runs.back().simulation->advance(kSteps);  // warms up
+  }
+  for (auto _ : bench) {
+    for (Run& run : runs) {
+      run.seconds.push_back(seconds_for([&] { run.simulation->advance(steps); }));
+      run.speedup.push_back(runs.front().seconds.back() / run.seconds.back());
+    }
+    bench.SetIterationTime(runs.front().seconds.back());
+  }
+  for (const Run& run : runs) {
+    const double best = *std::min_element(run.seconds.begin(), run.seconds.end());
+    bench.counters[fmt::format("us_{}", run.threads)] = 1e6 / static_cast<double>(steps) * best;
+    bench.counters[fmt::format("paired_{}", run.threads)] = *median(run.speedup);
+    expect_nothing_broke(bench, *run.simulation, 0);
+  }
+  bench.counters["Nx"] = static_cast<double>(p.Nx);
+  bench.counters["Nz"] = static_cast<double>(p.Nz);
 }
 
 BENCHMARK_CAPTURE(step_loading, , kSteps)->Name("step/loading");
 BENCHMARK_CAPTURE(step_loading, one_by_one, 1)->Name("step/loading_one_by_one");
 BENCHMARK(step_sliding)->Name("step/sliding");
 BENCHMARK(bulk_step)->Name("bulk/step");
-BENCHMARK(bulk_springs)->Name("bulk/springs");
-BENCHMARK(bulk_damping)->Name("bulk/damping");
-BENCHMARK(junctions_pinned)->Name("junctions/pinned");
-BENCHMARK(junctions_slipping)->Name("junctions/slipping");
+BENCHMARK_CAPTURE(bulk_force, , [](Bulk& bulk, State& s) {
+  bulk.elastic(s.u_x, s.u_z, s.f_x, s.f_z);
+})->Name("bulk/springs");
+BENCHMARK_CAPTURE(bulk_force, , [](Bulk& bulk, State& s) {
+  bulk.damping(s, s.f_x, s.f_z);
+})->Name("bulk/damping");
+BENCHMARK_CAPTURE(junctions, pinned, Junctions::never)->Name("junctions/pinned");
+BENCHMARK_CAPTURE(junctions, slipping, 1e9)->Name("junctions/slipping");
+
+/// "size/01", "size/02", ...: so the sizes are in order for --benchmark_filter, too.
+[[maybe_unused]] const bool registered = [] {
+  for (const std::int64_t factor : {1, 2, 4, 8, 16, 32}) {
+    benchmark::RegisterBenchmark(fmt::format("size/{:02}", factor).c_str(), sizes, factor)
+        ->UseManualTime()
+        ->Iterations(factor < 32 ? 11 : 5);
+  }
+  return true;
+}();
 
 }  // namespace
 }  // namespace rupture::bench

@@ -69,10 +69,8 @@ def runs_with(bench, isa):
 def measure(bench, isa, rows, scratch, *options):
     """Google Benchmark's results for these rows; their names begin with the instruction set."""
     environment = os.environ | {"RUPTURE_ISA": isa, "TMPDIR": str(scratch)}
-    filtered = f"--benchmark_filter=^({rows})"
-    said = json.loads(
-        output_of(bench, "--benchmark_format=json", filtered, *options, env=environment)
-    )
+    command = bench, "--benchmark_format=json", f"--benchmark_filter=^({rows})", *options
+    said = json.loads(output_of(*command, env=environment))
     for entry in said["benchmarks"]:
         if entry.get("error_occurred"):
             sys.exit(f"run.py: {entry['name']} with {isa}: {entry['error_message']}")
@@ -82,14 +80,12 @@ def measure(bench, isa, rows, scratch, *options):
 
 def lammps(lmp, variant, steps, scratch):
     """Microseconds of processor time per step of this bulk."""
-    environment = {"TMPDIR": str(scratch), "OMP_NUM_THREADS": "1"}
+    environment = os.environ | {"TMPDIR": str(scratch), "OMP_NUM_THREADS": "1"}
     environment["OMPI_MCA_ess_singleton_isolated"] = "1"  # no helper daemon
-    said = output_of(
-        *(lmp, "-log", "none", "-nocite", "-in", HERE / "lammps/time.in"),
-        *("-var", "bulk", HERE / "lammps/bulk.in", "-var", "variant", variant),
-        *("-var", "steps", str(steps)),
-        **{"cwd": scratch, "env": os.environ | environment, "stdin": subprocess.DEVNULL},
-    )
+    variables = {"bulk": HERE / "lammps/bulk.in", "variant": variant, "steps": str(steps)}
+    words = [word for item in variables.items() for word in ("-var", *item)]
+    command = lmp, "-log", "none", "-nocite", "-in", HERE / "lammps/time.in", *words
+    said = output_of(*command, cwd=scratch, env=environment, stdin=subprocess.DEVNULL)
     seconds, steps = re.findall(r"^Loop time of (\S+) .* for (\d+) steps", said, re.M)[-1]
     share = re.findall(r"([\d.]+)% CPU use", said)[-1]
     return 1e6 * float(seconds) / int(steps) * float(share) / 100
@@ -111,8 +107,7 @@ def measured(options, bench, scratch):
     lmp = shutil.which(os.environ.get("LMP", "lmp"))
     if not lmp:
         print("LAMMPS is not installed (Debian package: lammps): not measured.", file=sys.stderr)
-    short = f"--benchmark_min_time={0.05 if options.quick else 0.1}"
-    twice = short, "--benchmark_repetitions=2"
+    twice = f"--benchmark_min_time={0.05 if options.quick else 0.1}", "--benchmark_repetitions=2"
     total: dict = {"benchmarks": []}
     for number in range(1 if options.quick else 3):
         print(f"Round {number + 1} ...", file=sys.stderr)
@@ -141,27 +136,25 @@ def print_table(title, *rows):
 
 
 def against(value, target):
-    return f"{value:.2f}" + (
-        "" if target is None else " ok" if value <= target else f" > {target:g}"
-    )
+    verdict = "" if target is None else " ok" if value <= target else f" > {target:g}"
+    return f"{value:.2f}{verdict}"
 
 
 class Rows:
     """The measurements: for each row one value per repetition, of which times show the best."""
 
     def __init__(self, entries):
-        self.entries: dict = {}
-        for entry in entries:
-            self.entries.setdefault(entry["name"], []).append(entry)
+        self.entries = entries
 
     def values(self, name, key="items_per_second"):
-        return [entry[key] for entry in self.entries.get(name, [])]
+        return [entry[key] for entry in self.entries if entry["name"] == name]
 
     def time(self, name, scale):
         return scale / max(self.values(name))
 
     def of(self, isa, *groups):
-        names = (name.removeprefix(f"{isa}/") for name in self.entries)
+        """Names of the rows of these groups, without the instruction set, in the order measured."""
+        names = dict.fromkeys(entry["name"].removeprefix(f"{isa}/") for entry in self.entries)
         return [name for name in names if name.split("/")[0] in groups]
 
 
@@ -176,10 +169,9 @@ def steps_table(rows, available):
     yield ["peak of + and * [GFLOP/s]", *(f"{peak:.1f}" for peak in peaks)]
     shares = (FLOPS * BLOCKS / (1e3 * time * peak) for time, peak in zip(bulk, peaks))
     yield ["bulk/step, share of it [%]", *(f"{100 * share:.0f}" for share in shares)]
-    for name in (f"lammps/{variant}" for variant in VARIANTS):
-        if name in rows.entries:
-            ratios = (min(rows.values(name, "cpu_time")) / time for time in bulk)
-            yield [f"{name} / bulk/step", *(f"{ratio:.1f}" for ratio in ratios)]
+    for name in rows.of("", "lammps"):
+        ratios = (min(rows.values(name, "cpu_time")) / time for time in bulk)
+        yield [f"{name} / bulk/step", *(f"{ratio:.1f}" for ratio in ratios)]
 
 
 def once_table(rows, isa):
@@ -195,15 +187,15 @@ def once_table(rows, isa):
 
 def sizes_table(rows, isa, cache):
     """Of the threads, the ratio of the best times and the median of the paired ratios."""
-    sizes = sorted(rows.of(isa, "size"))
-    first = rows.entries[f"{isa}/{sizes[0]}"][0]
+    names = [f"{isa}/{size}" for size in sorted(rows.of(isa, "size"))]
+    first = next(entry for entry in rows.entries if entry["name"] == names[0])
     threads = sorted(int(key[3:]) for key in first if key.startswith("us_"))[1:]
     shared = (f"{n} threads, paired" for n in threads)
     yield ["blocks", "us/step", "ns/block", "growth", "GB/s", *shared]
-    for name in (f"{isa}/{size}" for size in sizes):
+    for name in names:
         Nx, Nz = (int(rows.values(name, key)[0]) for key in ("Nx", "Nz"))
         alone = min(rows.values(name, "us_1"))
-        growth = alone / (Nx * Nz) / (min(rows.values(f"{isa}/{sizes[0]}", "us_1")) / BLOCKS)
+        growth = alone / (Nx * Nz) / (min(rows.values(names[0], "us_1")) / BLOCKS)
         target = GROWTH_IN_CACHE if 32 * Nx * Nz <= cache else GROWTH_BEYOND
         cells = [f"{alone:.1f}", f"{1e3 * alone / Nx / Nz:.2f}", against(growth, target)]
         cells.append(f"{1e-3 * BYTES * Nx * Nz / alone:.1f}")
@@ -226,9 +218,8 @@ def main():
     options.o.write_text(json.dumps(total, indent=1) + "\n", encoding="utf-8")
     rows, widest, context = Rows(total["benchmarks"]), available[-1], total["context"]
     print(f"{context['build']}, {context['date']}, load {context['load_avg'][0]:.1f}")
-    print_table(
-        "Time per step and of its parts, 57 x 31 blocks [us]", *steps_table(rows, available)
-    )
+    title = "Time per step and of its parts, 57 x 31 blocks [us]"
+    print_table(title, *steps_table(rows, available))
     print_table(f"Once in a while, 57 x 31 blocks, {widest}", *once_table(rows, widest))
     cache = max((cache["size"] for cache in context.get("caches", [])), default=0)
     title = f"Larger sliders, {widest}; the last cache has {cache / 2**20:.0f} MiB"

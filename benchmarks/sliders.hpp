@@ -10,9 +10,6 @@
 
 namespace rupture::bench {
 
-/// Time steps in one call of Simulation::advance: the programs, too, take many at once.
-inline constexpr std::int64_t kSteps = 100;
-
 /// The reference slider some time after driving at `p.V` started from its equilibrium.
 inline State driven(const Parameters& p, std::int64_t steps) {
   static const State equilibrium = normal_load_equilibrium(Parameters{});
@@ -25,13 +22,6 @@ inline State driven(const Parameters& p, std::int64_t steps) {
 inline const State& loading_state() {
   static const State state = driven(Parameters{}, 1000);
   return state;
-}
-
-/// Makes the benchmark fail if a junction has broken since the simulation began: steps in which
-/// that happens cost more.
-inline void expect_nothing_broke(benchmark::State& bench, const Simulation& simulation,
-                                 std::int64_t first_step) {
-  if (simulation.run().last_break != first_step) bench.SkipWithError("a junction broke");
 }
 
 template <class Work>
