@@ -78,11 +78,6 @@ bool differ_in_rows_only(const Dataset& a, const Dataset& b) {
          std::equal(a.shape.begin() + 1, a.shape.end(), b.shape.begin() + 1);
 }
 
-void keep_rows(Dataset& dataset, std::uint64_t rows) {
-  dataset.bytes.resize(dataset.bytes.size() / dataset.shape[0] * rows);
-  dataset.shape[0] = rows;
-}
-
 }  // namespace
 
 std::string_view name_of(Change change) {
@@ -124,8 +119,10 @@ std::size_t keep_common_rows(Content& a, Content& b) {
   for (auto& [path, dataset] : a) {
     const auto other = b.find(path);
     if (other == b.end() || !differ_in_rows_only(dataset, other->second)) continue;
-    Dataset& longer = dataset.shape[0] > other->second.shape[0] ? dataset : other->second;
-    keep_rows(longer, std::min(dataset.shape[0], other->second.shape[0]));
+    const std::uint64_t common = std::min(dataset.shape[0], other->second.shape[0]);
+    Dataset& longer = dataset.shape[0] > common ? dataset : other->second;
+    longer.bytes.resize(longer.bytes.size() / longer.shape[0] * common);
+    longer.shape[0] = common;
     ++cut;
   }
   return cut;

@@ -166,19 +166,6 @@ void refuse_if_readable(std::span<const std::byte> file, const std::string& name
   }
 }
 
-EditedFile opened(std::span<const std::byte> bytes, const std::string& name) {
-  try {
-    demand_survival(bytes, hdf5::Accept::edited);
-    return open_edited(bytes);
-  } catch (const hdf5::LibraryFailure& failure) {
-    if (bytes.front() != std::byte{0x89}) check_envelope(bytes, name);  // a header has sentences
-    fail("{}: {}; it is damaged or not an HDF5 file: copy it again or recreate it", name,
-         failure.what());
-  } catch (const Failure& failure) {
-    fail("{}: {}", name, failure.what());
-  }
-}
-
 }  // namespace
 
 bool is_there(const fs::path& path) {
@@ -257,12 +244,20 @@ ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name
 
 EditedFile read_edited(const fs::path& path) {
   const auto bytes = bytes_of_file(path);
-  if (bytes.empty()) {
-    fail("{} is empty; expected a checkpoint or record", path.string());
+  const std::string name = path.string();
+  if (bytes.empty()) fail("{} is empty; expected a checkpoint or record", name);
+  try {
+    demand_survival(bytes, hdf5::Accept::edited);
+    EditedFile file = open_edited(bytes);
+    file.name = name;
+    return file;
+  } catch (const hdf5::LibraryFailure& failure) {
+    if (bytes.front() != std::byte{0x89}) check_envelope(bytes, name);  // a header has sentences
+    fail("{}: {}; it is damaged or not an HDF5 file: copy it again or recreate it", name,
+         failure.what());
+  } catch (const Failure& failure) {
+    fail("{}: {}", name, failure.what());
   }
-  EditedFile file = opened(bytes, path.string());
-  file.name = path.string();
-  return file;
 }
 
 fs::path sum_path(const fs::path& path) {

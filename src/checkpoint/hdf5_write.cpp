@@ -60,13 +60,6 @@ void create_groups(Id file, const std::string& path) {
   }
 }
 
-Handle dataset_creation_properties() {
-  Handle properties(H5Pcreate(H5P_DATASET_CREATE), "prepare a dataset");
-  check(H5Pset_obj_track_times(properties, false), "switch off times");
-  check(H5Pset_dset_no_attrs_hint(properties, true), "leave no gaps");
-  return properties;
-}
-
 void write_dataset(Id file, const std::string& path, const Dataset& data) {
   const std::string doing = fmt::format("write {}", path);
   const Handle type = stored_type(data.type, data.bytes.size());
@@ -76,7 +69,9 @@ void write_dataset(Id file, const std::string& path, const Dataset& data) {
     fail("{} has {} bytes, but its shape {} needs {}", path, data.bytes.size(),
          shape_text(data.shape), expected);
   }
-  const Handle properties = dataset_creation_properties();
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), "prepare a dataset");
+  check(H5Pset_obj_track_times(properties, false), "switch off times");
+  check(H5Pset_dset_no_attrs_hint(properties, true), "leave no gaps");
   if (data.bytes.size() <= kCompactLimit) check(H5Pset_layout(properties, H5D_COMPACT), doing);
   const Handle dataset(
       H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), doing);
@@ -84,13 +79,6 @@ void write_dataset(Id file, const std::string& path, const Dataset& data) {
   if (!data.bytes.empty()) {
     check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.bytes.data()), doing);
   }
-}
-
-void write_root_attributes(Id file, const RootAttributes& attributes) {
-  write_attribute(file, "format", make_text(attributes.format));
-  write_attribute(file, "schema_version", make_scalar(attributes.schema_version, "1"));
-  write_attribute(file, "content_checksum", make_text(attributes.content_checksum));
-  if (!attributes.note.empty()) write_attribute(file, "note", make_text(attributes.note));
 }
 
 void write_content(Id file, const Content& content) {
@@ -187,17 +175,12 @@ void write_labels(Id file, const Content& content, const Labels& labels) {
 
 // --- the file
 
-Handle file_creation_properties() {
-  Handle properties(H5Pcreate(H5P_FILE_CREATE), "prepare a file");
-  check(H5Pset_obj_track_times(properties, false), "switch off times");
-  check(H5Pset_userblock(properties, kHeaderSize), "leave room for the header");
-  return properties;
-}
-
 // HDF5's oldest format, its default: newer ones have a checksum in their first block, which
 // H5Fget_file_image leaves wrong up to HDF5 1.14.5 (HDFGroup/hdf5 pull request 5489).
 Handle create_file_in_memory() {
-  const Handle creation = file_creation_properties();
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), "prepare a file");
+  check(H5Pset_obj_track_times(creation, false), "switch off times");
+  check(H5Pset_userblock(creation, kHeaderSize), "leave room for the header");
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), "prepare a file");
   check(H5Pset_fapl_core(access, kGrowth, false), "create a file in memory");
   return {H5Fcreate(kNoFile, H5F_ACC_TRUNC, creation, access), "create a file in memory"};
@@ -247,7 +230,10 @@ std::vector<std::byte> make_image(const RootAttributes& attributes, const Conten
                                   const Labels& labels) {
   prepare();
   const Handle file = create_file_in_memory();
-  write_root_attributes(file, attributes);
+  write_attribute(file, "format", make_text(attributes.format));
+  write_attribute(file, "schema_version", make_scalar(attributes.schema_version, "1"));
+  write_attribute(file, "content_checksum", make_text(attributes.content_checksum));
+  if (!attributes.note.empty()) write_attribute(file, "note", make_text(attributes.note));
   write_content(file, content);
   write_labels(file, content, labels);
   return image_of(file);

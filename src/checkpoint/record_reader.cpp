@@ -56,13 +56,6 @@ void read(const Content& content, const char* path, std::uint64_t rows, std::int
   values = Array::Map(elements.data(), static_cast<Eigen::Index>(rows), Nx);
 }
 
-void read_series(const Content& content, Record& record) {
-  const std::uint64_t n = rows_in(content, layout::kSeriesGroup + std::string("time"));
-  layout::for_each(layout::kSeries, [&](const auto& row) {
-    read(content, row.path, n, record.parameters.Nx, record.*row.in_record);
-  });
-}
-
 template <class Table>
 std::vector<Rupture> read_ruptures(const Content& content, const std::string& group,
                                    const Table& table, std::int64_t Nx) {
@@ -230,7 +223,10 @@ Record record_from(const ContentFile& file) {
   record.parameters = read_parameters(content);
   expect_as_written(content, record_positions(record.parameters, content));
   record.provenance = read_provenance(content);
-  read_series(content, record);
+  const std::uint64_t samples = rows_in(content, "/series/time");
+  layout::for_each(layout::kSeries, [&](const auto& row) {
+    read(content, row.path, samples, record.parameters.Nx, record.*row.in_record);
+  });
   record.ruptures =
       read_ruptures(content, layout::kRupturesGroup, layout::kRuptures, record.parameters.Nx);
   read_crossings(content, record);

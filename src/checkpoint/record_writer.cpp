@@ -43,23 +43,6 @@ void add_row(Content& rows, const Table& table, const Row& row) {
   });
 }
 
-void check_count_range(const Parameters& parameters) {
-  constexpr std::int64_t most = std::numeric_limits<std::uint16_t>::max();
-  if (springs_per_block(parameters) > most) {
-    throw UsageError(
-        "junctions.N_s = {} is too large for a record, which counts up to "
-        "{} junctions per block",
-        parameters.N_s, most);
-  }
-}
-
-// Throws Failure unless this is a record, which begins where its run did.
-void check_complete(const Content& content, std::optional<std::int64_t> first_step) {
-  const auto step = record_from({FileKind::record, "", content}).step;
-  if (!first_step || (!step.empty() && step.front() == *first_step)) return;
-  fail("it does not begin at step {}, as its run did", *first_step);
-}
-
 std::vector<std::byte> piece_of(const std::filesystem::path& part, const Content& rows) {
   return naming(part, [&] { return seal(FileKind::open_record, rows); }).bytes;
 }
@@ -106,7 +89,12 @@ std::filesystem::path part_path(const std::filesystem::path& path) {
 
 void check_record(const std::filesystem::path& path, const Parameters& parameters,
                   IfExists if_exists) {
-  check_count_range(parameters);
+  constexpr std::int64_t most = std::numeric_limits<std::uint16_t>::max();
+  if (springs_per_block(parameters) > most) {
+    throw UsageError(
+        "junctions.N_s = {} is too large for a record, which counts up to {} junctions per block",
+        parameters.N_s, most);
+  }
   check_output(path, if_exists);
   const auto part = part_path(path);
   std::error_code ignored;
@@ -209,7 +197,10 @@ std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance,
       throw Failure("another program has changed the unfinished record, or the disk damaged it");
     }
     content.merge(part.content);
-    check_complete(content, first_step);
+    const auto step = record_from({FileKind::record, "", content}).step;
+    if (first_step && (step.empty() || step.front() != *first_step)) {
+      fail("it does not begin at step {}, as its run did", *first_step);
+    }
   });
   std::string checksum = write_content(path_, FileKind::record, content, if_exists_, sum);
   part_->remove();

@@ -41,14 +41,6 @@ bool read_truth(const Content& content, const char* path) {
   return value == 1;
 }
 
-void add_event(const RunSoFar& run, Content& content) {
-  std::vector<double> times;
-  for (const auto& t : run.event) times.push_back(t.value_or(kNoRupture));
-  content[kEvent] = make_array<double>(times, {times.size()}, "s");
-  content[kLastRupture] = make_scalar(run.last_rupture, "s");
-  content[kSpanned] = make_truth(run.spanned);
-}
-
 void read_event(const Content& content, const Parameters& p, RunSoFar& run) {
   run.last_rupture = read_scalar<double>(content, kLastRupture);
   run.spanned = read_truth(content, kSpanned);
@@ -69,7 +61,13 @@ Content run_content(const RunSoFar& run) {
   content[kLastBreak] = make_scalar(run.last_break, "1");
   content[kRuptures] = make_scalar(run.ruptures, "1");
   content[kLeadingEdge] = make_truth(run.leading_edge_ruptured);
-  if (!run.event.empty()) add_event(run, content);
+  if (!run.event.empty()) {
+    std::vector<double> times;
+    for (const auto& t : run.event) times.push_back(t.value_or(kNoRupture));
+    content[kEvent] = make_array<double>(times, {times.size()}, "s");
+    content[kLastRupture] = make_scalar(run.last_rupture, "s");
+    content[kSpanned] = make_truth(run.spanned);
+  }
   if (run.quiet_steps) content[kQuietSteps] = make_scalar(*run.quiet_steps, "1");
   if (run.arrived_below) content[kArrivedBelow] = make_scalar(*run.arrived_below, "1");
   if (!run.id.empty()) content[kId] = make_text(run.id);

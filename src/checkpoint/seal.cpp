@@ -61,21 +61,6 @@ FileKind kind_called(const std::string& format) {
        format_name(FileKind::record));
 }
 
-// What an editor may have left of a checksum.
-std::string checksum_or_none(const std::string& text) {
-  constexpr std::size_t digits = 64;
-  const bool is_one =
-      text.size() == digits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-  return is_one ? text : std::string();
-}
-
-void check_attributes(const hdf5::RootAttributes& attributes, FileKind kind) {
-  if (attributes.format != format_name(kind)) {
-    fail("its header says {}, but its attributes say {}, schema version {}; recreate it",
-         format_name(kind), attributes.format, attributes.schema_version);
-  }
-}
-
 void append_rows(const std::string& path, Dataset& whole, const Dataset& rows) {
   const auto row_shape = [](const Dataset& dataset) {
     return Shape(dataset.shape.begin() + (dataset.shape.empty() ? 0 : 1), dataset.shape.end());
@@ -106,7 +91,10 @@ Sealed seal(FileKind kind, const Content& content) {
 ContentFile unseal(FileKind kind, std::span<const std::byte> file) {
   const hdf5::Reader reader(file);
   const hdf5::RootAttributes attributes = attributes_of(reader);
-  check_attributes(attributes, kind);
+  if (attributes.format != format_name(kind)) {
+    fail("its header says {}, but its attributes say {}, schema version {}; recreate it",
+         format_name(kind), attributes.format, attributes.schema_version);
+  }
   ContentFile unsealed = {kind, attributes.content_checksum, reader.content()};
   check_finite(unsealed.content);
   // One that only a newer build knows is not damage, although it changes the checksum.
@@ -146,7 +134,9 @@ EditedFile open_edited(std::span<const std::byte> file) {
   const hdf5::RootAttributes attributes = attributes_of(reader);
   EditedFile edited;
   edited.kind = kind_called(attributes.format);
-  edited.sealed_checksum = checksum_or_none(attributes.content_checksum);
+  const std::string& checksum = attributes.content_checksum;  // or what an editor has left of it
+  const bool is_whole = checksum.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (checksum.size() == 64 && is_whole) edited.sealed_checksum = checksum;
   edited.content = reader.content();
   check_finite(edited.content);
   edited.content_is_as_sealed = content_checksum(edited.content) == edited.sealed_checksum;

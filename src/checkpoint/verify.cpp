@@ -5,30 +5,6 @@
 #include "rupture/checkpoint/record.hpp"
 
 namespace rupture {
-namespace {
-
-// What follows is not the run that wrote the file.
-Content without_run(Content content) {
-  std::erase_if(content, [](const auto& item) { return item.first.starts_with("/run/"); });
-  return content;
-}
-
-Content checked_checkpoint(const Content& content, const ProvenanceEntry& entry) {
-  Checkpoint checkpoint = checkpoint_from(content);
-  checkpoint.provenance.push_back(entry);
-  return checkpoint_content(checkpoint);
-}
-
-Content checked_record(Content content, const ProvenanceEntry& entry) {
-  Record record = record_from({FileKind::record, "", content});
-  record.provenance.push_back(entry);
-  Content sealed = provenance_content(record.provenance);
-  sealed.merge(parameters_content(record.parameters));
-  sealed.merge(content);
-  return sealed;
-}
-
-}  // namespace
 
 ContentFile verify_file(const std::filesystem::path& path, Opening opening) {
   ContentFile file = read_file(path, opening);
@@ -49,9 +25,20 @@ ContentFile verify_file(const std::filesystem::path& path, Opening opening) {
 }
 
 Content checked_content(const EditedFile& file, const ProvenanceEntry& entry) {
+  Content content = file.content;  // what follows is not the run that wrote the file
+  std::erase_if(content, [](const auto& item) { return item.first.starts_with("/run/"); });
   return naming(file.name, [&] {
-    return file.kind == FileKind::checkpoint ? checked_checkpoint(without_run(file.content), entry)
-                                             : checked_record(without_run(file.content), entry);
+    if (file.kind == FileKind::checkpoint) {
+      Checkpoint checkpoint = checkpoint_from(content);
+      checkpoint.provenance.push_back(entry);
+      return checkpoint_content(checkpoint);
+    }
+    Record record = record_from({FileKind::record, "", content});
+    record.provenance.push_back(entry);
+    Content sealed = provenance_content(record.provenance);
+    sealed.merge(parameters_content(record.parameters));
+    sealed.merge(content);
+    return sealed;
   });
 }
 

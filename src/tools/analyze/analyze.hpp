@@ -22,7 +22,6 @@ const std::vector<const Command*>& commands();
 /// Reads the checkpoint that was named. `wanted` is what the error asks for if there is none.
 Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted = "a checkpoint");
 
-/// All files that were named.
 std::vector<std::string> files_of(const Parsed& parsed);
 
 }  // namespace rupture::tools

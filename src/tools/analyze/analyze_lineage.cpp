@@ -42,11 +42,6 @@ struct StartFile {
   std::string checksum;
 };
 
-std::string short_checksum(const std::string& checksum) {
-  constexpr std::size_t digits = 12;
-  return checksum.empty() ? std::string("(unfinished)") : checksum.substr(0, digits);
-}
-
 /// The options that the commands of files have (run/files.hpp): those that determine the result.
 constexpr std::string_view kOfRuns = " --set --until --record-every --crossings --fields ";
 constexpr std::array<std::array<std::string_view, 2>, 4> kWritten = {
@@ -141,9 +136,9 @@ std::string lineage_text(const Lineage& lineage) {
                                 : entry.rebuild == kEditedOutside
                                     ? "(edited outside) " + entry.command_line
                                     : entry.rebuild;
-    text +=
-        fmt::format("{} {}  {}: {}\n", i, in_one_line(short_checksum(lineage.checksum_after(i))),
-                    build_text(entry), in_one_line(command));
+    const std::string checksum = in_one_line(lineage.checksum_after(i).substr(0, 12));
+    text += fmt::format("{} {}  {}: {}\n", i, checksum.empty() ? "(unfinished)" : checksum,
+                        build_text(entry), in_one_line(command));
   }
   return text;
 }
@@ -190,12 +185,6 @@ std::string rebuild_script(const Lineage& lineage, const std::string& output,
   return script;
 }
 
-std::optional<StartFile> start_of(const po::variables_map& values) {
-  if (values.count("from") == 0) return std::nullopt;
-  const auto path = values["from"].as<std::string>();
-  return StartFile{path, verify_file(path).checksum};
-}
-
 void check_combination(const po::variables_map& values) {
   const bool commands = values.count("commands") > 0;
   if (commands && values.count("json") > 0) {
@@ -231,7 +220,12 @@ constinit const Command lineage_command = {
       const Lineage lineage = {path, file.kind, file.checksum, read_provenance(file.content)};
       if (values.count("commands") > 0) {
         const auto output = file_to_write(values, "output");
-        say("{}", rebuild_script(lineage, output.string(), start_of(values)));
+        std::optional<StartFile> start;
+        if (values.count("from") > 0) {
+          const auto from = values["from"].as<std::string>();
+          start = {from, verify_file(from).checksum};
+        }
+        say("{}", rebuild_script(lineage, output.string(), start));
       } else if (values.count("json") > 0) {
         say("{}\n", json_text(lineage_json(lineage)));
       } else {

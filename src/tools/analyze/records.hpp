@@ -15,7 +15,6 @@ struct RecordCommand {
   double from = 0, to = 0;  ///< window of time that counts [s]
 };
 
-/// Adds --from and --to.
 void add_window_options(po::options_description& options);
 
 /// Reads the record. The window is the whole record unless --from and --to were given. The record's
@@ -24,7 +23,6 @@ void add_window_options(po::options_description& options);
 /// read, holds no samples or not these ruptures.
 RecordCommand record_of(const Parsed& parsed);
 
-/// Adds --quiet-time.
 void add_quiet_time_option(po::options_description& options);
 
 /// Adds --event, --from, --to and --quiet-time.
@@ -56,7 +54,6 @@ void add_criteria_options(po::options_description& options);
 FrontCriteria criteria(const RecordCommand& command);
 Quantity criteria_quantity(const FrontCriteria& criteria);
 
-/// The front of the chosen event.
 Front front_of(const RecordCommand& command, const ChosenEvent& event);
 
 Quantity type_quantity(const Front& front);

@@ -106,15 +106,6 @@ std::vector<po::option> options_in(std::string line, std::string& group,
   return po::parse_config_file(lines, options, /*allow_unregistered=*/true).options;
 }
 
-/// What --set and --seed change. Throws UsageError if a parameter is given twice.
-ParameterChanges changes_by(const po::parsed_options& given) {
-  ParameterChanges changes;
-  for (const po::option& option : given.options) {
-    if (auto change = change_by(option, "")) add_once(*std::move(change), changes);
-  }
-  return changes;
-}
-
 /// Throws UsageError for a name without a group that no option has: parameters have groups.
 void check_name(const std::string& name, const po::options_description& options,
                 const std::string& where) {
@@ -177,16 +168,6 @@ void refuse_unit(const std::string& word) {
     if (!in_unit("1 " + word, info.unit) || is_there(word)) continue;
     throw UsageError("unexpected word '{}': write the number and its unit as one word, as in 1{}",
                      word, word);
-  }
-}
-
-/// The exit code of a tool's body, or kDone after the help that was asked for.
-int body_or_help(const std::function<int()>& body) {
-  try {
-    return body();
-  } catch (const HelpRequested& help) {
-    say("{}", help.text);
-    return kDone;
   }
 }
 
@@ -258,7 +239,10 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
           read_config(parsed.values["config"].as<std::string>(), all, parsed.values);
     }
     po::notify(parsed.values);
-    const auto changes = changes_by(given);
+    ParameterChanges changes;
+    for (const po::option& option : given.options) {
+      if (auto change = change_by(option, "")) add_once(*std::move(change), changes);
+    }
     parsed.parameters.insert(parsed.parameters.end(), changes.begin(), changes.end());
   } catch (const po::unknown_option& error) {
     throw UsageError(unknown_option_text(error.get_option_name(), all, command.name()));
@@ -318,7 +302,12 @@ int run_tool(const std::string& name, const std::function<int()>& body) {
   std::signal(SIGPIPE, SIG_IGN);  // writing to a pipe that nobody reads only fails
   try {
     check_arithmetic();
-    const int code = body_or_help(body);
+    int code = kDone;
+    try {
+      code = body();
+    } catch (const HelpRequested& help) {
+      say("{}", help.text);
+    }
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       if (nobody_reads_output()) end_by_signal(SIGPIPE);
       return complain(name, "cannot write to standard output", kFailed);

@@ -9,7 +9,6 @@
 
 namespace rupture::tools {
 
-/// Exit codes: 0 done, 1 failed, 2 usage.
 enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2 };
 
 /// Thrown by parse() when --help, --describe or --version was given; holds the text for standard
@@ -18,7 +17,6 @@ struct HelpRequested {
   std::string text;
 };
 
-/// A parameter that is given a value.
 struct ParameterChange {
   std::string name, value;
   std::string where;  ///< "small.ini:3: ", for errors; empty on the command line
@@ -27,7 +25,6 @@ struct ParameterChange {
 /// Parameter assignments in the order in which they apply.
 using ParameterChanges = std::vector<ParameterChange>;
 
-/// A parsed command line.
 struct Parsed {
   po::variables_map values;
   ParameterChanges parameters;         ///< from --config, then from --set and --seed
@@ -65,14 +62,12 @@ std::string version_text(const std::string& tool);
 /// Applies the changes one by one. Throws UsageError as set_parameter() does, with the place.
 void apply(const ParameterChanges& changes, Parameters& parameters);
 
-/// The shape that --shape names.
 PhiShape shape_named(const std::string& name);
 
 /// Throws UsageError unless the interface follows the reference law, for which alone there is
 /// theory.
 void refuse_other_laws(const Parameters& parameters);
 
-/// Throws UsageError if one of them is empty.
 void refuse_empty_names(const std::vector<std::string>& inputs);
 
 /// The one positional argument. Throws UsageError, saying what is wanted, if there is none or more.
@@ -83,7 +78,6 @@ std::string single_input(const po::variables_map& values, const std::string& pos
 /// reader of standard output goes away, the body continues; then SIGPIPE ends the process.
 int run_tool(const std::string& name, const std::function<int()>& body);
 
-/// Runs a program that is one command.
 int run_tool(const Command& command, int argc, const char* const* argv);
 
 }  // namespace rupture::tools

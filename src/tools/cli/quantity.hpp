@@ -71,7 +71,6 @@ Numbers each(const std::vector<T>& elements, Of of) {
   return numbers;
 }
 
-/// One list after the other.
 Quantities join(const std::vector<Quantities>& lists);
 
 /// A line of `analyze quantities`.
@@ -83,7 +82,6 @@ struct NamedQuantity {
 /// All that JSON has of these rows.
 std::vector<NamedQuantity> named(const std::string& prefix, const Quantities& rows);
 
-/// Adds --json, or --json and --csv.
 void add_json_option(po::options_description& options);
 void add_format_options(po::options_description& options);
 
@@ -97,7 +95,6 @@ struct Report {
 /// Throws UsageError for two forms at once.
 int print(const Report& report, const po::variables_map& values);
 
-/// Prints one JSON object to standard output.
 void print_json(const Quantities& rows);
 
 /// "-" where there is no value.

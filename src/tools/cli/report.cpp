@@ -9,26 +9,6 @@
 namespace rupture::tools {
 namespace {
 
-Json json_row(const ParameterInfo& info) {
-  const auto words = info.valid.words;
-  const bool is_number = words.empty();
-  Json row = {{"name", info.name},
-              {"symbol", info.symbol},
-              {"unit", is_number ? info.unit : ""},
-              {"default", tools::json_of(Parameters{}, info)},
-              {"help", info.help},
-              {"laws", law_names(info.laws)},
-              {"restart_may_change", info.restart == Restart::may_change}};
-  if (!is_number) {
-    row["words"] = words;
-  } else {
-    row["minimum"] = info.valid.minimum;
-    row["minimum_excluded"] = info.valid.minimum_excluded;
-    row["maximum"] = info.valid.maximum;
-  }
-  return row;
-}
-
 const ValueKind kFlag = {"flag", ""};
 
 const ValueKind& kind_or_flag(const po::option_description& option) {
@@ -81,11 +61,6 @@ Json outputs_json(const po::options_description& options) {
   return outputs.empty() ? Json::array({"report"}) : outputs;
 }
 
-std::string without_line_breaks(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
 }  // namespace
 
 std::string json_text(const Json& json) {
@@ -106,14 +81,33 @@ Json json_of(const ProvenanceEntry& entry) {
 
 Json json_of(const std::vector<ParameterInfo>& rows) {
   Json list = Json::array();
-  for (const auto& info : rows) list.push_back(json_row(info));
+  for (const auto& info : rows) {
+    const auto& [minimum, maximum, minimum_excluded, words] = info.valid;
+    Json row = {{"name", info.name},
+                {"symbol", info.symbol},
+                {"unit", words.empty() ? info.unit : ""},
+                {"default", json_of(Parameters{}, info)},
+                {"help", info.help},
+                {"laws", law_names(info.laws)},
+                {"restart_may_change", info.restart == Restart::may_change}};
+    if (words.empty()) {
+      row["minimum"] = minimum;
+      row["minimum_excluded"] = minimum_excluded;
+      row["maximum"] = maximum;
+    } else {
+      row["words"] = words;
+    }
+    list.push_back(row);
+  }
   return list;
 }
 
 Json description(const Command& command, const po::options_description& options) {
+  std::string purpose = command.purpose;
+  std::ranges::replace(purpose, '\n', ' ');
   Json json = {{"name", command.name()},
                {"synopsis", command.synopsis()},
-               {"purpose", without_line_breaks(command.purpose)},
+               {"purpose", purpose},
                {"input", *command.input == '\0' ? Json() : Json(command.input)},
                {"outputs", outputs_json(options)},
                {"parameters", command.uses_parameters == UsesParameters::yes},

@@ -16,7 +16,6 @@ std::string json_text(const Json& json);
 /// The value of a parameter: a number, or the word that was chosen.
 Json json_of(const Parameters& parameters, const ParameterInfo& info);
 
-/// A provenance entry with all its members.
 Json json_of(const ProvenanceEntry& entry);
 
 /// Everything about these parameters (docs/schema.md).

@@ -21,7 +21,6 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
   say_on(stdout, format, std::forward<Args>(args)...);
 }
 
-/// The words between the separators.
 std::vector<std::string> split(std::string text, char separator);
 
 /// One line per parameter: name, symbol, default, unit, meaning.

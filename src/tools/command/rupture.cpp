@@ -52,18 +52,16 @@ fs::path tool_folder() {
   return fs::is_directory(installed) ? installed.lexically_normal() : own;
 }
 
-bool can_run(const fs::path& program) {
-  std::error_code ignored;
-  return fs::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0;
-}
-
 /// The program of this name: in ../libexec/rupture if this one is installed, else beside it. Throws
 /// Failure if one of kTools is not there, UsageError for other names.
 fs::path tool_path(const std::string& name) {
   std::vector<std::string_view> names;
   for (const Tool& tool : kTools) names.push_back(tool.name);
   const fs::path folder = tool_folder(), program = folder / name;
-  if (fs::path(name).filename() == name && can_run(program)) return program;
+  std::error_code ignored;
+  const bool can_run =
+      fs::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0;
+  if (can_run && fs::path(name).filename() == name) return program;
   if (std::ranges::count(names, name) != 0) {
     throw Failure(
         "there is no program {} in {}: install rupture, or link to it instead of copying it", name,

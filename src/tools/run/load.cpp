@@ -5,11 +5,6 @@
 namespace rupture::tools {
 namespace {
 
-void add_load_options(po::options_description& options) {
-  options.add_options()("until", seconds()->default_value(0.0, "0"),
-                        "drive until this time; 0: only the equilibrium");
-}
-
 int load(const Parsed& parsed) {
   Parameters p;
   apply(parsed.parameters, p);
@@ -38,7 +33,11 @@ constinit const Command load_command = {
     "Finds the equilibrium of the slider under its normal load F_N, then moves the driving\n"
     "point at speed V, and writes a checkpoint from which the run can be continued.\n"
     "At the end, prints the energy account: supplied = stored + lost to damping and junctions.",
-    {add_load_options, add_run_options},
+    {[](po::options_description& options) {
+       options.add_options()("until", seconds()->default_value(0.0, "0"),
+                             "drive until this time; 0: only the equilibrium");
+     },
+     add_run_options},
     load,
     run_quantities,
     UsesParameters::yes};

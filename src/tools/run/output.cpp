@@ -108,10 +108,6 @@ std::optional<double> if_finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-void print_if_asked(const Quantities& rows, const OutputOptions& output) {
-  if (output.json) print_json(rows);
-}
-
 int write_and_report(FileKind kind, const Content& content, const Quantities& rows,
                      const std::string& text, const OutputOptions& output) {
   const WrittenFile file = {
@@ -119,7 +115,7 @@ int write_and_report(FileKind kind, const Content& content, const Quantities& ro
       write_content(output.output, kind, content, output.if_exists, output.sum)};
   output.say("{}", text);
   announce(file, output);
-  print_if_asked(with_files(rows, {file}), output);
+  if (output.json) print_json(with_files(rows, {file}));
   return kDone;
 }
 

@@ -63,9 +63,6 @@ Quantities with_files(Quantities rows, const std::vector<WrittenFile>& files = {
 /// None for NaN and the infinities, which JSON does not have.
 std::optional<double> if_finite(double value);
 
-/// Prints them as one JSON object if the options ask for it.
-void print_if_asked(const Quantities& rows, const OutputOptions& output);
-
 /// What a program does at its end that writes one file: writes the output, says what was done, in
 /// words and as the options ask for it; kDone.
 int write_and_report(FileKind kind, const Content& content, const Quantities& rows,

@@ -80,7 +80,6 @@ State roughly_loaded(const Parameters& parameters);
 int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
              const std::filesystem::path& input);
 
-/// The rows of its summary.
 Quantities run_quantities();
 
 }  // namespace rupture::tools

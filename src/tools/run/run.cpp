@@ -24,17 +24,15 @@ struct RunSummary {
   std::vector<WrittenFile> files = {};  ///< in their order
 };
 
-Quantities rows_of(const EnergyBalance& energy) {
-  return {
+Quantities quantities_of(const RunSummary& s) {
+  const EnergyBalance& energy = s.energy;
+  const Quantities account = {
       {"supplied", "J", "work of the driving point and of the load", energy.supplied},
       {"stored", "J", "gain of kinetic and elastic energy", energy.stored},
       {"damping", "J", "energy taken by damping", energy.damping},
       {"junctions", "J", "work done against the junctions", energy.junctions},
       {"relative_error", "1", "error, relative to the largest term", energy.relative_error()},
   };
-}
-
-Quantities quantities_of(const RunSummary& s) {
   const Quantities rows = {
       {"ending", "",
        "end, quiet, spanned (an event did), interrupted, or complete (nothing was left to do)",
@@ -47,7 +45,7 @@ Quantities quantities_of(const RunSummary& s) {
        s.run.ruptures},
       {"leading_edge_ruptured", "", "whether the block at the leading edge was among them",
        s.run.leading_edge_ruptured},
-      {"energy", "", "energy account of these steps", Group{rows_of(s.energy)}},
+      {"energy", "", "energy account of these steps", Group{account}},
   };
   return with_files(rows, s.files);
 }
@@ -79,13 +77,10 @@ void say_invariants(const OutputOptions& output, Ending ending, const RunSummary
 /// Checkpoints on the way, of which there may be many: one line names them.
 void announce(const std::vector<WrittenFile>& on_the_way, const OutputOptions& output) {
   if (on_the_way.empty()) return;
-  const std::string first = in_one_line(on_the_way.front().path);
-  if (on_the_way.size() == 1) {
-    output.say("wrote 1 checkpoint on the way: {}\n", first);
-  } else {
-    output.say("wrote {} checkpoints on the way: {} ... {}\n", on_the_way.size(), first,
-               in_one_line(on_the_way.back().path));
-  }
+  const bool is_one = on_the_way.size() == 1;
+  output.say("wrote {} checkpoint{} on the way: {}{}\n", on_the_way.size(), is_one ? "" : "s",
+             in_one_line(on_the_way.front().path),
+             is_one ? "" : " ... " + in_one_line(on_the_way.back().path));
 }
 
 /// Counts the events in a record that was just written, as analyze does by default.
@@ -288,7 +283,7 @@ void carry_out(const RunPlan& plan) {
   } else if (run.has_moved()) {
     where = fmt::format(", and saved as {}", run.save_on_the_way().string());
   }
-  print_if_asked(quantities_of(run.summary()), plan.options.output);
+  if (plan.options.output.json) print_json(quantities_of(run.summary()));
   if (is_interrupted) {
     throw Interrupted{interruption(), fmt::format("interrupted{}; to continue: {}", where,
                                                   resuming_command(plan.options))};
@@ -312,10 +307,9 @@ int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
   restore_sums(plan.written_before, options.output);
   if (plan.is_complete) {
     const Checkpoint& end = plan.begin;
-    print_if_asked(
-        quantities_of(
-            {.ending = "complete", .time = time(end.parameters, end.state), .run = *end.run}),
-        options.output);
+    const double t = time(end.parameters, end.state);
+    const RunSummary summary = {.ending = "complete", .time = t, .run = *end.run};
+    if (options.output.json) print_json(quantities_of(summary));
   } else {
     carry_out(plan);
   }
