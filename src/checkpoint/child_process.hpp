@@ -5,7 +5,6 @@
 
 namespace rupture {
 
-/// How a child process ended.
 struct ChildEnd {
   int code = 0;    ///< what its work returned, 0 to 255; kThrew if it threw
   int signal = 0;  ///< that ended it; 0 if none did

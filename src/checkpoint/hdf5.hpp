@@ -47,7 +47,6 @@ void prepare();
 /// The stored type of an element; `text_length` [bytes] only matters for text.
 Handle stored_type(DataType type, std::size_t text_length);
 
-/// The root attributes.
 struct RootAttributes {
   std::string format;
   std::int64_t schema_version = 0;

@@ -92,9 +92,7 @@ std::string text_of_fixed_length(Id type, const Read& read, std::size_t room,
 // A text in any form that HDF5 knows, as the one in which rupture writes it.
 Dataset edited_text(Id type, Id space, const Read& read, std::size_t room,
                     const std::string& path) {
-  if (H5Sget_simple_extent_npoints(space) != 1) {
-    fail("{} is not one text", path);
-  }
+  if (H5Sget_simple_extent_npoints(space) != 1) fail("{} is not one text", path);
   return make_text(H5Tis_variable_str(type) > 0 ? text_of_any_length(type, read, path)
                                                 : text_of_fixed_length(type, read, room, path));
 }

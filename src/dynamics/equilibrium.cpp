@@ -81,14 +81,6 @@ void check_sigma_bar(const Parameters& p, const Prestress& prestress) {
       springs_per_block(p) == 1 ? ", as each block has only one spring" : "");
 }
 
-void check(const Parameters& p, const Prestress& prestress) {
-  check_parameters(p);
-  check_region(p, prestress);
-  check_tau_bar(p, "tau-bar", prestress.tau_bar);
-  check_tau_bar(p, "tau-bar-trigger", prestress.tau_bar_trigger);
-  check_sigma_bar(p, prestress);
-}
-
 /// True if the slider has turned so far that blocks rose or sank by the spacing between them: as p
 /// is constant, the static equations have such solutions, in which the ceiling touches a corner.
 bool has_tipped_over(const Parameters& p, const State& state) {
@@ -180,7 +172,11 @@ double largest_sigma_bar(const Parameters& p, const Prestress& prestress) {
 }
 
 State prepared_state(const Parameters& p, const Prestress& prestress) {
-  check(p, prestress);
+  check_parameters(p);
+  check_region(p, prestress);
+  check_tau_bar(p, "tau-bar", prestress.tau_bar);
+  check_tau_bar(p, "tau-bar-trigger", prestress.tau_bar_trigger);
+  check_sigma_bar(p, prestress);
   const auto tau = prescribed_friction(p, prestress);
   auto state = solve_statics(p, {tau, p.K});
   if (!state || has_tipped_over(p, *state)) {

@@ -108,37 +108,20 @@ Maybe strength(const Simulation& simulation, std::int64_t first_step) {
                                       : "this is a bug, please report it with the command")};
 }
 
-Place fastest_block(const State& state) {
-  Place place = {0, 0};
-  const RowMajorArray<double> squares = state.v_x.blocks().square() + state.v_z.blocks().square();
-  squares.maxCoeff(&place.j, &place.i);
-  return place;
-}
-
-/// Error of the account relative to what it accounts for: what flowed, or was in motion.
-double relative_error(const Energies& before, const Energies& after, const Work& work) {
-  return energy_balance(before, after, work)
-      .relative_error(
-          std::max({before.kinetic, after.kinetic, kRest * (after.total() - after.load)}));
-}
-
-}  // namespace
-
-Guard::Guard(const Simulation& simulation) : start_(entry_of(simulation)), last_(start_) {}
-
-Guard::Entry Guard::entry_of(const Simulation& simulation) {
-  return {simulation.state().step, simulation.energies(), simulation.work()};
-}
-
-std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& from,
-                                     const Entry& to) const {
+/// The error of the account is relative to what it accounts for: what flowed, or was in motion.
+Maybe energy(const Simulation& simulation, const AccountEntry& from, const AccountEntry& to) {
   if (to.step == from.step) return std::nullopt;
-  const double error = relative_error(from.energies, to.energies, to.work - from.work);
+  const Energies &before = from.energies, &after = to.energies;
+  const double in_motion =
+      std::max({before.kinetic, after.kinetic, kRest * (after.total() - after.load)});
+  const double error = energy_balance(before, after, to.work - from.work).relative_error(in_motion);
   const double limit = energy_tolerance(to.step - from.step);
   if (error <= limit) return std::nullopt;
   const Parameters& p = simulation.parameters();
   const State& state = simulation.state();
-  const Place place = fastest_block(state);
+  const RowMajorArray<double> squares = state.v_x.blocks().square() + state.v_z.blocks().square();
+  Place place = {0, 0};  // of the fastest block
+  squares.maxCoeff(&place.j, &place.i);
   return Finding{
       Check::energy, Severity::alarm,
       fmt::format("the energy account from t = {:.7g} s to {:.7g} s is off by {:.3g} %, where "
@@ -150,8 +133,10 @@ std::optional<Finding> Guard::energy(const Simulation& simulation, const Entry& 
                   std::hypot(state.v_x(place.i, place.j), state.v_z(place.i, place.j)))};
 }
 
+}  // namespace
+
 std::vector<Finding> Guard::look(const Simulation& simulation) {
-  const Entry now = entry_of(simulation);
+  const AccountEntry now(simulation);
   std::vector<Finding> found;
   for (const Maybe& finding : {time_step(simulation), lattice(simulation), contact(simulation),
                                strength(simulation, start_.step), energy(simulation, last_, now),

@@ -112,9 +112,7 @@ Matrix stiffness(const Parameters& p, const LoadCase& load_case, const Unknowns&
     tangent << forces.dtau_dux, forces.dtau_duz, 0.0, -forces.dp_duz;
     add_block(triplets, unknown(i, 0), unknown(i, 0), tangent);
     const double slope = contact.top_force_slope(state.u_z(i, top));
-    if (slope > 0.0) {
-      triplets.emplace_back(unknown(i, top) + 1, unknown(i, top) + 1, slope);
-    }
+    if (slope > 0.0) triplets.emplace_back(unknown(i, top) + 1, unknown(i, top) + 1, slope);
   }
   if (load_case.K > 0.0) {
     const Eigen::Index driven = unknown(0, driving_row(p));

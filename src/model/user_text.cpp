@@ -45,14 +45,6 @@ std::optional<int> exponent_of(std::string_view word, std::string_view unit) {
   return std::nullopt;
 }
 
-/// Where the number ends with which `text` begins; 0 if there is none.
-std::size_t length_of_number(std::string_view text) {
-  double ignored = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ignored);
-  if (error == std::errc::invalid_argument) return 0;
-  return static_cast<std::size_t>(end - text.data());
-}
-
 /// The decimal number times a power of ten.
 std::string shifted(std::string_view number, int by) {
   const std::size_t e = number.find_first_of("eE");
@@ -97,8 +89,10 @@ std::size_t distance(std::string_view word, std::string_view candidate) {
 
 std::optional<std::string> in_unit(std::string_view text, std::string_view unit) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  const std::size_t length = length_of_number(text);
-  if (length == 0) return std::nullopt;
+  double ignored = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ignored);
+  if (error == std::errc::invalid_argument) return std::nullopt;
+  const auto length = static_cast<std::size_t>(end - text.data());
   const std::string_view number = text.substr(0, length);
   std::string_view word = text.substr(length);
   if (word.empty()) return std::string(number);

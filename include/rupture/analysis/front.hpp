@@ -115,7 +115,6 @@ struct Event {
                                          ///< quiet time after t_end is over [N]
 };
 
-/// A time series of the driving force.
 struct LoadingCurve {
   std::span<const double> time;  ///< [s]
   std::span<const double> F_T;   ///< [N]

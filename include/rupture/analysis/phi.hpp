@@ -27,7 +27,6 @@ struct BlockForces {
 
   /// Friction force on the block [N].
   double tau() const { return mean * static_cast<double>(forces.size()); }
-  /// sigma-bar = sigma / (f_thres - f_slip).
   double sigma_bar() const { return sigma / (f_thres - f_slip); }
 };
 

@@ -30,7 +30,6 @@ namespace rupture {
 /// sigma-bar = sigma / (f_thres - f_slip) >= 0. Exact to rounding.
 double effective_strength(PhiShape shape, double sigma_bar);
 
-/// The forces in the junctions of one block.
 struct JunctionForces {
   std::vector<double> pinned;    ///< [N]
   std::vector<double> slipping;  ///< below f_slip where the block has moved back meanwhile [N]

@@ -10,7 +10,6 @@ namespace rupture {
 /// How a dataset differs between contents a and b.
 enum class Change { values, type, shape, only_in_a, only_in_b };
 
-/// The name of its enumerator, for reports.
 std::string_view name_of(Change change);
 
 /// The largest of some numbers and the element that has it first, in storage order.

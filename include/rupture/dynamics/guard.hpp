@@ -11,10 +11,8 @@ namespace rupture {
 /// A warning is worth knowing; with an alarm the result is meaningless.
 enum class Severity { warning, alarm };
 
-/// Properties of a run that are watched.
 enum class Check { time_step, energy, strength, contact, lattice };
 
-/// One thing that was found.
 struct Finding {
   Check check;
   Severity severity;
@@ -28,29 +26,28 @@ inline double energy_tolerance(std::int64_t steps) {
   return 0.01 * (1.0 + 1000.0 / static_cast<double>(steps));
 }
 
+/// The energy account at one instant.
+struct AccountEntry {
+  explicit AccountEntry(const Simulation& simulation)
+      : step(simulation.state().step), energies(simulation.energies()), work(simulation.work()) {}
+
+  std::int64_t step;
+  Energies energies;
+  Work work;
+};
+
 /// Looks at a simulation from time to time. Never changes it.
 class Guard {
  public:
-  /// Opens the energy account.
-  explicit Guard(const Simulation& simulation);
+  explicit Guard(const Simulation& simulation) : start_(simulation), last_(start_) {}
 
   /// The faults now, and in the energy account since the start or the last look. Each check is
   /// reported once per severity.
   std::vector<Finding> look(const Simulation& simulation);
 
  private:
-  /// The energy account at one instant.
-  struct Entry {
-    std::int64_t step;
-    Energies energies;
-    Work work;
-  };
-  static Entry entry_of(const Simulation& simulation);
-  std::optional<Finding> energy(const Simulation& simulation, const Entry& from,
-                                const Entry& to) const;
-
-  const Entry start_;
-  Entry last_;
+  const AccountEntry start_;
+  AccountEntry last_;
   std::set<std::pair<Check, Severity>> reported_;
 };
 

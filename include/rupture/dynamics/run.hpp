@@ -19,7 +19,6 @@ class Observer {
   virtual void observe(const Simulation& simulation) = 0;
 };
 
-/// When a run ends.
 struct StopRule {
   std::int64_t last_step = 0;  ///< latest step, always in force
   /// Also stop once no junction has broken for this many steps, or an event has spanned

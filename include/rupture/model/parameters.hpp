@@ -141,7 +141,6 @@ const std::vector<ParameterInfo>& parameter_table();
 /// The row called `name`. Throws UsageError naming the nearest existing name.
 const ParameterInfo& find_parameter(std::string_view name);
 
-/// Whether the law uses the parameter.
 bool is_used(const ParameterInfo& info, Law law);
 
 /// Its value as parameter_text() if the law of `parameters` uses it, and its default if not: what

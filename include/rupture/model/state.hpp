@@ -76,7 +76,6 @@ void change_pace(const Parameters& before, const Parameters& after, State& state
 /// Force of the driving spring, F_T = K (x_drive - u_x) at the driven block [N].
 double driving_force(const Parameters& parameters, const State& state);
 
-/// True where a junction is slipping, false where it is pinned.
 inline bool is_slipping(double repin_time) {
   return repin_time < Junctions::never;
 }

@@ -64,7 +64,6 @@ bool asks_for_help(std::string_view word) {
   return word == "help" || word == "--help" || word == "-h";
 }
 
-/// analyze help [COMMAND]
 std::string help_for(const std::vector<std::string>& words) {
   if (words.size() > 1) {
     throw UsageError("unexpected word '{}': help takes one command", words[1]);
@@ -117,15 +116,6 @@ void print_lines(const std::vector<NamedQuantity>& quantities) {
   }
 }
 
-void print_text() {
-  say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
-  say("\nQuantities: name (command, then field of its --json; * is an index), unit, "
-      "meaning\n");
-  print_lines(quantities_of(commands()));
-  say("\nSummaries: name (program that writes files, then field of its --json), unit, meaning\n");
-  print_lines(quantities_of(kWriters));
-}
-
 }  // namespace
 
 constinit const Command quantities_command = {
@@ -140,9 +130,15 @@ constinit const Command quantities_command = {
         say("{}\n", json_text({{"parameters", tools::json_of(parameter_table())},
                                {"quantities", json_of(quantities_of(commands()))},
                                {"summaries", json_of(quantities_of(kWriters))}}));
-      } else {
-        print_text();
+        return int{kDone};
       }
+      say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
+      say("\nQuantities: name (command, then field of its --json; * is an index), unit, "
+          "meaning\n");
+      print_lines(quantities_of(commands()));
+      say("\nSummaries: name (program that writes files, then field of its --json), unit, "
+          "meaning\n");
+      print_lines(quantities_of(kWriters));
       return int{kDone};
     }};
 

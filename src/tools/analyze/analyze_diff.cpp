@@ -125,9 +125,7 @@ std::string report_text(const Json& json, const Pair& pair) {
 
 int compare(const Parsed& parsed) {
   const auto files = files_of(parsed);
-  if (files.size() != 2) {
-    throw UsageError("diff compares two files (got {})", files.size());
-  }
+  if (files.size() != 2) throw UsageError("diff compares two files (got {})", files.size());
   const ContentFile a = read_file(files[0]), b = read_file(files[1]);
   if ((a.kind == FileKind::checkpoint) != (b.kind == FileKind::checkpoint)) {
     throw Failure("{} is {}, but {} is {}: give two files of the same kind", files[0],

@@ -23,7 +23,6 @@ check() {{
 }}
 )sh";
 
-/// Where a file comes from.
 struct Lineage {
   std::string name;  ///< of the file, for messages
   FileKind kind = FileKind::checkpoint;

@@ -94,7 +94,6 @@ std::string text_of(const Record& record) {
       record.time[static_cast<std::size_t>(peak - record.F_T.begin())]);
 }
 
-/// Forces and displacement of one block.
 Quantities block_quantities(const Record& record, Eigen::Index block) {
   const auto series = [&](const RowMajorArray<double>& values) {
     const auto column = values.col(block);

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "analyze/analyze.hpp"
 #include "analyze/records.hpp"
@@ -38,17 +37,17 @@ std::vector<std::size_t> chosen_blocks(const Front& front, const po::variables_m
   return blocks;
 }
 
-/// The slow slip of several blocks, one value per block.
-struct SlowSlips {
-  std::vector<double> x, t_from, t_to, speed, r_squared, estimate;
-  std::vector<std::optional<double>> v_c;
+/// The slow slip of one block.
+struct SlowSlip {
+  double x, t_from, t_to, speed, r_squared, estimate;
+  std::optional<double> v_c;
 };
 
-SlowSlips measure_slow_slips(const Record& record, const Front& front,
-                             const std::vector<std::size_t>& blocks,
-                             const SlowSlipCriteria& criteria) {
+std::vector<SlowSlip> measure_slow_slips(const Record& record, const Front& front,
+                                         const std::vector<std::size_t>& blocks,
+                                         const SlowSlipCriteria& criteria) {
   const Parameters& p = record.parameters;
-  SlowSlips slips;
+  std::vector<SlowSlip> slips;
   for (const std::size_t block : blocks) {
     const auto time = slow_slip_time(p, front, block, criteria);
     if (!time) continue;
@@ -57,76 +56,70 @@ SlowSlips measure_slow_slips(const Record& record, const Front& front,
     const std::vector<double> u_x(moved.begin(), moved.end());
     const auto line = fit_slow_slip({record.time, u_x}, *time);
     if (!line) continue;
-    const auto first = std::lower_bound(record.time.begin(), record.time.end(), time->from);
-    slips.x.push_back(front.line.x[block]);
-    slips.t_from.push_back(time->from);
-    slips.t_to.push_back(time->to);
-    slips.speed.push_back(line->slope);
-    slips.r_squared.push_back(line->r_squared);
-    slips.estimate.push_back(
-        slow_slip_estimate(p, record.p(std::distance(record.time.begin(), first), column)));
-    slips.v_c.push_back(front.v_c[block]);
+    const auto first = std::ranges::lower_bound(record.time, time->from) - record.time.begin();
+    const double estimate = slow_slip_estimate(p, record.p(first, column));
+    slips.push_back({front.line.x[block], time->from, time->to, line->slope, line->r_squared,
+                     estimate, front.v_c[block]});
   }
   return slips;
 }
 
-std::optional<double> average(const std::vector<double>& values) {
+std::optional<double> average(const Numbers& values) {
   if (values.empty()) return std::nullopt;
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  double sum = 0.0;
+  for (const auto& value : values) sum += *value;
+  return sum / static_cast<double>(values.size());
 }
 
 /// Of the stencils that run forwards.
-std::optional<double> median_speed(const std::vector<std::optional<double>>& values) {
+std::optional<double> median_speed(const std::vector<SlowSlip>& slips) {
   std::vector<double> known;
-  for (const auto& value : values) {
-    if (value && *value > 0.0) known.push_back(*value);
+  for (const SlowSlip& slip : slips) {
+    if (slip.v_c && *slip.v_c > 0.0) known.push_back(*slip.v_c);
   }
   return median(known);
 }
 
-/// Mean, least and largest value.
-Quantity extremes(const std::vector<double>& values) {
-  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-  const auto known = [&](auto place) {
-    return place == values.end() ? std::nullopt : std::optional(*place);
+Report report_of(const Front& front, const std::vector<SlowSlip>& slips) {
+  using S = SlowSlip;
+  const Numbers speeds = each(slips, &S::speed), estimates = each(slips, &S::estimate);
+  const bool none = slips.empty();
+  const Quantities speed = {
+      {"mean", "m/s", "mean of their speeds of slow slip", average(speeds)},
+      {"min", "m/s", "smallest of their speeds of slow slip",
+       none ? std::nullopt : std::ranges::min(speeds)},
+      {"max", "m/s", "largest of their speeds of slow slip",
+       none ? std::nullopt : std::ranges::max(speeds)},
   };
-  const Quantities rows = {
-      {"mean", "m/s", "mean of their speeds of slow slip", average(values)},
-      {"min", "m/s", "smallest of their speeds of slow slip", known(least)},
-      {"max", "m/s", "largest of their speeds of slow slip", known(largest)},
-  };
-  return {"speed", "", "", Group{rows}};
-}
-
-Report report_of(const Front& front, const SlowSlips& slips) {
-  const TextColumn times = {13, "{:.7f}"}, fit = {10, "{:.4f}"}, speeds = {12, "{:.4g}"},
+  const TextColumn times = {13, "{:.7f}"}, fit = {10, "{:.4f}"}, front_speeds = {12, "{:.4g}"},
                    slip = {14, "{:.4f}", "slip [mm/s]", 1e3};
   const Quantities per_block = {
-      positions(slips.x),
-      {"t_from", "s", "start of the fit at each block", slips.t_from, Csv::yes, times},
-      {"t_to", "s", "end of the fit at each block", slips.t_to, Csv::yes, times},
-      {"speed", "m/s", "speed of slow slip of each block", slips.speed, Csv::yes, slip},
-      {"r_squared", "1", "R^2 of the fit at each block", slips.r_squared, Csv::yes, fit, "R^2"},
-      {"v_c", "m/s", "front speed at each block", slips.v_c, Csv::yes, speeds},
-      {"estimate", "m/s", "Eq. S1 at the normal force on each block", slips.estimate, Csv::yes},
+      positions(each(slips, &S::x)),
+      {"t_from", "s", "start of the fit at each block", each(slips, &S::t_from), Csv::yes, times},
+      {"t_to", "s", "end of the fit at each block", each(slips, &S::t_to), Csv::yes, times},
+      {"speed", "m/s", "speed of slow slip of each block", speeds, Csv::yes, slip},
+      {"r_squared", "1", "R^2 of the fit at each block", each(slips, &S::r_squared), Csv::yes, fit,
+       "R^2"},
+      {"v_c", "m/s", "front speed at each block", each(slips, &S::v_c), Csv::yes, front_speeds},
+      {"estimate", "m/s", "Eq. S1 at the normal force on each block", estimates, Csv::yes},
   };
-  const auto front_speed = median_speed(slips.v_c), estimate = average(slips.estimate);
+  const auto front_speed = median_speed(slips), estimate = average(estimates);
   const Quantities rows = {
       type_quantity(front),
       stretch_quantity("slow", front.slow),
-      {"blocks", "1", "blocks whose slow slip was measured", std::ssize(slips.x)},
+      {"blocks", "1", "blocks whose slow slip was measured", std::ssize(slips)},
       {"front_speed", "m/s", "median front speed at these blocks", front_speed},
-      extremes(slips.speed),
+      {"speed", "", "", Group{speed}},
       {"estimate", "m/s", "mean of Eq. S1 at their normal forces", estimate},
       {"per_block", "", "", Group{per_block}},
       criteria_quantity(front.criteria),
   };
-  if (slips.x.empty()) return {rows, "no block has slow slip that can be measured\n"};
-  return {rows,
-          fmt::format("{} block{}, mean slip speed {} mm/s (Eq. S1: {} mm/s); front: {} m/s\n",
-                      slips.x.size(), slips.x.size() == 1 ? "" : "s",
-                      tools::text_of(average(slips.speed), 1e-3), tools::text_of(estimate, 1e-3),
-                      tools::text_of(front_speed))};
+  if (none) return {rows, "no block has slow slip that can be measured\n"};
+  return {
+      rows,
+      fmt::format("{} block{}, mean slip speed {} mm/s (Eq. S1: {} mm/s); front: {} m/s\n",
+                  slips.size(), slips.size() == 1 ? "" : "s", tools::text_of(average(speeds), 1e-3),
+                  tools::text_of(estimate, 1e-3), tools::text_of(front_speed))};
 }
 
 void add_slow_slip_options(po::options_description& options) {
@@ -156,7 +149,7 @@ constinit const Command slow_slip_command = {
       const RecordCommand command = record_of(parsed);
       const ChosenEvent event = choose_event(command);
       const Front front = front_of(command, event);
-      const SlowSlips slips =
+      const auto slips =
           measure_slow_slips(command.record, front, chosen_blocks(front, parsed.values),
                              slow_slip_criteria(parsed.values));
       Report report = report_of(front, slips);

@@ -123,7 +123,6 @@ Inspection inspect_file(const fs::path& file, const std::string& expected = {}) 
   return {file.extension() == ".part" ? kUnfinished : kDamaged, failure.what()};
 }
 
-/// The canonical path.
 fs::path place(const fs::path& file) {
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(file), ignored);

@@ -52,15 +52,13 @@ std::string list_of(const Bursts& bursts, const std::vector<std::size_t>& number
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Whether the first event is the one that the trigger of a prepared interface started.
-bool begins_with_trigger(const Record& record) {
-  return NormalContact(record.parameters).has_constant_p() && record.time.front() == 0.0;
-}
-
 ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) {
   const auto numbers = numbers_in_window(command, bursts);
   if (numbers.empty()) return {{}, command.from, command.to, 0};
-  const bool is_trigger = numbers.front() == 0 && begins_with_trigger(command.record);
+  const Record& record =
+      command.record;  // whether it begins with the trigger of a prepared interface
+  const bool is_trigger = numbers.front() == 0 && record.time.front() == 0.0 &&
+                          NormalContact(record.parameters).has_constant_p();
   if (numbers.size() > 1 && !is_trigger) {
     throw Failure(
         "the record has {} events ({}): choose one with --event N or --event "
@@ -147,11 +145,6 @@ double skip_below_x(const RecordCommand& command, std::size_t half_stencil) {
 
 constexpr std::array<std::string_view, 3> kEnds = {"neither", "slow", "fast"};
 
-StencilsAtEnds stencils_at_ends(const po::variables_map& values) {
-  const auto name = std::ranges::find(kEnds, values["stencils-at-ends"].as<std::string>());
-  return static_cast<StencilsAtEnds>(name - kEnds.begin());
-}
-
 std::string stretch_text(double limit, const SlowStretch& slow, double c_s) {
   return fmt::format(
       "below c_s/{:.3g} from x = {:.4f} m to {:.4f} m for {:.3g} ms at {:.3g} m/s (c_s/{:.0f})",
@@ -237,10 +230,11 @@ void add_criteria_options(po::options_description& options) {
 FrontCriteria criteria(const RecordCommand& command) {
   const po::variables_map& values = command.values;
   const std::size_t blocks = stencil(values, command.record.parameters);
+  const auto ends = std::ranges::find(kEnds, values["stencils-at-ends"].as<std::string>());
   return {.slow_below = non_negative(values, "slow-below"),
           .skip_below_x = skip_below_x(command, blocks / 2),
           .stencil = blocks,
-          .stencils_at_ends = stencils_at_ends(values),
+          .stencils_at_ends = static_cast<StencilsAtEnds>(ends - kEnds.begin()),
           .ruptured_below = fraction(values, "ruptured-below")};
 }
 

@@ -219,9 +219,7 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
     const po::parsed_options given =
         po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run();
     po::store(given, parsed.values);
-    if (parsed.values.count("help") > 0) {
-      throw HelpRequested{help_text(command, shown)};
-    }
+    if (parsed.values.count("help") > 0) throw HelpRequested{help_text(command, shown)};
     if (parsed.values.count("describe") > 0) {
       throw HelpRequested{json_text(description(command, shown)) + "\n"};
     }

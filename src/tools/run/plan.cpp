@@ -8,7 +8,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws UsageError if there is no record for options that say what is recorded.
 void refuse_without_record(const po::variables_map& values) {
   if (values.count("record") > 0) return;
   for (const char* option : {"record-every", "crossings", "fields"}) {
@@ -55,15 +54,6 @@ Checkpoints checkpoints_of(const RunPlan& plan) {
     for (auto step = every.after(first); step <= last; step = every.after(step)) add(step);
   }
   return checkpoints;
-}
-
-/// Removes from the checkpoints of a resumed run those that were written before.
-void leave_out_what_was_written(RunPlan& plan) {
-  const auto first = plan.checkpoints.begin();
-  const auto later = plan.checkpoints.upper_bound(plan.begin.state.step);
-  for (auto at = first; at != later; ++at) plan.written_before.push_back(at->second);
-  plan.written_before.push_back(plan.resumed_from);
-  plan.checkpoints.erase(first, later);
 }
 
 void check_files(const RunPlan& plan, const fs::path& input) {
@@ -152,7 +142,13 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   if (!plan.is_resumed()) plan.begin = plan.start;
   plan.begin.run->quiet_steps = rule.quiet_steps;
   plan.begin.run->arrived_below = rule.arrived_below;
-  if (plan.is_resumed()) leave_out_what_was_written(plan);
+  if (plan.is_resumed()) {
+    const auto first = plan.checkpoints.begin();
+    const auto later = plan.checkpoints.upper_bound(plan.begin.state.step);
+    for (auto at = first; at != later; ++at) plan.written_before.push_back(at->second);
+    plan.written_before.push_back(plan.resumed_from);
+    plan.checkpoints.erase(first, later);
+  }
   if (!plan.is_complete) {
     check_files(plan, input);
   } else if (plan.options.record) {

@@ -5,7 +5,6 @@
 namespace rupture::tools {
 namespace {
 
-/// When the run is to end.
 struct RunEnd {
   bool when_quiet = false;
   std::optional<double> until, duration, quiet;  // [s]
@@ -14,7 +13,6 @@ struct RunEnd {
 
 constexpr double kLongestQuietRun = 10.0;  // [s]
 
-/// The pinned fraction of --arrived-below.
 double arrived_below(const po::variables_map& values) {
   if (values.count("until-quiet") == 0) {
     throw UsageError("--arrived-below needs --until-quiet: give both");

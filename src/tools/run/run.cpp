@@ -253,7 +253,6 @@ void restore_sums(const std::vector<fs::path>& paths, const OutputOptions& outpu
   }
 }
 
-/// The command that resumes the run.
 std::string resuming_command(const RunOptions& options) {
   auto arguments = options.arguments;
   if (!options.resume) arguments.insert(arguments.begin() + 1, "--resume");

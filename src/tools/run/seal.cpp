@@ -22,31 +22,27 @@ void refuse_what_needs_no_seal(const std::string& path) {
   throw Failure("{} is sealed and intact: there is nothing to do", path);
 }
 
-ContentFile read_original(const std::string& path, const EditedFile& edited) {
-  ContentFile original = verify_file(path, Opening::in_child_first);
+using Differences = std::vector<Difference>;  // from the original, if one was given
+
+Differences differences_from(const std::string& path, const EditedFile& edited) {
+  const ContentFile original = verify_file(path, Opening::in_child_first);
   const std::string& sealed = edited.sealed_checksum;
-  if (sealed == original.checksum) return original;
+  if (sealed == original.checksum) return diff(original.content, edited.content);
   throw Failure("{} is not the original of {}: its content checksum is {} (expected {})", path,
                 edited.name, original.checksum, sealed.empty() ? "unknown" : sealed);
 }
 
-std::string_view words_about(Change change) {
+std::string line_about(const Difference& difference, const Content& edited) {
   constexpr std::array<std::string_view, 5> words = {"other values", "another type",
                                                      "another shape", "removed", "added"};
-  return words.at(static_cast<std::size_t>(change));
-}
-
-std::string line_about(const Difference& difference, const Content& edited) {
-  std::string text =
-      fmt::format("edited: {}: {}", in_one_line(difference.path), words_about(difference.change));
+  std::string text = fmt::format("edited: {}: {}", in_one_line(difference.path),
+                                 words.at(static_cast<std::size_t>(difference.change)));
   if (difference.change == Change::values) {
     text += fmt::format(", {} of {}", difference.count,
                         element_count(edited.at(difference.path).shape));
   }
   return text + "\n";
 }
-
-using Differences = std::vector<Difference>;  // from the original, if one was given
 
 Quantities row_of(const Difference& difference) {
   return {
@@ -95,7 +91,7 @@ int seal(const Parsed& parsed) {
   Differences differences;
   if (!original.empty()) {
     check_distinct({output.output}, original);
-    differences = diff(read_original(original, edited).content, edited.content);
+    differences = differences_from(original, edited);
   }
   const auto entry =
       make_provenance("seal", parsed.arguments, edited.sealed_checksum, kEditedOutside);
