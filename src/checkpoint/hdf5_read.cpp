@@ -119,12 +119,6 @@ Dataset read_attribute(Id object, const std::string& name, const std::string& wh
   return data;
 }
 
-std::string read_unit(Id dataset, const std::string& path, Accept accept) {
-  if (accept == Accept::edited && H5Aexists(dataset, "unit") == 0) return "";
-  const std::string name = fmt::format("the attribute unit of {}", path);
-  return read_text({{name, read_attribute(dataset, "unit", path, accept)}}, name);
-}
-
 // Throws Unreadable if the elements were packed in a way that this libhdf5 does not know.
 void check_filters(Id properties, const std::string& path) {
   for (int n = 0; n < H5Pget_nfilters(properties); ++n) {
@@ -175,7 +169,9 @@ Dataset read_values(Id dataset, const std::string& path, std::size_t room, Accep
 Dataset read_dataset(Id dataset, const std::string& path, std::size_t room, Accept accept) {
   check_storage(dataset, path, accept);
   Dataset data = read_values(dataset, path, room, accept);
-  data.unit = read_unit(dataset, path, accept);
+  if (accept == Accept::edited && H5Aexists(dataset, "unit") == 0) return data;
+  const std::string unit = fmt::format("the attribute unit of {}", path);
+  data.unit = read_text({{unit, read_attribute(dataset, "unit", path, accept)}}, unit);
   return data;
 }
 

@@ -55,18 +55,13 @@ Law law_of(const Content& content) {
   return Parameters{}.law;
 }
 
-Content stored_parameters(const Content& content) {
-  Content stored;
-  std::copy_if(content.begin(), content.end(), std::inserter(stored, stored.end()),
-               [](const auto& entry) { return entry.first.starts_with(kParametersGroup); });
-  return stored;
-}
-
 }  // namespace
 
 Content counted_parameters(const Content& content, const std::vector<ParameterInfo>& table) {
   const Law law = law_of(content);
-  Content counted = stored_parameters(content);
+  Content counted;
+  std::copy_if(content.begin(), content.end(), std::inserter(counted, counted.end()),
+               [](const auto& entry) { return entry.first.starts_with(kParametersGroup); });
   for (const ParameterInfo& info : table) {
     const std::string path = dataset_path(info);
     const Dataset by_default = parameter_dataset({}, info);

@@ -81,12 +81,6 @@ void check_sigma_bar(const Parameters& p, const Prestress& prestress) {
       springs_per_block(p) == 1 ? ", as each block has only one spring" : "");
 }
 
-/// True if the slider has turned so far that blocks rose or sank by the spacing between them: as p
-/// is constant, the static equations have such solutions, in which the ceiling touches a corner.
-bool has_tipped_over(const Parameters& p, const State& state) {
-  return state.u_z.blocks().abs().maxCoeff() >= block_spacing(p);
-}
-
 /// Attaches the junctions of block i where their forces add up to tau_i and follow phi. The single
 /// spring of the simplified law is stretched like each of the N_s junctions that it stands for.
 void attach(const Parameters& p, const Prestress& prestress, double tau_i, Eigen::Index i,
@@ -179,7 +173,9 @@ State prepared_state(const Parameters& p, const Prestress& prestress) {
   check_sigma_bar(p, prestress);
   const auto tau = prescribed_friction(p, prestress);
   auto state = solve_statics(p, {tau, p.K});
-  if (!state || has_tipped_over(p, *state)) {
+  // As p is constant, the static equations have solutions in which the slider has turned until the
+  // ceiling touches a corner, and blocks rose or sank by the spacing between them.
+  if (!state || state->u_z.blocks().abs().maxCoeff() >= block_spacing(p)) {
     throw Failure(
         "found no equilibrium under this prestress: slider.F_N = {:g} N is too large "
         "for slider.E = {:g} Pa, or the slider tips over",

@@ -19,19 +19,16 @@ std::int64_t steps_between_questions(const Parameters& p) {
   return std::max<std::int64_t>(moved / (p.Nx * (p.Nz + springs_per_block(p))), 1);
 }
 
-/// Whether the block at the leading edge, which has ruptured, keeps the rule waiting.
-bool waits_at_edge(const Junctions& junctions, const StopRule& rule) {
-  const Eigen::Index edge = junctions.repin_time.rows() - 1;
-  return rule.arrived_below && pinned_fraction(junctions, edge) >= *rule.arrived_below;
-}
-
 }  // namespace
 
 std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const StopRule& rule) {
   const std::int64_t step = state.step;
   if (step >= rule.last_step) return Ending::last_step;
   if (!rule.quiet_steps || step % kQuietCheck != 0) return std::nullopt;
-  if (run.spanned && !waits_at_edge(state.junctions, rule)) return Ending::spanned;
+  const Eigen::Index edge = state.junctions.repin_time.rows() - 1;  // the leading one
+  const bool waits =
+      rule.arrived_below && pinned_fraction(state.junctions, edge) >= *rule.arrived_below;
+  if (run.spanned && !waits) return Ending::spanned;
   if (step - run.last_break >= *rule.quiet_steps) return Ending::quiet;
   return std::nullopt;
 }

@@ -25,14 +25,11 @@ Json default_of(const po::option_description& option) {
   return boost::any_cast<std::string>(value);
 }
 
-Json short_name_of(const po::option_description& option) {
-  const auto name = option.canonical_display_name(po::command_line_style::allow_dash_for_short);
-  return name.starts_with("-") ? Json(name.substr(1)) : Json();
-}
-
 Json option_json(const po::option_description& option) {
   const ValueKind& kind = kind_or_flag(option);
-  Json json = {{"name", option.long_name()},  {"short", short_name_of(option)},
+  const auto name = option.canonical_display_name(po::command_line_style::allow_dash_for_short);
+  const Json short_name = name.starts_with("-") ? Json(name.substr(1)) : Json();
+  Json json = {{"name", option.long_name()},  {"short", short_name},
                {"kind", kind.kind},           {"value", kind.name},
                {"unit", kind.unit},           {"default", default_of(option)},
                {"help", option.description()}};

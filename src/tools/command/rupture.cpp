@@ -46,18 +46,15 @@ const std::array kTools = {
 
 namespace fs = std::filesystem;
 
-fs::path tool_folder() {
-  const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
-  const fs::path installed = own / RUPTURE_TOOLS_FROM_BIN;
-  return fs::is_directory(installed) ? installed.lexically_normal() : own;
-}
-
 /// The program of this name: in ../libexec/rupture if this one is installed, else beside it. Throws
 /// Failure if one of kTools is not there, UsageError for other names.
 fs::path tool_path(const std::string& name) {
   std::vector<std::string_view> names;
   for (const Tool& tool : kTools) names.push_back(tool.name);
-  const fs::path folder = tool_folder(), program = folder / name;
+  const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path installed = own / RUPTURE_TOOLS_FROM_BIN;
+  const fs::path folder = fs::is_directory(installed) ? installed.lexically_normal() : own;
+  const fs::path program = folder / name;
   std::error_code ignored;
   const bool can_run =
       fs::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0;

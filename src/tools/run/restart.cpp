@@ -13,16 +13,6 @@ struct RunEnd {
 
 constexpr double kLongestQuietRun = 10.0;  // [s]
 
-double arrived_below(const po::variables_map& values) {
-  if (values.count("until-quiet") == 0) {
-    throw UsageError("--arrived-below needs --until-quiet: give both");
-  }
-  const double below = fraction(values, "arrived-below");
-  if (below <= kRupturedFraction) return below;
-  throw UsageError("--arrived-below must be at most {}, at which a block ruptures (got {})",
-                   kRupturedFraction, below);
-}
-
 void add_restart_options(po::options_description& options) {
   auto add = options.add_options();
   add("until", seconds(), "run until this time");
@@ -43,7 +33,14 @@ RunEnd run_end(const po::variables_map& values) {
     const auto quiet = values["until-quiet"].as<boost::optional<double>>();
     if (quiet) end.quiet = non_negative(*quiet, "until-quiet");
   }
-  if (values.count("arrived-below") > 0) end.arrived_below = arrived_below(values);
+  if (values.count("arrived-below") > 0) {
+    if (!end.when_quiet) throw UsageError("--arrived-below needs --until-quiet: give both");
+    end.arrived_below = fraction(values, "arrived-below");
+    if (*end.arrived_below > kRupturedFraction) {
+      throw UsageError("--arrived-below must be at most {}, at which a block ruptures (got {})",
+                       kRupturedFraction, *end.arrived_below);
+    }
+  }
   if (end.until && end.duration) {
     throw UsageError("--until and --for cannot be combined: give one of them");
   }

@@ -127,15 +127,6 @@ bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const Run
   return !is_beyond_end(checkpoint.state.step, *checkpoint.run, plan.rule);
 }
 
-/// The chain of what the run writes after this checkpoint of it.
-std::vector<ProvenanceEntry> resumed_chain(const Checkpoint& checkpoint, const Checkpoint& start) {
-  auto chain = checkpoint.provenance;
-  chain.push_back(start.provenance.back());
-  chain.back().parent_checksum = checkpoint.checksum;
-  chain.back().rebuild = "restart";
-  return chain;
-}
-
 }  // namespace
 
 void find_run(RunPlan& plan) {
@@ -156,7 +147,10 @@ void find_run(RunPlan& plan) {
     Content rows;
     if (!recorded_so_far.empty()) rows = rows_until(recorded_so_far, checkpoint->state.step);
     if (!record || reach(rows, *checkpoint, path, plan)) {
-      checkpoint->provenance = resumed_chain(*checkpoint, plan.start);
+      ProvenanceEntry entry = plan.start.provenance.back();  // of what the run writes from here on
+      entry.parent_checksum = checkpoint->checksum;
+      entry.rebuild = "restart";
+      checkpoint->provenance.push_back(entry);
       plan.begin = std::move(*checkpoint);
       plan.resumed_from = path;
       plan.recorded = std::move(rows);
