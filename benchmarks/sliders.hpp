@@ -24,8 +24,7 @@ inline const State& loading_state() {
   return state;
 }
 
-template <class Work>
-double seconds_for(const Work& work) {
+double seconds_for(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

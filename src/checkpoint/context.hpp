@@ -14,8 +14,7 @@ template <class... Args>
 }
 
 /// Puts the name of the file in front of what goes wrong in `work`.
-template <class Work>
-auto naming(const std::filesystem::path& path, const Work& work) {
+auto naming(const std::filesystem::path& path, const auto& work) {
   try {
     return work();
   } catch (const Unreadable& failure) {

@@ -90,8 +90,7 @@ DataType type_of(const auto& entry) {
 }
 
 /// Shape of so many rows of such a dataset: a value per row,
-template <class T>
-Shape shape_of(const T&, std::uint64_t rows, const Parameters&) {
+Shape shape_of(const auto&, std::uint64_t rows, const Parameters&) {
   return {rows};
 }
 /// one per interface block,
@@ -120,15 +119,13 @@ inline constexpr std::tuple kScales = {
 };
 
 /// Calls `use` with each row of a table above.
-template <class Table, class Use>
-void for_each(const Table& table, const Use& use) {
+void for_each(const auto& table, const auto& use) {
   std::apply([&](const auto&... row) { (use(row), ...); }, table);
 }
 
 /// Calls `use` with the row of each dataset that a record may hold besides parameters and
 /// provenance.
-template <class Use>
-void for_each_dataset(const Use& use) {
+void for_each_dataset(const auto& use) {
   for_each(std::tie(kSeries, kRuptures, kCrossings, kFields, kScales),
            [&](const auto& table) { for_each(table, use); });
 }

@@ -26,8 +26,7 @@ bool has(const Content& content, const std::string& group) {
 }
 
 // Copies the rows of a table whose step is at most `last`.
-template <class Table>
-void copy_rows(const Content& from, const std::string& group, const Table& table, std::int64_t last,
+void copy_rows(const Content& from, const std::string& group, const auto& table, std::int64_t last,
                Content& to) {
   if (!has(from, group)) return;
   const std::string steps = group + "step";
@@ -56,9 +55,8 @@ void read(const Content& content, const char* path, std::uint64_t rows, std::int
   values = Array::Map(elements.data(), static_cast<Eigen::Index>(rows), Nx);
 }
 
-template <class Table>
 std::vector<Rupture> read_ruptures(const Content& content, const std::string& group,
-                                   const Table& table, std::int64_t Nx) {
+                                   const auto& table, std::int64_t Nx) {
   std::vector<Rupture> ruptures(rows_in(content, group + "time"));
   layout::for_each(table, [&](const auto& row) {
     using T = std::remove_reference_t<decltype(ruptures[0].*row.member)>;

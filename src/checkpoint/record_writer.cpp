@@ -13,8 +13,7 @@ namespace {
 namespace layout = record_layout;
 
 // Adds the datasets of a table, without rows.
-template <class Table, class Row>
-void begin(Content& rows, const Table& table, const Row& row, const Parameters& parameters) {
+void begin(Content& rows, const auto& table, const auto& row, const Parameters& parameters) {
   layout::for_each(table, [&](const auto& column) {
     const auto& entry = row.*column.member;
     rows[column.path] = {
@@ -29,8 +28,7 @@ void check_size(const std::string& path, const Shape& shape, std::size_t size) {
        shape.size() > 2 ? "Nx Nz" : "Nx", expected);
 }
 
-template <class Table, class Row>
-void add_row(Content& rows, const Table& table, const Row& row) {
+void add_row(Content& rows, const auto& table, const auto& row) {
   layout::for_each(table, [&](const auto& column) {
     check_size(column.path, rows.at(column.path).shape,
                layout::values_of(row.*column.member).size());

@@ -1,7 +1,5 @@
 #include "seal.hpp"
 
-#include <cstring>
-
 #include "child_process.hpp"
 #include "context.hpp"
 #include "record_layout.hpp"

@@ -14,7 +14,6 @@
 // newly pinned junction.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "block_summary.hpp"

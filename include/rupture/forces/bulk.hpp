@@ -59,8 +59,7 @@ class Bulk {
 };
 
 /// Calls `use(i, j, ix, iz)` for each spring: from block (i, j) along the lattice vector (ix, iz).
-template <class Use>
-void for_each_spring(const Parameters& p, const Use& use) {
+void for_each_spring(const Parameters& p, const auto& use) {
   for (Eigen::Index j = 0; j < p.Nz; ++j) {
     for (Eigen::Index i = 0; i < p.Nx; ++i) {
       for (const auto& [ix, iz] : {std::pair(1, 0), {0, 1}, {1, 1}, {-1, 1}}) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <new>
 #include <set>
 #include <sstream>
 #include <system_error>

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <csignal>
 #include <fstream>
-#include <new>
 #include <sstream>
 
 #include "cli/interruption.hpp"

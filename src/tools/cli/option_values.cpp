@@ -14,8 +14,7 @@ namespace rupture::tools {
 namespace {
 
 /// The value, which `given` holds for the option, if it is a pinned fraction.
-template <class Given>
-double pinned_fraction(double value, const Given& given, const std::string& option) {
+double pinned_fraction(double value, const auto& given, const std::string& option) {
   if (value > 0.0 && value <= 1.0) return value;
   throw UsageError("--{} must be a pinned fraction, above 0 and at most 1 (got {})", option, given);
 }

@@ -64,10 +64,9 @@ Quantity text_only(Value value, const TextColumn& column);
 Quantity positions(Value x);
 
 /// One number of each element: a member, or what `of` makes of it.
-template <class T, class Of>
-Numbers each(const std::vector<T>& elements, Of of) {
+Numbers each(const auto& elements, auto of) {
   Numbers numbers;
-  for (const T& element : elements) numbers.emplace_back(std::invoke(of, element));
+  for (const auto& element : elements) numbers.emplace_back(std::invoke(of, element));
   return numbers;
 }
 

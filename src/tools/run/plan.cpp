@@ -1,6 +1,5 @@
 #include "run/plan.hpp"
 
-#include <cmath>
 #include <set>
 
 namespace rupture::tools {

@@ -1,6 +1,5 @@
 // Finding out where an interrupted run can be taken up.
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 #include "run/observers.hpp"
