@@ -33,19 +33,13 @@ double sum_of_last_two(const std::vector<double>& values) {
   return values.back() + values[values.size() - 2];
 }
 
-/// What a benchmark records, and how many steps make a stretch.
-struct Recording {
-  RecordParts parts;
-  std::int64_t every, stretch;  // [steps]
-};
-const Recording kSeries = {{}, 50, 256 * 50};                            // 10 us
-const Recording kFields = {{.fields = Fields::record}, 100, 256 * 100};  // 20 us
-
-/// Two equal runs, of which one is recorded, in turn, stretch by stretch. A stretch is as long as
-/// the record's buffer, so that each holds one flush (of fields, some three). The runs change roles
-/// after each stretch: where their arrays lie in memory must not matter. Iterations are stretches.
-void record_cost(benchmark::State& bench, const Recording& recording) {
-  const auto [parts, every, stretch] = recording;
+/// Two equal runs, of which one is recorded every so many steps, in turn, stretch by stretch. A
+/// stretch is as long as the record's buffer, so that each holds one flush (of fields, some three).
+/// The runs change roles after each stretch: where their arrays lie in memory must not matter.
+/// Iterations are stretches.
+void record_cost(benchmark::State& bench, Fields fields, std::int64_t every) {
+  const std::int64_t stretch = 256 * every;
+  const RecordParts parts = {.fields = fields};
   const Parameters p;
   Simulation run_a(p, loading_state()), run_b(p, loading_state());
   const Folder folder;
@@ -53,7 +47,7 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
   const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
   const tools::Interval interval = {static_cast<double>(every)};
   std::optional<tools::Interval> fields_interval;
-  if (parts.fields == Fields::record) fields_interval = interval;
+  if (fields == Fields::record) fields_interval = interval;
   tools::Recorder recorder(writer, interval, fields_interval, {}, first, last);
 
   std::vector<double> without, with, ratio;
@@ -86,11 +80,11 @@ void record_cost(benchmark::State& bench, const Recording& recording) {
 BENCHMARK(equilibrium_solve)->Name("once/equilibrium_solve");
 BENCHMARK(checkpoint_write)->Name("once/checkpoint_write")->UseRealTime();
 BENCHMARK(checkpoint_read)->Name("once/checkpoint_read")->UseRealTime();
-BENCHMARK_CAPTURE(record_cost, series, kSeries)
+BENCHMARK_CAPTURE(record_cost, series, Fields::omit, 50)  // 10 us
     ->Name("record/cost")
     ->UseManualTime()
     ->Iterations(16);
-BENCHMARK_CAPTURE(record_cost, fields, kFields)
+BENCHMARK_CAPTURE(record_cost, fields, Fields::record, 100)  // 20 us
     ->Name("record/fields")
     ->UseManualTime()
     ->Iterations(16);

@@ -56,16 +56,13 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kEndings 
      {"spanned", "an event spanned the interface"},
      {"interrupted", "interrupted"}}};
 
-const auto& words_for(Ending ending) {
-  return kEndings.at(static_cast<std::size_t>(ending));
-}
-
-void say_invariants(const OutputOptions& output, Ending ending, const RunSummary& summary) {
+void say_invariants(const OutputOptions& output, std::string_view ending,
+                    const RunSummary& summary) {
   const EnergyBalance& balance = summary.energy;
   const bool has_speed = summary.steps > 0 && summary.wall_time > 0.0;
   const double speed = static_cast<double>(summary.steps) / summary.wall_time;
-  output.say("t = {:.7g} s ({}), {} steps{}\n", summary.time, words_for(ending).second,
-             summary.steps, has_speed ? fmt::format(", {:.0f} steps/s", speed) : "");
+  output.say("t = {:.7g} s ({}), {} steps{}\n", summary.time, ending, summary.steps,
+             has_speed ? fmt::format(", {:.0f} steps/s", speed) : "");
   output.say(
       "energy [J]: supplied {:.6e} = stored {:.6e} + damping {:.6e} + junctions {:.6e}, "
       "relative error {:.1e}\n",
@@ -108,7 +105,15 @@ class Run : private Observer {
         simulation_(begin_.parameters, begin_.state, plan.threads, plan.options.crossings),
         alarms_(plan, simulation_) {  // they know nothing of the run so far
     simulation_.resume_from(*begin_.run);
-    if (plan.options.record) begin_record();
+    if (!plan.options.record) return;
+    const RecordParts parts = {plan.options.crossings,
+                               plan.fields_every ? Fields::record : Fields::omit,
+                               recorded_run(plan)};
+    const std::int64_t last = plan.rule.last_step;
+    writer_.emplace(*plan.options.record, begin_.parameters, recorded_until(plan, last),
+                    if_record_exists(plan.options), plan.recorded, parts);
+    recorder_.emplace(*writer_, plan.record_every, plan.fields_every, plan.recorded,
+                      begin_.state.step, last);
   }
 
   /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
@@ -133,9 +138,7 @@ class Run : private Observer {
     ++next_;
   }
 
-  void begin_record();
   Ending observed();
-  void summarise(const Energies& before, steady_clock::time_point begin, Ending ending);
   void save(const fs::path& path);
 
   const RunPlan& plan_;
@@ -149,17 +152,6 @@ class Run : private Observer {
   std::optional<Recorder> recorder_;
   Checkpoints::const_iterator next_ = plan_.checkpoints.begin();
 };
-
-void Run::begin_record() {
-  const RecordParts parts = {plan_.options.crossings,
-                             plan_.fields_every ? Fields::record : Fields::omit,
-                             recorded_run(plan_)};
-  const std::int64_t last = plan_.rule.last_step;
-  writer_.emplace(*plan_.options.record, begin_.parameters, recorded_until(plan_, last),
-                  if_record_exists(plan_.options), plan_.recorded, parts);
-  recorder_.emplace(*writer_, plan_.record_every, plan_.fields_every, plan_.recorded,
-                    begin_.state.step, last);
-}
 
 /// With all observers, in the order in which they see a step: checkpoints include its sample.
 Ending Run::observed() {
@@ -181,8 +173,15 @@ Ending Run::go() {
   try {
     const Ending ending = observed();
     clear_progress_line();
-    summarise(before, begin, ending);
-    say_invariants(output_, ending, summary_);
+    const auto& [in_json, in_text] = kEndings.at(static_cast<std::size_t>(ending));
+    summary_.ending = in_json;
+    summary_.time = simulation_.time();
+    summary_.steps = simulation_.state().step - begin_.state.step;
+    summary_.simulated_time = summary_.time - time(begin_.parameters, begin_.state);
+    summary_.wall_time = std::chrono::duration<double>(steady_clock::now() - begin).count();
+    summary_.energy = energy_balance(before, simulation_.energies(), simulation_.work());
+    summary_.run = simulation_.run();
+    say_invariants(output_, in_text, summary_);
     announce(summary_.files, output_);
     return ending;
   } catch (...) {
@@ -191,16 +190,6 @@ Ending Run::go() {
     if (writer_) writer_->flush();
     throw;
   }
-}
-
-void Run::summarise(const Energies& before, steady_clock::time_point begin, Ending ending) {
-  summary_.ending = words_for(ending).first;
-  summary_.time = simulation_.time();
-  summary_.steps = simulation_.state().step - begin_.state.step;
-  summary_.simulated_time = summary_.time - time(begin_.parameters, begin_.state);
-  summary_.wall_time = std::chrono::duration<double>(steady_clock::now() - begin).count();
-  summary_.energy = energy_balance(before, simulation_.energies(), simulation_.work());
-  summary_.run = simulation_.run();
 }
 
 void Run::finish() {
