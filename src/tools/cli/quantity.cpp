@@ -52,14 +52,10 @@ enum class Form { csv, text };
 
 /// How a row is shown, if it is.
 std::optional<TextColumn> layout_of(const Quantity& row, Form form) {
-  if (form == Form::text && row.text && row.text->heading.empty()) {
-    TextColumn layout = *row.text;
-    layout.heading = heading_of(row);
-    return layout;
-  }
-  if (form == Form::text) return row.text;
-  if (row.csv == Csv::no) return std::nullopt;
-  return TextColumn{0, "{}", heading_of(row)};
+  auto layout = row.text;
+  if (form == Form::csv) layout = row.csv == Csv::yes ? std::optional(TextColumn{0}) : std::nullopt;
+  if (layout && layout->heading.empty()) layout->heading = heading_of(row);
+  return layout;
 }
 
 /// The rows themselves, and those of their groups.

@@ -64,21 +64,6 @@ double time_per_step(Simulation& simulation) {
   return sum / static_cast<double>(steps);
 }
 
-Forecast forecast_of(const RunPlan& plan) {
-  const Parameters& p = plan.start.parameters;
-  Forecast f = {plan, p};
-  if (!plan.is_complete) {
-    const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
-    f.steps = last - plan.begin.state.step;
-    f.checkpoints = std::ssize(plan.checkpoints) + 1;
-    if (plan.options.record) f.samples = plan.record_every.samples(first, last);
-    if (plan.fields_every) f.field_samples = plan.fields_every->samples(first, last);
-  }
-  Simulation simulation(p, plan.begin.state, plan.threads);
-  f.time_per_step = time_per_step(simulation);
-  return f;
-}
-
 // --- words
 
 std::string size_text(double bytes) {
@@ -131,7 +116,17 @@ Json json_of(const Forecast& f) {
 }  // namespace
 
 std::string forecast(const RunPlan& plan) {
-  const Forecast needs = forecast_of(plan);
+  const Parameters& p = plan.start.parameters;
+  Forecast needs = {plan, p};
+  if (!plan.is_complete) {
+    const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
+    needs.steps = last - plan.begin.state.step;
+    needs.checkpoints = std::ssize(plan.checkpoints) + 1;
+    if (plan.options.record) needs.samples = plan.record_every.samples(first, last);
+    if (plan.fields_every) needs.field_samples = plan.fields_every->samples(first, last);
+  }
+  Simulation simulation(p, plan.begin.state, plan.threads);
+  needs.time_per_step = time_per_step(simulation);
   return plan.options.output.json ? json_text(json_of(needs)) + "\n" : text_of(needs);
 }
 

@@ -52,16 +52,6 @@ double largest_change(const std::vector<double>& before, const std::vector<doubl
   return scale > 0.0 ? largest / scale : largest;
 }
 
-std::string widths_text(const ChangedPhi& phi) {
-  std::string text = "   x [m]   mean/f_thres   slipping   sigma-bar before   after\n";
-  for (std::size_t i = 0; i < phi.before.size(); ++i) {
-    const auto& b = phi.before[i];
-    text += fmt::format("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x,
-                        b.mean / b.f_thres, b.slipping, b.sigma_bar(), phi.after[i].sigma_bar());
-  }
-  return text;
-}
-
 using Histogram = std::vector<std::int64_t>;
 
 void add_histogram(Histogram& sum, const BlockForces& block) {
@@ -128,7 +118,13 @@ void refuse_unchanged(const Parameters& p, const ChangedPhi& phi, const PhiChang
 }
 
 std::string text_of(const ChangedPhi& phi) {
-  std::string text = widths_text(phi) + histograms_text(phi);
+  std::string text = "   x [m]   mean/f_thres   slipping   sigma-bar before   after\n";
+  for (std::size_t i = 0; i < phi.before.size(); ++i) {
+    const auto& b = phi.before[i];
+    text += fmt::format("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x,
+                        b.mean / b.f_thres, b.slipping, b.sigma_bar(), phi.after[i].sigma_bar());
+  }
+  text += histograms_text(phi);
   text += fmt::format(
       "largest change of a block's friction force: {:.1e} of the largest friction force\n",
       phi.largest_change);

@@ -45,18 +45,6 @@ Parameters default_parameters() {
   return p;
 }
 
-Parameters prepared_parameters(const ParameterChanges& changes) {
-  Parameters p = default_parameters();
-  apply(changes, p);
-  if (p.V != 0.0) {
-    throw UsageError(
-        "driving.V must be 0 (got {:g} m/s): a prepared interface is at rest; set it in restart",
-        p.V);
-  }
-  validate(p);
-  return p;
-}
-
 /// How well the pinned blocks carry what was asked for, and how wide phi could be.
 struct Prepared {
   double prestress = 0.0;          ///< tau/p beyond the trigger region
@@ -109,7 +97,14 @@ std::string text_of(const Prepared& s, const Prestress& prestress) {
 }
 
 int prepare(const Parsed& parsed) {
-  const Parameters p = prepared_parameters(parsed.parameters);
+  Parameters p = default_parameters();
+  apply(parsed.parameters, p);
+  if (p.V != 0.0) {
+    throw UsageError(
+        "driving.V must be 0 (got {:g} m/s): a prepared interface is at rest; set it in restart",
+        p.V);
+  }
+  validate(p);
   const Prestress prestress = prestress_of(parsed.values);
   const OutputOptions output = output_options(parsed.values);
   const auto command = with_options(rebuild_command("prepare", default_parameters(), p),
