@@ -5,27 +5,24 @@ from errno import EEXIST, EINVAL, EIO, EPERM
 
 import pytest
 
-from scenario import INPUTS, LONG, case, check_ended, check_next_run, each_scenario
+from scenario import INPUTS, LOAD, LONG, PREPARE, case, check_ended, check_next_run, each_scenario
 from scenario import faulted, kept_in, log_of, made, new_state, sums, without_notes
 
 ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS)
-LASTING = [f"{error}+" for error in ROOM]  # so do later calls that need room
-ONCE = [f"{error}" for error in (errno.EIO, *ROOM)]
+FAULTS = [f"{error}" for error in (EIO, *ROOM)]
+FAULTS += [f"{error}+" for error in ROOM]  # so do later calls that need room
 
 
 def faults_at(number):
-    """The failures to try at a call: all, or each call two of them in turn."""
-    return LASTING + ONCE if LONG else [LASTING[number % len(ROOM)], ONCE[number % len(ONCE)]]
+    """The failures to try at a call: all, or at each call another one."""
+    return FAULTS if LONG else [FAULTS[number % len(FAULTS)]]
 
 
 def check(scenario, outcome, files, fault):
     """Either the failed call was not needed, or the tool says what happened and tidies up."""
-    said, outcome.stderr = outcome.stderr, without_notes(outcome.stderr)
-    if outcome.returncode == 0:
-        assert outcome.stderr == ""
-    if outcome.returncode == 0 and said:
-        # A run resumed from an earlier checkpoint has other provenance.
-        assert sums(files) == sums(scenario.new)
+    notes, outcome.stderr = outcome.stderr, without_notes(outcome.stderr)
+    if outcome.returncode == 0 and notes:  # a run resumed earlier, which has other provenance
+        assert (outcome.stderr, sums(files)) == ("", sums(scenario.new))
     else:
         check_ended(scenario, outcome, files, int(fault.rstrip("+")))
 
@@ -47,7 +44,7 @@ def test_a_failure_of_any_call_is_reported_and_leaves_complete_files(scenario):
     "error, option, code", [(EINVAL, "", 0), (EIO, "", 0), (EEXIST, "", 1), (EPERM, "--force", 1)]
 )
 def test_a_file_gets_its_name_in_another_way_or_is_kept(error, lasting, option, code):
-    prepare = made("prepare", f"prepare --config rest.ini --tau-bar 0.5 -o b.h5 {option}", INPUTS)
+    prepare = made("prepare", f"{PREPARE} {option}", INPUTS)
     number = next(n for n, line in enumerate(log_of(prepare), 1) if line.endswith(" b.h5"))
     outcome, files = faulted(prepare, f"{error}{lasting}", number)
     assert (outcome.returncode, prepare.is_done(files)) == (code, code == 0)
@@ -55,7 +52,7 @@ def test_a_file_gets_its_name_in_another_way_or_is_kept(error, lasting, option, 
 
 
 def test_a_folder_without_renaming_is_refused_before_the_run():
-    load = made("load", "load --config driven.ini -o b.h5", INPUTS)
+    load = made("load", LOAD, INPUTS)
     number = next(n for n, line in enumerate(log_of(load), 1) if line.startswith("rename"))
     outcome, files = faulted(load, f"{EPERM}", number)
     assert (outcome.returncode, outcome.stdout, files) == (1, "", load.old)

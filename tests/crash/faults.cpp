@@ -3,7 +3,6 @@
 //
 //   FAULT_AT=n           the call to act on, counted from 1; 0 or absent: none
 //   FAULT=kill           SIGKILL just before it
-//   FAULT=tear           the same, but a write gets half of its bytes to the file first
 //   FAULT=short          a write takes half of its bytes only, which is no error
 //   FAULT=<errno>        it fails with this error, and nothing happens
 //   FAULT=<errno>+       the same, and so do all later calls that need room on the disk
@@ -25,7 +24,7 @@
 
 namespace {
 
-enum class Fault { none, kill, tear, shorten, error, lasting_error };
+enum class Fault { none, kill, shorten, error, lasting_error };
 
 struct Plan {
   long at = 0;
@@ -54,7 +53,6 @@ Plan read_plan() {
   const std::string word = fault;
   plan.error = std::atoi(fault);
   plan.fault = word == "kill"       ? Fault::kill
-               : word == "tear"     ? Fault::tear
                : word == "short"    ? Fault::shorten
                : word.back() == '+' ? Fault::lasting_error
                                     : Fault::error;
@@ -84,7 +82,7 @@ enum class Needs { nothing, room };
 bool fails(Needs needs) {
   ++calls;
   const bool now = calls == plan().at;
-  if (now && (plan().fault == Fault::kill || plan().fault == Fault::tear)) ::raise(SIGKILL);
+  if (now && plan().fault == Fault::kill) ::raise(SIGKILL);
   const bool later =
       plan().fault == Fault::lasting_error && calls > plan().at && needs == Needs::room;
   if (plan().error == 0 || !(now || later)) return false;
@@ -161,10 +159,7 @@ int open(const char* path, int flags, ...) {
 ssize_t write(int fd, const void* bytes, size_t size) {
   static auto* real = next<ssize_t(int, const void*, size_t)>("write");
   if (!is_watched(fd)) return real(fd, bytes, size);
-  const bool now = calls + 1 == plan().at;
-  const bool half = now && (plan().fault == Fault::tear || plan().fault == Fault::shorten);
-  if (half && size > 1) size /= 2;
-  if (now && plan().fault == Fault::tear) real(fd, bytes, size);
+  if (calls + 1 == plan().at && plan().fault == Fault::shorten && size > 1) size /= 2;
   if (fails(Needs::room)) return -1;
   const ssize_t written = real(fd, bytes, size);
   if (written < 0) {

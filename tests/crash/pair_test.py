@@ -5,16 +5,11 @@ import subprocess
 
 import pytest
 
-from conftest import BIN
-from scenario import INPUTS, Folder, LONG, case, kept_in, made, sums, without_notes
+from conftest import BIN, run
+from scenario import INPUTS, LOAD, LONG, PREPARE, Folder, case, kept_in, made, sums, without_notes
 
-LOAD = (
-    "load --config driven.ini --until 4e-4 --checkpoint-every 1.5e-4 --record r.h5"
-    " --record-every 6e-7 -o b.h5 --sum"
-)
-PREPARE = "prepare --config rest.ini --tau-bar 0.5 -o b.h5 --sum"
 CONTAINERS = ["unshare", "--pid", "--fork"]  # both processes have the number 1
-PAIRS = 120 if LONG else 20
+PAIRS = 120 if LONG else 10
 
 
 def run_pair(command, folder, containers):
@@ -31,10 +26,11 @@ def run_pair(command, folder, containers):
 
 def check(command, options, codes, containers=()):
     """The folder ends as after one run; who fails says why in a sentence."""
+    command = f"{command} --sum {options}"
     wanted = sums(made("alone", command, INPUTS).new)
     for pair in range(PAIRS):
         with case(options, pair), Folder(INPUTS) as folder:
-            ends = run_pair(f"{command} {options}", folder, containers)
+            ends = run_pair(command, folder, containers)
             assert sorted(code for code, _ in ends) in codes, ends
             for code, words in ends:
                 sentence = r"\w+: [^\n]*(another run|exists; give --)[^\n]*\n"
@@ -46,16 +42,12 @@ def check(command, options, codes, containers=()):
             kept_in("".join(words for _, words in ends), files, files)
 
 
+@pytest.mark.parametrize("containers", [[], CONTAINERS])
 @pytest.mark.parametrize("command", [LOAD, PREPARE])
-def test_of_two_starts_exactly_one_succeeds(command):
-    check(command, "", [[0, 1]])
-
-
-@pytest.mark.parametrize("command", [LOAD, PREPARE])
-def test_of_two_starts_in_containers_exactly_one_succeeds(command):
-    if subprocess.run([*CONTAINERS, "true"], capture_output=True, check=False).returncode:
+def test_of_two_starts_exactly_one_succeeds(command, containers):
+    if run(*containers, "true").returncode:
         pytest.skip("this user cannot give processes numbers of their own")
-    check(command, "", [[0, 1]], CONTAINERS)
+    check(command, "", [[0, 1]], containers)
 
 
 @pytest.mark.parametrize("option", ["--force", "--resume"])

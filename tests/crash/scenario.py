@@ -24,6 +24,11 @@ MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # quicker than 
 
 SLIDER = "[slider]\nNx = 9\nNz = 5\nH = 0.07\n[driving]\nh = 0.0175\n"
 INPUTS = {"driven.ini": (SLIDER + "V = 1\n").encode(), "rest.ini": SLIDER.encode()}
+LOAD = (
+    "load --config driven.ini --until 4e-4 --checkpoint-every 1.5e-4 --record r.h5"
+    " --record-every 6e-7 -o b.h5"
+)
+PREPARE = "prepare --config rest.ini --tau-bar 0.5 -o b.h5"
 TEMPORARY = re.compile(r"^\.?(.+)\.(?:tmp|kept)\.[0-9a-f]+$")
 
 
@@ -50,11 +55,11 @@ def case(*words):
         raise AssertionError(f"{words}: {error}") from error
 
 
-def run(command, folder, options=None, **environment):
+def run(command, folder, **environment):
     """Runs a tool as a user in `folder` would; returns what subprocess knows of its end."""
-    options = {"stdin": subprocess.DEVNULL, "timeout": 120} | (options or {})
+    options: dict = {"cwd": folder, "stdin": subprocess.DEVNULL, "timeout": 120}
     env = os.environ | {name: str(value) for name, value in environment.items()}
-    return conftest.run(*shlex.split(command), cwd=folder, env=env, **options)
+    return conftest.run(*shlex.split(command), env=env, **options)
 
 
 def log_of(scenario):
@@ -118,31 +123,21 @@ def made(name, command, old):
 
 @functools.cache
 def scenarios():
-    """Every tool that writes, over older files of other content and without them."""
+    """Each way in which a tool writes, over older files of other content and without them."""
     start = "load --config driven.ini --until 2e-4 -o a.h5 -q --sum"
     begin = made("inputs", start, INPUTS).new
-    run_options = "--record r.h5 --record-every 6e-7 -o b.h5 --force --sum"
-    load = f"load --config driven.ini --until 4e-4 --checkpoint-every 1.5e-4 {run_options}"
-    restart = f"restart a.h5 --for 3e-4 --checkpoint-at 4e-4 {run_options}"
-    prepare = "prepare --config rest.ini --tau-bar 0.5 -o b.h5 --force --sum"
-    modify = "modify-phi a.h5 -o b.h5 --force --sum"
-    other = {
-        "load": f"{load} --seed 2",
-        "restart": f"{restart} --set driving.V=2",
-        "prepare": f"{prepare} --seed 2 --sigma-bar 0.1",
-        "modify-phi": f"{modify} --sigma-bar 0.1",
-    }
-    result = []
-    for command in (load, restart, prepare, modify):
-        tool = command.split()[0]
-        result.append(made(f"{tool} into an empty place", command, begin))
-        older = made(tool, other[tool], begin).new
-        result.append(made(f"{tool} over older files", command, older))
-        if tool == "load":  # which leaves no sum of another file behind
-            without = command.replace(" --sum", "")
-            result.append(made("load over older files, without sums", without, older))
-    result.append(made("load resumed", f"{load} --resume", killed_late(result[0])))
-    return result
+    load, prepare = f"{LOAD} --force --sum", f"{PREPARE} --force --sum"
+    empty = made("load into an empty place", load, begin)
+    older = made("older files", f"{load} --seed 2", begin).new
+    prepared = made("older files", f"{prepare} --seed 2 --sigma-bar 0.1", begin).new
+    return [
+        empty,
+        made("load over older files", load, older),
+        made("load over older files, without sums", f"{LOAD} --force", older),
+        made("load resumed", f"{load} --resume", killed_late(empty)),
+        made("prepare over older files", prepare, prepared),
+        made("modify-phi into an empty place", "modify-phi a.h5 -o b.h5 --force --sum", begin),
+    ]
 
 
 def killed_late(scenario):
@@ -212,18 +207,6 @@ def readable_rows(files, record):
     return outcome.stdout.splitlines()[1:]
 
 
-def check_failure(scenario, outcome, reason):
-    """A tool that failed says so in one line: which file, and why."""
-    said = outcome.stderr
-    assert outcome.returncode == 1, f"exit code {outcome.returncode}"
-    assert re.fullmatch(
-        rf"{scenario.command.split()[0]}: [^\n]+\n", said
-    ), f"not one sentence: {said!r}"
-    assert reason in said, f"'{reason}' is not said: {said!r}"
-    named = any(name.removesuffix(".sum") in said for name in scenario.new)
-    assert named, f"no file is named: {said!r}"
-
-
 def kept_in(said, files, new):
     """The names of which a message tells where their files are, for each temporary one. It is
     whole, or an empty one that could not be removed."""
@@ -234,14 +217,18 @@ def kept_in(said, files, new):
 
 
 def check_ended(scenario, outcome, files, error):
-    """The command succeeded, or failed for this reason and left the folder in order."""
+    """The command succeeded, or said in one line which file it could not write and why, and left
+    the folder in order."""
     check_files(scenario, files)
     kept_in(outcome.stderr, files, scenario.new)
     if outcome.returncode == 0:
         assert scenario.is_done(files), "not all is written"
-    else:
-        check_failure(scenario, outcome, os.strerror(error))
-    return outcome.returncode
+        return
+    tool, said = scenario.command.split()[0], outcome.stderr
+    assert outcome.returncode == 1, f"exit code {outcome.returncode}"
+    assert re.fullmatch(rf"{tool}: [^\n]*{re.escape(os.strerror(error))}[^\n]*\n", said), said
+    named = any(name.removesuffix(".sum") in said for name in scenario.new)
+    assert named, f"no file is named: {said!r}"
 
 
 def each_scenario():
