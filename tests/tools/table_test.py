@@ -55,13 +55,13 @@ def rows():
             return Step(exit_code, command, [])
 
         beginning = ""
-        setup: list = []
+        setup: tuple = ()
         steps: list = []
         for line in re.sub(r"\\\n *", "", path.read_text()).split("\n"):
             if line.startswith("=="):
-                beginning, setup = line[3:], []
+                beginning, setup = line[3:], ()
             elif line.startswith("@ "):
-                setup = [*setup, step(line)]
+                setup = (*setup, step(line).command)
             elif line.startswith(("    @ ", "    > ")):
                 steps.append(step(line[4:].removeprefix("> ")))
             elif line.startswith("    "):
@@ -251,23 +251,42 @@ def expect_command(step, command, chosen, first):
     return expect_kept(before, step.exit, words)
 
 
+@pytest.fixture(scope="session")
+def saved(tmp_path_factory):
+    """A new folder for each call."""
+    return lambda: tmp_path_factory.mktemp("saved")
+
+
+FOLDERS: dict = {}  # as they were left, by the commands that were run in them
+
+
+def copy_folder(source, to):
+    run(["/bin/cp", "-a", f"{source}/.", to])
+
+
+def set_up(commands, saved):
+    """The folder after these commands, each of which is run once for all rows."""
+    if commands in FOLDERS:
+        copy_folder(FOLDERS[commands], ".")
+    elif commands:
+        set_up(commands[:-1], saved)
+        for command, chosen in choices_in(commands[-1]):
+            make(filled(command, chosen))
+        if not any(command.startswith("mode") for command in commands):  # not all can be read then
+            FOLDERS[commands] = saved()
+            copy_folder(".", FOLDERS[commands])
+
+
 @pytest.mark.parametrize("row", rows())
-def test_row(small_ini, row):
+def test_row(small_ini, row, saved):
     first: dict = {}  # what was found first for each line that ends in "same"
-
-    def take(step, text, chosen_before=()):
-        """In all its choices, which follow those of the row."""
-        for command, more in choices_in(text):
-            chosen = (*chosen_before, *more)
-            command = filled(command, chosen)
-            if step.exit == "@":
-                make(command)
-            else:
-                expect_command(step, command, chosen, first)
-
-    for step in row.setup:
-        take(step, step.command)
+    set_up(row.setup, saved)
     for front, chosen in choices_in(row.steps[0].command):
         for step in row.steps:
             text = front if step is row.steps[0] else step.command
-            take(step, filled(text, chosen), chosen)
+            for command, more in choices_in(filled(text, chosen)):
+                words = (*chosen, *more)
+                if step.exit == "@":
+                    make(filled(command, words))
+                else:
+                    expect_command(step, filled(command, words), words, first)
