@@ -176,35 +176,6 @@ TEST_F(Interface, keeps_slipping_junctions_and_the_order_of_the_others) {
   EXPECT_TRUE((state_.junctions.draws == before_.junctions.draws).all());
 }
 
-TEST_F(Interface, pins_slipping_junctions_on_request_and_keeps_the_mean_of_all) {
-  PhiChange change;
-  change.slipping = Slipping::pin;
-  for (const bool bell : {false, true}) {
-    state_ = before_;
-    if (bell) {
-      change.shape = PhiShape::bell;
-      change.sigma_bar = 0.2;
-    }
-    EXPECT_TRUE(change_phi(p_, state_, change).empty());
-    for (std::size_t i = 0; i < 5; ++i) {
-      EXPECT_EQ(now()[i].slipping, 0.0);
-      EXPECT_NEAR(now()[i].mean, then()[i].mean, 1e-12 * then()[i].mean);
-      if (bell) {  // 100 quantiles: see Shape
-        EXPECT_NEAR(now()[i].sigma_bar(), 0.2, 0.003 * 0.2);
-      }
-    }
-  }
-}
-
-TEST_F(Interface, is_changed_in_the_region_only) {
-  PhiChange change;
-  change.x_from = 2.4e-3;
-  change.x_to = 7.6e-3;
-  change_phi(p_, state_, change);
-  for (const Eigen::Index i : {0, 4}) EXPECT_TRUE(untouched(i)) << i;
-  for (const Eigen::Index i : {1, 2, 3}) EXPECT_FALSE(untouched(i)) << i;
-}
-
 TEST_F(Interface, refuses_a_width_that_would_break_a_junction_and_tells_the_largest) {
   PhiChange change;
   change.sigma_bar = 10.0;

@@ -13,7 +13,6 @@ namespace fs = std::filesystem;
 
 using testing::expect_contains;
 using testing::message_of;
-using testing::single_springs;
 using testing::small_checkpoint;
 
 class CheckpointFile : public testing::InFolder {
@@ -22,24 +21,6 @@ class CheckpointFile : public testing::InFolder {
     return write_checkpoint(file("x.h5"), checkpoint, IfExists::replace);
   }
 };
-
-TEST_F(CheckpointFile, returns_the_same_bits) {
-  for (const Checkpoint& written : {small_checkpoint(), single_springs()}) {
-    const std::string checksum = write(written);
-    const Checkpoint read = read_checkpoint(file("x.h5"));
-    const Junctions &found = read.state.junctions, &expected = written.state.junctions;
-    EXPECT_EQ(read.parameters, written.parameters);
-    EXPECT_EQ(read.provenance, written.provenance);
-    EXPECT_EQ(state_content(read.state), state_content(written.state));
-    EXPECT_TRUE((found.repin_time == expected.repin_time).all());
-    EXPECT_TRUE((found.slow_until == expected.slow_until).all());
-    EXPECT_TRUE(std::signbit(read.state.u_x(0, 0)));
-    EXPECT_EQ(checksum, content_checksum(checkpoint_content(written)));
-    EXPECT_EQ(checksum, content_checksum(checkpoint_content(read)));
-    EXPECT_EQ(checksum, verify_file(file("x.h5")).checksum);
-    EXPECT_EQ(identify(file("x.h5")), FileKind::checkpoint);
-  }
-}
 
 // The bound that docs/schema.md states, and reading a chain whose texts are all the same.
 TEST_F(CheckpointFile, grows_by_little_with_each_step_of_its_provenance) {

@@ -54,36 +54,5 @@ TEST(Diff, measures_values_and_says_where_each_difference_is_largest) {
   }
 }
 
-TEST(Diff, of_common_rows_ignores_what_one_has_more) {
-  Content a = with({1, 2, 3});
-  Content b = with({1, 2});
-  const std::vector<double> four = {1, 2, 3, 4};
-  a["/state/m"] = make_array(std::span(four), {1, 4}, "m");
-  b["/state/m"] = make_array(std::span(four), {2, 2}, "m");
-  EXPECT_EQ(keep_common_rows(a, b), 1U);
-  const auto found = diff(a, b);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].path, "/state/m");
-  EXPECT_EQ(a.at("/state/a"), with({1, 2}).at("/state/a"));
-  Content c = with({1, 5, 3, 4});
-  keep_common_rows(b, c);
-  EXPECT_EQ(diff(b, c).front().first, 1U);
-}
-
-TEST(Diff, names_other_shapes_types_and_missing_datasets_in_order_of_path) {
-  Content a = with({1, 2});
-  Content b = with({1, 2, 3});
-  a["/state/z"] = make_scalar(1.0, "m");
-  b["/state/z"] = make_scalar<std::int64_t>(1, "m");
-  a["/state/c"] = make_text("a");
-  b["/state/b"] = make_text("b");
-  std::vector<std::pair<std::string, Change>> found;
-  for (const auto& difference : diff(a, b)) found.emplace_back(difference.path, difference.change);
-  EXPECT_EQ(found, (decltype(found){{"/state/a", Change::shape},
-                                    {"/state/b", Change::only_in_b},
-                                    {"/state/c", Change::only_in_a},
-                                    {"/state/z", Change::type}}));
-}
-
 }  // namespace
 }  // namespace rupture

@@ -34,21 +34,6 @@ TEST_F(File, whose_data_do_not_fill_their_shape_is_not_written) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(File, with_equal_content_leaves_the_sum_untouched) {
-  write_checkpoint(file("x.h5"), small_checkpoint(), IfExists::refuse, SumFile::write);
-  const auto long_ago = fs::last_write_time(file("x.h5.sum")) - std::chrono::hours(1);
-  fs::last_write_time(file("x.h5.sum"), long_ago);
-  Checkpoint retold = small_checkpoint();
-  retold.provenance.pop_back();
-  for (const SumFile sum : {SumFile::omit, SumFile::write}) {
-    write_checkpoint(file("x.h5"), retold, IfExists::replace, sum);
-    EXPECT_EQ(fs::last_write_time(file("x.h5.sum")), long_ago);
-  }
-  retold.state.step += 1;
-  write_checkpoint(file("x.h5"), retold, IfExists::replace, SumFile::write);
-  EXPECT_NE(fs::last_write_time(file("x.h5.sum")), long_ago);
-}
-
 TEST_F(File, gets_a_sum_in_the_form_of_today) {
   const auto checksum = write_checkpoint(file("x.h5"), small_checkpoint(), IfExists::refuse);
   spill(file("x.h5.sum"), checksum + "  x.h5\n");

@@ -1,5 +1,5 @@
-// Shared by the checkpoint tests: a folder that vanishes, and a small checkpoint in which every
-// number is different.
+// Shared by the checkpoint tests: a folder that vanishes, a small checkpoint and samples of a
+// record.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -66,49 +66,16 @@ inline Parameters small_parameters() {
   return parameters;
 }
 
-inline State small_state(const Parameters& parameters) {
-  State state(parameters);
-  state.step = 1234567;
-  state.drive = {1000, 1.0 / 3.0};
-  double value = 1e-6;
-  for (Field* field : {&state.u_x, &state.u_z, &state.v_x, &state.v_z, &state.f_x, &state.f_z}) {
-    for (Eigen::Index j = 0; j < field->Nz(); ++j) {
-      for (Eigen::Index i = 0; i < field->Nx(); ++i) (*field)(i, j) = value *= -1.1;
-    }
-  }
-  state.u_x(0, 0) = -0.0;
-  state.u_x(1, 0) = 5e-324;
-  for (Eigen::Index i = 0; i < parameters.Nx; ++i) {
-    for (Eigen::Index j = 0; j < state.junctions.attachment.cols(); ++j) {
-      state.junctions.attachment(i, j) = value *= -0.9;
-      if ((i + j) % 2 == 0) state.junctions.repin_time(i, j) = std::abs(value);
-      state.junctions.draws(i, j) = static_cast<std::uint32_t>(100 * i + j);
-    }
-  }
-  return state;
-}
-
 inline Checkpoint small_checkpoint() {
   Checkpoint checkpoint;
   checkpoint.parameters = small_parameters();
-  checkpoint.state = small_state(checkpoint.parameters);
+  checkpoint.state = State(checkpoint.parameters);
+  checkpoint.state.step = 1234567;
+  checkpoint.state.drive = {1000, 1.0 / 3.0};
+  Noise(1e-6).fill(checkpoint.state.u_x);
   checkpoint.provenance = {{"load", "0.1.0", "abc", "load -o x.h5", "gcc 12.2.0", ""},
                            {"restart", "0.1.0", "abc", "restart 'my x.h5'", "gcc 12.2.0",
                             content_checksum(checkpoint_content(checkpoint))}};
-  return checkpoint;
-}
-
-/// Of the simplified law: springs 0, 2 and 4 are slipping, spring 1 has never broken.
-inline Checkpoint single_springs() {
-  Checkpoint checkpoint;
-  Parameters& p = checkpoint.parameters;
-  p = small_parameters();
-  p.law = rupture::Law::simplified;
-  p.f_new = NewForce::zero;
-  checkpoint.state = small_state(p);
-  Junctions& junctions = checkpoint.state.junctions;
-  for (const Eigen::Index i : {0, 2, 4}) junctions.repin_time(i, 0) = Junctions::unknown;
-  junctions.slow_until.col(0) << 0.1, 0.0, -0.2, -0.3, 0.4;
   return checkpoint;
 }
 

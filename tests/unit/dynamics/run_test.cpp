@@ -47,27 +47,6 @@ TEST_F(Run, shows_observers_the_steps_they_ask_for) {
   EXPECT_EQ(ten.seen, (Steps{0, 10, 20, 30}));
 }
 
-TEST_F(Run, goes_on_from_a_later_step) {
-  run(simulation_, {25, std::nullopt}, {});
-  Every ten(10);
-  run(simulation_, {50, std::nullopt}, {&ten});
-  EXPECT_EQ(ten.seen, (Steps{25, 30, 40, 50}));
-}
-
-TEST_F(Run, never_passes_the_last_step) {
-  EXPECT_EQ(run(simulation_, {0, std::nullopt}, {}), Ending::last_step);
-  EXPECT_EQ(simulation_.state().step, 0) << "which is reached already";
-  EXPECT_EQ(run(simulation_, {150, 1000}, {}), Ending::last_step);
-  EXPECT_EQ(simulation_.state().step, 150);
-}
-
-TEST_F(Run, ends_at_a_whole_hundred_after_an_event_has_spanned) {
-  EXPECT_EQ(run(simulation_, {10000, 5000}, {}), Ending::spanned);
-  const std::int64_t edge = simulation_.ruptures().back().step;
-  EXPECT_EQ(simulation_.ruptures().back().block, 18);
-  EXPECT_EQ(simulation_.state().step, (edge + 99) / 100 * 100);
-}
-
 TEST_F(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
   Parameters p = p_;
   p.V = 0.0;

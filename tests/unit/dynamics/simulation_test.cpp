@@ -97,26 +97,6 @@ TEST(Step, follows_the_stated_order_on_every_support) {
   }
 }
 
-TEST_P(StepUnder, the_forces_of_the_state_are_reported) {
-  const Parameters p = quick_slider(GetParam());
-  Simulation simulation(p, normal_load_equilibrium(p));
-  for (int n = 0; n < 5; ++n) {
-    simulation.advance(kThroughTheRupture / 5);
-    const auto normal = normal_forces(p, simulation.state());
-    const auto friction = friction_forces(p, simulation.state());
-    for (std::size_t i = 0; i < normal.size(); ++i) {
-      EXPECT_DOUBLE_EQ(simulation.p()[i], normal[i]);
-      EXPECT_NEAR(simulation.tau()[i], friction[i], 1e-12 * normal[i]);
-      EXPECT_EQ(simulation.pinned()[i],
-                std::llround(
-                    static_cast<double>(springs_per_block(p)) *
-                    pinned_fraction(simulation.state().junctions, static_cast<Eigen::Index>(i))));
-    }
-    EXPECT_EQ(simulation.F_T(), p.K * (simulation.x_drive() - simulation.state().u_x(0, 1)));
-    EXPECT_EQ(simulation.time(), static_cast<double>(simulation.state().step) * p.dt);
-  }
-}
-
 TEST(Simulation, notes_each_rupture_and_crossing_of_another_pinned_fraction_at_its_step) {
   const Parameters p = testing::prepared_slider();
   Prestress prestress = testing::quick_prestress();
@@ -180,12 +160,6 @@ TEST(Helpers, finish_their_bands_before_this_thread_leaves_without_memory) {
   };
   EXPECT_THROW(helpers.share(work, [] { throw std::bad_alloc(); }), std::bad_alloc);
   EXPECT_EQ(finished, 3);
-}
-
-TEST(Simulation, refuses_parameters_that_make_no_sense) {
-  Parameters p = quick_slider();
-  p.dt = 1e-5;
-  EXPECT_THROW(Simulation(p, State(p)), UsageError);
 }
 
 TEST(Simulation, goes_on_under_other_parameters_by_one_call_only) {
