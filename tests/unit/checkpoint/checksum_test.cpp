@@ -76,17 +76,5 @@ TEST(CountedParameters, are_those_that_the_law_uses) {
   }
 }
 
-TEST(CountedParameters, have_the_defaults_of_those_that_older_files_lack) {
-  Content old = content_of(Law::reference);
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.since == Since::original) continue;
-    std::string path = "/parameters/" + std::string(info.name);
-    path[path.find('.')] = '/';
-    EXPECT_EQ(old.erase(path), 1U) << path;
-  }
-  EXPECT_EQ(counted_parameters(old), counted_parameters(content_of(Law::reference)));
-  EXPECT_EQ(content_checksum(old), content_checksum(content_of(Law::reference)));
-}
-
 }  // namespace
 }  // namespace rupture
