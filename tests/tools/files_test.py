@@ -71,6 +71,7 @@ def write_record():
     )
 
 
+BUILD = re.findall(r"rupture (\S+),", run("load --version").out)[0]
 WRITERS = {"CHECKPOINT": write_checkpoint, "SPRINGS": write_springs, "RECORD": write_record}
 
 
@@ -117,8 +118,7 @@ def test_row(folder, good, readers, changes, says, of_seal):
     data, path = good_file(good), Path("x.h5")
     Path("good.h5").write_bytes(data)
     path.write_bytes(data)
-    build = re.findall(r"rupture (\S+),", run("load --version").out)[0]
-    sizes = {"whole": len(data), "half": len(data) // 2, "less": len(data) - 1, "build": build}
+    sizes = {"whole": len(data), "half": len(data) // 2, "less": len(data) - 1, "build": BUILD}
     for name, value in sizes.items():
         changes, says, of_seal = (
             text.replace(f"{{{name}}}", str(value)) for text in (changes, says, of_seal)
