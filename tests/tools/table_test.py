@@ -28,6 +28,7 @@ import json
 import os
 import re
 import shutil
+import tempfile
 from collections import namedtuple
 from pathlib import Path
 
@@ -251,36 +252,31 @@ def expect_command(step, command, chosen, first):
     return expect_kept(before, step.exit, words)
 
 
-@pytest.fixture(scope="session")
-def saved(tmp_path_factory):
-    """A new folder for each call."""
-    return lambda: tmp_path_factory.mktemp("saved")
-
-
-FOLDERS: dict = {}  # as they were left, by the commands that were run in them
+SAVED = tempfile.TemporaryDirectory()
+FOLDERS: dict = {}  # copies in it of folders as they were left, by the commands that were run there
 
 
 def copy_folder(source, to):
-    run(["/bin/cp", "-a", f"{source}/.", to])
+    assert run(["/bin/cp", "-a", f"{source}/.", to]).code == 0
 
 
-def set_up(commands, saved):
+def set_up(commands):
     """The folder after these commands, each of which is run once for all rows."""
     if commands in FOLDERS:
         copy_folder(FOLDERS[commands], ".")
     elif commands:
-        set_up(commands[:-1], saved)
+        set_up(commands[:-1])
         for command, chosen in choices_in(commands[-1]):
             make(filled(command, chosen))
         if not any(command.startswith("mode") for command in commands):  # not all can be read then
-            FOLDERS[commands] = saved()
+            FOLDERS[commands] = f"{SAVED.name}/{len(FOLDERS)}"
             copy_folder(".", FOLDERS[commands])
 
 
 @pytest.mark.parametrize("row", rows())
-def test_row(small_ini, row, saved):
+def test_row(small_ini, row):
     first: dict = {}  # what was found first for each line that ends in "same"
-    set_up(row.setup, saved)
+    set_up(row.setup)
     for front, chosen in choices_in(row.steps[0].command):
         for step in row.steps:
             text = front if step is row.steps[0] else step.command
