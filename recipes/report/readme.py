@@ -50,6 +50,15 @@ def row_of(result, version):
     return [result.id, *texts, share.holds, share.units, version, json.dumps(numbers)]
 
 
+def fronts_of_figure_2(root):
+    """{event: report of `analyze front`}, from the points that the figure has read."""
+    chains = report(root / "results/data/fig2/figure.json")
+    points = [lineage[0] for name in ("event", "most_like") for lineage in chains[name]]
+    names = [point["values"].get("name", "most-like") for point in points]
+    found = {name: point["path"] for name, point in zip(names, points)}
+    return {name: report(root / found[name])["reports"]["front"] for name in EVENTS}
+
+
 def front_rows(name, front):
     """When each block ruptures, after the first, and how fast the front is there."""
     first = min(time for time in front["t_rupture"] if time is not None)
@@ -67,7 +76,7 @@ def write_tables(root, claims, own, numbers, version):
     named = [row for name, row in ours.items() if name in dict(PLACES)]
     write_table(root / TABLE, names, [*(row_of(claim, version) for claim in claims), *named])
     write_numbers(root / NUMBERS, numbers)
-    fronts = {name: report(root / f"results/data/{name}-front.json") for name in EVENTS}
+    fronts = fronts_of_figure_2(root)
     x = {short(x / front["L"], 4): None for front in fronts.values() for x in front["x"]}
     rows = [row for name, front in fronts.items() for row in front_rows(name, front)]
     write_table(root / FRONTS, ["event", "x/L", *x], rows)

@@ -76,8 +76,10 @@ def made_up_clone(tmp_path):
     for name in (readme.FRONTS, readme.NUMBERS, readme.PICTURE):
         spill(tmp_path / name, "old")
     spill(tmp_path / readme.FIRST, (ROOT / readme.FIRST).read_bytes())
-    for name in readme.EVENTS:
-        spill(tmp_path / f"results/data/{name}-front.json", json.dumps(FRONT))
+    points = [[{"values": {"name": name}, "path": "results/point.json"}] for name in readme.EVENTS]
+    chains = {"event": points[:2], "most_like": [[{"values": {}, "path": "results/point.json"}]]}
+    spill(tmp_path / "results/data/fig2/figure.json", json.dumps(chains))
+    spill(tmp_path / "results/point.json", json.dumps({"reports": {"front": FRONT}}))
     spill(tmp_path / readme.README, "above\n<!-- results -->\nold\n<!-- /results -->\nbelow\n")
     return tmp_path
 
