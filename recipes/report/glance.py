@@ -6,7 +6,6 @@ from collections import Counter
 
 from claims.claim import DOES_NOT_HOLD, HOLDS
 from claims.judge import PRIMARY, needed, table
-from report.picture import picture
 from report.plotting import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
 from reproduce.recipes import label
 
@@ -95,12 +94,3 @@ def draw_glance(claims, stem):
     right.set_xticks([*places.values()], names, rotation=90)
     draw_legend(left)
     save(fig, stem)
-
-
-def glance_picture(results, claims):
-    """Draws the picture; None if there is no claim over units."""
-    found = [claim for claim in claims if claim.shares]
-    if not found:
-        return None
-    draw_glance(found, results / "claims")
-    return picture(results / "claims.png", SEEN)

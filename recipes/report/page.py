@@ -2,8 +2,10 @@
 [PROJECT'S FOLDER]"""
 
 import os
+import struct
 import sys
 import time
+from dataclasses import dataclass
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -16,8 +18,7 @@ from claims.released import released
 from rupture.replacing import write_whole
 from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
-from report.glance import glance_picture
-from report.picture import MOVIE, picture
+from report.glance import SEEN, draw_glance
 from report import origin
 from reproduce.recipes import label, natural, read_readme, recipe_names
 from rupture.errors import Failure
@@ -28,7 +29,28 @@ HERE = Path(__file__).resolve().parent
 WRITTEN = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
 MANY = 12  # commands of a step, beyond which only their number is of interest
 MANY_SUMS = 100  # checksums
+MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
+
+
+@dataclass(frozen=True)
+class Picture:
+    name: str
+    pdf: str | None
+    width: int  # [pixels]
+    height: int
+    alt: str  # what is seen, in words
+
+
+def picture(path, alt):
+    """Width and height stand in a PNG after its signature and the name of the first chunk."""
+    with open(path, "rb") as file:
+        head = file.read(24)
+    if len(head) < 24 or head[12:16] != b"IHDR":
+        raise Failure(f"{path} is not a PNG: delete it and run ./reproduce.sh {path.parent.name}.")
+    width, height = struct.unpack(">II", head[16:24])
+    pdf = path.with_suffix(".pdf")
+    return Picture(path.name, pdf.name if pdf.exists() else None, width, height, alt)
 
 
 def files_of(folder, pattern):
@@ -77,6 +99,15 @@ def duration(seconds):
         return f"{seconds:.1f} s"
     minutes, rest = divmod(round(seconds), 60)
     return f"{minutes} min {rest} s" if minutes > 1 else f"{60 * minutes + rest} s"
+
+
+def glance_picture(results, claims):
+    """Draws the picture of all claims over units; None if there is none."""
+    found = [claim for claim in claims if claim.shares]
+    if not found:
+        return None
+    draw_glance(found, results / "claims")
+    return picture(results / "claims.png", SEEN)
 
 
 def contents(root):
