@@ -2,7 +2,7 @@
 # Searches for inputs that break the reader: builds the fuzz targets with clang in FOLDER and runs
 # each for SECONDS. New inputs are kept in FOLDER/found; one that breaks something, in FOLDER.
 #
-#   fuzz.sh SECONDS FOLDER
+#   fuzz.sh SECONDS FOLDER [TARGET...]   default targets: reader content
 #
 # Exit code 0: nothing broke, 77: clang or its fuzzer is not installed (where CI is set, that is 1).
 set -euo pipefail
@@ -31,6 +31,7 @@ build() {
 run() {
   local found=$folder/found/$1 inputs=("$here/corpus/$1")
   if [[ $1 == reader ]]; then inputs+=("$files"); fi
+  if [[ $1 == resealed ]]; then inputs=("$files"); fi
   mkdir -p "$found"
   echo "== $1"
   ASAN_OPTIONS=detect_leaks=0:${ASAN_OPTIONS-} "$folder/bin/fuzz_$1" -max_total_time="$seconds" \
@@ -39,9 +40,11 @@ run() {
   grep -E '^(stat::number_of_executed_units|Done)' "$folder/$1.log"
 }
 
-(($# == 2)) || usage
+(($# >= 2)) || usage
 readonly seconds=$1 folder=$2
+shift 2
+(($# > 0)) || set -- reader content
 demand_fuzzer
 mkdir -p "$folder"
 build >"$folder/log" 2>&1 || { tail -n 40 "$folder/log" && exit 1; }
-for target in reader content; do run "$target"; done
+for target; do run "$target"; done
