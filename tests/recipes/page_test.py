@@ -1,15 +1,18 @@
-"""The report's page of made-up results (fixture.py); no browser is needed."""
+"""The report's page of made-up results (fixture.py), and what it makes of captions and symbols; no
+browser is needed."""
 
 import ast
 import json
 import re
+import types
 from functools import cache
 
 import pytest
 
 from report import readme
 from report import page as report
-from report.caption import PLACE
+from report.caption import PLACE, as_html, filled, seen
+from report.symbols import typeset
 from claims.judge import table
 from conftest import ROOT
 from fixture import JUDGED, NOT_RUN, POINTS, START, Project, result, results_of, spill
@@ -69,6 +72,15 @@ CAPTIONS = [  # a caption, and what becomes of it
         "<li> <p>one;</p> </li> <li> <p>two.</p> </li>",
     ),
 ]
+C_S = "<msub><mi>c</mi><mi>s</mi></msub>"
+TAU_BAR = '<mover><mi>τ</mi><mo stretchy="false">¯</mo></mover>'
+TYPESET = {
+    "at v_slow slip": "at <math><msub><mi>v</mi><mtext>slow slip</mtext></msub></math>",
+    "tau_bar_0": f"<math><msub>{TAU_BAR}<mn>0</mn></msub></math>",
+    "<c_s>": f"<math><mo>⟨</mo>{C_S}<mo>⟩</mo></math>",
+    "1e-12": "<math><msup><mn>10</mn><mn>−12</mn></msup></math>",
+    "57 x 31 > front_speed <b>": "57 × 31 &gt; front_speed &lt;b&gt;",
+}
 REFUSED = [  # a file of fig3, what is wrong in it, and what is said
     *(
         ("claims.json", text, "claims.json is not a table of claims (")
@@ -199,6 +211,23 @@ def test_captions_hold_numbers_and_leave_out_sentences_without_any(project, capt
     readme = project.root / "recipes/fig2/README.md"
     spill(readme, f"# Title\n\n## Caption\n\n{caption}\n")
     assert shown in section(page_of(project), "fig2")
+
+
+@pytest.mark.parametrize("text", TYPESET)
+def test_symbols_become_mathml_and_other_words_are_left(text):
+    assert typeset(text) == TYPESET[text]
+
+
+def test_alternative_texts_say_what_the_caption_says_of_the_picture():
+    caption = "Above <t_R>.\n\n- **A, B**: what *is* slow, against Eq. S1; red: fast. More.\n"
+    assert seen("fig1.png", "T", caption) == "T. A, B: what is slow, against Eq. S1; red: fast."
+
+
+def test_measured_texts_are_no_markdown():
+    text = "[a](javascript:b) ![c](https://d.e/f.png) *g* <https://h.i>"
+    claim = types.SimpleNamespace(id="2A", measured={"type": text})
+    shown = as_html(filled("It is {2A: type}.", [claim]), ())
+    assert not re.findall("<(?!/?(p|math|mi)>)", shown) and "[a](javascript:b)" in shown
 
 
 @cache
