@@ -75,7 +75,6 @@ def test_a_part_is_the_beginning_of_the_record(small):
         assert np.array_equal(part[array][:shared], whole[array][:shared]), array
     assert part.units("tau") == "N"
     assert part.parameters == whole.parameters
-    assert said_by_page("#### While it grows", name) == f"{len(part.time)} samples\n"
     fails("cannot be verified: its run is still going on or was killed", rupture.verify, name)
 
 
