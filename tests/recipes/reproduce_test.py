@@ -108,15 +108,6 @@ def test_a_prepared_folder_runs_nothing_and_keeps_its_files(project, planted, li
     assert path.exists()
 
 
-def test_folders_in_results_that_lead_elsewhere_are_refused(project):
-    project.program("load", "")
-    project.write("results/a")
-    (project.root / "results/figS1").symlink_to("..")
-    done = project.call("figS1", "--programs", "bin")
-    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
-    assert "results/figS1 is a link, which is not followed" in done.stderr
-
-
 def test_a_colon_would_make_two_folders_of_modules(tmp_path):
     done = Project(tmp_path / "x:y").call("list")
     assert (done.returncode, done.stdout) == (1, "") and "has a colon; rename it" in done.stderr

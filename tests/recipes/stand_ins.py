@@ -6,7 +6,7 @@ import subprocess
 import time
 from pathlib import Path
 
-from conftest import ROOT
+from conftest import BIN, ROOT
 
 WITHIN = 60  # [s]
 SWEEP = """[sweep]
@@ -48,6 +48,11 @@ class Project:
         """In bash; `name` may lead to another folder."""
         self.write(self.bin / name, f"#!/bin/bash\n{text}\n").chmod(0o755)
 
+    def link(self, *names):
+        """The programs themselves."""
+        for name in names:
+            (self.bin / name).symlink_to(BIN / name)
+
     def start(self, *words, command="./reproduce.sh", stderr=subprocess.PIPE, **options):
         return subprocess.Popen(
             [command, *words],
@@ -71,9 +76,14 @@ class Project:
         path.write_text(text)
         return path
 
-    def append(self, name):
-        with open(self.root / name, "a", encoding="utf-8") as file:
-            file.write("# 2\n")
+    def replace(self, name, old, new):
+        text = (self.root / name).read_text()
+        assert old in text
+        self.write(name, text.replace(old, new, 1))
+
+    def stored(self, ending):
+        """Files of points."""
+        return sorted((self.root / "results/data/points").glob(f"*{ending}"))
 
     def calls(self):
         """What stand-ins have written of themselves."""
