@@ -186,6 +186,7 @@ def test_a_failed_point_is_a_result_and_its_sentence_is_said(tiny):
     tiny.replace("recipes/tiny/runs.ini", "0.1, 0.2", "0.1, 9")
     assert tiny.computed() == sorted(RUNS[:1] + MEASURED[:1] + FIGURE)
     assert re.search("measured: 1 of 2 points failed: prepare: .*tau", tiny.said)
+    assert tiny.computed() == []
 
 
 def test_a_wrong_name_is_said_before_anything_runs(tiny):

@@ -2,13 +2,12 @@
 (recipes/chains/point.py)."""
 
 import json
-import os
 from pathlib import Path
 
 import pytest
 
-from chains.point import compute, main
-from chains.store import digest, save_origin
+from chains.point import compute
+from chains.store import origin_of
 from conftest import ROOT
 
 ANALYZE = """#!/bin/sh
@@ -19,7 +18,7 @@ echo '{"t": [0.25, null, 2.0], "slow": null, "kind": "fast", "path": "../x"}'
 RESTART = """#!/bin/sh
 echo "restart $*" >> CALLS
 while [ "$1" != -o ]; do shift; done
-echo "$CONTENT" > "$2"; echo "content-sha256 5eed  $2" > "$2.sum"
+touch "$2"; echo "content-sha256 5eed  $2" > "$2.sum"
 """
 FRONT = {"front": "analyze front r.h5"}
 
@@ -31,9 +30,7 @@ def stand_ins(folder, monkeypatch):
         (folder / name).write_text(text.replace("CALLS", str(folder / "calls")))
         (folder / name).chmod(0o755)
     (folder / "in").mkdir()
-    (folder / "results").mkdir()
     monkeypatch.setenv("RUPTURE_BIN", str(folder))
-    monkeypatch.setenv("CONTENT", "1")
     monkeypatch.setenv("PYTHONPATH", f"{ROOT}/recipes:{ROOT}/python")
     return folder / "calls"
 
@@ -123,55 +120,25 @@ def test_what_cannot_be_filled_in_ends_the_point(calls, hole, sentence):
     assert len(calls.read_text().splitlines()) == 1
 
 
-def computed(calls, todo):
-    """How many programs the point has run."""
-    before = len(calls.read_text().splitlines()) if calls.exists() else 0
-    path = Path("results/data/points/x.todo")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    about = {
-        "chain": "a/x",
-        "described": "a/x",
-        "works": [todo | {"path": str(path.with_suffix(".json"))}],
-    }
-    path.write_text(json.dumps(about))
-    main(path)
-    return len(calls.read_text().splitlines()) - before
+BASE = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
+ABOVE = {"status": "done", "sentence": "", "checksums": {"b.h5": "1"}, "reports": {}}
 
 
-def times():
-    folder = Path("results/data/points")
-    names = ("x.json", "x.a.h5")
-    return [(folder / name).stat().st_mtime_ns for name in names]
+def test_a_result_comes_from_the_content_of_its_base_and_from_the_programs(folder):
+    def origin(*programs, **above):
+        Path("above.json").write_text(json.dumps(ABOVE | above))
+        return origin_of(work({"a": "restart b.h5 -o a.h5"}, base=BASE), programs)
 
-
-def test_what_is_there_is_not_computed_and_what_is_equal_keeps_its_date(calls, monkeypatch):
-    todo = work({"a": "restart b.h5 -o a.h5", "front": "analyze front a.h5"}, keep=["a.h5"])
-    todo["base"] = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
-    above = {"status": "done", "sentence": "", "checksums": {"b.h5": "1"}, "reports": {}}
-    Path("above.json").write_text(json.dumps(above))
-    assert computed(calls, todo) == 2
-    assert f"restart {os.getcwd()}/above.b.h5 -o a.h5" in calls.read_text()
-    first = times()
-    assert computed(calls, todo) == 0
-
-    Path("above.json").write_text(json.dumps(above | {"reports": {"other": 1}}))
-    assert computed(calls, todo) == 0  # the content of the base is the same
-    Path("above.json").write_text(json.dumps(above | {"checksums": {"b.h5": "2"}}))
-    assert (computed(calls, todo), times()) == (2, first)
-    save_origin(Path("results/data/points/x.json"), digest("another program"))
-    assert (computed(calls, todo), times()) == (2, first)
-    Path("results/data/points/x.a.h5").unlink()
-    assert computed(calls, todo) == 2
-    assert Path("results/data/points/x.a.h5").read_text() == "1\n"
+    assert origin("1") == origin("1", reports={"other": 1})
+    assert len({origin("1"), origin("2"), origin("1", checksums={"b.h5": "2"})}) == 3
 
 
 def test_what_starts_from_a_file_that_was_left_out_is_left_out(calls):
-    todo = work({"a": "restart b-t1.h5 -o a.h5", "b": "restart a.h5 -o c.h5"}, keep=["a.h5"])
-    todo["base"] = {"file": "above.b.h5", "shown": "b-t1.h5", "of": "above.json"}
-    above = {"status": "done", "sentence": "", "checksums": {}, "reports": {}}
-    Path("above.json").write_text(json.dumps(above))
+    commands = {"a": "restart b-t1.h5 -o a.h5", "b": "restart a.h5 -o c.h5"}
+    Path("above.json").write_text(json.dumps(ABOVE))
     Path("above.b.h5").touch()
-    result = compute(todo, "in")
+    base = BASE | {"shown": "b-t1.h5"}
+    result = compute(work(commands, keep=["a.h5"], base=base), "in")
     assert (result["status"], result["commands"]) == ("done", {})
     assert result["reports"] == {"a": None, "b": None} and not calls.exists()
 
@@ -191,15 +158,3 @@ def test_a_shipped_file_must_be_the_one_that_the_manifest_names(calls):
         result = compute(work({"a": "restart b.h5 -o a.h5"}, base=base), "in")
         assert result["status"] == status
     assert result["sentence"] == "b.h5 is not in manifest (see README.md there)"
-
-
-def test_what_comes_from_a_failed_point_fails_with_its_sentence(calls):
-    todo = work({"a": "restart b.h5 -o a.h5"}, keep=["a.h5"])
-    todo["base"] = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
-    above = {"status": "failed", "sentence": "load: no", "checksums": {}, "reports": {}}
-    Path("above.json").write_text(json.dumps(above))
-    Path("calls").touch()
-    assert computed(calls, todo) == 0
-    result = json.loads(Path("results/data/points/x.json").read_text())
-    assert (result["status"], result["sentence"]) == ("failed", "load: no")
-    assert Path("results/data/points/x.a.h5").read_bytes() == b""

@@ -30,19 +30,19 @@ memory = 400 MB
 
 [commands]
 prepare = prepare --sigma-bar 0.1 {values} -o start.h5 --quiet
-restart = restart start.h5 --for 0.025 -o end.h5 --record record.h5 --record-every 1ms --quiet
+restart = restart start.h5 --for 0.01 -o end.h5 --record record.h5 --record-every 1ms --quiet
 front   = analyze front record.h5 --json
 
 [values]
 tau-bar = 0.1, 0.2, 0.3, 5
-seed    = 1 to 8
+seed    = 1 to 4
 
 [quantities]
 type       = front.type
 slow speed = front.slow.speed
 """
-POINTS = 32
-REFUSED = 8  # no distribution of junction forces carries tau-bar = 5
+POINTS = 16
+REFUSED = 4  # no distribution of junction forces carries tau-bar = 5
 WITHIN = 600  # [s] a run, however slow the machine
 wait_for = functools.partial(stand_ins.wait_for, within=WITHIN)
 
@@ -64,10 +64,9 @@ class Sweep(Project):
         return done.stdout
 
     def points(self):
-        """Those that are not unfinished, with the checksums of what they wrote."""
-        paths = (self.root / "results/data/points").glob("*.json")
-        contents = {path.name: path.read_bytes() for path in paths}
-        return {name: text for name, text in contents.items() if b'"unfinished"' not in text}
+        """Those that are done or have failed, with the checksums of what they wrote."""
+        done = (path.with_suffix(".json") for path in self.stored(".origin"))
+        return {path.name: path.read_bytes() for path in done}
 
 
 def reproduce(*arguments):
@@ -158,16 +157,16 @@ class Job:
 
 def test_a_sweep_survives_everything(project, local, cluster):
     job = Job(project, cluster)
-    job.wait_for_points(3)
+    job.wait_for_points(1)
     cluster.run("scancel", wait_for(job.steps)[0])
-    job.wait_for_points(6)
+    job.wait_for_points(3)
     job.be_noted()
     for daemon in cluster.processes.values():
         daemon.kill()  # at once, as a power cut would
         daemon.wait()
     time.sleep(3)
     cluster.launch_daemons()
-    job.wait_for_points(9)
+    job.wait_for_points(5)
     job.kill_all()
     cluster.run("scancel", job.number)  # if SLURM has put it into the queue again
     job.wait_for_end()
@@ -178,20 +177,19 @@ def test_a_sweep_survives_everything(project, local, cluster):
     demand_equal_sweeps(project, local)
 
 
-@pytest.mark.parametrize("name, code", [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
-def test_an_interruption_ends_all_steps(project, cluster, name, code):
+def test_an_interruption_ends_all_steps(project, cluster):
     salloc, *words = in_allocation("sweep", "my.ini")
     process = project.start(*words, command=salloc, start_new_session=True)
     wait_for(lambda: project.points() or process.poll() is not None)
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-    os.kill(int(children[0]), signal.Signals[name])
+    os.kill(int(children[0]), signal.SIGINT)
     process.communicate(timeout=30)
-    assert process.returncode == code
+    assert process.returncode == 130
     assert cluster.run("squeue", "--noheader", "--steps") == ""
 
 
 def test_figures_give_what_they_give_locally(project, local):
-    figures = ("fig2", "figS3", "figS4", "estimate")  # events, points, widened phi: in seconds
+    figures = ("figS3", "estimate")  # of points and of a file: in seconds
     project.run(*in_allocation(*figures))
     local.run(*reproduce(*figures))
     points = project.points()
