@@ -27,7 +27,7 @@ seed = 3
 """
 PROGRAMS = {
     "load": f'exec {BIN}/load --config "${{0%/*}}/fewer.ini" "$@"',
-    "movie": f'exec {BIN}/movie --frames 20 "$@"',
+    "movie": f'exec {BIN}/movie --frames 5 "$@"',
     "rupture": 'exec "${0%/*}/$1" "${@:2}"',
     "../reproduce.sh": f'exec {BIN}/rupture reproduce "$@"',
 }
@@ -35,14 +35,14 @@ PROGRAMS = {
 
 def commands_of(page):
     """A command for each line in the shell, and one for each block in Python. The file of a sweep
-    is written. The README's first blocks set the project up, which other tests do."""
+    is written, with one seed. The README's first blocks set the project up, which other tests do."""
     before, _, after = (ROOT / page).read_text("utf-8").partition("## Your own experiments\n")
     commands = []
     for language, code, indented in BLOCK.findall(after or before):
         if language == "python":
             commands.append([sys.executable, "-c", code])
         elif language == "ini" and "[sweep]" in code:
-            Path("my.ini").write_text(code, "utf-8")
+            Path("my.ini").write_text(code.replace("1 to 5", "1"), "utf-8")
         lines = (line.strip() for line in re.sub(r"\\\n *", "", indented).splitlines())
         commands += [["bash", "-c", line] for line in lines if line and not line.startswith(SKIP)]
     assert commands, page
