@@ -35,7 +35,8 @@ PROGRAMS = {
 
 def commands_of(page):
     """A command for each line in the shell, and one for each block in Python. The file of a sweep
-    is written, with one seed. The README's first blocks set the project up, which other tests do."""
+    is written, with one seed. The README's first blocks set the project up, which other tests do.
+    """
     before, _, after = (ROOT / page).read_text("utf-8").partition("## Your own experiments\n")
     commands = []
     for language, code, indented in BLOCK.findall(after or before):

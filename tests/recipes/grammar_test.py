@@ -6,7 +6,6 @@ import json
 import pytest
 
 from chains import chain as chain_file
-from chains.chain import kept_names
 from chains.check import check
 from chains.expressions import Expression
 from chains.plan import points_read
@@ -332,7 +331,3 @@ def test_what_is_wrong_is_said_with_the_file_and_the_line(files, text, sentence)
     files.write(above=ABOVE, x=text)
     with pytest.raises(UsageError, match=f"recipes/a/x.ini[,:] .*?({sentence})"):
         files.read()
-
-
-def test_times_in_names_are_written_as_programs_do():
-    assert kept_names("a-t{0.1 to 0.2 by 0.1}.h5") == ["a-t0.100000000.h5", "a-t0.200000000.h5"]

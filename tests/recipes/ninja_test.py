@@ -309,19 +309,3 @@ def test_a_program_is_what_it_computes_with_and_not_its_version(tmp_path):
     assert {others[".rupture_version"], others[".note.gnu.build-id"]} == {known}
     assert known not in (others[".text"], others[".rodata"], others[".data"])
     assert digests.digest_of_program(BIN / "analyze") != known
-
-
-def test_a_script_is_its_code_and_that_of_what_it_imports(tmp_path):
-    def known(text):
-        path = tmp_path / "script.py"
-        path.write_text(text)
-        return digests.digest_of_scripts(path)
-
-    (tmp_path / "beside.py").write_text("A = 1\n")
-    first = known("import beside\nB = 2\n")
-    assert known('"""What it does."""\nimport beside\n\nB = 2  # [m]\n') != known("B = 2\n")
-    assert known("import beside\nB = 3\n") != first
-    (tmp_path / "beside.py").write_text("A = 1  # a comment\n")
-    assert known("import beside\nB = 2  # another\n") == first
-    (tmp_path / "beside.py").write_text("A = 2\n")
-    assert known("import beside\nB = 2\n") != first

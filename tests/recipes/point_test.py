@@ -148,13 +148,3 @@ def test_a_file_to_keep_that_no_command_has_written_is_a_failure(calls):
     result = compute(todo, "in")
     assert (result["status"], result["sentence"]) == ("failed", "no command has written a-t9.h5")
     assert "front" in calls.read_text()
-
-
-def test_a_shipped_file_must_be_the_one_that_the_manifest_names(calls):
-    base = {"file": "b.h5", "shown": "b.h5", "of": ""}
-    Path("manifest").write_text("content-sha256 5eed  b.h5\ncontent-sha256 other  c.h5\n")
-    for text, status in (("5eed", "done"), ("5eee", "failed"), ("other", "failed")):
-        Path("analyze").write_text(f"#!/bin/sh\necho {text}\n")
-        result = compute(work({"a": "restart b.h5 -o a.h5"}, base=base), "in")
-        assert result["status"] == status
-    assert result["sentence"] == "b.h5 is not in manifest (see README.md there)"

@@ -1,4 +1,4 @@
-"""Sweeps and figures in allocations of a real SLURM, undisturbed and with everything killed.
+"""Figures in an allocation of a real SLURM, and a sweep with everything killed.
 
 Each run has a copy of the project's recipes, so that no result is found twice.
 """
@@ -99,20 +99,6 @@ def project_on_slurm(tmp_path, cluster):
     return Sweep(tmp_path, cluster.environment)
 
 
-def demand_equal_sweeps(project, local):
-    assert project.points() == local.points()
-    for table in ("results/sweeps/my/my.csv", "results/sweeps/my/my.hdf5"):
-        assert (project.root / table).read_bytes() == (local.root / table).read_bytes()
-    print(f"{POINTS} points and 2 tables are those of the local run")
-
-
-def test_a_sweep_gives_what_it_gives_locally(project, local):
-    output = project.run(*in_allocation("sweep", "my.ini"))
-    demand_equal_sweeps(project, local)
-    assert f"{POINTS} points: {POINTS - REFUSED} done, {REFUSED} failed." in output
-    assert f"{POINTS}/{POINTS} my: " in output
-
-
 class Job:
     """The sweep as users submit it: the file that they change is a batch script."""
 
@@ -174,7 +160,11 @@ def test_a_sweep_survives_everything(project, local, cluster):
     assert there < POINTS
     output = Job(project, cluster).wait_for_end()
     assert f"Computed now: {POINTS - there}; already done: {there}." in output
-    demand_equal_sweeps(project, local)
+    assert f"{POINTS} points: {POINTS - REFUSED} done, {REFUSED} failed." in output
+    assert project.points() == local.points()
+    for table in ("results/sweeps/my/my.csv", "results/sweeps/my/my.hdf5"):
+        assert (project.root / table).read_bytes() == (local.root / table).read_bytes()
+    print(f"{POINTS} points and 2 tables are those of the local run")
 
 
 def test_an_interruption_ends_all_steps(project, cluster):
