@@ -2,21 +2,20 @@
 
 import os
 import re
-import shlex
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from chains.bases import keep_base
-from chains.commands import PROGRAMS
+from chains.point import HOLE, PROGRAMS
 from measure.conventions import SETS
-from rupture.errors import UsageError
-from rupture.programs import DRAWING
+from chains.store import RESULTS, write_own
+from rupture.errors import Failure, UsageError
+from rupture.programs import DRAWING, output_of
 from reproduce.project import SHARE
 from chains.programs import PLAIN
 from chains.ini import check_known, errors_of, is_values, needs_of, read_ini
-from chains.values import values_of
+from chains.values import is_expression, values_of
 
 RECIPES = SHARE / "recipes"
 SECTIONS = ("chain", "commands", "values", "quantities", "units", "figure")
@@ -31,18 +30,12 @@ SELECTION = re.compile(
     r"(?:: (?P<list>[\w.]+))?(?: where (?P<condition>.+))?"
 )
 BASE = re.compile(r"(?:(?P<chain>[\w./-]+): )?(?P<file>.+)")
-HOLE = re.compile(r"\{([^{}]*)\}")
 ALSO = re.compile(r"--also (\w+)(?=\s|$)")  # a set of ways to measure
-WAITING = re.compile(r"\{([^{}]+)\}")  # a value that is one expression: known when it is needed
 
 
 def in_one_line(section):
     """What goes on in an indented line is one text."""
     return {key: " ".join(text.splitlines()) for key, text in section.items()}
-
-
-def is_expression(text):
-    return bool(WAITING.fullmatch(text))
 
 
 def ways_in(line):
@@ -163,7 +156,7 @@ class Chain:
         if self.is_ours:
             return self.in_project(path)
         if path not in self.copies:
-            self.copies[path] = str(keep_base(path, Path("results")))
+            self.copies[path] = str(copy_of(path))
         return self.copies[path]
 
     def line_of(self, section, key):
@@ -213,6 +206,22 @@ class Chain:
                         raise UsageError(f"'{key}' in [{section}] has no value")
 
 
+def copy_of(base):
+    """Copies the file from which points of a user's chain start, with its .sum."""
+    try:
+        checksum = output_of("analyze", "checksum", base).strip()
+    except Failure as failure:
+        said = str(failure).removeprefix("analyze: ")
+        raise UsageError(f"the base cannot be used: {said}") from None
+    content = base.read_bytes()
+    if not content.startswith(b"rupture-checkpoint\n"):
+        raise UsageError(f"the base {base} is a record; runs continue from checkpoints")
+    copy = RESULTS / "data/bases" / f"{checksum[:16]}.h5"
+    write_own(copy, content)
+    write_own(Path(f"{copy}.sum"), f"content-sha256 {checksum}  {copy.name}\n".encode())
+    return copy
+
+
 def kept_names(word):
     """A file; with {TIMES} in place of a time, the checkpoints that a program writes then."""
     holes = HOLE.findall(word)
@@ -222,11 +231,3 @@ def kept_names(word):
         if not PLAIN.fullmatch(name) or name.endswith(".json"):
             raise UsageError(f"'{name}' is not the name of a file in the point's own folder")
     return names
-
-
-def words_of(line):
-    """A command without its holes, which are no words of their own then."""
-    try:
-        return shlex.split(HOLE.sub("0", line))
-    except ValueError as error:
-        raise UsageError(f"'{line}' cannot be split into words ({error})") from None

@@ -3,14 +3,15 @@ yet; and what a chain that is no recipe must not do."""
 
 import re
 
-from chains.chain import ALL, ALSO, BASE, HOLE, RUNS, SCRIPT, is_expression, kept_names, words_of
+from chains.chain import ALL, ALSO, BASE, RUNS, SCRIPT, kept_names
 from measure.conventions import SETS
 from chains.expressions import Expression, first_known
-from chains.point import without_time
+from chains.point import HOLE, without_time
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
 from chains.programs import given_in
-from chains.ini import check_known, suggestion
+from chains.ini import check_known, suggestion, words_of
+from chains.values import is_expression
 
 OWN = ("values", "base")  # holes that are no names
 
@@ -133,4 +134,4 @@ def check_stranger(chain, programs):
     """A file that somebody sent runs programs that compute, and writes in its points' folders."""
     for name, line in chain.commands.items():
         with chain.errors_at("commands", name):
-            list(given_in(HOLE.sub("0", line), programs))
+            list(given_in(line, programs))

@@ -10,7 +10,7 @@ from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
-from chains.commands import PROGRAMS
+from chains.point import PROGRAMS
 from chains.store import DIGESTS, digest, result_of
 from reproduce.project import SHARE
 from rupture.programs import DRAWING

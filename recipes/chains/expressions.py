@@ -185,7 +185,7 @@ def worked_out(node, look_up):
         case ast.UnaryOp():
             return of_known(SIGNS[type(node.op)], of(node.operand))
         case ast.BinOp():
-            return of_known(calculated, type(node.op), of(node.left), of(node.right))
+            return of_known(arithmetic, type(node.op), of(node.left), of(node.right))
         case ast.Compare():
             return compared(node, of)
         case ast.Call():
@@ -204,7 +204,7 @@ def extreme(which, *values):
     return None if any(value is None for value in listed) else which(listed)
 
 
-def calculated(sign, *values):
+def arithmetic(sign, *values):
     """Arithmetic is for numbers: a text could be repeated any number of times."""
     if not all(isinstance(value, (int, float)) for value in values):
         raise TypeError("arithmetic is for numbers")

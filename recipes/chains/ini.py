@@ -4,8 +4,10 @@ import configparser
 import difflib
 import math
 import re
+import shlex
 from contextlib import contextmanager
 
+from chains.point import HOLE
 from rupture.errors import Failure, UsageError
 
 FORMER = {  # sections and keys of [sweep] up to version 0.3, and what is written instead
@@ -46,6 +48,14 @@ def needs_of(section):
     if not re.fullmatch("[1-9][0-9]{0,3}", threads):
         raise UsageError(f"'threads = {threads}' is not understood: give a whole number from 1")
     return {"megabytes": megabytes, "threads": int(threads)}
+
+
+def words_of(line):
+    """The words of a command; a hole is a part of one."""
+    try:
+        return shlex.split(HOLE.sub("0", line))
+    except ValueError as error:
+        raise UsageError(f"'{line}' cannot be split into words ({error})") from None
 
 
 def suggestion(name, known):

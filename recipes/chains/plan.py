@@ -8,6 +8,7 @@ written only when they change: so neither dates of sources, nor the folder, nor 
 makes anything stale."""
 
 import json
+import math
 import os
 import re
 from pathlib import Path
@@ -17,14 +18,15 @@ from chains.check import check
 from chains.digests import MODULES, digest_of_scripts, digest_of_tool, read_modules
 from chains.points import Waiting, those
 from chains.selection import Chains
-from chains.store import DIGESTS, SPARE, digest_file, is_whole, write_if_changed
+from chains.store import DIGESTS, RESULTS, SPARE, digest_file, is_whole, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
 from reproduce.written import note
-from chains.products import batches_of
 
-RESULTS, DATA = Path("results"), Path("results/data")
+DATA = RESULTS / "data"
 FOLDER = DATA / "plan"
+MOST_BATCHES = 64  # of up to LARGEST_BATCH points, so that many cores have work until the end
+LARGEST_BATCH = 60  # points
 FILES = ("build.ninja", ".ninja_log", ".ninja_deps")
 OF_CLAIMS = SHARE / "recipes/claims/claims.toml"  # a changed acceptance is judged anew
 # A profile's `step` starts commands as the shell does (docs/cluster.md);
@@ -95,6 +97,12 @@ def points_read(chains, figure, is_ensemble_asked):
     if waiting:
         raise waiting
     return {name: list(points.values()) for name, points in found.items()}
+
+
+def batches_of(points):
+    """The points of each job, in their order."""
+    size = min(LARGEST_BATCH, math.ceil(len(points) / MOST_BATCHES))
+    return [points[start : start + size] for start in range(0, len(points), size or 1)]
 
 
 class Plan:

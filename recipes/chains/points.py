@@ -11,14 +11,14 @@ import shlex
 from functools import cached_property
 from pathlib import Path
 
-from chains.chain import ALL, ALSO, BASE, HOLE, SCRIPT, is_expression, kept_names
-from chains.chain import ways_in
+from chains.chain import ALL, ALSO, BASE, SCRIPT, kept_names, ways_in
 from chains.expressions import Expression, as_number, as_text, first_known
 from chains.digests import digest_of_tool
+from chains.point import HOLE
 from chains.store import STORE, digest, is_current, origin_of, result_of, sources_of, tools_of
 from measure.conventions import words_of
+from chains.values import is_expression
 from rupture.errors import UsageError
-from chains.products import options
 
 LAST_BEFORE = "last before "
 
@@ -186,7 +186,7 @@ class Point:
 
         def fill(found):
             if found[1] == "values":
-                return options(self.options)
+                return as_options(self.options)
             if found[1] == "base":
                 return shlex.quote(self.base["shown"])
             if found[1].startswith(ALL):
@@ -335,3 +335,14 @@ def with_ways(line):
     """`--also SET` as it is typed: with the options of these ways to measure."""
     ways = [" ".join(words_of(way)) for way in ways_in(line).values()]
     return ALSO.sub(lambda _: f"--also {shlex.quote('; '.join(ways))}", line)
+
+
+def as_options(values):
+    """The values as options of a tool."""
+    return " ".join(
+        f"--set {shlex.quote(f'{name}={value}')}"
+        if "." in name
+        else f"--{name} {shlex.quote(value)}"
+        for name, value in values.items()
+        if name != "variant"
+    )

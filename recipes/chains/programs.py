@@ -3,21 +3,19 @@
 import json
 import math
 import re
-import shlex
 from collections import Counter
 from contextlib import suppress
 from functools import cache
 
-from chains.commands import PROGRAMS
+from chains.point import HOLE, PROGRAMS
 from rupture.errors import UsageError
 from rupture.programs import output_of
 from rupture.units import in_si
-from chains.ini import check_known, suggestion
-from chains.products import HEADING
+from chains.ini import check_known, suggestion, words_of
+from chains.values import HEADING
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
 STATE = ("status", "sentence", "point")  # columns of every table
-HOLE = re.compile(r"\{[^{}]*\}")
 OPTION = re.compile(r"-[A-Za-z-]")  # how one begins; negative numbers do not
 PLAIN = re.compile(r"[A-Za-z0-9_][\w.-]*")  # name of a file in the point's folder
 WORDS = re.compile(r"[\w.][\w., +-]*")  # a value that is a text
@@ -53,23 +51,16 @@ class Programs:
 
     def described(self, line):
         """The program's description of this command, which also refuses wrong options."""
-        return self.answer(*words_in(line), "--describe")
+        return self.answer(*words_of(line), "--describe")
 
 
 # --- commands ---------------------------------------------------------------------------------
 
 
-def words_in(line):
-    try:
-        return shlex.split(line)
-    except ValueError as error:
-        raise UsageError(f"'{line}' cannot be split into words ({error})") from None
-
-
 def given_in(line, programs):
     """The names of the options in a command. What would write elsewhere, or compute nothing, is
     refused here; of an unknown option the program itself has more to say."""
-    words = words_in(line)
+    words = words_of(line)
     known = programs.options(*words)
     for word, following in zip(words, [*words[1:], "--"]):
         option, equals, value = word.partition("=")
@@ -92,7 +83,7 @@ def check_command(line, programs):
         if not {*group}.intersection(given):
             needs = f"{program['name']} needs {' or '.join(f'--{name}' for name in group)}"
             raise UsageError(f"{needs}, which '{line}' does not have")
-    settings = re.findall(r"(?:^| )--set[ =](\S+?)=", " ".join(words_in(line)))
+    settings = re.findall(r"(?:^| )--set[ =](\S+?)=", " ".join(words_of(line)))
     settings += ["numerics.seed"] * given.count("seed")  # --seed is short for it
     for name, times in Counter(settings).items():
         if times > 1:
@@ -179,7 +170,7 @@ def unit_of_column(path, commands, programs):
         like = f"; write one like {command} = analyze {command} record.h5"
         near = suggestion(command, commands) or like
         raise UsageError(f"'{path}': [commands] has no '{command}'{near}")
-    words = words_in(commands[command])
+    words = words_of(commands[command])
     if words[0] != "analyze":
         raise UsageError(f"'{path}': the command '{command}' does not run analyze")
     quantity, known = f"{words[1]}.{rest}", programs.quantities
@@ -199,16 +190,18 @@ def check_columns(chain, names, programs):
     columns: dict[str, str] = {}
     units: dict[str, str] = {}
     taken = [*STATE, *names]
-    if not chain.sections.get("quantities"):
-        raise UsageError("it needs a section [quantities], as in type = front.type")
-    for heading, path in chain.sections["quantities"].items():
-        ((name, _, stated),) = HEADING.findall(heading)
-        unit = unit_of_column(path, chain.commands, programs)
-        if stated and unit in ("", "1"):
-            raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
-        if stated not in ("", unit):
-            raise UsageError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
-        if "/" in name or not WORDS.fullmatch(name) or name in (".", *columns, *taken):
-            raise UsageError(f"'{heading}' cannot be the heading of a column; take another one")
-        columns[name], units[name] = path, unit
+    if not (rows := chain.sections.get("quantities")):
+        sentence = "it needs a section [quantities], as in type = front.type"
+        raise chain.error("quantities", "", sentence)
+    for heading, path in rows.items():
+        with chain.errors_at("quantities", heading):
+            ((name, _, stated),) = HEADING.findall(heading)
+            unit = unit_of_column(path, chain.commands, programs)
+            if stated and unit in ("", "1"):
+                raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
+            if stated not in ("", unit):
+                raise UsageError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
+            if "/" in name or not WORDS.fullmatch(name) or name in (".", *columns, *taken):
+                raise UsageError(f"'{heading}' cannot be the heading of a column; take another one")
+            columns[name], units[name] = path, unit
     return columns, units

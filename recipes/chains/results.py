@@ -5,8 +5,8 @@ from functools import cache, cached_property
 from pathlib import Path
 
 from chains.expressions import Expression, as_number
-from chains.chain import is_expression
 from chains.store import result_of
+from chains.values import is_expression
 from rupture.errors import Failure
 
 read_result = cache(result_of)  # many points come from the same

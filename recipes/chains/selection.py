@@ -8,11 +8,10 @@ import re
 from functools import cached_property
 from pathlib import Path
 
-from chains.chain import RECIPES, Chain, is_expression
+from chains.chain import RECIPES, Chain
 from chains.points import Point, Waiting, each, those
-from chains.products import evaluate, products, rows_in
 from chains.programs import Programs
-from chains.values import LIMIT
+from chains.values import LIMIT, calculated, products, rows_in
 from rupture.errors import UsageError
 
 
@@ -112,11 +111,3 @@ def may_start(chain, point):
         return without.worked_out(chain.points["condition"] or "True", without.look_up)
     except (Waiting, ValueError):  # it waits, or names what is not there yet
         return True
-
-
-def calculated(values):
-    """With the results of arithmetic on values (0.3 * {junctions.t_R}); those that are one
-    expression in braces are worked out when they are needed, unless it is another value."""
-    waiting = {n for n, text in values.items() if is_expression(text) and text[1:-1] not in values}
-    plain = evaluate({name: text for name, text in values.items() if name not in waiting})
-    return {name: plain.get(name, text) for name, text in values.items()}

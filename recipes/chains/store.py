@@ -8,11 +8,13 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from rupture.replacing import write_whole
+from reproduce.written import take
+from rupture.replacing import replacing, write_whole
 
-STORE = Path("results/data/points")
-SPARE = Path("results/data/spare")  # files of finished points while others of their batch run
-DIGESTS = Path("results/data/digests")  # of programs and scripts (digests.py)
+RESULTS = Path("results")
+STORE = RESULTS / "data/points"
+SPARE = RESULTS / "data/spare"  # files of finished points while others of their batch run
+DIGESTS = RESULTS / "data/digests"  # of programs and scripts (digests.py)
 FORM = "1"  # of results; another one makes all points stale
 
 
@@ -36,6 +38,14 @@ def write_if_changed(path, text):
     """Leaves a file that says so, and its date, alone: then nothing after it is stale."""
     if read(path) != text:
         write_whole(path, text)
+
+
+def write_own(path, content):
+    """Bytes of a file that is ours, or none yet; one that is equal keeps its date."""
+    take(RESULTS, path)
+    if not path.exists() or path.read_bytes() != content:
+        with replacing(path) as part:
+            part.write_bytes(content)
 
 
 def result_of(path):

@@ -9,13 +9,12 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from chains.bases import write
 from chains.check import check
-from chains.commands import UNFINISHED
-from chains.plan import FILES, RESULTS
+from chains.point import UNFINISHED
+from chains.plan import FILES
 from chains.points import Waiting
 from chains.selection import Chains
-from chains.store import read, result_of
+from chains.store import RESULTS, read, result_of, write_own
 from rupture.errors import UsageError
 from reproduce.written import take
 from chains.programs import check_columns, check_points
@@ -52,23 +51,17 @@ class OwnSweep:
         self.chains = Chains()
         self.chain = self.chains.load(path)
         check(self.chains, self.chain)
-        table = self.chain.points and self.chain.path.parent / self.chain.points["chain"]
-        if table and table.suffix == ".csv" and not table.is_file():
-            raise UsageError(f"{path}: there is no table of points {table}")
         self.points = None
         with suppress(Waiting):
             self.points = self.chains.points(self.chain)
-        with errors_of(path):
-            self.check_some()
+        self.check_some()
         units: dict[str, str] = {}
         for chain in self.lineage:
             if not chain.is_ours and (points := self.chains.made.get(chain.path)):
-                with errors_of(chain.path):
+                with chain.errors_at("values", ""):
                     units |= check_points(points, self.chains.programs)
-        with errors_of(path):
-            columns, of_columns = check_columns(
-                self.chain, names_in(self.lineage), self.chains.programs
-            )
+        names = [name for one in self.lineage for lists in one.lists.values() for name in lists]
+        columns, of_columns = check_columns(self.chain, names, self.chains.programs)
         self.sweep = Sweep(
             title=self.chain.keys.get("title", self.chain.path.stem),
             points=self.points or [],
@@ -81,11 +74,11 @@ class OwnSweep:
     def check_some(self):
         """That there are points, if they are known."""
         above = self.chains.above(self.chain)
-        if above and self.points == []:
-            raise UsageError(f"there are no points: none of {above.path.name} is as 'points' says")
-        if not above and not any(point.values for point in self.points or ()):
-            what = "[values] or a table says for which values to run"
-            raise UsageError(f"there are no points: {what}")
+        what = "[values] or a table says for which values to run"
+        if above:
+            what = f"none of {above.path.name} is as 'points' says"
+        if self.points == [] or not above and not any(one.values for one in self.points or ()):
+            raise self.chain.error("values", "", f"there are no points: {what}")
 
     @property
     def lineage(self):
@@ -130,18 +123,14 @@ class OwnSweep:
             own["base"] = os.path.relpath(next(iter(self.chain.copies.values())), self.stem.parent)
         if own.get("points", "").endswith(".csv"):
             copy = self.stem.with_name(f"{self.stem.name}-points.csv")
-            write(RESULTS, copy, (self.chain.path.parent / own["points"]).read_bytes())
+            write_own(copy, (self.chain.path.parent / own["points"]).read_bytes())
             own["points"] = copy.name
         ini = configparser.RawConfigParser(default_section="", delimiters="=")
         ini.optionxform = str  # type: ignore[method-assign, assignment]
         ini.read_dict(sections)
         text = io.StringIO()
         ini.write(text)
-        write(RESULTS, files[0], text.getvalue().encode())
-
-
-def names_in(chains):
-    return [name for chain in chains for lists in chain.lists.values() for name in lists]
+        write_own(files[0], text.getvalue().encode())
 
 
 def result(point):

@@ -13,7 +13,7 @@ import numpy as np
 from rupture.replacing import replacing
 from rupture.tools.command_line import in_one_line, plural
 from rupture.units import without_unit
-from chains.commands import UNFINISHED
+from chains.point import UNFINISHED
 from chains.sweeps import result
 from measure.tables import write_table
 from measure.front_map import TYPES

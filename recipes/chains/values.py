@@ -1,10 +1,14 @@
-"""Values in sweep files: lists, ranges, expressions of other values. Mistakes are ValueErrors."""
+"""Values in chain files: lists, ranges, tables, arithmetic on other values, and their products.
+Mistakes are ValueErrors."""
 
+import csv
 import functools
 import math
 import re
+from pathlib import Path
 
 from chains.expressions import Expression, as_number
+from rupture.errors import UsageError
 from rupture.units import NUMBER, PREFIXES, UNIT, amount
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
@@ -13,7 +17,13 @@ RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 BARE = rf"\s*[-+]?{NUMBER}\s*"
 MIXED = re.compile(rf"(?:^|,)(?!\s*[0.]+\s*,\s){BARE},{BARE}({UNIT})\s*(?:,|$)")
 REFERENCE = re.compile(r"\{([^{}]+)\}")
+HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")  # of a table: a name, and perhaps a unit
 LIMIT = 100_000  # points of a sweep
+
+
+def is_expression(text):
+    """Whether it is one expression in braces, whose value is known when it is needed."""
+    return bool(REFERENCE.fullmatch(text))
 
 
 def text_of(number):
@@ -26,11 +36,16 @@ def parsed(text, names):
     return Expression(REFERENCE.sub(r"\1", text), names)
 
 
+@functools.cache
+def references(text):
+    return {*REFERENCE.findall(text)}
+
+
 def calculate(text, values):
     """The number, as a text, that follows from other values, whose names are in braces."""
     numbers = {name: as_number(values[name]) for name in references(text) if name in values}
     try:
-        number = parsed(text, (*numbers,)).value(numbers.__getitem__)
+        number = parsed(text, (*sorted(numbers),)).value(numbers.__getitem__)
         if isinstance(number, bool) or not isinstance(number, (int, float)):
             raise ValueError("it is no number")
         return text_of(number)
@@ -38,9 +53,19 @@ def calculate(text, values):
         raise ValueError(f"'{text}' cannot be calculated: {error}") from None
 
 
-@functools.cache
-def references(text):
-    return REFERENCE.findall(text)
+def calculated(values):
+    """The values, with the results of arithmetic on others (0.3 * {junctions.t_R}) in whatever
+    order they depend on each other. One expression in braces stays unless it is another value."""
+    waiting = {n: text for n, text in values.items() if references(text)}
+    lazy = {n: t for n, t in waiting.items() if is_expression(t) and t[1:-1] not in values}
+    known = {name: text for name, text in values.items() if name not in waiting}
+    waiting = {name: text for name, text in waiting.items() if name not in lazy}
+    while waiting:
+        ready = [name for name, text in waiting.items() if not references(text) & waiting.keys()]
+        if not ready:
+            raise UsageError(f"{', '.join(waiting)}: a value cannot depend on itself")
+        known |= {name: calculate(waiting.pop(name), known) for name in ready}
+    return values | known
 
 
 def numbers_between(first, last, how, step):
@@ -87,3 +112,37 @@ def values_of(text):
         one = re.sub(r"(?<![.\d])(\d+),(?=\d+(?![.\d]))", r"\1.", text)
         raise ValueError(f"'{text}' is unclear: write {', or '.join([one, each][one == text :])}")
     return listed
+
+
+def rows_in(path):
+    """The points of a table, each as lists of one value. The unit in a heading is that of its
+    cells; in a table of results, values come before `status`."""
+    if not Path(path).is_file():
+        raise UsageError(f"there is no table of points {path}")
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            table = csv.DictReader(file, restkey="", skipinitialspace=True)
+            rows = {table.line_num: row for row in table}
+            names = table.fieldnames or []
+    except (UnicodeDecodeError, csv.Error):
+        raise UsageError(f"{path} is not a CSV table in UTF-8") from None
+    columns = [(heading, *HEADING.findall(heading)[0][::2]) for heading in names]
+    if len({name for _, name, _ in columns}) < len(names) or "" in names:
+        raise UsageError(f"{path}: each column needs a heading of its own")
+    for number, row in rows.items():
+        if "" in row or None in row.values():
+            raise UsageError(f"{path}, line {number}: it needs as many cells as the first line")
+    values = columns[: [*names, "status"].index("status")]
+    return [{name: [row[at] + unit] for at, name, unit in values} for row in rows.values()]
+
+
+def products(lists, rows):
+    """{name: its values} of each product: `lists` by section, combined with each of the rows."""
+    common = lists.pop("values", {})
+    if not lists:
+        return [common | row for row in rows]
+    return [
+        {"variant": [section.removeprefix("variant ").strip()]} | common | row | own
+        for section, own in lists.items()
+        for row in rows
+    ]

@@ -7,7 +7,7 @@ import pytest
 from chains.check import check
 from chains.selection import Chains
 from rupture.errors import UsageError
-from chains.products import batches_of
+from chains.plan import batches_of
 from rupture.units import in_si
 from chains.values import values_of
 
