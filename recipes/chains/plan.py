@@ -203,15 +203,16 @@ class Plan:
         write_if_changed(self.file, "\n".join([rules, *self.pools.values(), *self.edges.values()]))
 
 
-def write_plan(cores, megabytes, recipes=(), files=()):
-    """Of these recipes, or of all points of these chains, those of a user in a plan of their own;
+def write_plan(cores, megabytes, recipes=(), files=(), own=None):
+    """Of these recipes, or of all points of these chains, a user's file in a plan of its own;
     returns its path. Raises UsageError, with the file and the line, if anything in the files leads
-    nowhere. A user's file may have changed since it was checked, so it is checked here."""
+    nowhere. `own`: the user's sweep if it is checked already."""
     from chains.sweeps import OwnSweep  # which imports this module, too
 
-    own = [OwnSweep(file) for file in files if RECIPES not in Path(file).parents]
-    chains, waiting = own[0].chains if own else Chains(), []
-    plan = Plan(cores, megabytes, own[0].stem.parent / "plan" if own else FOLDER)
+    if not own and files and RECIPES not in Path(files[0]).parents:
+        own = OwnSweep(files[0])
+    chains, waiting = own.chains if own else Chains(), []
+    plan = Plan(cores, megabytes, own.stem.parent / "plan" if own else FOLDER)
     for file in files:
         try:
             plan.add_points(chains.points(chains.load(file)))

@@ -1,23 +1,16 @@
-"""Runs Ninja, and says what it does: python -m chains.progress NINJA WORD...
+"""Says what Ninja does: a line for each point and figure that is done, with x of y, the time so far
+and an estimate for the rest; of a failure, the end of what was said."""
 
-A line for each point and figure that is done, with x of y, the time so far and an estimate for the
-rest; of a failure, the end of what was said. Exit code 0; Ninja's own if it failed; 3 if there was
-nothing to do."""
-
-import os
 import re
-import signal
-import subprocess
 import sys
 import time
 from collections import deque
+from contextlib import suppress
 from pathlib import Path
-
-from chains.store import put_back
 
 LOG = Path("build/log/recipes.log")
 LAST_LINES = 30
-NOTHING_TO_DO = 3
+STATUS = "[%f/%t] "  # of Ninja ($NINJA_STATUS)
 WAIT = 10.0  # [s] before the time for the rest is estimated
 STEP = re.compile(r"\[(\d+)/(\d+)\] (.*)")
 FAILED = re.compile(r"FAILED: (\S+)")
@@ -32,10 +25,8 @@ def log(text):
 
 def show(text):
     """A reader who has gone, as of `| head`, or a full disk does not stop the run."""
-    try:
+    with suppress(OSError):
         print(text, flush=True)
-    except OSError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def complain(text):
@@ -85,18 +76,3 @@ def complain_all(said):
     for text in filter(str.strip, said):
         complain(text)
     said.clear()
-
-
-def main(*command):
-    signal.signal(signal.SIGINT, lambda *_: None)  # Ninja gets it, too, and ends first
-    os.environ["NINJA_STATUS"] = "[%f/%t] "
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
-    ) as ninja:
-        did = follow(line.rstrip("\n") for line in ninja.stdout or ())
-    put_back()
-    return ninja.returncode or (0 if did else NOTHING_TO_DO)
-
-
-if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))

@@ -126,28 +126,31 @@ def run_recipes(request, processes, recipes, place):
     return did or did_more, has_failed
 
 
-def run_ninja(processes, place, **wanted):
+def run_ninja(processes, place, own=None, **wanted):
     """Makes what is `wanted` by a plan, which Ninja may write again. Returns whether there was
     anything to do, and whether that failed."""
     from chains.plan import write_plan
-    from chains.progress import NOTHING_TO_DO
+    from chains.progress import STATUS, follow
 
     wanted |= {"cores": place.cores, "megabytes": place.megabytes}
     try:
-        plan = write_plan(**wanted)
+        plan = write_plan(**wanted, own=own)
     except OSError as error:
         raise Failure(f"{ROOT / RESULTS} cannot be written ({error.strerror})") from None
     if not shutil.which("ninja"):
         raise Failure("there is no program ninja on the PATH; packages.txt names its package")
     os.environ |= {"RUPTURE_PLAN": json.dumps(wanted), "RUPTURE_PYTHON": sys.executable}
     os.environ |= {"RUPTURE_STEP": str(place.step or "sh"), "MPLBACKEND": "Agg"}
-    ninja = ["ninja", "-f", plan, "-j", place.cores, "-k", 0]
-    command = [sys.executable, "-P", "-m", "chains.progress", *ninja]
+    os.environ["NINJA_STATUS"] = STATUS
+    ninja, did = ["ninja", "-f", plan, "-j", place.cores, "-k", 0], []
     for _ in range(TRIES if place.step else 1):
-        code = processes.run([str(word) for word in command])
-        if code in (0, NOTHING_TO_DO):
+        try:
+            code = processes.run(ninja, lambda lines: did.append(follow(lines)))
+        finally:
+            put_back()
+        if not code:
             break
-    return code != NOTHING_TO_DO, code not in (0, NOTHING_TO_DO)
+    return any(did), bool(code)
 
 
 def reproduce(request, recipes, processes):
@@ -203,7 +206,7 @@ def run_sweep(request, processes):
         return 0
     own.write()
     there, count = {*STORE.glob("*.json")}, len(own.missing())
-    run_ninja(processes, place, files=[str(request.file)])
+    run_ninja(processes, place, own=own, files=[str(request.file)])
     if own.points is None:
         own = OwnSweep(request.file)
         if own.points is None:

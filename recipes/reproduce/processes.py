@@ -1,16 +1,14 @@
 """Starts programs for ./reproduce.sh, and leaves none of them running.
 
-Each has a process group of its own. A signal to ./reproduce.sh is passed on to the group. A guard,
-which outlives ./reproduce.sh, ends the group if ./reproduce.sh was killed. The programs hold a lock
-of their own, so the next call can wait for their end.
-"""
+Each has a process group of its own. A signal to ./reproduce.sh is passed on to the group; if
+./reproduce.sh was killed, the program gets one from the system. The programs hold a lock of their
+own, so the next call can wait for their end."""
 
 import fcntl
 import os
 import signal
 import subprocess
 import sys
-import time
 from contextlib import suppress
 from pathlib import Path
 
@@ -19,15 +17,8 @@ from rupture.replacing import ENDING
 from reproduce.project import LOGS, ROOT, WORK, complain, say
 
 SET_UP = Path(__file__).with_name("set-up.sh")
-WAIT = 30.0  # [s] for programs of a run that was killed
-
-# Its input is a line when the group $0 has ended well, and ends with ./reproduce.sh.
-GUARD = """\
-read -r _ && exit
-kill -INT "-$0" 2>/dev/null
-for _ in $(seq 100); do kill -0 "-$0" 2>/dev/null || exit 0; sleep 0.1; done
-kill -KILL "-$0" 2>/dev/null
-"""
+FOLLOWED: dict = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+FOLLOWED |= {"text": True, "errors": "replace"}
 
 
 def end_group(group, number):
@@ -55,17 +46,6 @@ def take_lock(lock, name):
     return os.path.exists(path) and os.path.samefile(path, lock)
 
 
-def wait_for(lock, name):
-    if take_lock(lock, name):
-        return
-    say("Waiting for programs of an earlier run, which was killed, to end ...")
-    end = time.monotonic() + WAIT
-    while not take_lock(lock, name):
-        if time.monotonic() > end:
-            raise Failure("programs of an earlier run, which was killed, are still running here.")
-        time.sleep(0.1)
-
-
 class Processes:
     """Two runs in one folder would overwrite each other's files, so only one at a time may run."""
 
@@ -77,13 +57,14 @@ class Processes:
         self.turn = open_lock("lock")  # it ends with this process
         self.has_turn = take_lock(self.turn, "lock")
         self.lock = open_lock("lock-of-programs")  # they inherit it
-        if self.has_turn:
-            wait_for(self.lock, "lock-of-programs")
         for number in ENDING:
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup
                 signal.signal(number, self.receive)
         if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # in the background of a script
             signal.signal(signal.SIGINT, lambda *_: None)  # but what is started must not ignore it
+        if self.has_turn and not take_lock(self.lock, "lock-of-programs"):
+            say("Waiting for programs of an earlier run, which was killed, to end ...")
+            fcntl.flock(self.lock, fcntl.LOCK_EX)
 
     def receive(self, number, _):
         """The first signal lets programs save what they have; the next one ends them."""
@@ -94,23 +75,33 @@ class Processes:
         elif not self.is_starting:  # else run() will see it
             sys.exit(128 + self.received)
 
-    def start(self, command, stdin):
-        return subprocess.Popen(command, stdin=stdin, start_new_session=True, pass_fds=[self.lock])
+    def start(self, command, options):
+        """setpriv: a signal for it if we are killed."""
+        return subprocess.Popen(
+            ["setpriv", "--pdeathsig", "INT", *map(str, command)],
+            stdin=subprocess.DEVNULL,
+            start_new_session=True,
+            pass_fds=[self.lock],
+            **options,
+        )
 
-    def run(self, command):
-        """Runs a program and returns its exit code. Processes that it leaves running are ended."""
+    def run(self, command, follow=None):
+        """Runs a program and returns its exit code. `follow` gets the lines that it prints. Of a
+        program that fails, processes that it leaves running are ended."""
         self.is_starting = True
-        process = self.start(command, subprocess.DEVNULL)
-        guard = self.start(["sh", "-c", GUARD, str(process.pid)], subprocess.PIPE)
+        process = self.start(command, FOLLOWED if follow else {})
         self.group, self.is_starting = process.pid, False
         if self.received:
             end_group(process.pid, self.ending)
+        if follow:
+            follow(line.rstrip("\n") for line in process.stdout)
         code = process.wait()
         self.group = None
         if self.received:
             complain("interrupted; results that were finished before are kept")
-            sys.exit(128 + self.received)  # and the guard looks after what is left
-        guard.communicate(b"" if code else b"\n")
+            sys.exit(128 + self.received)
+        if code:
+            end_group(process.pid, signal.SIGINT)
         return code
 
 
@@ -119,7 +110,7 @@ class Processes:
 
 def set_up(processes, *words):
     """If the script fails, it has printed the reason."""
-    if code := processes.run(["bash", SET_UP, *map(str, words)]):
+    if code := processes.run(["bash", SET_UP, *words]):
         sys.exit(code)
 
 

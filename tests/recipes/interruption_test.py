@@ -2,7 +2,6 @@
 changes; interrupted, killed or damaged, nothing goes on by itself, and the same command completes
 it (recipes/{chains,reproduce}/)."""
 
-import os
 import re
 import signal
 from pathlib import Path
@@ -115,19 +114,6 @@ def test_the_same_command_goes_on_and_keeps_what_is_finished_of_a_batch(sweep, n
     assert process.wait(WITHIN) == code
     assert "4 points: 4 done.\nComputed now: 2; already done: 2." in sweep.go()
     assert sweep.running() == []
-
-
-def test_what_follows_ninja_alone_may_be_killed(sweep):
-    process = sweep.started()
-    (progress,) = [
-        int(folder.name)
-        for folder in Path("/proc").glob("[0-9]*")
-        if stat_of(folder.name)[1:2] == [str(process.pid)]
-        and b"chains.progress" in (folder / "cmdline").read_bytes()
-    ]
-    os.kill(progress, signal.SIGKILL)
-    assert process.wait(WITHIN) == 1
-    wait_for(lambda: not sweep.running())
 
 
 # --- points that follow from what others report --------------------------------------------------
